@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/model/project.h"
+
+#include <filesystem>
+
+namespace esm {
+
+/// The project file `.esm`: a zip with a versioned JSON manifest, binary arrays and the photos' own files.
+constexpr int projectFileVersion = 1;
+
+/// @throws FileError: missing, not a project, damaged (which entry), or of a newer version
+Project loadProject(const std::filesystem::path& file);
+
+/// Saves atomically. The same project gives the same bytes. @throws FileError; an existing file is then as it was
+void saveProject(const Project& project, const std::filesystem::path& file);
+
+/// All problems at once; empty when the file is whole.
+std::vector<std::string> validateProjectFile(const std::filesystem::path& file);
+
+} // namespace esm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/fuzzy/fuzzy_system.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace esm {
+
+/// Values by variable name, in any order.
+using NamedValues = std::vector<std::pair<std::string, double>>;
+
+struct InferenceResult {
+    std::vector<std::optional<double>> outputs; ///< in the system's order; empty where no rule fires
+    std::vector<double> firing; ///< degree per rule, 0 to 1
+};
+
+/// Mamdani inference: AND = minimum, implication = minimum, aggregation = maximum [R 2.48, 2.49], then the
+/// exact centre of gravity of the piecewise linear result. `inputs` are in the system's order; one that is
+/// missing takes no part: rules that ask for it do not fire. Inputs out of range are evaluated unclamped.
+InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional<double>>& inputs);
+
+/// Puts named values into the system's order. @throws InvalidModel naming every unknown or non-finite one
+std::vector<std::optional<double>> orderedInputs(const FuzzySystem& system, const NamedValues& values);
+
+/// "flexible 0.92, medium 0.08": the terms a value belongs to, strongest first.
+std::string inWords(const FuzzyVariable& variable, double value);
+
+} // namespace esm

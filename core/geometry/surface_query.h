@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+
+#include <memory>
+#include <optional>
+
+namespace esm {
+
+struct Ray {
+    Eigen::Vector3d origin; ///< m
+    Eigen::Vector3d direction; ///< any length > 0
+};
+
+struct RayHit {
+    std::uint32_t triangle;
+    Eigen::Vector3d barycentric; ///< weights of the triangle's three corners
+    double distance; ///< m, along the normalised direction
+};
+
+struct NearestPoint {
+    std::uint32_t triangle;
+    Eigen::Vector3d barycentric;
+    Eigen::Vector3d point; ///< m
+};
+
+/// Rays and nearest points against a surface whose vertices may move (bounding-volume tree, refitted by Embree).
+class SurfaceQuery {
+public:
+    SurfaceQuery(const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& triangles);
+    SurfaceQuery(SurfaceQuery&&) noexcept;
+    SurfaceQuery& operator=(SurfaceQuery&&) noexcept;
+    ~SurfaceQuery();
+
+    /// Takes new positions of the same vertices.
+    void refit(const std::vector<Eigen::Vector3d>& positions);
+
+    /// The first triangle that a ray meets, from either side.
+    std::optional<RayHit> firstHit(const Ray& ray) const;
+
+    /// True when anything lies between the two points, `margin` (m) left free at both ends.
+    bool isBlocked(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin) const;
+
+    /// The surface's nearest point within `maximumDistance` (m).
+    std::optional<NearestPoint> nearestPoint(const Eigen::Vector3d& point, double maximumDistance) const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> m_implementation;
+};
+
+} // namespace esm

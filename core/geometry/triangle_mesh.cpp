@@ -1,0 +1,60 @@
+#include "core/geometry/triangle_mesh.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace esm {
+
+Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& point : points) box.extend(point);
+    return box;
+}
+
+std::vector<Edge> uniqueEdges(const std::vector<Triangle>& triangles) {
+    std::vector<Edge> edges;
+    std::unordered_set<std::uint64_t> seen;
+    seen.reserve(3 * triangles.size());
+    for (const Triangle& triangle : triangles)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Edge edge = std::minmax({triangle[corner], triangle[(corner + 1) % 3]});
+            if (seen.insert(std::uint64_t{edge.first} << 32 | edge.second).second) edges.push_back(edge);
+        }
+    return edges;
+}
+
+double surfaceArea(const TriangleMesh& mesh) {
+    double twice = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const Eigen::Vector3d& a = mesh.vertices[t[0]];
+        twice += (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+    }
+    return twice / 2;
+}
+
+double enclosedVolume(const TriangleMesh& mesh) {
+    if (mesh.vertices.empty()) return 0;
+    const Eigen::Vector3d origin = boundingBox(mesh.vertices).center();
+    double sixfold = 0;
+    for (const Triangle& t : mesh.triangles)
+        sixfold += (mesh.vertices[t[0]] - origin)
+                       .dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
+    return sixfold / 6;
+}
+
+std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& positions,
+                                           const std::vector<Triangle>& triangles) {
+    std::vector<Eigen::Vector3d> normals(positions.size(), Eigen::Vector3d::Zero());
+    for (const Triangle& t : triangles) {
+        const Eigen::Vector3d& a = positions[t[0]];
+        const Eigen::Vector3d areaNormal = (positions[t[1]] - a).cross(positions[t[2]] - a);
+        for (const std::uint32_t vertex : t) normals[vertex] += areaNormal;
+    }
+    for (Eigen::Vector3d& normal : normals) {
+        const double length = normal.norm();
+        normal = length > 0 ? Eigen::Vector3d(normal / length) : Eigen::Vector3d::UnitZ();
+    }
+    return normals;
+}
+
+} // namespace esm

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace esm {
+
+using Triangle = std::array<std::uint32_t, 3>; ///< vertex indices, counter-clockwise seen from outside
+using Edge = std::pair<std::uint32_t, std::uint32_t>; ///< vertex indices, the smaller first
+
+/// An organ's surface. Immutable once built: held by `std::shared_ptr<const TriangleMesh>` and replaced whole.
+struct TriangleMesh {
+    std::vector<Eigen::Vector3d> vertices; ///< m
+    std::vector<Triangle> triangles;
+};
+
+/// The box that holds every point; empty (`isEmpty()`) without points.
+Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points);
+
+/// Every edge once, in the order in which the triangles first use it.
+std::vector<Edge> uniqueEdges(const std::vector<Triangle>& triangles);
+
+/// Sum of the triangles' areas, m².
+double surfaceArea(const TriangleMesh& mesh);
+
+/// Volume enclosed by a closed, consistently oriented surface, m³; negative when it faces inwards.
+double enclosedVolume(const TriangleMesh& mesh);
+
+/// Unit normals at the vertices, area-weighted. A vertex whose triangles have no area gets (0, 0, 1).
+std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& positions,
+                                           const std::vector<Triangle>& triangles);
+
+} // namespace esm

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/geometry/ellipsoid.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace esm {
+
+struct NodeSelection {
+    std::vector<std::uint32_t> nodes;
+    std::optional<Ellipsoid> ellipsoid; ///< at rest; added to `nodes`
+};
+
+/// Springs that tie every n-th node (0, n, 2n, …) to its rest position: the surrounding tissue. [R 5.1]
+struct TetherRule {
+    std::uint32_t every = 3;
+    double springConstant = 0; ///< N/m
+    double viscosity = 0; ///< N·s/m
+};
+
+struct NodeForce {
+    std::uint32_t node;
+    Eigen::Vector3d force; ///< N
+    double from, to; ///< s; acts for from ≤ t < to, t being the step's start
+};
+
+struct PathPoint {
+    double time; ///< s
+    Eigen::Vector3d value; ///< m
+};
+using Path = std::vector<PathPoint>; ///< times strictly increasing; linear between, constant outside
+
+/// A node led along a path of displacements from its rest position.
+struct NodeMove {
+    std::uint32_t node;
+    Path path;
+};
+
+/// A rigid instrument that pushes the surface. A capsule is not offered yet.
+struct InstrumentMotion {
+    double radius; ///< m, > 0
+    Path path; ///< of the centre, in model coordinates
+};
+
+struct Recording {
+    double every = 0.01; ///< s
+    std::optional<std::vector<std::uint32_t>> nodes; ///< all without
+};
+
+/// What happens to the model in a run: boundary conditions, loads and what is recorded.
+struct Scene {
+    double duration = 1; ///< s
+    Eigen::Vector3d gravity = Eigen::Vector3d::Zero(); ///< m/s²
+    std::vector<NodeSelection> fixed;
+    std::vector<TetherRule> tethers;
+    std::vector<NodeForce> forces;
+    std::vector<NodeMove> moves;
+    std::optional<InstrumentMotion> instrument;
+    Recording record;
+};
+
+/// Where a path is at a time. Precondition: the path has a point.
+Eigen::Vector3d positionAt(const Path& path, double time);
+
+/// Every problem of a scene for a model of `nodeCount` nodes. Empty when it can run.
+std::vector<std::string> validate(const Scene& scene, std::size_t nodeCount);
+
+} // namespace esm

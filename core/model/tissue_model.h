@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/model/scene.h"
+#include "core/model/spring_network.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+/// A spring from a node to its own rest position.
+struct Tether {
+    std::uint32_t node;
+    double springConstant; ///< N/m
+    double viscosity; ///< N·s/m
+};
+
+/// Everything a simulation needs to know of the tissue, evaluated: regions and scene are already in the numbers.
+struct TissueModel {
+    std::shared_ptr<const SpringNetwork> network;
+    std::vector<double> mass; ///< kg per node
+    std::vector<double> springConstant; ///< N/m per node; a spring takes its ends' mean
+    std::vector<double> viscosity; ///< N·s/m per node; a spring takes its ends' mean
+    std::vector<Tether> tethers;
+    std::vector<std::uint32_t> fixedNodes; ///< sorted, each once
+};
+
+/// Mean of the spring's two ends.
+double springConstant(const TissueModel& model, const Spring& spring);
+double viscosity(const TissueModel& model, const Spring& spring);
+
+/// Every problem: sizes that do not agree, springs to missing nodes, masses not above zero, negative or
+/// non-finite parameters. Empty when the model can be simulated.
+std::vector<std::string> validate(const TissueModel& model);
+
+} // namespace esm

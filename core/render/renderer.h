@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/geometry/ellipsoid.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/model/spring_network.h"
+#include "core/render/camera.h"
+#include "core/texture/atlas.h"
+#include "core/texture/image.h"
+#include "core/texture/projector.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace esm {
+
+using Colour = std::array<std::uint8_t, 3>; ///< red, green, blue
+
+struct DrawnEllipsoid {
+    Ellipsoid shape;
+    Colour colour;
+    bool selected = false;
+};
+
+struct DrawnProjector {
+    Projector projector;
+    std::shared_ptr<const Image> photo; ///< shown half-transparently on the box's face; may be null
+    bool selected = false;
+};
+
+struct DrawnSphere {
+    Eigen::Vector3d centre; ///< m
+    double radius; ///< m
+};
+
+/// Everything one picture shows. Shared parts are compared by pointer and uploaded only when they change.
+struct RenderScene {
+    std::shared_ptr<const TriangleMesh> mesh;
+    std::shared_ptr<const SpringNetwork> network;
+    std::vector<Eigen::Vector3d> nodePositions; ///< m, one per node; empty draws the rest shape
+    std::shared_ptr<const Atlas> atlas; ///< null: base colour only
+    std::shared_ptr<const std::vector<Image>> texturePages; ///< null: base colour only
+    Colour baseColour{186, 92, 84};
+    bool showSurface = true, showSprings = false, unlit = false;
+    std::shared_ptr<const std::vector<double>> springValues; ///< colours springs by a parameter; one per spring, may be null
+    double springValueMinimum = 0, springValueMaximum = 1;
+    std::vector<DrawnEllipsoid> ellipsoids;
+    std::vector<DrawnProjector> projectors;
+    std::optional<DrawnSphere> instrument;
+    Colour backgroundTop{57, 64, 71}, backgroundBottom{29, 32, 37};
+};
+
+/// Draws into the bound target of the current OpenGL 3.3 core context. One instance per context.
+class Renderer {
+public:
+    using Resolver = std::function<void*(const char* name)>; ///< address of a GL function
+
+    /// @throws std::runtime_error when a function is missing or a shader does not compile
+    explicit Renderer(const Resolver& resolver);
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+    ~Renderer(); ///< needs the context current
+
+    void draw(const RenderScene& scene, const Camera& camera, int width, int height);
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> m_implementation;
+};
+
+} // namespace esm

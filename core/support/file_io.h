@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Reads a whole file. @throws FileError when it is missing, not a regular file or unreadable.
+Bytes readFile(const std::filesystem::path& file);
+
+/// Replaces `file` by `content`, or leaves it untouched: written to a new file beside it, synced, renamed.
+/// @throws FileError when the folder is missing or read-only, or the disk is full; the new file is removed.
+void writeFileAtomically(const std::filesystem::path& file, const Bytes& content);
+void writeFileAtomically(const std::filesystem::path& file, const std::string& content);
+
+} // namespace esm

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/support/file_io.h"
+#include "core/texture/image.h"
+#include "core/texture/projector.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace esm {
+
+/// A photograph: its file as it was read, and its pixels. Immutable once loaded.
+struct Photo {
+    std::string fileName; ///< without folder
+    Bytes encoded; ///< the file's bytes, kept so that a project loses nothing
+    Image image;
+};
+
+/// A photo on the organ. Never baked in: layers are composed anew when one changes.
+struct PhotoLayer {
+    std::string name;
+    std::shared_ptr<const Photo> photo; ///< never null
+    Projector projector;
+    double blendPixels = 24; ///< photo pixels over which the weight rises from 0 at the border to 1 [R 4.3.3]
+    double opacity = 1; ///< 0 to 1
+    bool visible = true;
+};
+
+/// Decodes a photo. @throws FileError when it is missing, not an image or damaged
+std::shared_ptr<const Photo> loadPhoto(const std::filesystem::path& file);
+/// The same from bytes; `name` stands in messages.
+std::shared_ptr<const Photo> decodePhoto(std::string name, Bytes encoded);
+
+} // namespace esm
