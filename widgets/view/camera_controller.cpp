@@ -1,0 +1,79 @@
+#include "widgets/view/camera_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+namespace {
+
+constexpr double radiansPerHeight = 3.2; // a drag over the view's height turns about half round
+constexpr double zoomPerNotch = 0.87;
+constexpr double anglePerNotch = 120; // QWheelEvent's eighths of a degree
+
+} // namespace
+
+std::optional<StandardView> standardViewOfKey(int key) {
+    switch (key) {
+    case Qt::Key_1:
+    case Qt::Key_F:
+        return StandardView::Front;
+    case Qt::Key_2:
+    case Qt::Key_B:
+        return StandardView::Back;
+    case Qt::Key_3:
+    case Qt::Key_L:
+        return StandardView::Left;
+    case Qt::Key_4:
+    case Qt::Key_R:
+        return StandardView::Right;
+    case Qt::Key_5:
+    case Qt::Key_T:
+        return StandardView::Top;
+    case Qt::Key_6:
+        return StandardView::Bottom;
+    default:
+        return std::nullopt;
+    }
+}
+
+bool CameraController::press(const QMouseEvent& event) {
+    if (isDragging()) return true;
+    const bool orbits = event.button() == Qt::RightButton ||
+                        (event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::AltModifier));
+    const bool pans = event.button() == Qt::MiddleButton ||
+                      (orbits && event.modifiers().testFlag(Qt::ShiftModifier)) ||
+                      (event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ShiftModifier));
+    if (!orbits && !pans) return false;
+    m_drag = pans ? Drag::Pan : Drag::Orbit;
+    m_button = event.button();
+    m_last = event.localPos();
+    return true;
+}
+
+bool CameraController::move(const QMouseEvent& event, const QSize& viewSize) {
+    if (!isDragging()) return false;
+    const QPointF by = (event.localPos() - m_last) / std::max(1, viewSize.height());
+    m_last = event.localPos();
+    // The organ follows the mouse, so the eye goes the other way.
+    if (m_drag == Drag::Orbit)
+        m_camera = orbited(m_camera, -radiansPerHeight * by.x(), radiansPerHeight * by.y());
+    else
+        m_camera = panned(m_camera, -by.x(), by.y());
+    return true;
+}
+
+bool CameraController::release(const QMouseEvent& event) {
+    if (!isDragging()) return false;
+    if (event.button() == m_button) m_drag = Drag::None;
+    return true;
+}
+
+void CameraController::zoom(const QWheelEvent& event, const QSize& viewSize) {
+    const double notches = event.angleDelta().y() / anglePerNotch;
+    const Eigen::Vector2d at(event.position().x() / std::max(1, viewSize.width()),
+                             event.position().y() / std::max(1, viewSize.height()));
+    const double aspect = double(std::max(1, viewSize.width())) / std::max(1, viewSize.height());
+    m_camera = zoomedAbout(m_camera, std::pow(zoomPerNotch, notches), at, aspect);
+}
+
+} // namespace esm

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/render/camera.h"
+
+#include <QMouseEvent>
+#include <QSize>
+#include <QWheelEvent>
+
+#include <optional>
+
+namespace esm {
+
+/// The standard view of a key: 1 to 6 and F, B, L, R, T (front, back, left, right, top; 6 is bottom).
+std::optional<StandardView> standardViewOfKey(int key);
+
+/// Turns mouse and wheel into cameras. The right button, or the left one with Alt, orbits; the middle button,
+/// or either of those with Shift, shifts; the wheel zooms about the mouse.
+class CameraController {
+public:
+    const Camera& camera() const { return m_camera; }
+    void setCamera(const Camera& camera) { m_camera = camera; }
+
+    /// Starts a drag when button and modifier keys ask for one; false leaves the press to the tool in hand.
+    bool press(const QMouseEvent& event);
+    /// Follows a drag that was started; false when there is none.
+    bool move(const QMouseEvent& event, const QSize& viewSize);
+    /// Ends a drag; false when there was none.
+    bool release(const QMouseEvent& event);
+    void zoom(const QWheelEvent& event, const QSize& viewSize);
+
+    bool isDragging() const { return m_drag != Drag::None; }
+
+private:
+    enum class Drag { None, Orbit, Pan };
+
+    Camera m_camera;
+    Drag m_drag = Drag::None;
+    Qt::MouseButton m_button = Qt::NoButton;
+    QPointF m_last;
+};
+
+} // namespace esm
