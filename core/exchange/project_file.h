@@ -7,15 +7,19 @@
 namespace esm {
 
 /// The project file `.esm`: a zip with a versioned JSON manifest, binary arrays and the photos' own files.
+/// Specified in `docs/project-file.md`.
 constexpr int projectFileVersion = 1;
 
+/// Every number comes back as it was saved, bit by bit.
 /// @throws FileError: missing, not a project, damaged (which entry), or of a newer version
 Project loadProject(const std::filesystem::path& file);
 
-/// Saves atomically. The same project gives the same bytes. @throws FileError; an existing file is then as it was
+/// Saves atomically. The same project gives the same bytes.
+/// @throws FileError, also for a project with problems, which could not be loaded again; an existing file is then
+/// as it was
 void saveProject(const Project& project, const std::filesystem::path& file);
 
-/// All problems at once; empty when the file is whole.
+/// All problems at once; empty when the file is whole. @throws FileError when there is no file to read
 std::vector<std::string> validateProjectFile(const std::filesystem::path& file);
 
 } // namespace esm

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/geometry/repair.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+/// What writing and reading of the project file agree on; described in `docs/project-file.md`.
+namespace esm::project_layout {
+
+constexpr const char* format = "esm-project";
+constexpr const char* manifest = "manifest.json";
+constexpr const char* meshVertices = "mesh/vertices.f64";
+constexpr const char* meshTriangles = "mesh/triangles.u32";
+constexpr const char* networkNodes = "network/nodes.f64";
+constexpr const char* networkSprings = "network/springs.u32";
+constexpr const char* networkRestLengths = "network/rest-lengths.f64";
+constexpr const char* networkVertexNodes = "network/vertex-nodes.u32";
+constexpr const char* atlasCorners = "atlas/corners.f64";
+constexpr const char* atlasPages = "atlas/pages.u32";
+
+/// Bytes after decompression; what claims more is refused instead of filling the memory.
+constexpr std::uint64_t largestManifest = std::uint64_t{64} << 20;
+constexpr std::uint64_t largestProject = std::uint64_t{2} << 30;
+
+using ReportCount = std::pair<const char*, std::size_t RepairReport::*>;
+constexpr std::array<ReportCount, 13> reportCounts{{
+    {"mergedVertices", &RepairReport::mergedVertices},
+    {"splitPolygons", &RepairReport::splitPolygons},
+    {"degenerateTriangles", &RepairReport::degenerateTriangles},
+    {"duplicateTriangles", &RepairReport::duplicateTriangles},
+    {"unusedVertices", &RepairReport::unusedVertices},
+    {"flippedTriangles", &RepairReport::flippedTriangles},
+    {"droppedParts", &RepairReport::droppedParts},
+    {"components", &RepairReport::components},
+    {"boundaryEdgesBefore", &RepairReport::boundaryEdgesBefore},
+    {"nonManifoldEdgesBefore", &RepairReport::nonManifoldEdgesBefore},
+    {"boundaryEdges", &RepairReport::boundaryEdges},
+    {"nonManifoldEdges", &RepairReport::nonManifoldEdges},
+    {"inconsistentEdges", &RepairReport::inconsistentEdges},
+}};
+
+} // namespace esm::project_layout

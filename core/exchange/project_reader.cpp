@@ -1,0 +1,279 @@
+#include "core/exchange/little_endian.h"
+#include "core/exchange/project_file.h"
+#include "core/exchange/project_layout.h"
+#include "core/exchange/projector_file.h"
+#include "core/exchange/region_json.h"
+#include "core/exchange/scene_file.h"
+#include "core/exchange/zip_archive.h"
+#include "core/support/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+using Json = nlohmann::ordered_json;
+namespace layout = project_layout;
+
+namespace {
+
+/// The archive while it is read. Problems are collected, so that one pass finds all of them.
+class Source {
+public:
+    Source(const ZipReader& archive, std::vector<std::string>& problems)
+        : m_archive(archive), m_problems(problems) {}
+
+    /// An entry of `size` bytes; empty, and a problem, where it cannot be had.
+    Bytes bytes(const std::string& entry, std::uint64_t size) {
+        try {
+            Bytes content = m_archive.read(entry, std::min(size, m_budget));
+            m_budget -= content.size();
+            if (content.size() == size) return content;
+            m_problems.push_back(entry + " should have " + std::to_string(size) + " bytes, but has " +
+                                 std::to_string(content.size()));
+        } catch (const InvalidModel& error) {
+            m_problems.push_back(error.what());
+        }
+        return {};
+    }
+
+    /// The numbers of an array in groups of `components`.
+    template<typename T>
+    std::vector<T> array(const JsonReader& arrays, const char* entry, std::size_t components) {
+        const JsonReader declared = arrays.member(entry);
+        const std::uint64_t count = declared.integer(0, layout::largestProject / sizeof(T));
+        if (count % components != 0) {
+            declared.addProblem("should be a multiple of " + std::to_string(components));
+            return {};
+        }
+        const Bytes content = bytes(entry, count * sizeof(T));
+        std::vector<T> values;
+        values.reserve(content.size() / sizeof(T));
+        for (std::size_t i = 0; i < content.size(); i += sizeof(T))
+            values.push_back(littleEndian<T>(&content[i]));
+        return values;
+    }
+
+    std::vector<double> numbers(const JsonReader& arrays, const char* entry, std::size_t components) {
+        std::vector<double> values = array<double>(arrays, entry, components);
+        const auto bad =
+            std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+        if (bad == values.end()) return values;
+        m_problems.push_back(std::string(entry) + ": number " + std::to_string(bad - values.begin()) +
+                             " is not finite");
+        return {};
+    }
+
+    /// Whole numbers below `limit`.
+    std::vector<std::uint32_t> indices(const JsonReader& arrays, const char* entry, std::size_t components,
+                                       std::size_t limit) {
+        std::vector<std::uint32_t> values = array<std::uint32_t>(arrays, entry, components);
+        const auto bad =
+            std::find_if(values.begin(), values.end(), [&](std::uint32_t value) { return value >= limit; });
+        if (bad == values.end()) return values;
+        m_problems.push_back(std::string(entry) + ": number " + std::to_string(bad - values.begin()) +
+                             " is " + std::to_string(*bad) + ", but should be below " +
+                             std::to_string(limit));
+        return {};
+    }
+
+private:
+    const ZipReader& m_archive;
+    std::vector<std::string>& m_problems;
+    std::uint64_t m_budget = layout::largestProject;
+};
+
+std::vector<Eigen::Vector3d> points(const std::vector<double>& coordinates) {
+    std::vector<Eigen::Vector3d> result;
+    result.reserve(coordinates.size() / 3);
+    for (std::size_t i = 0; i < coordinates.size(); i += 3)
+        result.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+    return result;
+}
+
+std::shared_ptr<const TriangleMesh> readMesh(const JsonReader& arrays, Source& source) {
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->vertices = points(source.numbers(arrays, layout::meshVertices, 3));
+    const std::vector<std::uint32_t> corners =
+        source.indices(arrays, layout::meshTriangles, 3, mesh->vertices.size());
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+        mesh->triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    return mesh;
+}
+
+std::shared_ptr<const SpringNetwork> readNetwork(const JsonReader& arrays, Source& source) {
+    auto network = std::make_shared<SpringNetwork>();
+    network->restPositions = points(source.numbers(arrays, layout::networkNodes, 3));
+    const std::size_t nodes = network->restPositions.size();
+    const std::vector<std::uint32_t> ends = source.indices(arrays, layout::networkSprings, 2, nodes);
+    const std::vector<double> restLengths = source.numbers(arrays, layout::networkRestLengths, 1);
+    if (ends.size() != 2 * restLengths.size())
+        arrays.addProblem("give " + std::to_string(ends.size() / 2) + " springs, but " +
+                          std::to_string(restLengths.size()) + " rest lengths");
+    for (std::size_t i = 0; i < std::min(restLengths.size(), ends.size() / 2); ++i)
+        network->springs.push_back({ends[2 * i], ends[2 * i + 1], restLengths[i]});
+    network->vertexNodes = source.indices(arrays, layout::networkVertexNodes, 1, nodes);
+    return network;
+}
+
+/// Sizes are bounded so that a damaged number cannot ask for all memory when the texture is composed.
+AtlasOptions atlasOptionsFromJson(const JsonReader& reader) {
+    return {static_cast<int>(reader.member("size").integer(1, 16384)),
+            static_cast<int>(reader.member("pages").integer(1, 256)),
+            static_cast<int>(reader.member("gap").integer(0, 16384))};
+}
+
+std::shared_ptr<const Atlas> readAtlas(const JsonReader& reader, const JsonReader& arrays, Source& source) {
+    auto atlas = std::make_shared<Atlas>();
+    atlas->options = atlasOptionsFromJson(reader);
+    atlas->texelsPerMetre = reader.member("texelsPerMetre").number();
+    atlas->utilisation = reader.member("utilisation").number();
+    const std::vector<double> c = source.numbers(arrays, layout::atlasCorners, 6);
+    for (std::size_t i = 0; i < c.size(); i += 6)
+        atlas->corners.push_back(
+            {Eigen::Vector2d(c[i], c[i + 1]), {c[i + 2], c[i + 3]}, {c[i + 4], c[i + 5]}});
+    const auto pages = static_cast<std::size_t>(atlas->options.pages);
+    for (const std::uint32_t page : source.indices(arrays, layout::atlasPages, 1, pages))
+        atlas->page.push_back(static_cast<std::uint16_t>(page));
+    return atlas;
+}
+
+std::shared_ptr<const RepairReport> reportFromJson(const JsonReader& reader) {
+    auto report = std::make_shared<RepairReport>();
+    for (const auto& [key, count] : layout::reportCounts)
+        (*report).*count = reader.member(key).count();
+    report->warnings = reader.member("warnings").texts();
+    return report;
+}
+
+BaseTissue baseFromJson(const JsonReader& reader) {
+    return {reader.member("springConstant").number(), reader.member("viscosity").number(),
+            reader.member("mass").number()};
+}
+
+Scene readScene(const JsonReader& reader) {
+    try {
+        return sceneFromJson(reader.json());
+    } catch (const InvalidModel& error) {
+        for (const std::string& problem : error.problems())
+            reader.addProblem("is not usable: " + problem);
+        return {};
+    }
+}
+
+Projector readProjector(const JsonReader& reader) {
+    try {
+        return projectorFromJson(reader.json());
+    } catch (const InvalidModel& error) {
+        for (const std::string& problem : error.problems())
+            reader.addProblem("is not usable: " + problem);
+        return {};
+    }
+}
+
+std::shared_ptr<const Photo> readPhotoFile(const JsonReader& reader, Source& source) {
+    const std::string entry = reader.member("entry").text();
+    Bytes encoded = source.bytes(entry, reader.member("bytes").integer(1, layout::largestProject));
+    if (encoded.empty()) return nullptr;
+    try {
+        return decodePhoto(reader.member("fileName").text(), std::move(encoded));
+    } catch (const FileError& error) {
+        reader.addProblem("cannot be shown (entry " + entry + "): " + error.what());
+        return nullptr;
+    }
+}
+
+std::vector<PhotoLayer> readPhotos(const JsonReader& reader, Source& source) {
+    std::vector<std::shared_ptr<const Photo>> files;
+    for (const JsonReader& file : reader.member("files").elements())
+        files.push_back(readPhotoFile(file, source));
+    std::vector<PhotoLayer> layers;
+    for (const JsonReader& json : reader.member("layers").elements()) {
+        PhotoLayer layer;
+        layer.name = json.member("name").text();
+        const auto place = static_cast<std::size_t>(json.member("file").count());
+        if (place < files.size())
+            layer.photo = files[place];
+        else
+            json.addProblem("names photo file " + std::to_string(place) + ", but there are " +
+                            std::to_string(files.size()));
+        layer.projector = readProjector(json.member("projector"));
+        layer.blendPixels = json.member("blendPixels").number();
+        layer.opacity = json.member("opacity").number();
+        layer.visible = json.member("visible").flag();
+        layers.push_back(std::move(layer));
+    }
+    return layers;
+}
+
+Project readContent(const JsonReader& manifest, Source& source) {
+    Project project;
+    const JsonReader arrays = manifest.member("arrays");
+    project.name = manifest.member("name").text();
+    project.mesh = readMesh(arrays, source);
+    project.network = readNetwork(arrays, source);
+    project.importReport = reportFromJson(manifest.member("importReport"));
+    project.base = baseFromJson(manifest.member("base"));
+    project.regions = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
+    project.scene = readScene(manifest.member("scene"));
+    project.photos = readPhotos(manifest.member("photos"), source);
+    project.texture.atlas = atlasOptionsFromJson(manifest.member("texture"));
+    project.texture.baseColour = colourFromJson(manifest.member("texture").member("baseColour"));
+    if (manifest.has("atlas")) project.atlas = readAtlas(manifest.member("atlas"), arrays, source);
+    return project;
+}
+
+Json readManifest(const ZipReader& archive) {
+    try {
+        const Bytes text = archive.read(layout::manifest, layout::largestManifest);
+        const char* begin = reinterpret_cast<const char*>(text.data());
+        return parseJson(begin, begin + text.size());
+    } catch (const InvalidModel& error) {
+        throw InvalidModel(std::string("is not a project or is damaged: ") + error.what());
+    }
+}
+
+/// @throws InvalidModel for what no other version of the reader could make sense of
+void requireKnownVersion(const JsonReader& manifest) {
+    if (!manifest.has("format") || manifest.json()["format"] != layout::format)
+        throw InvalidModel("is not a project of this program");
+    const std::uint64_t version =
+        manifest.member("version").integer(1, std::numeric_limits<std::uint32_t>::max());
+    if (version > static_cast<std::uint64_t>(projectFileVersion))
+        throw InvalidModel("was made by a newer version (" + std::to_string(version) +
+                           ") of the program; this one reads up to " + std::to_string(projectFileVersion) +
+                           "; update the program");
+}
+
+/// The project and every problem of its file. The project is of use only without problems.
+std::pair<Project, std::vector<std::string>> readProject(const std::filesystem::path& file) {
+    const Bytes content = readFile(file);
+    std::vector<std::string> problems;
+    try {
+        if (content.empty()) throw InvalidModel("is empty; choose another file");
+        const ZipReader archive(content);
+        const Json json = readManifest(archive);
+        const JsonReader manifest(json, "", problems);
+        requireKnownVersion(manifest);
+        Source source(archive, problems);
+        Project project = readContent(manifest, source);
+        if (problems.empty()) problems = validate(project);
+        return {std::move(project), std::move(problems)};
+    } catch (const InvalidModel& error) {
+        return {{}, error.problems()};
+    }
+}
+
+} // namespace
+
+Project loadProject(const std::filesystem::path& file) {
+    auto [project, problems] = readProject(file);
+    if (!problems.empty()) throw FileError(file, InvalidModel(problems).what());
+    return std::move(project);
+}
+
+std::vector<std::string> validateProjectFile(const std::filesystem::path& file) {
+    return readProject(file).second;
+}
+
+} // namespace esm

@@ -1,0 +1,187 @@
+#include "core/exchange/little_endian.h"
+#include "core/exchange/project_file.h"
+#include "core/exchange/project_layout.h"
+#include "core/exchange/projector_file.h"
+#include "core/exchange/region_json.h"
+#include "core/exchange/scene_file.h"
+#include "core/exchange/zip_archive.h"
+#include "core/support/errors.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace esm {
+
+using Json = nlohmann::ordered_json;
+namespace layout = project_layout;
+
+namespace {
+
+struct Content {
+    Json arrays = Json::object(); ///< number of elements by entry
+    std::vector<ZipEntry> entries;
+
+    template<typename T> void add(const char* name, const std::vector<T>& values) {
+        arrays[name] = values.size();
+        ZipEntry entry{name, {}, true};
+        entry.content.reserve(values.size() * sizeof(T));
+        for (const T value : values)
+            appendLittleEndian(entry.content, value);
+        entries.push_back(std::move(entry));
+    }
+};
+
+std::vector<double> coordinates(const std::vector<Eigen::Vector3d>& points) {
+    std::vector<double> values;
+    values.reserve(3 * points.size());
+    for (const Eigen::Vector3d& point : points)
+        values.insert(values.end(), point.data(), point.data() + 3);
+    return values;
+}
+
+void addMesh(const TriangleMesh& mesh, Content& content) {
+    std::vector<std::uint32_t> corners;
+    for (const Triangle& triangle : mesh.triangles)
+        corners.insert(corners.end(), triangle.begin(), triangle.end());
+    content.add(layout::meshVertices, coordinates(mesh.vertices));
+    content.add(layout::meshTriangles, corners);
+}
+
+void addNetwork(const SpringNetwork& network, Content& content) {
+    std::vector<std::uint32_t> ends;
+    std::vector<double> restLengths;
+    for (const Spring& spring : network.springs) {
+        ends.insert(ends.end(), {spring.first, spring.second});
+        restLengths.push_back(spring.restLength);
+    }
+    content.add(layout::networkNodes, coordinates(network.restPositions));
+    content.add(layout::networkSprings, ends);
+    content.add(layout::networkRestLengths, restLengths);
+    content.add(layout::networkVertexNodes, network.vertexNodes);
+}
+
+Json toJson(const AtlasOptions& options) {
+    return {{"size", options.size}, {"pages", options.pages}, {"gap", options.gap}};
+}
+
+Json addAtlas(const Atlas& atlas, Content& content) {
+    std::vector<double> corners;
+    for (const auto& triangle : atlas.corners)
+        for (const Eigen::Vector2d& corner : triangle)
+            corners.insert(corners.end(), {corner.x(), corner.y()});
+    content.add(layout::atlasCorners, corners);
+    content.add(layout::atlasPages, std::vector<std::uint32_t>(atlas.page.begin(), atlas.page.end()));
+    Json json = toJson(atlas.options);
+    json["texelsPerMetre"] = atlas.texelsPerMetre;
+    json["utilisation"] = atlas.utilisation;
+    return json;
+}
+
+/// A name inside the archive that any tool unpacks, with the photo's own ending so that a viewer opens it.
+std::string entryOfPhoto(std::size_t number, const std::string& fileName) {
+    std::string ending = std::filesystem::path(fileName).extension().string();
+    const bool plain =
+        ending.size() <= 6 && std::all_of(ending.begin() + (ending.empty() ? 0 : 1), ending.end(),
+                                          [](unsigned char c) { return c < 128 && std::isalnum(c); });
+    return "photos/" + std::to_string(number) + (plain ? ending : "");
+}
+
+/// The place of a photo's file, added where it is not there yet: layers may share one.
+std::size_t addPhotoFile(const Photo& photo, Json& files, Content& content,
+                         std::vector<const Photo*>& added) {
+    const auto same = [&](const Photo* other) {
+        return other == &photo || (other->fileName == photo.fileName && other->encoded == photo.encoded);
+    };
+    const auto found = std::find_if(added.begin(), added.end(), same);
+    const auto place = static_cast<std::size_t>(found - added.begin());
+    if (found != added.end()) return place;
+    added.push_back(&photo);
+    const std::string entry = entryOfPhoto(place, photo.fileName);
+    files.push_back({{"entry", entry}, {"fileName", photo.fileName}, {"bytes", photo.encoded.size()}});
+    content.entries.push_back({entry, photo.encoded, false});
+    return place;
+}
+
+Json addPhotos(const std::vector<PhotoLayer>& layers, Content& content) {
+    Json files = Json::array(), list = Json::array();
+    std::vector<const Photo*> added;
+    for (const PhotoLayer& layer : layers)
+        list.push_back({{"name", layer.name},
+                        {"file", addPhotoFile(*layer.photo, files, content, added)},
+                        {"projector", esm::toJson(layer.projector)},
+                        {"blendPixels", layer.blendPixels},
+                        {"opacity", layer.opacity},
+                        {"visible", layer.visible}});
+    return {{"files", std::move(files)}, {"layers", std::move(list)}};
+}
+
+Json toJson(const RepairReport& report) {
+    Json json = Json::object();
+    for (const auto& [key, count] : layout::reportCounts)
+        json[key] = report.*count;
+    json["warnings"] = report.warnings;
+    return json;
+}
+
+Json toJson(const BaseTissue& base) {
+    return {{"springConstant", base.springConstant}, {"viscosity", base.viscosity}, {"mass", base.mass}};
+}
+
+Json manifestOf(const Project& project, Content& content) {
+    addMesh(*project.mesh, content);
+    addNetwork(*project.network, content);
+    RegionsJson regions = toJson(project.regions);
+    Json texture = toJson(project.texture.atlas);
+    texture["baseColour"] = colourToJson(project.texture.baseColour);
+    Json manifest{{"format", layout::format},
+                  {"version", projectFileVersion},
+                  {"program", ESM_VERSION},
+                  {"name", project.name},
+                  {"importReport", toJson(*project.importReport)},
+                  {"base", toJson(project.base)},
+                  {"fuzzySystems", std::move(regions.systems)},
+                  {"regions", std::move(regions.regions)},
+                  {"scene", toJson(project.scene)},
+                  {"photos", addPhotos(project.photos, content)},
+                  {"texture", std::move(texture)}};
+    if (project.atlas) manifest["atlas"] = addAtlas(*project.atlas, content);
+    manifest["arrays"] = content.arrays;
+    return manifest;
+}
+
+/// What would make a file that cannot be loaded again.
+std::vector<std::string> problemsOf(const Json& manifest, const Content& content) {
+    std::vector<std::string> problems;
+    for (const std::string& place : nonFiniteNumbers(manifest))
+        problems.push_back(place + " is not a finite number");
+    std::uint64_t size = 0;
+    for (const ZipEntry& entry : content.entries)
+        size += entry.content.size();
+    if (content.entries.front().content.size() > layout::largestManifest)
+        problems.push_back("its lists are longer than a project file can hold; shorten the scene's paths");
+    if (size > layout::largestProject)
+        problems.push_back("it is larger than 2 GiB; use fewer or smaller photos");
+    return problems;
+}
+
+void refuse(const std::filesystem::path& file, const std::vector<std::string>& problems) {
+    if (!problems.empty())
+        throw FileError(file, "was not saved: " + std::string(InvalidModel(problems).what()));
+}
+
+} // namespace
+
+void saveProject(const Project& project, const std::filesystem::path& file) {
+    refuse(file, validate(project));
+    Content content;
+    content.entries.push_back({layout::manifest, {}, true});
+    const Json manifest = manifestOf(project, content);
+    // Names may come from file names in any encoding; JSON holds UTF-8 only.
+    const std::string text = manifest.dump(1, ' ', false, Json::error_handler_t::replace);
+    content.entries.front().content.assign(text.begin(), text.end());
+    refuse(file, problemsOf(manifest, content));
+    writeFileAtomically(file, makeZip(content.entries));
+}
+
+} // namespace esm
