@@ -3,16 +3,22 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <string>
+#include <vector>
+
 namespace esm {
 
 /// A free ellipsoid that marks a region of an organ [R 2.3.7].
 struct Ellipsoid {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< m
-    Eigen::Vector3d radii = Eigen::Vector3d::Ones(); ///< m, along the ellipsoid's own axes, each > 0
+    Eigen::Vector3d radii = Eigen::Vector3d::Ones();  ///< m, along the ellipsoid's own axes, each > 0
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity(); ///< own axes → model
 };
 
 /// True for points inside or on the surface.
 bool contains(const Ellipsoid& ellipsoid, const Eigen::Vector3d& point);
+
+/// Every problem: places that are not finite, radii not above zero, an orientation that is no rotation.
+std::vector<std::string> validate(const Ellipsoid& ellipsoid);
 
 } // namespace esm

@@ -1,0 +1,161 @@
+#include "core/model/project.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace esm {
+
+namespace {
+
+/// "flexible" of SUSILAP-G at consistency 5.5 [R C.1]. The stiffness of a membrane of springs within its
+/// surface does not depend on the springs' length, so one constant suits every size and resolution.
+constexpr double defaultSpringConstant = 16.26; // N/m
+constexpr double defaultViscosity = 2.877;      // N·s/m
+
+constexpr double tissueDensity = 1000;  // kg/m³
+constexpr double wallThickness = 0.003; // m, of an open surface
+
+/// The part of the organ's size that a local poke takes along.
+constexpr double pokeExtent = 0.15;
+
+double defaultMass(const TriangleMesh& mesh, bool closed) {
+    const double volume = closed ? std::abs(enclosedVolume(mesh)) : 0;
+    return tissueDensity * (volume > 0 ? volume : surfaceArea(mesh) * wallThickness);
+}
+
+double meanRestLength(const SpringNetwork& network) {
+    double sum = 0;
+    for (const Spring& spring : network.springs)
+        sum += spring.restLength;
+    return sum / static_cast<double>(network.springs.size());
+}
+
+/// For every node, the lowest node of its connected part.
+std::vector<std::uint32_t> connectedParts(const SpringNetwork& network) {
+    std::vector<std::uint32_t> parent(network.restPositions.size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    const auto root = [&parent](std::uint32_t node) {
+        while (parent[node] != node)
+            node = parent[node] = parent[parent[node]];
+        return node;
+    };
+    for (const Spring& spring : network.springs) {
+        const auto [low, high] = std::minmax({root(spring.first), root(spring.second)});
+        parent[high] = low;
+    }
+    for (std::uint32_t& node : parent)
+        node = root(node);
+    return parent;
+}
+
+/// A part held by fewer than three tethers could turn or drift away.
+bool everyPartIsHeld(const SpringNetwork& network, std::uint32_t every) {
+    const std::vector<std::uint32_t> parts = connectedParts(network);
+    std::vector<std::uint32_t> tethers(parts.size(), 0);
+    for (std::size_t node = 0; node < parts.size(); node += every)
+        ++tethers[parts[node]];
+    return std::all_of(parts.begin(), parts.end(), [&](std::uint32_t part) { return tethers[part] >= 3; });
+}
+
+/// Tethers that let a poke take along the same part of the organ however fine its mesh is. Springs c and
+/// tethers k per node fade a displacement over a length L = e·sqrt(c/k), e the springs' length; k follows
+/// from the wanted L.
+TetherRule defaultTethers(const SpringNetwork& network, const BaseTissue& base) {
+    TetherRule rule;
+    rule.every = everyPartIsHeld(network, 3) ? 3 : 1;
+    const double extent = pokeExtent * boundingBox(network.restPositions).diagonal().norm();
+    const double edgesPerExtent = extent / meanRestLength(network);
+    rule.springConstant = rule.every * base.springConstant / (edgesPerExtent * edgesPerExtent);
+    rule.viscosity = rule.springConstant * base.viscosity / base.springConstant;
+    return rule;
+}
+
+/// Overwrites the parameters of the nodes inside a region.
+void lay(TissueModel& model, const Region& region) {
+    const TissueValues values = evaluate(region).values;
+    const std::vector<std::uint32_t> nodes = nodesInside(*model.network, region);
+    const auto count = static_cast<double>(nodes.size());
+    for (const std::uint32_t node : nodes) {
+        if (values.springConstant) model.springConstant[node] = *values.springConstant;
+        if (values.viscosity) model.viscosity[node] = *values.viscosity;
+        if (values.mass) model.mass[node] = *values.mass / count;
+    }
+}
+
+void tie(TissueModel& model, const TetherRule& rule) {
+    for (std::size_t node = 0; node < model.network->restPositions.size(); node += rule.every)
+        model.tethers.push_back({static_cast<std::uint32_t>(node), rule.springConstant, rule.viscosity});
+}
+
+void fix(TissueModel& model, const NodeSelection& selection) {
+    const auto& positions = model.network->restPositions;
+    auto& fixed = model.fixedNodes;
+    fixed.insert(fixed.end(), selection.nodes.begin(), selection.nodes.end());
+    if (!selection.ellipsoid) return;
+    for (std::uint32_t node = 0; node < positions.size(); ++node)
+        if (contains(*selection.ellipsoid, positions[node])) fixed.push_back(node);
+}
+
+} // namespace
+
+Project makeProject(std::string name, RepairedMesh surface, double massKilograms) {
+    Project project;
+    project.name = std::move(name);
+    project.base.springConstant = defaultSpringConstant;
+    project.base.viscosity = defaultViscosity;
+    project.base.mass =
+        massKilograms > 0 ? massKilograms : defaultMass(surface.mesh, surface.report.isClosed());
+    project.network = std::make_shared<const SpringNetwork>(networkFromMesh(surface.mesh));
+    if (!project.network->springs.empty())
+        project.scene.tethers.push_back(defaultTethers(*project.network, project.base));
+    project.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
+    project.importReport = std::make_shared<const RepairReport>(std::move(surface.report));
+    return project;
+}
+
+std::vector<std::uint32_t> nodesInside(const SpringNetwork& network, const Region& region) {
+    std::vector<std::uint32_t> nodes;
+    for (std::uint32_t node = 0; node < network.restPositions.size(); ++node)
+        if (!region.ellipsoid || contains(*region.ellipsoid, network.restPositions[node]))
+            nodes.push_back(node);
+    return nodes;
+}
+
+TissueModel evaluateModel(const Project& project, const Scene& scene) {
+    const std::size_t nodes = project.network->restPositions.size();
+    TissueModel model;
+    model.network = project.network;
+    model.mass.assign(nodes, project.base.mass / static_cast<double>(nodes));
+    model.springConstant.assign(nodes, project.base.springConstant);
+    model.viscosity.assign(nodes, project.base.viscosity);
+    for (const Region& region : project.regions)
+        lay(model, region);
+    for (const TetherRule& rule : scene.tethers)
+        tie(model, rule);
+    for (const NodeSelection& selection : scene.fixed)
+        fix(model, selection);
+    std::sort(model.fixedNodes.begin(), model.fixedNodes.end());
+    model.fixedNodes.erase(std::unique(model.fixedNodes.begin(), model.fixedNodes.end()),
+                           model.fixedNodes.end());
+    return model;
+}
+
+RegionResult evaluateRegion(const Project& project, const Region& region) {
+    const SpringNetwork& network = *project.network;
+    RegionResult result;
+    result.tissue = evaluate(region);
+    std::vector<bool> inside(network.restPositions.size(), false);
+    for (const std::uint32_t node : nodesInside(network, region))
+        inside[node] = true;
+    result.nodes = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), true));
+    result.springs = static_cast<std::size_t>(
+        std::count_if(network.springs.begin(), network.springs.end(),
+                      [&](const Spring& spring) { return inside[spring.first] && inside[spring.second]; }));
+    if (result.nodes == 0)
+        result.tissue.warnings.emplace_back(
+            "the region holds no node and changes nothing; move or enlarge it");
+    return result;
+}
+
+} // namespace esm

@@ -1,0 +1,111 @@
+#include "core/model/project.h"
+#include "core/support/errors.h"
+#include "core/support/offenders.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+using Problems = std::vector<std::string>;
+
+void append(Problems& problems, const std::string& place, const Problems& found) {
+    for (const std::string& problem : found)
+        problems.push_back(place + ": " + problem);
+}
+
+Problems meshProblems(const TriangleMesh& mesh) {
+    Problems problems;
+    reportOffenders(
+        problems, "mesh point", "without a finite position",
+        placesWhere(mesh.vertices.size(), [&](std::size_t i) { return !mesh.vertices[i].allFinite(); }));
+    reportOffenders(problems, "triangle", "with a corner that does not exist",
+                    placesWhere(mesh.triangles.size(), [&](std::size_t i) {
+                        const Triangle& triangle = mesh.triangles[i];
+                        return *std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size();
+                    }));
+    return problems;
+}
+
+void requireValue(Problems& problems, const std::string& name, double value, bool zeroAllowed) {
+    if (std::isfinite(value) && (value > 0 || (zeroAllowed && value == 0))) return;
+    problems.push_back(name + (zeroAllowed ? " must be 0 or more" : " must be above 0"));
+}
+
+Problems regionProblems(const Region& region) {
+    Problems problems;
+    if (region.ellipsoid) append(problems, "ellipsoid", validate(*region.ellipsoid));
+    if (region.held.springConstant)
+        requireValue(problems, "the spring constant", *region.held.springConstant, true);
+    if (region.held.viscosity) requireValue(problems, "the viscosity", *region.held.viscosity, true);
+    if (region.held.mass) requireValue(problems, "the mass", *region.held.mass, false);
+    if (!region.system) return problems;
+    append(problems, "fuzzy system " + region.system->name, validate(*region.system));
+    try {
+        orderedInputs(*region.system, region.inputs);
+    } catch (const InvalidModel& error) {
+        problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    }
+    return problems;
+}
+
+Problems photoProblems(const PhotoLayer& layer) {
+    Problems problems;
+    if (!layer.photo) problems.emplace_back("has no picture");
+    if (!layer.projector.pose.matrix().allFinite())
+        problems.emplace_back("the projector's place is not finite");
+    requireValue(problems, "the projector's width", layer.projector.width, false);
+    requireValue(problems, "the projector's height", layer.projector.height, false);
+    requireValue(problems, "the blending width", layer.blendPixels, true);
+    if (!(layer.opacity >= 0 && layer.opacity <= 1)) problems.emplace_back("the opacity must be from 0 to 1");
+    return problems;
+}
+
+Problems textureProblems(const Project& project) {
+    Problems problems;
+    const AtlasOptions& options = project.texture.atlas;
+    if (options.size < 1 || options.pages < 1 || options.gap < 0)
+        problems.emplace_back(
+            "the texture needs a size and a number of pages above 0, and a gap of 0 or more pixels");
+    if (!project.atlas) return problems;
+    const std::size_t triangles = project.mesh->triangles.size();
+    if (project.atlas->corners.size() != triangles || project.atlas->page.size() != triangles)
+        problems.emplace_back("the packed texture was made for another mesh; pack it anew");
+    return problems;
+}
+
+Problems networkProblems(const Project& project) {
+    Problems problems;
+    if (project.network->vertexNodes.size() != project.mesh->vertices.size())
+        problems.push_back(std::to_string(project.network->vertexNodes.size()) + " of the mesh's " +
+                           std::to_string(project.mesh->vertices.size()) + " vertices are tied to nodes");
+    requireValue(problems, "the organ's spring constant", project.base.springConstant, true);
+    requireValue(problems, "the organ's viscosity", project.base.viscosity, true);
+    requireValue(problems, "the organ's mass", project.base.mass, false);
+    return problems;
+}
+
+} // namespace
+
+std::vector<std::string> validate(const Project& project) {
+    if (!project.mesh || !project.network || !project.importReport)
+        return {"the project has no organ; import a mesh"};
+    Problems problems;
+    append(problems, "mesh", meshProblems(*project.mesh));
+    append(problems, "model", networkProblems(project));
+    append(problems, "scene", validate(project.scene, project.network->restPositions.size()));
+    for (std::size_t i = 0; i < project.regions.size(); ++i)
+        append(problems, "region " + std::to_string(i + 1) + " (" + project.regions[i].name + ")",
+               regionProblems(project.regions[i]));
+    for (std::size_t i = 0; i < project.photos.size(); ++i)
+        append(problems, "photo " + std::to_string(i + 1) + " (" + project.photos[i].name + ")",
+               photoProblems(project.photos[i]));
+    append(problems, "texture", textureProblems(project));
+    // Only sound parts can be evaluated together.
+    if (problems.empty()) append(problems, "model", validate(evaluateModel(project)));
+    return problems;
+}
+
+} // namespace esm

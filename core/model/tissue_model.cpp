@@ -1,0 +1,103 @@
+#include "core/model/tissue_model.h"
+
+#include "core/support/offenders.h"
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+using Problems = std::vector<std::string>;
+
+bool isNegativeOrNotFinite(double value) {
+    return !(value >= 0 && std::isfinite(value));
+}
+
+double meanOfEnds(const std::vector<double>& perNode, const Spring& spring) {
+    return 0.5 * (perNode[spring.first] + perNode[spring.second]);
+}
+
+void checkSize(Problems& problems, const char* list, std::size_t size, std::size_t nodes) {
+    if (size != nodes)
+        problems.push_back("the list of " + std::string(list) + " has " + std::to_string(size) +
+                           " entries for " + std::to_string(nodes) + " nodes");
+}
+
+void checkNetwork(Problems& problems, const SpringNetwork& network) {
+    const auto& nodes = network.restPositions;
+    const auto& springs = network.springs;
+    if (nodes.empty()) problems.emplace_back("the model has no nodes");
+    reportOffenders(problems, "node", "without a finite rest position",
+                    placesWhere(nodes.size(), [&](std::size_t i) { return !nodes[i].allFinite(); }));
+    reportOffenders(problems, "spring", "joined to a node that does not exist",
+                    placesWhere(springs.size(), [&](std::size_t i) {
+                        return springs[i].first >= nodes.size() || springs[i].second >= nodes.size();
+                    }));
+    reportOffenders(
+        problems, "spring", "from a node to itself",
+        placesWhere(springs.size(), [&](std::size_t i) { return springs[i].first == springs[i].second; }));
+    reportOffenders(problems, "spring", "with a negative or non-finite rest length",
+                    placesWhere(springs.size(),
+                                [&](std::size_t i) { return isNegativeOrNotFinite(springs[i].restLength); }));
+    reportOffenders(problems, "mesh point", "carried by a node that does not exist",
+                    placesWhere(network.vertexNodes.size(),
+                                [&](std::size_t i) { return network.vertexNodes[i] >= nodes.size(); }));
+}
+
+void checkNodeParameters(Problems& problems, const TissueModel& model) {
+    const std::size_t nodes = model.network->restPositions.size();
+    checkSize(problems, "masses", model.mass.size(), nodes);
+    checkSize(problems, "spring constants", model.springConstant.size(), nodes);
+    checkSize(problems, "viscosities", model.viscosity.size(), nodes);
+    reportOffenders(problems, "node", "with a mass that is not above zero",
+                    placesWhere(model.mass.size(), [&](std::size_t i) {
+                        return isNegativeOrNotFinite(model.mass[i]) || model.mass[i] == 0;
+                    }));
+    reportOffenders(problems, "node", "with a negative or non-finite spring constant",
+                    placesWhere(model.springConstant.size(), [&](std::size_t i) {
+                        return isNegativeOrNotFinite(model.springConstant[i]);
+                    }));
+    reportOffenders(problems, "node", "with a negative or non-finite viscosity",
+                    placesWhere(model.viscosity.size(),
+                                [&](std::size_t i) { return isNegativeOrNotFinite(model.viscosity[i]); }));
+}
+
+void checkTethersAndFixedNodes(Problems& problems, const TissueModel& model) {
+    const std::size_t nodes = model.network->restPositions.size();
+    const auto& tethers = model.tethers;
+    const auto& fixed = model.fixedNodes;
+    reportOffenders(problems, "tether", "on a node that does not exist",
+                    placesWhere(tethers.size(), [&](std::size_t i) { return tethers[i].node >= nodes; }));
+    reportOffenders(problems, "tether", "with a negative or non-finite spring constant or viscosity",
+                    placesWhere(tethers.size(), [&](std::size_t i) {
+                        return isNegativeOrNotFinite(tethers[i].springConstant) ||
+                               isNegativeOrNotFinite(tethers[i].viscosity);
+                    }));
+    reportOffenders(problems, "fixed node", "that does not exist",
+                    placesWhere(fixed.size(), [&](std::size_t i) { return fixed[i] >= nodes; }));
+    reportOffenders(
+        problems, "fixed node", "out of order or named twice",
+        placesWhere(fixed.size(), [&](std::size_t i) { return i > 0 && fixed[i] <= fixed[i - 1]; }));
+}
+
+} // namespace
+
+double springConstant(const TissueModel& model, const Spring& spring) {
+    return meanOfEnds(model.springConstant, spring);
+}
+
+double viscosity(const TissueModel& model, const Spring& spring) {
+    return meanOfEnds(model.viscosity, spring);
+}
+
+std::vector<std::string> validate(const TissueModel& model) {
+    Problems problems;
+    if (!model.network) return {"the model has no network of nodes and springs"};
+    checkNetwork(problems, *model.network);
+    checkNodeParameters(problems, model);
+    checkTethersAndFixedNodes(problems, model);
+    return problems;
+}
+
+} // namespace esm

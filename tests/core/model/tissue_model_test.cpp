@@ -1,0 +1,90 @@
+#include "core/model/tissue_model.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+using namespace esm;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace {
+
+/// Two triangles over a unit square.
+TriangleMesh square() {
+    return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+TissueModel modelOf(SpringNetwork network) {
+    TissueModel model;
+    const std::size_t nodes = network.restPositions.size();
+    model.network = std::make_shared<const SpringNetwork>(std::move(network));
+    model.mass.assign(nodes, 0.1);
+    model.springConstant.assign(nodes, 16);
+    model.viscosity.assign(nodes, 3);
+    model.tethers = {{0, 1, 1}};
+    model.fixedNodes = {1, 3};
+    return model;
+}
+
+} // namespace
+
+TEST(SpringNetwork, HasANodePerVertexAndASpringPerEdge) {
+    const SpringNetwork network = networkFromMesh(square());
+    EXPECT_EQ(network.restPositions, square().vertices);
+    EXPECT_THAT(network.vertexNodes, ElementsAre(0, 1, 2, 3));
+    ASSERT_EQ(network.springs.size(), 5);
+    for (const Spring& spring : network.springs) {
+        const bool diagonal = spring.first == 0 && spring.second == 2;
+        EXPECT_DOUBLE_EQ(spring.restLength, diagonal ? std::sqrt(2) : 1);
+    }
+}
+
+TEST(SpringNetwork, ObeysEulersFormulaOnAClosedSurface) {
+    const TriangleMesh octahedron{
+        {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+        {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+    EXPECT_EQ(networkFromMesh(octahedron).springs.size(), 6 + 8 - 2);
+}
+
+TEST(TissueModel, GivesASpringTheMeanOfItsEnds) {
+    TissueModel model = modelOf(networkFromMesh(square()));
+    model.springConstant = {1, 2, 4, 8};
+    model.viscosity = {10, 20, 40, 80};
+    EXPECT_EQ(springConstant(model, {1, 3, 1}), 5);
+    EXPECT_EQ(viscosity(model, {0, 2, 1}), 25);
+}
+
+TEST(TissueModel, ThatIsSoundHasNoProblem) {
+    EXPECT_THAT(validate(modelOf(networkFromMesh(square()))), IsEmpty());
+}
+
+TEST(TissueModel, ReportsEveryKindOfProblemOnce) {
+    SpringNetwork network = networkFromMesh(square());
+    network.restPositions[0].x() = NAN;
+    network.springs[1].second = 99;
+    network.springs[2].second = network.springs[2].first;
+    network.springs[3].restLength = -1;
+    network.vertexNodes[2] = 4;
+    TissueModel model = modelOf(network);
+    model.mass = {0, -1, NAN, INFINITY};
+    model.springConstant[1] = -1;
+    model.viscosity.pop_back();
+    model.tethers = {{7, 1, 1}, {1, -1, 0}};
+    model.fixedNodes = {3, 3, 9};
+    EXPECT_THAT(validate(model),
+                ElementsAre(HasSubstr("node without a finite rest position (node 0)"),
+                            HasSubstr("does not exist (spring 1)"), HasSubstr("itself (spring 2)"),
+                            HasSubstr("rest length (spring 3)"), HasSubstr("(mesh point 2)"),
+                            HasSubstr("viscosities has 3 entries for 4 nodes"),
+                            HasSubstr("4 nodes with a mass that is not above zero (node 0, 1, 2, 3)"),
+                            HasSubstr("spring constant (node 1)"), HasSubstr("(tether 0)"),
+                            HasSubstr("(tether 1)"), HasSubstr("(fixed node 2)"),
+                            HasSubstr("(fixed node 1)")));
+}
+
+TEST(TissueModel, WithoutNetworkOrNodesIsRefused) {
+    EXPECT_THAT(validate(TissueModel{}), ElementsAre(HasSubstr("no network")));
+    EXPECT_THAT(validate(modelOf({})), testing::Contains(HasSubstr("no nodes")));
+}
