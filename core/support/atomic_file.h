@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace esm {
+
+/// A file written piece by piece that replaces its target whole or not at all. Until commit() the target is
+/// as it was; what was written goes away with the object, and on file systems that know nameless files even
+/// when the process is killed.
+class AtomicFile {
+public:
+    /// @throws FileError when the folder is missing or read-only, or the target is no regular file
+    explicit AtomicFile(const std::filesystem::path& target);
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    ~AtomicFile();
+
+    void write(std::string_view data); ///< @throws FileError when the disk is full
+    void commit();                     ///< synced, then renamed over the target. @throws FileError
+
+private:
+    void flush();
+    void writeOut(std::string_view data);
+    void giveName();
+    [[noreturn]] void fail() const;
+
+    std::filesystem::path m_file;   ///< as the caller named it, for messages
+    std::filesystem::path m_target; ///< with symbolic links resolved
+    std::string m_name;             ///< of the unfinished file; empty while it has none
+    std::string m_buffer;
+    int m_descriptor = -1;
+};
+
+} // namespace esm

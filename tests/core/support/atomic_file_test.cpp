@@ -1,0 +1,78 @@
+#include "core/support/atomic_file.h"
+#include "core/support/errors.h"
+#include "core/support/file_io.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace esm;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> filesIn(const TemporaryFolder& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+        names.push_back(entry.path().filename().string());
+    return names;
+}
+
+} // namespace
+
+TEST(AtomicFile, AppearsOnlyWhenItIsWhole) {
+    const TemporaryFolder folder;
+    const std::string piece(700'000, 'x');
+    {
+        AtomicFile file(folder / "big");
+        for (int i = 0; i < 5; ++i)
+            file.write(piece);
+        EXPECT_FALSE(fs::exists(folder / "big"));
+        file.commit();
+    }
+    EXPECT_EQ(fs::file_size(folder / "big"), 5 * piece.size());
+    EXPECT_EQ(filesIn(folder).size(), 1u);
+}
+
+TEST(AtomicFile, LeavesNothingWhenGivenUp) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "a", std::string("old"));
+    { AtomicFile(folder / "a").write(std::string(3'000'000, 'n')); }
+    EXPECT_EQ(readFile(folder / "a"), (Bytes{'o', 'l', 'd'}));
+    EXPECT_EQ(filesIn(folder).size(), 1u);
+}
+
+TEST(AtomicFile, KeepsTheOldFileOnAFullDisk) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "a", std::string("old"));
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{100'000, 100'000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            writeFileAtomically(folder / "a", std::string(1'000'000, 'n'));
+        } catch (const FileError&) {
+            ::_exit(7);
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 7);
+    EXPECT_EQ(readFile(folder / "a"), (Bytes{'o', 'l', 'd'}));
+    EXPECT_EQ(filesIn(folder).size(), 1u);
+}
+
+TEST(AtomicFile, RefusesWhatIsNoRegularFile) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(AtomicFile("/dev/full"), FileError);
+    EXPECT_THROW(AtomicFile(folder.path()), FileError);
+    EXPECT_THROW(AtomicFile(folder / "none" / "a"), FileError);
+    EXPECT_THROW(AtomicFile(""), FileError);
+}
