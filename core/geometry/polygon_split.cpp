@@ -58,7 +58,7 @@ bool isConvexFan(const std::vector<Eigen::Vector2d>& corners) {
 class EarCutter {
 public:
     explicit EarCutter(const std::vector<Eigen::Vector2d>& corners)
-        : m_corners(corners), m_left(corners.size()) {
+        : m_corners(corners), m_negligible(negligibleTurn(corners)), m_left(corners.size()) {
         std::iota(m_left.begin(), m_left.end(), 0);
     }
 
