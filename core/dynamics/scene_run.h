@@ -7,8 +7,8 @@
 
 namespace esm {
 
-/// Receives the recorded nodes' positions at 0, every, 2·every, … and the duration, each at the first step that
-/// reaches the time.
+/// Receives the recorded nodes' positions at 0, every, 2·every, … and the duration, each at the first step
+/// that reaches the time.
 using FrameSink = std::function<void(double time, const std::vector<Eigen::Vector3d>& positions)>;
 
 struct SceneOutcome {
@@ -18,12 +18,13 @@ struct SceneOutcome {
     double setupSeconds = 0, wallSeconds = 0, simulatedSeconds = 0;
     bool stable = true;
     std::string outcome; ///< "completed", or why the run stopped
-    Energy energy; ///< at the end
+    Energy energy;       ///< at the end
 };
 
 /// Runs a scene from rest. A run that diverges ends with its last good state and says so in the outcome.
 /// @throws InvalidModel, Cancelled
 SceneOutcome runScene(const TissueModel& model, const std::vector<Triangle>& surface, const Scene& scene,
-                      const SimulationSettings& settings, const FrameSink& sink, const Progress& progress = {});
+                      const SimulationSettings& settings, const FrameSink& sink,
+                      const Progress& progress = {});
 
 } // namespace esm

@@ -20,15 +20,18 @@ enum class Damping { Isotropic, Axial };
 
 struct SimulationSettings {
     Integrator integrator = Integrator::Auto;
-    std::optional<double> timeStep; ///< s; chosen safely without
-    double longestStep = 0.01; ///< s; what is chosen stays at or below this
+    std::optional<double> timeStep;       ///< s; chosen safely without
+    double longestStep = 0.01;            ///< s; what is chosen stays at or below this
     Damping damping = Damping::Isotropic; ///< split and split2 refuse axial
 };
+
+/// Every problem of the settings. Empty when they can be used.
+std::vector<std::string> validate(const SimulationSettings& settings);
 
 /// A sphere that pushes the surface out of its way.
 struct Sphere {
     Eigen::Vector3d centre; ///< m
-    double radius; ///< m
+    double radius;          ///< m
 };
 
 /// A node led to a place; its velocity is what takes it there in one step.
@@ -39,7 +42,7 @@ struct HeldNode {
 
 /// What acts on the tissue during one step.
 struct Loads {
-    Eigen::Vector3d gravity = Eigen::Vector3d::Zero(); ///< m/s²
+    Eigen::Vector3d gravity = Eigen::Vector3d::Zero();             ///< m/s²
     std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> forces; ///< node, N
     std::vector<HeldNode> held;
     std::optional<Sphere> instrument; ///< where it is at the end of the step
@@ -53,8 +56,8 @@ struct Energy {
 class Simulation {
 public:
     /// Starts at rest. `surface` are the triangles over the nodes that an instrument touches; may be empty.
-    /// @throws InvalidModel with every problem of model or settings (a step that is not above zero, split with
-    /// axial damping, …)
+    /// @throws InvalidModel with every problem of model or settings (a step that is not above zero, split
+    /// with axial damping, …)
     Simulation(const TissueModel& model, const SimulationSettings& settings,
                std::vector<Triangle> surface = {});
     Simulation(Simulation&&) noexcept;
@@ -62,9 +65,9 @@ public:
     ~Simulation();
 
     Integrator integrator() const;
-    double timeStep() const; ///< s
-    double time() const; ///< s since the start
-    const std::vector<Eigen::Vector3d>& positions() const; ///< m, one per node
+    double timeStep() const;                                ///< s
+    double time() const;                                    ///< s since the start
+    const std::vector<Eigen::Vector3d>& positions() const;  ///< m, one per node
     const std::vector<Eigen::Vector3d>& velocities() const; ///< m/s
     Energy energy() const;
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/dynamics/simulation.h"
+#include "core/dynamics/spring_system.h"
+
+namespace esm {
+
+/// Elastic forces of springs, c·(p1−p2)·(l/|p1−p2| − 1) on the first node [R 2.21], and of tethers,
+/// −c·(p−p0); N, in place of what `forces` held. A spring of zero length has no direction and gives none.
+void elasticForces(const SpringSystem& system, const Vectors& positions, Vectors& forces);
+
+/// Adds the damping of springs, −d·(v1−v2) on the first node, and of tethers, −d·v. `Axial` takes only the
+/// part of a spring's relative velocity along the spring.
+void addDampingForces(const SpringSystem& system, Damping damping, const Vectors& positions,
+                      const Vectors& velocities, Vectors& forces);
+
+Energy energy(const SpringSystem& system, const Vectors& positions, const Vectors& velocities);
+
+} // namespace esm

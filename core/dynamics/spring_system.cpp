@@ -1,0 +1,23 @@
+#include "core/dynamics/spring_system.h"
+
+#include "core/support/errors.h"
+
+namespace esm {
+
+SpringSystem makeSpringSystem(const TissueModel& model) {
+    if (auto problems = validate(model); !problems.empty()) throw InvalidModel(std::move(problems));
+    SpringSystem system;
+    system.network = model.network;
+    system.mass = model.mass;
+    system.tethers = model.tethers;
+    system.springs.reserve(model.network->springs.size());
+    for (const Spring& spring : model.network->springs)
+        system.springs.push_back({spring.first, spring.second, spring.restLength,
+                                  springConstant(model, spring), viscosity(model, spring)});
+    system.fixed.assign(model.mass.size(), 0);
+    for (std::uint32_t node : model.fixedNodes)
+        system.fixed[node] = 1;
+    return system;
+}
+
+} // namespace esm

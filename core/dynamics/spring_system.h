@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/model/tissue_model.h"
+
+#include <memory>
+#include <vector>
+
+namespace esm {
+
+using Vectors = std::vector<Eigen::Vector3d>; ///< one per node
+
+/// A tissue model laid out for stepping: each spring has the mean of its ends, fixed nodes are flags.
+struct SpringSystem {
+    struct Element {
+        std::uint32_t first, second;
+        double restLength;     ///< m
+        double springConstant; ///< N/m
+        double viscosity;      ///< N·s/m
+    };
+
+    std::shared_ptr<const SpringNetwork> network;
+    std::vector<double> mass; ///< kg per node
+    std::vector<Element> springs;
+    std::vector<Tether> tethers;
+    std::vector<char> fixed; ///< per node
+};
+
+/// @throws InvalidModel with every problem of the model
+SpringSystem makeSpringSystem(const TissueModel& model);
+
+} // namespace esm

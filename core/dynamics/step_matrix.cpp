@@ -1,0 +1,155 @@
+#include "core/dynamics/step_matrix.h"
+
+#include "core/support/errors.h"
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+std::vector<int> freeIndices(const std::vector<char>& prescribed) {
+    std::vector<int> index(prescribed.size(), -1);
+    int next = 0;
+    for (std::size_t i = 0; i < prescribed.size(); ++i)
+        if (!prescribed[i]) index[i] = next++;
+    return index;
+}
+
+Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFactors& factors,
+                                     const std::vector<int>& index) {
+    std::vector<double> diagonal(index.size());
+    for (std::size_t i = 0; i < index.size(); ++i)
+        diagonal[i] = factors.mass * system.mass[i];
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(index.size() + system.springs.size());
+    for (const auto& spring : system.springs) {
+        const double value = factors.damping * spring.viscosity + factors.stiffness * spring.springConstant;
+        if (value == 0) continue;
+        diagonal[spring.first] += value;
+        diagonal[spring.second] += value;
+        const auto [low, high] = std::minmax(index[spring.first], index[spring.second]);
+        if (low >= 0) entries.emplace_back(high, low, -value);
+    }
+    for (const Tether& tether : system.tethers)
+        diagonal[tether.node] +=
+            factors.damping * tether.viscosity + factors.stiffness * tether.springConstant;
+    int size = 0;
+    for (std::size_t i = 0; i < index.size(); ++i)
+        if (index[i] >= 0) entries.emplace_back(index[i], index[i], diagonal[i]), ++size;
+    Eigen::SparseMatrix<double> matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+[[noreturn]] void refuseIllConditioned() {
+    throw InvalidModel(
+        "viscosity outweighs mass by more than can be computed with: raise the mass, lower the "
+        "viscosity or tie more of the tissue with tethers");
+}
+
+} // namespace
+
+Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const MatrixFactors& factors,
+                                            const std::vector<char>& prescribed) {
+    return assemble(system, factors, freeIndices(prescribed));
+}
+
+StepMatrix::StepMatrix(const SpringSystem& system, double massFactor, double dampingFactor,
+                       const std::vector<char>& prescribed)
+    : m_row(freeIndices(prescribed)) {
+    const Matrix matrix = assemble(system, {massFactor, dampingFactor, 0}, m_row);
+    if (matrix.rows() > 0) {
+        const Eigen::SimplicialLLT<Matrix> factorisation(matrix);
+        if (factorisation.info() != Eigen::Success) refuseIllConditioned();
+        m_lower = factorisation.matrixL().nestedExpression();
+        for (int& row : m_row)
+            if (row >= 0) row = factorisation.permutationP().indices()[row];
+    }
+    for (const auto& spring : system.springs) {
+        const double factor = dampingFactor * spring.viscosity;
+        if (factor == 0) continue;
+        const int first = m_row[spring.first], second = m_row[spring.second];
+        if (first >= 0 && second < 0) m_couplings.push_back({first, spring.second, factor});
+        if (second >= 0 && first < 0) m_couplings.push_back({second, spring.first, factor});
+    }
+    if (dampingFactor != 0) checkAccuracy(system, massFactor, dampingFactor);
+}
+
+void StepMatrix::solveLower(const Vectors& momentum, const Vectors& velocities, Vectors& half) const {
+    half.resize(static_cast<std::size_t>(m_lower.cols()));
+    for (std::size_t i = 0; i < m_row.size(); ++i)
+        if (m_row[i] >= 0) half[static_cast<std::size_t>(m_row[i])] = momentum[i];
+    for (const Coupling& coupling : m_couplings)
+        half[static_cast<std::size_t>(coupling.row)] += coupling.factor * velocities[coupling.prescribedNode];
+
+    const int* start = m_lower.outerIndexPtr();
+    const int* row = m_lower.innerIndexPtr();
+    const double* value = m_lower.valuePtr();
+    for (std::size_t column = 0; column < half.size(); ++column) {
+        int entry = start[column];
+        const Eigen::Vector3d solved = half[column] / value[entry];
+        half[column] = solved;
+        for (++entry; entry < start[column + 1]; ++entry)
+            half[static_cast<std::size_t>(row[entry])] -= value[entry] * solved;
+    }
+}
+
+void StepMatrix::solveUpper(Vectors& half, Vectors& velocities) const {
+    const int* start = m_lower.outerIndexPtr();
+    const int* row = m_lower.innerIndexPtr();
+    const double* value = m_lower.valuePtr();
+    for (std::size_t column = half.size(); column-- > 0;) {
+        const int diagonal = start[column];
+        Eigen::Vector3d sum = half[column];
+        for (int entry = diagonal + 1; entry < start[column + 1]; ++entry)
+            sum -= value[entry] * half[static_cast<std::size_t>(row[entry])];
+        half[column] = sum / value[diagonal];
+    }
+    for (std::size_t i = 0; i < m_row.size(); ++i)
+        if (m_row[i] >= 0) velocities[i] = half[static_cast<std::size_t>(m_row[i])];
+}
+
+HalfColumn StepMatrix::halfColumn(std::uint32_t node) const {
+    const int* start = m_lower.outerIndexPtr();
+    const int* row = m_lower.innerIndexPtr();
+    const double* value = m_lower.valuePtr();
+
+    HalfColumn result;
+    for (int r = m_row[node]; r >= 0;) {
+        result.rows.push_back(r);
+        // In a Cholesky factor a column's first entry below the diagonal is its parent in the elimination
+        // tree.
+        r = start[r] + 1 < start[r + 1] ? row[start[r] + 1] : -1;
+    }
+    result.values.assign(result.rows.size(), 0.0);
+    result.values[0] = 1;
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+        int entry = start[result.rows[i]];
+        const int end = start[result.rows[i] + 1];
+        const double solved = result.values[i] /= value[entry];
+        std::size_t target = i;
+        for (++entry; entry < end; ++entry) {
+            while (result.rows[target] != row[entry])
+                ++target;
+            result.values[target] -= value[entry] * solved;
+        }
+    }
+    return result;
+}
+
+// The mode that rounding spoils first is all nodes moving as one: only mass, tethers and prescribed nodes
+// resist it.
+void StepMatrix::checkAccuracy(const SpringSystem& system, double massFactor, double dampingFactor) const {
+    Vectors momentum(system.mass.size()), velocities(system.mass.size(), Eigen::Vector3d::Ones()), half;
+    for (std::size_t i = 0; i < momentum.size(); ++i)
+        momentum[i].setConstant(massFactor * system.mass[i]);
+    for (const Tether& tether : system.tethers)
+        momentum[tether.node].array() += dampingFactor * tether.viscosity;
+    solveLower(momentum, velocities, half);
+    solveUpper(half, velocities);
+    for (const Eigen::Vector3d& velocity : velocities)
+        if (!(std::abs(velocity.x() - 1) < 1e-3)) refuseIllConditioned();
+}
+
+} // namespace esm

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/dynamics/spring_system.h"
+
+#include <Eigen/SparseCholesky>
+
+namespace esm {
+
+/// massFactor·M + dampingFactor·D + stiffnessFactor·K over the nodes that are not prescribed, in the order of
+/// the nodes; lower half. D and K are the graph Laplacians of viscosities and spring constants, with the
+/// tethers' on the diagonal: the same for x, y and z.
+struct MatrixFactors {
+    double mass, damping, stiffness;
+};
+Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const MatrixFactors& factors,
+                                            const std::vector<char>& prescribed);
+
+/// A column of L⁻¹: its entries, from the top down. They lie on one path of the elimination tree, so two
+/// columns end in the same rows from where their paths meet.
+struct HalfColumn {
+    std::vector<int> rows;
+    std::vector<double> values;
+};
+
+/// A = massFactor·M + dampingFactor·D, factorised as L·Lᵀ once and solved for three right-hand sides at a
+/// time. Velocities of prescribed nodes are given, not solved for. With a dampingFactor of 0 both are
+/// diagonal.
+///
+/// A solve is two halves so that impulses can be laid on single nodes between them: A⁻¹ between two nodes is
+/// the product of their half columns.
+class StepMatrix {
+public:
+    /// @throws InvalidModel when masses are too small beside the damping for the arithmetic
+    StepMatrix(const SpringSystem& system, double massFactor, double dampingFactor,
+               const std::vector<char>& prescribed);
+
+    bool isPrescribed(std::uint32_t node) const { return m_row[node] < 0; }
+
+    /// L⁻¹·(momentum − what the prescribed nodes' velocities take from it), in the factor's own order.
+    void solveLower(const Vectors& momentum, const Vectors& velocities, Vectors& half) const;
+    /// Velocities of all that are not prescribed.
+    void solveUpper(Vectors& half, Vectors& velocities) const;
+
+    /// Precondition: the node is not prescribed.
+    HalfColumn halfColumn(std::uint32_t node) const;
+
+private:
+    struct Coupling {
+        int row;
+        std::uint32_t prescribedNode;
+        double factor;
+    };
+
+    void checkAccuracy(const SpringSystem& system, double massFactor, double dampingFactor) const;
+
+    using Matrix = Eigen::SparseMatrix<double>;
+    Matrix m_lower;                    ///< L: each column starts with its diagonal, rows increasing
+    std::vector<int> m_row;            ///< per node, in the factor's order; −1: prescribed
+    std::vector<Coupling> m_couplings; ///< between free and prescribed nodes
+};
+
+} // namespace esm
