@@ -8,6 +8,8 @@
 #include "core/texture/image.h"
 #include "core/texture/projector.h"
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,24 +33,37 @@ struct DrawnProjector {
 
 struct DrawnSphere {
     Eigen::Vector3d centre; ///< m
-    double radius; ///< m
+    double radius;          ///< m
 };
 
 /// Everything one picture shows. Shared parts are compared by pointer and uploaded only when they change.
 struct RenderScene {
     std::shared_ptr<const TriangleMesh> mesh;
     std::shared_ptr<const SpringNetwork> network;
-    std::vector<Eigen::Vector3d> nodePositions; ///< m, one per node; empty draws the rest shape
-    std::shared_ptr<const Atlas> atlas; ///< null: base colour only
+    std::vector<Eigen::Vector3d>
+        nodePositions; ///< m, one per node (without a network per vertex); else the rest shape
+    std::shared_ptr<const Atlas> atlas;                     ///< null: base colour only
     std::shared_ptr<const std::vector<Image>> texturePages; ///< null: base colour only
     Colour baseColour{186, 92, 84};
-    bool showSurface = true, showSprings = false, unlit = false;
-    std::shared_ptr<const std::vector<double>> springValues; ///< colours springs by a parameter; one per spring, may be null
+    bool showSurface = true, showSprings = false,
+         showNodes = false; ///< a network without triangles always shows both
+    bool unlit = false;     ///< the texture's own colours, without light
+    /// Colours springs by a parameter, one per spring; may be null. A spring whose value is NaN is drawn
+    /// quietly.
+    std::shared_ptr<const std::vector<double>> springValues;
     double springValueMinimum = 0, springValueMaximum = 1;
     std::vector<DrawnEllipsoid> ellipsoids;
     std::vector<DrawnProjector> projectors;
     std::optional<DrawnSphere> instrument;
     Colour backgroundTop{57, 64, 71}, backgroundBottom{29, 32, 37};
+};
+
+/// A picture of `width` times `height` pixels, of which the bound target shows the part from `left`, `bottom`
+/// on.
+struct PictureSize {
+    int width = 0, height = 0;
+    double pixelRatio = 1;    ///< pixels per pixel of the design, as lines have a width
+    int left = 0, bottom = 0; ///< pixels
 };
 
 /// Draws into the bound target of the current OpenGL 3.3 core context. One instance per context.
@@ -62,7 +77,9 @@ public:
     Renderer& operator=(const Renderer&) = delete;
     ~Renderer(); ///< needs the context current
 
-    void draw(const RenderScene& scene, const Camera& camera, int width, int height);
+    /// Expects indices in range: a mesh and a network as import and `validate` leave them. Leaves neither
+    /// program, vertex array nor texture bound, and depth test and blending off.
+    void draw(const RenderScene& scene, const Camera& camera, const PictureSize& size);
 
 private:
     struct Implementation;

@@ -1,0 +1,147 @@
+#include "core/render/gl_objects.h"
+
+#include <stdexcept>
+#include <vector>
+
+namespace esm {
+namespace {
+
+GLuint compiled(const GlFunctions& gl, GLenum kind, const std::string& source) {
+    const GLuint shader = gl.CreateShader(kind);
+    const char* text = source.c_str();
+    gl.ShaderSource(shader, 1, &text, nullptr);
+    gl.CompileShader(shader);
+    GLint succeeded = 0;
+    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &succeeded);
+    if (succeeded) return shader;
+    std::vector<char> log(4096, '\0');
+    gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()) - 1, nullptr, log.data());
+    gl.DeleteShader(shader);
+    throw std::runtime_error(std::string("the graphics driver refuses a shader: ") + log.data());
+}
+
+} // namespace
+
+GlProgram::GlProgram(const GlFunctions& gl, const std::string& vertexShader,
+                     const std::string& fragmentShader)
+    : m_gl(gl), m_id(gl.CreateProgram()) {
+    for (const auto& [kind, source] :
+         {std::pair<GLenum, const std::string&>(GL_VERTEX_SHADER, vertexShader),
+          std::pair<GLenum, const std::string&>(GL_FRAGMENT_SHADER, fragmentShader)}) {
+        const GLuint shader = compiled(gl, kind, source);
+        gl.AttachShader(m_id, shader);
+        gl.DeleteShader(shader);
+    }
+    gl.LinkProgram(m_id);
+    GLint succeeded = 0;
+    gl.GetProgramiv(m_id, GL_LINK_STATUS, &succeeded);
+    if (succeeded) return;
+    std::vector<char> log(4096, '\0');
+    gl.GetProgramInfoLog(m_id, static_cast<GLsizei>(log.size()) - 1, nullptr, log.data());
+    throw std::runtime_error(std::string("the graphics driver cannot link a shader: ") + log.data());
+}
+
+GlProgram::~GlProgram() {
+    m_gl.DeleteProgram(m_id);
+}
+
+void GlProgram::use() const {
+    m_gl.UseProgram(m_id);
+}
+
+GLint GlProgram::location(const char* uniform) const {
+    return m_gl.GetUniformLocation(m_id, uniform);
+}
+
+void GlProgram::set(const char* uniform, int value) const {
+    m_gl.Uniform1i(location(uniform), value);
+}
+
+void GlProgram::set(const char* uniform, float value) const {
+    m_gl.Uniform1f(location(uniform), value);
+}
+
+void GlProgram::set(const char* uniform, const Eigen::Vector2f& value) const {
+    m_gl.Uniform2f(location(uniform), value.x(), value.y());
+}
+
+void GlProgram::set(const char* uniform, const Eigen::Vector3f& value) const {
+    m_gl.Uniform3f(location(uniform), value.x(), value.y(), value.z());
+}
+
+void GlProgram::set(const char* uniform, const Eigen::Vector4f& value) const {
+    m_gl.Uniform4f(location(uniform), value.x(), value.y(), value.z(), value.w());
+}
+
+void GlProgram::set(const char* uniform, const Eigen::Matrix4f& value) const {
+    m_gl.UniformMatrix4fv(location(uniform), 1, GL_FALSE, value.data());
+}
+
+GlBuffer::GlBuffer(const GlFunctions& gl) : m_gl(gl) {
+    m_gl.GenBuffers(1, &m_id);
+}
+
+GlBuffer::~GlBuffer() {
+    m_gl.DeleteBuffers(1, &m_id);
+}
+
+void GlBuffer::upload(GLenum target, const void* data, std::size_t bytes, GLenum usage) {
+    bind(target);
+    m_gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
+}
+
+void GlBuffer::bind(GLenum target) const {
+    m_gl.BindBuffer(target, m_id);
+}
+
+GlVertexArray::GlVertexArray(const GlFunctions& gl) : m_gl(gl) {
+    m_gl.GenVertexArrays(1, &m_id);
+}
+
+GlVertexArray::~GlVertexArray() {
+    m_gl.DeleteVertexArrays(1, &m_id);
+}
+
+void GlVertexArray::bind() const {
+    m_gl.BindVertexArray(m_id);
+}
+
+void GlVertexArray::addFloats(GLuint index, GLint components, GLsizei stride, std::size_t offset) const {
+    m_gl.EnableVertexAttribArray(index);
+    m_gl.VertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, stride,
+                             reinterpret_cast<const void*>(offset));
+}
+
+GlTexture::GlTexture(const GlFunctions& gl) : m_gl(gl) {
+    m_gl.GenTextures(1, &m_id);
+}
+
+GlTexture::~GlTexture() {
+    m_gl.DeleteTextures(1, &m_id);
+}
+
+void GlTexture::upload(const Image& image, int levels) {
+    bind(GL_TEXTURE_2D, 0);
+    m_gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                       levels > 0 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels);
+    m_gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                    image.pixels.data());
+    if (levels > 0) m_gl.GenerateMipmap(GL_TEXTURE_2D);
+}
+
+void GlTexture::attach(const GlBuffer& buffer) {
+    bind(GL_TEXTURE_BUFFER, 0);
+    m_gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer.id());
+}
+
+void GlTexture::bind(GLenum target, int unit) const {
+    m_gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    m_gl.BindTexture(target, m_id);
+}
+
+} // namespace esm

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "core/render/gl_functions.h"
+#include "core/texture/image.h"
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace esm {
+
+/// A linked shader program. Uniforms are set on the program in use.
+class GlProgram {
+public:
+    /// @throws std::runtime_error with the driver's message
+    GlProgram(const GlFunctions& gl, const std::string& vertexShader, const std::string& fragmentShader);
+    GlProgram(const GlProgram&) = delete;
+    GlProgram& operator=(const GlProgram&) = delete;
+    ~GlProgram();
+
+    void use() const;
+    void set(const char* uniform, int value) const;
+    void set(const char* uniform, float value) const;
+    void set(const char* uniform, const Eigen::Vector2f& value) const;
+    void set(const char* uniform, const Eigen::Vector3f& value) const;
+    void set(const char* uniform, const Eigen::Vector4f& value) const;
+    void set(const char* uniform, const Eigen::Matrix4f& value) const;
+
+private:
+    GLint location(const char* uniform) const;
+
+    const GlFunctions& m_gl;
+    GLuint m_id;
+};
+
+class GlBuffer {
+public:
+    explicit GlBuffer(const GlFunctions& gl);
+    GlBuffer(const GlBuffer&) = delete;
+    GlBuffer& operator=(const GlBuffer&) = delete;
+    ~GlBuffer();
+
+    /// Replaces the content; the driver may still be reading the last one.
+    void upload(GLenum target, const void* data, std::size_t bytes, GLenum usage);
+    void bind(GLenum target) const;
+    GLuint id() const { return m_id; }
+
+private:
+    const GlFunctions& m_gl;
+    GLuint m_id = 0;
+};
+
+class GlVertexArray {
+public:
+    explicit GlVertexArray(const GlFunctions& gl);
+    GlVertexArray(const GlVertexArray&) = delete;
+    GlVertexArray& operator=(const GlVertexArray&) = delete;
+    ~GlVertexArray();
+
+    void bind() const;
+    /// Takes `components` floats from the buffer bound to GL_ARRAY_BUFFER; this array must be bound.
+    void addFloats(GLuint index, GLint components, GLsizei stride, std::size_t offset) const;
+
+private:
+    const GlFunctions& m_gl;
+    GLuint m_id = 0;
+};
+
+/// A picture for shaders, rows from the top: (0, 0) is its top left corner.
+class GlTexture {
+public:
+    explicit GlTexture(const GlFunctions& gl);
+    GlTexture(const GlTexture&) = delete;
+    GlTexture& operator=(const GlTexture&) = delete;
+    ~GlTexture();
+
+    /// Bilinear, with smaller copies down to `levels` halvings.
+    void upload(const Image& image, int levels);
+    /// Shaders read the buffer as `vec4` texels.
+    void attach(const GlBuffer& buffer);
+    void bind(GLenum target, int unit) const;
+
+private:
+    const GlFunctions& m_gl;
+    GLuint m_id = 0;
+};
+
+} // namespace esm

@@ -1,0 +1,136 @@
+#include "core/render/renderer.h"
+
+#include "core/render/drawn_shape.h"
+#include "core/render/frame.h"
+#include "core/render/marker_drawer.h"
+#include "core/render/shaders.h"
+#include "core/render/spring_drawer.h"
+#include "core/render/surface_drawer.h"
+
+namespace esm {
+namespace {
+
+Eigen::AlignedBox3d restBox(const RenderScene& scene) {
+    if (scene.mesh && !scene.mesh->vertices.empty()) return boundingBox(scene.mesh->vertices);
+    return scene.network ? boundingBox(scene.network->restPositions) : Eigen::AlignedBox3d();
+}
+
+void extend(Eigen::AlignedBox3d& box, const Eigen::Vector3d& point) {
+    if (isDrawable(point)) box.extend(point);
+}
+
+/// A box around all that is drawn beside the organ as well.
+Eigen::AlignedBox3d wholeBox(const RenderScene& scene, const Eigen::AlignedBox3d& organ) {
+    Eigen::AlignedBox3d box = organ;
+    for (const DrawnEllipsoid& drawn : scene.ellipsoids)
+        for (const double side : {-1.0, 1.0})
+            extend(box, drawn.shape.centre.array() + side * drawn.shape.radii.maxCoeff());
+    for (const DrawnProjector& drawn : scene.projectors)
+        for (const Eigen::Vector3d& corner : projectorBox(drawn.projector, organ))
+            extend(box, corner);
+    if (scene.instrument)
+        for (const double side : {-1.0, 1.0})
+            extend(box, scene.instrument->centre.array() + side * scene.instrument->radius);
+    return box;
+}
+
+} // namespace
+
+struct Renderer::Implementation {
+    explicit Implementation(const Resolver& resolver)
+        : gl(resolver), background(gl, shaders::backgroundVertex(), shaders::backgroundFragment()),
+          emptyArray(gl), surface(gl), springs(gl), lines(gl), markers(gl) {}
+
+    void drawBackground(const RenderScene& scene, const Frame& frame) const;
+    Frame frameFor(const RenderScene& scene, const Camera& camera, const PictureSize& size,
+                   const Eigen::AlignedBox3d& box);
+    void prepare(const PictureSize& size) const;
+    void tidy() const;
+
+    GlFunctions gl;
+    GlProgram background;
+    GlVertexArray emptyArray;
+    SurfaceDrawer surface;
+    SpringDrawer springs;
+    LineDrawer lines;
+    MarkerDrawer markers;
+};
+
+Renderer::Renderer(const Resolver& resolver) : m_implementation(std::make_unique<Implementation>(resolver)) {}
+
+Renderer::~Renderer() = default;
+
+void Renderer::draw(const RenderScene& scene, const Camera& camera, const PictureSize& size) {
+    if (size.width <= 0 || size.height <= 0) return;
+    Implementation& parts = *m_implementation;
+    const std::vector<Eigen::Vector3d> nodes = drawnNodes(scene);
+    const std::vector<Eigen::Vector3d> vertices = drawnVertices(scene, nodes);
+    const Eigen::AlignedBox3d organ = boundingBox(vertices).merged(boundingBox(nodes));
+    const Frame frame = parts.frameFor(scene, camera, size, wholeBox(scene, organ));
+    parts.prepare(size);
+    parts.drawBackground(scene, frame);
+    parts.gl.Enable(GL_DEPTH_TEST);
+    if (scene.showSurface) parts.surface.draw(scene, vertices, frame);
+    if (scene.instrument) parts.markers.drawInstrument(*scene.instrument, frame);
+    parts.gl.Enable(GL_BLEND);
+    parts.springs.draw(scene, nodes, parts.lines, frame);
+    parts.gl.DepthMask(GL_FALSE);
+    parts.markers.drawTransparent(scene, organ, parts.lines, frame);
+    parts.tidy();
+}
+
+Frame Renderer::Implementation::frameFor(const RenderScene& scene, const Camera& camera,
+                                         const PictureSize& size, const Eigen::AlignedBox3d& box) {
+    const Eigen::AlignedBox3d rest = restBox(scene);
+    Frame frame;
+    frame.origin = rest.isEmpty() ? camera.target : Eigen::Vector3d(rest.center());
+    frame.eye = camera.eye;
+    Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
+    shift.topRightCorner<3, 1>() = frame.origin;
+    frame.view = (viewMatrix(camera) * shift).cast<float>();
+    const double aspect = double(size.width) / size.height;
+    frame.projection = projectionMatrix(camera, aspect, box).cast<float>();
+    frame.pixels << float(size.width), float(size.height);
+    frame.pixelRatio = static_cast<float>(size.pixelRatio);
+    frame.size = rest.isEmpty() ? 1.0F : static_cast<float>(rest.diagonal().norm());
+    return frame;
+}
+
+void Renderer::Implementation::prepare(const PictureSize& size) const {
+    gl.Viewport(-size.left, -size.bottom, size.width, size.height);
+    for (const GLenum unwanted : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_BLEND, GL_DEPTH_TEST})
+        gl.Disable(unwanted);
+    gl.DepthMask(GL_TRUE);
+    gl.DepthFunc(GL_LEQUAL);
+    gl.CullFace(GL_BACK);
+    gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Renderer::Implementation::drawBackground(const RenderScene& scene, const Frame& frame) const {
+    background.use();
+    background.set("top", toFloat(scene.backgroundTop));
+    background.set("bottom", toFloat(scene.backgroundBottom));
+    background.set("pixels", frame.pixels);
+    emptyArray.bind();
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Leaves the context as another painter expects to find it.
+void Renderer::Implementation::tidy() const {
+    for (const GLenum used : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE})
+        gl.Disable(used);
+    gl.DepthMask(GL_TRUE);
+    gl.DepthFunc(GL_LESS);
+    gl.BindVertexArray(0);
+    gl.UseProgram(0);
+    for (const GLenum target : {GL_ARRAY_BUFFER, GL_TEXTURE_BUFFER})
+        gl.BindBuffer(target, 0);
+    for (const GLenum unit : {GL_TEXTURE1, GL_TEXTURE0}) {
+        gl.ActiveTexture(unit);
+        gl.BindTexture(GL_TEXTURE_2D, 0);
+        gl.BindTexture(GL_TEXTURE_BUFFER, 0);
+    }
+}
+
+} // namespace esm

@@ -1,0 +1,267 @@
+#include "core/render/shaders.h"
+
+namespace esm::shaders {
+namespace {
+
+const char* const version = "#version 330 core\n";
+
+// All in the camera's space and in linear light: x right, y up, z towards the viewer.
+const char* const lighting = R"(
+vec3 toLinear(vec3 c) { return pow(c, vec3(2.2)); }
+vec3 toDisplay(vec3 c) { return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2)); }
+
+struct Sheen { float broad; float wet; float rim; };
+
+// A soft sky, a key light over the viewer's left shoulder, a weak cool one from the right below, a moist sheen.
+vec3 lit(vec3 albedo, vec3 n, vec3 toEye, Sheen sheen) {
+    const vec3 key = normalize(vec3(-0.42, 0.55, 0.72));
+    const vec3 fill = normalize(vec3(0.75, -0.35, 0.45));
+    float sky = 0.5 + 0.5 * n.y;
+    float facing = max(dot(n, toEye), 0.0);
+    // Light scattered in tissue reaches a little beyond the shadow's edge, red farthest.
+    vec3 wrap = vec3(0.34, 0.20, 0.18);
+    vec3 diffuse = clamp((dot(n, key) + wrap) / (1.0 + wrap), 0.0, 1.0);
+    vec3 ambient = mix(vec3(0.10, 0.085, 0.085), vec3(0.27, 0.28, 0.30), sky);
+    vec3 colour = albedo * (ambient + 0.80 * diffuse * diffuse * (3.0 - 2.0 * diffuse) * vec3(1.0, 0.98, 0.95)
+                            + 0.10 * max(dot(n, fill), 0.0) * vec3(0.75, 0.85, 1.0));
+    float highlight = max(dot(n, normalize(key + toEye)), 0.0);
+    colour += sheen.broad * pow(highlight, 14.0) * mix(vec3(1.0), albedo * 2.0, 0.45);
+    colour += sheen.wet * pow(highlight, 110.0);
+    colour += sheen.rim * pow(1.0 - facing, 3.5) * (0.35 + 0.65 * sky) * mix(vec3(0.8, 0.9, 1.0), albedo * 3.0, 0.5);
+    return colour;
+}
+)";
+
+} // namespace
+
+std::string backgroundVertex() {
+    return std::string(version) + R"(
+out vec2 place;
+void main() {
+    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    place = corner * 0.5 + 0.5;
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+}
+
+std::string backgroundFragment() {
+    return std::string(version) + R"(
+in vec2 place;
+uniform vec3 top, bottom;
+uniform vec2 pixels;
+out vec4 colour;
+void main() {
+    float distance = length((place - vec2(0.5, 0.80)) * vec2(0.85, 1.0));
+    vec3 shade = mix(top, bottom, smoothstep(0.0, 0.85, distance));
+    // Half a step of noise hides the bands that 8 bits leave in so flat a gradient.
+    vec2 pixel = floor(place * pixels);
+    float noise = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5;
+    colour = vec4(shade + noise / 255.0, 1.0);
+}
+)";
+}
+
+std::string surfaceVertex() {
+    return std::string(version) + R"(
+layout(location = 0) in uint cornerVertex;
+layout(location = 1) in vec2 cornerPlace;
+uniform samplerBuffer vertices; // position, normal, position, normal
+uniform bool perCorner;
+uniform mat4 view, projection;
+out vec3 position, normal;
+out vec2 place;
+void main() {
+    int vertex = perCorner ? int(cornerVertex) : gl_VertexID;
+    vec4 seen = view * vec4(texelFetch(vertices, 2 * vertex).xyz, 1.0);
+    position = seen.xyz;
+    normal = mat3(view) * texelFetch(vertices, 2 * vertex + 1).xyz;
+    place = cornerPlace;
+    gl_Position = projection * seen;
+}
+)";
+}
+
+std::string surfaceFragment() {
+    return std::string(version) + lighting + R"(
+in vec3 position, normal;
+in vec2 place;
+uniform bool painted, unlit;
+uniform vec3 baseColour;
+uniform sampler2D page;
+out vec4 colour;
+void main() {
+    vec4 paint = painted ? texture(page, place) : vec4(0.0);
+    vec3 albedo = mix(baseColour, paint.rgb, paint.a);
+    if (unlit) {
+        colour = vec4(albedo, 1.0);
+        return;
+    }
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+    vec3 n = normalize(normal) * side;
+    vec3 linear = toLinear(albedo) * (gl_FrontFacing ? vec3(1.0) : vec3(0.62, 0.50, 0.50));
+    Sheen sheen = gl_FrontFacing ? Sheen(0.085, 0.17, 0.10) : Sheen(0.03, 0.05, 0.02);
+    colour = vec4(toDisplay(lit(linear, n, normalize(-position), sheen)), 1.0);
+}
+)";
+}
+
+std::string ballVertex() {
+    return std::string(version) + R"(
+layout(location = 0) in vec3 unit;
+uniform mat4 model, view, projection;
+out vec3 position, normal;
+void main() {
+    vec4 seen = view * model * vec4(unit, 1.0);
+    position = seen.xyz;
+    normal = mat3(view) * (transpose(inverse(mat3(model))) * unit);
+    gl_Position = projection * seen;
+}
+)";
+}
+
+std::string steelFragment() {
+    return std::string(version) + lighting + R"(
+in vec3 position, normal;
+uniform vec3 baseColour;
+out vec4 colour;
+void main() {
+    vec3 n = normalize(normal);
+    vec3 toEye = normalize(-position);
+    // A bright band where the metal mirrors the horizon of the room.
+    float mirrored = reflect(-toEye, n).y;
+    float band = smoothstep(-0.15, 0.25, mirrored) * (1.0 - smoothstep(0.35, 0.95, mirrored));
+    vec3 steel = lit(toLinear(baseColour), n, toEye, Sheen(0.30, 0.9, 0.25)) + 0.12 * band;
+    colour = vec4(toDisplay(steel), 1.0);
+}
+)";
+}
+
+std::string shellFragment() {
+    return std::string(version) + R"(
+in vec3 position, normal;
+uniform vec3 baseColour;
+uniform float opacity;
+out vec4 colour;
+void main() {
+    float facing = abs(dot(normalize(normal), normalize(-position)));
+    colour = vec4(baseColour, opacity * (0.45 + 1.6 * pow(1.0 - facing, 2.5)));
+}
+)";
+}
+
+std::string quadVertex() {
+    return std::string(version) + R"(
+uniform vec3 corners[4]; // bottom left, bottom right, top left, top right
+uniform mat4 view, projection;
+out vec2 place;
+void main() {
+    place = vec2(gl_VertexID & 1, 1 - (gl_VertexID >> 1));
+    gl_Position = projection * view * vec4(corners[gl_VertexID], 1.0);
+}
+)";
+}
+
+std::string quadFragment() {
+    return std::string(version) + R"(
+in vec2 place;
+uniform bool textured;
+uniform sampler2D page;
+uniform vec4 tint;
+out vec4 colour;
+void main() {
+    colour = textured ? texture(page, place) * vec4(1.0, 1.0, 1.0, tint.a) : tint;
+}
+)";
+}
+
+std::string lineVertex() {
+    return std::string(version) + R"(
+layout(location = 0) in uvec2 ends;
+layout(location = 1) in vec4 paint;
+layout(location = 2) in float width;
+uniform samplerBuffer points;
+uniform mat4 view, projection;
+uniform vec2 pixels;
+uniform float pixelRatio, opacity, lift;
+uniform bool thinWhenShort;
+flat out vec4 lineColour;
+flat out float halfWidth;
+noperspective out float across;
+
+// Towards the eye along the line of sight: over the surface, at the same place of the picture.
+vec3 lifted(vec3 p) { return p * (1.0 - min(lift / length(p), 0.5)); }
+
+void main() {
+    vec3 a = (view * vec4(texelFetch(points, int(ends.x)).xyz, 1.0)).xyz;
+    vec3 b = (view * vec4(texelFetch(points, int(ends.y)).xyz, 1.0)).xyz;
+    float near = projection[3][2] / (projection[2][2] - 1.0);
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside: nothing to see
+    lineColour = vec4(0.0);
+    halfWidth = across = 0.0;
+    if (a.z > -near && b.z > -near) return;
+    if (a.z > -near) a = mix(b, a, (b.z + near) / (b.z - a.z));
+    if (b.z > -near) b = mix(a, b, (a.z + near) / (a.z - b.z));
+    vec4 first = projection * vec4(lifted(a), 1.0), second = projection * vec4(lifted(b), 1.0);
+    vec2 along = (second.xy / second.w - first.xy / first.w) * 0.5 * pixels;
+    float shown = length(along);
+    vec2 direction = shown > 1e-6 ? along / shown : vec2(1.0, 0.0);
+    float end = float(gl_VertexID >> 1), side = float(gl_VertexID & 1) * 2.0 - 1.0;
+    halfWidth = 0.5 * width * pixelRatio;
+    across = side * (halfWidth + 0.5);
+    vec4 corner = end > 0.5 ? second : first;
+    vec2 offset = vec2(-direction.y, direction.x) * across + direction * (end - 0.5) * halfWidth;
+    corner.xy += 2.0 * offset / pixels * corner.w;
+    gl_Position = corner;
+    float strength = thinWhenShort ? mix(0.25, 1.0, smoothstep(1.0, 9.0, shown / pixelRatio)) : 1.0;
+    lineColour = vec4(paint.rgb, paint.a * opacity * strength);
+}
+)";
+}
+
+std::string lineFragment() {
+    return std::string(version) + R"(
+flat in vec4 lineColour;
+flat in float halfWidth;
+noperspective in float across;
+out vec4 colour;
+void main() {
+    float coverage = clamp(halfWidth + 0.5 - abs(across), 0.0, min(1.0, 2.0 * halfWidth));
+    colour = vec4(lineColour.rgb, lineColour.a * coverage);
+}
+)";
+}
+
+std::string pointVertex() {
+    return std::string(version) + R"(
+uniform samplerBuffer points;
+uniform mat4 view, projection;
+uniform vec2 pixels;
+uniform float radius, lift; // pixels, m
+noperspective out vec2 offset;
+void main() {
+    vec3 p = (view * vec4(texelFetch(points, gl_InstanceID).xyz, 1.0)).xyz;
+    vec4 centre = projection * vec4(p * (1.0 - min(lift / length(p), 0.5)), 1.0);
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+    offset = corner * (radius + 0.5);
+    centre.xy += 2.0 * offset / pixels * centre.w;
+    gl_Position = centre;
+}
+)";
+}
+
+std::string pointFragment() {
+    return std::string(version) + R"(
+noperspective in vec2 offset;
+uniform vec4 tint;
+uniform float radius;
+out vec4 colour;
+void main() {
+    float coverage = clamp(radius + 0.5 - length(offset), 0.0, 1.0);
+    if (coverage <= 0.0) discard;
+    colour = vec4(tint.rgb, tint.a * coverage);
+}
+)";
+}
+
+} // namespace esm::shaders

@@ -1,0 +1,73 @@
+#include "core/render/spring_drawer.h"
+
+#include "core/render/colour_ramp.h"
+
+#include <cmath>
+
+namespace esm {
+namespace {
+
+constexpr float liftShare = 0.004F;                      // of the organ's size
+constexpr float colouredWidth = 1.5F, quietWidth = 1.1F; // pixels
+
+std::array<std::uint8_t, 4> opaque(const Colour& colour) {
+    return {colour[0], colour[1], colour[2], 255};
+}
+
+} // namespace
+
+SpringDrawer::SpringDrawer(const GlFunctions& gl) : m_gl(gl), m_points(gl), m_quiet(gl), m_coloured(gl) {}
+
+void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& nodes,
+                        const LineDrawer& lines, const Frame& frame) {
+    if (!scene.network) return;
+    const bool bare = !scene.mesh || scene.mesh->triangles.empty();
+    if (!scene.showSprings && !scene.showNodes && !bare) return;
+    const bool overSurface = scene.showSurface && !bare;
+    takeSprings(scene, overSurface);
+    if (nodes != m_nodes) {
+        m_points.upload(nodes, frame);
+        m_nodes = nodes;
+    }
+    // Without a surface nothing else hides the far springs behind the near ones.
+    m_gl.DepthMask(overSurface ? GL_FALSE : GL_TRUE);
+    const LineStyle style{1, overSurface ? liftShare * frame.size : 0, true};
+    if (scene.showSprings || bare) {
+        lines.draw(m_points, m_quiet, style, frame);
+        lines.draw(m_points, m_coloured, {1, style.lift, false}, frame);
+    }
+    if (scene.showNodes || bare)
+        lines.drawDots(m_points, {0.91F, 0.91F, 0.93F, 1}, bare ? 4.0F : 2.0F, frame);
+    m_gl.DepthMask(GL_TRUE);
+}
+
+void SpringDrawer::takeSprings(const RenderScene& scene, bool overSurface) {
+    const bool same = scene.network == m_network && scene.springValues == m_values &&
+                      scene.springValueMinimum == m_minimum && scene.springValueMaximum == m_maximum &&
+                      overSurface == m_overSurface;
+    if (same) return;
+    m_network = scene.network;
+    m_values = scene.springValues;
+    m_minimum = scene.springValueMinimum;
+    m_maximum = scene.springValueMaximum;
+    m_overSurface = overSurface;
+    const auto& springs = m_network->springs;
+    const bool valued = m_values && m_values->size() == springs.size();
+    const double range = m_maximum > m_minimum ? m_maximum - m_minimum : 1;
+    const std::array<std::uint8_t, 4> quiet = overSurface ? std::array<std::uint8_t, 4>{52, 46, 50, 120}
+                                                          : std::array<std::uint8_t, 4>{152, 161, 171, 190};
+    std::vector<Segment> quietSegments, coloured;
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        const Spring& spring = springs[i];
+        if (valued && std::isfinite((*m_values)[i])) {
+            const Colour colour = rampColour(((*m_values)[i] - m_minimum) / range);
+            coloured.push_back({spring.first, spring.second, opaque(colour), colouredWidth});
+        } else {
+            quietSegments.push_back({spring.first, spring.second, quiet, quietWidth});
+        }
+    }
+    m_quiet.upload(quietSegments);
+    m_coloured.upload(coloured);
+}
+
+} // namespace esm

@@ -1,0 +1,138 @@
+#include "core/render/surface_drawer.h"
+
+#include "core/render/shaders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace esm {
+namespace {
+
+struct Corner {
+    std::uint32_t vertex;
+    float u, v;
+};
+
+/// Smaller copies of a page mix texels that lie a power of two apart: only as many as the patches' own
+/// borders, half the gap each, keep from mixing with a neighbour's.
+int usableLevels(int gap) {
+    return gap < 4 ? 0 : static_cast<int>(std::log2(gap)) - 1;
+}
+
+bool isTextured(const RenderScene& scene) {
+    return scene.atlas && scene.texturePages && scene.atlas->corners.size() == scene.mesh->triangles.size() &&
+           scene.atlas->page.size() == scene.mesh->triangles.size();
+}
+
+} // namespace
+
+SurfaceDrawer::SurfaceDrawer(const GlFunctions& gl)
+    : m_gl(gl), m_program(gl, shaders::surfaceVertex(), shaders::surfaceFragment()), m_vertexBuffer(gl),
+      m_indexBuffer(gl), m_cornerBuffer(gl), m_vertexTexture(gl), m_plainArray(gl), m_texturedArray(gl) {
+    m_plainArray.bind();
+    m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
+    m_texturedArray.bind();
+    m_cornerBuffer.bind(GL_ARRAY_BUFFER);
+    gl.EnableVertexAttribArray(0);
+    gl.VertexAttribIPointer(0, 1, GL_UNSIGNED_INT, sizeof(Corner), nullptr);
+    m_texturedArray.addFloats(1, 2, sizeof(Corner), offsetof(Corner, u));
+}
+
+void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices,
+                         const Frame& frame) {
+    if (!scene.mesh || scene.mesh->triangles.empty()) return;
+    const bool textured = isTextured(scene);
+    takeTriangles(scene.mesh);
+    takeVertices(vertices, frame);
+    m_program.use();
+    m_program.set("view", frame.view);
+    m_program.set("projection", frame.projection);
+    m_program.set("baseColour", toFloat(scene.baseColour));
+    m_program.set("unlit", scene.unlit);
+    m_program.set("perCorner", textured);
+    m_program.set("vertices", 0);
+    m_program.set("page", 1);
+    m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
+    if (textured) {
+        takeAtlas(scene.atlas);
+        takePages(scene.texturePages, usableLevels(scene.atlas->options.gap));
+        m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
+        drawPages();
+        return;
+    }
+    m_program.set("painted", false);
+    m_plainArray.bind();
+    m_gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * m_mesh->triangles.size()), GL_UNSIGNED_INT,
+                      nullptr);
+}
+
+void SurfaceDrawer::drawPages() const {
+    m_texturedArray.bind();
+    for (const PageRange& range : m_ranges) {
+        const bool known = range.page < m_pageTextures.size() && m_pageTextures[range.page];
+        m_program.set("painted", known);
+        if (known) m_pageTextures[range.page]->bind(GL_TEXTURE_2D, 1);
+        m_gl.DrawArrays(GL_TRIANGLES, range.first, range.count);
+    }
+}
+
+void SurfaceDrawer::takeTriangles(const std::shared_ptr<const TriangleMesh>& mesh) {
+    if (mesh == m_mesh) return;
+    m_mesh = mesh;
+    m_atlas.reset();
+    m_vertices.clear();
+    m_plainArray.bind();
+    m_indexBuffer.upload(GL_ELEMENT_ARRAY_BUFFER, mesh->triangles.data(),
+                         mesh->triangles.size() * sizeof(Triangle), GL_STATIC_DRAW);
+}
+
+void SurfaceDrawer::takeVertices(const std::vector<Eigen::Vector3d>& vertices, const Frame& frame) {
+    if (vertices == m_vertices) return;
+    m_vertices = vertices;
+    const std::vector<Eigen::Vector3d> normals = vertexNormals(vertices, m_mesh->triangles);
+    m_texels.resize(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Eigen::Vector3f place = frame.local(vertices[i]), normal = normals[i].cast<float>();
+        m_texels[i] = {place.x(), place.y(), place.z(), 0, normal.x(), normal.y(), normal.z(), 0};
+    }
+    m_vertexBuffer.upload(GL_TEXTURE_BUFFER, m_texels.data(), m_texels.size() * sizeof(m_texels[0]),
+                          GL_STREAM_DRAW);
+    m_vertexTexture.attach(m_vertexBuffer);
+}
+
+void SurfaceDrawer::takeAtlas(const std::shared_ptr<const Atlas>& atlas) {
+    if (atlas == m_atlas) return;
+    m_atlas = atlas;
+    std::vector<std::size_t> order(m_mesh->triangles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return atlas->page[a] < atlas->page[b]; });
+    std::vector<Corner> corners;
+    corners.reserve(3 * order.size());
+    m_ranges.clear();
+    for (const std::size_t triangle : order) {
+        const std::size_t page = atlas->page[triangle];
+        if (m_ranges.empty() || m_ranges.back().page != page)
+            m_ranges.push_back({page, static_cast<GLint>(corners.size()), 0});
+        m_ranges.back().count += 3;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eigen::Vector2f place = (atlas->corners[triangle][i] / atlas->options.size).cast<float>();
+            corners.push_back({m_mesh->triangles[triangle][i], place.x(), place.y()});
+        }
+    }
+    m_cornerBuffer.upload(GL_ARRAY_BUFFER, corners.data(), corners.size() * sizeof(Corner), GL_STATIC_DRAW);
+}
+
+void SurfaceDrawer::takePages(const std::shared_ptr<const std::vector<Image>>& pages, int levels) {
+    if (pages == m_pages) return;
+    m_pages = pages;
+    m_pageTextures.clear();
+    for (const Image& page : *pages) {
+        m_pageTextures.push_back(page.empty() ? nullptr : std::make_unique<GlTexture>(m_gl));
+        if (!page.empty()) m_pageTextures.back()->upload(page, levels);
+    }
+}
+
+} // namespace esm

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/render/frame.h"
+#include "core/render/gl_objects.h"
+
+#include <memory>
+#include <vector>
+
+namespace esm {
+
+/// Draws an organ's surface, lit or not, with its texture pages where there are any.
+class SurfaceDrawer {
+public:
+    explicit SurfaceDrawer(const GlFunctions& gl);
+
+    void draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices, const Frame& frame);
+
+private:
+    struct PageRange {
+        std::size_t page;
+        GLint first;
+        GLsizei count;
+    };
+
+    void takeVertices(const std::vector<Eigen::Vector3d>& vertices, const Frame& frame);
+    void takeTriangles(const std::shared_ptr<const TriangleMesh>& mesh);
+    void takeAtlas(const std::shared_ptr<const Atlas>& atlas);
+    void takePages(const std::shared_ptr<const std::vector<Image>>& pages, int levels);
+    void drawPages() const;
+
+    const GlFunctions& m_gl;
+    GlProgram m_program;
+    GlBuffer m_vertexBuffer, m_indexBuffer, m_cornerBuffer;
+    GlTexture m_vertexTexture;
+    GlVertexArray m_plainArray, m_texturedArray;
+    std::shared_ptr<const TriangleMesh> m_mesh;
+    std::shared_ptr<const Atlas> m_atlas;
+    std::shared_ptr<const std::vector<Image>> m_pages;
+    std::vector<std::unique_ptr<GlTexture>> m_pageTextures;
+    std::vector<PageRange> m_ranges;
+    std::vector<Eigen::Vector3d> m_vertices;    ///< as last uploaded
+    std::vector<std::array<float, 8>> m_texels; ///< per vertex: position, 0, normal, 0
+};
+
+} // namespace esm
