@@ -13,8 +13,9 @@ enum class UpAxis { Y, Z };
 
 double metresPer(LengthUnit unit);
 
-/// Reads a surface: OBJ, STL, PLY, OFF, glTF and GLB through assimp, legacy VTK polydata by our own reader. Node
-/// transforms are applied; lines and points are ignored. Coordinates are the file's.
+/// Reads a surface: STL, PLY, OFF, glTF and GLB through assimp, OBJ and legacy VTK polydata by readers of our
+/// own. Node transforms are applied; lines and points are ignored. Coordinates and the order of the faces are
+/// the file's.
 /// @throws FileError: missing, empty, truncated, of an unknown format, without a triangle, not finite
 PolygonSoup readMeshFile(const std::filesystem::path& file);
 

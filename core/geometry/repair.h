@@ -12,22 +12,25 @@ namespace esm {
 enum class KeepParts { All, Largest };
 
 struct RepairOptions {
-    double weldDistance = 0; ///< vertices closer than this become one; 0 welds exactly equal ones. Unit of the soup
+    double weldDistance =
+        0; ///< vertices closer than this become one; 0 welds exactly equal ones. Unit of the soup
     KeepParts keep = KeepParts::All; ///< `Largest`: the connected part with the most triangles
 };
 
-/// What repair found and did. Counts named "before" are taken after welding and before duplicates are dropped.
+/// What repair found and did. Counts named "before" are taken after welding and before duplicates are
+/// dropped.
 struct RepairReport {
     std::size_t mergedVertices = 0;
-    std::size_t splitPolygons = 0; ///< polygons of more than three corners
+    std::size_t splitPolygons = 0;       ///< polygons of more than three corners
     std::size_t degenerateTriangles = 0; ///< dropped: two equal corners or no area
-    std::size_t duplicateTriangles = 0; ///< dropped: the same three corners in any order
-    std::size_t unusedVertices = 0; ///< dropped
-    std::size_t flippedTriangles = 0; ///< turned to agree with their neighbours or to face outwards
-    std::size_t droppedParts = 0; ///< by `KeepParts::Largest`
-    std::size_t components = 0; ///< connected parts that were kept
+    std::size_t duplicateTriangles = 0;  ///< dropped: the same three corners in any order
+    std::size_t unusedVertices = 0;      ///< dropped
+    std::size_t flippedTriangles = 0;    ///< turned to agree with their neighbours or to face outwards
+    std::size_t droppedParts = 0;        ///< by `KeepParts::Largest`
+    std::size_t components = 0;          ///< connected parts that were kept
     std::size_t boundaryEdgesBefore = 0, nonManifoldEdgesBefore = 0;
-    std::size_t boundaryEdges = 0, nonManifoldEdges = 0; ///< of the result: one triangle, more than two triangles
+    std::size_t boundaryEdges = 0,
+                nonManifoldEdges = 0;  ///< of the result: one triangle, more than two triangles
     std::size_t inconsistentEdges = 0; ///< neighbours that cannot agree (a Möbius strip, non-manifold walls)
     std::vector<std::string> warnings; ///< for people: what was repaired and what remains
 

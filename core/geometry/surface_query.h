@@ -8,14 +8,14 @@
 namespace esm {
 
 struct Ray {
-    Eigen::Vector3d origin; ///< m
+    Eigen::Vector3d origin;    ///< m
     Eigen::Vector3d direction; ///< any length > 0
 };
 
 struct RayHit {
     std::uint32_t triangle;
     Eigen::Vector3d barycentric; ///< weights of the triangle's three corners
-    double distance; ///< m, along the normalised direction
+    double distance;             ///< m, along the normalised direction
 };
 
 struct NearestPoint {
@@ -24,7 +24,8 @@ struct NearestPoint {
     Eigen::Vector3d point; ///< m
 };
 
-/// Rays and nearest points against a surface whose vertices may move (bounding-volume tree, refitted by Embree).
+/// Rays and nearest points against a surface whose vertices may move (bounding-volume tree, refitted by
+/// Embree).
 class SurfaceQuery {
 public:
     SurfaceQuery(const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& triangles);

@@ -7,7 +7,8 @@ namespace esm {
 
 Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points) {
     Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& point : points) box.extend(point);
+    for (const Eigen::Vector3d& point : points)
+        box.extend(point);
     return box;
 }
 
@@ -48,7 +49,8 @@ std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& p
     for (const Triangle& t : triangles) {
         const Eigen::Vector3d& a = positions[t[0]];
         const Eigen::Vector3d areaNormal = (positions[t[1]] - a).cross(positions[t[2]] - a);
-        for (const std::uint32_t vertex : t) normals[vertex] += areaNormal;
+        for (const std::uint32_t vertex : t)
+            normals[vertex] += areaNormal;
     }
     for (Eigen::Vector3d& normal : normals) {
         const double length = normal.norm();

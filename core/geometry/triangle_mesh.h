@@ -10,10 +10,11 @@
 
 namespace esm {
 
-using Triangle = std::array<std::uint32_t, 3>; ///< vertex indices, counter-clockwise seen from outside
+using Triangle = std::array<std::uint32_t, 3>;        ///< vertex indices, counter-clockwise seen from outside
 using Edge = std::pair<std::uint32_t, std::uint32_t>; ///< vertex indices, the smaller first
 
-/// An organ's surface. Immutable once built: held by `std::shared_ptr<const TriangleMesh>` and replaced whole.
+/// An organ's surface. Immutable once built: held by `std::shared_ptr<const TriangleMesh>` and replaced
+/// whole.
 struct TriangleMesh {
     std::vector<Eigen::Vector3d> vertices; ///< m
     std::vector<Triangle> triangles;

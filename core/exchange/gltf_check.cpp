@@ -1,0 +1,200 @@
+#include "core/exchange/mesh_file_checks.h"
+#include "core/support/errors.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace esm {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr std::size_t glbHeaderBytes = 12, chunkHeaderBytes = 8;
+
+std::uint32_t littleEndian(const Bytes& content, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value |= std::uint32_t{content[at + i]} << (8 * i);
+    return value;
+}
+
+/// Checks the tables of a glTF document against each other and against the data there is.
+class GltfChecker {
+public:
+    GltfChecker(const fs::path& file, Json document, std::optional<std::size_t> binaryBytes)
+        : m_file(file), m_document(std::move(document)), m_binaryBytes(binaryBytes) {}
+
+    void check() const {
+        if (!m_document.is_object()) fail("has no JSON object at its top");
+        checkRequiredExtensions();
+        forEach("buffers", [this](const Json& buffer, std::size_t index) { checkBuffer(buffer, index); });
+        forEach("bufferViews", [this](const Json& view, std::size_t index) { checkView(view, index); });
+        forEach("accessors",
+                [this](const Json& accessor, std::size_t index) { checkAccessor(accessor, index); });
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& problem) const {
+        throw FileError(m_file, problem + "; export it again");
+    }
+
+    template<typename Check> void forEach(const char* table, const Check& check) const {
+        if (!m_document.contains(table)) return;
+        if (!m_document[table].is_array()) fail(std::string("has a \"") + table + "\" that is no list");
+        for (std::size_t i = 0; i < m_document[table].size(); ++i)
+            check(m_document[table][i], i);
+    }
+
+    std::size_t number(const Json& object, const char* key, std::size_t ifMissing) const {
+        if (!object.is_object()) fail("has a table entry that is no object");
+        const auto found = object.find(key);
+        if (found == object.end()) return ifMissing;
+        if (!found->is_number_unsigned()) fail(std::string("has a \"") + key + "\" that is no count");
+        return found->get<std::size_t>();
+    }
+
+    const Json& entry(const char* table, std::size_t index, const std::string& user) const {
+        if (!m_document.contains(table) || index >= m_document[table].size())
+            fail(user + " names entry " + std::to_string(index) + " of \"" + table +
+                 "\", which is not there");
+        return m_document[table][index];
+    }
+
+    void checkRequiredExtensions() const;
+    void checkBuffer(const Json& buffer, std::size_t index) const;
+    void checkView(const Json& view, std::size_t index) const;
+    void checkAccessor(const Json& accessor, std::size_t index) const;
+
+    const fs::path& m_file;
+    Json m_document;
+    std::optional<std::size_t> m_binaryBytes; ///< of a GLB's binary chunk
+};
+
+void GltfChecker::checkRequiredExtensions() const {
+    const Json required = m_document.value("extensionsRequired", Json::array());
+    for (const char* compression : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
+        for (const Json& name : required)
+            if (name == compression)
+                throw FileError(m_file, std::string("is compressed (") + compression +
+                                            "), which cannot be read; export it without compression");
+}
+
+void GltfChecker::checkBuffer(const Json& buffer, std::size_t index) const {
+    const std::string place = "buffer " + std::to_string(index);
+    const std::size_t announced = number(buffer, "byteLength", 0);
+    const Json uri = buffer.value("uri", Json());
+    std::size_t held = m_binaryBytes.value_or(0);
+    if (uri.is_string()) {
+        const std::string name = uri.get<std::string>();
+        if (name.rfind("data:", 0) == 0) {
+            held = (name.size() - std::min(name.size(), name.find(',') + 1)) / 4 * 3;
+        } else {
+            std::error_code error;
+            held = fs::file_size(m_file.parent_path() / name, error);
+            if (error) fail("needs the file \"" + name.substr(0, 200) + "\" beside it, which cannot be read");
+        }
+    }
+    if (announced > held)
+        fail("is cut off: " + place + " announces " + std::to_string(announced) + " bytes and holds " +
+             std::to_string(held));
+}
+
+void GltfChecker::checkView(const Json& view, std::size_t index) const {
+    const std::string place = "buffer view " + std::to_string(index);
+    const std::size_t whole = number(entry("buffers", number(view, "buffer", 0), place), "byteLength", 0);
+    const std::size_t offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
+    if (offset > whole || length > whole - offset) fail(place + " reaches beyond the end of its buffer");
+}
+
+std::size_t componentBytes(std::size_t componentType) {
+    switch (componentType) {
+    case 5120:
+    case 5121:
+        return 1; // byte, unsigned byte
+    case 5122:
+    case 5123:
+        return 2; // short, unsigned short
+    case 5125:
+    case 5126:
+        return 4; // unsigned int, float
+    default:
+        return 0;
+    }
+}
+
+std::size_t componentCount(const std::string& type) {
+    if (type == "SCALAR") return 1;
+    if (type == "VEC2") return 2;
+    if (type == "VEC3") return 3;
+    if (type == "VEC4" || type == "MAT2") return 4;
+    if (type == "MAT3") return 9;
+    return type == "MAT4" ? 16 : 0;
+}
+
+void GltfChecker::checkAccessor(const Json& accessor, std::size_t index) const {
+    const std::string place = "accessor " + std::to_string(index);
+    const std::size_t count = number(accessor, "count", 0);
+    if (!accessor.contains("bufferView")) {
+        // Without data an accessor stands for zeros, as many as the file likes to say.
+        if (count > 100'000'000)
+            fail(place + " announces " + std::to_string(count) + " entries without any data");
+        return;
+    }
+    const Json type = accessor.value("type", Json());
+    const std::size_t elementBytes = componentBytes(number(accessor, "componentType", 0)) *
+                                     componentCount(type.is_string() ? type.get<std::string>() : "");
+    if (elementBytes == 0) fail(place + " has an unknown type");
+    const Json& view = entry("bufferViews", number(accessor, "bufferView", 0), place);
+    const std::size_t stride = std::max(number(view, "byteStride", elementBytes), elementBytes);
+    const std::size_t offset = number(accessor, "byteOffset", 0), whole = number(view, "byteLength", 0);
+    if (count == 0) return;
+    if (offset > whole || whole - offset < elementBytes ||
+        count - 1 > (whole - offset - elementBytes) / stride)
+        fail(place + " announces " + std::to_string(count) + " entries, more than its data holds");
+}
+
+Json parsed(const fs::path& file, Bytes::const_iterator begin, Bytes::const_iterator end) {
+    try {
+        return Json::parse(begin, end);
+    } catch (const Json::parse_error& error) {
+        throw FileError(file, "is damaged or cut off: its JSON part cannot be read at byte " +
+                                  std::to_string(error.byte) + " of it; export it again");
+    }
+}
+
+} // namespace
+
+void checkGltf(const fs::path& file, const Bytes& content) {
+    GltfChecker(file, parsed(file, content.begin(), content.end()), std::nullopt).check();
+}
+
+void checkGlb(const fs::path& file, const Bytes& content) {
+    if (content.size() < glbHeaderBytes + chunkHeaderBytes || littleEndian(content, 0) != 0x46546C67)
+        throw FileError(file, "is cut off or no GLB file: its header is missing; export it again");
+    if (littleEndian(content, 4) != 2)
+        throw FileError(file, "is a GLB file of version " + std::to_string(littleEndian(content, 4)) +
+                                  "; version 2 can be read; convert it");
+    const std::size_t announced = littleEndian(content, 8);
+    const std::size_t jsonBytes = littleEndian(content, glbHeaderBytes);
+    constexpr std::size_t jsonStart = glbHeaderBytes + chunkHeaderBytes;
+    if (announced > content.size() || jsonBytes > content.size() - jsonStart)
+        throw FileError(file, "is cut off: it announces " + std::to_string(announced) +
+                                  " bytes and ends at byte " + std::to_string(content.size()) +
+                                  "; export it again");
+    std::size_t binaryBytes = 0;
+    if (const std::size_t next = jsonStart + jsonBytes; content.size() - next >= chunkHeaderBytes) {
+        binaryBytes = littleEndian(content, next);
+        if (binaryBytes > content.size() - next - chunkHeaderBytes)
+            throw FileError(file, "is cut off: its binary part announces " + std::to_string(binaryBytes) +
+                                      " bytes and ends at byte " + std::to_string(content.size()) +
+                                      "; export it again");
+    }
+    const auto begin = content.begin() + jsonStart;
+    GltfChecker(file, parsed(file, begin, begin + static_cast<std::ptrdiff_t>(jsonBytes)), binaryBytes)
+        .check();
+}
+
+} // namespace esm

@@ -1,0 +1,142 @@
+#include "core/exchange/mesh_file.h"
+
+#include "core/exchange/mesh_file_checks.h"
+#include "core/exchange/obj_mesh.h"
+#include "core/exchange/vtk_polydata.h"
+#include "core/support/errors.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace esm {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string endingOf(const fs::path& file) {
+    std::string ending = file.extension().string();
+    if (!ending.empty()) ending.erase(0, 1);
+    for (char& letter : ending)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return ending;
+}
+
+std::string knownEndings() {
+    std::string text;
+    for (const std::string& ending : meshFileEndings())
+        text += (text.empty() ? "." : ", .") + ending;
+    return text;
+}
+
+/// Row-major 3×4 part of a node's transform, in double so that parts that meet keep meeting.
+using Transform = Eigen::Matrix<double, 3, 4>;
+
+Transform compose(const Transform& outer, const aiMatrix4x4& m) {
+    Eigen::Matrix4d inner;
+    inner << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
+    return outer * inner;
+}
+
+void appendMesh(const fs::path& file, const aiMesh& mesh, const Transform& transform, PolygonSoup& soup) {
+    if (mesh.mNumVertices > std::numeric_limits<std::uint32_t>::max() - soup.vertices.size())
+        throw FileError(file, "has more vertices than can be numbered; export a coarser mesh");
+    const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+    for (unsigned int i = 0; i < mesh.mNumVertices; ++i) {
+        const aiVector3D& v = mesh.mVertices[i];
+        soup.vertices.emplace_back(transform * Eigen::Vector4d(v.x, v.y, v.z, 1));
+    }
+    for (unsigned int i = 0; i < mesh.mNumFaces; ++i) {
+        const aiFace& face = mesh.mFaces[i];
+        if (face.mNumIndices < 3) continue;
+        std::vector<std::uint32_t> polygon(face.mIndices, face.mIndices + face.mNumIndices);
+        for (std::uint32_t& corner : polygon) {
+            if (corner >= mesh.mNumVertices)
+                throw FileError(file, "has a face that names vertex " + std::to_string(corner) +
+                                          ", but there are " + std::to_string(mesh.mNumVertices) +
+                                          "; export it again");
+            corner += first;
+        }
+        soup.polygons.push_back(std::move(polygon));
+    }
+}
+
+void appendNode(const fs::path& file, const aiScene& scene, const aiNode& node, const Transform& parent,
+                PolygonSoup& soup) {
+    const Transform transform = compose(parent, node.mTransformation);
+    for (unsigned int i = 0; i < node.mNumMeshes; ++i)
+        appendMesh(file, *scene.mMeshes[node.mMeshes[i]], transform, soup);
+    for (unsigned int i = 0; i < node.mNumChildren; ++i)
+        appendNode(file, scene, *node.mChildren[i], transform, soup);
+}
+
+PolygonSoup readWithAssimp(const fs::path& file) {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    if (!scene || !scene->mRootNode) {
+        std::string reason = importer.GetErrorString();
+        std::replace(reason.begin(), reason.end(), '\n', ' ');
+        throw FileError(file,
+                        "cannot be read as a mesh (" + reason + "); export it again or in another format");
+    }
+    PolygonSoup soup;
+    appendNode(file, *scene, *scene->mRootNode, Transform::Identity(), soup);
+    return soup;
+}
+
+void checkSurface(const fs::path& file, const PolygonSoup& soup) {
+    if (soup.polygons.empty())
+        throw FileError(file, "has no triangle (" + std::to_string(soup.vertices.size()) +
+                                  " points only); export the surface, not lines or points");
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i)
+        if (!soup.vertices[i].allFinite())
+            throw FileError(file, "has a coordinate that is not a finite number at vertex " +
+                                      std::to_string(i) +
+                                      " (counted from 0); mend it in the program that made it");
+}
+
+} // namespace
+
+double metresPer(LengthUnit unit) {
+    switch (unit) {
+    case LengthUnit::Millimetre:
+        return 0.001;
+    case LengthUnit::Centimetre:
+        return 0.01;
+    case LengthUnit::Metre:
+        break;
+    }
+    return 1;
+}
+
+const std::vector<std::string>& meshFileEndings() {
+    static const std::vector<std::string> endings{"obj", "stl", "ply", "off", "gltf", "glb", "vtk"};
+    return endings;
+}
+
+PolygonSoup readMeshFile(const fs::path& file) {
+    const Bytes content = readFile(file);
+    const std::string ending = endingOf(file);
+    const std::vector<std::string>& known = meshFileEndings();
+    if (std::find(known.begin(), known.end(), ending) == known.end())
+        throw FileError(file, "is of an unknown kind; mesh files end in " + knownEndings());
+    checkMeshContent(file, content, ending);
+    PolygonSoup soup = ending == "vtk"   ? parseVtkPolydata(file, content)
+                       : ending == "obj" ? parseObj(file, content)
+                                         : readWithAssimp(file);
+    checkSurface(file, soup);
+    return soup;
+}
+
+void convertToMetres(PolygonSoup& soup, LengthUnit unit, UpAxis up) {
+    const double factor = metresPer(unit);
+    for (Eigen::Vector3d& v : soup.vertices) {
+        if (up == UpAxis::Z) v = Eigen::Vector3d(v.x(), v.z(), -v.y());
+        v *= factor;
+    }
+}
+
+} // namespace esm

@@ -1,0 +1,194 @@
+#include "core/exchange/mesh_file_checks.h"
+#include "core/exchange/text_lines.h"
+#include "core/support/errors.h"
+
+#include <array>
+
+namespace esm {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct PlyProperty {
+    std::size_t bytes = 0;      ///< of a value, or of each entry of a list
+    std::size_t countBytes = 0; ///< of a list's length; 0 for a single value
+};
+
+struct PlyElement {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<PlyProperty> properties;
+};
+
+enum class PlyForm { Text, LittleEndian, BigEndian };
+
+struct PlyHeader {
+    PlyForm form = PlyForm::Text;
+    std::vector<PlyElement> elements;
+    std::size_t bodyStart = 0;
+};
+
+std::size_t plyTypeBytes(std::string_view name) {
+    struct Type {
+        std::string_view name;
+        std::size_t bytes;
+    };
+    constexpr std::array types{
+        Type{"char", 1},  Type{"uchar", 1},  Type{"short", 2},   Type{"ushort", 2},
+        Type{"int", 4},   Type{"uint", 4},   Type{"float", 4},   Type{"double", 8},
+        Type{"int8", 1},  Type{"uint8", 1},  Type{"int16", 2},   Type{"uint16", 2},
+        Type{"int32", 4}, Type{"uint32", 4}, Type{"float32", 4}, Type{"float64", 8},
+    };
+    for (const Type& type : types)
+        if (type.name == name) return type.bytes;
+    return 0;
+}
+
+class PlyChecker {
+public:
+    PlyChecker(const fs::path& file, const Bytes& content) : m_file(file), m_content(content) {}
+
+    void check() {
+        readHeader();
+        if (m_header.form == PlyForm::Text)
+            checkText();
+        else
+            checkBinary();
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& problem) const {
+        throw FileError(m_file, problem + "; export it again");
+    }
+
+    void readHeader();
+    void readFormat(std::string_view name);
+    void readProperty(std::string_view rest, const std::string& place);
+    void checkText() const;
+    void checkBinary() const;
+    std::uint64_t listLength(std::size_t at, std::size_t bytes) const;
+
+    const fs::path& m_file;
+    const Bytes& m_content;
+    PlyHeader m_header;
+};
+
+void PlyChecker::readFormat(std::string_view name) {
+    if (name == "ascii")
+        m_header.form = PlyForm::Text;
+    else if (name == "binary_little_endian")
+        m_header.form = PlyForm::LittleEndian;
+    else if (name == "binary_big_endian")
+        m_header.form = PlyForm::BigEndian;
+    else
+        fail("is a PLY file of the unknown format \"" + std::string(name.substr(0, 40)) + "\"");
+}
+
+void PlyChecker::readProperty(std::string_view rest, const std::string& place) {
+    PlyProperty property;
+    std::string_view type = takeWord(rest);
+    if (type == "list") {
+        property.countBytes = plyTypeBytes(takeWord(rest));
+        if (property.countBytes == 0) fail("has a list of an unknown type" + place);
+        type = takeWord(rest);
+    }
+    property.bytes = plyTypeBytes(type);
+    if (property.bytes == 0 || m_header.elements.empty()) fail("has a property of an unknown type" + place);
+    m_header.elements.back().properties.push_back(property);
+}
+
+void PlyChecker::readHeader() {
+    TextLines lines(m_content);
+    std::size_t vertices = 0;
+    for (std::string_view line; lines.next(line);) {
+        const std::string place = " in line " + std::to_string(lines.number());
+        std::string_view rest = line;
+        const std::string_view keyword = takeWord(rest);
+        if (lines.number() == 1 && keyword != "ply")
+            fail("does not begin with \"ply\", so it is no PLY file");
+        if (keyword == "end_header") {
+            const char* next = line.data() + line.size();
+            if (next < reinterpret_cast<const char*>(m_content.data() + m_content.size()) && *next == '\r')
+                ++next;
+            m_header.bodyStart = std::min(
+                m_content.size(),
+                static_cast<std::size_t>(next + 1 - reinterpret_cast<const char*>(m_content.data())));
+            if (vertices == 0) fail("announces no vertices in its header");
+            return;
+        }
+        if (keyword == "format") readFormat(takeWord(rest));
+        if (keyword == "property") readProperty(rest, place);
+        if (keyword == "element") {
+            const std::string name(takeWord(rest));
+            const auto count = wholeNumber<std::uint64_t>(takeWord(rest));
+            if (!count) fail("has an element without a count" + place);
+            m_header.elements.push_back({name, *count, {}});
+            if (name == "vertex") vertices = *count;
+        }
+    }
+    fail("is cut off: its header has no \"end_header\"");
+}
+
+void PlyChecker::checkText() const {
+    const Bytes body(m_content.begin() + static_cast<std::ptrdiff_t>(m_header.bodyStart), m_content.end());
+    TextLines lines(body);
+    for (const PlyElement& element : m_header.elements)
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            std::string_view line;
+            bool there = false;
+            while (!there && lines.next(line))
+                there = line.find_first_not_of(" \t") != line.npos;
+            for (const PlyProperty& property : element.properties) {
+                const auto number = wholeNumber<double>(takeWord(line));
+                there = there && number;
+                if (there && property.countBytes > 0)
+                    for (double left = *number; there && left > 0; --left)
+                        there = !takeWord(line).empty();
+            }
+            if (!there)
+                fail("is cut off or damaged: it announces " + std::to_string(element.count) + " of \"" +
+                     element.name + "\", but number " + std::to_string(i) + " is not whole");
+        }
+}
+
+std::uint64_t PlyChecker::listLength(std::size_t at, std::size_t bytes) const {
+    std::uint64_t length = 0;
+    for (std::size_t i = 0; i < bytes; ++i) {
+        const std::size_t significant = m_header.form == PlyForm::BigEndian ? i : bytes - 1 - i;
+        length = length << 8 | m_content[at + significant];
+    }
+    return length;
+}
+
+void PlyChecker::checkBinary() const {
+    std::size_t at = m_header.bodyStart;
+    const auto need = [&](std::uint64_t items, std::uint64_t bytes, const PlyElement& element) {
+        if (items > (m_content.size() - at) / bytes)
+            fail("is cut off: it announces " + std::to_string(element.count) + " of \"" + element.name +
+                 "\", but ends within them at byte " + std::to_string(m_content.size()));
+    };
+    for (const PlyElement& element : m_header.elements) {
+        if (element.properties.empty()) continue;
+        need(element.count, 1, element);
+        for (std::uint64_t i = 0; i < element.count; ++i)
+            for (const PlyProperty& property : element.properties) {
+                std::uint64_t items = 1;
+                if (property.countBytes > 0) {
+                    need(1, property.countBytes, element);
+                    items = listLength(at, property.countBytes);
+                    at += property.countBytes;
+                }
+                need(items, property.bytes, element);
+                at += items * property.bytes;
+            }
+    }
+}
+
+} // namespace
+
+void checkPly(const fs::path& file, const Bytes& content) {
+    PlyChecker(file, content).check();
+}
+
+} // namespace esm

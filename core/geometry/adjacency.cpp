@@ -1,0 +1,64 @@
+#include "core/geometry/adjacency.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace esm {
+
+std::vector<TriangleSide> sidesByEdge(const std::vector<Triangle>& triangles) {
+    std::vector<TriangleSide> sides;
+    sides.reserve(3 * triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t from = triangles[i][corner], to = triangles[i][(corner + 1) % 3];
+            sides.push_back({std::minmax({from, to}), static_cast<std::uint32_t>(i), from < to});
+        }
+    std::sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+        return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle;
+    });
+    return sides;
+}
+
+EdgeCounts countEdges(const std::vector<TriangleSide>& sides) {
+    EdgeCounts counts;
+    forEachEdge(sides, [&counts](auto first, auto last) {
+        const auto triangles = last - first;
+        counts.boundary += triangles == 1;
+        counts.nonManifold += triangles > 2;
+        counts.inconsistent += triangles == 2 && first->forward == (first + 1)->forward;
+    });
+    return counts;
+}
+
+namespace {
+
+std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t vertex) {
+    while (parents[vertex] != vertex)
+        vertex = parents[vertex] = parents[parents[vertex]];
+    return vertex;
+}
+
+} // namespace
+
+Parts connectedParts(const std::vector<Triangle>& triangles, std::size_t vertexCount) {
+    std::vector<std::uint32_t> parents(vertexCount);
+    std::iota(parents.begin(), parents.end(), 0);
+    for (const Triangle& triangle : triangles)
+        for (std::size_t corner = 1; corner < 3; ++corner) {
+            const std::uint32_t a = rootOf(parents, triangle[0]), b = rootOf(parents, triangle[corner]);
+            parents[std::max(a, b)] = std::min(a, b);
+        }
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> partOfRoot(vertexCount, none);
+    Parts parts;
+    parts.ofTriangle.reserve(triangles.size());
+    for (const Triangle& triangle : triangles) {
+        std::uint32_t& part = partOfRoot[rootOf(parents, triangle[0])];
+        if (part == none) part = static_cast<std::uint32_t>(parts.count++);
+        parts.ofTriangle.push_back(part);
+    }
+    return parts;
+}
+
+} // namespace esm

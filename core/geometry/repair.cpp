@@ -1,0 +1,222 @@
+#include "core/geometry/repair.h"
+
+#include "core/geometry/adjacency.h"
+#include "core/geometry/orientation.h"
+#include "core/geometry/polygon_split.h"
+#include "core/geometry/weld.h"
+#include "core/support/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+
+namespace esm {
+
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr double largestCoordinate = 1e12;  // beyond it areas and volumes lose their meaning in double
+constexpr std::size_t mostCorners = 10'000; // cutting ears takes time quadratic in the corners
+
+/// The triangles of a soup under repair; indices are those of the soup's vertices.
+struct Workpiece {
+    const PolygonSoup& soup;
+    std::vector<std::uint32_t> order; ///< welded vertices in the order of their first use
+    std::vector<Triangle> triangles;
+    RepairReport report;
+};
+
+void check(const PolygonSoup& soup, const RepairOptions& options) {
+    if (!(options.weldDistance >= 0) || !std::isfinite(options.weldDistance))
+        throw InvalidModel("the weld distance must be zero or more");
+    if (soup.vertices.size() >= none) throw InvalidModel("the mesh has more vertices than can be numbered");
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i)
+        if (!(soup.vertices[i].array().abs() <= largestCoordinate).all())
+            throw InvalidModel("vertex " + std::to_string(i) +
+                               " of the mesh has a coordinate that is not a number " + "or is too large");
+    for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
+        const std::vector<std::uint32_t>& polygon = soup.polygons[i];
+        if (polygon.size() < 3 || polygon.size() > mostCorners)
+            throw InvalidModel("face " + std::to_string(i) + " of the mesh has " +
+                               std::to_string(polygon.size()) + " corners; 3 to " +
+                               std::to_string(mostCorners) + " are possible");
+        for (const std::uint32_t vertex : polygon)
+            if (vertex >= soup.vertices.size())
+                throw InvalidModel("face " + std::to_string(i) + " of the mesh names vertex " +
+                                   std::to_string(vertex) + ", but there are " +
+                                   std::to_string(soup.vertices.size()));
+    }
+}
+
+/// A polygon's corners after welding, without corners that fell onto their predecessor.
+std::vector<std::uint32_t> weldedCorners(const std::vector<std::uint32_t>& polygon,
+                                         const std::vector<std::uint32_t>& representatives) {
+    std::vector<std::uint32_t> corners;
+    corners.reserve(polygon.size());
+    for (const std::uint32_t vertex : polygon)
+        if (corners.empty() || corners.back() != representatives[vertex])
+            corners.push_back(representatives[vertex]);
+    while (corners.size() > 1 && corners.front() == corners.back())
+        corners.pop_back();
+    return corners;
+}
+
+bool hasEqualCorners(const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+bool hasNoArea(const std::vector<Eigen::Vector3d>& vertices, const Triangle& t) {
+    const Eigen::Vector3d u = vertices[t[1]] - vertices[t[0]], v = vertices[t[2]] - vertices[t[0]];
+    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+    return u.cross(v).norm() <= 1e-12 * longest;
+}
+
+void weldAndSplit(Workpiece& piece, double weldDistance) {
+    const std::vector<std::uint32_t> representatives = weld(piece.soup.vertices, weldDistance);
+    for (std::uint32_t i = 0; i < representatives.size(); ++i)
+        piece.report.mergedVertices += representatives[i] != i;
+    std::vector<bool> used(representatives.size(), false);
+    for (const std::vector<std::uint32_t>& polygon : piece.soup.polygons) {
+        for (const std::uint32_t vertex : polygon) {
+            const std::uint32_t welded = representatives[vertex];
+            if (!used[welded]) piece.order.push_back(welded);
+            used[welded] = true;
+        }
+        const std::vector<std::uint32_t> corners = weldedCorners(polygon, representatives);
+        piece.report.splitPolygons += polygon.size() > 3;
+        piece.report.degenerateTriangles += polygon.size() - std::max<std::size_t>(corners.size(), 2);
+        if (corners.size() < 3) continue;
+        for (const Triangle& triangle : splitPolygon(piece.soup.vertices, corners))
+            if (hasEqualCorners(triangle))
+                ++piece.report.degenerateTriangles;
+            else
+                piece.triangles.push_back(triangle);
+    }
+}
+
+struct TriangleHash {
+    std::size_t operator()(const Triangle& t) const {
+        std::uint64_t hash = t[0];
+        for (const std::uint64_t corner : {t[1], t[2]})
+            hash = (hash ^ (hash >> 31)) * 0x9E3779B97F4A7C15U + corner;
+        return hash ^ (hash >> 29);
+    }
+};
+
+void dropDegenerateAndDuplicate(Workpiece& piece) {
+    std::unordered_set<Triangle, TriangleHash> seen;
+    seen.reserve(piece.triangles.size());
+    const auto isUseless = [&](const Triangle& triangle) {
+        if (hasNoArea(piece.soup.vertices, triangle)) {
+            ++piece.report.degenerateTriangles;
+            return true;
+        }
+        Triangle sorted = triangle;
+        std::sort(sorted.begin(), sorted.end());
+        const bool isNew = seen.insert(sorted).second;
+        piece.report.duplicateTriangles += !isNew;
+        return !isNew;
+    };
+    const auto end = std::remove_if(piece.triangles.begin(), piece.triangles.end(), isUseless);
+    piece.triangles.erase(end, piece.triangles.end());
+    if (piece.triangles.empty()) throw InvalidModel("no triangle with an area remains of the mesh");
+}
+
+void selectParts(Workpiece& piece, KeepParts keep) {
+    const Parts parts = connectedParts(piece.triangles, piece.soup.vertices.size());
+    piece.report.components = parts.count;
+    if (keep == KeepParts::All || parts.count == 1) return;
+    std::vector<std::size_t> sizes(parts.count, 0);
+    for (const std::uint32_t part : parts.ofTriangle)
+        ++sizes[part];
+    const auto largest =
+        static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    std::vector<Triangle> kept;
+    kept.reserve(sizes[largest]);
+    for (std::size_t i = 0; i < piece.triangles.size(); ++i)
+        if (parts.ofTriangle[i] == largest) kept.push_back(piece.triangles[i]);
+    piece.triangles = std::move(kept);
+    piece.report.droppedParts = parts.count - 1;
+    piece.report.components = 1;
+}
+
+std::size_t usedVertexCount(const Workpiece& piece) {
+    std::vector<bool> used(piece.soup.vertices.size(), false);
+    for (const Triangle& triangle : piece.triangles)
+        for (const std::uint32_t vertex : triangle)
+            used[vertex] = true;
+    return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+}
+
+/// Numbers the vertices that are left in the order in which the polygons first use them.
+TriangleMesh numbered(const Workpiece& piece) {
+    std::vector<bool> used(piece.soup.vertices.size(), false);
+    for (const Triangle& triangle : piece.triangles)
+        for (const std::uint32_t vertex : triangle)
+            used[vertex] = true;
+    std::vector<std::uint32_t> numbers(piece.soup.vertices.size(), none);
+    TriangleMesh mesh;
+    for (const std::uint32_t vertex : piece.order) {
+        if (!used[vertex]) continue;
+        numbers[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back(piece.soup.vertices[vertex]);
+    }
+    mesh.triangles = piece.triangles;
+    for (Triangle& triangle : mesh.triangles)
+        for (std::uint32_t& vertex : triangle)
+            vertex = numbers[vertex];
+    return mesh;
+}
+
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
+    return std::to_string(count) + " " + (count == 1 ? singular : plural);
+}
+
+std::vector<std::string> warningsOf(const RepairReport& report) {
+    std::vector<std::string> warnings;
+    const auto warn = [&warnings](std::size_t count, const std::string& singular, const std::string& plural,
+                                  const std::string& fate) {
+        if (count > 0) warnings.push_back(counted(count, singular, plural) + fate);
+    };
+    warn(report.degenerateTriangles, "triangle", "triangles", " without area dropped");
+    warn(report.duplicateTriangles, "duplicate triangle", "duplicate triangles", " dropped");
+    warn(report.unusedVertices, "vertex", "vertices", " of no triangle dropped");
+    warn(report.flippedTriangles, "triangle", "triangles", " turned to face the same way as the rest");
+    warn(report.droppedParts, "smaller part", "smaller parts", " dropped");
+    if (report.components > 1)
+        warnings.push_back("the surface has " + std::to_string(report.components) +
+                           " parts that do not touch");
+    warn(report.boundaryEdges, "edge", "edges", " on an open border: the surface is not closed");
+    warn(report.nonManifoldEdges, "edge", "edges", " shared by more than two triangles kept");
+    warn(report.inconsistentEdges, "edge", "edges",
+         " where the two sides of the surface cannot be told apart");
+    return warnings;
+}
+
+} // namespace
+
+RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options) {
+    check(soup, options);
+    Workpiece piece{soup, {}, {}, {}};
+    RepairReport& report = piece.report;
+    weldAndSplit(piece, options.weldDistance);
+
+    const EdgeCounts before = countEdges(sidesByEdge(piece.triangles));
+    report.boundaryEdgesBefore = before.boundary;
+    report.nonManifoldEdgesBefore = before.nonManifold;
+
+    dropDegenerateAndDuplicate(piece);
+    report.unusedVertices = soup.vertices.size() - report.mergedVertices - usedVertexCount(piece);
+    selectParts(piece, options.keep);
+    report.flippedTriangles = orientTriangles(soup.vertices, piece.triangles);
+
+    const EdgeCounts after = countEdges(sidesByEdge(piece.triangles));
+    report.boundaryEdges = after.boundary;
+    report.nonManifoldEdges = after.nonManifold;
+    report.inconsistentEdges = after.inconsistent;
+    report.warnings = warningsOf(report);
+    return {numbered(piece), report};
+}
+
+} // namespace esm

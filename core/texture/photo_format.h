@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/support/file_io.h"
+
+#include <cstdint>
+#include <string>
+
+namespace esm {
+
+/// What a picture file says of itself before anything is decoded.
+struct PhotoFormat {
+    std::string problem; ///< why it cannot be used and what to do; empty when it can
+    bool isJpeg = false;
+    std::uint64_t width = 0, height = 0; ///< pixels
+};
+
+/// Walks through the structure of a PNG, JPEG, BMP or TIFF file to its end, since decoders fill up a
+/// truncated picture with grey in silence and allocate whatever size a header claims.
+PhotoFormat inspectPhoto(const Bytes& encoded);
+
+} // namespace esm
