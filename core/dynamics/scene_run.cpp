@@ -26,20 +26,6 @@ std::size_t stepReaching(double time, double timeStep) {
     return static_cast<std::size_t>(std::max(0.0, std::ceil(time / timeStep - 1e-6)));
 }
 
-/// The scene's loads during the step that starts at `start`.
-Loads loadsAt(const Scene& scene, const Vectors& rest, double start, double timeStep) {
-    Loads loads;
-    loads.gravity = scene.gravity;
-    const double reached = start + 1e-6 * timeStep, end = start + timeStep;
-    for (const NodeForce& force : scene.forces)
-        if (force.from <= reached && reached < force.to) loads.forces.emplace_back(force.node, force.force);
-    for (const NodeMove& move : scene.moves)
-        loads.held.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
-    if (scene.instrument)
-        loads.instrument = Sphere{positionAt(scene.instrument->path, end), scene.instrument->radius};
-    return loads;
-}
-
 class Recorder {
 public:
     Recorder(const Scene& scene, double timeStep, FrameSink sink)
@@ -114,6 +100,19 @@ double bestOfRepeats(Simulation& simulation, const Scene& scene, const Vectors& 
 }
 
 } // namespace
+
+Loads loadsAt(const Scene& scene, const Vectors& rest, double start, double timeStep) {
+    Loads loads;
+    loads.gravity = scene.gravity;
+    const double reached = start + 1e-6 * timeStep, end = start + timeStep;
+    for (const NodeForce& force : scene.forces)
+        if (force.from <= reached && reached < force.to) loads.forces.emplace_back(force.node, force.force);
+    for (const NodeMove& move : scene.moves)
+        loads.held.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
+    if (scene.instrument)
+        loads.instrument = Sphere{positionAt(scene.instrument->path, end), scene.instrument->radius};
+    return loads;
+}
 
 SceneOutcome runScene(const TissueModel& model, const std::vector<Triangle>& surface, const Scene& scene,
                       const SimulationSettings& settings, const FrameSink& sink, const Progress& progress) {
