@@ -1,7 +1,8 @@
 #include "core/texture/row_layout.h"
 
+#include "core/texture/reach.h"
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace esm {
@@ -9,25 +10,6 @@ namespace esm {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-
-/// Left end of the points nearer than `gap` to the segment, at the height y; infinite when there are none
-/// there.
-double leftReach(Eigen::Vector2d p, Eigen::Vector2d q, double y, double gap) {
-    if (p.y() > q.y() || (p.y() == q.y() && p.x() > q.x())) std::swap(p, q);
-    const Eigen::Vector2d along = q - p;
-    if (along.y() > 0) {
-        const Eigen::Vector2d offset = gap / along.norm() * Eigen::Vector2d(-along.y(), along.x());
-        const double fraction = (y - p.y() - offset.y()) / along.y();
-        if (fraction >= 0 && fraction <= 1) return p.x() + offset.x() + fraction * along.x();
-        if (fraction > 1) p = q;
-    }
-    const double square = gap * gap - (y - p.y()) * (y - p.y());
-    return square > 0 ? p.x() - std::sqrt(square) : never;
-}
-
-double rightReach(const Eigen::Vector2d& p, const Eigen::Vector2d& q, double y, double gap) {
-    return -leftReach({-p.x(), p.y()}, {-q.x(), q.y()}, y, gap);
-}
 
 double leftEnd(const PatchCorners& corners) {
     return std::min({corners[0].x(), corners[1].x(), corners[2].x()});

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/texture/image.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace esm {
+
+/// Reads a photo between its pixels and at any size: a pyramid of halved pictures, so that a photo seen
+/// smaller than its pixels does not flicker [R 4.3.2.4]. Colours count by their alpha, so transparent pixels
+/// do not bleed.
+class PhotoSampler {
+public:
+    explicit PhotoSampler(const Image& photo);
+
+    /// Red, green, blue 0 to 255 and alpha 0 to 1 at a place in photo pixels from the top left corner, a
+    /// pixel's centre at 0.5. `level` 0 reads the photo itself, each further level averages twice as wide.
+    Eigen::Vector4f at(double x, double y, double level) const;
+
+    int width() const { return m_levels.front().width; }
+    int height() const { return m_levels.front().height; }
+
+private:
+    std::vector<Image> m_levels;
+};
+
+} // namespace esm

@@ -1,0 +1,64 @@
+#include "core/texture/composite.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace esm {
+
+namespace {
+
+/// An edge as one of its triangles has it, from the smaller vertex to the larger.
+struct Side {
+    const Image* page;
+    Eigen::Vector2d start, end; ///< pixels
+};
+
+/// Clamped at the page's borders as a texture is.
+Eigen::Vector3d filtered(const Image& page, const Eigen::Vector2d& place) {
+    const double x = std::clamp(place.x() - 0.5, 0.0, page.width - 1.0);
+    const double y = std::clamp(place.y() - 0.5, 0.0, page.height - 1.0);
+    const int left = static_cast<int>(x), top = static_cast<int>(y);
+    const int right = std::min(left + 1, page.width - 1), bottom = std::min(top + 1, page.height - 1);
+    const auto colour = [&](int column, int row) {
+        const std::uint8_t* pixel = page.at(column, row);
+        return Eigen::Vector3d(pixel[0], pixel[1], pixel[2]);
+    };
+    const double u = x - left, v = y - top;
+    return (1 - v) * ((1 - u) * colour(left, top) + u * colour(right, top)) +
+           v * ((1 - u) * colour(left, bottom) + u * colour(right, bottom));
+}
+
+/// Compared at every texel of the edge's length and at its ends.
+double difference(const Side& a, const Side& b) {
+    const int steps = 1 + static_cast<int>(std::ceil((a.end - a.start).norm()));
+    double largest = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const double t = static_cast<double>(i) / steps;
+        const Eigen::Vector3d here = filtered(*a.page, a.start + t * (a.end - a.start));
+        const Eigen::Vector3d there = filtered(*b.page, b.start + t * (b.end - b.start));
+        largest = std::max(largest, (here - there).cwiseAbs().maxCoeff());
+    }
+    return largest;
+}
+
+} // namespace
+
+double seamError(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Image>& pages) {
+    std::map<Edge, Side> firstSides;
+    double largest = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            std::size_t from = corner, to = (corner + 1) % 3;
+            if (mesh.triangles[i][from] > mesh.triangles[i][to]) std::swap(from, to);
+            if (atlas.corners[i][from] == atlas.corners[i][to]) continue; // a point shows no edge
+            const Side side{&pages[atlas.page[i]], atlas.corners[i][from], atlas.corners[i][to]};
+            const auto [first, isNew] =
+                firstSides.emplace(Edge{mesh.triangles[i][from], mesh.triangles[i][to]}, side);
+            if (!isNew) largest = std::max(largest, difference(first->second, side));
+        }
+    }
+    return largest;
+}
+
+} // namespace esm
