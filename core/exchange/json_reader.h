@@ -38,6 +38,8 @@ public:
     Eigen::Vector3d vector() const;
     std::vector<std::string> texts() const;
 
+    /// A reader of a missing value: one whose problem is known already.
+    JsonReader nothing() const { return {nullptr, m_place, m_problems}; }
     /// The bare value, null where it is missing.
     const nlohmann::ordered_json& json() const;
     const std::string& place() const { return m_place; }

@@ -7,25 +7,33 @@
 
 namespace esm {
 
-/// The model package for simulators: one `.glb`, a textured mesh to any viewer, with the spring-mass model in the
-/// extension `ESM_spring_mass`. Specified in `docs/model-package.md`.
+/// The model package for simulators: one `.glb`, a textured mesh to any viewer, with the spring-mass model in
+/// the extension `ESM_spring_mass`. Specified in `docs/model-package.md`.
 constexpr int modelPackageVersion = 1;
 
-/// What a package holds.
+/// What a package holds. Nodes, springs and triangles are numbered as in the project it was made from;
+/// numbers are the project's, rounded to 32-bit floats.
 struct ModelPackage {
+    std::string name;
     TriangleMesh mesh; ///< drawn triangles over the welded vertices
     TissueModel tissue;
+    BaseTissue base; ///< for people: already in `tissue`, as the regions are
     std::vector<Region> regions;
-    std::vector<Image> textures;
+    std::array<std::uint8_t, 3> baseColour{}; ///< of a surface without texture
+    std::shared_ptr<const Atlas> atlas;       ///< null without textures
+    std::vector<Image> textures;              ///< one per page of the atlas
 };
 
-/// Bakes the textures and writes the package atomically. @throws FileError, Cancelled
+/// Bakes the textures and writes the package atomically. Photos of a project whose atlas is not packed yet
+/// get one packed with the project's settings.
+/// @throws FileError, also for a project with problems and for numbers that 32-bit floats cannot hold;
+/// Cancelled
 void exportPackage(const Project& project, const std::filesystem::path& file, const Progress& progress = {});
 
-/// @throws FileError: damaged, or not a model package
+/// @throws FileError: damaged, or not a model package, or of a newer version
 ModelPackage loadPackage(const std::filesystem::path& file);
 
-/// All problems at once; empty when the package is whole.
+/// All problems at once; empty when the package is whole. @throws FileError when there is no file to read
 std::vector<std::string> validatePackage(const std::filesystem::path& file);
 
 } // namespace esm

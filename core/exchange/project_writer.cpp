@@ -151,8 +151,16 @@ Json manifestOf(const Project& project, Content& content) {
 }
 
 /// What would make a file that cannot be loaded again.
-std::vector<std::string> problemsOf(const Json& manifest, const Content& content) {
+std::vector<std::string> problemsOf(const Project& project, const Json& manifest, const Content& content) {
     std::vector<std::string> problems;
+    for (const PhotoLayer& layer : project.photos) {
+        if (layer.photo->encoded.empty()) problems.push_back("the photo " + layer.name + " has no file");
+        try {
+            projectorFromJson(esm::toJson(layer.projector));
+        } catch (const InvalidModel& error) {
+            problems.push_back("the projector of the photo " + layer.name + ": " + error.what());
+        }
+    }
     for (const std::string& place : nonFiniteNumbers(manifest))
         problems.push_back(place + " is not a finite number");
     std::uint64_t size = 0;
@@ -180,7 +188,7 @@ void saveProject(const Project& project, const std::filesystem::path& file) {
     // Names may come from file names in any encoding; JSON holds UTF-8 only.
     const std::string text = manifest.dump(1, ' ', false, Json::error_handler_t::replace);
     content.entries.front().content.assign(text.begin(), text.end());
-    refuse(file, problemsOf(manifest, content));
+    refuse(file, problemsOf(project, manifest, content));
     writeFileAtomically(file, makeZip(content.entries));
 }
 
