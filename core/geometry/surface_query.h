@@ -28,12 +28,14 @@ struct NearestPoint {
 /// Embree).
 class SurfaceQuery {
 public:
+    /// @throws InvalidModel when a position is not finite or a triangle names a missing vertex
     SurfaceQuery(const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& triangles);
     SurfaceQuery(SurfaceQuery&&) noexcept;
     SurfaceQuery& operator=(SurfaceQuery&&) noexcept;
     ~SurfaceQuery();
 
     /// Takes new positions of the same vertices.
+    /// @throws InvalidModel when one is not finite or their number differs; what was before then stays
     void refit(const std::vector<Eigen::Vector3d>& positions);
 
     /// The first triangle that a ray meets, from either side.

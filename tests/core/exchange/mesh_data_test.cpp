@@ -15,6 +15,10 @@ struct Inventory {
     std::size_t vertices, triangles, parts, boundaryEdges, nonManifoldEdges, duplicates;
 };
 
+void PrintTo(const Inventory& inventory, std::ostream* out) {
+    *out << inventory.file;
+}
+
 class MeshData : public testing::TestWithParam<Inventory> {};
 
 TEST_P(MeshData, AgreesWithItsInventory) {

@@ -1,0 +1,255 @@
+#include "core/geometry/surface_query.h"
+
+#include "core/support/errors.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace esm {
+
+namespace {
+
+// Embree computes in float; what it finds is computed again in double, and its limits get this much slack,
+// relative to a scene scaled to about 1.
+constexpr float slack = 1e-6F;
+
+struct DeviceDeleter {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneDeleter {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+struct GeometryDeleter {
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, DeviceDeleter>;
+using Scene = std::unique_ptr<RTCSceneTy, SceneDeleter>;
+using Geometry = std::unique_ptr<RTCGeometryTy, GeometryDeleter>;
+
+/// Weights of the corners of the triangle's point that is nearest to a point.
+Eigen::Vector3d nearestWeights(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
+                               const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const auto onEdge = [&point](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+        const Eigen::Vector3d along = to - from;
+        const double squared = along.squaredNorm();
+        return squared > 0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
+    };
+    const Eigen::Vector3d ab = b - a, ac = c - a, ap = point - a;
+    const Eigen::Vector3d normal = ab.cross(ac);
+    const double squared = normal.squaredNorm();
+    if (squared > 0) {
+        const double weightB = ap.cross(ac).dot(normal) / squared,
+                     weightC = ab.cross(ap).dot(normal) / squared;
+        if (weightB >= 0 && weightC >= 0 && weightB + weightC <= 1)
+            return {1 - weightB - weightC, weightB, weightC};
+    }
+    const double s = onEdge(a, b), t = onEdge(b, c), u = onEdge(c, a);
+    const std::array<Eigen::Vector3d, 3> candidates{
+        Eigen::Vector3d(1 - s, s, 0), Eigen::Vector3d(0, 1 - t, t), Eigen::Vector3d(u, 0, 1 - u)};
+    const auto distance = [&](const Eigen::Vector3d& w) {
+        return (w[0] * a + w[1] * b + w[2] * c - point).squaredNorm();
+    };
+    return *std::min_element(candidates.begin(), candidates.end(),
+                             [&](const Eigen::Vector3d& left, const Eigen::Vector3d& right) {
+                                 return distance(left) < distance(right);
+                             });
+}
+
+/// A distance as a limit for Embree: scaled, with the slack, and never beyond what float can hold.
+float scaledLimit(double distance, double scale) {
+    constexpr double most = std::numeric_limits<float>::max() / 2;
+    return static_cast<float>(std::min(distance * scale, most)) * (1 + slack) + slack;
+}
+
+} // namespace
+
+struct SurfaceQuery::Implementation {
+    Implementation(const std::vector<Eigen::Vector3d>& initialPositions,
+                   std::vector<Triangle> initialTriangles);
+
+    void setPositions(const std::vector<Eigen::Vector3d>& newPositions);
+    Eigen::Vector3f scaled(const Eigen::Vector3d& point) const {
+        return ((point - centre) * scale).cast<float>();
+    }
+    RTCRay scaledRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+    const Eigen::Vector3d& corner(std::uint32_t triangle, std::size_t index) const {
+        return positions[triangles[triangle][index]];
+    }
+    NearestPoint nearestOn(std::uint32_t triangle, const Eigen::Vector3d& point) const;
+
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<Triangle> triangles;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of the positions' box
+    double scale = 1;                                 ///< brings the box to the size 2
+    Device device;
+    Scene scene;
+    Geometry geometry;
+    float* scaledPositions = nullptr; ///< owned by the geometry
+};
+
+SurfaceQuery::Implementation::Implementation(const std::vector<Eigen::Vector3d>& initialPositions,
+                                             std::vector<Triangle> initialTriangles)
+    : triangles(std::move(initialTriangles)), device(rtcNewDevice(nullptr)), scene(rtcNewScene(device.get())),
+      geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE)) {
+    for (const Triangle& triangle : triangles)
+        for (const std::uint32_t vertex : triangle)
+            if (vertex >= initialPositions.size())
+                throw InvalidModel("a triangle of the surface names no vertex");
+    rtcSetSceneFlags(scene.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST));
+    scaledPositions = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                3 * sizeof(float), std::max<std::size_t>(initialPositions.size(), 1)));
+    void* indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            sizeof(Triangle), std::max<std::size_t>(triangles.size(), 1));
+    if (!scaledPositions || !indices) throw InvalidModel("the surface is too large for the memory there is");
+    std::copy(triangles.begin(), triangles.end(), static_cast<Triangle*>(indices));
+    rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_REFIT);
+    setPositions(initialPositions);
+    if (!triangles.empty()) rtcAttachGeometry(scene.get(), geometry.get());
+    rtcCommitScene(scene.get());
+}
+
+void SurfaceQuery::Implementation::setPositions(const std::vector<Eigen::Vector3d>& newPositions) {
+    for (const Eigen::Vector3d& position : newPositions)
+        if (!position.allFinite()) throw InvalidModel("a vertex of the surface is at no finite place");
+    positions = newPositions;
+    const Eigen::AlignedBox3d box = boundingBox(positions);
+    const double extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+    centre = box.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(box.center());
+    scale = extent > 0 ? 2 / extent : 1;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        Eigen::Map<Eigen::Vector3f>(scaledPositions + 3 * i) = scaled(positions[i]);
+    rtcUpdateGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcCommitGeometry(geometry.get());
+}
+
+RTCRay SurfaceQuery::Implementation::scaledRay(const Eigen::Vector3d& origin,
+                                               const Eigen::Vector3d& direction) const {
+    const Eigen::Vector3f from = scaled(origin), along = direction.cast<float>();
+    RTCRay ray{};
+    ray.org_x = from.x();
+    ray.org_y = from.y();
+    ray.org_z = from.z();
+    ray.dir_x = along.x();
+    ray.dir_y = along.y();
+    ray.dir_z = along.z();
+    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.mask = ~0U;
+    return ray;
+}
+
+NearestPoint SurfaceQuery::Implementation::nearestOn(std::uint32_t triangle,
+                                                     const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d &a = corner(triangle, 0), &b = corner(triangle, 1), &c = corner(triangle, 2);
+    const Eigen::Vector3d weights = nearestWeights(point, a, b, c);
+    return {triangle, weights, weights[0] * a + weights[1] * b + weights[2] * c};
+}
+
+SurfaceQuery::SurfaceQuery(const std::vector<Eigen::Vector3d>& positions,
+                           const std::vector<Triangle>& triangles)
+    : m_implementation(std::make_unique<Implementation>(positions, triangles)) {}
+SurfaceQuery::SurfaceQuery(SurfaceQuery&&) noexcept = default;
+SurfaceQuery& SurfaceQuery::operator=(SurfaceQuery&&) noexcept = default;
+SurfaceQuery::~SurfaceQuery() = default;
+
+void SurfaceQuery::refit(const std::vector<Eigen::Vector3d>& positions) {
+    if (positions.size() != m_implementation->positions.size())
+        throw InvalidModel("the surface has " + std::to_string(m_implementation->positions.size()) +
+                           " vertices and was given " + std::to_string(positions.size()) + " positions");
+    m_implementation->setPositions(positions);
+    rtcCommitScene(m_implementation->scene.get());
+}
+
+std::optional<RayHit> SurfaceQuery::firstHit(const Ray& ray) const {
+    const Implementation& surface = *m_implementation;
+    const double length = ray.direction.norm();
+    if (!(length > 0) || !std::isfinite(length) || !ray.origin.allFinite()) return std::nullopt;
+    const Eigen::Vector3d direction = ray.direction / length;
+    // A far origin is brought near first, lest float loses the surface.
+    const double toCentre = (surface.centre - ray.origin).dot(direction);
+    const double skipped = std::max(0.0, toCentre - 2 / surface.scale);
+
+    RTCRayHit query{};
+    query.ray = surface.scaledRay(ray.origin + skipped * direction, direction);
+    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(surface.scene.get(), &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+
+    const std::uint32_t triangle = query.hit.primID;
+    const Eigen::Vector3d& a = surface.corner(triangle, 0);
+    const Eigen::Vector3d ab = surface.corner(triangle, 1) - a, ac = surface.corner(triangle, 2) - a;
+    const Eigen::Vector3d normal = ab.cross(ac), fromA = ray.origin - a;
+    const double across = direction.dot(normal), squared = normal.squaredNorm();
+    const double hitInFloat = skipped + double{query.ray.tfar} / surface.scale;
+    // A triangle seen edge-on has no better distance than the one found.
+    const bool edgeOn = !(across * across > 1e-12 * squared);
+    const double distance = edgeOn ? hitInFloat : std::max(0.0, -fromA.dot(normal) / across);
+    const NearestPoint place = surface.nearestOn(triangle, ray.origin + distance * direction);
+    return RayHit{triangle, place.barycentric, distance};
+}
+
+bool SurfaceQuery::isBlocked(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin) const {
+    const Implementation& surface = *m_implementation;
+    const Eigen::Vector3d between = to - from;
+    const double length = between.norm();
+    if (!(length > 2 * margin) || !std::isfinite(length)) return false;
+    RTCRay ray = surface.scaledRay(from + margin / length * between, between / length);
+    ray.tfar = static_cast<float>((length - 2 * margin) * surface.scale);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(surface.scene.get(), &context, &ray);
+    return ray.tfar < 0;
+}
+
+namespace {
+
+/// What a search for the nearest point has found so far, in metres.
+struct Search {
+    const Eigen::Vector3d& point;
+    const std::function<NearestPoint(std::uint32_t)> nearestOn;
+    double scale;
+    double distance;
+    std::optional<NearestPoint> found;
+};
+
+bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
+    Search& search = *static_cast<Search*>(arguments->userPtr);
+    const NearestPoint candidate = search.nearestOn(arguments->primID);
+    const double distance = (candidate.point - search.point).norm();
+    const bool nearer =
+        distance < search.distance ||
+        (distance == search.distance && (!search.found || candidate.triangle < search.found->triangle));
+    if (!nearer) return false;
+    search.distance = distance;
+    search.found = candidate;
+    arguments->query->radius = scaledLimit(distance, search.scale);
+    return true;
+}
+
+} // namespace
+
+std::optional<NearestPoint> SurfaceQuery::nearestPoint(const Eigen::Vector3d& point,
+                                                       double maximumDistance) const {
+    const Implementation& surface = *m_implementation;
+    if (!point.allFinite() || !(maximumDistance >= 0)) return std::nullopt;
+    Search search{point, [&](std::uint32_t triangle) { return surface.nearestOn(triangle, point); },
+                  surface.scale, maximumDistance, std::nullopt};
+    const Eigen::Vector3f place = surface.scaled(point);
+    RTCPointQuery query{};
+    query.x = place.x();
+    query.y = place.y();
+    query.z = place.z();
+    query.radius = scaledLimit(maximumDistance, surface.scale);
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(surface.scene.get(), &query, &context, visitTriangle, &search);
+    return search.found;
+}
+
+} // namespace esm
