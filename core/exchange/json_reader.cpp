@@ -1,35 +1,98 @@
 #include "core/exchange/json_reader.h"
 
 #include "core/support/errors.h"
+#include "core/support/file_io.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 
 namespace esm {
 
 using Json = nlohmann::ordered_json;
 
-Json parseJson(const char* begin, const char* end) {
-    constexpr int deepest = 100;
-    const auto refuseDepth = [](int depth, Json::parse_event_t, const Json&) {
+namespace {
+
+/// Watches a document while it is parsed. The parser itself would keep one of two equal keys without a word.
+class ParseGuard {
+public:
+    bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+        constexpr int deepest = 100;
         if (depth > deepest) throw InvalidModel("lists are nested too deeply");
+        if (event == Json::parse_event_t::object_start) m_open.emplace_back();
+        if (event == Json::parse_event_t::object_end) m_open.pop_back();
+        if (event == Json::parse_event_t::key) enter(parsed.get<std::string>());
         return true;
+    }
+
+private:
+    struct Object {
+        std::set<std::string> keys;
+        std::string latest;
     };
+
+    void enter(const std::string& key) {
+        m_open.back().latest = key;
+        if (m_open.back().keys.insert(key).second) return;
+        std::string place;
+        for (const Object& object : m_open)
+            place += (place.empty() ? "" : ".") + object.latest;
+        throw InvalidModel(place + " is there twice; remove or rename one");
+    }
+
+    std::vector<Object> m_open; ///< from the outermost
+};
+
+std::string lineAndColumn(const char* begin, const char* end, std::size_t byte) {
+    const char* place = begin + std::min(byte > 0 ? byte - 1 : 0, static_cast<std::size_t>(end - begin));
+    const char* lineStart = place;
+    while (lineStart != begin && lineStart[-1] != '\n')
+        --lineStart;
+    return "line " + std::to_string(std::count(begin, place, '\n') + 1) + ", column " +
+           std::to_string(place - lineStart + 1);
+}
+
+} // namespace
+
+Json parseJson(const char* begin, const char* end) {
+    ParseGuard guard;
     try {
-        return Json::parse(begin, end, refuseDepth);
+        return Json::parse(begin, end, std::ref(guard));
     } catch (const Json::parse_error& error) {
-        throw InvalidModel("is not valid JSON at byte " + std::to_string(error.byte));
+        throw InvalidModel("is not valid JSON at " + lineAndColumn(begin, end, error.byte));
     } catch (const Json::exception&) {
         throw InvalidModel("is not valid JSON: a number is out of range");
     }
 }
 
+Json readJsonFile(const std::filesystem::path& file) {
+    const Bytes content = readFile(file);
+    const char* begin = reinterpret_cast<const char*>(content.data());
+    try {
+        return parseJson(begin, begin + content.size());
+    } catch (const InvalidModel& error) {
+        throw FileError(file, error.what());
+    }
+}
+
 namespace {
+
+std::string memberPlace(const std::string& place, const std::string& key) {
+    return place.empty() ? key : place + "." + key;
+}
+
+std::string elementPlace(const std::string& place, const std::string& index) {
+    return place + "[" + index + "]";
+}
 
 void collectNonFinite(const Json& json, const std::string& place, std::vector<std::string>& places) {
     if (json.is_number_float() && !std::isfinite(json.get<double>())) places.push_back(place);
     if (!json.is_structured()) return;
     for (const auto& item : json.items())
-        collectNonFinite(item.value(), place.empty() ? item.key() : place + "/" + item.key(), places);
+        collectNonFinite(item.value(),
+                         json.is_array() ? elementPlace(place, item.key()) : memberPlace(place, item.key()),
+                         places);
 }
 
 } // namespace
@@ -48,7 +111,7 @@ bool JsonReader::has(const char* key) const {
 }
 
 JsonReader JsonReader::member(const char* key) const {
-    std::string place = m_place.empty() ? key : m_place + "/" + key;
+    std::string place = memberPlace(m_place, key);
     if (has(key)) return {&m_json->at(key), std::move(place), m_problems};
     if (m_json) m_problems->push_back(place + " is missing");
     return {nullptr, std::move(place), m_problems};
@@ -63,8 +126,30 @@ std::vector<JsonReader> JsonReader::elements() const {
     }
     readers.reserve(m_json->size());
     for (const Json& element : *m_json)
-        readers.push_back({&element, m_place + "/" + std::to_string(readers.size()), m_problems});
+        readers.push_back({&element, elementPlace(m_place, std::to_string(readers.size())), m_problems});
     return readers;
+}
+
+std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
+    std::vector<std::pair<std::string, JsonReader>> readers;
+    if (!m_json) return readers;
+    if (!m_json->is_object()) {
+        addProblem("should be an object in { }");
+        return readers;
+    }
+    for (const auto& item : m_json->items())
+        readers.emplace_back(item.key(),
+                             JsonReader(&item.value(), memberPlace(m_place, item.key()), m_problems));
+    return readers;
+}
+
+void JsonReader::allowOnly(const std::vector<std::string>& keys) const {
+    std::string allowed;
+    for (const std::string& key : keys)
+        allowed += (allowed.empty() ? "" : ", ") + key;
+    for (const auto& [key, member] : members())
+        if (std::find(keys.begin(), keys.end(), key) == keys.end())
+            member.addProblem("is not known here; known are " + allowed);
 }
 
 std::string JsonReader::text() const {
@@ -90,7 +175,7 @@ double JsonReader::number() const {
 
 std::uint64_t JsonReader::integer(std::uint64_t least, std::uint64_t most) const {
     if (!m_json) return least;
-    if (m_json->is_number_unsigned()) {
+    if (m_json->is_number_unsigned() || (m_json->is_number_integer() && m_json->get<std::int64_t>() >= 0)) {
         const auto value = m_json->get<std::uint64_t>();
         if (value >= least && value <= most) return value;
     }
@@ -127,7 +212,7 @@ const Json& JsonReader::json() const {
 }
 
 void JsonReader::addProblem(const std::string& problem) const {
-    m_problems->push_back(m_place + " " + problem);
+    m_problems->push_back((m_place.empty() ? "the file" : m_place) + " " + problem);
 }
 
 } // namespace esm

@@ -4,16 +4,22 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace esm {
 
-/// Parses JSON text that cannot be trusted. @throws InvalidModel: not JSON (where), or nested beyond all use
+/// Parses JSON text that cannot be trusted. @throws InvalidModel: not JSON (line and column), a key that one
+/// object names twice, or nested beyond all use
 nlohmann::ordered_json parseJson(const char* begin, const char* end);
 
-/// Places of numbers that JSON cannot hold (NaN, infinite), as "regions/0/held/mass".
+/// @throws FileError: what readFile() and parseJson() throw
+nlohmann::ordered_json readJsonFile(const std::filesystem::path& file);
+
+/// Places of numbers that JSON cannot hold (NaN, infinite), as "regions[0].held.mass".
 std::vector<std::string> nonFiniteNumbers(const nlohmann::ordered_json& json);
 
 /// A value in JSON that cannot be trusted. What is missing or of another kind is noted as a problem that
@@ -23,9 +29,13 @@ public:
     /// Both references must outlive the reader and all readers made from it.
     JsonReader(const nlohmann::ordered_json& json, std::string place, std::vector<std::string>& problems);
 
-    bool has(const char* key) const;          ///< present and not null
-    JsonReader member(const char* key) const; ///< a missing one is a problem
-    std::vector<JsonReader> elements() const; ///< of a list
+    bool has(const char* key) const;                                 ///< present and not null
+    JsonReader member(const char* key) const;                        ///< a missing one is a problem
+    std::vector<JsonReader> elements() const;                        ///< of a list
+    std::vector<std::pair<std::string, JsonReader>> members() const; ///< of an object, in the file's order
+
+    /// Notes every other member as a problem, so that a misspelt one is not lost.
+    void allowOnly(const std::vector<std::string>& keys) const;
 
     std::string text() const;
     bool flag() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 namespace esm {
 
@@ -28,13 +29,20 @@ void checkName(Problems& problems, const std::string& place, const std::string& 
         problems.push_back(place + ": IF, IS, AND and THEN are words of rules, not names");
 }
 
+std::string listed(std::initializer_list<double> numbers) {
+    std::ostringstream text;
+    for (const double number : numbers)
+        text << (text.tellp() > 0 ? ", " : "") << number;
+    return text.str();
+}
+
 void checkCorners(Problems& problems, const std::string& place, const Trapezoid& set) {
     const bool finite =
         std::isfinite(set.a) && std::isfinite(set.b) && std::isfinite(set.c) && std::isfinite(set.d);
     if (!finite)
         problems.push_back(place + ": the corners must be finite numbers");
     else if (!(set.a <= set.b && set.b <= set.c && set.c <= set.d))
-        problems.push_back(place + ": the corners must rise, a ≤ b ≤ c ≤ d");
+        problems.push_back(place + ": the corners must rise, got " + listed({set.a, set.b, set.c, set.d}));
 }
 
 void checkVariable(Problems& problems, const std::string& place, const FuzzyVariable& variable) {
@@ -42,7 +50,9 @@ void checkVariable(Problems& problems, const std::string& place, const FuzzyVari
     const bool hasRange = std::isfinite(variable.minimum) && std::isfinite(variable.maximum) &&
                           std::isfinite(variable.maximum - variable.minimum) &&
                           variable.minimum < variable.maximum;
-    if (!hasRange) problems.push_back(place + ".range: must be two finite numbers, the smaller first");
+    if (!hasRange)
+        problems.push_back(place + ".range: must be two finite numbers, the smaller first, got " +
+                           listed({variable.minimum, variable.maximum}));
     if (variable.terms.empty()) problems.push_back(place + ".terms: there must be at least one");
     std::set<std::string> names;
     for (const FuzzyTerm& term : variable.terms) {

@@ -54,11 +54,11 @@ public:
         FuzzyRule rule;
         expect("IF");
         do
-            rule.conditions.push_back(proposition(m_system.inputs, "input"));
+            rule.conditions.push_back(proposition(m_system.inputs, "an input"));
         while (accept("AND"));
         if (!accept("THEN")) fail("expected AND or THEN");
         do
-            rule.conclusions.push_back(proposition(m_system.outputs, "output"));
+            rule.conclusions.push_back(proposition(m_system.outputs, "an output"));
         while (accept("AND"));
         if (!word().text.empty()) fail("expected AND or the end of the rule");
         return rule;
@@ -81,14 +81,15 @@ private:
         FuzzyProposition result;
         result.variable = indexOf(variables, kind);
         expect("IS");
-        result.term = indexOf(variables[result.variable].terms, "term of " + variables[result.variable].name);
+        result.term =
+            indexOf(variables[result.variable].terms, "a term of " + variables[result.variable].name);
         return result;
     }
 
     template<class Named> std::size_t indexOf(const std::vector<Named>& list, const std::string& kind) {
         const auto found = std::find_if(list.begin(), list.end(),
                                         [&](const Named& entry) { return entry.name == word().text; });
-        if (found == list.end()) fail("expected the name of an " + kind + " (" + namesOf(list) + ")");
+        if (found == list.end()) fail("expected the name of " + kind + " (" + namesOf(list) + ")");
         ++m_next;
         return static_cast<std::size_t>(found - list.begin());
     }

@@ -1,0 +1,11 @@
+# Compiles the systems of presets/ into esm_core, so that the program needs no folder of its own at run time.
+set(presets robo-sim susilap-g)
+set(preset_entries "")
+foreach(preset ${presets})
+  set(preset_file ${PROJECT_SOURCE_DIR}/presets/${preset}.json)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${preset_file})
+  file(READ ${preset_file} preset_json)
+  string(APPEND preset_entries "    {\"${preset}\", R\"json(${preset_json})json\"},\n")
+endforeach()
+configure_file(embedded_presets.cpp.in embedded_presets.cpp @ONLY)
+target_sources(esm_core PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/embedded_presets.cpp)

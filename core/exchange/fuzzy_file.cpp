@@ -1,0 +1,143 @@
+#include "core/exchange/fuzzy_file.h"
+
+#include "core/exchange/embedded_presets.h"
+#include "core/exchange/json_reader.h"
+#include "core/support/errors.h"
+#include "core/support/file_io.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace esm {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+FuzzyVariable variableFromJson(const std::string& name, const JsonReader& reader) {
+    reader.allowOnly({"range", "terms"});
+    FuzzyVariable variable;
+    variable.name = name;
+    if (!reader.json().is_object()) return variable;
+    const std::vector<double> range = reader.member("range").numbers(2);
+    variable.minimum = range[0];
+    variable.maximum = range[1];
+    for (const auto& [term, corners] : reader.member("terms").members()) {
+        const std::vector<double> abcd = corners.numbers(4);
+        variable.terms.push_back({term, {abcd[0], abcd[1], abcd[2], abcd[3]}});
+    }
+    return variable;
+}
+
+std::vector<FuzzyVariable> variablesFromJson(const JsonReader& reader) {
+    std::vector<FuzzyVariable> variables;
+    for (const auto& [name, json] : reader.members())
+        variables.push_back(variableFromJson(name, json));
+    return variables;
+}
+
+void readRules(FuzzySystem& system, const JsonReader& reader, std::vector<std::string>& problems) {
+    for (const JsonReader& rule : reader.elements()) {
+        const std::string text = rule.text();
+        if (!rule.json().is_string()) continue;
+        try {
+            system.rules.push_back(parseRule(system, text));
+        } catch (const InvalidModel& error) {
+            problems.push_back(rule.place() + ", " + error.what());
+        }
+    }
+}
+
+void throwIfAny(const std::vector<std::string>& problems) {
+    if (!problems.empty()) throw InvalidModel(problems);
+}
+
+Json toJson(const std::vector<FuzzyVariable>& variables) {
+    Json json = Json::object();
+    for (const FuzzyVariable& variable : variables) {
+        Json terms = Json::object();
+        for (const FuzzyTerm& term : variable.terms)
+            terms[term.name] = {term.set.a, term.set.b, term.set.c, term.set.d};
+        json[variable.name] = {{"range", {variable.minimum, variable.maximum}}, {"terms", std::move(terms)}};
+    }
+    return json;
+}
+
+} // namespace
+
+FuzzySystem fuzzySystemFromJson(const Json& json) {
+    std::vector<std::string> problems;
+    const JsonReader reader(json, "", problems);
+    reader.allowOnly({"name", "note", "inputs", "outputs", "rules"});
+    throwIfAny(problems);
+
+    FuzzySystem system;
+    if (reader.has("name")) system.name = reader.member("name").text();
+    if (reader.has("note")) system.note = reader.member("note").text();
+    system.inputs = variablesFromJson(reader.member("inputs"));
+    system.outputs = variablesFromJson(reader.member("outputs"));
+    const JsonReader rules = reader.member("rules");
+    throwIfAny(problems);
+
+    throwIfAny(validate(system)); // rules can only be read against sound variables
+    readRules(system, rules, problems);
+    throwIfAny(problems);
+    return system;
+}
+
+Json toJson(const FuzzySystem& system) {
+    Json json{{"name", system.name}, {"note", system.note}};
+    json["inputs"] = toJson(system.inputs);
+    json["outputs"] = toJson(system.outputs);
+    json["rules"] = Json::array();
+    for (const FuzzyRule& rule : system.rules)
+        json["rules"].push_back(ruleText(system, rule));
+    return json;
+}
+
+FuzzySystem readFuzzyFile(const std::filesystem::path& file) {
+    const Json json = readJsonFile(file);
+    try {
+        FuzzySystem system = fuzzySystemFromJson(json);
+        if (system.name.empty()) system.name = file.stem().string();
+        return system;
+    } catch (const InvalidModel& error) {
+        throw FileError(file, error.what());
+    }
+}
+
+void writeFuzzyFile(const FuzzySystem& system, const std::filesystem::path& file) {
+    if (const std::vector<std::string> problems = validate(system); !problems.empty())
+        throw FileError(file, std::string("not written, the system could not be read again: ") +
+                                  InvalidModel(problems).what());
+    writeFileAtomically(file, toJson(system).dump(1) + "\n");
+}
+
+std::vector<std::string> fuzzyPresetNames() {
+    std::vector<std::string> names;
+    for (const EmbeddedPreset& preset : embeddedPresets())
+        names.emplace_back(preset.name);
+    return names;
+}
+
+FuzzySystem fuzzyPreset(const std::string& name) {
+    std::string known;
+    for (const EmbeddedPreset& preset : embeddedPresets()) {
+        if (name == preset.name)
+            return fuzzySystemFromJson(parseJson(preset.json, preset.json + std::strlen(preset.json)));
+        known += (known.empty() ? "" : ", ") + std::string(preset.name);
+    }
+    throw InvalidModel("there is no fuzzy system \"" + name + "\"; name a file or one of " + known);
+}
+
+FuzzySystem findFuzzySystem(const std::string& fileOrPreset) {
+    const std::filesystem::path file(fileOrPreset);
+    const std::vector<std::string> presets = fuzzyPresetNames();
+    const bool isPreset = std::find(presets.begin(), presets.end(), fileOrPreset) != presets.end();
+    const bool looksLikeFile = file.has_extension() || file.has_parent_path();
+    std::error_code ignored;
+    if (!isPreset && (looksLikeFile || std::filesystem::exists(file, ignored))) return readFuzzyFile(file);
+    return fuzzyPreset(fileOrPreset);
+}
+
+} // namespace esm

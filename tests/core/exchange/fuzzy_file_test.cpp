@@ -1,0 +1,166 @@
+#include "core/exchange/fuzzy_file.h"
+
+#include "core/fuzzy/inference.h"
+#include "core/support/errors.h"
+#include "core/support/file_io.h"
+#include "tests/support/shared_data.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+using namespace esm;
+using Json = nlohmann::ordered_json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace {
+
+std::string sound() {
+    return R"({"name": "trial", "note": "made up",
+ "inputs": {"zeal": {"range": [0, 1], "terms": {"much": [0.5, 1, 1, 1], "little": [0, 0, 0.5, 1]}},
+            "age": {"range": [0, 9], "terms": {"old": [4, 9, 9, 9]}}},
+ "outputs": {"viscosity": {"range": [0, 5], "terms": {"thick": [3, 4, 5, 5]}}},
+ "rules": ["IF zeal IS much AND age IS old THEN viscosity IS thick"]})";
+}
+
+std::string replaced(std::string text, const std::string& part, const std::string& by) {
+    const std::size_t place = text.find(part);
+    EXPECT_NE(place, std::string::npos) << part;
+    return text.replace(place, part.size(), by);
+}
+
+/// What reading the text as a file says.
+std::string complaint(const std::string& text) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "trial.json", text);
+    try {
+        readFuzzyFile(folder / "trial.json");
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("trial.json: "));
+        return error.what();
+    }
+    return "accepted";
+}
+
+} // namespace
+
+TEST(FuzzyFile, KeepsTheOrderOfVariablesAndTermsBothWays) {
+    const FuzzySystem system = fuzzySystemFromJson(Json::parse(sound()));
+    ASSERT_EQ(system.inputs.size(), 2);
+    EXPECT_EQ(system.inputs[0].name, "zeal");
+    EXPECT_EQ(system.inputs[0].terms[0].name, "much");
+    EXPECT_EQ(system.inputs[0].terms[1].name, "little");
+    EXPECT_EQ(system.inputs[1].name, "age");
+    EXPECT_EQ(toJson(system), Json::parse(sound())); // compares the order of keys too
+}
+
+TEST(FuzzyFile, ComesBackAsItWasWritten) {
+    const TemporaryFolder folder;
+    FuzzySystem system = fuzzyPreset("robo-sim");
+    system.inputs[0].terms[0].set.d = 1 + 0.1 + 0.2;
+    system.note = "Grüße \"und\" mehr\n";
+    writeFuzzyFile(system, folder / "copy.json");
+    EXPECT_EQ(toJson(readFuzzyFile(folder / "copy.json")), toJson(system));
+}
+
+TEST(FuzzyFile, NamesAnUnnamedSystemAfterItsFile) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "liver.json",
+                        replaced(sound(), R"("name": "trial", "note": "made up",)", ""));
+    EXPECT_EQ(readFuzzyFile(folder / "liver.json").name, "liver");
+}
+
+TEST(FuzzyFile, RefusesToWriteWhatCouldNotBeReadAgain) {
+    const TemporaryFolder folder;
+    FuzzySystem system = fuzzyPreset("susilap-g");
+    system.inputs[0].terms[1].name = system.inputs[0].terms[0].name;
+    EXPECT_THROW(writeFuzzyFile(system, folder / "bad.json"), FileError);
+    EXPECT_FALSE(std::filesystem::exists(folder / "bad.json"));
+}
+
+TEST(FuzzyFile, SaysWhatIsWrongAndWhere) {
+    const auto with = [](const std::string& part, const std::string& by) {
+        return complaint(replaced(sound(), part, by));
+    };
+    EXPECT_EQ(complaint(sound()), "accepted");
+    EXPECT_THAT(complaint(""), HasSubstr("not valid JSON"));
+    EXPECT_THAT(complaint("[]"), HasSubstr("object"));
+    EXPECT_THAT(complaint("{\n \"name\" 3}"), HasSubstr("line 2, column 9"));
+    EXPECT_THAT(complaint(sound().substr(0, 200)), HasSubstr("not valid JSON"));
+    EXPECT_THAT(complaint(std::string(100000, '[')), HasSubstr("nested"));
+    EXPECT_THAT(complaint("{}"), AllOf(HasSubstr("inputs is missing"), HasSubstr("outputs is missing"),
+                                       HasSubstr("rules is missing")));
+    EXPECT_THAT(with("[4, 9, 9, 9]", "[4, 9, 9, 8]"),
+                HasSubstr("inputs.age.terms.old: the corners must rise, got 4, 9, 9, 8"));
+    EXPECT_THAT(with("[4, 9, 9, 9]", "[4, 9, 9]"),
+                HasSubstr("inputs.age.terms.old should be a list of 4 numbers"));
+    EXPECT_THAT(with("[4, 9, 9, 9]", "[4, 9, \"9\", 9]"),
+                HasSubstr("inputs.age.terms.old[2] should be a number"));
+    EXPECT_THAT(with("[4, 9, 9, 9]", "[4, 9, 1e999, 9]"), HasSubstr("number is out of range"));
+    EXPECT_THAT(with("[4, 9, 9, 9]", "[4, 9, NaN, 9]"), HasSubstr("not valid JSON at line 3"));
+    EXPECT_THAT(with("[0, 9]", "[9, 0]"), HasSubstr("inputs.age.range"));
+    EXPECT_THAT(with("\"range\": [0, 9], ", ""), HasSubstr("inputs.age.range is missing"));
+    EXPECT_THAT(with("{\"old\": [4, 9, 9, 9]}", "{}"),
+                HasSubstr("inputs.age.terms: there must be at least one"));
+    EXPECT_THAT(with("{\"old\": [4, 9, 9, 9]}", "7"), HasSubstr("inputs.age.terms should be an object"));
+    EXPECT_THAT(with("\"little\"", "\"much\""), HasSubstr("inputs.zeal.terms.much is there twice"));
+    EXPECT_THAT(with("\"age\"", "\"zeal\""), HasSubstr("inputs.zeal is there twice"));
+    EXPECT_THAT(with("\"viscosity\"", "\"age\""), HasSubstr("outputs.age: the name is there twice"));
+    EXPECT_THAT(with("\"old\"", "\"very old\""), HasSubstr("one word"));
+    EXPECT_THAT(with("\"rules\"", "\"rulez\""), HasSubstr("rulez is not known here"));
+    EXPECT_THAT(with("[3, 4, 5, 5]", "[6, 7, 8, 9]"),
+                HasSubstr("outputs.viscosity.terms.thick: lies outside"));
+    EXPECT_THAT(with("IS thick", "IS thin"), AllOf(HasSubstr("rules[0], column 50"), HasSubstr("thick")));
+    EXPECT_THAT(with("\"IF", "7, \"IF"), HasSubstr("rules[0] should be a text"));
+}
+
+TEST(FuzzyPreset, IsTheFileThatShips) {
+    const std::filesystem::path folder = std::filesystem::path(ESM_SOURCE_DIR) / "presets";
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        files.push_back(entry.path().stem());
+    EXPECT_THAT(fuzzyPresetNames(), testing::UnorderedElementsAreArray(files));
+    for (const std::string& name : fuzzyPresetNames())
+        EXPECT_EQ(toJson(fuzzyPreset(name)), toJson(readFuzzyFile(folder / (name + ".json")))) << name;
+}
+
+TEST(FuzzyPreset, IsThePublishedSystem) {
+    for (const std::string& name : fuzzyPresetNames()) {
+        const std::filesystem::path file = sharedData("fuzzy/" + name + ".json");
+        ESM_SKIP_WITHOUT(file);
+        EXPECT_EQ(toJson(fuzzyPreset(name)), toJson(readFuzzyFile(file))) << name;
+    }
+}
+
+TEST(FuzzyPreset, ReproducesThePublishedPairs) {
+    const FuzzySystem system = fuzzyPreset("susilap-g");
+    const auto flexible = infer(system, {5.5}).outputs;
+    EXPECT_NEAR(flexible[0].value(), 16.2606, 2e-4 * 16.2606);
+    EXPECT_NEAR(flexible[1].value(), 2.87713, 2e-4 * 2.87713);
+    const auto organ = infer(fuzzyPreset("robo-sim"), {7.3, 4.9, 3.0}).outputs;
+    EXPECT_NEAR(organ[0].value(), 45.4871, 1e-4);
+    EXPECT_NEAR(organ[1].value(), 72.8125, 1e-9);
+}
+
+TEST(FuzzyPreset, ThatIsNotThereIsAnsweredWithThoseThatAre) {
+    try {
+        fuzzyPreset("susilap");
+        FAIL() << "accepted";
+    } catch (const InvalidModel& error) {
+        EXPECT_THAT(error.what(),
+                    AllOf(HasSubstr("\"susilap\""), HasSubstr("susilap-g"), HasSubstr("robo-sim")));
+    }
+}
+
+TEST(FuzzySystem, IsFoundByFileOrPreset) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "trial.json", sound());
+    writeFileAtomically(folder / "plain", sound());
+    EXPECT_EQ(findFuzzySystem("susilap-g").name, "susilap-g");
+    EXPECT_EQ(findFuzzySystem((folder / "trial.json").string()).name, "trial");
+    EXPECT_EQ(findFuzzySystem((folder / "plain").string()).name, "trial");
+    EXPECT_THROW(findFuzzySystem("missing.json"), FileError);
+    EXPECT_THROW(findFuzzySystem("missing"), InvalidModel);
+}
