@@ -44,10 +44,14 @@ bool CameraController::press(const QMouseEvent& event) {
                       (orbits && event.modifiers().testFlag(Qt::ShiftModifier)) ||
                       (event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ShiftModifier));
     if (!orbits && !pans) return false;
-    m_drag = pans ? Drag::Pan : Drag::Orbit;
+    start(pans ? Drag::Pan : Drag::Orbit, event);
+    return true;
+}
+
+void CameraController::start(Drag drag, const QMouseEvent& event) {
+    m_drag = drag;
     m_button = event.button();
     m_last = event.localPos();
-    return true;
 }
 
 bool CameraController::move(const QMouseEvent& event, const QSize& viewSize) {

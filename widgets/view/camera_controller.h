@@ -22,6 +22,8 @@ public:
 
     /// Starts a drag when button and modifier keys ask for one; false leaves the press to the tool in hand.
     bool press(const QMouseEvent& event);
+    /// Starts to orbit with whatever button was pressed.
+    void startOrbit(const QMouseEvent& event) { start(Drag::Orbit, event); }
     /// Follows a drag that was started; false when there is none.
     bool move(const QMouseEvent& event, const QSize& viewSize);
     /// Ends a drag; false when there was none.
@@ -32,6 +34,8 @@ public:
 
 private:
     enum class Drag { None, Orbit, Pan };
+
+    void start(Drag drag, const QMouseEvent& event);
 
     Camera m_camera;
     Drag m_drag = Drag::None;

@@ -1,0 +1,153 @@
+#include "widgets/view/organ_view.h"
+
+#include "core/render/drawn_shape.h"
+#include "widgets/view/axis_cube.h"
+
+#include <QOpenGLContext>
+#include <QPainter>
+#include <QSurfaceFormat>
+
+#include <algorithm>
+#include <exception>
+
+namespace esm {
+namespace {
+
+QSurfaceFormat viewFormat() {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setSamples(4);
+    return format;
+}
+
+void* resolved(const char* name) {
+    return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+}
+
+} // namespace
+
+OrganView::OrganView(QWidget* parent) : QOpenGLWidget(parent) {
+    setFormat(viewFormat());
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(240, 180);
+}
+
+OrganView::~OrganView() {
+    dropRenderer();
+}
+
+void OrganView::setScene(RenderScene scene) {
+    m_scene = std::move(scene);
+    m_picker.setScene(m_scene);
+    if (!m_framed && !organBox().isEmpty()) frameOrgan();
+    update();
+}
+
+void OrganView::setNodePositions(std::vector<Eigen::Vector3d> positions) {
+    m_scene.nodePositions = std::move(positions);
+    m_picker.setScene(m_scene);
+    update();
+}
+
+void OrganView::setLegend(std::optional<ViewLegend> legend) {
+    m_legend = std::move(legend);
+    update();
+}
+
+void OrganView::setHint(const QString& hint) {
+    m_hint = hint;
+    update();
+}
+
+void OrganView::setTool(ViewTool tool) {
+    if (tool == m_tool) return;
+    endDrag();
+    removeInstrument();
+    m_tool = tool;
+    update();
+    emit toolChanged(tool);
+}
+
+void OrganView::setCamera(const Camera& camera) {
+    m_framed = true;
+    applyCamera(camera);
+}
+
+void OrganView::showView(StandardView view) {
+    setCamera(framedCamera(organBox(), view, aspect()));
+}
+
+void OrganView::frameOrgan() {
+    setCamera(reframed(camera(), organBox(), aspect()));
+}
+
+void OrganView::applyCamera(const Camera& camera) {
+    m_cameraController.setCamera(camera);
+    update();
+    emit cameraChanged();
+}
+
+double OrganView::aspect() const {
+    return static_cast<double>(std::max(1, width())) / std::max(1, height());
+}
+
+Ray OrganView::rayAt(const QPointF& place) const {
+    return pickRay(camera(), place.x() / std::max(1, width()), place.y() / std::max(1, height()), aspect());
+}
+
+std::optional<QPointF> OrganView::placeOf(const Eigen::Vector3d& point) const {
+    const std::optional<Eigen::Vector2d> place = picturePoint(camera(), point, aspect());
+    if (!place) return std::nullopt;
+    return QPointF(place->x() * width(), place->y() * height());
+}
+
+Eigen::AlignedBox3d OrganView::organBox() const {
+    const std::vector<Eigen::Vector3d> nodes = drawnNodes(m_scene);
+    return boundingBox(drawnVertices(m_scene, nodes)).merged(boundingBox(nodes));
+}
+
+void OrganView::initializeGL() {
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &OrganView::dropRenderer,
+            Qt::UniqueConnection);
+    try {
+        m_renderer = std::make_unique<Renderer>(resolved);
+        m_problem.clear();
+    } catch (const std::exception& problem) {
+        m_problem = tr("The organ cannot be shown: %1").arg(QString::fromUtf8(problem.what()));
+    }
+}
+
+void OrganView::dropRenderer() {
+    if (!m_renderer) return;
+    makeCurrent();
+    m_renderer.reset();
+    doneCurrent();
+}
+
+void OrganView::paintGL() {
+    const double ratio = devicePixelRatioF();
+    if (m_renderer)
+        m_renderer->draw(m_scene, camera(), {qRound(width() * ratio), qRound(height() * ratio), ratio});
+    paintOverlay();
+}
+
+void OrganView::paintOverlay() {
+    QPainter painter(this);
+    if (!m_renderer) {
+        painter.fillRect(rect(), QColor(0x1d, 0x20, 0x25));
+        painter.setPen(QColor(0xe7, 0xe9, 0xec));
+        painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, m_problem);
+        return;
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_tool == ViewTool::Region) paintHandles(painter, regionHandles(), QColor(0x2b, 0x8f, 0x84));
+    if (m_tool == ViewTool::Projector) paintHandles(painter, projectorHandles(), QColor(0xe3, 0xa3, 0x3b));
+    if (m_legend) paintLegend(painter, size(), *m_legend);
+    paintHint(painter, size(), m_hint.isEmpty() ? toolHint(m_tool) : m_hint, m_legend.has_value());
+    paintAxisCube(painter, camera(), cubeSquare(size()));
+}
+
+} // namespace esm

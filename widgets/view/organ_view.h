@@ -1,0 +1,116 @@
+#pragma once
+
+#include "core/render/renderer.h"
+#include "widgets/view/camera_controller.h"
+#include "widgets/view/dragging.h"
+#include "widgets/view/overlay.h"
+#include "widgets/view/picking.h"
+#include "widgets/view/view_tool.h"
+
+#include <QOpenGLWidget>
+
+#include <memory>
+#include <optional>
+
+namespace esm {
+
+/// Shows an organ and what stands around it; tells what the user does to it. Knows no document: a scene goes
+/// in, intents come out, and nothing moves until a new scene says so. Only the camera is the view's own.
+///
+/// Keys: V P I E J take a tool, 1 to 6 or F B L R T a standard view, Home or 0 shows all, Esc lets go.
+class OrganView : public QOpenGLWidget {
+    Q_OBJECT
+
+public:
+    explicit OrganView(QWidget* parent = nullptr);
+    ~OrganView() override;
+
+    /// Replaces all that is shown. The first scene with anything in it is framed.
+    void setScene(RenderScene scene);
+    const RenderScene& scene() const { return m_scene; }
+    /// Replaces only the nodes' positions, as a running simulation gives them.
+    void setNodePositions(std::vector<Eigen::Vector3d> positions);
+
+    void setLegend(std::optional<ViewLegend> legend);
+    /// The line at the bottom; empty shows the tool's own.
+    void setHint(const QString& hint);
+
+    ViewTool tool() const { return m_tool; }
+    void setTool(ViewTool tool);
+    void setInstrumentRadius(double metres) { m_instrumentRadius = metres; }
+
+    const Camera& camera() const { return m_cameraController.camera(); }
+    void setCamera(const Camera& camera);
+    void showView(StandardView view);
+    /// Keeps the line of sight and shows the whole organ.
+    void frameOrgan();
+
+signals:
+    void toolChanged(esm::ViewTool tool);
+    void cameraChanged();
+    /// A click on the surface, with the tool Select or Region.
+    void pointPicked(quint32 node, const Eigen::Vector3d& point);
+    void regionPicked(int index);
+    void projectorPicked(int index);
+    /// A node is to follow the mouse: target in m. `pullReleased` always ends what `pullStarted` began.
+    void pullStarted(quint32 node);
+    void pullMoved(quint32 node, const Eigen::Vector3d& target);
+    void pullReleased();
+    void instrumentMoved(const Eigen::Vector3d& centre);
+    void instrumentRemoved();
+    /// What the drag makes of the scene's ellipsoid or projector; again and again until `dragFinished`.
+    void regionDragged(int index, const esm::Ellipsoid& shape);
+    void projectorDragged(int index, const esm::Projector& projector);
+    void dragFinished();
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    double aspect() const;
+    Ray rayAt(const QPointF& place) const;
+    std::optional<QPointF> placeOf(const Eigen::Vector3d& point) const;
+    Eigen::AlignedBox3d organBox() const;
+    void applyCamera(const Camera& camera);
+
+    std::optional<Drag> dragAt(const QPointF& place);
+    std::optional<Drag> regionDragAt(const QPointF& place, const Ray& ray) const;
+    std::optional<Drag> projectorDragAt(const QPointF& place, const Ray& ray) const;
+    void followDrag(const QPointF& place);
+    void endDrag();
+    void click(const QPointF& place);
+    void moveInstrument(const QPointF& place);
+    void pushInstrument(double notches, const QPointF& place);
+    void removeInstrument();
+
+    /// Where a handle is shown; nothing when its axis points at the viewer.
+    std::optional<QPointF> handlePlace(const Eigen::Vector3d& end, const Eigen::Vector3d& centre) const;
+    std::vector<QPointF> regionHandles() const;
+    std::vector<QPointF> projectorHandles() const;
+    void paintOverlay();
+    void dropRenderer();
+
+    RenderScene m_scene;
+    std::unique_ptr<Renderer> m_renderer;
+    QString m_problem; ///< why nothing can be drawn
+    CameraController m_cameraController;
+    Picker m_picker;
+    ViewTool m_tool = ViewTool::Select;
+    std::optional<ViewLegend> m_legend;
+    QString m_hint;
+    std::optional<Drag> m_drag;
+    std::optional<QPointF> m_pressed; ///< where the left button went down, while it may still become a click
+    double m_instrumentRadius = 0.01; ///< m
+    std::optional<Eigen::Vector3d> m_instrument; ///< centre, m
+    bool m_instrumentPushed = false;             ///< moves at its depth instead of along the surface
+    bool m_framed = false;
+};
+
+} // namespace esm

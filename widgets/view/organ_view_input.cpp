@@ -1,0 +1,246 @@
+#include "widgets/view/axis_cube.h"
+#include "widgets/view/organ_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double handleReach = 9; // pixels around a handle's middle
+constexpr double clickReach = 4;  // pixels a click may wander before it is a drag
+constexpr double nodeReach = 12;  // pixels around a node that is picked without a surface
+constexpr double shortAxis =
+    16; // pixels below which an axis points at the viewer and its handles are not shown
+constexpr double pushPerNotch = 0.15; // of the instrument's radius
+constexpr double anglePerNotch = 120;
+
+double distance(const QPointF& a, const QPointF& b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+template<typename Drawn> int selectedIndex(const std::vector<Drawn>& shapes) {
+    const auto found =
+        std::find_if(shapes.begin(), shapes.end(), [](const Drawn& drawn) { return drawn.selected; });
+    return found == shapes.end() ? -1 : static_cast<int>(found - shapes.begin());
+}
+
+} // namespace
+
+void OrganView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && !m_cameraController.isDragging()) {
+        const auto face = viewAt(event->localPos(), camera(), cubeSquare(size()));
+        if (face) return showView(*face);
+    }
+    if (m_drag || m_cameraController.press(*event)) return;
+    if (event->button() != Qt::LeftButton) return;
+    m_pressed = event->localPos();
+    m_drag = dragAt(event->localPos());
+    if (const auto* pull = m_drag ? std::get_if<PullDrag>(&*m_drag) : nullptr) emit pullStarted(pull->node);
+    if (!m_drag) m_cameraController.startOrbit(*event);
+}
+
+void OrganView::mouseMoveEvent(QMouseEvent* event) {
+    if (m_pressed && distance(*m_pressed, event->localPos()) > clickReach) m_pressed.reset();
+    if (m_drag) {
+        if (!m_pressed) followDrag(event->localPos());
+    } else if (m_cameraController.isDragging()) {
+        if (m_pressed) return;
+        m_cameraController.move(*event, size());
+        applyCamera(camera());
+    } else if (m_tool == ViewTool::Instrument) {
+        moveInstrument(event->localPos());
+    }
+}
+
+void OrganView::mouseReleaseEvent(QMouseEvent* event) {
+    const bool wasClick = m_pressed && event->button() == Qt::LeftButton;
+    m_pressed.reset();
+    if (event->button() == Qt::LeftButton) endDrag();
+    m_cameraController.release(*event);
+    if (wasClick) click(event->localPos());
+}
+
+void OrganView::wheelEvent(QWheelEvent* event) {
+    if (m_tool == ViewTool::Instrument && event->modifiers().testFlag(Qt::ControlModifier))
+        return pushInstrument(event->angleDelta().y() / anglePerNotch, event->position());
+    m_cameraController.zoom(*event, size());
+    applyCamera(camera());
+}
+
+void OrganView::keyPressEvent(QKeyEvent* event) {
+    const bool plain = (event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
+    const auto tool = plain ? toolOfKey(event->key()) : std::nullopt;
+    const auto view = plain ? standardViewOfKey(event->key()) : std::nullopt;
+    if (tool) return setTool(*tool);
+    if (view) return showView(*view);
+    switch (event->key()) {
+    case Qt::Key_Home:
+    case Qt::Key_0:
+        return frameOrgan();
+    case Qt::Key_Escape:
+        endDrag();
+        return removeInstrument();
+    default:
+        QOpenGLWidget::keyPressEvent(event);
+    }
+}
+
+void OrganView::leaveEvent(QEvent* event) {
+    if (!m_drag) removeInstrument();
+    QOpenGLWidget::leaveEvent(event);
+}
+
+std::optional<Drag> OrganView::dragAt(const QPointF& place) {
+    const Ray ray = rayAt(place);
+    switch (m_tool) {
+    case ViewTool::Select:
+        return std::nullopt;
+    case ViewTool::Region:
+        return regionDragAt(place, ray);
+    case ViewTool::Projector:
+        return projectorDragAt(place, ray);
+    case ViewTool::Instrument:
+        if (!m_instrument) return std::nullopt;
+        return InstrumentSweep{picturePlane(camera(), *m_instrument)};
+    case ViewTool::Pull:
+        break;
+    }
+    const double tolerance = nodeReach / height() * camera().verticalFieldOfView;
+    const std::optional<PickedPoint> picked = m_picker.pick(ray, tolerance);
+    if (!picked) return std::nullopt;
+    return PullDrag{picked->node, picturePlane(camera(), picked->point),
+                    picked->nodePosition - picked->point};
+}
+
+std::optional<Drag> OrganView::regionDragAt(const QPointF& place, const Ray& ray) const {
+    const int selected = selectedIndex(m_scene.ellipsoids);
+    if (selected >= 0) {
+        const Ellipsoid& shape = m_scene.ellipsoids[static_cast<std::size_t>(selected)].shape;
+        const auto ends = handles(shape);
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            const auto end = handlePlace(ends[i], shape.centre);
+            if (end && distance(*end, place) <= handleReach) return RegionScale{selected, shape, i};
+        }
+    }
+    const int under = ellipsoidUnder(m_scene, ray);
+    if (under < 0) return std::nullopt;
+    const Ellipsoid& shape = m_scene.ellipsoids[static_cast<std::size_t>(under)].shape;
+    const Vector3d grabbed = ray.origin + *distanceTo(shape, ray) * ray.direction.normalized();
+    return RegionMove{under, shape, picturePlane(camera(), grabbed)};
+}
+
+std::optional<Drag> OrganView::projectorDragAt(const QPointF& place, const Ray& ray) const {
+    const int selected = selectedIndex(m_scene.projectors);
+    if (selected >= 0) {
+        const Projector& projector = m_scene.projectors[static_cast<std::size_t>(selected)].projector;
+        for (const Vector3d& corner : handles(projector)) {
+            const auto seen = placeOf(corner);
+            if (seen && distance(*seen, place) <= handleReach) return ProjectorScale{selected, projector};
+        }
+    }
+    const int under = projectorUnder(m_scene, ray);
+    if (under < 0) return std::nullopt;
+    const Projector& projector = m_scene.projectors[static_cast<std::size_t>(under)].projector;
+    const Vector3d grabbed = ray.origin + *distanceTo(projector, ray) * ray.direction.normalized();
+    return ProjectorMove{under, projector, {grabbed, projector.pose.linear().col(2)}};
+}
+
+void OrganView::followDrag(const QPointF& place) {
+    const Ray ray = rayAt(place);
+    const Drag drag = *m_drag; // a slot may end the drag while it is told of it
+    if (const auto* pull = std::get_if<PullDrag>(&drag)) {
+        if (const auto aim = target(*pull, ray)) emit pullMoved(pull->node, *aim);
+    } else if (const auto* move = std::get_if<RegionMove>(&drag)) {
+        emit regionDragged(move->index, dragged(*move, ray));
+    } else if (const auto* scale = std::get_if<RegionScale>(&drag)) {
+        emit regionDragged(scale->index, dragged(*scale, ray));
+    } else if (const auto* shift = std::get_if<ProjectorMove>(&drag)) {
+        emit projectorDragged(shift->index, dragged(*shift, ray));
+    } else if (const auto* size = std::get_if<ProjectorScale>(&drag)) {
+        emit projectorDragged(size->index, dragged(*size, ray));
+    } else if (const auto* sweep = std::get_if<InstrumentSweep>(&drag)) {
+        m_instrument = meet(ray, sweep->plane);
+        if (m_instrument) emit instrumentMoved(*m_instrument);
+    }
+}
+
+void OrganView::endDrag() {
+    if (!m_drag) return;
+    const Drag ended = *m_drag;
+    m_drag.reset();
+    if (std::holds_alternative<PullDrag>(ended))
+        emit pullReleased();
+    else if (!std::holds_alternative<InstrumentSweep>(ended))
+        emit dragFinished();
+}
+
+void OrganView::click(const QPointF& place) {
+    const Ray ray = rayAt(place);
+    const int region = m_tool == ViewTool::Projector ? -1 : ellipsoidUnder(m_scene, ray);
+    const int projector = m_tool == ViewTool::Region ? -1 : projectorUnder(m_scene, ray);
+    const bool picks =
+        m_tool == ViewTool::Select || m_tool == ViewTool::Region || m_tool == ViewTool::Projector;
+    if (!picks) return;
+    if (region >= 0) return emit regionPicked(region);
+    if (projector >= 0) return emit projectorPicked(projector);
+    const auto picked = m_picker.pick(ray, nodeReach / height() * camera().verticalFieldOfView);
+    if (picked) emit pointPicked(picked->node, picked->point);
+}
+
+void OrganView::moveInstrument(const QPointF& place) {
+    const Ray ray = rayAt(place);
+    if (m_instrumentPushed && m_instrument) {
+        m_instrument = meet(ray, picturePlane(camera(), *m_instrument));
+    } else if (const auto hit = m_picker.pick(ray, 0)) {
+        m_instrument = hit->point - m_instrumentRadius * ray.direction.normalized();
+    } else {
+        const Vector3d depth = m_instrument.value_or(camera().target);
+        m_instrument = meet(ray, picturePlane(camera(), depth));
+    }
+    if (m_instrument) emit instrumentMoved(*m_instrument);
+}
+
+void OrganView::pushInstrument(double notches, const QPointF& place) {
+    if (!m_instrument) moveInstrument(place);
+    if (!m_instrument) return;
+    m_instrumentPushed = true;
+    *m_instrument += notches * pushPerNotch * m_instrumentRadius * rayAt(place).direction;
+    emit instrumentMoved(*m_instrument);
+}
+
+void OrganView::removeInstrument() {
+    m_instrumentPushed = false;
+    if (!m_instrument) return;
+    m_instrument.reset();
+    emit instrumentRemoved();
+}
+
+std::optional<QPointF> OrganView::handlePlace(const Vector3d& end, const Vector3d& centre) const {
+    const auto seen = placeOf(end), middle = placeOf(centre);
+    if (!seen || !middle || distance(*seen, *middle) < shortAxis) return std::nullopt;
+    return seen;
+}
+
+std::vector<QPointF> OrganView::regionHandles() const {
+    std::vector<QPointF> places;
+    const int selected = selectedIndex(m_scene.ellipsoids);
+    if (selected < 0) return places;
+    const Ellipsoid& shape = m_scene.ellipsoids[static_cast<std::size_t>(selected)].shape;
+    for (const Vector3d& end : handles(shape))
+        if (const auto place = handlePlace(end, shape.centre)) places.push_back(*place);
+    return places;
+}
+
+std::vector<QPointF> OrganView::projectorHandles() const {
+    std::vector<QPointF> places;
+    const int selected = selectedIndex(m_scene.projectors);
+    if (selected < 0) return places;
+    for (const Vector3d& corner : handles(m_scene.projectors[static_cast<std::size_t>(selected)].projector))
+        if (const auto place = placeOf(corner)) places.push_back(*place);
+    return places;
+}
+
+} // namespace esm

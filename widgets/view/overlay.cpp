@@ -1,0 +1,93 @@
+#include "widgets/view/overlay.h"
+
+#include "core/render/colour_ramp.h"
+
+#include <QLocale>
+
+#include <algorithm>
+
+namespace esm {
+namespace {
+
+constexpr int margin = 14, padding = 11, legendWidth = 230, legendHeight = 66; // pixels
+constexpr int cubeSize = 78, handleSize = 9;
+const QColor panel(0x1b, 0x1e, 0x22, 225), line(0x33, 0x3a, 0x42), text(0xe7, 0xe9, 0xec);
+
+QFont sized(QFont font, int pixels) {
+    font.setPixelSize(pixels);
+    return font;
+}
+
+QString shortNumber(double value) {
+    return QLocale().toString(value, 'g', 3);
+}
+
+QLinearGradient rampGradient(const QRectF& bar) {
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    constexpr int stops = 16;
+    for (int i = 0; i <= stops; ++i) {
+        const Colour colour = rampColour(double(i) / stops);
+        gradient.setColorAt(double(i) / stops, QColor(colour[0], colour[1], colour[2]));
+    }
+    return gradient;
+}
+
+} // namespace
+
+void paintLegend(QPainter& painter, const QSize& view, const ViewLegend& legend) {
+    const QRectF box(margin, view.height() - margin - legendHeight, legendWidth, legendHeight);
+    const QRectF bar(box.left() + padding, box.top() + 31, box.width() - 2 * padding, 8);
+    const QRectF title(bar.left(), box.top() + 7, bar.width(), 20);
+    const QRectF range(bar.left(), bar.bottom() + 3, bar.width(), 18);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(line, 1));
+    painter.setBrush(panel);
+    painter.drawRoundedRect(box, 6, 6);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(rampGradient(bar));
+    painter.drawRoundedRect(bar, 3, 3);
+    painter.setPen(text);
+    painter.setFont(sized(painter.font(), 13));
+    painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, legend.title);
+    painter.setFont(sized(painter.font(), 12));
+    painter.drawText(range, Qt::AlignLeft | Qt::AlignVCenter, shortNumber(legend.minimum));
+    painter.drawText(range, Qt::AlignHCenter | Qt::AlignVCenter, legend.unit);
+    painter.drawText(range, Qt::AlignRight | Qt::AlignVCenter, shortNumber(legend.maximum));
+    painter.restore();
+}
+
+void paintHint(QPainter& painter, const QSize& view, const QString& hint, bool besideLegend) {
+    if (hint.isEmpty()) return;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(sized(painter.font(), 12));
+    const double left = besideLegend ? 2 * margin + legendWidth : margin;
+    const double room = view.width() - margin - left;
+    const QFontMetricsF metrics(painter.font());
+    const QString shown = metrics.elidedText(hint, Qt::ElideRight, room - 2 * padding);
+    const double width = metrics.horizontalAdvance(shown) + 2 * padding;
+    const double centred = (view.width() - width) / 2;
+    const QRectF pill(std::max(left, centred), view.height() - margin - 26, width, 26);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(panel);
+    painter.drawRoundedRect(pill, 13, 13);
+    painter.setPen(QColor(0xc4, 0xca, 0xd0));
+    painter.drawText(pill, Qt::AlignCenter, shown);
+    painter.restore();
+}
+
+void paintHandles(QPainter& painter, const std::vector<QPointF>& places, const QColor& rim) {
+    painter.save();
+    painter.setPen(QPen(rim, 1.4));
+    painter.setBrush(Qt::white);
+    for (const QPointF& place : places)
+        painter.drawRect(QRectF(place - QPointF(handleSize, handleSize) / 2, QSizeF(handleSize, handleSize)));
+    painter.restore();
+}
+
+QRectF cubeSquare(const QSize& view) {
+    return {double(view.width() - margin - cubeSize), double(margin), cubeSize, cubeSize};
+}
+
+} // namespace esm

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QPainter>
+#include <QSize>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace esm {
+
+/// What the colours of the springs mean.
+struct ViewLegend {
+    QString title; ///< "Spring constant"
+    QString unit;  ///< "N/m"
+    double minimum = 0, maximum = 1;
+};
+
+/// A box at the bottom left with the ramp of colours and its range.
+void paintLegend(QPainter& painter, const QSize& view, const ViewLegend& legend);
+/// A pill with one line of text at the bottom, in the middle of what the legend leaves.
+void paintHint(QPainter& painter, const QSize& view, const QString& hint, bool besideLegend);
+/// Small white squares with a coloured rim.
+void paintHandles(QPainter& painter, const std::vector<QPointF>& places, const QColor& rim);
+/// The square of the axis cube at the top right.
+QRectF cubeSquare(const QSize& view);
+
+} // namespace esm

@@ -1,0 +1,53 @@
+#include "widgets/view/picking.h"
+
+#include "core/render/drawn_shape.h"
+
+namespace esm {
+
+void Picker::setScene(const RenderScene& scene) {
+    if (scene.mesh != m_mesh || scene.network != m_network) m_query.reset();
+    m_mesh = scene.mesh;
+    m_network = scene.network;
+    m_nodes = drawnNodes(scene);
+    m_vertices = drawnVertices(scene, m_nodes);
+    m_moved = true;
+}
+
+std::optional<PickedPoint> Picker::pick(const Ray& ray, double tolerance) {
+    return m_mesh && !m_mesh->triangles.empty() ? pickSurface(ray) : pickNode(ray, tolerance);
+}
+
+void Picker::refresh() {
+    if (!m_query)
+        m_query.emplace(m_vertices, m_mesh->triangles);
+    else if (m_moved)
+        m_query->refit(m_vertices);
+    m_moved = false;
+}
+
+std::optional<PickedPoint> Picker::pickSurface(const Ray& ray) {
+    refresh();
+    const std::optional<RayHit> hit = m_query->firstHit(ray);
+    if (!hit) return std::nullopt;
+    Eigen::Index nearest = 0;
+    hit->barycentric.maxCoeff(&nearest);
+    const std::uint32_t vertex = m_mesh->triangles[hit->triangle][static_cast<std::size_t>(nearest)];
+    const std::uint32_t node = m_network ? m_network->vertexNodes[vertex] : vertex;
+    return PickedPoint{node, ray.origin + hit->distance * ray.direction.normalized(), m_nodes[node]};
+}
+
+std::optional<PickedPoint> Picker::pickNode(const Ray& ray, double tolerance) const {
+    const Eigen::Vector3d direction = ray.direction.normalized();
+    double smallest = std::tan(tolerance);
+    std::optional<PickedPoint> picked;
+    for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
+        const Eigen::Vector3d offset = m_nodes[node] - ray.origin;
+        const double slope = offset.cross(direction).norm() / offset.dot(direction);
+        if (slope < 0 || slope > smallest) continue;
+        smallest = slope;
+        picked = PickedPoint{node, m_nodes[node], m_nodes[node]};
+    }
+    return picked;
+}
+
+} // namespace esm
