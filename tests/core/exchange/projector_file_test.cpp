@@ -1,0 +1,106 @@
+#include "core/exchange/projector_file.h"
+
+#include "core/support/errors.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+using namespace esm;
+using Json = nlohmann::ordered_json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace {
+
+Json valid() {
+    return Json::parse(R"({"pose": [0,0,1,0.5, 1,0,0,0.25, 0,1,0,2, 0,0,0,1], "width": 0.2, "height": 0.1})");
+}
+
+std::vector<std::string> problems(const Json& json) {
+    try {
+        projectorFromJson(json);
+    } catch (const InvalidModel& error) {
+        return error.problems();
+    }
+    return {};
+}
+
+} // namespace
+
+TEST(ProjectorFile, ReadsThePoseRowByRow) {
+    const Projector projector = projectorFromJson(valid());
+    EXPECT_EQ(projector.pose * Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(3.5, 1.25, 4));
+    EXPECT_EQ(projector.width, 0.2);
+    EXPECT_EQ(projector.height, 0.1);
+    EXPECT_TRUE(projector.occlusion);
+}
+
+TEST(ProjectorFile, ComesBackBitByBit) {
+    Projector projector;
+    projector.pose = Eigen::Translation3d(0.1, -0.2, 1.0 / 3) *
+                     Eigen::AngleAxisd(1.234, Eigen::Vector3d(1, 2, 3).normalized());
+    projector.width = 0.123456789;
+    projector.occlusion = false;
+    const Projector back = projectorFromJson(Json::parse(toJson(projector).dump()));
+    EXPECT_EQ(back.pose.matrix(), projector.pose.matrix());
+    EXPECT_EQ(back.width, projector.width);
+    EXPECT_EQ(back.height, projector.height);
+    EXPECT_FALSE(back.occlusion);
+}
+
+TEST(ProjectorFile, ListsEveryProblem) {
+    const Json json =
+        Json::parse(R"({"width": -1, "height": "tall", "occlusion": 1, "colour": 3, "kind": "flat"})");
+    EXPECT_THAT(problems(json),
+                ElementsAre(HasSubstr("pose"), HasSubstr("kind"), HasSubstr("width"), HasSubstr("height"),
+                            HasSubstr("occlusion"), HasSubstr("colour")));
+    EXPECT_THAT(problems(Json::parse("[1]")), ElementsAre(HasSubstr("object")));
+}
+
+TEST(ProjectorFile, RefusesAPoseThatIsNotRigid) {
+    const auto withEntry = [](std::size_t i, double value) {
+        Json json = valid();
+        json["pose"][i] = value;
+        return json;
+    };
+    EXPECT_THAT(problems(withEntry(2, 1.001)), ElementsAre(HasSubstr("scaling")));
+    EXPECT_THAT(problems(withEntry(0, 0.001)), ElementsAre(HasSubstr("shearing")));
+    EXPECT_THAT(problems(withEntry(2, -1)), ElementsAre(HasSubstr("mirroring")));
+    EXPECT_THAT(problems(withEntry(12, 1)), ElementsAre(HasSubstr("last row")));
+    EXPECT_THAT(problems(withEntry(2, 1 + 1e-8)), ElementsAre());
+    Json shortPose = valid();
+    shortPose["pose"].erase(15);
+    EXPECT_THAT(problems(shortPose), ElementsAre(HasSubstr("16 numbers")));
+}
+
+TEST(ProjectorFile, SaysThatPerspectiveIsNotForThisVersion) {
+    const char* const poseOnly = R"("pose": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1])";
+    for (const char* rest : {R"("kind": "perspective", "fov": 60)", R"("kind": "perspective")",
+                             R"("fov": 60)", R"("intrinsics": {"fx": 1, "fy": 1, "cx": 0, "cy": 0})"})
+        EXPECT_THAT(problems(Json::parse("{" + std::string(poseOnly) + ", " + rest + "}")),
+                    ElementsAre(HasSubstr("parallel projection only")))
+            << rest;
+}
+
+TEST(ProjectorFile, NamesTheFileInEveryMessage) {
+    const TemporaryFolder folder;
+    const auto refusal = [&](const std::string& text) -> std::string {
+        std::ofstream(folder / "pose.json") << text;
+        try {
+            readProjectorFile(folder / "pose.json");
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    const std::string file = (folder / "pose.json").string();
+    for (const char* text :
+         {"", "{", "null", "{}", R"({"width": 1e999})", R"({"pose": [1e999]})", "[[[[", "\xff\xfe"})
+        EXPECT_THAT(refusal(text), HasSubstr(file + ": ")) << text;
+    EXPECT_EQ(refusal(valid().dump()), "accepted");
+    EXPECT_THROW(readProjectorFile(folder / "missing.json"), FileError);
+}
