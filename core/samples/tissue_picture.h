@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/texture/image.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace esm {
+
+using Colour = Eigen::Vector3d; ///< sRGB, 0 to 1
+
+constexpr int pictureSize = 512;
+
+/// One value per pixel of a sample picture.
+struct Field {
+    std::vector<double> values = std::vector<double>(std::size_t{pictureSize} * pictureSize);
+
+    double& at(int x, int y) {
+        return values[static_cast<std::size_t>(y) * pictureSize + static_cast<std::size_t>(x)];
+    }
+    double at(int x, int y) const { return const_cast<Field*>(this)->at(x, y); }
+};
+
+/// What a picture is made of: colour and alpha by place (0 to 1 across the picture), and how bumpy and wet it
+/// is.
+struct Tissue {
+    std::function<Colour(double x, double y)> colour;
+    std::function<double(double x, double y)> alpha;
+    Field height; ///< pixels
+    double gloss = 0.5;
+};
+
+Image pictureOf(const Tissue& tissue);
+
+/// The field's value at a place of 0 to 1 across the picture.
+double valueAt(const Field& field, double x, double y);
+
+/// 0 at `from`, 1 at `to`, smooth between them and level beyond.
+double smoothStep(double from, double to, double value);
+
+Colour mixed(const Colour& a, const Colour& b, double share);
+
+/// Layered noise of that height (pixels).
+Field bumps(double featuresAcross, int octaves, double height, std::uint32_t seed);
+
+/// Darker and paler patches of several sizes.
+Colour mottled(const Colour& dark, const Colour& pale, double x, double y, std::uint32_t seed);
+
+} // namespace esm
