@@ -21,7 +21,7 @@ using Colour = std::array<std::uint8_t, 3>; ///< red, green, blue
 
 struct DrawnEllipsoid {
     Ellipsoid shape;
-    Colour colour;
+    Colour colour{63, 182, 168};
     bool selected = false;
 };
 
@@ -32,8 +32,8 @@ struct DrawnProjector {
 };
 
 struct DrawnSphere {
-    Eigen::Vector3d centre; ///< m
-    double radius;          ///< m
+    Eigen::Vector3d centre{0, 0, 0}; ///< m
+    double radius;                   ///< m
 };
 
 /// Everything one picture shows. Shared parts are compared by pointer and uploaded only when they change.

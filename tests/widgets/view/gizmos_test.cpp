@@ -1,0 +1,111 @@
+#include "widgets/view/gizmos.h"
+
+#include "widgets/view/dragging.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+using Eigen::Vector3d;
+
+namespace {
+
+Ellipsoid tilted() {
+    Ellipsoid ellipsoid;
+    ellipsoid.centre = {0.1, 0.2, 0.3};
+    ellipsoid.radii = {0.03, 0.05, 0.02};
+    ellipsoid.orientation = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized());
+    return ellipsoid;
+}
+
+Projector slanted() {
+    Projector projector;
+    projector.pose.translation() = Vector3d(0.02, -0.01, 0.4);
+    projector.pose.rotate(Eigen::AngleAxisd(0.5, Vector3d::UnitY()));
+    projector.width = 0.08;
+    projector.height = 0.05;
+    return projector;
+}
+
+Ray towards(const Vector3d& eye, const Vector3d& point) {
+    return {eye, point - eye};
+}
+
+const Vector3d eye(0.05, 0.1, 1.2);
+
+} // namespace
+
+TEST(Gizmos, RayMeetsTheEllipsoidOnItsSurface) {
+    const Ellipsoid ellipsoid = tilted();
+    const Ray ray = towards(eye, ellipsoid.centre + Vector3d(0.01, 0.005, 0));
+    const auto distance = distanceTo(ellipsoid, ray);
+    ASSERT_TRUE(distance);
+    const Vector3d point = ray.origin + *distance * ray.direction.normalized();
+    const Vector3d unit =
+        (ellipsoid.orientation.inverse() * (point - ellipsoid.centre)).cwiseQuotient(ellipsoid.radii);
+    EXPECT_NEAR(unit.norm(), 1, 1e-9);
+    EXPECT_LT(*distance, (ellipsoid.centre - eye).norm());
+    EXPECT_FALSE(distanceTo(ellipsoid, towards(eye, ellipsoid.centre + Vector3d(0.2, 0, 0))));
+    EXPECT_FALSE(distanceTo(ellipsoid, {eye, eye - ellipsoid.centre})) << "it lies behind";
+}
+
+TEST(Gizmos, DrawnHandleFollowsTheRayAndOnlyItsAxisChanges) {
+    const Ellipsoid ellipsoid = tilted();
+    for (std::size_t handle = 0; handle < 6; ++handle) {
+        const Vector3d wanted = ellipsoid.centre + 1.7 * (handles(ellipsoid)[handle] - ellipsoid.centre);
+        const Ellipsoid result = scaled(ellipsoid, handle, towards(eye, wanted));
+        EXPECT_TRUE(handles(result)[handle].isApprox(wanted, 1e-9));
+        EXPECT_TRUE(result.centre.isApprox(ellipsoid.centre));
+        Vector3d others = result.radii;
+        others[static_cast<Eigen::Index>(handle / 2)] =
+            ellipsoid.radii[static_cast<Eigen::Index>(handle / 2)];
+        EXPECT_EQ(others, ellipsoid.radii);
+    }
+}
+
+TEST(Gizmos, AnAxisCannotBeDrawnShut) {
+    const Ellipsoid ellipsoid = tilted();
+    for (std::size_t handle = 0; handle < 6; ++handle) {
+        const Vector3d beyond = ellipsoid.centre - 3 * (handles(ellipsoid)[handle] - ellipsoid.centre);
+        EXPECT_GT(scaled(ellipsoid, handle, towards(eye, beyond)).radii.minCoeff(), 0);
+    }
+    // Along the axis no length can be read.
+    const Vector3d end = handles(ellipsoid)[0];
+    const Ellipsoid same = scaled(ellipsoid, 0, {end + (end - ellipsoid.centre), ellipsoid.centre - end});
+    EXPECT_TRUE(same.radii.isApprox(ellipsoid.radii));
+}
+
+TEST(Gizmos, ProjectorCornerScalesWidthAndHeightApart) {
+    const Projector projector = slanted();
+    const Vector3d corner = projector.pose * Vector3d(0.06, -0.01, 0);
+    const Projector result = scaled(projector, towards(eye, corner));
+    EXPECT_NEAR(result.width, 0.12, 1e-9);
+    EXPECT_NEAR(result.height, 0.02, 1e-9);
+    EXPECT_TRUE(result.pose.isApprox(projector.pose));
+}
+
+TEST(Gizmos, ProjectorMovesInItsPlane) {
+    const Projector projector = slanted();
+    const Vector3d from = projector.pose * Vector3d(0.01, 0.01, 0),
+                   to = projector.pose * Vector3d(-0.05, 0.03, 0);
+    const ProjectorMove drag{0, projector, {from, projector.pose.linear().col(2)}};
+    const Projector result = dragged(drag, towards(eye, to));
+    EXPECT_TRUE((result.pose.translation() - projector.pose.translation()).isApprox(to - from, 1e-9));
+    EXPECT_TRUE(result.pose.linear().isApprox(projector.pose.linear()));
+    // A ray that misses the plane leaves it where it is.
+    const Projector kept = dragged(drag, {eye, projector.pose.linear().col(0)});
+    EXPECT_TRUE(kept.pose.isApprox(projector.pose));
+}
+
+TEST(Gizmos, TheSelectedShapeIsTakenFirst) {
+    RenderScene scene;
+    DrawnEllipsoid front, back;
+    front.shape.centre = {0, 0, 0.5};
+    front.shape.radii.setConstant(0.1);
+    back.shape.radii.setConstant(0.1);
+    scene.ellipsoids = {back, front};
+    const Ray ray{{0, 0, 2}, {0, 0, -1}};
+    EXPECT_EQ(ellipsoidUnder(scene, ray), 1);
+    scene.ellipsoids[0].selected = true;
+    EXPECT_EQ(ellipsoidUnder(scene, ray), 0);
+    EXPECT_EQ(ellipsoidUnder(scene, {{0, 0, 2}, {0, 0, 1}}), -1);
+}
