@@ -95,7 +95,7 @@ void StepMatrix::solveLower(const Vectors& momentum, const Vectors& velocities, 
     }
 }
 
-void StepMatrix::solveUpper(Vectors& half, Vectors& velocities) const {
+void StepMatrix::solveUpper(Vectors half, Vectors& velocities) const {
     const int* start = m_lower.outerIndexPtr();
     const int* row = m_lower.innerIndexPtr();
     const double* value = m_lower.valuePtr();
@@ -147,7 +147,7 @@ void StepMatrix::checkAccuracy(const SpringSystem& system, double massFactor, do
     for (const Tether& tether : system.tethers)
         momentum[tether.node].array() += dampingFactor * tether.viscosity;
     solveLower(momentum, velocities, half);
-    solveUpper(half, velocities);
+    solveUpper(std::move(half), velocities);
     for (const Eigen::Vector3d& velocity : velocities)
         if (!(std::abs(velocity.x() - 1) < 1e-3)) refuseIllConditioned();
 }

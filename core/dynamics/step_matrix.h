@@ -39,7 +39,7 @@ public:
     /// L⁻¹·(momentum − what the prescribed nodes' velocities take from it), in the factor's own order.
     void solveLower(const Vectors& momentum, const Vectors& velocities, Vectors& half) const;
     /// Velocities of all that are not prescribed.
-    void solveUpper(Vectors& half, Vectors& velocities) const;
+    void solveUpper(Vectors half, Vectors& velocities) const;
 
     /// Precondition: the node is not prescribed.
     HalfColumn halfColumn(std::uint32_t node) const;

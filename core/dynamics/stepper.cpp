@@ -1,5 +1,6 @@
 #include "core/dynamics/stepper.h"
 
+#include "core/dynamics/contact_impulses.h"
 #include "core/dynamics/forces.h"
 
 #include <algorithm>
@@ -11,6 +12,12 @@ namespace {
 /// Above this, leading nodes through their responses to each other costs more than a factorisation without
 /// them.
 constexpr std::size_t mostLedByImpulses = 64;
+
+/// What touches beyond this is pushed out one by one, without dragging along what is around it.
+constexpr std::size_t mostContacts = 256;
+constexpr int mostContactRounds = 3;
+constexpr double contactTolerance = 1e-3; ///< in radii; the rest is projected out
+constexpr double impulseTolerance = 1e-5; ///< in radii
 
 /// The last place given for each node that is free to follow, in the order of nodes.
 std::vector<HeldNode> movable(std::vector<HeldNode> held, const std::vector<char>& fixed) {
@@ -30,8 +37,8 @@ Stepper::Stepper(SpringSystem system, std::vector<Triangle> surface, const Chose
                  Damping damping)
     : m_system(std::move(system)), m_surface(std::move(surface)), m_integrator(chosen.integrator),
       m_timeStep(chosen.timeStep), m_damping(damping), m_prescribed(m_system.fixed) {
-    solverFor({m_timeStep, 1, nullptr, {}}, false);
-    if (m_integrator == Integrator::Split2) solverFor({m_timeStep, 1, nullptr, {}}, true);
+    solverFor({m_timeStep, 1, nullptr, {}, {}}, false);
+    if (m_integrator == Integrator::Split2) solverFor({m_timeStep, 1, nullptr, {}, {}}, true);
 }
 
 void Stepper::restart() {
@@ -42,42 +49,126 @@ void Stepper::restart() {
 void Stepper::step(Motion& motion, const Loads& loads) {
     if (!m_lastLoads || m_lastLoads->gravity != loads.gravity || m_lastLoads->forces != loads.forces)
         m_previous.reset();
-    advance(motion, {m_timeStep, 1, &loads, movable(loads.held, m_system.fixed)});
+    for (const Piece& piece : piecesOf(motion, loads))
+        advance(motion, piece);
     m_lastLoads = loads;
+}
+
+std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads& loads) const {
+    const std::vector<HeldNode> held = movable(loads.held, m_system.fixed);
+    if (!loads.instrument || m_surface.empty()) return {{m_timeStep, 1, &loads, held, {}}};
+    const Eigen::Vector3d to = loads.instrument->centre;
+    const Eigen::Vector3d from =
+        m_lastLoads && m_lastLoads->instrument ? m_lastLoads->instrument->centre : to;
+    const double radius = loads.instrument->radius;
+    const int parts =
+        contactParts(m_surface, motion.positions, motion.velocities, {from, to, radius}, m_timeStep);
+
+    std::vector<Piece> pieces;
+    Eigen::Vector3d reached = from;
+    for (int part = 1; part <= parts; ++part) {
+        const double fraction = static_cast<double>(part) / parts;
+        Piece piece{m_timeStep / parts, parts, &loads, held, {}};
+        for (HeldNode& node : piece.held) {
+            const Eigen::Vector3d& start = motion.positions[node.node];
+            if (part < parts) node.position = start + fraction * (node.position - start);
+        }
+        const Eigen::Vector3d next = part < parts ? Eigen::Vector3d(from + fraction * (to - from)) : to;
+        piece.sphere = SphereMove{std::exchange(reached, next), next, radius};
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
 }
 
 void Stepper::advance(Motion& motion, const Piece& piece) {
     prescribe(piece.held);
     elasticForces(m_system, motion.positions, m_forces);
-    const bool secondOrder = m_integrator == Integrator::Split2 && m_previous && piece.held.empty();
+    const bool secondOrder =
+        m_integrator == Integrator::Split2 && m_previous && piece.held.empty() && piece.parts == 1;
     Motion next = motion;
-    solve(motion, piece, secondOrder, next);
+    Untouched untouched = solve(motion, piece, secondOrder, next);
+    const bool touched = isTouched(motion, piece, next);
+    if (touched && secondOrder) {
+        next = motion;
+        untouched = solve(motion, piece, false, next);
+    }
+    if (touched) makeWay(motion, piece, untouched, next);
+
     m_previous = std::exchange(motion, std::move(next));
     m_previousForces.swap(m_forces);
-    if (!piece.held.empty()) m_previous.reset();
+    if (touched || !piece.held.empty() || piece.parts > 1) m_previous.reset();
 }
 
-void Stepper::solve(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next) {
+Stepper::Untouched Stepper::solve(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next) {
     Solver& solver = solverFor(piece, secondOrder);
-    const double h = piece.duration;
-    std::vector<std::uint32_t> led;
+    Untouched untouched;
     for (const HeldNode& held : piece.held) {
-        next.velocities[held.node] = (held.position - motion.positions[held.node]) / h;
-        if (!solver.matrix.isPrescribed(held.node)) led.push_back(held.node);
+        next.velocities[held.node] = (held.position - motion.positions[held.node]) / piece.duration;
+        if (!solver.matrix.isPrescribed(held.node)) untouched.led.push_back(held.node);
     }
-    Vectors half;
-    solver.matrix.solveLower(momentum(motion, piece, secondOrder), next.velocities, half);
-    if (!led.empty()) solver.impulses.lead(led, next.velocities, half);
-    solver.matrix.solveUpper(half, next.velocities);
+    solver.matrix.solveLower(momentum(motion, piece, secondOrder), next.velocities, untouched.half);
+    if (!untouched.led.empty()) solver.impulses.lead(untouched.led, next.velocities, untouched.half);
+    solver.matrix.solveUpper(untouched.half, next.velocities);
+    moveOn(motion, piece, secondOrder, next);
+    return untouched;
+}
 
+void Stepper::moveOn(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next) const {
     for (std::size_t i = 0; i < next.positions.size(); ++i) {
         // Written as a change, so that what rests stays where it is to the last bit.
-        const Eigen::Vector3d change = h * next.velocities[i];
-        next.positions[i] +=
-            secondOrder ? ((motion.positions[i] - m_previous->positions[i]) + 2 * change) / 3 : change;
+        const Eigen::Vector3d change = piece.duration * next.velocities[i];
+        next.positions[i] =
+            motion.positions[i] +
+            (secondOrder
+                 ? Eigen::Vector3d(((motion.positions[i] - m_previous->positions[i]) + 2 * change) / 3)
+                 : change);
     }
     for (const HeldNode& held : piece.held)
         next.positions[held.node] = held.position;
+}
+
+std::vector<char> Stepper::immovable(const Piece& piece) const {
+    std::vector<char> result = m_prescribed;
+    for (const HeldNode& held : piece.held)
+        result[held.node] = 1;
+    return result;
+}
+
+bool Stepper::isTouched(const Motion& motion, const Piece& piece, const Motion& next) const {
+    return piece.sphere &&
+           !findContacts(m_surface, immovable(piece), motion.positions, next.positions, *piece.sphere)
+                .empty();
+}
+
+// Each round solves anew from the untouched step, with the contacts of the rounds before, turned to where the
+// surface came to lie, and those that were found since: nothing is pushed twice.
+void Stepper::makeWay(const Motion& motion, const Piece& piece, const Untouched& untouched, Motion& next) {
+    Solver& solver = solverFor(piece, false);
+    const SphereMove& sphere = *piece.sphere;
+    const std::vector<char> stays = immovable(piece);
+    const Vectors free = next.positions;
+    std::vector<Contact> contacts;
+    Eigen::VectorXd impulses;
+    for (int round = 0; round < mostContactRounds; ++round) {
+        const auto found = findContacts(m_surface, stays, motion.positions, next.positions, sphere);
+        if (round > 0 && deepest(found) <= contactTolerance * sphere.radius) break;
+        mergeContacts(contacts, found, mostContacts);
+        Eigen::VectorXd needed(contacts.size());
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            turnOutward(contacts[i], motion.positions, next.positions, sphere);
+            needed[static_cast<Eigen::Index>(i)] = depth(contacts[i], free, sphere) / piece.duration;
+        }
+        impulses.conservativeResizeLike(Eigen::VectorXd::Zero(needed.size()));
+        Vectors half = untouched.half;
+        const double tolerance = impulseTolerance * sphere.radius / piece.duration;
+        pushContacts({contacts, needed, untouched.led, stays, tolerance}, solver.impulses, impulses, half);
+        solver.matrix.solveUpper(std::move(half), next.velocities);
+        moveOn(motion, piece, false, next);
+    }
+    const Vectors solved = next.positions;
+    projectOut(m_surface, stays, motion.positions, sphere, next.positions);
+    for (std::size_t i = 0; i < solved.size(); ++i)
+        next.velocities[i] += (next.positions[i] - solved[i]) / piece.duration;
 }
 
 Vectors Stepper::momentum(const Motion& motion, const Piece& piece, bool secondOrder) const {
@@ -100,7 +191,7 @@ Vectors Stepper::momentum(const Motion& motion, const Piece& piece, bool secondO
 }
 
 Stepper::Solver& Stepper::solverFor(const Piece& piece, bool secondOrder) {
-    std::unique_ptr<Solver>& solver = m_solvers[{piece.part, secondOrder}];
+    std::unique_ptr<Solver>& solver = m_solvers[{piece.parts, secondOrder}];
     if (!solver) {
         const double damping = m_integrator == Integrator::Euler ? 0 : piece.duration;
         solver =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/contact.h"
 #include "core/dynamics/node_impulses.h"
 #include "core/dynamics/simulation.h"
 #include "core/dynamics/stability.h"
@@ -40,13 +41,25 @@ private:
     };
     struct Piece {
         double duration; ///< s
-        int part;        ///< the step's duration over this one's
+        int parts;       ///< the step's duration over this one's
         const Loads* loads;
         std::vector<HeldNode> held; ///< where they are at the end of the piece
+        std::optional<SphereMove> sphere;
+    };
+    /// A step before anything touched it.
+    struct Untouched {
+        Vectors half;                   ///< half-solved velocities
+        std::vector<std::uint32_t> led; ///< nodes led by impulses
     };
 
+    std::vector<Piece> piecesOf(const Motion& motion, const Loads& loads) const;
     void advance(Motion& motion, const Piece& piece);
-    void solve(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next);
+    Untouched solve(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next);
+    void moveOn(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next) const;
+    /// Pushes the surface out of the sphere. Precondition: `next` came from the first-order form.
+    void makeWay(const Motion& motion, const Piece& piece, const Untouched& untouched, Motion& next);
+    std::vector<char> immovable(const Piece& piece) const;
+    bool isTouched(const Motion& motion, const Piece& piece, const Motion& next) const;
     Solver& solverFor(const Piece& piece, bool secondOrder);
     Vectors momentum(const Motion& motion, const Piece& piece, bool secondOrder) const;
     void prescribe(const std::vector<HeldNode>& held);

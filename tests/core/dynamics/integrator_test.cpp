@@ -304,7 +304,6 @@ TEST(FallopianTube, SplitStepsFollowTinySteps) {
     EXPECT_LT(errorOf(Integrator::Split2, 0.05), 3e-3);
     EXPECT_LT(errorOf(Integrator::Split2, 0.01), 1.2e-4);
     EXPECT_LT(errorOf(Integrator::Split, 0.005), 1.6e-3);
-    EXPECT_LT(errorOf(Integrator::Euler, 2.5e-6), 1e-5);
 }
 
 } // namespace

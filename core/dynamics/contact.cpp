@@ -1,0 +1,200 @@
+#include "core/dynamics/contact.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace esm {
+
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+constexpr double smallTriangle = 0.25;       ///< circle around it, in radii of the sphere
+constexpr double leastMovable = 0.2;         ///< share of a point that its movable nodes must carry
+constexpr double projectionTolerance = 1e-9; ///< in radii
+constexpr int mostProjections = 30;
+constexpr int mostParts = 64;
+constexpr std::uint32_t noNode = std::numeric_limits<std::uint32_t>::max();
+
+AlignedBox3d boxOf(const Triangle& triangle, const Vectors& positions) {
+    AlignedBox3d box(positions[triangle[0]]);
+    return box.extend(positions[triangle[1]]).extend(positions[triangle[2]]);
+}
+
+/// Squared radius of the smallest circle that holds a triangle.
+double enclosingCircle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    std::array<double, 3> sides{(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()};
+    std::sort(sides.begin(), sides.end());
+    if (sides[0] + sides[1] <= sides[2]) return sides[2] / 4;
+    return sides[0] * sides[1] * sides[2] / (4 * (b - a).cross(c - a).squaredNorm());
+}
+
+/// Weights of the triangle's point nearest to a point. After Ericson, Real-Time Collision Detection, 5.1.5.
+std::array<double, 3> nearestWeights(const Vector3d& p, const Vector3d& a, const Vector3d& b,
+                                     const Vector3d& c) {
+    const Vector3d ab = b - a, ac = c - a;
+    const double d1 = ab.dot(p - a), d2 = ac.dot(p - a), d3 = ab.dot(p - b), d4 = ac.dot(p - b);
+    const double d5 = ab.dot(p - c), d6 = ac.dot(p - c);
+    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+    const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+    if (va <= 0 && d4 >= d3 && d5 >= d6) {
+        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {0, 1 - w, w};
+    }
+    const double sum = va + vb + vc;
+    return {va / sum, vb / sum, vc / sum};
+}
+
+Vector3d pointOf(const Contact& contact, const Vectors& positions) {
+    Vector3d point = Vector3d::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i)
+        point += contact.weights.at(i) * positions[contact.nodes.at(i)];
+    return point;
+}
+
+/// Outwards; from where the point was before when it is at the centre or beyond it.
+Vector3d outward(const Vector3d& after, const Vector3d& before, const SphereMove& sphere) {
+    const Vector3d now = after - sphere.to, then = before - sphere.from;
+    const Vector3d& direction = now.dot(then) > 0 ? now : then;
+    const double length = direction.norm();
+    return length > 0 ? Vector3d(direction / length) : Vector3d(Vector3d::UnitY());
+}
+
+/// The same point has the same contact, whichever triangle it is found in.
+Contact makeContact(Triangle nodes, std::array<double, 3> weights) {
+    Contact contact{{noNode, noNode, noNode}, {}, 0, {}, 0, 0};
+    while (true) {
+        const auto lowest =
+            static_cast<std::size_t>(std::min_element(nodes.begin(), nodes.end()) - nodes.begin());
+        if (nodes.at(lowest) == noNode) return contact;
+        if (weights.at(lowest) > 0) {
+            contact.nodes.at(static_cast<std::size_t>(contact.count)) = nodes.at(lowest);
+            contact.weights.at(static_cast<std::size_t>(contact.count++)) = weights.at(lowest);
+        }
+        nodes.at(lowest) = noNode;
+    }
+}
+
+double movableShare(const Contact& contact, const std::vector<char>& immovable) {
+    double share = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i)
+        if (!immovable[contact.nodes.at(i)]) share += contact.weights.at(i);
+    return share;
+}
+
+} // namespace
+
+void turnOutward(Contact& contact, const Vectors& before, const Vectors& after, const SphereMove& sphere) {
+    contact.normal = outward(pointOf(contact, after), pointOf(contact, before), sphere);
+}
+
+double depth(const Contact& contact, const Vectors& positions, const SphereMove& sphere) {
+    return contact.distance - contact.normal.dot(pointOf(contact, positions) - sphere.to);
+}
+
+std::vector<Contact> findContacts(const std::vector<Triangle>& surface, const std::vector<char>& immovable,
+                                  const Vectors& before, const Vectors& after, const SphereMove& sphere) {
+    // No corner of a small triangle is kept farther away than this.
+    const double reach = sphere.radius * std::sqrt(1 + smallTriangle * smallTriangle);
+    const AlignedBox3d range(sphere.to - Vector3d::Constant(reach), sphere.to + Vector3d::Constant(reach));
+    std::map<std::array<std::uint32_t, 3>, Contact> contacts; // by their nodes
+    const auto offer = [&](Contact contact, double distance) {
+        const Vector3d point = pointOf(contact, after);
+        contact.depth = distance - (point - sphere.to).norm();
+        if (contact.depth <= 0 || movableShare(contact, immovable) < leastMovable) return;
+        contact.distance = distance;
+        contact.normal = outward(point, pointOf(contact, before), sphere);
+        const auto [found, isNew] = contacts.try_emplace(contact.nodes, contact);
+        if (!isNew && contact.distance > found->second.distance) found->second = contact;
+    };
+    for (const Triangle& triangle : surface) {
+        if (!range.intersects(boxOf(triangle, after))) continue;
+        const Vector3d &a = after[triangle[0]], &b = after[triangle[1]], &c = after[triangle[2]];
+        const double circle = enclosingCircle(a, b, c);
+        const bool isSmall = circle <= std::pow(smallTriangle * sphere.radius, 2);
+        const double cornerDistance =
+            isSmall ? std::sqrt(sphere.radius * sphere.radius + circle) : sphere.radius;
+        for (const std::uint32_t node : triangle)
+            offer({{node, noNode, noNode}, {1}, 1, {}, 0, 0}, cornerDistance);
+        if (isSmall) continue;
+        const Contact nearest = makeContact(triangle, nearestWeights(sphere.to, a, b, c));
+        if (nearest.count > 1) offer(nearest, sphere.radius);
+    }
+    std::vector<Contact> result;
+    for (const auto& [nodes, contact] : contacts)
+        result.push_back(contact);
+    return result;
+}
+
+double deepest(const std::vector<Contact>& found) {
+    double depth = 0;
+    for (const Contact& contact : found)
+        depth = std::max(depth, contact.depth);
+    return depth;
+}
+
+void mergeContacts(std::vector<Contact>& contacts, std::vector<Contact> found, std::size_t most) {
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Contact& a, const Contact& b) { return a.depth > b.depth; });
+    for (const Contact& contact : found) {
+        if (contacts.size() >= most) return;
+        const bool isNew = std::none_of(contacts.begin(), contacts.end(),
+                                        [&](const Contact& other) { return other.nodes == contact.nodes; });
+        if (isNew) contacts.push_back(contact);
+    }
+}
+
+void projectOut(const std::vector<Triangle>& surface, const std::vector<char>& immovable,
+                const Vectors& before, const SphereMove& sphere, Vectors& positions) {
+    for (int pass = 0; pass < mostProjections; ++pass) {
+        const std::vector<Contact> found = findContacts(surface, immovable, before, positions, sphere);
+        if (deepest(found) <= projectionTolerance * sphere.radius) return;
+        for (const Contact& contact : found) {
+            const double inside = depth(contact, positions, sphere);
+            if (inside <= 0) continue;
+            double squares = 0;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i)
+                if (!immovable[contact.nodes.at(i)]) squares += contact.weights.at(i) * contact.weights.at(i);
+            for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i)
+                if (!immovable[contact.nodes.at(i)])
+                    positions[contact.nodes.at(i)] +=
+                        inside * contact.weights.at(i) / squares * contact.normal;
+        }
+    }
+}
+
+int contactParts(const std::vector<Triangle>& surface, const Vectors& positions, const Vectors& velocities,
+                 const SphereMove& sphere, double duration) {
+    AlignedBox3d path(sphere.from);
+    path.extend(sphere.to);
+    const Vector3d margin = Vector3d::Constant(1.5 * sphere.radius);
+    path = AlignedBox3d(path.min() - margin, path.max() + margin);
+    double speed = 0;
+    bool near = false;
+    for (const Triangle& triangle : surface) {
+        AlignedBox3d box = boxOf(triangle, positions);
+        for (const std::uint32_t node : triangle)
+            box.extend(positions[node] + duration * velocities[node]);
+        if (!path.intersects(box)) continue;
+        near = true;
+        for (const std::uint32_t node : triangle)
+            speed = std::max(speed, velocities[node].squaredNorm());
+    }
+    if (!near) return 1;
+    const double motion = (sphere.to - sphere.from).norm() + duration * std::sqrt(speed);
+    int parts = 1;
+    while (parts < mostParts && motion > 0.5 * sphere.radius * parts)
+        parts *= 2;
+    return parts;
+}
+
+} // namespace esm

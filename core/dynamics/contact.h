@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/dynamics/spring_system.h"
+
+#include <array>
+
+namespace esm {
+
+/// A sphere on its way during a step.
+struct SphereMove {
+    Eigen::Vector3d from, to; ///< m, centre
+    double radius;            ///< m
+};
+
+/// A surface point that must not come nearer to the sphere's centre than `distance`.
+struct Contact {
+    std::array<std::uint32_t, 3> nodes; ///< the first `count` count
+    std::array<double, 3> weights;      ///< of the nodes in the point; sum 1
+    int count;
+    Eigen::Vector3d normal; ///< away from the sphere
+    double distance;        ///< m
+    double depth;           ///< m inside, when found
+};
+
+/// Where the surface, moved from `before` to `after`, is inside the sphere at its end. A triangle that is
+/// small beside the sphere is kept out by its corners, which stay outside by as much as its middle would sink
+/// in between; a larger one by its nearest point. Points that nothing can move (`immovable` nodes) are left
+/// out. In a fixed order.
+std::vector<Contact> findContacts(const std::vector<Triangle>& surface, const std::vector<char>& immovable,
+                                  const Vectors& before, const Vectors& after, const SphereMove& sphere);
+
+/// Sets the normal to where the point now lies.
+void turnOutward(Contact& contact, const Vectors& before, const Vectors& after, const SphereMove& sphere);
+
+/// How deep the contact's point lies, m; negative outside.
+double depth(const Contact& contact, const Vectors& positions, const SphereMove& sphere);
+
+/// Of contacts as they were found, m; 0 without any.
+double deepest(const std::vector<Contact>& found);
+
+/// Adds those that are not among the contacts yet, the deepest first,
+/// up to `most` in all.
+void mergeContacts(std::vector<Contact>& contacts, std::vector<Contact> found, std::size_t most);
+
+/// Moves what is still inside out along the shortest way.
+void projectOut(const std::vector<Triangle>& surface, const std::vector<char>& immovable,
+                const Vectors& before, const SphereMove& sphere, Vectors& positions);
+
+/// Parts a step should be cut into so that neither the sphere nor tissue in its way moves more than half a
+/// radius.
+int contactParts(const std::vector<Triangle>& surface, const Vectors& positions, const Vectors& velocities,
+                 const SphereMove& sphere, double duration);
+
+} // namespace esm

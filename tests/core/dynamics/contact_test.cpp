@@ -1,0 +1,178 @@
+#include "core/dynamics/simulation.h"
+#include "tests/support/tissue_models.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+using Eigen::Vector3d;
+using tissue::Vectors;
+
+namespace {
+
+/// How far the surface reaches into a sphere, in radii: the deepest of many points of every triangle.
+double penetration(const std::vector<Triangle>& surface, const Vectors& positions, const Sphere& sphere) {
+    constexpr int samples = 12;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b, c] : surface) {
+        const double size = (positions[b] - positions[a]).norm() + (positions[c] - positions[a]).norm();
+        if ((positions[a] - sphere.centre).norm() > sphere.radius + size) continue;
+        for (int i = 0; i <= samples; ++i)
+            for (int j = 0; i + j <= samples; ++j) {
+                const Vector3d point =
+                    (i * positions[a] + j * positions[b] + (samples - i - j) * positions[c]) / samples;
+                nearest = std::min(nearest, (point - sphere.centre).norm());
+            }
+    }
+    return std::max(0.0, 1 - nearest / sphere.radius);
+}
+
+struct Poke {
+    Vector3d start, direction;
+    double depth, speed, radius; ///< m, m/s, m
+};
+
+struct Tissue {
+    TissueModel model;
+    std::vector<Triangle> surface;
+    SimulationSettings settings{};
+};
+
+/// Pushes a sphere in and back out, then waits. Every step must leave nothing inside it.
+Simulation poke(const Tissue& tissue, const Poke& way, double wait) {
+    Simulation simulation(tissue.model, tissue.settings, tissue.surface);
+    const double there = way.depth / way.speed;
+    double deepest = 0, fastest = 0;
+    Loads away;
+    away.instrument = Sphere{way.start, way.radius};
+    EXPECT_TRUE(simulation.step(away));
+    const double begin = simulation.time();
+    while (simulation.time() < begin + 2 * there) {
+        const double time = simulation.time() - begin + simulation.timeStep();
+        const double in = way.speed * (time < there ? time : std::max(0.0, 2 * there - time));
+        Loads loads;
+        loads.instrument = Sphere{way.start + in * way.direction, way.radius};
+        EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
+        if (!simulation.failure().empty()) return simulation;
+        deepest = std::max(deepest, penetration(tissue.surface, simulation.positions(), *loads.instrument));
+        for (const Vector3d& velocity : simulation.velocities())
+            fastest = std::max(fastest, velocity.norm());
+    }
+    EXPECT_LT(deepest, 1e-6);
+    EXPECT_LT(fastest, 20 * way.speed) << "the tissue was thrown";
+    for (const double end = simulation.time() + wait; simulation.time() < end;)
+        EXPECT_TRUE(simulation.step(away)) << simulation.failure();
+    return simulation;
+}
+
+Tissue membrane(int perSide, const tissue::Parameters& parameters, Integrator integrator) {
+    const TriangleMesh mesh = tissue::gridMesh(perSide, 0.1);
+    Tissue result{tissue::fromMesh(mesh, parameters), mesh.triangles};
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i)
+        if (std::abs(mesh.vertices[i].x()) > 0.0499 || std::abs(mesh.vertices[i].y()) > 0.0499)
+            result.model.fixedNodes.push_back(i);
+    // A flat net of unstretched springs does not resist going out of its plane.
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i)
+        result.model.tethers.push_back({i, 1, 0.02});
+    result.settings.integrator = integrator;
+    return result;
+}
+
+/// Of the node farthest from its rest position, m.
+double displacement(const Simulation& simulation, const Tissue& tissue) {
+    double largest = 0;
+    for (std::size_t i = 0; i < simulation.positions().size(); ++i)
+        largest =
+            std::max(largest, (simulation.positions()[i] - tissue.model.network->restPositions[i]).norm());
+    return largest;
+}
+
+constexpr tissue::Parameters soft{20, 0.4, 1e-4};
+const std::vector<Integrator> all{Integrator::Euler, Integrator::Split, Integrator::Split2};
+
+TEST(Contact, MembraneGivesWayAndSpringsBack) {
+    for (const Integrator integrator : all)
+        for (const double speed : {0.06, 0.3, 3.0}) {
+            if (integrator == Integrator::Euler && speed < 0.1) continue; // too many short steps for a test
+            SCOPED_TRACE(std::string(integratorName(integrator)) + " at " + std::to_string(speed) + " m/s");
+            const Tissue tissue = membrane(21, soft, integrator);
+            const Simulation simulation =
+                poke(tissue, {{0.003, 0.002, 0.02}, {0, 0, -1}, 0.03, speed, 0.01}, 1);
+            EXPECT_LT(displacement(simulation, tissue), 0.003);
+        }
+}
+
+TEST(Contact, SmallSphereDoesNotSlipBetweenNodes) {
+    for (const Integrator integrator : all)
+        for (const Vector3d& side : {Vector3d(0, 0, 0), Vector3d(0.007, 0.002, 0), Vector3d(0.01, 0.01, 0)}) {
+            SCOPED_TRACE(std::string(integratorName(integrator)));
+            const Tissue tissue = membrane(7, soft, integrator);
+            Simulation simulation =
+                poke(tissue, {side + Vector3d(0, 0, 0.01), {0, 0, -1}, 0.02, 0.1, 0.002}, 1);
+            EXPECT_LT(displacement(simulation, tissue), 0.003);
+        }
+}
+
+TEST(Contact, ClosedOrganIsDentedFromOutside) {
+    const TriangleMesh mesh = tissue::sphereMesh(4, 0.05);
+    for (const double speed : {0.05, 1.0}) {
+        Tissue organ{tissue::fromMesh(mesh, soft), mesh.triangles};
+        for (std::uint32_t i = 0; i < mesh.vertices.size(); i += 3)
+            organ.model.tethers.push_back({i, 5, 0.1});
+        SCOPED_TRACE(speed);
+        const Simulation simulation = poke(organ, {{0.08, 0, 0}, {-1, 0, 0}, 0.05, speed, 0.015}, 2);
+        EXPECT_LT(displacement(simulation, organ), 0.003);
+    }
+}
+
+TEST(Contact, FixedTissueLetsTheSpherePass) {
+    Tissue tissue = membrane(9, soft, Integrator::Auto);
+    tissue.model.fixedNodes.clear();
+    for (std::uint32_t i = 0; i < 81; ++i)
+        tissue.model.fixedNodes.push_back(i);
+    Simulation simulation(tissue.model, tissue.settings, tissue.surface);
+    for (int i = 0; i < 100; ++i) {
+        Loads loads;
+        loads.instrument = Sphere{{0, 0, 0.02 - 0.0004 * i}, 0.01};
+        ASSERT_TRUE(simulation.step(loads));
+    }
+    EXPECT_EQ(simulation.positions(), tissue.model.network->restPositions);
+}
+
+TEST(Contact, RestingInstrumentDoesNotMakeTheTissueTremble) {
+    const Tissue tissue = membrane(21, soft, Integrator::Auto);
+    Simulation simulation(tissue.model, tissue.settings, tissue.surface);
+    Loads loads;
+    for (int i = 0; i < 600; ++i) {
+        loads.instrument = Sphere{{0.003, 0.002, std::max(-0.002, 0.012 - 0.0002 * i)}, 0.01};
+        ASSERT_TRUE(simulation.step(loads));
+    }
+    for (const Vector3d& velocity : simulation.velocities())
+        EXPECT_LT(velocity.norm(), 1e-4);
+    EXPECT_LT(simulation.positions()[220].z(), -0.01);
+}
+
+TEST(Contact, ContactDragsTheNeighboursOfLedNodesNotTheLedOnes) {
+    const Tissue tissue = membrane(21, soft, Integrator::Split);
+    Simulation simulation(tissue.model, tissue.settings, tissue.surface);
+    Loads loads;
+    loads.held = {{220, tissue.model.network->restPositions[220] + Vector3d(0, 0, 0.002)}};
+    for (int i = 0; i < 100; ++i) {
+        loads.instrument = Sphere{{0.025, 0, 0.02 - 0.0002 * i}, 0.01};
+        ASSERT_TRUE(simulation.step(loads));
+        EXPECT_EQ(simulation.positions()[220], loads.held[0].position);
+        EXPECT_LT(penetration(tissue.surface, simulation.positions(), *loads.instrument), 1e-6);
+    }
+}
+
+TEST(Contact, ASphereThatSwallowsTheOrganPushesItOut) {
+    const TriangleMesh mesh = tissue::sphereMesh(3, 0.01);
+    Tissue organ{tissue::fromMesh(mesh, soft), mesh.triangles};
+    Simulation simulation(organ.model, organ.settings, organ.surface);
+    Loads loads;
+    loads.instrument = Sphere{{0.005, 0, 0}, 0.02};
+    for (int i = 0; i < 20; ++i)
+        ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
+    EXPECT_LT(penetration(organ.surface, simulation.positions(), *loads.instrument), 1e-6);
+}
+
+} // namespace
