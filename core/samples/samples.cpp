@@ -1,0 +1,75 @@
+#include "core/samples/samples.h"
+
+#include "core/exchange/fuzzy_file.h"
+#include "core/geometry/adjacency.h"
+#include "core/samples/organs.h"
+#include "core/support/errors.h"
+
+#include <array>
+
+namespace esm {
+
+namespace {
+
+struct Sample {
+    const char* name;
+    Project (*make)();
+};
+
+constexpr std::array samples{Sample{"tube", makeTube}, Sample{"uterus", makeUterus},
+                             Sample{"ventricle", makeVentricle}, Sample{"liver", makeLiver}};
+
+} // namespace
+
+const std::vector<std::string>& sampleNames() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> list;
+        for (const Sample& sample : samples)
+            list.emplace_back(sample.name);
+        return list;
+    }();
+    return names;
+}
+
+Project makeSample(const std::string& name) {
+    std::string known;
+    for (const Sample& sample : samples) {
+        if (name == sample.name) return sample.make();
+        known += (known.empty() ? "" : ", ") + std::string(sample.name);
+    }
+    throw InvalidModel("there is no sample \"" + name + "\"; there are " + known);
+}
+
+RepairedMesh asImported(TriangleMesh mesh) {
+    RepairedMesh surface;
+    const EdgeCounts edges = countEdges(sidesByEdge(mesh.triangles));
+    surface.report.components = connectedParts(mesh.triangles, mesh.vertices.size()).count;
+    surface.report.boundaryEdges = surface.report.boundaryEdgesBefore = edges.boundary;
+    surface.report.nonManifoldEdges = surface.report.nonManifoldEdgesBefore = edges.nonManifold;
+    surface.report.inconsistentEdges = edges.inconsistent;
+    surface.mesh = std::move(mesh);
+    return surface;
+}
+
+Region fuzzyRegion(std::string name, const std::string& preset, NamedValues inputs) {
+    Region region;
+    region.name = std::move(name);
+    region.system = std::make_shared<const FuzzySystem>(fuzzyPreset(preset));
+    region.inputs = std::move(inputs);
+    return region;
+}
+
+InstrumentMotion pokeOf(const TriangleMesh& mesh, const Poke& poke) {
+    const std::optional<RayHit> hit = SurfaceQuery(mesh.vertices, mesh.triangles).firstHit(poke.ray);
+    if (!hit) throw InvalidModel("the instrument's ray misses the sample's surface");
+    const Eigen::Vector3d along = poke.ray.direction.normalized();
+    const Eigen::Vector3d touching = poke.ray.origin + (hit->distance - poke.radius) * along;
+    const Eigen::Vector3d away = touching - poke.depth * along, deepest = touching + poke.depth * along;
+    return {poke.radius,
+            {{0, away},
+             {0.4 * poke.duration, deepest},
+             {0.6 * poke.duration, deepest},
+             {0.9 * poke.duration, away}}};
+}
+
+} // namespace esm
