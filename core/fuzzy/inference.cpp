@@ -14,10 +14,13 @@ namespace {
 struct ClippedSet {
     double start, rise, fall, end;
     double height;
+    double riseWidth, fallWidth; ///< of the whole set, over which its degree goes from 0 to 1 and back
 };
 
 ClippedSet clip(const Trapezoid& set, double height) {
-    return {set.a, set.a + height * (set.b - set.a), set.d - height * (set.d - set.c), set.d, height};
+    const double riseWidth = set.b - set.a, fallWidth = set.d - set.c;
+    const double rise = set.a + height * riseWidth, fall = set.d - height * fallWidth;
+    return {set.a, rise, fall, set.d, height, riseWidth, fallWidth};
 }
 
 /// A straight piece of a set over one interval.
@@ -25,17 +28,10 @@ struct Piece {
     double left, right; ///< degrees at the interval's ends
 };
 
+/// The interval lies within the set, and none of the set's bends within the interval.
 Piece pieceOver(const ClippedSet& set, double left, double right) {
-    const double middle = 0.5 * (left + right);
-    if (middle <= set.start || middle >= set.end) return {0, 0};
-    if (middle < set.rise) {
-        const double slope = set.height / (set.rise - set.start);
-        return {(left - set.start) * slope, (right - set.start) * slope};
-    }
-    if (middle > set.fall) {
-        const double slope = set.height / (set.end - set.fall);
-        return {(set.end - left) * slope, (set.end - right) * slope};
-    }
+    if (right <= set.rise) return {(left - set.start) / set.riseWidth, (right - set.start) / set.riseWidth};
+    if (left >= set.fall) return {(set.end - left) / set.fallWidth, (set.end - right) / set.fallWidth};
     return {set.height, set.height};
 }
 
@@ -54,6 +50,13 @@ struct Gravity {
 
 /// Working memory of one inference, so that its outputs share it.
 struct Workspace {
+    explicit Workspace(std::size_t mostTerms) {
+        degrees.reserve(mostTerms);
+        sets.reserve(mostTerms);
+        breaks.reserve(4 * mostTerms);
+        pieces.reserve(mostTerms);
+    }
+
     std::vector<double> degrees;  ///< per term of the output at hand
     std::vector<ClippedSet> sets; ///< those with a degree above 0
     std::vector<double> breaks;   ///< where a set bends, in rising order
@@ -128,8 +131,11 @@ std::optional<double> defuzzify(const FuzzyVariable& variable, Workspace& work) 
         if (!(left < right)) continue;
         work.pieces.clear();
         for (const ClippedSet& set : work.sets)
-            if (set.start < right && set.end > left) work.pieces.push_back(pieceOver(set, left, right));
-        if (!work.pieces.empty()) addEnvelope(gravity, work.pieces, left, right);
+            if (set.start <= left && set.end >= right) work.pieces.push_back(pieceOver(set, left, right));
+        if (work.pieces.size() == 1)
+            gravity.add(left, right, work.pieces[0].left, work.pieces[0].right);
+        else if (!work.pieces.empty())
+            addEnvelope(gravity, work.pieces, left, right);
     }
     const double centre =
         gravity.area > 0 ? gravity.origin + gravity.moment / gravity.area : centreOfPoints(work.sets);
@@ -148,6 +154,13 @@ double firingDegree(const FuzzySystem& system, const FuzzyRule& rule,
     return degree;
 }
 
+std::size_t mostTerms(const std::vector<FuzzyVariable>& variables) {
+    std::size_t most = 0;
+    for (const FuzzyVariable& variable : variables)
+        most = std::max(most, variable.terms.size());
+    return most;
+}
+
 } // namespace
 
 InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional<double>>& inputs) {
@@ -156,7 +169,7 @@ InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional
     for (const FuzzyRule& rule : system.rules)
         result.firing.push_back(firingDegree(system, rule, inputs));
 
-    Workspace work;
+    Workspace work(mostTerms(system.outputs));
     result.outputs.reserve(system.outputs.size());
     for (std::size_t output = 0; output < system.outputs.size(); ++output) {
         const FuzzyVariable& variable = system.outputs[output];
@@ -202,7 +215,8 @@ std::string inWords(const FuzzyVariable& variable, double value) {
     for (const auto& [degree, name] : degrees) {
         char number[16];
         std::snprintf(number, sizeof number, "%.2f", degree);
-        words += (words.empty() ? "" : ", ") + *name + " " + number;
+        if (!words.empty()) words += ", ";
+        words.append(*name).append(" ").append(number);
     }
     return words.empty() ? "none" : words;
 }

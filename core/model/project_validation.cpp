@@ -11,11 +11,6 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-void append(Problems& problems, const std::string& place, const Problems& found) {
-    for (const std::string& problem : found)
-        problems.push_back(place + ": " + problem);
-}
-
 Problems meshProblems(const TriangleMesh& mesh) {
     Problems problems;
     reportOffenders(
@@ -36,13 +31,13 @@ void requireValue(Problems& problems, const std::string& name, double value, boo
 
 Problems regionProblems(const Region& region) {
     Problems problems;
-    if (region.ellipsoid) append(problems, "ellipsoid", validate(*region.ellipsoid));
+    if (region.ellipsoid) addUnder(problems, "ellipsoid", validate(*region.ellipsoid));
     if (region.held.springConstant)
         requireValue(problems, "the spring constant", *region.held.springConstant, true);
     if (region.held.viscosity) requireValue(problems, "the viscosity", *region.held.viscosity, true);
     if (region.held.mass) requireValue(problems, "the mass", *region.held.mass, false);
     if (!region.system) return problems;
-    append(problems, "fuzzy system " + region.system->name, validate(*region.system));
+    addUnder(problems, "fuzzy system " + region.system->name, validate(*region.system));
     try {
         orderedInputs(*region.system, region.inputs);
     } catch (const InvalidModel& error) {
@@ -93,18 +88,18 @@ std::vector<std::string> validate(const Project& project) {
     if (!project.mesh || !project.network || !project.importReport)
         return {"the project has no organ; import a mesh"};
     Problems problems;
-    append(problems, "mesh", meshProblems(*project.mesh));
-    append(problems, "model", networkProblems(project));
-    append(problems, "scene", validate(project.scene, project.network->restPositions.size()));
+    addUnder(problems, "mesh", meshProblems(*project.mesh));
+    addUnder(problems, "model", networkProblems(project));
+    addUnder(problems, "scene", validate(project.scene, project.network->restPositions.size()));
     for (std::size_t i = 0; i < project.regions.size(); ++i)
-        append(problems, "region " + std::to_string(i + 1) + " (" + project.regions[i].name + ")",
-               regionProblems(project.regions[i]));
+        addUnder(problems, "region " + std::to_string(i + 1) + " (" + project.regions[i].name + ")",
+                 regionProblems(project.regions[i]));
     for (std::size_t i = 0; i < project.photos.size(); ++i)
-        append(problems, "photo " + std::to_string(i + 1) + " (" + project.photos[i].name + ")",
-               photoProblems(project.photos[i]));
-    append(problems, "texture", textureProblems(project));
+        addUnder(problems, "photo " + std::to_string(i + 1) + " (" + project.photos[i].name + ")",
+                 photoProblems(project.photos[i]));
+    addUnder(problems, "texture", textureProblems(project));
     // Only sound parts can be evaluated together.
-    if (problems.empty()) append(problems, "model", validate(evaluateModel(project)));
+    if (problems.empty()) addUnder(problems, "model", validate(evaluateModel(project)));
     return problems;
 }
 

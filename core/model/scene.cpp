@@ -45,8 +45,9 @@ public:
         std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(missing),
                      [this](std::uint32_t node) { return node >= m_nodeCount; });
         reportOffenders(found, "node", "missing", missing);
-        for (const std::string& problem : found)
-            m_problems.push_back(place + ": " + problem + "; " + nodesThereAre());
+        for (std::string& problem : found)
+            problem.append("; ").append(nodesThereAre());
+        add(place, found);
     }
 
     void requirePath(const Path& path, const std::string& place) {
@@ -60,14 +61,10 @@ public:
         if (found.empty())
             reportOffenders(found, "point", "not later than the one before it",
                             placesWhere(path.size(), notRising));
-        for (const std::string& problem : found)
-            m_problems.push_back(place + ": " + problem);
+        add(place, found);
     }
 
-    void add(const std::string& place, const Problems& found) {
-        for (const std::string& problem : found)
-            m_problems.push_back(place + ": " + problem);
-    }
+    void add(const std::string& place, const Problems& found) { addUnder(m_problems, place, found); }
 
     Problems takeProblems() { return std::move(m_problems); }
 

@@ -15,4 +15,11 @@ void reportOffenders(std::vector<std::string>& problems, const std::string& subj
     problems.push_back(text + (offenders.size() > mostNamed ? ", …)" : ")"));
 }
 
+void addUnder(std::vector<std::string>& problems, const std::string& place,
+              const std::vector<std::string>& found) {
+    const std::string prefix = place + ": ";
+    for (const std::string& problem : found)
+        problems.push_back(prefix + problem);
+}
+
 } // namespace esm

@@ -13,6 +13,10 @@ namespace esm {
 void reportOffenders(std::vector<std::string>& problems, const std::string& subject,
                      const std::string& complaint, const std::vector<std::size_t>& offenders);
 
+/// Adds what was found under the place it belongs to: "forces[2]: …".
+void addUnder(std::vector<std::string>& problems, const std::string& place,
+              const std::vector<std::string>& found);
+
 /// The places in 0 … count − 1 where `isBad` holds.
 template<class Predicate> std::vector<std::size_t> placesWhere(std::size_t count, Predicate isBad) {
     std::vector<std::size_t> places;
