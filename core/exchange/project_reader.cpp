@@ -224,12 +224,12 @@ Project readContent(const JsonReader& manifest, Source& source) {
 }
 
 Json readManifest(const ZipReader& archive) {
+    const Bytes text = archive.read(layout::manifest, layout::largestManifest);
+    const char* begin = reinterpret_cast<const char*>(text.data());
     try {
-        const Bytes text = archive.read(layout::manifest, layout::largestManifest);
-        const char* begin = reinterpret_cast<const char*>(text.data());
         return parseJson(begin, begin + text.size());
     } catch (const InvalidModel& error) {
-        throw InvalidModel(std::string("is not a project or is damaged: ") + error.what());
+        throw InvalidModel("the entry " + std::string(layout::manifest) + ": " + error.what());
     }
 }
 

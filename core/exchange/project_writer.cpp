@@ -21,8 +21,12 @@ namespace {
 struct Content {
     Json arrays = Json::object(); ///< number of elements by entry
     std::vector<ZipEntry> entries;
+    std::vector<std::string> problems;
 
     template<typename T> void add(const char* name, const std::vector<T>& values) {
+        if constexpr (std::is_floating_point_v<T>)
+            if (std::any_of(values.begin(), values.end(), [](T value) { return !std::isfinite(value); }))
+                problems.push_back(std::string(name) + " would hold a number that is not finite");
         arrays[name] = values.size();
         ZipEntry entry{name, {}, true};
         entry.content.reserve(values.size() * sizeof(T));
@@ -152,7 +156,7 @@ Json manifestOf(const Project& project, Content& content) {
 
 /// What would make a file that cannot be loaded again.
 std::vector<std::string> problemsOf(const Project& project, const Json& manifest, const Content& content) {
-    std::vector<std::string> problems;
+    std::vector<std::string> problems = content.problems;
     for (const PhotoLayer& layer : project.photos) {
         if (layer.photo->encoded.empty()) problems.push_back("the photo " + layer.name + " has no file");
         try {

@@ -90,7 +90,7 @@ Bytes ZipReader::read(const std::string& entry, std::uint64_t largest) const {
     const File file(zip_fopen_index(m_handle->archive.get(), static_cast<zip_uint64_t>(index), 0));
     if (!file) throw InvalidModel("the entry " + entry + " is damaged or encrypted");
     Bytes content;
-    constexpr std::size_t chunk = 1 << 20;
+    const auto chunk = static_cast<std::size_t>(std::min<std::uint64_t>(1 << 20, largest + 1));
     while (true) {
         const std::size_t before = content.size();
         content.resize(before + chunk);

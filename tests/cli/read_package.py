@@ -1,0 +1,295 @@
+#!/usr/bin/env python3
+"""Reads a model package with the standard library alone, by docs/model-package.md and the glTF 2.0 rules.
+
+    read_package.py PACKAGE.glb [--project PROJECT.esm] [--tissue TISSUE.json]
+
+Checks the rules of glTF and of ESM_spring_mass; with --project, that every array is the project's rounded to
+float32; with --tissue, that the evaluated tissue is the one given (lists mass, spring_constant, viscosity, tethers,
+fixed). Prints every problem and exits 1, or prints the counts as one JSON object and exits 0.
+"""
+import argparse
+import json
+import math
+import struct
+import sys
+import zipfile
+import zlib
+
+FLOAT, UNSIGNED = 5126, 5125
+COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+FORMATS = {FLOAT: "f", UNSIGNED: "I"}
+problems = []
+
+
+def check(condition, problem):
+    if not condition:
+        problems.append(problem)
+    return condition
+
+
+def float32(values):
+    return list(struct.unpack("<%df" % len(values), struct.pack("<%df" % len(values), *values)))
+
+
+def read_glb(content):
+    magic, version, length = struct.unpack_from("<III", content, 0)
+    check(magic == 0x46546C67 and version == 2, "no glTF 2 header")
+    check(length == len(content), "the header speaks of %d bytes, the file has %d" % (length, len(content)))
+    chunks, place = [], 12
+    while place < length:
+        size, kind = struct.unpack_from("<II", content, place)
+        check(size % 4 == 0, "the chunk at %d is not padded to 4 bytes" % place)
+        chunks.append((kind, content[place + 8:place + 8 + size]))
+        place += 8 + size
+    check([kind for kind, _ in chunks] == [0x4E4F534A, 0x004E4942], "the chunks are not JSON and BIN")
+    return json.loads(chunks[0][1].decode("utf-8")), chunks[1][1]
+
+
+class Gltf:
+    def __init__(self, content):
+        self.json, self.binary = read_glb(content)
+        self.arrays = {}
+
+    def view(self, index):
+        view = self.json["bufferViews"][index]
+        check(view["buffer"] == 0, "bufferView %d is of another buffer" % index)
+        offset, size = view.get("byteOffset", 0), view["byteLength"]
+        check(size > 0 and offset + size <= len(self.binary), "bufferView %d is out of bounds" % index)
+        return offset, size
+
+    def file(self, index):
+        offset, size = self.view(index)
+        return self.binary[offset:offset + size]
+
+    def array(self, index):
+        """The numbers of an accessor, flat."""
+        if index in self.arrays:
+            return self.arrays[index]
+        accessor = self.json["accessors"][index]
+        kind, components = accessor["componentType"], COMPONENTS[accessor["type"]]
+        view_offset, view_size = self.view(accessor["bufferView"])
+        offset, count = accessor.get("byteOffset", 0), accessor["count"] * components
+        check(accessor["count"] > 0, "accessor %d is empty" % index)
+        check(kind in FORMATS, "accessor %d is neither float nor unsigned int" % index)
+        check((view_offset + offset) % 4 == 0, "accessor %d is not aligned" % index)
+        check(offset + 4 * count <= view_size, "accessor %d reaches beyond its bufferView" % index)
+        values = list(struct.unpack_from("<%d%s" % (count, FORMATS[kind]), self.binary, view_offset + offset))
+        if kind == FLOAT:
+            check(all(math.isfinite(value) for value in values), "accessor %d is not finite" % index)
+        for key, extreme in (("min", min), ("max", max)):
+            if key in accessor:
+                true = [extreme(values[i::components]) for i in range(components)]
+                check(accessor[key] == true, "accessor %d: %s is not true" % (index, key))
+        self.arrays[index] = values
+        return values
+
+
+def check_png(content, size, name):
+    if not check(content[:8] == b"\x89PNG\r\n\x1a\n", name + " is no PNG"):
+        return
+    place, chunks = 8, {}
+    while place < len(content):
+        length, kind = struct.unpack_from(">I4s", content, place)
+        body = content[place + 8:place + 8 + length]
+        crc, = struct.unpack_from(">I", content, place + 8 + length)
+        check(crc == zlib.crc32(kind + body), name + " has a damaged chunk")
+        chunks[kind] = chunks.get(kind, b"") + body
+        place += 12 + length
+    width, height = struct.unpack_from(">II", chunks[b"IHDR"])
+    check((width, height) == (size, size), "%s is %d x %d" % (name, width, height))
+    channels = {2: 3, 6: 4}[chunks[b"IHDR"][9]]
+    check(len(zlib.decompress(chunks[b"IDAT"])) == height * (1 + channels * width), name + " is not whole")
+
+
+def check_primitive(gltf, primitive, name):
+    attributes = primitive["attributes"]
+    accessors = gltf.json["accessors"]
+    positions = accessors[attributes["POSITION"]]
+    check("min" in positions and "max" in positions, name + ": POSITION has no min and max")
+    for attribute, accessor in attributes.items():
+        check(accessors[accessor]["count"] == positions["count"], "%s: %s is of another length" % (name, attribute))
+        check(accessors[accessor]["componentType"] == FLOAT, "%s: %s is not float" % (name, attribute))
+    for attribute, kind in (("POSITION", "VEC3"), ("NORMAL", "VEC3"), ("TEXCOORD_0", "VEC2")):
+        if attribute in attributes:
+            check(accessors[attributes[attribute]]["type"] == kind, "%s: %s is not %s" % (name, attribute, kind))
+            gltf.array(attributes[attribute])
+    if "NORMAL" in attributes:
+        normals = gltf.array(attributes["NORMAL"])
+        lengths = [math.hypot(*normals[i:i + 3]) for i in range(0, len(normals), 3)]
+        check(all(abs(length - 1) < 5e-4 for length in lengths), name + ": a normal is not of unit length")
+    if "TEXCOORD_0" in attributes:
+        check(all(0 <= value <= 1 for value in gltf.array(attributes["TEXCOORD_0"])), name + ": texture place")
+    if "indices" in primitive:
+        indices = gltf.array(primitive["indices"])
+        check(accessors[primitive["indices"]]["type"] == "SCALAR", name + ": indices are not scalars")
+        check(max(indices) < positions["count"], name + ": an index is out of range")
+        corners = {0: 1, 1: 2, 4: 3}[primitive.get("mode", 4)]
+        check(len(indices) % corners == 0, name + ": indices do not make whole triangles or lines")
+
+
+def check_gltf(gltf):
+    document = gltf.json
+    check(document["asset"]["version"] == "2.0", "asset.version is not 2.0")
+    check("generator" in document["asset"], "no asset.generator")
+    check("ESM_spring_mass" in document["extensionsUsed"], "extensionsUsed does not name ESM_spring_mass")
+    check("extensionsRequired" not in document, "extensionsRequired is there")
+    check(len(document["buffers"]) == 1 and "uri" not in document["buffers"][0], "the buffer is not the BIN chunk")
+    check(0 <= len(gltf.binary) - document["buffers"][0]["byteLength"] <= 3, "the buffer is not as long as BIN")
+    for key in ("accessors", "bufferViews", "nodes", "scenes", "meshes", "materials", "textures", "images", "samplers"):
+        check(document.get(key) != [], key + " is an empty list")
+    for index in range(len(document["bufferViews"])):
+        gltf.view(index)
+    for index in range(len(document["accessors"])):
+        gltf.array(index)
+    for m, mesh in enumerate(document.get("meshes", [])):
+        for p, primitive in enumerate(mesh["primitives"]):
+            check_primitive(gltf, primitive, "mesh %d primitive %d" % (m, p))
+            if "material" in primitive:
+                check(document["materials"][primitive["material"]]["doubleSided"] is True, "a material is one-sided")
+    for texture in document.get("textures", []):
+        sampler = document["samplers"][texture["sampler"]]
+        check(sampler["minFilter"] == 9729, "a texture has mip-maps, which mix neighbouring patches")
+        image = document["images"][texture["source"]]
+        size = document["extensions"]["ESM_spring_mass"]["texture"]["size"]
+        check(image["mimeType"] == "image/png", "a texture is no PNG")
+        check_png(gltf.file(image["bufferView"]), size, "texture page %d" % texture["source"])
+
+
+class Package:
+    """The arrays of ESM_spring_mass by the names of the specification."""
+
+    def __init__(self, gltf):
+        self.gltf = gltf
+        self.json = gltf.json["extensions"]["ESM_spring_mass"]
+        check(self.json["version"] == 1, "another version of the extension")
+        check(self.json["damping"] == "isotropic", "another damping")
+        self.nodes, self.springs = self.json["nodes"], self.json["springs"]
+        self.node_count, self.spring_count = self.nodes["count"], self.springs["count"]
+
+    def array(self, group, key, count, components=1):
+        if group.get("count", 1) == 0 or key not in group:
+            check(count == 0, "%s is missing" % key)
+            return []
+        values = self.gltf.array(group[key])
+        check(len(values) == count * components, "%s has %d numbers, not %d" % (key, len(values), count * components))
+        return values
+
+    def check(self):
+        group = self.nodes
+        self.rest = self.array(group, "restPosition", self.node_count, 3)
+        self.mass, self.node_c, self.node_d = (
+            self.array(group, key, self.node_count) for key in ("mass", "springConstant", "viscosity"))
+        check(all(mass > 0 for mass in self.mass), "a mass is not above 0")
+        check(all(value >= 0 for value in self.node_c + self.node_d), "a parameter is below 0")
+        group = self.springs
+        self.ends = self.array(group, "nodes", self.spring_count, 2)
+        check(all(end < self.node_count for end in self.ends), "a spring's node is out of range")
+        self.lengths = self.array(group, "restLength", self.spring_count)
+        for key, of_nodes in (("springConstant", self.node_c), ("viscosity", self.node_d)):
+            for i, value in enumerate(self.array(group, key, self.spring_count)):
+                mean = (of_nodes[self.ends[2 * i]] + of_nodes[self.ends[2 * i + 1]]) / 2
+                check(abs(value - mean) <= 1e-6 * mean + 1e-37, "%s of spring %d is not its ends' mean" % (key, i))
+        group = self.json["tethers"]
+        self.tethers = [self.array(group, key, group["count"]) for key in ("nodes", "springConstant", "viscosity")]
+        group = self.json["fixedNodes"]
+        self.fixed = self.array(group, "nodes", group["count"])
+        check(all(node < self.node_count for node in self.tethers[0] + self.fixed), "a tied node is out of range")
+        check(sorted(set(self.fixed)) == self.fixed, "fixed nodes are not sorted, each once")
+        surface = self.json["surface"]
+        self.vertices = self.array(surface, "restPosition", surface["vertexCount"], 3)
+        self.vertex_nodes = self.array(surface, "vertexNodes", surface["vertexCount"])
+        self.triangles = self.array(surface, "triangles", surface["triangleCount"], 3)
+        check(all(node < self.node_count for node in self.vertex_nodes), "a vertex's node is out of range")
+        check(all(vertex < surface["vertexCount"] for vertex in self.triangles), "a triangle's vertex is out of range")
+        for region in self.json["regions"]:
+            check(region.get("fuzzySystem", -1) < len(self.json["fuzzySystems"]), "a region's fuzzy system is missing")
+        self.check_drawn()
+
+    def check_drawn(self):
+        shown = []
+        for part in self.json["drawn"]:
+            primitive = self.gltf.json["meshes"][part["mesh"]]["primitives"][part["primitive"]]
+            positions = self.gltf.array(primitive["attributes"]["POSITION"])
+            nodes = self.gltf.array(part["vertexNodes"])
+            check(3 * len(nodes) == len(positions), "a drawn vertex has no node")
+            check(all(node < self.node_count for node in nodes), "a drawn vertex's node is out of range")
+            if "triangles" not in part:
+                continue
+            triangles, indices = self.gltf.array(part["triangles"]), self.gltf.array(primitive["indices"])
+            shown += triangles
+            check(len(indices) == 3 * len(triangles), "a drawn triangle belongs to no triangle of the surface")
+            for i, drawn in enumerate(indices):
+                vertex = self.triangles[3 * triangles[i // 3] + i % 3]
+                check(positions[3 * drawn:3 * drawn + 3] == self.vertices[3 * vertex:3 * vertex + 3],
+                      "corner %d is drawn elsewhere" % i)
+                check(nodes[drawn] == self.vertex_nodes[vertex], "corner %d follows another node" % i)
+        check(sorted(shown) == list(range(len(self.triangles) // 3)), "not every triangle is drawn once")
+
+    def counts(self):
+        return {"nodes": self.node_count, "springs": self.spring_count, "triangles": len(self.triangles) // 3,
+                "tethers": len(self.tethers[0]), "fixed": len(self.fixed), "regions": len(self.json["regions"]),
+                "textures": len(self.gltf.json.get("textures", [])), "mass": sum(self.mass)}
+
+
+def project_array(archive, manifest, entry):
+    content = archive.read(entry)
+    form = {"f64": "d", "u32": "I"}[entry.rsplit(".", 1)[1]]
+    return list(struct.unpack("<%d%s" % (manifest["arrays"][entry], form), content))
+
+
+def compare(name, package, project):
+    check(package == project, "%s is not the project's" % name)
+
+
+def compare_project(package, file):
+    with zipfile.ZipFile(file) as archive:
+        manifest = json.loads(archive.read("manifest.json").decode("utf-8"))
+        arrays = {entry: project_array(archive, manifest, entry) for entry in manifest["arrays"]}
+    for name, values, entry in (("rest positions of nodes", package.rest, "network/nodes.f64"),
+                                ("rest lengths", package.lengths, "network/rest-lengths.f64"),
+                                ("rest positions of vertices", package.vertices, "mesh/vertices.f64")):
+        compare(name, values, float32(arrays[entry]))
+    for name, values, entry in (("springs", package.ends, "network/springs.u32"),
+                                ("node of vertex", package.vertex_nodes, "network/vertex-nodes.u32"),
+                                ("triangles", package.triangles, "mesh/triangles.u32")):
+        compare(name, values, arrays[entry])
+    for key in ("name", "base", "regions", "fuzzySystems"):
+        compare(key, package.json[key], manifest[key])
+
+
+def compare_tissue(package, file):
+    with open(file, encoding="utf-8") as stream:
+        tissue = json.load(stream)
+    compare("mass", package.mass, float32(tissue["mass"]))
+    compare("spring constant", package.node_c, float32(tissue["spring_constant"]))
+    compare("viscosity", package.node_d, float32(tissue["viscosity"]))
+    compare("tethered nodes", package.tethers[0], [tether[0] for tether in tissue["tethers"]])
+    compare("spring constant of tethers", package.tethers[1], float32([tether[1] for tether in tissue["tethers"]]))
+    compare("viscosity of tethers", package.tethers[2], float32([tether[2] for tether in tissue["tethers"]]))
+    compare("fixed nodes", package.fixed, tissue["fixed"])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("package")
+    parser.add_argument("--project")
+    parser.add_argument("--tissue")
+    arguments = parser.parse_args()
+    with open(arguments.package, "rb") as stream:
+        gltf = Gltf(stream.read())
+    check_gltf(gltf)
+    package = Package(gltf)
+    package.check()
+    if arguments.project:
+        compare_project(package, arguments.project)
+    if arguments.tissue:
+        compare_tissue(package, arguments.tissue)
+    for problem in problems[:50]:
+        print(problem, file=sys.stderr)
+    if not problems:
+        print(json.dumps(package.counts()))
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,136 @@
+#include "tests/core/exchange/exchange_projects.h"
+
+#include "core/exchange/image_file.h"
+#include "tests/support/test_meshes.h"
+
+namespace esm {
+
+std::shared_ptr<const Photo> gradientPhoto(const std::string& fileName, int size) {
+    Image image{
+        size, size,
+        std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size))};
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            std::uint8_t* pixel = image.at(x, y);
+            pixel[0] = static_cast<std::uint8_t>(255 * x / size);
+            pixel[1] = static_cast<std::uint8_t>(255 * y / size);
+            pixel[2] = static_cast<std::uint8_t>(fileName.size());
+            pixel[3] = x == 0 || y == 0 ? 0 : 255;
+        }
+    return decodePhoto(fileName, encodePng(image));
+}
+
+namespace {
+
+std::shared_ptr<const FuzzySystem> softness() {
+    FuzzySystem system;
+    system.name = "softness";
+    system.note = "for tests; a third is 1/3, \"quoted\"";
+    system.inputs = {{"zeal", 0, 1, {{"low", {0, 0, 1.0 / 3, 2.0 / 3}}, {"high", {1.0 / 3, 2.0 / 3, 1, 1}}}},
+                     {"age", 0, 100, {{"any", {0, 0, 100, 100}}}}};
+    system.outputs = {{"viscosity", 0, 2, {{"thin", {0, 0, 0.5, 1}}, {"thick", {0.5, 1, 2, 2}}}},
+                      {"spring_const", 0, 70, {{"soft", {0, 0, 10, 20}}, {"hard", {10, 20, 70, 70}}}}};
+    system.rules = {{{{0, 0}}, {{0, 1}, {1, 0}}}, {{{0, 1}, {1, 0}}, {{0, 0}, {1, 1}}}};
+    return std::make_shared<FuzzySystem>(system);
+}
+
+std::vector<Region> someRegions() {
+    const auto shared = softness();
+    Region whole, part, held;
+    whole.name = "Rind, „außen\"";
+    whole.system = shared;
+    whole.inputs = {{"zeal", 0.1 + 0.2}};
+    part.name = "part";
+    part.colour = {1, 0, 255};
+    part.ellipsoid =
+        Ellipsoid{{0.01, 0.02, 1e-17},
+                  {0.03, 0.04, 1.0 / 30},
+                  Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()))};
+    part.system = shared;
+    part.inputs = {{"age", 33}, {"zeal", 2.0 / 3}};
+    part.held.viscosity = 0.7;
+    held.name = "";
+    held.ellipsoid = Ellipsoid{{0, 0.05, 0}, {0.02, 0.02, 0.02}, Eigen::Quaterniond::Identity()};
+    held.held = {12.34, std::nullopt, 0.0123};
+    return {whole, part, held};
+}
+
+Scene fullScene() {
+    Scene scene;
+    scene.duration = 1.1;
+    scene.gravity = {-0.0, -9.81, 1e-300};
+    scene.fixed = {
+        {{2, 1}, std::nullopt},
+        {{},
+         Ellipsoid{{0, -0.05, 0},
+                   {0.01, 0.01, 0.01},
+                   Eigen::Quaterniond(Eigen::AngleAxisd(1, Eigen::Vector3d(3, 1, 2).normalized()))}}};
+    scene.tethers = {{3, 2.4, 10.7}, {7, 0.1, 0}};
+    scene.forces = {{4, {0.1, 0, -1.0 / 3}, 0, 0.5}};
+    scene.moves = {{5, {{0, {0, 0, 0}}, {0.7, {0.001, -0.01, 1.0 / 700}}}}};
+    scene.instrument = InstrumentMotion{0.003, {{0, {0, 0, 0.1}}, {1, {0, 0, 0.05}}}};
+    scene.record = {0.02, std::vector<std::uint32_t>{0, 4, 5}};
+    return scene;
+}
+
+std::vector<PhotoLayer> someLayers() {
+    const auto first = gradientPhoto("bild eins.PNG", 40), second = gradientPhoto("b", 16);
+    PhotoLayer below, above, again;
+    below.name = "below";
+    below.photo = first;
+    below.projector.pose =
+        Eigen::Translation3d(0.001, 0, 0.2) * Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX());
+    below.projector.width = 0.07;
+    below.blendPixels = 3.7;
+    above.name = "above";
+    above.photo = second;
+    above.projector.pose = Eigen::Translation3d(0, 0, 0.1) * Eigen::Quaterniond::Identity();
+    above.projector.occlusion = false;
+    above.opacity = 1.0 / 3;
+    again = below;
+    again.name = "again";
+    again.visible = false;
+    return {below, above, again};
+}
+
+} // namespace
+
+Project richProject(std::uint32_t rings) {
+    Project project;
+    project.name = "Prüfling \"7\"";
+    project.mesh = std::make_shared<TriangleMesh>(test::torus(rings, 6, 0.05, 0.02));
+    RepairReport report;
+    report.mergedVertices = 11;
+    report.flippedTriangles = 5;
+    report.components = 1;
+    report.nonManifoldEdgesBefore = 2;
+    report.warnings = {"merged 11 vertices", "turned 5 triangles"};
+    project.importReport = std::make_shared<RepairReport>(report);
+    project.network = std::make_shared<SpringNetwork>(networkFromMesh(*project.mesh));
+    project.base = {20.1, 0.3, 0.21};
+    project.regions = someRegions();
+    project.scene = fullScene();
+    project.photos = someLayers();
+    project.texture.atlas = {128, 1, 1};
+    project.texture.baseColour = {9, 200, 31};
+    project.atlas = std::make_shared<Atlas>(packAtlas(*project.mesh, project.texture.atlas));
+    return project;
+}
+
+Project bareProject() {
+    Project project;
+    project.name = "motion model";
+    project.mesh = std::make_shared<TriangleMesh>();
+    project.importReport = std::make_shared<RepairReport>();
+    SpringNetwork network;
+    for (int i = 0; i < 8; ++i)
+        network.restPositions.emplace_back(0.01 * i, 0, 0);
+    for (std::uint32_t i = 0; i < 7; ++i)
+        network.springs.push_back({i, i + 1, i == 3 ? 0 : 0.01});
+    project.network = std::make_shared<SpringNetwork>(network);
+    project.base = {5, 0.1, 0.5};
+    project.scene.fixed = {{{0, 1, 2, 3, 4, 5}, std::nullopt}};
+    return project;
+}
+
+} // namespace esm

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/model/project.h"
+
+#include <cstdint>
+
+namespace esm {
+
+/// A photo of `size` pixels squared with a colour gradient and a border that fades away.
+std::shared_ptr<const Photo> gradientPhoto(const std::string& fileName, int size);
+
+/// An organ that uses everything a project can hold, with numbers that no decimal notation keeps by chance.
+/// The organ is a ring of `rings` · 12 triangles, 0.07 m in radius.
+Project richProject(std::uint32_t rings = 8);
+
+/// Nodes and springs without a surface, as the uterus' motion model.
+Project bareProject();
+
+} // namespace esm

@@ -1,0 +1,443 @@
+#include "core/exchange/project_file.h"
+
+#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/json_reader.h"
+#include "core/exchange/little_endian.h"
+#include "core/exchange/project_layout.h"
+#include "core/exchange/scene_file.h"
+#include "core/exchange/zip_archive.h"
+#include "core/support/errors.h"
+#include "tests/core/exchange/exchange_projects.h"
+#include "tests/core/exchange/overwrite.h"
+#include "tests/support/full_disk.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+
+namespace esm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+bool sameBits(double a, double b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+template<typename Matrix> bool sameMatrix(const Matrix& a, const Matrix& b) {
+    return std::equal(a.data(), a.data() + a.size(), b.data(), sameBits);
+}
+
+template<typename List, typename Same> bool sameList(const List& a, const List& b, const Same& same) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+bool sameOptional(const std::optional<double>& a, const std::optional<double>& b) {
+    return a.has_value() == b.has_value() && (!a || sameBits(*a, *b));
+}
+
+bool sameEllipsoid(const std::optional<Ellipsoid>& a, const std::optional<Ellipsoid>& b) {
+    return a.has_value() == b.has_value() &&
+           (!a || (sameMatrix(a->centre, b->centre) && sameMatrix(a->radii, b->radii) &&
+                   sameMatrix(a->orientation.coeffs(), b->orientation.coeffs())));
+}
+
+void expectSameMesh(const Project& a, const Project& b) {
+    EXPECT_TRUE(sameList(a.mesh->vertices, b.mesh->vertices, sameMatrix<Eigen::Vector3d>));
+    EXPECT_EQ(a.mesh->triangles, b.mesh->triangles);
+    EXPECT_TRUE(sameList(a.network->restPositions, b.network->restPositions, sameMatrix<Eigen::Vector3d>));
+    EXPECT_TRUE(sameList(a.network->springs, b.network->springs, [](const Spring& s, const Spring& t) {
+        return s.first == t.first && s.second == t.second && sameBits(s.restLength, t.restLength);
+    }));
+    EXPECT_EQ(a.network->vertexNodes, b.network->vertexNodes);
+    for (const auto& [key, count] : project_layout::reportCounts)
+        EXPECT_EQ((*a.importReport).*count, (*b.importReport).*count) << key;
+    EXPECT_EQ(a.importReport->warnings, b.importReport->warnings);
+}
+
+void expectSameRegions(const Project& a, const Project& b) {
+    ASSERT_EQ(a.regions.size(), b.regions.size());
+    for (std::size_t i = 0; i < a.regions.size(); ++i) {
+        const Region &r = a.regions[i], &s = b.regions[i];
+        EXPECT_EQ(r.name, s.name);
+        EXPECT_EQ(r.colour, s.colour);
+        EXPECT_TRUE(sameEllipsoid(r.ellipsoid, s.ellipsoid));
+        ASSERT_EQ(r.system == nullptr, s.system == nullptr);
+        if (r.system) {
+            EXPECT_EQ(toJson(*r.system), toJson(*s.system));
+        }
+        EXPECT_TRUE(sameList(r.inputs, s.inputs, [](const auto& x, const auto& y) {
+            return x.first == y.first && sameBits(x.second, y.second);
+        }));
+        EXPECT_TRUE(sameOptional(r.held.springConstant, s.held.springConstant));
+        EXPECT_TRUE(sameOptional(r.held.viscosity, s.held.viscosity));
+        EXPECT_TRUE(sameOptional(r.held.mass, s.held.mass));
+    }
+}
+
+bool samePath(const Path& a, const Path& b) {
+    return sameList(a, b, [](const PathPoint& p, const PathPoint& q) {
+        return sameBits(p.time, q.time) && sameMatrix(p.value, q.value);
+    });
+}
+
+void expectSameScene(const Scene& a, const Scene& b) {
+    EXPECT_TRUE(sameBits(a.duration, b.duration));
+    EXPECT_TRUE(sameMatrix(a.gravity, b.gravity));
+    EXPECT_TRUE(sameList(a.fixed, b.fixed, [](const NodeSelection& s, const NodeSelection& t) {
+        return s.nodes == t.nodes && sameEllipsoid(s.ellipsoid, t.ellipsoid);
+    }));
+    EXPECT_TRUE(sameList(a.tethers, b.tethers, [](const TetherRule& s, const TetherRule& t) {
+        return s.every == t.every && sameBits(s.springConstant, t.springConstant) &&
+               sameBits(s.viscosity, t.viscosity);
+    }));
+    EXPECT_TRUE(sameList(a.forces, b.forces, [](const NodeForce& s, const NodeForce& t) {
+        return s.node == t.node && sameMatrix(s.force, t.force) && sameBits(s.from, t.from) &&
+               sameBits(s.to, t.to);
+    }));
+    EXPECT_TRUE(sameList(a.moves, b.moves, [](const NodeMove& s, const NodeMove& t) {
+        return s.node == t.node && samePath(s.path, t.path);
+    }));
+    ASSERT_EQ(a.instrument.has_value(), b.instrument.has_value());
+    if (a.instrument) {
+        EXPECT_TRUE(sameBits(a.instrument->radius, b.instrument->radius));
+        EXPECT_TRUE(samePath(a.instrument->path, b.instrument->path));
+    }
+    EXPECT_TRUE(sameBits(a.record.every, b.record.every));
+    EXPECT_EQ(a.record.nodes, b.record.nodes);
+}
+
+void expectSamePhotos(const Project& a, const Project& b) {
+    ASSERT_EQ(a.photos.size(), b.photos.size());
+    for (std::size_t i = 0; i < a.photos.size(); ++i) {
+        const PhotoLayer &p = a.photos[i], &q = b.photos[i];
+        EXPECT_EQ(p.name, q.name);
+        EXPECT_EQ(p.photo->fileName, q.photo->fileName);
+        EXPECT_EQ(p.photo->encoded, q.photo->encoded);
+        EXPECT_EQ(p.photo->image.width, q.photo->image.width);
+        EXPECT_EQ(p.photo->image.pixels, q.photo->image.pixels);
+        EXPECT_TRUE(sameMatrix(p.projector.pose.matrix(), q.projector.pose.matrix()));
+        EXPECT_TRUE(sameBits(p.projector.width, q.projector.width));
+        EXPECT_TRUE(sameBits(p.projector.height, q.projector.height));
+        EXPECT_EQ(p.projector.occlusion, q.projector.occlusion);
+        EXPECT_TRUE(sameBits(p.blendPixels, q.blendPixels));
+        EXPECT_TRUE(sameBits(p.opacity, q.opacity));
+        EXPECT_EQ(p.visible, q.visible);
+    }
+}
+
+void expectSameTexture(const Project& a, const Project& b) {
+    const auto sameOptions = [](const AtlasOptions& o, const AtlasOptions& p) {
+        return o.size == p.size && o.pages == p.pages && o.gap == p.gap;
+    };
+    EXPECT_TRUE(sameOptions(a.texture.atlas, b.texture.atlas));
+    EXPECT_EQ(a.texture.baseColour, b.texture.baseColour);
+    ASSERT_EQ(a.atlas == nullptr, b.atlas == nullptr);
+    if (!a.atlas) return;
+    EXPECT_TRUE(sameOptions(a.atlas->options, b.atlas->options));
+    EXPECT_TRUE(sameBits(a.atlas->texelsPerMetre, b.atlas->texelsPerMetre));
+    EXPECT_TRUE(sameBits(a.atlas->utilisation, b.atlas->utilisation));
+    EXPECT_EQ(a.atlas->page, b.atlas->page);
+    EXPECT_TRUE(sameList(a.atlas->corners, b.atlas->corners, [](const auto& s, const auto& t) {
+        return sameList(s, t, sameMatrix<Eigen::Vector2d>);
+    }));
+}
+
+void expectSame(const Project& a, const Project& b) {
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_TRUE(sameBits(a.base.springConstant, b.base.springConstant));
+    EXPECT_TRUE(sameBits(a.base.viscosity, b.base.viscosity));
+    EXPECT_TRUE(sameBits(a.base.mass, b.base.mass));
+    expectSameMesh(a, b);
+    expectSameRegions(a, b);
+    expectSameScene(a.scene, b.scene);
+    expectSamePhotos(a, b);
+    expectSameTexture(a, b);
+}
+
+class ProjectFile : public testing::Test {
+protected:
+    std::string loadingError() const {
+        try {
+            loadProject(m_file);
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "loaded";
+    }
+
+    /// Saves the rich project with one entry of its archive changed.
+    template<typename Change> void saveChanged(const std::string& name, const Change& change) const {
+        saveProject(richProject(), m_file);
+        const Bytes bytes = readFile(m_file);
+        const ZipReader archive(bytes);
+        const Bytes text = archive.read(project_layout::manifest, 1 << 20);
+        const Json manifest = Json::parse(text.begin(), text.end());
+        std::vector<ZipEntry> entries{{project_layout::manifest, text, true}};
+        for (const auto& array : manifest["arrays"].items())
+            entries.push_back({array.key(), archive.read(array.key(), 1 << 20), true});
+        for (const Json& photo : manifest["photos"]["files"])
+            entries.push_back({photo["entry"], archive.read(photo["entry"], 1 << 20), false});
+        const auto entry =
+            std::find_if(entries.begin(), entries.end(), [&](const ZipEntry& e) { return e.name == name; });
+        ASSERT_NE(entry, entries.end()) << name;
+        change(entries, *entry);
+        overwrite(m_file, makeZip(entries));
+    }
+
+    void saveWithManifest(const std::string& pointer, const Json& value) const {
+        saveChanged(project_layout::manifest, [&](auto&, ZipEntry& entry) {
+            Json manifest = Json::parse(entry.content.begin(), entry.content.end());
+            manifest.at(Json::json_pointer(pointer)) = value;
+            const std::string text = manifest.dump();
+            entry.content.assign(text.begin(), text.end());
+        });
+    }
+
+    TemporaryFolder m_folder;
+    std::filesystem::path m_file = m_folder / "organ.esm";
+};
+
+TEST_F(ProjectFile, ComesBackBitByBit) {
+    const Project project = richProject();
+    saveProject(project, m_file);
+    expectSame(project, loadProject(m_file));
+    EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
+}
+
+TEST_F(ProjectFile, KeepsAModelWithoutSurfaceRegionsOrPhotos) {
+    saveProject(bareProject(), m_file);
+    expectSame(bareProject(), loadProject(m_file));
+}
+
+TEST_F(ProjectFile, SharesWhatWasShared) {
+    saveProject(richProject(), m_file);
+    const Project loaded = loadProject(m_file);
+    EXPECT_EQ(loaded.regions[0].system, loaded.regions[1].system);
+    EXPECT_EQ(loaded.photos[0].photo, loaded.photos[2].photo);
+}
+
+TEST_F(ProjectFile, TheSameProjectGivesTheSameBytes) {
+    saveProject(richProject(), m_file);
+    const Bytes once = readFile(m_file);
+    ::setenv("TZ", "Pacific/Auckland", 1);
+    ::tzset();
+    const std::filesystem::path again = m_folder / "again.esm";
+    saveProject(loadProject(m_file), again);
+    ::unsetenv("TZ");
+    ::tzset();
+    EXPECT_EQ(once, readFile(again));
+}
+
+TEST_F(ProjectFile, AFileCutOffAnywhereIsRefused) {
+    saveProject(richProject(), m_file);
+    const Bytes whole = readFile(m_file);
+    for (std::size_t size = 0; size < whole.size(); size += size < 200 ? 1 : 97) {
+        overwrite(m_file, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
+        ASSERT_THAT(loadingError(), HasSubstr("organ.esm: ")) << size;
+    }
+}
+
+TEST_F(ProjectFile, AFlippedByteIsFoundOrHarmless) {
+    const Project project = richProject();
+    saveProject(project, m_file);
+    const Bytes whole = readFile(m_file);
+    std::size_t refused = 0, tried = 0;
+    for (std::size_t place = 0; place < whole.size(); place += 29, ++tried) {
+        Bytes damaged = whole;
+        damaged[place] = static_cast<std::uint8_t>(damaged[place] ^ (1U << (place % 8)));
+        overwrite(m_file, damaged);
+        try {
+            const Project loaded = loadProject(m_file);
+            expectSame(project, loaded);
+            ASSERT_FALSE(testing::Test::HasFailure()) << "byte " << place;
+        } catch (const FileError&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, tried * 9 / 10);
+}
+
+TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
+    EXPECT_THAT(loadingError(), HasSubstr("does not exist"));
+    EXPECT_THROW(validateProjectFile(m_file), FileError);
+    EXPECT_THROW(loadProject(m_folder.path()), FileError);
+    overwrite(m_file, std::string());
+    EXPECT_THAT(loadingError(), HasSubstr("is empty"));
+    overwrite(m_file, std::string("solid organ\nendsolid\n"));
+    EXPECT_THAT(loadingError(), HasSubstr("no zip archive"));
+    overwrite(m_file, makeZip({{"word/document.xml", {1, 2, 3}, true}}));
+    EXPECT_THAT(loadingError(), HasSubstr("manifest.json is missing"));
+}
+
+TEST_F(ProjectFile, ANewerVersionSaysSo) {
+    saveWithManifest("/version", 2);
+    EXPECT_THAT(loadingError(),
+                HasSubstr("organ.esm: was made by a newer version (2) of the program; this one reads "
+                          "up to 1; update the program"));
+}
+
+struct Damage {
+    const char* pointer;
+    Json value;
+    const char* named; ///< what the message must name
+};
+
+TEST_F(ProjectFile, AnyWrongValueIsRefusedByItsName) {
+    const Json deep = Json::parse(std::string(90, '[') + std::string(90, ']'));
+    const std::vector<Damage> cases{
+        {"/format", "esm-projekt", "not a project"},
+        {"/version", "1", "version"},
+        {"/version", 0, "version"},
+        {"/name", nullptr, "name"},
+        {"/name", 7, "name"},
+        {"/base", Json::array(), "base"},
+        {"/base/mass", "heavy", "mass"},
+        {"/base/mass", -1, "mass"},
+        {"/base/springConstant", nullptr, "springConstant"},
+        {"/regions", Json::object(), "regions"},
+        {"/regions/0", 3, "regions"},
+        {"/regions/0/fuzzySystem", 1, "fuzzySystem"},
+        {"/regions/0/fuzzySystem", -1, "fuzzySystem"},
+        {"/regions/0/colour", {1, 2}, "colour"},
+        {"/regions/0/colour/0", 256, "colour"},
+        {"/regions/0/inputs/0/value", "much", "inputs"},
+        {"/regions/0/inputs/0/variable", "unheard-of", "unheard-of"},
+        {"/regions/1/ellipsoid/radii", {0.1, 0.1}, "radii"},
+        {"/regions/1/ellipsoid/radii", {0.1, 0.1, -0.1}, "region 2"},
+        {"/regions/1/ellipsoid/orientation", {0, 0, 0, 0}, "region 2"},
+        {"/regions/1/ellipsoid/centre", deep, "centre"},
+        {"/fuzzySystems", Json::array(), "fuzzy system"},
+        {"/fuzzySystems/0", Json::object(), "fuzzySystems"},
+        {"/scene", 1, "scene"},
+        {"/scene/duration", "long", "duration"},
+        {"/scene/fixed/0/nodes", {1, 100000}, "scene"},
+        {"/photos/files/0/entry", "photos/none.png", "photos/none.png"},
+        {"/photos/files/0/bytes", 17, "photos/0.PNG"},
+        {"/photos/files/0/bytes", 1e18, "bytes"},
+        {"/photos/layers/0/file", 2, "photo file 2"},
+        {"/photos/layers/0/projector", nullptr, "projector"},
+        {"/photos/layers/0/projector/pose", {1, 0, 0, 0}, "pose"},
+        {"/photos/layers/1/opacity", 1.5, "above"},
+        {"/photos/layers/1/visible", 1, "visible"},
+        {"/texture/size", 1e9, "texture"},
+        {"/texture/size", 1000000000, "texture"},
+        {"/texture/baseColour", "red", "baseColour"},
+        {"/atlas/pages", 0, "atlas"},
+        {"/atlas/gap", -1, "atlas"},
+        {"/importReport/components", -3, "components"},
+        {"/importReport/warnings/0", 1, "warnings"},
+        {"/arrays", nullptr, "arrays"},
+        {"/arrays/mesh~1vertices.f64", 3, "mesh/vertices.f64"},
+        {"/arrays/mesh~1vertices.f64", 145, "mesh/vertices.f64"},
+        {"/arrays/mesh~1triangles.u32", 3000000000000000000U, "mesh/triangles.u32"},
+        {"/arrays/network~1springs.u32", 2, "network/springs.u32"},
+        {"/arrays/atlas~1corners.f64", 6, "atlas/corners.f64"},
+    };
+    for (const Damage& damage : cases) {
+        saveWithManifest(damage.pointer, damage.value);
+        const std::string message = loadingError();
+        EXPECT_THAT(message, testing::AllOf(HasSubstr("organ.esm: "), HasSubstr(damage.named)))
+            << damage.pointer << " = " << damage.value;
+        EXPECT_EQ(message.find('\n'), std::string::npos);
+    }
+}
+
+TEST_F(ProjectFile, DamagedArraysAndPhotosAreRefusedByTheirName) {
+    const auto put = [](std::size_t place, auto value) {
+        return [=](auto&, ZipEntry& entry) {
+            Bytes bytes;
+            appendLittleEndian(bytes, value);
+            std::copy(bytes.begin(), bytes.end(), entry.content.begin() + static_cast<std::ptrdiff_t>(place));
+        };
+    };
+    const auto expectRefused = [&](const char* entry, const auto& change, const char* named) {
+        saveChanged(entry, change);
+        EXPECT_THAT(loadingError(), testing::AllOf(HasSubstr("organ.esm: "), HasSubstr(named)));
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinite = std::numeric_limits<double>::infinity();
+    expectRefused("mesh/vertices.f64", put(8, nan), "mesh/vertices.f64: number 1 is not finite");
+    expectRefused("network/nodes.f64", put(0, infinite), "network/nodes.f64");
+    expectRefused("network/rest-lengths.f64", put(0, -1.0), "spring");
+    expectRefused("network/springs.u32", put(4, 4000000000U), "network/springs.u32: number 1 is 4000000000");
+    expectRefused("network/vertex-nodes.u32", put(0, 48U), "network/vertex-nodes.u32");
+    expectRefused("mesh/triangles.u32", put(0, 48U), "mesh/triangles.u32");
+    expectRefused("atlas/pages.u32", put(0, 1U), "atlas/pages.u32");
+    expectRefused("atlas/corners.f64", put(0, nan), "atlas/corners.f64");
+    expectRefused("photos/0.PNG", put(30, 0U), "photos/0.PNG");
+    expectRefused("photos/1", put(0, 0U), "photos/1");
+    expectRefused(
+        "mesh/vertices.f64", [](auto&, ZipEntry& entry) { entry.content.pop_back(); }, "mesh/vertices.f64");
+    expectRefused(
+        "mesh/vertices.f64", [](auto& entries, ZipEntry&) { entries.erase(entries.begin() + 1); },
+        "mesh/vertices.f64 is missing");
+    expectRefused(
+        "manifest.json", [](auto&, ZipEntry& entry) { entry.content.pop_back(); }, "manifest.json");
+    expectRefused(
+        "manifest.json", [](auto&, ZipEntry& entry) { entry.content.assign(100000, '['); }, "nested");
+}
+
+TEST_F(ProjectFile, AnEntryThatInflatesWithoutEndIsNotUnpacked) {
+    saveChanged("mesh/vertices.f64",
+                [](auto&, ZipEntry& entry) { entry.content.assign(std::size_t{1} << 26, 0); });
+    EXPECT_LT(std::filesystem::file_size(m_file), 1U << 20);
+    EXPECT_THAT(loadingError(), HasSubstr("mesh/vertices.f64 is larger than"));
+}
+
+TEST_F(ProjectFile, ValidationFindsAllProblemsAtOnce) {
+    saveChanged(project_layout::manifest, [](auto& entries, ZipEntry& entry) {
+        Json manifest = Json::parse(entry.content.begin(), entry.content.end());
+        manifest["base"]["mass"] = "heavy";
+        manifest["regions"][1]["ellipsoid"].erase("radii");
+        manifest["photos"]["layers"][0]["file"] = 9;
+        const std::string text = manifest.dump();
+        entry.content.assign(text.begin(), text.end());
+        entries[1].content.pop_back();
+    });
+    const std::string problems = testing::PrintToString(validateProjectFile(m_file));
+    for (const char* named : {"mesh/vertices.f64", "mass", "radii", "photo file 9"})
+        EXPECT_THAT(problems, HasSubstr(named));
+}
+
+TEST_F(ProjectFile, AProjectWithProblemsIsNotSavedOverAGoodOne) {
+    saveProject(richProject(), m_file);
+    const Bytes before = readFile(m_file);
+    Project bad = richProject();
+    bad.base.mass = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(saveProject(bad, m_file), FileError);
+    bad = richProject();
+    bad.photos[0].projector.pose.linear() *= 2;
+    EXPECT_THROW(saveProject(bad, m_file), FileError);
+    bad = richProject();
+    auto atlas = std::make_shared<Atlas>(*bad.atlas);
+    atlas->corners[0][0].x() = std::numeric_limits<double>::infinity();
+    bad.atlas = atlas;
+    EXPECT_THROW(saveProject(bad, m_file), FileError);
+    EXPECT_EQ(before, readFile(m_file));
+}
+
+TEST_F(ProjectFile, AFullDiskLeavesTheOldFile) {
+    saveProject(richProject(), m_file);
+    const Bytes before = readFile(m_file);
+    const Project larger = richProject(40);
+    EXPECT_TRUE(throwsOnFullDisk<FileError>(before.size(), [&] { saveProject(larger, m_file); }));
+    EXPECT_EQ(before, readFile(m_file));
+    const auto files = std::distance(std::filesystem::directory_iterator(m_folder.path()), {});
+    EXPECT_EQ(files, 1);
+}
+
+TEST_F(ProjectFile, NamesThatAreNoUnicodeAreStillSaved) {
+    Project project = richProject();
+    project.name = "Leber \xe4";
+    saveProject(project, m_file);
+    EXPECT_EQ(loadProject(m_file).name, "Leber \xef\xbf\xbd");
+}
+
+} // namespace
+} // namespace esm
