@@ -16,8 +16,12 @@ constexpr double defaultViscosity = 2.877;      // N·s/m
 constexpr double tissueDensity = 1000;  // kg/m³
 constexpr double wallThickness = 0.003; // m, of an open surface
 
-/// The part of the organ's size that a local poke takes along.
+/// The part of the organ's size over which a poke fades.
 constexpr double pokeExtent = 0.15;
+
+/// Within this time viscosity has to overcome inertia, or the organ would wobble like no tissue. Organs of
+/// anatomical size and density stay below it by far.
+constexpr double longestInertia = 0.05; // s
 
 double defaultMass(const TriangleMesh& mesh, bool closed) {
     const double volume = closed ? std::abs(enclosedVolume(mesh)) : 0;
@@ -58,17 +62,27 @@ bool everyPartIsHeld(const SpringNetwork& network, std::uint32_t every) {
     return std::all_of(parts.begin(), parts.end(), [&](std::uint32_t part) { return tethers[part] >= 3; });
 }
 
-/// Tethers that let a poke take along the same part of the organ however fine its mesh is. Springs c and
-/// tethers k per node fade a displacement over a length L = e·sqrt(c/k), e the springs' length; k follows
-/// from the wanted L.
-TetherRule defaultTethers(const SpringNetwork& network, const BaseTissue& base) {
-    TetherRule rule;
-    rule.every = everyPartIsHeld(network, 3) ? 3 : 1;
+/// A tether's share of a spring for which a poke takes along the same part of the organ however fine its mesh
+/// is: springs c and tethers k per node fade a displacement over a length L = e·sqrt(c/k), e the springs'
+/// length.
+double tetherShare(const SpringNetwork& network) {
     const double extent = pokeExtent * boundingBox(network.restPositions).diagonal().norm();
     const double edgesPerExtent = extent / meanRestLength(network);
-    rule.springConstant = rule.every * base.springConstant / (edgesPerExtent * edgesPerExtent);
-    rule.viscosity = rule.springConstant * base.viscosity / base.springConstant;
-    return rule;
+    return 1 / (edgesPerExtent * edgesPerExtent);
+}
+
+/// Default tissue for an organ of this mass. Mass grows with the size's cube and viscosity does not, so what
+/// is larger than any organ (a unit mistaken, say) needs firmer tissue to move like one.
+BaseTissue defaultTissue(double mass, double nodes, double share) {
+    const double inertia = mass / nodes / (share * defaultViscosity); // s, of the organ on its tethers
+    const double firmness = std::max(1.0, inertia / longestInertia);
+    return {firmness * defaultSpringConstant, firmness * defaultViscosity, mass};
+}
+
+/// The surrounding tissue [R 5.1], with the tissue's own relation of viscosity to stiffness.
+TetherRule defaultTethers(const SpringNetwork& network, const BaseTissue& base, double share) {
+    const std::uint32_t every = everyPartIsHeld(network, 3) ? 3 : 1;
+    return {every, every * share * base.springConstant, every * share * base.viscosity};
 }
 
 /// Overwrites the parameters of the nodes inside a region.
@@ -102,13 +116,16 @@ void fix(TissueModel& model, const NodeSelection& selection) {
 Project makeProject(std::string name, RepairedMesh surface, double massKilograms) {
     Project project;
     project.name = std::move(name);
-    project.base.springConstant = defaultSpringConstant;
-    project.base.viscosity = defaultViscosity;
-    project.base.mass =
+    const double mass =
         massKilograms > 0 ? massKilograms : defaultMass(surface.mesh, surface.report.isClosed());
-    project.network = std::make_shared<const SpringNetwork>(networkFromMesh(surface.mesh));
-    if (!project.network->springs.empty())
-        project.scene.tethers.push_back(defaultTethers(*project.network, project.base));
+    const SpringNetwork network = networkFromMesh(surface.mesh);
+    project.base = {defaultSpringConstant, defaultViscosity, mass};
+    if (!network.springs.empty()) {
+        const double share = tetherShare(network);
+        project.base = defaultTissue(mass, static_cast<double>(network.restPositions.size()), share);
+        project.scene.tethers.push_back(defaultTethers(network, project.base, share));
+    }
+    project.network = std::make_shared<const SpringNetwork>(network);
     project.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
     project.importReport = std::make_shared<const RepairReport>(std::move(surface.report));
     return project;
