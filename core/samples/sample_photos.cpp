@@ -29,8 +29,8 @@ Tissue vessels() {
     for (std::size_t i = 0; i < tissue.height.values.size(); ++i)
         tissue.height.values[i] += 1.0 * std::max(arteries.values[i], veins.values[i]);
     tissue.colour = [arteries, veins](double x, double y) {
-        const Colour ground = mottled({0.72, 0.33, 0.29}, {0.9, 0.58, 0.5}, x, y, 41);
-        const Colour withVeins = mixed(ground, {0.5, 0.22, 0.31}, 0.6 * valueAt(veins, x, y));
+        const TissueColour ground = mottled({0.72, 0.33, 0.29}, {0.9, 0.58, 0.5}, x, y, 41);
+        const TissueColour withVeins = mixed(ground, {0.5, 0.22, 0.31}, 0.6 * valueAt(veins, x, y));
         return mixed(withVeins, {0.68, 0.1, 0.1}, 0.7 * valueAt(arteries, x, y));
     };
     tissue.alpha = [](double x, double y) {
@@ -52,7 +52,7 @@ Tissue serosa() {
     tissue.height = bumps(4.5, 3, 54, 91);
     tissue.gloss = 0.8;
     tissue.colour = [capillaries](double x, double y) {
-        const Colour ground = mottled({0.76, 0.4, 0.37}, {0.93, 0.67, 0.6}, x, y, 101);
+        const TissueColour ground = mottled({0.76, 0.4, 0.37}, {0.93, 0.67, 0.6}, x, y, 101);
         return mixed(ground, {0.68, 0.14, 0.15}, 0.6 * valueAt(capillaries, x, y));
     };
     tissue.alpha = [](double x, double y) { return smoothStep(0.5, 0.36, fromMiddle(x, y)); };
@@ -85,9 +85,9 @@ Tissue lesion() {
     tissue.gloss = 0.6;
     tissue.colour = [radius](double x, double y) {
         const double r = valueAt(radius, x, y);
-        const Colour core = mottled({0.8, 0.63, 0.47}, {0.93, 0.82, 0.68}, x, y, 141);
-        const Colour rim = mottled({0.55, 0.17, 0.16}, {0.7, 0.29, 0.26}, x, y, 151);
-        const Colour inside = mixed({0.62, 0.38, 0.27}, core, smoothStep(0.02, 0.4, r));
+        const TissueColour core = mottled({0.8, 0.63, 0.47}, {0.93, 0.82, 0.68}, x, y, 141);
+        const TissueColour rim = mottled({0.55, 0.17, 0.16}, {0.7, 0.29, 0.26}, x, y, 151);
+        const TissueColour inside = mixed({0.62, 0.38, 0.27}, core, smoothStep(0.02, 0.4, r));
         return mixed(inside, rim, smoothStep(0.5, 1.0, r));
     };
     tissue.alpha = [radius](double x, double y) { return smoothStep(1.4, 0.9, valueAt(radius, x, y)); };

@@ -18,14 +18,15 @@ Eigen::Vector3d normalAt(const Field& height, int x, int y) {
 }
 
 /// An endoscope's light comes from the eye: bright where the surface faces it, with small sharp reflections.
-Colour lit(const Colour& colour, const Eigen::Vector3d& normal, double gloss) {
+TissueColour lit(const TissueColour& colour, const Eigen::Vector3d& normal, double gloss) {
     static const Eigen::Vector3d light = Eigen::Vector3d(-0.25, -0.35, 1).normalized();
     const double facing = std::max(0.0, normal.dot(light));
     const double sheen = 0.25 * gloss * smoothStep(0.93, 1, facing);
     const double reflection = gloss * smoothStep(0.9965, 0.9993, facing);
     // light that has passed through tissue fills shadows with red
-    const Colour shade = Colour(0.75, 0.58, 0.58) + facing * facing * Colour(0.27, 0.44, 0.44);
-    return mixed(colour.cwiseProduct(shade), Colour(1, 0.97, 0.94), std::max(sheen, reflection));
+    const TissueColour shade =
+        TissueColour(0.75, 0.58, 0.58) + facing * facing * TissueColour(0.27, 0.44, 0.44);
+    return mixed(colour.cwiseProduct(shade), TissueColour(1, 0.97, 0.94), std::max(sheen, reflection));
 }
 
 std::uint8_t byte(double value) {
@@ -41,7 +42,7 @@ Image pictureOf(const Tissue& tissue) {
     for (int y = 0; y < pictureSize; ++y) {
         for (int x = 0; x < pictureSize; ++x) {
             const double u = (x + 0.5) / pictureSize, v = (y + 0.5) / pictureSize;
-            const Colour colour = lit(tissue.colour(u, v), normalAt(tissue.height, x, y), tissue.gloss);
+            const TissueColour colour = lit(tissue.colour(u, v), normalAt(tissue.height, x, y), tissue.gloss);
             for (const double channel : {colour.x(), colour.y(), colour.z(), tissue.alpha(u, v)})
                 image.pixels.push_back(byte(channel));
         }
@@ -58,7 +59,7 @@ double smoothStep(double from, double to, double value) {
     return t * t * (3 - 2 * t);
 }
 
-Colour mixed(const Colour& a, const Colour& b, double share) {
+TissueColour mixed(const TissueColour& a, const TissueColour& b, double share) {
     return a + std::clamp(share, 0.0, 1.0) * (b - a);
 }
 
@@ -71,7 +72,8 @@ Field bumps(double featuresAcross, int octaves, double height, std::uint32_t see
     return field;
 }
 
-Colour mottled(const Colour& dark, const Colour& pale, double x, double y, std::uint32_t seed) {
+TissueColour mottled(const TissueColour& dark, const TissueColour& pale, double x, double y,
+                     std::uint32_t seed) {
     const double wide = layeredNoise(4 * x, 4 * y, 4, seed),
                  fine = layeredNoise(30 * x, 30 * y, 3, seed + 50);
     return mixed(dark, pale, 0.5 + 1.5 * (wide - 0.5) + 0.5 * (fine - 0.5));

@@ -10,7 +10,7 @@
 
 namespace esm {
 
-using Colour = Eigen::Vector3d; ///< sRGB, 0 to 1
+using TissueColour = Eigen::Vector3d; ///< sRGB, 0 to 1
 
 constexpr int pictureSize = 512;
 
@@ -27,7 +27,7 @@ struct Field {
 /// What a picture is made of: colour and alpha by place (0 to 1 across the picture), and how bumpy and wet it
 /// is.
 struct Tissue {
-    std::function<Colour(double x, double y)> colour;
+    std::function<TissueColour(double x, double y)> colour;
     std::function<double(double x, double y)> alpha;
     Field height; ///< pixels
     double gloss = 0.5;
@@ -41,12 +41,13 @@ double valueAt(const Field& field, double x, double y);
 /// 0 at `from`, 1 at `to`, smooth between them and level beyond.
 double smoothStep(double from, double to, double value);
 
-Colour mixed(const Colour& a, const Colour& b, double share);
+TissueColour mixed(const TissueColour& a, const TissueColour& b, double share);
 
 /// Layered noise of that height (pixels).
 Field bumps(double featuresAcross, int octaves, double height, std::uint32_t seed);
 
 /// Darker and paler patches of several sizes.
-Colour mottled(const Colour& dark, const Colour& pale, double x, double y, std::uint32_t seed);
+TissueColour mottled(const TissueColour& dark, const TissueColour& pale, double x, double y,
+                     std::uint32_t seed);
 
 } // namespace esm

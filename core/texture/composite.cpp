@@ -15,7 +15,7 @@ namespace esm {
 namespace {
 
 /// Bands between two reports of progress.
-constexpr std::size_t bandsPerReport = 32;
+constexpr std::size_t bandsPerReport = 16;
 
 /// Surface this share of the model's size apart hides nothing: the rays know points only to single precision.
 constexpr double hidingTolerance = 1e-4;

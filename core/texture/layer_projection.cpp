@@ -41,7 +41,7 @@ std::optional<TriangleProjection> TriangleProjection::make(const PhotoLayer& lay
     if (layer.projector.occlusion && !facesProjector(projection.m_corners, layer.projector))
         return std::nullopt;
     const double density = pixelsPerTexel(projection.m_places, patch);
-    projection.m_level = density > 1 ? std::log2(density) : 0;
+    projection.m_depth = density > 1 ? std::log2(density) : 0;
     const double margin = 3 * density; // texels around the patch read a little beyond it
     const Eigen::Vector3d low = projection.m_places.rowwise().minCoeff(),
                           high = projection.m_places.rowwise().maxCoeff();
@@ -55,7 +55,7 @@ Eigen::Vector4f TriangleProjection::at(const PatchTexel& texel) const {
     const Eigen::Vector3d place = m_places * texel.extended;
     const double border = borderWeight(place);
     if (border <= 0 || place.z() < -m_surface.tolerance) return Eigen::Vector4f::Zero();
-    Eigen::Vector4f colour = m_sampler.at(place.x(), place.y(), m_level);
+    Eigen::Vector4f colour = m_sampler.at(place.x(), place.y(), m_depth);
     colour.w() *= static_cast<float>(border * m_layer.opacity);
     if (colour.w() > 0 && m_layer.projector.occlusion && isHidden(texel.nearest)) colour.w() = 0;
     return colour;

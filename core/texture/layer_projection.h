@@ -40,7 +40,7 @@ private:
     const LitSurface& m_surface;
     Eigen::Matrix3d m_corners; ///< as columns, m
     Eigen::Matrix3d m_places;  ///< of the corners, as columns: photo pixels and depth (m)
-    double m_level = 0;        ///< of the photo's pyramid
+    double m_depth = 0;        ///< in the photo's pyramid
 };
 
 } // namespace esm

@@ -1,8 +1,9 @@
 #include "core/texture/photo_format.h"
 
-#include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
+#include <zlib.h>
 
 namespace esm {
 
@@ -40,6 +41,10 @@ private:
     ByteOrder m_order;
 };
 
+std::uint32_t checksum(const Bytes& bytes, std::size_t place, std::size_t size) {
+    return static_cast<std::uint32_t>(crc32_z(0, bytes.data() + place, size));
+}
+
 PhotoFormat inspectPng(const Bytes& encoded) {
     const Cursor cursor(encoded, ByteOrder::Big);
     PhotoFormat format;
@@ -50,6 +55,10 @@ PhotoFormat inspectPng(const Bytes& encoded) {
         if (cursor.startsWith("IEND", place + 4)) return format;
         const std::size_t length = cursor.number(place, 4);
         if (!cursor.holds(place, frame + length)) break;
+        if (checksum(encoded, place + 4, 4 + length) != cursor.number(place + 8 + length, 4)) {
+            format.problem = damaged;
+            return format;
+        }
         place += frame + length;
     }
     format.problem = truncated;

@@ -59,20 +59,20 @@ Eigen::Vector4f bilinear(const Image& image, double x, double y) {
 
 } // namespace
 
-PhotoSampler::PhotoSampler(const Image& photo) : m_levels{photo} {
-    while (m_levels.back().width > 1 || m_levels.back().height > 1)
-        m_levels.push_back(halved(m_levels.back()));
+PhotoSampler::PhotoSampler(const Image& photo) : m_photo(photo) {
+    while (level(m_smaller.size()).width > 1 || level(m_smaller.size()).height > 1)
+        m_smaller.push_back(halved(level(m_smaller.size())));
 }
 
-Eigen::Vector4f PhotoSampler::at(double x, double y, double level) const {
-    const double coarsest = static_cast<double>(m_levels.size() - 1);
-    level = std::clamp(level, 0.0, coarsest);
-    const auto fine = static_cast<std::size_t>(level);
-    const auto share = static_cast<float>(level - static_cast<double>(fine));
+Eigen::Vector4f PhotoSampler::at(double x, double y, double depth) const {
+    const double coarsest = static_cast<double>(m_smaller.size());
+    depth = std::clamp(depth, 0.0, coarsest);
+    const auto fine = static_cast<std::size_t>(depth);
+    const auto share = static_cast<float>(depth - static_cast<double>(fine));
     const double scale = std::ldexp(1.0, -static_cast<int>(fine));
-    Eigen::Vector4f colour = bilinear(m_levels[fine], x * scale, y * scale);
+    Eigen::Vector4f colour = bilinear(level(fine), x * scale, y * scale);
     if (share > 0) {
-        const Eigen::Vector4f coarse = bilinear(m_levels[fine + 1], x * scale / 2, y * scale / 2);
+        const Eigen::Vector4f coarse = bilinear(level(fine + 1), x * scale / 2, y * scale / 2);
         const float alpha = (1 - share) * colour.w() + share * coarse.w();
         if (alpha > 0)
             colour.head<3>() =

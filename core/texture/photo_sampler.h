@@ -13,17 +13,20 @@ namespace esm {
 /// do not bleed.
 class PhotoSampler {
 public:
-    explicit PhotoSampler(const Image& photo);
+    explicit PhotoSampler(const Image& photo); ///< which must outlive the sampler
 
     /// Red, green, blue 0 to 255 and alpha 0 to 1 at a place in photo pixels from the top left corner, a
-    /// pixel's centre at 0.5. `level` 0 reads the photo itself, each further level averages twice as wide.
-    Eigen::Vector4f at(double x, double y, double level) const;
+    /// pixel's centre at 0.5. `depth` 0 reads the photo itself, each further one averages twice as wide.
+    Eigen::Vector4f at(double x, double y, double depth) const;
 
-    int width() const { return m_levels.front().width; }
-    int height() const { return m_levels.front().height; }
+    int width() const { return m_photo.width; }
+    int height() const { return m_photo.height; }
 
 private:
-    std::vector<Image> m_levels;
+    const Image& level(std::size_t index) const { return index == 0 ? m_photo : m_smaller[index - 1]; }
+
+    const Image& m_photo;
+    std::vector<Image> m_smaller; ///< each half the size of the one before
 };
 
 } // namespace esm

@@ -1,6 +1,9 @@
 #include "core/texture/composite.h"
 
+#include "core/exchange/mesh_file.h"
+#include "core/geometry/repair.h"
 #include "core/support/errors.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/test_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -317,4 +320,33 @@ TEST(SeamError, IsSmallForASmoothPhotoAndSeesAForeignColour) {
     const Eigen::Vector2d middle = (atlas.corners[100][0] + atlas.corners[100][1]) / 2;
     pages[0].at(int(middle.x()), int(middle.y()))[1] ^= 0x80;
     EXPECT_GT(seamError(mesh, atlas, pages), 10);
+}
+
+TEST(Composite, LaysARealPhotoOnARealLiver) {
+    ESM_SKIP_WITHOUT(sharedData("meshes/VH_M_Liver.glb"));
+    ESM_SKIP_WITHOUT(sharedData("images/lap-liver-gallbladder.jpg"));
+    const TriangleMesh mesh = repair(readMeshFile(sharedData("meshes/VH_M_Liver.glb"))).mesh;
+    const Atlas atlas = packAtlas(mesh, {1024, 1, 1});
+    const Eigen::AlignedBox3d box = boundingBox(mesh.vertices);
+    PhotoLayer layer;
+    layer.photo = loadPhoto(sharedData("images/lap-liver-gallbladder.jpg"));
+    layer.projector.pose.translation() = box.center() + Eigen::Vector3d(0, 0, box.sizes().z());
+    layer.projector.width = 0.4;
+    layer.projector.height = 0.4 * 1080 / 1920;
+    const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
+    std::size_t lit = 0, untouchedBack = 0, back = 0;
+    forEachTexelInside(mesh, atlas, pages, [&](auto&, const Colour& colour, std::size_t triangle) {
+        const Triangle& t = mesh.triangles[triangle];
+        const Eigen::Vector3d u = mesh.vertices[t[1]] - mesh.vertices[t[0]];
+        const Eigen::Vector3d v = mesh.vertices[t[2]] - mesh.vertices[t[0]];
+        const bool faces = u.cross(v).z() > 0;
+        lit += faces && colour != base ? 1 : 0;
+        back += faces ? 0 : 1;
+        untouchedBack += !faces && colour == base ? 1 : 0;
+    });
+    EXPECT_EQ(untouchedBack, back);
+    const auto covered = double(coverage(mesh, atlas, layer).texels);
+    EXPECT_LE(double(lit), covered);
+    EXPECT_GT(double(lit), 0.999 * covered); // a slight weight may leave the base colour as it is
+    EXPECT_GT(lit, 10000U);
 }

@@ -124,8 +124,8 @@ TEST(Photo, RefusesADamagedPng) {
 TEST(Photo, RefusesWhatIsNoPictureOrTooLarge) {
     EXPECT_THAT(refusal({}), HasSubstr("empty"));
     EXPECT_THAT(refusal({'h', 'e', 'l', 'l', 'o'}), HasSubstr("not a PNG, JPEG, BMP or TIFF"));
-    Bytes lying = encoded(".png", noise(8, 8, CV_8UC3));
-    lying[16] = lying[20] = 0x7f; // claims two thousand million pixels each way
+    Bytes lying = encoded(".bmp", noise(8, 8, CV_8UC3));
+    lying[21] = lying[25] = 0x7f; // claims two thousand million pixels each way
     EXPECT_THAT(refusal(lying), HasSubstr("200 megapixels"));
 }
 
