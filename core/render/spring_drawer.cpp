@@ -8,7 +8,7 @@ namespace esm {
 namespace {
 
 constexpr float liftShare = 0.004F;                      // of the organ's size
-constexpr float colouredWidth = 1.5F, quietWidth = 1.1F; // pixels
+constexpr float colouredWidth = 1.5F, quietWidth = 1.0F; // pixels
 
 std::array<std::uint8_t, 4> opaque(const Colour& colour) {
     return {colour[0], colour[1], colour[2], 255};
@@ -29,8 +29,9 @@ void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vecto
         m_points.upload(nodes, frame);
         m_nodes = nodes;
     }
-    // Without a surface nothing else hides the far springs behind the near ones.
-    m_gl.DepthMask(overSurface ? GL_FALSE : GL_TRUE);
+    // Where a surface is hidden nothing else puts the far springs behind the near ones. A few bare springs
+    // need no such order, and would cut into their nodes' dots.
+    m_gl.DepthMask(overSurface || bare ? GL_FALSE : GL_TRUE);
     const LineStyle style{1, overSurface ? liftShare * frame.size : 0, true};
     if (scene.showSprings || bare) {
         lines.draw(m_points, m_quiet, style, frame);
@@ -54,7 +55,7 @@ void SpringDrawer::takeSprings(const RenderScene& scene, bool overSurface) {
     const auto& springs = m_network->springs;
     const bool valued = m_values && m_values->size() == springs.size();
     const double range = m_maximum > m_minimum ? m_maximum - m_minimum : 1;
-    const std::array<std::uint8_t, 4> quiet = overSurface ? std::array<std::uint8_t, 4>{52, 46, 50, 120}
+    const std::array<std::uint8_t, 4> quiet = overSurface ? std::array<std::uint8_t, 4>{44, 40, 46, 105}
                                                           : std::array<std::uint8_t, 4>{152, 161, 171, 190};
     std::vector<Segment> quietSegments, coloured;
     for (std::size_t i = 0; i < springs.size(); ++i) {

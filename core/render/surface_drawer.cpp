@@ -1,5 +1,6 @@
 #include "core/render/surface_drawer.h"
 
+#include "core/geometry/adjacency.h"
 #include "core/render/shaders.h"
 
 #include <algorithm>
@@ -24,6 +25,11 @@ int usableLevels(int gap) {
 bool isTextured(const RenderScene& scene) {
     return scene.atlas && scene.texturePages && scene.atlas->corners.size() == scene.mesh->triangles.size() &&
            scene.atlas->page.size() == scene.mesh->triangles.size();
+}
+
+bool isClosed(const TriangleMesh& mesh) {
+    const EdgeCounts counts = countEdges(sidesByEdge(mesh.triangles));
+    return counts.boundary + counts.nonManifold + counts.inconsistent == 0 && enclosedVolume(mesh) > 0;
 }
 
 } // namespace
@@ -55,13 +61,28 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
     m_program.set("vertices", 0);
     m_program.set("page", 1);
     m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
+    if (hidesItsInside(frame)) m_gl.Enable(GL_CULL_FACE);
     if (textured) {
         takeAtlas(scene.atlas);
         takePages(scene.texturePages, usableLevels(scene.atlas->options.gap));
         m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
         drawPages();
-        return;
+    } else {
+        drawPlain();
     }
+    m_gl.Disable(GL_CULL_FACE);
+}
+
+/// From outside, every line of sight through a closed surface meets a front before a back, so half the
+/// triangles need no drawing.
+bool SurfaceDrawer::hidesItsInside(const Frame& frame) const {
+    constexpr double margin = 0.02; // of the organ's size, for what the near plane may cut
+    const Eigen::AlignedBox3d box = boundingBox(m_vertices);
+    const Eigen::Vector3d grown = Eigen::Vector3d::Constant(margin * box.diagonal().norm());
+    return m_closed && !Eigen::AlignedBox3d(box.min() - grown, box.max() + grown).contains(frame.eye);
+}
+
+void SurfaceDrawer::drawPlain() const {
     m_program.set("painted", false);
     m_plainArray.bind();
     m_gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * m_mesh->triangles.size()), GL_UNSIGNED_INT,
@@ -81,6 +102,7 @@ void SurfaceDrawer::drawPages() const {
 void SurfaceDrawer::takeTriangles(const std::shared_ptr<const TriangleMesh>& mesh) {
     if (mesh == m_mesh) return;
     m_mesh = mesh;
+    m_closed = isClosed(*mesh);
     m_atlas.reset();
     m_vertices.clear();
     m_plainArray.bind();

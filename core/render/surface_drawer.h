@@ -26,6 +26,8 @@ private:
     void takeTriangles(const std::shared_ptr<const TriangleMesh>& mesh);
     void takeAtlas(const std::shared_ptr<const Atlas>& atlas);
     void takePages(const std::shared_ptr<const std::vector<Image>>& pages, int levels);
+    bool hidesItsInside(const Frame& frame) const;
+    void drawPlain() const;
     void drawPages() const;
 
     const GlFunctions& m_gl;
@@ -38,6 +40,7 @@ private:
     std::shared_ptr<const std::vector<Image>> m_pages;
     std::vector<std::unique_ptr<GlTexture>> m_pageTextures;
     std::vector<PageRange> m_ranges;
+    bool m_closed = false;                      ///< the surface has no border and agrees in orientation
     std::vector<Eigen::Vector3d> m_vertices;    ///< as last uploaded
     std::vector<std::array<float, 8>> m_texels; ///< per vertex: position, 0, normal, 0
 };

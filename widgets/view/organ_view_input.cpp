@@ -219,9 +219,9 @@ void OrganView::removeInstrument() {
 }
 
 std::optional<QPointF> OrganView::handlePlace(const Vector3d& end, const Vector3d& centre) const {
-    const auto seen = placeOf(end), middle = placeOf(centre);
-    if (!seen || !middle || distance(*seen, *middle) < shortAxis) return std::nullopt;
-    return seen;
+    const Vector3d axis = (end - centre).normalized(), sight = (camera().eye - centre).normalized();
+    if (axis.cross(sight).norm() < shortAxis) return std::nullopt;
+    return placeOf(end);
 }
 
 std::vector<QPointF> OrganView::regionHandles() const {

@@ -117,3 +117,36 @@ TEST(Renderer, SurfaceFollowsTheNodes) {
     EXPECT_TRUE(isRed(picture.at(50, 50)));
     EXPECT_FALSE(isRed(picture.at(75, 50)));
 }
+
+TEST(Renderer, FromInsideTheFarWallIsSeen) {
+    const RenderScene scene = sphere();
+    Camera camera;
+    camera.eye = {0, 0, 0.5};
+    const Image picture = renderOffscreen(scene, camera, 60, 60);
+    for (const int place : {2, 30, 57})
+        EXPECT_TRUE(isRed(picture.at(place, place)));
+}
+
+TEST(Renderer, OpenSurfacesShowBothSides) {
+    RenderScene scene = texturedSquare(quarters(8));
+    scene.atlas.reset();
+    const Camera back = framedCamera(boundingBox(scene.mesh->vertices), StandardView::Back, 1);
+    EXPECT_TRUE(isRed(renderOffscreen(scene, back, 60, 60).at(30, 30)));
+}
+
+TEST(Renderer, SpringsBehindTheEyeAreCutOff) {
+    RenderScene scene;
+    auto network = std::make_shared<SpringNetwork>();
+    network->restPositions = {{0, 0, 0}, {0, 0, 5}, {0.3, 0, 0}};
+    network->springs = {{0, 1, 5}, {1, 2, 5}, {0, 0, 0}};
+    scene.network = network;
+    Camera camera;
+    camera.eye = {0.1, 0.1, 2};
+    const Image with = renderOffscreen(scene, camera, 80, 80);
+    const Image without = renderOffscreen({}, camera, 80, 80);
+    int changed = 0;
+    for (std::size_t i = 0; i < with.pixels.size(); i += 4)
+        changed += std::abs(with.pixels[i] - without.pixels[i]) > 12 ? 1 : 0;
+    EXPECT_GT(changed, 20);
+    EXPECT_LT(changed, 800);
+}
