@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/esmc/context.h"
+
+namespace esm {
+
+// Each adds one command, or one family of them, to the command line. `docs/command-line.md` says what they do.
+void addImportCommand(CLI::App& app, Context& context);
+void addSampleCommand(CLI::App& app, Context& context);
+void addInfoCommand(CLI::App& app, Context& context);
+void addFuzzyCommands(CLI::App& app, Context& context);
+void addTissueCommand(CLI::App& app, Context& context);
+void addSceneCommand(CLI::App& app, Context& context);
+void addSimulateCommand(CLI::App& app, Context& context);
+void addTextureCommands(CLI::App& app, Context& context);
+void addExportCommand(CLI::App& app, Context& context);
+void addValidateCommand(CLI::App& app, Context& context);
+void addRenderCommand(CLI::App& app, Context& context);
+
+} // namespace esm

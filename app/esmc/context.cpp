@@ -1,0 +1,44 @@
+#include "app/esmc/context.h"
+
+#include <cmath>
+#include <iostream>
+#include <unistd.h>
+
+namespace esm {
+
+namespace {
+
+/// A percentage on one line that goes away with the last copy of the progress.
+class ProgressLine {
+public:
+    explicit ProgressLine(std::string label) : m_label(std::move(label)) {}
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+    ~ProgressLine() {
+        if (m_shown >= 0) std::cerr << "\r\033[K" << std::flush;
+    }
+
+    void show(double fraction) {
+        const int percent = static_cast<int>(std::lround(100 * fraction));
+        if (percent == m_shown) return;
+        m_shown = percent;
+        std::cerr << '\r' << m_label << ' ' << percent << " %" << std::flush;
+    }
+
+private:
+    std::string m_label;
+    int m_shown = -1;
+};
+
+} // namespace
+
+Progress progressOf(const Context& context, const std::string& label) {
+    const Interruption& interruption = context.interruption;
+    if (::isatty(STDERR_FILENO) == 0) return [&interruption](double) { return !interruption.requested(); };
+    return [&interruption, line = std::make_shared<ProgressLine>(label)](double fraction) {
+        line->show(fraction);
+        return !interruption.requested();
+    };
+}
+
+} // namespace esm

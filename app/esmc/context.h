@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/esmc/interruption.h"
+#include "app/esmc/report.h"
+#include "core/support/progress.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace esm {
+
+/// What the commands share.
+struct Context {
+    Interruption interruption;
+    bool json = false;
+    int threads = 0; ///< 0: as many as there are
+    std::filesystem::path subject; ///< the file that a message without a file's name is about
+    std::function<Report()> work; ///< of the command that was named; run once the whole line is understood
+};
+
+/// Progress of long work: stops it on Ctrl-C and shows `label` with a percentage where standard error is a terminal.
+Progress progressOf(const Context& context, const std::string& label);
+
+/// Adds a command whose options live as long as the parser. `Options` is a plain struct, filled by what `declare`
+/// adds to the command; `run` does the work.
+template<typename Options>
+void addCommand(CLI::App& parent, Context& context, const std::string& name, const std::string& description,
+                void (*declare)(CLI::App&, Options&), Report (*run)(const Options&, Context&)) {
+    CLI::App* command = parent.add_subcommand(name, description);
+    const auto options = std::make_shared<Options>();
+    declare(*command, *options);
+    command->callback([options, run, &context] {
+        context.work = [options, run, &context] { return run(*options, context); };
+    });
+}
+
+} // namespace esm

@@ -1,0 +1,36 @@
+#include "app/esmc/commands.h"
+#include "core/exchange/model_package.h"
+#include "core/exchange/project_file.h"
+
+namespace esm {
+
+namespace {
+
+struct ExportOptions {
+    std::string project, output, format;
+};
+
+void declareExport(CLI::App& command, ExportOptions& options) {
+    command.add_option("project", options.project, "Project to read (.esm)")->required();
+    command.add_option("-o,--output", options.output, "File to write")->required();
+    command.add_option("--to", options.format, "glb: the model package for simulators")->required();
+}
+
+Report runExport(const ExportOptions& options, Context& context) {
+    if (options.format != "glb")
+        throw UsageError("--to: '" + options.format + "' is not one of the formats there are: glb");
+    context.subject = options.project;
+    exportPackage(loadProject(options.project), options.output, progressOf(context, "exporting"));
+    Report report;
+    report.json["files"] = {options.output};
+    addWritten(report, options.output);
+    return report;
+}
+
+} // namespace
+
+void addExportCommand(CLI::App& app, Context& context) {
+    addCommand(app, context, "export", "Hand a project over to a simulator", declareExport, runExport);
+}
+
+} // namespace esm

@@ -1,0 +1,83 @@
+#include "app/esmc/arguments.h"
+#include "app/esmc/commands.h"
+#include "app/esmc/model_report.h"
+#include "core/exchange/mesh_file.h"
+#include "core/exchange/project_file.h"
+
+#include <map>
+
+namespace esm {
+
+namespace {
+
+struct ImportOptions {
+    std::string mesh, output;
+    LengthUnit unit = LengthUnit::Metre;
+    double weld = 0; // m
+    KeepParts keep = KeepParts::All;
+    double mass = 0; // kg; 0: from the surface
+    UpAxis up = UpAxis::Y;
+    std::string detail;
+};
+
+const std::map<std::string, LengthUnit> units{
+    {"mm", LengthUnit::Millimetre}, {"cm", LengthUnit::Centimetre}, {"m", LengthUnit::Metre}};
+
+void declareImport(CLI::App& command, ImportOptions& options) {
+    command.add_option("mesh", options.mesh, "Surface: " + joined(meshFileEndings()))->required();
+    command.add_option("-o,--output", options.output, "Project to write (.esm)")->required();
+    command.add_option("--unit", options.unit, "What a coordinate of the file means: mm, cm or m (the default)")
+        ->transform(CLI::Transformer(units))
+        ->option_text("mm|cm|m");
+    command.add_option("--weld", options.weld, "Vertices closer than this become one, m (0: only equal ones)")
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--keep", options.keep, "Parts to keep: all (the default), or the largest")
+        ->transform(CLI::Transformer(
+            std::map<std::string, KeepParts>{{"all", KeepParts::All}, {"largest", KeepParts::Largest}}))
+        ->option_text("all|largest");
+    command.add_option("--mass", options.mass, "Total mass, kg (default: from the volume, or the area of an open surface)")
+        ->check(positiveNumber());
+    command.add_option("--up", options.up, "The file's axis that points up: y (the default) or z")
+        ->transform(CLI::Transformer(std::map<std::string, UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}}))
+        ->option_text("y|z");
+    command.add_option("--detail", options.detail)->group("");
+}
+
+/// Why the unit is probably another one; empty when the size is one that organs and bodies have.
+std::string doubtfulSize(double size, LengthUnit unit) {
+    constexpr double smallest = 0.001, largest = 3; // m
+    if (size >= smallest && size <= largest) return {};
+    std::string warning = "the model is " + inText(size) + " m large";
+    for (const auto& [name, other] : units) {
+        const double meant = size / metresPer(unit) * metresPer(other);
+        if (meant >= smallest && meant <= largest)
+            return warning + "; with --unit " + name + " it would be " + inText(meant) + " m";
+    }
+    return warning + ", and no unit makes it an organ's size";
+}
+
+Report runImport(const ImportOptions& options, Context& context) {
+    if (!options.detail.empty())
+        throw UsageError("--detail is not offered yet: the whole mesh is simulated; leave the option out");
+    context.subject = options.mesh;
+    PolygonSoup soup = readMeshFile(options.mesh);
+    convertToMetres(soup, options.unit, options.up);
+    RepairedMesh surface = repair(soup, {options.weld, options.keep});
+    const double size = boundingBox(surface.mesh.vertices).sizes().maxCoeff();
+    const std::string doubt = doubtfulSize(size, options.unit);
+    if (!doubt.empty()) surface.report.warnings.push_back(doubt);
+    const Project project =
+        makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface), options.mass);
+    saveProject(project, options.output);
+    Report report = modelReport(project);
+    addWritten(report, options.output);
+    return report;
+}
+
+} // namespace
+
+void addImportCommand(CLI::App& app, Context& context) {
+    addCommand(app, context, "import", "Make a project of a surface mesh, repairing it", declareImport, runImport);
+}
+
+} // namespace esm

@@ -1,0 +1,101 @@
+#include "app/esmc/commands.h"
+#include "app/esmc/model_report.h"
+#include "core/dynamics/stability.h"
+#include "core/exchange/project_file.h"
+
+#include <cmath>
+#include <set>
+
+namespace esm {
+
+namespace {
+
+struct InfoOptions {
+    std::string file;
+};
+
+void declareInfo(CLI::App& command, InfoOptions& options) {
+    command.add_option("file", options.file, "Project or model package")->required();
+}
+
+Json regionInJson(const Region& region) {
+    const TissueValues values = evaluate(region).values;
+    return {{"name", region.name},
+            {"whole_organ", !region.ellipsoid},
+            {"system", region.system ? Json(region.system->name) : Json()},
+            {"spring_constant", inJson(values.springConstant)},
+            {"viscosity", inJson(values.viscosity)},
+            {"mass", inJson(values.mass)}};
+}
+
+std::string regionInText(const Region& region) {
+    const TissueValues values = evaluate(region).values;
+    return "region " + region.name + ": spring constant " + inText(values.springConstant) + " N/m, viscosity " +
+           inText(values.viscosity) + " N·s/m, mass " + inText(values.mass) + " kg";
+}
+
+void addRegions(Report& report, const std::vector<Region>& regions) {
+    Json inJson = Json::array();
+    std::set<std::string> systems;
+    for (const Region& region : regions) {
+        inJson.push_back(regionInJson(region));
+        report.text.push_back(regionInText(region));
+        if (region.system) systems.insert(region.system->name);
+    }
+    report.json["regions"] = std::move(inJson);
+    report.json["fuzzy_systems"] = systems;
+}
+
+std::string stepInText(const std::optional<double>& step) {
+    if (!step) return "none is stable";
+    return std::isfinite(*step) ? inText(*step) + " s" : "no limit";
+}
+
+void addCriticalSteps(Report& report, const TissueModel& tissue) {
+    const CriticalSteps steps = criticalSteps(tissue);
+    report.json["critical_dt"] = {
+        {"euler", inJson(steps.euler)}, {"split", inJson(steps.split)}, {"split2", inJson(steps.split2)}};
+    report.text.push_back("largest stable step: euler " + stepInText(steps.euler) + ", split " +
+                          stepInText(steps.split) + ", split2 " + stepInText(steps.split2));
+}
+
+Report describePackage(const std::filesystem::path& file) {
+    const ModelPackage package = loadPackage(file);
+    Report report = modelReport(package);
+    report.json["kind"] = "package";
+    addRegions(report, package.regions);
+    report.json["photos"] = Json::array();
+    report.json["textures"] = package.textures.size();
+    addCriticalSteps(report, package.tissue);
+    return report;
+}
+
+Report describeProject(const std::filesystem::path& file) {
+    const Project project = loadProject(file);
+    Report report = modelReport(project);
+    report.json["kind"] = "project";
+    addRegions(report, project.regions);
+    Json photos = Json::array();
+    for (const PhotoLayer& layer : project.photos) {
+        const Image& image = layer.photo->image;
+        photos.push_back({{"name", layer.name}, {"file", layer.photo->fileName}, {"size", {image.width, image.height}}});
+        report.text.push_back("photo " + layer.name + ": " + layer.photo->fileName);
+    }
+    report.json["photos"] = std::move(photos);
+    report.json["textures"] = project.atlas ? project.texture.atlas.pages : 0;
+    addCriticalSteps(report, evaluateModel(project));
+    return report;
+}
+
+Report runInfo(const InfoOptions& options, Context& context) {
+    context.subject = options.file;
+    return isModelPackage(options.file) ? describePackage(options.file) : describeProject(options.file);
+}
+
+} // namespace
+
+void addInfoCommand(CLI::App& app, Context& context) {
+    addCommand(app, context, "info", "Describe a project or a model package", declareInfo, runInfo);
+}
+
+} // namespace esm

@@ -1,0 +1,91 @@
+#include "app/esmc/model_report.h"
+
+#include "core/support/file_io.h"
+
+#include <fstream>
+#include <numeric>
+
+namespace esm {
+
+namespace {
+
+double totalMass(const TissueModel& tissue) { return std::accumulate(tissue.mass.begin(), tissue.mass.end(), 0.0); }
+
+std::string repairsInText(const RepairReport& repairs) {
+    return "repairs: " + counted(repairs.mergedVertices, "vertex", "vertices") + " merged, " +
+           counted(repairs.splitPolygons, "polygon") + " split, " + counted(repairs.removedTriangles(), "triangle") +
+           " removed, " + counted(repairs.flippedTriangles, "triangle") + " turned, " +
+           counted(repairs.unusedVertices, "unused vertex", "unused vertices") + " dropped";
+}
+
+void addRepairs(Report& report, const RepairReport& repairs) {
+    Json& json = report.json;
+    json["components"] = repairs.components;
+    json["boundary_edges"] = repairs.boundaryEdgesBefore;
+    json["non_manifold_edges"] = repairs.nonManifoldEdgesBefore;
+    json["boundary_edges_final"] = repairs.boundaryEdges;
+    json["non_manifold_edges_final"] = repairs.nonManifoldEdges;
+    json["merged_vertices"] = repairs.mergedVertices;
+    json["removed_triangles"] = repairs.removedTriangles();
+    json["degenerate_triangles"] = repairs.degenerateTriangles;
+    json["duplicate_triangles"] = repairs.duplicateTriangles;
+    json["split_polygons"] = repairs.splitPolygons;
+    json["flipped_triangles"] = repairs.flippedTriangles;
+    json["unused_vertices"] = repairs.unusedVertices;
+    json["dropped_parts"] = repairs.droppedParts;
+    json["inconsistent_edges"] = repairs.inconsistentEdges;
+    report.text.push_back(counted(repairs.components, "part") + ", " +
+                          counted(repairs.boundaryEdges, "border edge") + ", " +
+                          counted(repairs.nonManifoldEdges, "edge") + " of more than two triangles");
+    report.text.push_back(repairsInText(repairs));
+}
+
+Report reportOf(const TriangleMesh& mesh, const TissueModel& tissue, const RepairReport& repairs) {
+    const SpringNetwork& network = *tissue.network;
+    const Eigen::AlignedBox3d box = boundingBox(network.restPositions);
+    const Eigen::Vector3d size = box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.sizes());
+    const Eigen::Vector3d centre = box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.center());
+    Report report;
+    report.json["nodes"] = network.restPositions.size();
+    report.json["springs"] = network.springs.size();
+    report.json["triangles"] = mesh.triangles.size();
+    report.text.push_back(counted(network.restPositions.size(), "node") + ", " +
+                          counted(network.springs.size(), "spring") + ", " +
+                          counted(mesh.triangles.size(), "triangle"));
+    addRepairs(report, repairs);
+    report.json["size"] = inJson(size);
+    report.json["centre"] = inJson(centre);
+    report.json["mass"] = totalMass(tissue);
+    report.text.push_back("size " + inText(size) + " m; centre " + inText(centre) + " m; mass " +
+                          inText(totalMass(tissue)) + " kg");
+    addWarnings(report, repairs.warnings);
+    return report;
+}
+
+RepairReport countedAnew(const TriangleMesh& mesh) {
+    if (mesh.triangles.empty()) return {};
+    PolygonSoup soup;
+    soup.vertices = mesh.vertices;
+    for (const Triangle& triangle : mesh.triangles) soup.polygons.emplace_back(triangle.begin(), triangle.end());
+    return repair(soup).report;
+}
+
+} // namespace
+
+Report modelReport(const Project& project) {
+    return reportOf(*project.mesh, evaluateModel(project), *project.importReport);
+}
+
+Report modelReport(const ModelPackage& package) {
+    return reportOf(package.mesh, package.tissue, countedAnew(package.mesh));
+}
+
+bool isModelPackage(const std::filesystem::path& file) {
+    std::error_code error;
+    std::string start(4, '\0');
+    if (std::filesystem::is_regular_file(file, error)) std::ifstream(file, std::ios::binary).read(start.data(), 4);
+    if (start == "glTF") return true;
+    return start != std::string("PK\3\4", 4) && file.extension() == ".glb";
+}
+
+} // namespace esm

@@ -1,0 +1,150 @@
+#include "app/esmc/arguments.h"
+#include "app/esmc/camera_file.h"
+#include "app/esmc/commands.h"
+#include "app/esmc/model_report.h"
+#include "core/exchange/image_file.h"
+#include "core/exchange/project_file.h"
+#include "core/offscreen/offscreen.h"
+#include "core/texture/composite.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+struct RenderOptions {
+    std::string project, output, size = "1024x768", view = "front", camera, show;
+    bool unlit = false;
+};
+
+void declareRender(CLI::App& command, RenderOptions& options) {
+    command.add_option("project", options.project, "Project or model package")->required();
+    command.add_option("-o,--output", options.output, "Picture to write (.png)")->required();
+    command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (1024x768)");
+    CLI::Option* view = command.add_option("--view", options.view,
+                                           "front, back, left, right, top, bottom, or \"ex ey ez tx ty tz\", eye and target, m");
+    command.add_option("--camera", options.camera, "The camera as a perspective projector file (.json)")->excludes(view);
+    command.add_option("--show", options.show, "Any of surface, springs, regions, projectors, separated by commas (surface)");
+    command.add_flag("--unlit", options.unlit, "Colours of the texture without light");
+}
+
+struct PictureSize {
+    int width = 0, height = 0;
+    double aspect() const { return static_cast<double>(width) / height; }
+};
+
+PictureSize parseSize(const std::string& text) {
+    constexpr int largest = 8192;
+    PictureSize size;
+    const std::size_t cross = text.find('x');
+    const bool isPair = cross != std::string::npos && CLI::detail::lexical_cast(text.substr(0, cross), size.width) &&
+                        CLI::detail::lexical_cast(text.substr(cross + 1), size.height);
+    if (!isPair || std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > largest)
+        throw UsageError("--size: '" + text + "' is not WIDTHxHEIGHT with numbers from 1 to " + std::to_string(largest));
+    return size;
+}
+
+/// Checks what can be checked before any file is read.
+void requireUsable(const RenderOptions& options) {
+    if (!options.camera.empty() || standardViewFromName(options.view)) return;
+    const std::vector<double> n = parseNumbers(options.view, "--view");
+    if (n.size() != 6 || Eigen::Vector3d(n[3] - n[0], n[4] - n[1], n[5] - n[2]).norm() == 0)
+        throw UsageError("--view: give front, back, left, right, top, bottom, or six numbers, eye and target apart");
+}
+
+Camera requestedCamera(const RenderOptions& options, const Eigen::AlignedBox3d& box, double aspect) {
+    if (!options.camera.empty()) return readCameraFile(options.camera);
+    if (const auto view = standardViewFromName(options.view)) return framedCamera(box, *view, aspect);
+    const std::vector<double> n = parseNumbers(options.view, "--view");
+    Camera camera;
+    camera.eye = {n[0], n[1], n[2]};
+    camera.target = {n[3], n[4], n[5]};
+    const Eigen::Vector3d sight = (camera.target - camera.eye).normalized();
+    if (std::abs(sight.y()) > 0.999) camera.up = {0, 0, sight.y() > 0 ? 1.0 : -1.0};
+    return camera;
+}
+
+/// Springs coloured by their constant, the colours spanning what the organ has.
+void colourSprings(RenderScene& scene, const TissueModel& tissue) {
+    std::vector<double> values;
+    for (const Spring& spring : tissue.network->springs) values.push_back(springConstant(tissue, spring));
+    if (values.empty()) return;
+    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+    if (*lowest == *highest) return;
+    scene.springValueMinimum = *lowest;
+    scene.springValueMaximum = *highest;
+    scene.springValues = std::make_shared<const std::vector<double>>(std::move(values));
+}
+
+void addRegions(RenderScene& scene, const std::vector<Region>& regions) {
+    for (const Region& region : regions)
+        if (region.ellipsoid) scene.ellipsoids.push_back({*region.ellipsoid, region.colour, false});
+}
+
+void addPhotos(RenderScene& scene, const std::vector<PhotoLayer>& photos) {
+    for (const PhotoLayer& layer : photos)
+        if (layer.visible)
+            scene.projectors.push_back({layer.projector, {layer.photo, &layer.photo->image}, false});
+}
+
+using Shown = std::vector<std::string>;
+
+bool shows(const Shown& shown, const char* part) { return std::find(shown.begin(), shown.end(), part) != shown.end(); }
+
+RenderScene projectScene(const Project& project, const Shown& shown, Context& context) {
+    RenderScene scene;
+    scene.mesh = project.mesh;
+    scene.network = project.network;
+    scene.baseColour = project.texture.baseColour;
+    if (project.atlas && !project.photos.empty()) {
+        scene.atlas = project.atlas;
+        scene.texturePages = std::make_shared<const std::vector<Image>>(
+            composite(*project.mesh, *project.atlas, project.photos, project.texture.baseColour, progressOf(context, "baking")));
+    }
+    if (shows(shown, "springs")) colourSprings(scene, evaluateModel(project));
+    if (shows(shown, "regions")) addRegions(scene, project.regions);
+    if (shows(shown, "projectors")) addPhotos(scene, project.photos);
+    return scene;
+}
+
+RenderScene packageScene(ModelPackage package, const Shown& shown) {
+    RenderScene scene;
+    scene.network = package.tissue.network;
+    scene.baseColour = package.baseColour;
+    if (shows(shown, "springs")) colourSprings(scene, package.tissue);
+    if (shows(shown, "regions")) addRegions(scene, package.regions);
+    scene.mesh = std::make_shared<const TriangleMesh>(std::move(package.mesh));
+    if (!package.atlas) return scene;
+    scene.atlas = package.atlas;
+    scene.texturePages = std::make_shared<const std::vector<Image>>(std::move(package.textures));
+    return scene;
+}
+
+Report runRender(const RenderOptions& options, Context& context) {
+    const PictureSize size = parseSize(options.size);
+    const Shown named = parseWords(options.show, {"surface", "springs", "regions", "projectors"}, "--show");
+    const Shown shown = named.empty() ? Shown{"surface"} : named;
+    requireUsable(options);
+    context.subject = options.project;
+    RenderScene scene = isModelPackage(options.project) ? packageScene(loadPackage(options.project), shown)
+                                                        : projectScene(loadProject(options.project), shown, context);
+    scene.showSurface = shows(shown, "surface");
+    // A pure motion model has nothing but springs to show.
+    scene.showSprings = shows(shown, "springs") || scene.mesh->triangles.empty();
+    scene.unlit = options.unlit;
+    const Camera camera = requestedCamera(options, boundingBox(scene.network->restPositions), size.aspect());
+    writePng(renderOffscreen(scene, camera, size.width, size.height), options.output);
+    Report report;
+    report.json["size"] = {size.width, size.height};
+    addWritten(report, options.output);
+    return report;
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& app, Context& context) {
+    addCommand(app, context, "render", "Draw a picture of a project or a model package", declareRender, runRender);
+}
+
+} // namespace esm

@@ -1,0 +1,45 @@
+#include "core/exchange/scene_file.h"
+
+#include "app/esmc/commands.h"
+#include "core/exchange/project_file.h"
+#include "core/support/errors.h"
+
+namespace esm {
+
+namespace {
+
+struct SceneOptions {
+    std::string project, scene, output;
+};
+
+void declareScene(CLI::App& command, SceneOptions& options) {
+    command.add_option("project", options.project, "Project to read (.esm)")->required();
+    command.add_option("--scene", options.scene, "Scene to store (.json)")->required();
+    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")->required();
+}
+
+Report storeScene(const SceneOptions& options, Context& context) {
+    context.subject = options.scene;
+    Project project = loadProject(options.project);
+    project.scene = readSceneFile(options.scene);
+    if (auto problems = validate(project.scene, project.network->restPositions.size()); !problems.empty())
+        throw InvalidModel(std::move(problems));
+    const TissueModel tissue = evaluateModel(project);
+    saveProject(project, options.output);
+    Report report;
+    report.json["fixed"] = tissue.fixedNodes.size();
+    report.json["tethers"] = tissue.tethers.size();
+    report.json["duration"] = project.scene.duration;
+    report.text.push_back(counted(tissue.fixedNodes.size(), "fixed node") + ", " +
+                          counted(tissue.tethers.size(), "tether") + ", " + inText(project.scene.duration) + " s");
+    addWritten(report, options.output);
+    return report;
+}
+
+} // namespace
+
+void addSceneCommand(CLI::App& app, Context& context) {
+    addCommand(app, context, "scene", "Store what holds and moves the organ in a project", declareScene, storeScene);
+}
+
+} // namespace esm

@@ -1,0 +1,149 @@
+#include "app/esmc/arguments.h"
+#include "app/esmc/commands.h"
+#include "core/exchange/image_file.h"
+#include "core/exchange/project_file.h"
+#include "core/exchange/projector_file.h"
+#include "core/texture/composite.h"
+
+#include <filesystem>
+
+namespace esm {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PackOptions {
+    std::string project, output;
+    AtlasOptions atlas;
+};
+
+void declarePack(CLI::App& command, PackOptions& options) {
+    command.add_option("project", options.project, "Project to read (.esm)")->required();
+    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")->required();
+    command.add_option("--size", options.atlas.size, "Width and height of a page, pixels (2048)");
+    command.add_option("--pages", options.atlas.pages, "Pages (1)");
+    command.add_option("--gap", options.atlas.gap, "Pixels between any two triangles (2)");
+}
+
+void pack(Project& project) {
+    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, project.texture.atlas));
+}
+
+/// A project that nobody packed gets its atlas where one is needed first.
+void packIfNeeded(Project& project) {
+    if (!project.atlas) pack(project);
+}
+
+Report runPack(const PackOptions& options, Context& context) {
+    context.subject = options.project;
+    Project project = loadProject(options.project);
+    project.texture.atlas = options.atlas;
+    pack(project);
+    saveProject(project, options.output);
+    const Atlas& atlas = *project.atlas;
+    Report report;
+    report.json = {{"utilisation", atlas.utilisation},
+                   {"texels_per_metre", atlas.texelsPerMetre},
+                   {"pages", atlas.options.pages},
+                   {"gap", atlas.options.gap},
+                   {"size", atlas.options.size}};
+    report.text.push_back(counted(static_cast<std::size_t>(atlas.options.pages), "page") + " of " +
+                          std::to_string(atlas.options.size) + " × " + std::to_string(atlas.options.size) +
+                          " pixels, " + inText(100 * atlas.utilisation) + " % used, " +
+                          inText(atlas.texelsPerMetre / 1000) + " pixels per mm");
+    addWritten(report, options.output);
+    return report;
+}
+
+struct PhotoOptions {
+    std::string project, output, photo, projector, name;
+    double blend = PhotoLayer().blendPixels;
+};
+
+void declarePhoto(CLI::App& command, PhotoOptions& options) {
+    command.add_option("project", options.project, "Project to read (.esm)")->required();
+    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")->required();
+    command.add_option("--photo", options.photo, "Photograph (PNG or JPEG)")->required();
+    command.add_option("--projector", options.projector, "Where the photograph is thrown from (.json)")->required();
+    command.add_option("--blend", options.blend, "Pixels of the photograph over which its border fades in (24)")
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--name", options.name, "The layer's name (default: the photograph's)");
+}
+
+Report describe(const PhotoLayer& layer, const LayerCoverage& covered) {
+    Report report;
+    report.json = {{"layer", layer.name}, {"texels", covered.texels}, {"triangles", covered.triangles}};
+    report.text.push_back("photo " + layer.name + ": " + counted(covered.triangles, "triangle") + ", " +
+                          counted(covered.texels, "pixel") + " of texture");
+    std::vector<std::string> warnings;
+    if (covered.triangles == 0)
+        warnings.emplace_back("the photo meets no triangle: check the projector's place, direction and size");
+    addWarnings(report, warnings);
+    return report;
+}
+
+Report runPhoto(const PhotoOptions& options, Context& context) {
+    context.subject = options.project;
+    Project project = loadProject(options.project);
+    PhotoLayer layer;
+    layer.photo = loadPhoto(options.photo);
+    layer.projector = readProjectorFile(options.projector);
+    layer.blendPixels = options.blend;
+    layer.name = options.name.empty() ? fs::path(options.photo).stem().string() : options.name;
+    packIfNeeded(project);
+    const LayerCoverage covered = coverage(*project.mesh, *project.atlas, layer);
+    project.photos.push_back(layer);
+    saveProject(project, options.output);
+    Report report = describe(layer, covered);
+    addWritten(report, options.output);
+    return report;
+}
+
+struct BakeOptions {
+    std::string project, folder;
+};
+
+void declareBake(CLI::App& command, BakeOptions& options) {
+    command.add_option("project", options.project, "Project to read (.esm)")->required();
+    command.add_option("-o,--output", options.folder, "Folder for the pictures; made when it is missing")->required();
+}
+
+void makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder)) throw FileError(folder, "cannot be made a folder; choose another name");
+}
+
+Report runBake(const BakeOptions& options, Context& context) {
+    context.subject = options.project;
+    Project project = loadProject(options.project);
+    packIfNeeded(project);
+    const std::vector<Image> pages = composite(*project.mesh, *project.atlas, project.photos,
+                                               project.texture.baseColour, progressOf(context, "baking"));
+    makeFolder(options.folder);
+    Report report;
+    report.json["files"] = Json::array();
+    for (std::size_t page = 0; page < pages.size(); ++page) {
+        const fs::path file = fs::path(options.folder) / ("texture-" + std::to_string(page + 1) + ".png");
+        writePng(pages[page], file, project.atlas->texelsPerMetre);
+        report.json["files"].push_back(file.string());
+        addWritten(report, file);
+    }
+    const double seams = seamError(*project.mesh, *project.atlas, pages);
+    report.json["seam_error"] = seams;
+    report.text.push_back("largest difference of colour across an edge: " + inText(seams) + " of 255");
+    return report;
+}
+
+} // namespace
+
+void addTextureCommands(CLI::App& app, Context& context) {
+    CLI::App* texture = app.add_subcommand("texture", "Photographs on the organ's surface");
+    texture->require_subcommand(1);
+    addCommand(*texture, context, "pack", "Give every triangle its place in the texture", declarePack, runPack);
+    addCommand(*texture, context, "photo", "Lay a photograph on the organ", declarePhoto, runPhoto);
+    addCommand(*texture, context, "bake", "Write the textures as PNG", declareBake, runBake);
+}
+
+} // namespace esm

@@ -1,0 +1,40 @@
+#include "app/esmc/trajectory_file.h"
+
+#include <charconv>
+#include <string>
+
+namespace esm {
+
+namespace {
+
+/// The shortest text that reads back as the same number.
+template<typename Number>
+void append(std::string& text, Number value) {
+    char digits[32];
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+} // namespace
+
+TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, std::vector<std::uint32_t> nodes)
+    : m_file(file), m_nodes(std::move(nodes)) {
+    m_file.write("time,node,x,y,z\n");
+}
+
+void TrajectoryFile::add(double time, const std::vector<Eigen::Vector3d>& positions) {
+    std::string row;
+    for (std::size_t i = 0; i < m_nodes.size(); ++i) {
+        row.clear();
+        append(row, time);
+        row += ',';
+        append(row, m_nodes[i]);
+        for (const double coordinate : positions[i]) {
+            row += ',';
+            append(row, coordinate);
+        }
+        row += '\n';
+        m_file.write(row);
+    }
+}
+
+} // namespace esm

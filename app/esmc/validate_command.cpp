@@ -1,0 +1,36 @@
+#include "app/esmc/commands.h"
+#include "app/esmc/model_report.h"
+#include "core/exchange/project_file.h"
+
+namespace esm {
+
+namespace {
+
+struct ValidateOptions {
+    std::string file;
+};
+
+void declareValidate(CLI::App& command, ValidateOptions& options) {
+    command.add_option("file", options.file, "Project or model package")->required();
+}
+
+Report runValidate(const ValidateOptions& options, Context& context) {
+    context.subject = options.file;
+    const bool isPackage = isModelPackage(options.file);
+    const std::vector<std::string> problems =
+        isPackage ? validatePackage(options.file) : validateProjectFile(options.file);
+    Report report;
+    report.json = {{"valid", problems.empty()}, {"problems", problems}};
+    report.text = problems;
+    if (problems.empty()) report.text.push_back(options.file + ": all is well");
+    else report.failure = counted(problems.size(), "problem") + " found; the first: " + problems.front();
+    return report;
+}
+
+} // namespace
+
+void addValidateCommand(CLI::App& app, Context& context) {
+    addCommand(app, context, "validate", "Check a project or a model package", declareValidate, runValidate);
+}
+
+} // namespace esm
