@@ -26,7 +26,8 @@ std::vector<double> parseNumbers(const std::string& text, const std::string& opt
     std::replace(spaced.begin(), spaced.end(), ',', ' ');
     std::istringstream words(spaced);
     std::vector<double> numbers;
-    for (std::string word; words >> word;) numbers.push_back(parseNumber(word, option));
+    for (std::string word; words >> word;)
+        numbers.push_back(parseNumber(word, option));
     return numbers;
 }
 
@@ -47,7 +48,8 @@ NamedValues parsePairs(const std::vector<std::string>& pairs, const std::string&
 Ellipsoid parseEllipsoid(const std::string& text) {
     const std::vector<double> n = parseNumbers(text, "--ellipsoid");
     if (n.size() != 6 && n.size() != 10)
-        throw UsageError("--ellipsoid: give 6 numbers, \"cx cy cz rx ry rz\", or 10, with \"ax ay az degrees\"");
+        throw UsageError(
+            "--ellipsoid: give 6 numbers, \"cx cy cz rx ry rz\", or 10, with \"ax ay az degrees\"");
     Ellipsoid ellipsoid;
     ellipsoid.centre = {n[0], n[1], n[2]};
     ellipsoid.radii = {n[3], n[4], n[5]};
@@ -73,7 +75,8 @@ std::vector<std::string> parseWords(const std::string& text, const std::vector<s
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    for (const std::string& word : words)
+        text += (text.empty() ? "" : ", ") + word;
     return text;
 }
 

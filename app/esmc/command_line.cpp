@@ -56,7 +56,8 @@ std::string usageProblem(const CLI::App& app, const CLI::ParseError& error) {
         choices.push_back(choice->get_name());
     if (choices.empty()) return error.what();
     for (const std::string& word : command.remaining())
-        if (word.rfind('-', 0) != 0) return "there is no command '" + word + "'; there are " + joined(choices);
+        if (word.rfind('-', 0) != 0)
+            return "there is no command '" + word + "'; there are " + joined(choices);
     return command.remaining().empty() ? "name a command: " + joined(choices) : error.what();
 }
 
@@ -71,9 +72,9 @@ std::string about(const Context& context, const std::string& problem) {
 }
 
 int runWork(Context& context) {
-    const std::size_t threads = context.threads > 0 ? static_cast<std::size_t>(context.threads)
-                                                    : tbb::global_control::active_value(
-                                                          tbb::global_control::max_allowed_parallelism);
+    const std::size_t threads =
+        context.threads > 0 ? static_cast<std::size_t>(context.threads)
+                            : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const Report report = context.work();
     print(report, context.json);

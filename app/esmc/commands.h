@@ -4,7 +4,8 @@
 
 namespace esm {
 
-// Each adds one command, or one family of them, to the command line. `docs/command-line.md` says what they do.
+// Each adds one command, or one family of them, to the command line. `docs/command-line.md` says what they
+// do.
 void addImportCommand(CLI::App& app, Context& context);
 void addSampleCommand(CLI::App& app, Context& context);
 void addInfoCommand(CLI::App& app, Context& context);

@@ -17,16 +17,17 @@ namespace esm {
 struct Context {
     Interruption interruption;
     bool json = false;
-    int threads = 0; ///< 0: as many as there are
+    int threads = 0;               ///< 0: as many as there are
     std::filesystem::path subject; ///< the file that a message without a file's name is about
-    std::function<Report()> work; ///< of the command that was named; run once the whole line is understood
+    std::function<Report()> work;  ///< of the command that was named; run once the whole line is understood
 };
 
-/// Progress of long work: stops it on Ctrl-C and shows `label` with a percentage where standard error is a terminal.
+/// Progress of long work: stops it on Ctrl-C and shows `label` with a percentage where standard error is a
+/// terminal.
 Progress progressOf(const Context& context, const std::string& label);
 
-/// Adds a command whose options live as long as the parser. `Options` is a plain struct, filled by what `declare`
-/// adds to the command; `run` does the work.
+/// Adds a command whose options live as long as the parser. `Options` is a plain struct, filled by what
+/// `declare` adds to the command; `run` does the work.
 template<typename Options>
 void addCommand(CLI::App& parent, Context& context, const std::string& name, const std::string& description,
                 void (*declare)(CLI::App&, Options&), Report (*run)(const Options&, Context&)) {

@@ -13,11 +13,14 @@ struct EvalOptions {
 
 void declareEval(CLI::App& command, EvalOptions& options) {
     command.add_option("system", options.system, "Fuzzy system: a JSON file, or a preset's name")->required();
-    command.add_option("--set", options.values, "NAME=VALUE of an input; repeat it for every input that is known")
+    command
+        .add_option("--set", options.values,
+                    "NAME=VALUE of an input; repeat it for every input that is known")
         ->allow_extra_args(false);
 }
 
-std::vector<std::string> inputWarnings(const FuzzySystem& system, const std::vector<std::optional<double>>& inputs) {
+std::vector<std::string> inputWarnings(const FuzzySystem& system,
+                                       const std::vector<std::optional<double>>& inputs) {
     std::vector<std::string> warnings;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const FuzzyVariable& variable = system.inputs[i];
@@ -34,8 +37,9 @@ void addOutputs(Report& report, const FuzzySystem& system, const InferenceResult
         const FuzzyVariable& output = system.outputs[i];
         const std::optional<double>& value = result.outputs[i];
         outputs[output.name] = inJson(value);
-        report.text.push_back(output.name + " = " +
-                              (value ? inText(*value) + " (" + inWords(output, *value) + ")" : "no rule fires"));
+        report.text.push_back(
+            output.name + " = " +
+            (value ? inText(*value) + " (" + inWords(output, *value) + ")" : "no rule fires"));
     }
     report.json["outputs"] = std::move(outputs);
 }

@@ -26,16 +26,20 @@ const std::map<std::string, LengthUnit> units{
 void declareImport(CLI::App& command, ImportOptions& options) {
     command.add_option("mesh", options.mesh, "Surface: " + joined(meshFileEndings()))->required();
     command.add_option("-o,--output", options.output, "Project to write (.esm)")->required();
-    command.add_option("--unit", options.unit, "What a coordinate of the file means: mm, cm or m (the default)")
+    command
+        .add_option("--unit", options.unit, "What a coordinate of the file means: mm, cm or m (the default)")
         ->transform(CLI::Transformer(units))
         ->option_text("mm|cm|m");
-    command.add_option("--weld", options.weld, "Vertices closer than this become one, m (0: only equal ones)")
+    command
+        .add_option("--weld", options.weld, "Vertices closer than this become one, m (0: only equal ones)")
         ->check(CLI::NonNegativeNumber);
     command.add_option("--keep", options.keep, "Parts to keep: all (the default), or the largest")
         ->transform(CLI::Transformer(
             std::map<std::string, KeepParts>{{"all", KeepParts::All}, {"largest", KeepParts::Largest}}))
         ->option_text("all|largest");
-    command.add_option("--mass", options.mass, "Total mass, kg (default: from the volume, or the area of an open surface)")
+    command
+        .add_option("--mass", options.mass,
+                    "Total mass, kg (default: from the volume, or the area of an open surface)")
         ->check(positiveNumber());
     command.add_option("--up", options.up, "The file's axis that points up: y (the default) or z")
         ->transform(CLI::Transformer(std::map<std::string, UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}}))
@@ -77,7 +81,8 @@ Report runImport(const ImportOptions& options, Context& context) {
 } // namespace
 
 void addImportCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "import", "Make a project of a surface mesh, repairing it", declareImport, runImport);
+    addCommand(app, context, "import", "Make a project of a surface mesh, repairing it", declareImport,
+               runImport);
 }
 
 } // namespace esm

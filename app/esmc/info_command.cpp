@@ -30,8 +30,8 @@ Json regionInJson(const Region& region) {
 
 std::string regionInText(const Region& region) {
     const TissueValues values = evaluate(region).values;
-    return "region " + region.name + ": spring constant " + inText(values.springConstant) + " N/m, viscosity " +
-           inText(values.viscosity) + " N·s/m, mass " + inText(values.mass) + " kg";
+    return "region " + region.name + ": spring constant " + inText(values.springConstant) +
+           " N/m, viscosity " + inText(values.viscosity) + " N·s/m, mass " + inText(values.mass) + " kg";
 }
 
 void addRegions(Report& report, const std::vector<Region>& regions) {
@@ -78,7 +78,8 @@ Report describeProject(const std::filesystem::path& file) {
     Json photos = Json::array();
     for (const PhotoLayer& layer : project.photos) {
         const Image& image = layer.photo->image;
-        photos.push_back({{"name", layer.name}, {"file", layer.photo->fileName}, {"size", {image.width, image.height}}});
+        photos.push_back(
+            {{"name", layer.name}, {"file", layer.photo->fileName}, {"size", {image.width, image.height}}});
         report.text.push_back("photo " + layer.name + ": " + layer.photo->fileName);
     }
     report.json["photos"] = std::move(photos);

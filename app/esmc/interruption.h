@@ -4,9 +4,9 @@
 
 namespace esm {
 
-/// Ctrl-C and SIGTERM. Work that reports its progress is asked to stop; what does not listen within a moment is
-/// ended from outside, which is safe because every output is written atomically.
-/// Make one at the start of main(), before any other thread: threads inherit the blocked signals.
+/// Ctrl-C and SIGTERM. Work that reports its progress is asked to stop; what does not listen within a moment
+/// is ended from outside, which is safe because every output is written atomically. Make one at the start of
+/// main(), before any other thread: threads inherit the blocked signals.
 class Interruption {
 public:
     Interruption();

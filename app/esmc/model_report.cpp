@@ -9,12 +9,15 @@ namespace esm {
 
 namespace {
 
-double totalMass(const TissueModel& tissue) { return std::accumulate(tissue.mass.begin(), tissue.mass.end(), 0.0); }
+double totalMass(const TissueModel& tissue) {
+    return std::accumulate(tissue.mass.begin(), tissue.mass.end(), 0.0);
+}
 
 std::string repairsInText(const RepairReport& repairs) {
     return "repairs: " + counted(repairs.mergedVertices, "vertex", "vertices") + " merged, " +
-           counted(repairs.splitPolygons, "polygon") + " split, " + counted(repairs.removedTriangles(), "triangle") +
-           " removed, " + counted(repairs.flippedTriangles, "triangle") + " turned, " +
+           counted(repairs.splitPolygons, "polygon") + " split, " +
+           counted(repairs.removedTriangles(), "triangle") + " removed, " +
+           counted(repairs.flippedTriangles, "triangle") + " turned, " +
            counted(repairs.unusedVertices, "unused vertex", "unused vertices") + " dropped";
 }
 
@@ -66,7 +69,8 @@ RepairReport countedAnew(const TriangleMesh& mesh) {
     if (mesh.triangles.empty()) return {};
     PolygonSoup soup;
     soup.vertices = mesh.vertices;
-    for (const Triangle& triangle : mesh.triangles) soup.polygons.emplace_back(triangle.begin(), triangle.end());
+    for (const Triangle& triangle : mesh.triangles)
+        soup.polygons.emplace_back(triangle.begin(), triangle.end());
     return repair(soup).report;
 }
 
@@ -83,7 +87,8 @@ Report modelReport(const ModelPackage& package) {
 bool isModelPackage(const std::filesystem::path& file) {
     std::error_code error;
     std::string start(4, '\0');
-    if (std::filesystem::is_regular_file(file, error)) std::ifstream(file, std::ios::binary).read(start.data(), 4);
+    if (std::filesystem::is_regular_file(file, error))
+        std::ifstream(file, std::ios::binary).read(start.data(), 4);
     if (start == "glTF") return true;
     return start != std::string("PK\3\4", 4) && file.extension() == ".glb";
 }

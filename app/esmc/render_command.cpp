@@ -22,26 +22,26 @@ void declareRender(CLI::App& command, RenderOptions& options) {
     command.add_option("project", options.project, "Project or model package")->required();
     command.add_option("-o,--output", options.output, "Picture to write (.png)")->required();
     command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (1024x768)");
-    CLI::Option* view = command.add_option("--view", options.view,
-                                           "front, back, left, right, top, bottom, or \"ex ey ez tx ty tz\", eye and target, m");
-    command.add_option("--camera", options.camera, "The camera as a perspective projector file (.json)")->excludes(view);
-    command.add_option("--show", options.show, "Any of surface, springs, regions, projectors, separated by commas (surface)");
+    CLI::Option* view = command.add_option(
+        "--view", options.view,
+        "front, back, left, right, top, bottom, or \"ex ey ez tx ty tz\", eye and target, m");
+    command.add_option("--camera", options.camera, "The camera as a perspective projector file (.json)")
+        ->excludes(view);
+    command.add_option("--show", options.show,
+                       "Any of surface, springs, regions, projectors, separated by commas (surface)");
     command.add_flag("--unlit", options.unlit, "Colours of the texture without light");
 }
-
-struct PictureSize {
-    int width = 0, height = 0;
-    double aspect() const { return static_cast<double>(width) / height; }
-};
 
 PictureSize parseSize(const std::string& text) {
     constexpr int largest = 8192;
     PictureSize size;
     const std::size_t cross = text.find('x');
-    const bool isPair = cross != std::string::npos && CLI::detail::lexical_cast(text.substr(0, cross), size.width) &&
+    const bool isPair = cross != std::string::npos &&
+                        CLI::detail::lexical_cast(text.substr(0, cross), size.width) &&
                         CLI::detail::lexical_cast(text.substr(cross + 1), size.height);
     if (!isPair || std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > largest)
-        throw UsageError("--size: '" + text + "' is not WIDTHxHEIGHT with numbers from 1 to " + std::to_string(largest));
+        throw UsageError("--size: '" + text + "' is not WIDTHxHEIGHT with numbers from 1 to " +
+                         std::to_string(largest));
     return size;
 }
 
@@ -50,7 +50,8 @@ void requireUsable(const RenderOptions& options) {
     if (!options.camera.empty() || standardViewFromName(options.view)) return;
     const std::vector<double> n = parseNumbers(options.view, "--view");
     if (n.size() != 6 || Eigen::Vector3d(n[3] - n[0], n[4] - n[1], n[5] - n[2]).norm() == 0)
-        throw UsageError("--view: give front, back, left, right, top, bottom, or six numbers, eye and target apart");
+        throw UsageError(
+            "--view: give front, back, left, right, top, bottom, or six numbers, eye and target apart");
 }
 
 Camera requestedCamera(const RenderOptions& options, const Eigen::AlignedBox3d& box, double aspect) {
@@ -68,7 +69,8 @@ Camera requestedCamera(const RenderOptions& options, const Eigen::AlignedBox3d& 
 /// Springs coloured by their constant, the colours spanning what the organ has.
 void colourSprings(RenderScene& scene, const TissueModel& tissue) {
     std::vector<double> values;
-    for (const Spring& spring : tissue.network->springs) values.push_back(springConstant(tissue, spring));
+    for (const Spring& spring : tissue.network->springs)
+        values.push_back(springConstant(tissue, spring));
     if (values.empty()) return;
     const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
     if (*lowest == *highest) return;
@@ -90,7 +92,9 @@ void addPhotos(RenderScene& scene, const std::vector<PhotoLayer>& photos) {
 
 using Shown = std::vector<std::string>;
 
-bool shows(const Shown& shown, const char* part) { return std::find(shown.begin(), shown.end(), part) != shown.end(); }
+bool shows(const Shown& shown, const char* part) {
+    return std::find(shown.begin(), shown.end(), part) != shown.end();
+}
 
 RenderScene projectScene(const Project& project, const Shown& shown, Context& context) {
     RenderScene scene;
@@ -100,7 +104,8 @@ RenderScene projectScene(const Project& project, const Shown& shown, Context& co
     if (project.atlas && !project.photos.empty()) {
         scene.atlas = project.atlas;
         scene.texturePages = std::make_shared<const std::vector<Image>>(
-            composite(*project.mesh, *project.atlas, project.photos, project.texture.baseColour, progressOf(context, "baking")));
+            composite(*project.mesh, *project.atlas, project.photos, project.texture.baseColour,
+                      progressOf(context, "baking")));
     }
     if (shows(shown, "springs")) colourSprings(scene, evaluateModel(project));
     if (shows(shown, "regions")) addRegions(scene, project.regions);
@@ -127,13 +132,15 @@ Report runRender(const RenderOptions& options, Context& context) {
     const Shown shown = named.empty() ? Shown{"surface"} : named;
     requireUsable(options);
     context.subject = options.project;
-    RenderScene scene = isModelPackage(options.project) ? packageScene(loadPackage(options.project), shown)
-                                                        : projectScene(loadProject(options.project), shown, context);
+    RenderScene scene = isModelPackage(options.project)
+                            ? packageScene(loadPackage(options.project), shown)
+                            : projectScene(loadProject(options.project), shown, context);
     scene.showSurface = shows(shown, "surface");
     // A pure motion model has nothing but springs to show.
     scene.showSprings = shows(shown, "springs") || scene.mesh->triangles.empty();
     scene.unlit = options.unlit;
-    const Camera camera = requestedCamera(options, boundingBox(scene.network->restPositions), size.aspect());
+    const Camera camera = requestedCamera(options, boundingBox(scene.network->restPositions),
+                                          static_cast<double>(size.width) / size.height);
     writePng(renderOffscreen(scene, camera, size.width, size.height), options.output);
     Report report;
     report.json["size"] = {size.width, size.height};
@@ -144,7 +151,8 @@ Report runRender(const RenderOptions& options, Context& context) {
 } // namespace
 
 void addRenderCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "render", "Draw a picture of a project or a model package", declareRender, runRender);
+    addCommand(app, context, "render", "Draw a picture of a project or a model package", declareRender,
+               runRender);
 }
 
 } // namespace esm

@@ -14,7 +14,9 @@ std::string inText(double value) {
     return text.str();
 }
 
-std::string inText(const std::optional<double>& value) { return value ? inText(*value) : "none"; }
+std::string inText(const std::optional<double>& value) {
+    return value ? inText(*value) : "none";
+}
 
 std::string inText(const Eigen::Vector3d& value) {
     return inText(value.x()) + ", " + inText(value.y()) + ", " + inText(value.z());
@@ -28,11 +30,14 @@ Json inJson(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? Json(*value) : Json();
 }
 
-Json inJson(const Eigen::Vector3d& value) { return Json::array({value.x(), value.y(), value.z()}); }
+Json inJson(const Eigen::Vector3d& value) {
+    return Json::array({value.x(), value.y(), value.z()});
+}
 
 void addWarnings(Report& report, const std::vector<std::string>& warnings) {
     report.json["warnings"] = warnings;
-    for (const std::string& warning : warnings) report.text.push_back("warning: " + warning);
+    for (const std::string& warning : warnings)
+        report.text.push_back("warning: " + warning);
 }
 
 void addWritten(Report& report, const std::filesystem::path& file) {
@@ -41,14 +46,17 @@ void addWritten(Report& report, const std::filesystem::path& file) {
 
 void print(const Report& report, bool asJson) {
     // Names out of foreign files may hold bytes that are no UTF-8.
-    if (asJson) std::cout << report.json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    if (asJson)
+        std::cout << report.json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else
-        for (const std::string& line : report.text) std::cout << line << '\n';
+        for (const std::string& line : report.text)
+            std::cout << line << '\n';
     if (!std::cout.flush()) throw std::runtime_error("standard output: cannot be written; free some space");
 }
 
 void printError(std::string message) {
-    std::replace_if(message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    std::replace_if(
+        message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     std::cerr << "esmc: " << message << std::endl;
 }
 

@@ -36,7 +36,8 @@ std::string counted(std::size_t count, const std::string& noun, const std::strin
 Json inJson(const std::optional<double>& value); ///< null without a value
 Json inJson(const Eigen::Vector3d& value);
 
-void addWarnings(Report& report, const std::vector<std::string>& warnings); ///< `warnings` in JSON, a line each
+void addWarnings(Report& report,
+                 const std::vector<std::string>& warnings);         ///< `warnings` in JSON, a line each
 void addWritten(Report& report, const std::filesystem::path& file); ///< the text line that names an output
 
 /// Prints to standard output. @throws std::runtime_error when that cannot be written

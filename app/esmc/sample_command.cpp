@@ -4,6 +4,8 @@
 #include "core/exchange/project_file.h"
 #include "core/samples/samples.h"
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
@@ -12,14 +14,33 @@ struct SampleOptions {
     std::string name, output;
 };
 
-void declareSample(CLI::App& command, SampleOptions& options) {
-    command.add_option("name", options.name, "One of " + joined(sampleNames()))
-        ->required()
-        ->check(oneOf(sampleNames()));
-    command.add_option("-o,--output", options.output, "Project to write (.esm)")->required();
+std::vector<std::string> organsAndPhotos() {
+    std::vector<std::string> names = sampleNames();
+    names.insert(names.end(), samplePhotoNames().begin(), samplePhotoNames().end());
+    return names;
 }
 
-Report runSample(const SampleOptions& options, Context&) {
+void declareSample(CLI::App& command, SampleOptions& options) {
+    command
+        .add_option("name", options.name,
+                    "An organ: " + joined(sampleNames()) + "; or a photograph: " + joined(samplePhotoNames()))
+        ->required()
+        ->check(oneOf(organsAndPhotos()));
+    command.add_option("-o,--output", options.output, "Project (.esm) or picture (.png) to write")
+        ->required();
+}
+
+Report writePhoto(const SampleOptions& options) {
+    const auto photo = makeSamplePhoto(options.name);
+    writeFileAtomically(options.output, photo->encoded);
+    Report report;
+    report.json["files"] = {options.output};
+    report.json["size"] = {photo->image.width, photo->image.height};
+    addWritten(report, options.output);
+    return report;
+}
+
+Report writeOrgan(const SampleOptions& options) {
     const Project project = makeSample(options.name);
     saveProject(project, options.output);
     Report report = modelReport(project);
@@ -27,10 +48,17 @@ Report runSample(const SampleOptions& options, Context&) {
     return report;
 }
 
+Report runSample(const SampleOptions& options, Context&) {
+    const auto& organs = sampleNames();
+    const bool isOrgan = std::find(organs.begin(), organs.end(), options.name) != organs.end();
+    return isOrgan ? writeOrgan(options) : writePhoto(options);
+}
+
 } // namespace
 
 void addSampleCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "sample", "Make a project of one of the program's own organs", declareSample, runSample);
+    addCommand(app, context, "sample", "Make a project of one of the program's own organs", declareSample,
+               runSample);
 }
 
 } // namespace esm

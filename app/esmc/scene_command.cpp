@@ -15,7 +15,8 @@ struct SceneOptions {
 void declareScene(CLI::App& command, SceneOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     command.add_option("--scene", options.scene, "Scene to store (.json)")->required();
-    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")->required();
+    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
+        ->required();
 }
 
 Report storeScene(const SceneOptions& options, Context& context) {
@@ -31,7 +32,8 @@ Report storeScene(const SceneOptions& options, Context& context) {
     report.json["tethers"] = tissue.tethers.size();
     report.json["duration"] = project.scene.duration;
     report.text.push_back(counted(tissue.fixedNodes.size(), "fixed node") + ", " +
-                          counted(tissue.tethers.size(), "tether") + ", " + inText(project.scene.duration) + " s");
+                          counted(tissue.tethers.size(), "tether") + ", " + inText(project.scene.duration) +
+                          " s");
     addWritten(report, options.output);
     return report;
 }
@@ -39,7 +41,8 @@ Report storeScene(const SceneOptions& options, Context& context) {
 } // namespace
 
 void addSceneCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "scene", "Store what holds and moves the organ in a project", declareScene, storeScene);
+    addCommand(app, context, "scene", "Store what holds and moves the organ in a project", declareScene,
+               storeScene);
 }
 
 } // namespace esm

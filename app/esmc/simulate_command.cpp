@@ -21,30 +21,36 @@ void declareSimulate(CLI::App& command, SimulateOptions& options) {
     command.add_option("model", options.model, "Project or model package")->required();
     command.add_option("--scene", options.scene, "Scene in place of the project's own (.json)");
     command.add_option("--integrator", options.integrator, "auto (the default), euler, split or split2");
-    command.add_option("--dt", options.timeStep, "Time step, s, taken as given; auto (the default) chooses a safe one");
+    command.add_option("--dt", options.timeStep,
+                       "Time step, s, taken as given; auto (the default) chooses a safe one");
     command.add_option("--precision", options.precision, "double");
     command.add_option("--damping", options.damping, "isotropic (the default) or axial")
         ->check(oneOf({"isotropic", "axial"}));
-    command.add_option("-o,--output", options.output, "Trajectory to write (.csv): time,node,x,y,z")->required();
+    command.add_option("-o,--output", options.output, "Trajectory to write (.csv): time,node,x,y,z")
+        ->required();
 }
 
 SimulationSettings requestedSettings(const SimulateOptions& options) {
     SimulationSettings settings;
     const auto integrator = integratorFromName(options.integrator);
     if (!integrator)
-        throw UsageError("--integrator: '" + options.integrator + "' is not one of those there are: auto, euler, split, split2");
+        throw UsageError("--integrator: '" + options.integrator +
+                         "' is not one of those there are: auto, euler, split, split2");
     settings.integrator = *integrator;
     if (options.precision != "double")
         throw UsageError("--precision: '" + options.precision + "' is not offered; there is double");
     if (options.timeStep != "auto") {
         const std::vector<double> step = parseNumbers(options.timeStep, "--dt");
-        if (step.size() != 1 || !(step[0] > 0)) throw UsageError("--dt: give one number of seconds above zero, or auto");
+        if (step.size() != 1 || !(step[0] > 0))
+            throw UsageError("--dt: give one number of seconds above zero, or auto");
         settings.timeStep = step[0];
     }
     settings.damping = options.damping == "axial" ? Damping::Axial : Damping::Isotropic;
-    const bool isSplit = settings.integrator == Integrator::Split || settings.integrator == Integrator::Split2;
+    const bool isSplit =
+        settings.integrator == Integrator::Split || settings.integrator == Integrator::Split2;
     if (isSplit && settings.damping == Damping::Axial)
-        throw UsageError("--damping axial: " + options.integrator + " needs isotropic damping; take --integrator euler");
+        throw UsageError("--damping axial: " + options.integrator +
+                         " needs isotropic damping; take --integrator euler");
     return settings;
 }
 
@@ -72,7 +78,8 @@ RunnableModel fromProject(const std::filesystem::path& file, const std::optional
 /// A package holds tethers and fixed nodes as numbers; those of a scene take their place.
 RunnableModel fromPackage(const std::filesystem::path& file, const std::optional<Scene>& scene) {
     ModelPackage package = loadPackage(file);
-    RunnableModel model{std::move(package.tissue), std::move(package.mesh.triangles), scene.value_or(Scene())};
+    RunnableModel model{std::move(package.tissue), std::move(package.mesh.triangles),
+                        scene.value_or(Scene())};
     if (!scene) return model;
     requireValid(*scene, *model.tissue.network);
     Project bare;
@@ -107,7 +114,8 @@ Report describe(const SceneOutcome& outcome) {
     report.text = {outcome.outcome + ": " + inText(outcome.simulatedSeconds) + " s in " +
                        counted(outcome.steps, "step") + " of " + inText(outcome.timeStep) + " s, " +
                        integratorName(outcome.integrator),
-                   inText(outcome.wallSeconds) + " s of computing, " + inText(realTimeFactor) + " times real time",
+                   inText(outcome.wallSeconds) + " s of computing, " + inText(realTimeFactor) +
+                       " times real time",
                    "energy at the end: kinetic " + inText(outcome.energy.kinetic) + " J, elastic " +
                        inText(outcome.energy.elastic) + " J"};
     if (!outcome.stable) report.failure = "the run stopped: " + outcome.outcome;
@@ -120,7 +128,8 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     const bool isPackage = isModelPackage(options.model);
     std::optional<Scene> scene;
     if (!options.scene.empty()) scene = readSceneFile(options.scene);
-    const RunnableModel model = isPackage ? fromPackage(options.model, scene) : fromProject(options.model, scene);
+    const RunnableModel model =
+        isPackage ? fromPackage(options.model, scene) : fromProject(options.model, scene);
     context.subject = options.model;
     TrajectoryFile trajectory(options.output, recordedNodes(model.scene, model.tissue.mass.size()));
     const auto sink = [&trajectory](double time, const std::vector<Eigen::Vector3d>& positions) {
@@ -137,7 +146,8 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
 } // namespace
 
 void addSimulateCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "simulate", "Run a scene and write where the nodes went", declareSimulate, runSimulate);
+    addCommand(app, context, "simulate", "Run a scene and write where the nodes went", declareSimulate,
+               runSimulate);
 }
 
 } // namespace esm

@@ -20,7 +20,8 @@ struct PackOptions {
 
 void declarePack(CLI::App& command, PackOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
-    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")->required();
+    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
+        ->required();
     command.add_option("--size", options.atlas.size, "Width and height of a page, pixels (2048)");
     command.add_option("--pages", options.atlas.pages, "Pages (1)");
     command.add_option("--gap", options.atlas.gap, "Pixels between any two triangles (2)");
@@ -63,10 +64,13 @@ struct PhotoOptions {
 
 void declarePhoto(CLI::App& command, PhotoOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
-    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")->required();
+    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
+        ->required();
     command.add_option("--photo", options.photo, "Photograph (PNG or JPEG)")->required();
-    command.add_option("--projector", options.projector, "Where the photograph is thrown from (.json)")->required();
-    command.add_option("--blend", options.blend, "Pixels of the photograph over which its border fades in (24)")
+    command.add_option("--projector", options.projector, "Where the photograph is thrown from (.json)")
+        ->required();
+    command
+        .add_option("--blend", options.blend, "Pixels of the photograph over which its border fades in (24)")
         ->check(CLI::NonNegativeNumber);
     command.add_option("--name", options.name, "The layer's name (default: the photograph's)");
 }
@@ -106,7 +110,8 @@ struct BakeOptions {
 
 void declareBake(CLI::App& command, BakeOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
-    command.add_option("-o,--output", options.folder, "Folder for the pictures; made when it is missing")->required();
+    command.add_option("-o,--output", options.folder, "Folder for the pictures; made when it is missing")
+        ->required();
 }
 
 void makeFolder(const fs::path& folder) {
@@ -141,7 +146,8 @@ Report runBake(const BakeOptions& options, Context& context) {
 void addTextureCommands(CLI::App& app, Context& context) {
     CLI::App* texture = app.add_subcommand("texture", "Photographs on the organ's surface");
     texture->require_subcommand(1);
-    addCommand(*texture, context, "pack", "Give every triangle its place in the texture", declarePack, runPack);
+    addCommand(*texture, context, "pack", "Give every triangle its place in the texture", declarePack,
+               runPack);
     addCommand(*texture, context, "photo", "Lay a photograph on the organ", declarePhoto, runPhoto);
     addCommand(*texture, context, "bake", "Write the textures as PNG", declareBake, runBake);
 }

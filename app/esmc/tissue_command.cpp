@@ -16,25 +16,35 @@ struct TissueOptions {
 
 void declareTissue(CLI::App& command, TissueOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
-    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")->required();
+    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
+        ->required();
     command.add_option("--system", options.system, "Fuzzy system: a JSON file, or a preset's name");
-    command.add_option("--set", options.values, "NAME=VALUE of an input of the system; repeat it for every input")
+    command
+        .add_option("--set", options.values,
+                    "NAME=VALUE of an input of the system; repeat it for every input")
         ->allow_extra_args(false);
     command.add_option("--ellipsoid", options.ellipsoid,
                        "The region, \"cx cy cz rx ry rz [ax ay az degrees]\", m (default: the whole organ)");
     command.add_option("--name", options.name, "The region's name");
-    command.add_option("--override", options.overrides,
-                       "spring_constant=N/m, viscosity=N·s/m or mass=kg, in place of what is inferred; repeat it")
+    command
+        .add_option(
+            "--override", options.overrides,
+            "spring_constant=N/m, viscosity=N·s/m or mass=kg, in place of what is inferred; repeat it")
         ->allow_extra_args(false);
 }
 
 void hold(TissueValues& held, const std::string& name, double value) {
     if (value < 0 || (name == "mass" && value == 0))
-        throw UsageError("--override " + name + ": the value must be " + (name == "mass" ? "above zero" : "zero or more"));
-    if (name == "spring_constant") held.springConstant = value;
-    else if (name == "viscosity") held.viscosity = value;
-    else if (name == "mass") held.mass = value;
-    else throw UsageError("--override: '" + name + "' is not one of spring_constant, viscosity, mass");
+        throw UsageError("--override " + name + ": the value must be " +
+                         (name == "mass" ? "above zero" : "zero or more"));
+    if (name == "spring_constant")
+        held.springConstant = value;
+    else if (name == "viscosity")
+        held.viscosity = value;
+    else if (name == "mass")
+        held.mass = value;
+    else
+        throw UsageError("--override: '" + name + "' is not one of spring_constant, viscosity, mass");
 }
 
 /// A colour that the regions before it do not have, as long as there are some left.
@@ -51,7 +61,8 @@ Region requestedRegion(const TissueOptions& options) {
     region.inputs = parsePairs(options.values, "--set");
     if (!region.inputs.empty() && options.system.empty())
         throw UsageError("--set speaks of a fuzzy system's inputs; name the system with --system");
-    for (const auto& [name, value] : parsePairs(options.overrides, "--override")) hold(region.held, name, value);
+    for (const auto& [name, value] : parsePairs(options.overrides, "--override"))
+        hold(region.held, name, value);
     return region;
 }
 

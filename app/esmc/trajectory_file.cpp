@@ -8,8 +8,7 @@ namespace esm {
 namespace {
 
 /// The shortest text that reads back as the same number.
-template<typename Number>
-void append(std::string& text, Number value) {
+template<typename Number> void append(std::string& text, Number value) {
     char digits[32];
     text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }

@@ -1,0 +1,86 @@
+import json
+import unittest
+
+from esmc import Case, command
+
+COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "texture", "export", "validate",
+            "render", "fuzzy eval", "texture pack", "texture photo", "texture bake"]
+
+
+class HelpTest(Case):
+    def test_every_command_explains_itself_and_tells_the_version(self):
+        version = command("--version").stdout
+        self.assertRegex(version, r"\d+\.\d+\.\d+")
+        for name in ["", *COMMANDS]:
+            with self.subTest(name):
+                help_text = command(*name.split(), "--help")
+                self.assertEqual((help_text.returncode, help_text.stderr), (0, ""))
+                self.assertIn("--help", help_text.stdout)
+                self.assertEqual(command(*name.split(), "--version").stdout, version)
+
+    def test_wrong_usage_ends_with_two_and_one_line(self):
+        project = self.sample("uterus")
+        out = self.file("out")
+        for line in [[], ["frobnicate"], ["stability", project], ["texture"], ["texture", "fit", project],
+                     ["fuzzy", "convert", "a", "b"], ["info"], ["info", project, "more"], ["info", "--frob", project],
+                     ["-j", "0", "info", project], ["-j", "two", "info", project], ["sample", "spleen", "-o", out],
+                     ["import", "a.obj"], ["import", "a.obj", "-o", out, "--unit", "inch"],
+                     ["import", "a.obj", "-o", out, "--mass", "0"], ["import", "a.obj", "-o", out, "--mass", "nan"],
+                     ["import", "a.obj", "-o", out, "--weld", "-1"], ["import", "a.obj", "-o", out, "--up", "x"],
+                     ["import", "a.obj", "-o", out, "--detail", "100"], ["import", "a.obj", "-o", out, "--keep", "x"],
+                     ["fuzzy", "eval", "susilap-g", "--set", "consistency"],
+                     ["fuzzy", "eval", "susilap-g", "--set", "consistency=soft"],
+                     ["fuzzy", "eval", "susilap-g", "--set", "consistency=nan"],
+                     ["tissue", project, "-o", out, "--ellipsoid", "1 2 3"],
+                     ["tissue", project, "-o", out, "--ellipsoid", "0 0 0 1 0 1"],
+                     ["tissue", project, "-o", out, "--override", "colour=1"],
+                     ["tissue", project, "-o", out, "--override", "mass=-1"],
+                     ["tissue", project, "-o", out, "--set", "consistency=3"],
+                     ["simulate", project, "-o", out, "--integrator", "heun"],
+                     ["simulate", project, "-o", out, "--integrator", "split", "--damping", "axial"],
+                     ["simulate", project, "-o", out, "--dt", "0"], ["simulate", project, "-o", out, "--dt", "fast"],
+                     ["simulate", project, "-o", out, "--precision", "float"],
+                     ["export", project, "-o", out, "--to", "sofa"],
+                     ["render", project, "-o", out, "--size", "0x10"], ["render", project, "-o", out, "--size", "10"],
+                     ["render", project, "-o", out, "--size", "10x99999"],
+                     ["render", project, "-o", out, "--view", "behind"],
+                     ["render", project, "-o", out, "--view", "0 0 0 0 0 0"],
+                     ["render", project, "-o", out, "--show", "bones"],
+                     ["texture", "pack", project, "-o", out, "--size", "big"]]:
+            with self.subTest(line):
+                self.fails(2, *line)
+        self.assertFalse(out.exists())
+
+    def test_a_command_that_is_not_there_names_those_that_are(self):
+        message = self.fails(2, "stability", "a.esm", "--scene", "b.json")
+        for name in COMMANDS[:11]:
+            self.assertIn(name, message)
+        self.assertIn("pack, photo, bake", self.fails(2, "texture", "fit", "a.esm"))
+
+    def test_json_and_threads_stand_before_or_after_the_command(self):
+        project = self.sample("tube")
+        before = command("--json", "-j", "1", "info", project)
+        after = command("info", project, "-j", "2", "--json")
+        self.assertEqual(json.loads(before.stdout), json.loads(after.stdout))
+
+    def test_text_is_for_people(self):
+        process = command("info", self.sample("tube"))
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        self.assertIn("170 nodes, 340 springs", process.stdout)
+
+    def test_output_that_cannot_be_written_is_an_error(self):
+        project = self.sample("tube")
+        with open("/dev/full", "w") as full:
+            process = command_to(full, "info", project, "--json")
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(process.stderr, r"\Aesmc: standard output[^\n]+\n\Z")
+
+
+def command_to(stream, *arguments):
+    import subprocess
+    from esmc import ESMC
+    return subprocess.run([ESMC, *map(str, arguments)], stdout=stream, stderr=subprocess.PIPE, text=True, timeout=60)
+
+
+if __name__ == "__main__":
+    unittest.main()

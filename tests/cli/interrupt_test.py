@@ -1,0 +1,36 @@
+import signal
+import subprocess
+import time
+import unittest
+
+from esmc import ESMC, Case
+
+
+class InterruptTest(Case):
+    def stopped(self, line, after):
+        process = subprocess.Popen([ESMC, *map(str, line)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(after)
+        self.assertIsNone(process.poll(), "the work ended before it could be stopped")
+        process.send_signal(signal.SIGINT)
+        start = time.monotonic()
+        output, error = process.communicate(timeout=20)
+        self.assertLess(time.monotonic() - start, 1)
+        self.assertEqual((process.returncode, output), (1, ""))
+        self.assertRegex(error, r"\Aesmc: [^\n]+\n\Z")
+
+    def test_a_long_run_stops_within_a_second_and_leaves_what_was_there(self):
+        project, out = self.sample("liver"), self.file("out.csv", b"what was here before")
+        scene = self.file("long.json", {"duration": 100000, "record": {"every": 0.01}})
+        self.stopped(["simulate", project, "--scene", scene, "-o", out, "--json"], after=1)
+        self.assertEqual(out.read_bytes(), b"what was here before")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["liver.esm", "long.json", "out.csv"])
+
+    def test_work_that_reports_no_progress_stops_too(self):
+        mesh = self.data("meshes/VH_F_Vasculature.glb")
+        for after in (0.1, 0.3):
+            self.stopped(["import", mesh, "-o", self.file("out.esm"), "--weld", "0.00001"], after)
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,116 @@
+import csv
+import json
+import math
+import unittest
+
+from esmc import Case, command
+
+STILL = {"duration": 0.05}
+TUBE_POKE = {"duration": 0.5, "tethers": [{"every": 3, "spring_constant": 2.41327, "viscosity": 10.6875}],
+             "forces": [{"node": 85, "force": [0, 0, -1], "from": 0, "to": 1}], "record": {"every": 0.1}}
+
+
+class SimulateTest(Case):
+    def simulated(self, project, scene, *options):
+        report = self.done("simulate", project, "--scene", self.file("scene.json", scene), "-o", self.file("out.csv"),
+                           *options)
+        with open(self.file("out.csv")) as table:
+            return report, list(csv.DictReader(table))
+
+    def test_reports_the_run(self):
+        report, rows = self.simulated(self.sample("tube"), TUBE_POKE)
+        self.assertKeys(report, {"integrator": str, "dt": float, "steps": int, "wall_s": float, "setup_s": float,
+                                 "simulated_s": float, "real_time_factor": float, "stable": bool, "outcome": str,
+                                 "active_fraction": float, "energy": dict})
+        self.assertTrue(report["stable"])
+        self.assertIn(report["integrator"], ("split", "split2"))
+        self.assertAlmostEqual(report["simulated_s"], 0.5)
+        self.assertEqual(list(rows[0]), ["time", "node", "x", "y", "z"])
+        self.assertEqual(len(rows), 6 * 170)
+        self.assertEqual(sorted({round(float(row["time"]), 6) for row in rows}), [0, 0.1, 0.2, 0.3, 0.4, 0.5])
+        self.assertEqual([int(row["node"]) for row in rows[:170]], list(range(170)))
+
+    def test_a_force_moves_its_node_that_way_and_the_numbers_read_back(self):
+        _, rows = self.simulated(self.sample("tube"), TUBE_POKE)
+        first, last = (next(row for row in part if row["node"] == "85") for part in (rows, rows[-170:]))
+        self.assertLess(float(last["z"]) - float(first["z"]), -1e-4)
+        self.assertTrue(all(repr(float(last[key])) == repr(float(str(float(last[key])))) for key in "xyz"))
+
+    def test_integrators_agree(self):
+        project = self.sample("tube")
+        ends = {}
+        for integrator, step in {"split": "0.001", "split2": "0.005", "euler": "auto"}.items():
+            scene = {**TUBE_POKE, "duration": 0.02, "record": {"every": 0.02, "nodes": [85]}}
+            report, rows = self.simulated(project, scene, "--integrator", integrator, "--dt", step)
+            self.assertEqual(report["integrator"], integrator)
+            ends[integrator] = float(rows[-1]["z"]) - float(rows[0]["z"])
+        for integrator in ("split", "split2"):
+            self.assertAlmostEqual(ends[integrator] / ends["euler"], 1, delta=0.05)
+
+    def test_does_not_depend_on_the_threads(self):
+        project = self.sample("liver")
+        scene = {"duration": 0.1, "gravity": [0, -9.81, 0], "fixed": [{"nodes": [0, 1, 2]}]}
+        outputs = []
+        for threads in (1, 2):
+            self.simulated(project, scene, "-j", threads)
+            outputs.append(self.file("out.csv").read_bytes())
+        self.assertEqual(*outputs)
+
+    def test_records_chosen_nodes_and_keeps_fixed_ones(self):
+        scene = {**TUBE_POKE, "fixed": [{"nodes": [7]}], "gravity": [0, -9.81, 0], "record": {"every": 0.5, "nodes": [7, 3]}}
+        _, rows = self.simulated(self.sample("tube"), scene)
+        self.assertEqual([row["node"] for row in rows], ["7", "3", "7", "3"])
+        self.assertEqual([rows[0][key] for key in "xyz"], [rows[2][key] for key in "xyz"])
+        self.assertNotEqual(rows[1]["y"], rows[3]["y"])
+
+    def test_a_move_leads_a_node_from_its_rest(self):
+        scene = {"duration": 0.5, "moves": [{"node": 12, "path": [[0, 0, 0, 0], [0.5, 0, 0, -0.01]]}],
+                 "tethers": TUBE_POKE["tethers"], "record": {"every": 0.5, "nodes": [12]}}
+        _, rows = self.simulated(self.sample("tube"), scene)
+        self.assertAlmostEqual(float(rows[-1]["z"]) - float(rows[0]["z"]), -0.01, places=6)
+
+    def test_a_step_that_is_too_long_ends_with_the_last_good_frames(self):
+        project, scene, out = self.sample("tube"), self.file("scene.json", TUBE_POKE), self.file("out.csv")
+        process = command("simulate", project, "--scene", scene, "--integrator", "euler", "--dt", "0.01", "-o", out, "--json")
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(process.stderr, r"\Aesmc: [^\n]+\n\Z")
+        report = json.loads(process.stdout)
+        self.assertFalse(report["stable"])
+        self.assertTrue(report["outcome"])
+        with open(out) as table:
+            rows = list(csv.DictReader(table))
+        self.assertGreaterEqual(len(rows), 170)
+        self.assertTrue(all(math.isfinite(float(row[key])) for row in rows for key in ("time", "x", "y", "z")))
+
+    def test_the_stored_scene_runs_until_another_is_named(self):
+        project = self.sample("tube")
+        report = self.done("scene", project, "--scene", self.file("poke.json", {**TUBE_POKE, "fixed": [{"nodes": [0, 1]}]}),
+                           "-o", project)
+        self.assertEqual(report, {"fixed": 2, "tethers": 57, "duration": 0.5})
+        stored = self.done("simulate", project, "-o", self.file("a.csv"))
+        self.assertAlmostEqual(stored["simulated_s"], 0.5)
+        other, _ = self.simulated(project, STILL)
+        self.assertAlmostEqual(other["simulated_s"], 0.05)
+
+    def test_a_package_moves_as_its_project(self):
+        project, package = self.sample("tube"), self.file("tube.glb")
+        self.done("export", project, "-o", package, "--to", "glb")
+        scene = {**TUBE_POKE, "record": {"every": 0.5, "nodes": [85]}}
+        _, from_project = self.simulated(project, scene, "--dt", "0.01")
+        _, from_package = self.simulated(package, scene, "--dt", "0.01")
+        for key in "xyz":
+            self.assertAlmostEqual(float(from_project[-1][key]), float(from_package[-1][key]), delta=1e-6)
+
+    def test_a_scene_that_names_a_missing_node_is_refused_before_anything_is_written(self):
+        project = self.sample("tube")
+        for scene in ({**STILL, "fixed": [{"nodes": [170]}]}, {**STILL, "forces": [{"node": 999, "force": [0, 0, 1]}]},
+                      {"duration": -1}, {"gravity": [0, 0, 0]}, {**STILL, "gravty": [0, 0, 0]}, {**STILL, "record": {"every": 0}}):
+            with self.subTest(scene):
+                file = self.file("bad.json", scene)
+                self.fails(1, "simulate", project, "--scene", file, "-o", self.file("no.csv"), naming="bad.json")
+                self.fails(1, "scene", project, "--scene", file, "-o", self.file("no.esm"), naming="bad.json")
+        self.assertFalse(self.file("no.csv").exists() or self.file("no.esm").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,169 @@
+import struct
+import unittest
+import zlib
+
+from esmc import PROJECTOR, Case
+
+
+def read_png(path):
+    """Width, height, channels and rows of bytes of an 8-bit PNG that is not interlaced."""
+    data = path.read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    place, packed = 8, b""
+    while place < len(data):
+        length, kind = struct.unpack(">I4s", data[place:place + 8])
+        body = data[place + 8:place + 8 + length]
+        assert zlib.crc32(kind + body) == struct.unpack(">I", data[place + 8 + length:place + 12 + length])[0]
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
+        if kind == b"IDAT":
+            packed += body
+        place += 12 + length
+    assert depth == 8
+    channels = {0: 1, 2: 3, 6: 4}[colour]
+    return width, height, channels, unfiltered(zlib.decompress(packed), width * channels, height, channels)
+
+
+def unfiltered(raw, stride, height, channels):
+    rows, above = [], bytes(stride)
+    for y in range(height):
+        kind, line = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for i in range(stride) if kind else ():
+            left = line[i - channels] if i >= channels else 0
+            corner = above[i - channels] if i >= channels else 0
+            line[i] = (line[i] + predicted(kind, left, above[i], corner)) & 255
+        rows.append(bytes(line))
+        above = rows[-1]
+    return rows
+
+
+def predicted(kind, left, up, corner):
+    if kind < 4:
+        return (0, left, up, (left + up) // 2)[kind]
+    return min((abs(up - corner), 0, left), (abs(left - corner), 1, up), (abs(left + up - 2 * corner), 2, corner))[2]
+
+
+class TextureTest(Case):
+    def photographed(self, project, **changes):
+        photo, pose = self.file("photo.png"), self.file("projector.json", {**PROJECTOR, **changes})
+        self.done("sample", "vessels", "-o", photo)
+        return self.done("texture", "photo", project, "--photo", photo, "--projector", pose, "-o", project)
+
+    def test_packs(self):
+        project = self.sample("liver")
+        report = self.done("texture", "pack", project, "--size", "512", "--pages", "2", "--gap", "3", "-o", project)
+        self.assertKeys(report, {"utilisation": float, "texels_per_metre": float, "pages": int, "gap": int})
+        self.assertEqual((report["pages"], report["gap"]), (2, 3))
+        self.assertTrue(0.2 < report["utilisation"] < 1)
+        self.assertEqual(self.done("info", project)["textures"], 2)
+
+    def test_an_impossible_size_is_refused_with_one_that_fits(self):
+        project = self.sample("liver")
+        message = self.fails(1, "texture", "pack", project, "--size", "64", "-o", self.file("b.esm"), naming=project)
+        smallest = max(int(word) for word in message.replace(";", " ").replace(",", " ").replace(".", " ").split() if word.isdigit())
+        self.done("texture", "pack", project, "--size", smallest, "-o", self.file("b.esm"))
+        for line in (["--size", "0"], ["--gap", "-1"], ["--pages", "0"], ["--size", "2000000000"]):
+            self.assertIn(self.failing_code("texture", "pack", project, *line, "-o", self.file("c.esm")), (1, 2))
+        self.assertFalse(self.file("c.esm").exists())
+
+    def failing_code(self, *line):
+        from esmc import command
+        process = command(*line)
+        self.assertRegex(process.stderr, r"\Aesmc: [^\n]+\n\Z")
+        return process.returncode
+
+    def test_lays_a_photo_and_bakes_it(self):
+        project = self.sample("liver")
+        report = self.photographed(project)
+        self.assertKeys(report, {"layer": str, "texels": int, "triangles": int})
+        self.assertTrue(report["texels"] > report["triangles"] > 0)
+        self.assertEqual([photo["file"] for photo in self.done("info", project)["photos"]], ["photo.png"])
+        baked = self.done("texture", "bake", project, "-o", self.file("textures"))
+        self.assertKeys(baked, {"files": list, "seam_error": float})
+        width, height, _, rows = read_png(self.folder / baked["files"][0])
+        self.assertEqual((width, height, len(rows)), (2048, 2048, 2048))
+        self.assertGreater(len({row[i:i + 3] for row in rows[::64] for i in range(0, len(row) - 3, 256)}), 20)
+
+    def test_a_photo_that_misses_the_organ_is_kept_with_a_warning(self):
+        project = self.sample("tube")
+        pose = list(PROJECTOR["pose"])
+        pose[3] = 50
+        report = self.photographed(project, pose=pose)
+        self.assertEqual((report["texels"], report["triangles"], len(report["warnings"])), (0, 0, 1))
+
+    def test_bake_without_a_photo_is_the_base_colour(self):
+        project = self.sample("liver")
+        self.done("texture", "pack", project, "--size", "256", "-o", project)
+        baked = self.done("texture", "bake", project, "-o", self.file("textures"))
+        self.assertEqual(baked["seam_error"], 0)
+
+    def test_does_not_depend_on_the_threads(self):
+        project = self.sample("liver")
+        self.photographed(project)
+        pages = []
+        for threads in (1, 2):
+            self.done("texture", "bake", project, "-o", self.file(f"t{threads}"), "-j", threads)
+            pages.append(next(self.file(f"t{threads}").iterdir()).read_bytes())
+        self.assertEqual(*pages)
+
+    def test_an_unreadable_photo_or_projector_changes_nothing(self):
+        project = self.sample("liver")
+        before = project.read_bytes()
+        pose = self.file("pose.json", PROJECTOR)
+        good = self.file("good.png")
+        self.done("sample", "vessels", "-o", good)
+        for name, content in {"empty.png": b"", "text.png": b"no picture", "cut.png": good.read_bytes()[:500]}.items():
+            self.fails(1, "texture", "photo", project, "--photo", self.file(name, content), "--projector", pose,
+                       "-o", project, naming=name)
+        for name, content in {"a.json": "", "b.json": "[1, 2]", "c.json": {**PROJECTOR, "pose": [0] * 16},
+                              "d.json": {**PROJECTOR, "width": -1}, "e.json": {**PROJECTOR, "kind": "fisheye"}}.items():
+            self.fails(1, "texture", "photo", project, "--photo", good, "--projector", self.file(name, content),
+                       "-o", project, naming=name)
+        self.assertEqual(project.read_bytes(), before)
+
+
+class RenderTest(Case):
+    def rendered(self, project, *options):
+        picture = self.file("picture.png")
+        report = self.done("render", project, "-o", picture, "--size", "120x90", *options)
+        self.assertEqual(report["size"], [120, 90])
+        width, height, channels, rows = read_png(picture)
+        self.assertEqual((width, height), (120, 90))
+        return [[row[i:i + 3] for i in range(0, len(row), channels)] for row in rows]
+
+    def test_draws_the_organ_in_the_middle(self):
+        pixels = self.rendered(self.sample("liver"))
+        red, _, blue = pixels[45][60]
+        self.assertGreater(red, blue)
+        self.assertLess(sum(pixels[0][0]), 3 * 70)
+
+    def test_every_view_and_part_makes_another_picture(self):
+        project = self.sample("liver")
+        self.done("tissue", project, "--ellipsoid", "0 0 0 .05 .05 .05", "-o", project)
+        options = [["--view", view] for view in ("front", "back", "left", "right", "top", "bottom", "0.1 0.2 0.5 0 0 0")]
+        options += [["--show", "springs"], ["--show", "surface,regions"], ["--unlit"]]
+        pictures = [str(self.rendered(project, *line)) for line in options]
+        self.assertEqual(len(set(pictures)), len(options))
+
+    def test_a_camera_stands_at_its_pose_and_looks_along_minus_z(self):
+        size = self.done("info", self.sample("tube"))["size"]
+        x, y, z = self.done("info", self.file("tube.esm"))["centre"]
+        distance = 3 * max(size)
+        pose = [1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z + distance, 0, 0, 0, 1]
+        camera = lambda **changes: self.file("camera.json", {"kind": "perspective", "pose": pose, "fov": 40, **changes})
+        drawn = self.rendered(self.file("tube.esm"), "--camera", camera())
+        background = self.rendered(self.file("tube.esm"), "--camera", camera(pose=pose[:3] + [x + 9] + pose[4:]))
+        columns = [i for i in range(120) if any(drawn[j][i] != background[j][i] for j in range(90))]
+        lines = [j for j in range(90) if drawn[j] != background[j]]
+        self.assertAlmostEqual((columns[0] + columns[-1]) / 2, 59.5, delta=3)
+        self.assertAlmostEqual((lines[0] + lines[-1]) / 2, 44.5, delta=3)
+        self.fails(1, "render", self.file("tube.esm"), "-o", self.file("p.png"), "--camera", camera(fov=0), naming="camera.json")
+        self.fails(1, "render", self.file("tube.esm"), "-o", self.file("p.png"), "--camera", camera(pose=[1, 2]), naming="camera.json")
+
+    def test_a_motion_model_without_surface_shows_its_springs(self):
+        pixels = self.rendered(self.sample("uterus"))
+        self.assertGreater(len({pixel for row in pixels for pixel in row}), 50)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,109 @@
+import csv
+import math
+import unittest
+
+from esmc import DATA, Case
+
+
+class FuzzyTest(Case):
+    def evaluated(self, *pairs, system="susilap-g"):
+        return self.done("fuzzy", "eval", system, *(part for pair in pairs for part in ("--set", pair)))
+
+    def test_gives_the_published_values(self):
+        outputs = self.evaluated("consistency=5.5")["outputs"]
+        self.assertAlmostEqual(outputs["spring_const"] / 16.2606, 1, delta=2e-4)
+        self.assertAlmostEqual(outputs["viscosity"] / 2.87713, 1, delta=2e-4)
+
+    def test_reproduces_the_samples(self):
+        for name in ("susilap-g", "robo-sim"):
+            system = self.data(f"fuzzy/{name}.json")
+            with open(DATA / f"fuzzy/{name}.csv") as table:
+                rows = [{key.strip(): float(value) for key, value in row.items()} for row in csv.DictReader(table)]
+            for row in rows[::6]:
+                outputs = set(self.evaluated(system=system)["outputs"])
+                pairs = [f"{key}={value!r}" for key, value in row.items() if key not in outputs and value == value]
+                report = self.evaluated(*pairs, system=system)
+                for output in outputs:
+                    with self.subTest(f"{name} {pairs} {output}"):
+                        if math.isnan(row[output]):
+                            self.assertIsNone(report["outputs"][output])
+                        else:
+                            self.assertAlmostEqual(report["outputs"][output] / row[output], 1, delta=1e-9)
+
+    def test_without_inputs_no_rule_fires(self):
+        report = self.evaluated()
+        self.assertEqual(set(report["outputs"].values()), {None})
+        self.assertEqual(report["firing"], [0] * 7)
+
+    def test_warns_out_of_range(self):
+        self.assertEqual(self.evaluated("consistency=3")["warnings"], [])
+        self.assertIn("consistency", self.evaluated("consistency=13")["warnings"][0])
+
+    def test_names_what_it_does_not_know(self):
+        self.fails(1, "fuzzy", "eval", "susilap-g", "--set", "colour=3", naming="colour")
+        self.assertIn("robo-sim", self.fails(1, "fuzzy", "eval", "susilap-x"))
+        self.fails(1, "fuzzy", "eval", self.file("none.json"), naming="none.json")
+        self.fails(1, "fuzzy", "eval", self.file("bad.json", "{"), naming="bad.json")
+
+
+class TissueTest(Case):
+    def test_the_whole_organ_takes_what_the_words_say(self):
+        project = self.sample("tube")
+        report = self.done("tissue", project, "--system", "susilap-g", "--set", "consistency=5.5", "-o", project)
+        self.assertKeys(report, {"region": str, "nodes": int, "springs": int, "spring_constant": float,
+                                 "viscosity": float, "warnings": list})
+        self.assertEqual((report["nodes"], report["springs"], report["mass"]), (170, 340, None))
+        self.assertAlmostEqual(report["spring_constant"], 16.2606, delta=0.004)
+        self.assertEqual(self.done("info", project)["fuzzy_systems"], ["susilap-g"])
+
+    def test_an_ellipsoid_takes_its_nodes_alone_and_overrides_win(self):
+        project = self.sample("liver")
+        info = self.done("info", project)
+        x, y, z = info["centre"]
+        radius = max(info["size"]) / 4
+        report = self.done("tissue", project, "--ellipsoid", f"{x + info['size'][0] / 2} {y} {z} {radius} {radius} {radius}",
+                           "--name", "lobe", "--override", "spring_constant=50", "--override", "mass=0.2",
+                           "-o", self.file("b.esm"))
+        self.assertTrue(0 < report["nodes"] < info["nodes"])
+        self.assertEqual((report["region"], report["spring_constant"], report["viscosity"], report["mass"]),
+                         ("lobe", 50, None, 0.2))
+        after = self.done("info", self.file("b.esm"))
+        outside = info["mass"] * (1 - report["nodes"] / info["nodes"])
+        self.assertAlmostEqual(after["mass"], outside + 0.2, places=9)
+        self.assertEqual([region["name"] for region in after["regions"]], ["lobe"])
+        self.assertEqual(self.done("info", project)["regions"], [])
+
+    def test_a_turned_ellipsoid_holds_other_nodes(self):
+        project = self.sample("tube")
+        size, centre = (self.done("info", project)[key] for key in ("size", "centre"))
+        long = max(range(3), key=lambda axis: size[axis])
+        radii = [size[axis] if axis == long else 1e-3 + min(size) for axis in range(3)]
+        text = " ".join(map(str, centre + radii))
+        axis = [0, 0, 0]
+        axis[(long + 1) % 3] = 1
+        turned = " ".join(map(str, [*axis, 90]))
+        count = lambda ellipsoid: self.done("tissue", project, "--ellipsoid", ellipsoid, "-o", self.file("b.esm"))["nodes"]
+        self.assertEqual(count(text), 170)
+        self.assertLess(count(f"{text} {turned}"), 170)
+
+    def test_a_region_without_a_node_is_stored_with_a_warning(self):
+        project = self.sample("tube")
+        report = self.done("tissue", project, "--ellipsoid", "9 9 9 .1 .1 .1", "--override", "viscosity=1", "-o", project)
+        self.assertEqual(report["nodes"], 0)
+        self.assertTrue(report["warnings"])
+        self.assertEqual(len(self.done("info", project)["regions"]), 1)
+
+    def test_an_input_out_of_range_is_evaluated_with_a_warning(self):
+        project = self.sample("tube")
+        report = self.done("tissue", project, "--system", "susilap-g", "--set", "consistency=12.5", "-o", project)
+        self.assertIn("consistency", " ".join(report["warnings"]))
+
+    def test_an_unknown_input_changes_nothing(self):
+        project = self.sample("tube")
+        before = project.read_bytes()
+        self.fails(1, "tissue", project, "--system", "susilap-g", "--set", "colour=1", "-o", project, naming="colour")
+        self.assertEqual(project.read_bytes(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
