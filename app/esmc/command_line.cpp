@@ -18,6 +18,7 @@ enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
 void describe(CLI::App& app, Context& context) {
     app.description("The Elastodynamic Shape Modeler without a window: deformable organ models from meshes,\n"
                     "words and photographs. Lengths in metres, SI units throughout.");
+    app.name("esmc");
     app.set_version_flag("--version", "esmc " ESM_VERSION);
     app.fallthrough();
     app.require_subcommand(1);

@@ -5,6 +5,7 @@
 #include "core/exchange/project_file.h"
 
 #include <map>
+#include <utility>
 
 namespace esm {
 
@@ -20,7 +21,7 @@ struct ImportOptions {
     std::string detail;
 };
 
-const std::map<std::string, LengthUnit> units{
+const std::vector<std::pair<std::string, LengthUnit>> units{
     {"mm", LengthUnit::Millimetre}, {"cm", LengthUnit::Centimetre}, {"m", LengthUnit::Metre}};
 
 void declareImport(CLI::App& command, ImportOptions& options) {
@@ -47,17 +48,19 @@ void declareImport(CLI::App& command, ImportOptions& options) {
     command.add_option("--detail", options.detail)->group("");
 }
 
-/// Why the unit is probably another one; empty when the size is one that organs and bodies have.
+/// Says which unit was probably meant; empty when the size (m) is one that organs and bodies have.
 std::string doubtfulSize(double size, LengthUnit unit) {
-    constexpr double smallest = 0.001, largest = 3; // m
-    if (size >= smallest && size <= largest) return {};
-    std::string warning = "the model is " + inText(size) + " m large";
+    const auto isPlausible = [](double metres) { return metres >= 0.001 && metres <= 3; };
+    if (isPlausible(size)) return {};
+    std::string advice;
     for (const auto& [name, other] : units) {
         const double meant = size / metresPer(unit) * metresPer(other);
-        if (meant >= smallest && meant <= largest)
-            return warning + "; with --unit " + name + " it would be " + inText(meant) + " m";
+        if (!isPlausible(meant)) continue;
+        advice += advice.empty() ? "; with " : ", with ";
+        advice += "--unit " + name + " it would be " + inText(meant) + " m";
     }
-    return warning + ", and no unit makes it an organ's size";
+    return "the model is " + inText(size) + " m large" +
+           (advice.empty() ? ", and no unit makes it an organ's size" : advice);
 }
 
 Report runImport(const ImportOptions& options, Context& context) {

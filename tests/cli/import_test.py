@@ -26,7 +26,7 @@ class ImportTest(Case):
             self.assertAlmostEqual(report["mass"] / (1000 * metres ** 3), 1, places=9)
 
     def test_doubts_a_size_no_organ_has_and_names_the_unit_that_fits(self):
-        large = CUBE.replace(" 1", " 200")
+        large = "".join(line.replace("1", "200") if line[0] == "v" else line for line in CUBE.splitlines(True))
         self.assertIn("--unit mm", " ".join(self.imported(mesh=large)["warnings"]))
         self.assertEqual(self.imported("--unit", "mm", mesh=large)["warnings"], self.imported()["warnings"])
 
