@@ -1,5 +1,7 @@
 #include "app/esmc/report.h"
 
+#include "core/support/errors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -51,7 +53,7 @@ void print(const Report& report, bool asJson) {
     else
         for (const std::string& line : report.text)
             std::cout << line << '\n';
-    if (!std::cout.flush()) throw std::runtime_error("standard output: cannot be written; free some space");
+    if (!std::cout.flush()) throw FileError("standard output", "cannot be written; free some space");
 }
 
 void printError(std::string message) {

@@ -40,7 +40,7 @@ void addWarnings(Report& report,
                  const std::vector<std::string>& warnings);         ///< `warnings` in JSON, a line each
 void addWritten(Report& report, const std::filesystem::path& file); ///< the text line that names an output
 
-/// Prints to standard output. @throws std::runtime_error when that cannot be written
+/// Prints to standard output. @throws FileError when that cannot be written
 void print(const Report& report, bool asJson);
 
 /// Prints `esmc: message` as one line on standard error, whatever the message holds.
