@@ -1,0 +1,58 @@
+#include "app/editor/commands/long_work.h"
+
+#include <QProgressDialog>
+#include <QTimer>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+
+namespace esm {
+
+namespace {
+
+/// Short work ends within it, so that no dialog flashes up.
+constexpr std::chrono::milliseconds patience{200};
+
+} // namespace
+
+void runLongWork(QWidget* window, const QString& title, const std::function<void(const Progress&)>& work,
+                 Cancelling cancelling) {
+    std::atomic<int> permille = -1;
+    std::atomic<bool> cancelled = false;
+    auto done = std::async(std::launch::async, [&] {
+        work([&](double fraction) {
+            permille = static_cast<int>(fraction * 1000);
+            return !cancelled;
+        });
+    });
+    const auto isDone = [&] { return done.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
+    if (done.wait_for(patience) != std::future_status::ready) {
+        QProgressDialog dialog(title, cancelling == Cancelling::Offered ? QObject::tr("Cancel") : QString(),
+                               0, 0, window);
+        dialog.setWindowTitle(title);
+        dialog.setObjectName(QStringLiteral("progressDialog"));
+        dialog.setWindowModality(Qt::ApplicationModal);
+        dialog.setMinimumWidth(360);
+        dialog.setAutoReset(false);
+        dialog.setAutoClose(false);
+        QTimer poll;
+        QObject::connect(&poll, &QTimer::timeout, &dialog, [&] {
+            if (isDone()) return dialog.done(0);
+            if (cancelled) return dialog.setLabelText(QObject::tr("Stopping…"));
+            if (permille < 0) return;
+            dialog.setMaximum(1000);
+            dialog.setValue(permille);
+        });
+        QObject::connect(&dialog, &QProgressDialog::canceled, &dialog,
+                         [&] { cancelled = cancelling == Cancelling::Offered; });
+        poll.start(30);
+        // Escape hides the dialog, but the work may take a moment to stop.
+        while (!isDone())
+            dialog.exec();
+    }
+    done.get();
+    if (cancelled) throw Cancelled();
+}
+
+} // namespace esm

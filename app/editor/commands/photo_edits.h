@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/model/project.h"
+#include "core/render/camera.h"
+
+#include <cstddef>
+#include <memory>
+
+namespace esm {
+
+/// A projector between the eye and the organ that looks where the camera looks, with the photo's proportions
+/// and 40 % of the organ's size.
+Projector projectorFromCamera(const Camera& camera, const Image& photo, const TriangleMesh& mesh);
+
+/// Packs the mesh; where the size cannot hold it, doubles the size up to 8192. @throws InvalidModel when even
+/// that is too small
+Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options);
+
+/// A photo on top of the others, thrown by `projector`; `atlas` is taken where the project has none.
+void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projector& projector,
+              std::shared_ptr<const Atlas> atlas);
+
+/// Exchanges a photo with its neighbour above (+1) or below (−1), where there is one.
+bool canMovePhoto(const Project& project, std::size_t photo, int above);
+void movePhoto(Project& project, std::size_t photo, int above);
+
+} // namespace esm

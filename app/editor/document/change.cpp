@@ -1,0 +1,98 @@
+#include "app/editor/document/change.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+template<typename T, typename Same>
+bool sameList(const std::vector<T>& a, const std::vector<T>& b, Same same) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+bool same(const Ellipsoid& a, const Ellipsoid& b) {
+    return a.centre == b.centre && a.radii == b.radii && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+bool same(const std::optional<Ellipsoid>& a, const std::optional<Ellipsoid>& b) {
+    return a.has_value() == b.has_value() && (!a || same(*a, *b));
+}
+
+bool same(const TissueValues& a, const TissueValues& b) {
+    return a.springConstant == b.springConstant && a.viscosity == b.viscosity && a.mass == b.mass;
+}
+
+bool same(const Region& a, const Region& b) {
+    return a.name == b.name && a.colour == b.colour && same(a.ellipsoid, b.ellipsoid) &&
+           a.system == b.system && a.inputs == b.inputs && same(a.held, b.held);
+}
+
+bool same(const Path& a, const Path& b) {
+    return sameList(
+        a, b, [](const PathPoint& p, const PathPoint& q) { return p.time == q.time && p.value == q.value; });
+}
+
+bool same(const NodeSelection& a, const NodeSelection& b) {
+    return a.nodes == b.nodes && same(a.ellipsoid, b.ellipsoid);
+}
+
+bool same(const TetherRule& a, const TetherRule& b) {
+    return a.every == b.every && a.springConstant == b.springConstant && a.viscosity == b.viscosity;
+}
+
+bool same(const NodeForce& a, const NodeForce& b) {
+    return a.node == b.node && a.force == b.force && a.from == b.from && a.to == b.to;
+}
+
+bool same(const NodeMove& a, const NodeMove& b) {
+    return a.node == b.node && same(a.path, b.path);
+}
+
+bool same(const std::optional<InstrumentMotion>& a, const std::optional<InstrumentMotion>& b) {
+    return a.has_value() == b.has_value() && (!a || (a->radius == b->radius && same(a->path, b->path)));
+}
+
+bool same(const PhotoLayer& a, const PhotoLayer& b) {
+    return a.name == b.name && a.photo == b.photo && a.projector.pose.matrix() == b.projector.pose.matrix() &&
+           a.projector.width == b.projector.width && a.projector.height == b.projector.height &&
+           a.projector.occlusion == b.projector.occlusion && a.blendPixels == b.blendPixels &&
+           a.opacity == b.opacity && a.visible == b.visible;
+}
+
+template<typename T> bool sameItems(const std::vector<T>& a, const std::vector<T>& b) {
+    return sameList(a, b, [](const T& x, const T& y) { return same(x, y); });
+}
+
+bool same(const Scene& a, const Scene& b) {
+    return a.duration == b.duration && a.gravity == b.gravity && sameItems(a.fixed, b.fixed) &&
+           sameItems(a.tethers, b.tethers) && sameItems(a.forces, b.forces) && sameItems(a.moves, b.moves) &&
+           same(a.instrument, b.instrument) && a.record.every == b.record.every &&
+           a.record.nodes == b.record.nodes;
+}
+
+bool same(const TextureSettings& a, const TextureSettings& b) {
+    return a.atlas.size == b.atlas.size && a.atlas.pages == b.atlas.pages && a.atlas.gap == b.atlas.gap &&
+           a.baseColour == b.baseColour;
+}
+
+bool same(const BaseTissue& a, const BaseTissue& b) {
+    return a.springConstant == b.springConstant && a.viscosity == b.viscosity && a.mass == b.mass;
+}
+
+} // namespace
+
+Change difference(const Project& before, const Project& after) {
+    Change change;
+    change.name = before.name != after.name;
+    change.mesh = before.mesh != after.mesh || before.network != after.network ||
+                  before.importReport != after.importReport;
+    change.tissue = !same(before.base, after.base);
+    change.regions = !sameItems(before.regions, after.regions);
+    change.scene = !same(before.scene, after.scene);
+    change.photos = !sameItems(before.photos, after.photos);
+    change.texture = !same(before.texture, after.texture) || before.atlas != after.atlas;
+    return change;
+}
+
+} // namespace esm

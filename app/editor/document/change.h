@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/model/project.h"
+
+namespace esm {
+
+/// What differs between two projects; what a listener has to look at anew.
+struct Change {
+    bool name = false;
+    bool mesh = false;   ///< the mesh, its network or its import report: another organ
+    bool tissue = false; ///< the whole organ's base tissue
+    bool regions = false;
+    bool scene = false;
+    bool photos = false;
+    bool texture = false; ///< texture settings or the packed atlas
+
+    bool any() const { return name || mesh || tissue || regions || scene || photos || texture; }
+    /// What the simulation runs on.
+    bool model() const { return mesh || tissue || regions || scene; }
+    /// What the composed texture is made of.
+    bool picture() const { return mesh || photos || texture; }
+
+    static Change everything() { return {true, true, true, true, true, true, true}; }
+};
+
+/// Shared parts are compared by pointer, all else by value.
+Change difference(const Project& before, const Project& after);
+
+} // namespace esm

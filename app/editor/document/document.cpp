@@ -1,0 +1,47 @@
+#include "app/editor/document/document.h"
+
+#include "app/editor/commands/project_command.h"
+
+namespace esm {
+
+Document::Document(Project project, QObject* parent) : QObject(parent), m_project(std::move(project)) {
+    m_undoStack.setUndoLimit(500);
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+}
+
+QString Document::title() const {
+    return m_path ? QString::fromStdString(m_path->filename().string())
+                  : QString::fromStdString(m_project.name);
+}
+
+void Document::edit(const QString& text, const std::function<void(Project&)>& change,
+                    const QString& mergeKey) {
+    Project after = m_project;
+    change(after);
+    if (!difference(m_project, after).any()) return;
+    const QString key = mergeKey.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(m_gesture).arg(mergeKey);
+    m_undoStack.push(new ProjectCommand(*this, std::move(after), text, key));
+}
+
+void Document::replace(Project project, std::optional<std::filesystem::path> path) {
+    m_path = std::move(path);
+    m_project = std::move(project);
+    m_undoStack.clear();
+    emit changed(Change::everything());
+    emit titleChanged();
+}
+
+void Document::markSaved(const std::filesystem::path& path) {
+    m_path = path;
+    m_undoStack.setClean();
+    finishGesture();
+    emit titleChanged();
+}
+
+void Document::take(const Project& project) {
+    const Change change = difference(m_project, project);
+    m_project = project;
+    if (change.any()) emit changed(change);
+}
+
+} // namespace esm

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "app/editor/document/change.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+namespace esm {
+
+/// The one project the window shows: a value, where it is saved, and the edits that led to it. Only commands
+/// change it; everyone else listens to changed().
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Document(Project project, QObject* parent = nullptr);
+
+    const Project& project() const { return m_project; }
+    const std::optional<std::filesystem::path>& path() const { return m_path; }
+    QUndoStack* undoStack() { return &m_undoStack; }
+    bool isModified() const { return !m_undoStack.isClean(); }
+    /// The file's name, or the organ's while it was never saved.
+    QString title() const;
+
+    /// An undoable edit. Edits that follow each other with the same, non-empty `mergeKey` become one step,
+    /// until finishGesture(). Nothing happens when the edit changes nothing.
+    void edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey = {});
+    /// The drag or slider move in progress is over: the next edit starts a step of its own.
+    void finishGesture() { ++m_gesture; }
+
+    /// Another project takes the place of this one; nothing to undo remains.
+    void replace(Project project, std::optional<std::filesystem::path> path);
+    /// The project as it is now lies in this file.
+    void markSaved(const std::filesystem::path& path);
+
+signals:
+    void changed(const esm::Change& change);
+    /// Title, path or modified mark.
+    void titleChanged();
+
+private:
+    friend class ProjectCommand;
+    void take(const Project& project);
+
+    Project m_project;
+    std::optional<std::filesystem::path> m_path;
+    QUndoStack m_undoStack;
+    int m_gesture = 0;
+};
+
+} // namespace esm

@@ -1,0 +1,80 @@
+#include "app/editor/panels/parameter_row.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+
+namespace esm {
+
+namespace {
+
+NumberFormat formatOf(Parameter parameter) {
+    NumberFormat format;
+    format.unit = parameterUnit(parameter);
+    format.minimum = parameter == Parameter::Mass ? 1e-9 : 0;
+    format.maximum = 1e9;
+    return format;
+}
+
+} // namespace
+
+QString parameterName(Parameter parameter) {
+    switch (parameter) {
+    case Parameter::SpringConstant:
+        return QObject::tr("spring constant");
+    case Parameter::Viscosity:
+        return QObject::tr("viscosity");
+    default:
+        return QObject::tr("mass");
+    }
+}
+
+QString parameterUnit(Parameter parameter) {
+    switch (parameter) {
+    case Parameter::SpringConstant:
+        return QStringLiteral("N/m");
+    case Parameter::Viscosity:
+        return QStringLiteral("N·s/m");
+    default:
+        return QStringLiteral("kg");
+    }
+}
+
+ParameterRow::ParameterRow(Parameter parameter, bool canHold, QWidget* parent)
+    : QWidget(parent), m_field(new NumberField(formatOf(parameter), this)), m_note(new QLabel(this)) {
+    auto* name = new QLabel(parameterName(parameter), this);
+    name->setProperty("strong", true);
+    name->setBuddy(m_field);
+    m_note->setProperty("quiet", true);
+    m_field->setAccessibleName(parameterName(parameter));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    row->addWidget(name);
+    row->addWidget(m_note, 1, Qt::AlignRight);
+    connect(m_field, &NumberField::valueEdited, this, &ParameterRow::valueEdited);
+    if (canHold) {
+        m_hold = new QToolButton(this);
+        m_hold->setText(tr("hold"));
+        m_hold->setCheckable(true);
+        m_hold->setObjectName(QStringLiteral("holdButton"));
+        row->addWidget(m_hold);
+        connect(m_hold, &QToolButton::clicked, this, [this](bool held) {
+            if (!held) return emit released();
+            // Nothing to hold yet: the number is asked for.
+            m_hold->setChecked(false);
+            m_field->setFocus();
+        });
+    }
+    row->addWidget(m_field);
+}
+
+void ParameterRow::setValue(std::optional<double> value) {
+    m_field->setValue(value);
+    if (!m_hold) return;
+    m_hold->setChecked(value.has_value());
+    m_note->setText(value ? QString() : tr("as beneath"));
+    m_hold->setToolTip(value ? tr("Let go: keep the value of the tissue beneath")
+                             : tr("Type a value to hold it"));
+}
+
+} // namespace esm

@@ -1,0 +1,126 @@
+#include "app/editor/panels/photo_panel.h"
+
+#include "widgets/texture/image_conversion.h"
+
+#include <QSignalBlocker>
+
+namespace esm {
+
+namespace {
+
+constexpr int pictureHeight = 150;
+
+NumberFormat percentFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("%");
+    format.shownPerValue = 100;
+    format.decimals = 0;
+    format.minimum = 0;
+    format.maximum = 1;
+    format.step = 0.05;
+    return format;
+}
+
+NumberFormat pixelFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("px");
+    format.decimals = 0;
+    format.minimum = 0;
+    format.maximum = 10000;
+    format.step = 1;
+    return format;
+}
+
+} // namespace
+
+PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent)
+    : Section(tr("Photo"), parent), m_document(document), m_selection(selection), m_picture(new QLabel(this)),
+      m_visible(new QCheckBox(tr("&Visible"), this)),
+      m_occlusion(new QCheckBox(tr("Only what the projector &sees"), this)),
+      m_opacity(new QSlider(Qt::Horizontal, this)), m_opacityField(new NumberField(percentFormat(), this)),
+      m_blend(new NumberField(pixelFormat(), this)) {
+    m_picture->setFixedHeight(pictureHeight);
+    m_picture->setAlignment(Qt::AlignCenter);
+    m_picture->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_opacity->setRange(0, 100);
+    m_opacity->setObjectName(QStringLiteral("opacitySlider"));
+    m_opacity->setAccessibleName(tr("Opacity"));
+    m_blend->setToolTip(tr("Photo pixels from the border over which the photo fades in"));
+    m_occlusion->setToolTip(tr("Leave out what faces away from the projector or lies behind other tissue"));
+    auto* rows = new ValueRows(this);
+    rows->addField(tr("&Opacity"), m_opacityField);
+    body()->addWidget(m_picture);
+    body()->addWidget(rows);
+    body()->addWidget(m_opacity);
+    auto* blendRow = new ValueRows(this);
+    blendRow->addField(tr("&Blend at border"), m_blend);
+    body()->addWidget(blendRow);
+    body()->addWidget(m_visible);
+    body()->addWidget(m_occlusion);
+
+    const auto setOpacity = [this](double opacity) {
+        edit(
+            tr("Set opacity"), [=](PhotoLayer& layer) { layer.opacity = opacity; },
+            QStringLiteral("opacity"));
+    };
+    connect(m_opacity, &QSlider::valueChanged, this, [=](int percent) { setOpacity(percent / 100.0); });
+    connect(m_opacity, &QSlider::sliderReleased, this, [this] { m_document.finishGesture(); });
+    connect(m_opacityField, &NumberField::valueEdited, this, setOpacity);
+    connect(m_blend, &NumberField::valueEdited, this, [this](double pixels) {
+        edit(tr("Set blending"), [=](PhotoLayer& layer) { layer.blendPixels = pixels; });
+    });
+    connect(m_visible, &QCheckBox::clicked, this, [this](bool on) {
+        edit(on ? tr("Show photo") : tr("Hide photo"), [=](PhotoLayer& layer) { layer.visible = on; });
+    });
+    connect(m_occlusion, &QCheckBox::clicked, this, [this](bool on) {
+        edit(tr("Set what the projector reaches"),
+             [=](PhotoLayer& layer) { layer.projector.occlusion = on; });
+    });
+    connect(&selection, &Selection::changed, this, &PhotoPanel::show);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.photos) show();
+    });
+    show();
+}
+
+void PhotoPanel::show() {
+    const auto selected = m_selection.photo();
+    const PhotoLayer* layer = selected ? &m_document.project().photos[*selected] : nullptr;
+    setTitle(layer ? tr("Photo · %1").arg(QString::fromStdString(layer->name)) : tr("Photo"));
+    for (QWidget* control :
+         std::initializer_list<QWidget*>{m_visible, m_occlusion, m_opacity, m_opacityField, m_blend})
+        control->setEnabled(layer);
+    showPicture(layer ? layer->photo : nullptr);
+    const QSignalBlocker quiet(m_opacity);
+    m_opacityField->setValue(layer ? std::optional(layer->opacity) : std::nullopt);
+    m_blend->setValue(layer ? std::optional(layer->blendPixels) : std::nullopt);
+    m_opacity->setValue(layer ? qRound(layer->opacity * 100) : 0);
+    m_visible->setChecked(layer && layer->visible);
+    m_occlusion->setChecked(layer && layer->projector.occlusion);
+}
+
+void PhotoPanel::showPicture(const std::shared_ptr<const Photo>& photo) {
+    if (photo && photo == m_shown) return;
+    m_shown = photo;
+    if (!photo) {
+        m_picture->setText(tr("Select or add a photo"));
+        return;
+    }
+    const QImage picture = toQImage(photo->image);
+    m_picture->setPixmap(QPixmap::fromImage(
+        picture.scaled(280, pictureHeight, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+    m_picture->setToolTip(tr("%1, %2 × %3 pixels")
+                              .arg(QString::fromStdString(photo->fileName))
+                              .arg(photo->image.width)
+                              .arg(photo->image.height));
+}
+
+void PhotoPanel::edit(const QString& text, const std::function<void(PhotoLayer&)>& change,
+                      const QString& mergeKey) {
+    const auto selected = m_selection.photo();
+    if (selected)
+        m_document.edit(
+            text, [&](Project& project) { change(project.photos[*selected]); }, mergeKey);
+}
+
+} // namespace esm

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/editor/document/document.h"
+#include "app/editor/document/selection.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/inputs/section.h"
+
+#include <QCheckBox>
+#include <QSlider>
+
+namespace esm {
+
+/// The selected photo: how it looks, how strongly and where it shows.
+class PhotoPanel : public Section {
+    Q_OBJECT
+
+public:
+    PhotoPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
+
+private:
+    void show();
+    void edit(const QString& text, const std::function<void(PhotoLayer&)>& change,
+              const QString& mergeKey = {});
+    void showPicture(const std::shared_ptr<const Photo>& photo);
+
+    Document& m_document;
+    Selection& m_selection;
+    QLabel* m_picture;
+    QCheckBox *m_visible, *m_occlusion;
+    QSlider* m_opacity;
+    NumberField *m_opacityField, *m_blend;
+    std::shared_ptr<const Photo> m_shown;
+};
+
+} // namespace esm

@@ -1,0 +1,91 @@
+#include "app/editor/panels/projector_panel.h"
+
+#include "app/editor/commands/angles.h"
+
+namespace esm {
+
+namespace {
+
+NumberFormat millimetreFormat(double minimum, const QString& unit) {
+    NumberFormat format;
+    format.unit = unit;
+    format.shownPerValue = 1000;
+    format.decimals = 1;
+    format.minimum = minimum;
+    format.maximum = 1000;
+    format.step = 0.001;
+    return format;
+}
+
+NumberFormat degreeFormat() {
+    NumberFormat format;
+    format.decimals = 0;
+    format.minimum = -360;
+    format.maximum = 360;
+    format.step = 1;
+    return format;
+}
+
+} // namespace
+
+ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget* parent)
+    : Section(tr("Projector"), parent), m_document(document), m_selection(selection),
+      m_width(new NumberField(millimetreFormat(1e-5, QStringLiteral("mm")), this)),
+      m_height(new NumberField(millimetreFormat(1e-5, QStringLiteral("mm")), this)),
+      m_position(new VectorField(millimetreFormat(-1000, {}), this)),
+      m_turned(new VectorField(degreeFormat(), this)),
+      m_fromCamera(new QPushButton(tr("From &camera"), this)) {
+    auto* rows = new ValueRows(this);
+    rows->addField(tr("Width"), m_width);
+    rows->addField(tr("Height"), m_height);
+    rows->addField(tr("Position, mm"), m_position);
+    rows->addField(tr("Turned, °"), m_turned);
+    m_width->setObjectName(QStringLiteral("projectorWidth"));
+    body()->addWidget(rows);
+    body()->addWidget(m_fromCamera, 0, Qt::AlignLeft);
+
+    connect(m_width, &NumberField::valueEdited, this, [this](double width) {
+        edit(tr("Resize projector"), [=](Projector& projector) { projector.width = width; });
+    });
+    connect(m_height, &NumberField::valueEdited, this, [this](double height) {
+        edit(tr("Resize projector"), [=](Projector& projector) { projector.height = height; });
+    });
+    connect(m_position, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& position) {
+        edit(tr("Move projector"), [&](Projector& projector) { projector.pose.translation() = position; });
+    });
+    connect(m_turned, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& degrees) {
+        edit(tr("Turn projector"),
+             [&](Projector& projector) { projector.pose.linear() = rotationOf(degrees); });
+    });
+    connect(m_fromCamera, &QPushButton::clicked, this, &ProjectorPanel::fromCameraRequested);
+    connect(&selection, &Selection::changed, this, &ProjectorPanel::show);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.photos) show();
+    });
+    show();
+}
+
+void ProjectorPanel::show() {
+    const auto selected = m_selection.photo();
+    const Projector* projector = selected ? &m_document.project().photos[*selected].projector : nullptr;
+    const QString why = tr("No photo is selected");
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{m_width, m_height, m_position, m_turned, m_fromCamera}) {
+        field->setEnabled(projector);
+        field->setToolTip(projector ? QString() : why);
+    }
+    if (projector) m_fromCamera->setToolTip(tr("Throw the photo from where you look (C)"));
+    m_width->setValue(projector ? std::optional(projector->width) : std::nullopt);
+    m_height->setValue(projector ? std::optional(projector->height) : std::nullopt);
+    using Vector = std::optional<Eigen::Vector3d>;
+    m_position->setValue(projector ? Vector(projector->pose.translation()) : Vector());
+    m_turned->setValue(projector ? Vector(degreesOf(projector->pose.linear())) : Vector());
+}
+
+void ProjectorPanel::edit(const QString& text, const std::function<void(Projector&)>& change) {
+    const auto selected = m_selection.photo();
+    if (selected)
+        m_document.edit(text, [&](Project& project) { change(project.photos[*selected].projector); });
+}
+
+} // namespace esm

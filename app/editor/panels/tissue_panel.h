@@ -1,0 +1,47 @@
+#pragma once
+
+#include "app/editor/document/document.h"
+#include "app/editor/document/selection.h"
+#include "app/editor/panels/fuzzy_choice.h"
+#include "app/editor/panels/parameter_row.h"
+#include "widgets/fuzzy/linguistic_slider.h"
+#include "widgets/inputs/section.h"
+
+#include <functional>
+#include <vector>
+
+namespace esm {
+
+/// How the selected region's tissue behaves: words, a slider per input of its fuzzy system, and what they
+/// come to. Made anew from the system's variables when another system is chosen [R 2.3.7].
+class TissuePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    TissuePanel(Document& document, Selection& selection, QWidget* parent = nullptr);
+
+private:
+    const Region* region() const;
+    void show();
+    void rebuild();
+    void addInput(const FuzzyVariable& variable);
+    void addOutput(Parameter parameter, std::size_t index);
+    void addPlainParameter(Parameter parameter);
+    void addBaseParameter(Parameter parameter);
+    void setHeld(Parameter parameter, std::optional<double> value, const QString& mergeKey = {});
+    void chooseSystem(const std::shared_ptr<const FuzzySystem>& system);
+    QString words() const;
+
+    Document& m_document;
+    Selection& m_selection;
+    Section *m_tissue, *m_results;
+    FuzzyChoice* m_choice;
+    QLabel *m_words, *m_warnings;
+    QWidget *m_inputs, *m_outputs;
+    std::shared_ptr<const FuzzySystem> m_builtFor;
+    bool m_builtForRegion = false, m_built = false;
+    /// Each shows one row's value again.
+    std::vector<std::function<void(const Region*, const RegionTissue&)>> m_refreshers;
+};
+
+} // namespace esm

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/dynamics/simulation.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace esm {
+
+/// A patch of tissue taken hold of: it follows a displacement, not a place, and swiftly but not at once, so
+/// that a jump of the mouse is no blow [R 4.4].
+class Grasp {
+public:
+    /// Takes the free nodes around `node` at rest, within a few hundredths of the organ's size.
+    Grasp(const TissueModel& model, const std::vector<Eigen::Vector3d>& positions, std::uint32_t node);
+
+    std::uint32_t node() const { return m_node; }
+    /// Where the grasped node shall go.
+    void setTarget(const Eigen::Vector3d& target) { m_target = target - m_start.front(); }
+    void setDisplacement(const Eigen::Vector3d& displacement) { m_target = displacement; }
+
+    /// Moves on by `timeStep` (s) and adds the held nodes.
+    void advance(double timeStep, std::vector<HeldNode>& held);
+
+private:
+    std::uint32_t m_node;
+    std::vector<std::uint32_t> m_nodes; ///< the grasped one first
+    std::vector<Eigen::Vector3d> m_start;
+    Eigen::Vector3d m_target = Eigen::Vector3d::Zero(), m_displacement = Eigen::Vector3d::Zero();
+};
+
+/// The slow pull that shows a newly opened organ alive: a free node at the organ's edge, drawn outwards and
+/// let back again. Empty when every node is fixed.
+struct GentlePull {
+    std::uint32_t node;
+    Eigen::Vector3d furthest; ///< m, displacement
+};
+std::optional<GentlePull> gentlePull(const TissueModel& model);
+Eigen::Vector3d displacementAt(const GentlePull& pull, double time);
+
+} // namespace esm

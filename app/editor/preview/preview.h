@@ -1,0 +1,65 @@
+#pragma once
+
+#include "app/editor/preview/preview_run.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace esm {
+
+/// What the window draws.
+struct PreviewFrame {
+    std::shared_ptr<const SpringNetwork> network; ///< the one the positions belong to
+    std::vector<Eigen::Vector3d> positions;       ///< m, one per node
+};
+
+/// The running model behind the window, on one thread of its own. What comes in replaces what came before it
+/// and was not looked at yet; of what goes out only the latest frame is kept, so a slow window skips frames.
+class Preview : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Preview(QObject* parent = nullptr);
+    ~Preview() override;
+
+    void setProject(const Project& project);
+    void setPlaying(bool playing);
+    void reset();
+    void setPull(const std::optional<Pull>& pull);
+    void setInstrument(const std::optional<Sphere>& instrument);
+    void setGentleMotion(bool on);
+
+    PreviewFrame frame();
+    PreviewStatus status() const;
+
+signals:
+    void frameReady();
+    void statusChanged();
+
+private:
+    /// Guarded by m_mutex; what the worker has yet to look at.
+    struct Inbox {
+        std::optional<Project> project;
+        bool isNew = false, reset = false, playing = false, stop = false;
+        PreviewLoads loads;
+    };
+
+    void work();
+    Inbox collect(bool idle, std::chrono::steady_clock::time_point until);
+    void publish(const PreviewRun& run);
+    template<typename Change> void send(Change change);
+
+    mutable std::mutex m_mutex;
+    std::condition_variable m_changed;
+    Inbox m_inbox;
+    PreviewFrame m_frame;
+    PreviewStatus m_status;
+    std::atomic<bool> m_frameAnnounced = false;
+    std::thread m_thread;
+};
+
+} // namespace esm

@@ -1,0 +1,124 @@
+#include "app/editor/preview/preview_run.h"
+
+#include "core/dynamics/stability.h"
+
+namespace esm {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+} // namespace
+
+void PreviewRun::setProject(const Project& project) {
+    try {
+        const bool sameNetwork = m_simulation && m_model.network == project.network;
+        TissueModel model = evaluateModel(project);
+        if (sameNetwork)
+            m_simulation->setModel(model);
+        else
+            m_simulation.emplace(model, SimulationSettings{}, project.mesh->triangles);
+        m_model = std::move(model);
+        m_gravity = project.scene.gravity;
+        if (!sameNetwork) {
+            m_pull.reset();
+            m_gentleGrasp.reset();
+            m_gentleTime = 0;
+        }
+        m_gentlePull = gentlePull(m_model);
+        m_status.failure.clear();
+        m_status.integrator = integratorName(m_simulation->integrator());
+        m_status.timeStep = m_simulation->timeStep();
+        m_safeStepKnown = false;
+    } catch (const std::exception& error) {
+        m_status.failure = error.what();
+        if (!m_simulation) m_model.network = project.network;
+    }
+}
+
+void PreviewRun::reset() {
+    m_pull.reset();
+    m_gentleGrasp.reset();
+    m_gentleTime = 0;
+    m_debt = 0;
+    if (!m_simulation) return;
+    m_simulation->reset();
+    m_status.failure.clear();
+}
+
+const std::vector<Eigen::Vector3d>& PreviewRun::positions() const {
+    static const std::vector<Eigen::Vector3d> none;
+    if (m_simulation) return m_simulation->positions();
+    return m_model.network ? m_model.network->restPositions : none;
+}
+
+void PreviewRun::followLoads(const PreviewLoads& loads) {
+    if (!loads.pull)
+        m_pull.reset();
+    else if (!m_pull || m_pull->node() != loads.pull->node)
+        m_pull.emplace(m_model, m_simulation->positions(), loads.pull->node);
+    if (m_pull) m_pull->setTarget(loads.pull->target);
+
+    if (!loads.gentleMotion || !m_gentlePull)
+        m_gentleGrasp.reset();
+    else if (!m_gentleGrasp)
+        m_gentleGrasp.emplace(m_model, m_simulation->positions(), m_gentlePull->node);
+}
+
+bool PreviewRun::step(const PreviewLoads& loads) {
+    const double timeStep = m_simulation->timeStep();
+    Loads acting;
+    acting.gravity = m_gravity;
+    acting.instrument = loads.instrument;
+    if (m_pull) m_pull->advance(timeStep, acting.held);
+    if (m_gentleGrasp) {
+        m_gentleTime += timeStep;
+        m_gentleGrasp->setDisplacement(displacementAt(*m_gentlePull, m_gentleTime));
+        m_gentleGrasp->advance(timeStep, acting.held);
+    }
+    return m_simulation->step(acting);
+}
+
+bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
+    if (loads.pull && loads.pull->node >= m_model.network->restPositions.size()) return true;
+    followLoads(loads);
+    const double timeStep = m_simulation->timeStep();
+    // A slow machine does not run after lost time.
+    m_debt = std::min(m_debt + seconds, 2 * seconds + timeStep);
+    const auto start = Clock::now();
+    double simulated = 0;
+    while (m_debt >= timeStep && secondsSince(start) < seconds) {
+        if (!step(loads)) {
+            m_status.failure = m_simulation->failure();
+            return false;
+        }
+        m_debt -= timeStep;
+        simulated += timeStep;
+    }
+    measure(simulated, secondsSince(start));
+    return true;
+}
+
+void PreviewRun::measure(double simulated, double computing) {
+    constexpr double decay = 0.95;
+    m_simulated = decay * m_simulated + simulated;
+    m_computing = decay * m_computing + computing;
+    m_status.realTimeFactor = m_computing > 0 ? m_simulated / m_computing : 0;
+}
+
+bool PreviewRun::updateSafeStep() {
+    if (m_safeStepKnown || !m_simulation) return false;
+    m_safeStepKnown = true;
+    const CriticalSteps steps = criticalSteps(m_model);
+    const Integrator integrator = m_simulation->integrator();
+    m_status.safeStep = integrator == Integrator::Split2  ? steps.split2
+                        : integrator == Integrator::Split ? steps.split
+                                                          : steps.euler;
+    return true;
+}
+
+} // namespace esm

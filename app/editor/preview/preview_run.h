@@ -1,0 +1,71 @@
+#pragma once
+
+#include "app/editor/preview/grasp.h"
+#include "core/model/project.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace esm {
+
+/// A pull in progress: the node that was caught and where the mouse wants it.
+struct Pull {
+    std::uint32_t node;
+    Eigen::Vector3d target; ///< m
+};
+
+/// What acts on the preview from outside.
+struct PreviewLoads {
+    std::optional<Pull> pull;
+    std::optional<Sphere> instrument;
+    bool gentleMotion = false; ///< the slow pull of a newly opened organ
+};
+
+/// How the run goes.
+struct PreviewStatus {
+    bool playing = false;
+    std::string integrator;         ///< empty without a simulation
+    double timeStep = 0;            ///< s
+    std::optional<double> safeStep; ///< s, largest stable step of the integrator; infinite without a limit
+    double realTimeFactor = 0;      ///< simulated over computing time
+    std::string failure;            ///< why the run stopped; empty when all is well
+};
+
+/// The simulation behind the window, run by the preview's thread alone.
+class PreviewRun {
+public:
+    /// Takes a project; the motion goes on when the network is the same. Problems go to status().failure.
+    void setProject(const Project& project);
+    /// Back to rest, and past a failure.
+    void reset();
+    /// Steps until `seconds` are simulated, or more than that has been spent computing. False when the run
+    /// stopped.
+    bool advance(double seconds, const PreviewLoads& loads);
+    /// Works out how far the step may go; false when that is known already.
+    bool updateSafeStep();
+
+    bool isReady() const { return m_simulation.has_value() && m_status.failure.empty(); }
+    const std::vector<Eigen::Vector3d>& positions() const;
+    const std::shared_ptr<const SpringNetwork>& network() const { return m_model.network; }
+    const PreviewStatus& status() const { return m_status; }
+
+private:
+    void followLoads(const PreviewLoads& loads);
+    bool step(const PreviewLoads& loads);
+    void measure(double simulated, double computing);
+
+    TissueModel m_model;
+    std::optional<Simulation> m_simulation;
+    std::optional<Grasp> m_pull, m_gentleGrasp;
+    std::optional<GentlePull> m_gentlePull;
+    double m_gentleTime = 0;
+    Eigen::Vector3d m_gravity = Eigen::Vector3d::Zero();
+    double m_debt = 0;                       ///< s that were asked for and not simulated yet
+    double m_simulated = 0, m_computing = 0; ///< s, decaying sums for the real-time factor
+    bool m_safeStepKnown = false;
+    PreviewStatus m_status;
+};
+
+} // namespace esm

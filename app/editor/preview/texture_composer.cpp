@@ -1,0 +1,89 @@
+#include "app/editor/preview/texture_composer.h"
+
+#include "core/texture/composite.h"
+
+#include <chrono>
+
+namespace esm {
+
+TextureComposer::TextureComposer(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
+
+TextureComposer::~TextureComposer() {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stop = true;
+    }
+    m_changed.notify_one();
+    m_thread.join();
+}
+
+void TextureComposer::compose(const Project& project) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting = project;
+    }
+    m_changed.notify_one();
+}
+
+TextureComposer::Pages TextureComposer::pages() const {
+    const std::lock_guard lock(m_mutex);
+    return m_pages;
+}
+
+std::shared_ptr<const Atlas> TextureComposer::atlas() const {
+    const std::lock_guard lock(m_mutex);
+    return m_atlas;
+}
+
+double TextureComposer::milliseconds() const {
+    const std::lock_guard lock(m_mutex);
+    return m_milliseconds;
+}
+
+std::string TextureComposer::failure() const {
+    const std::lock_guard lock(m_mutex);
+    return m_failure;
+}
+
+void TextureComposer::work() {
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+        m_changed.wait(lock, [this] { return m_stop || m_waiting; });
+        if (m_stop) return;
+        const Project project = std::move(*m_waiting);
+        m_waiting.reset();
+        lock.unlock();
+        composeOnce(project);
+        lock.lock();
+    }
+}
+
+void TextureComposer::composeOnce(const Project& project) {
+    const auto start = std::chrono::steady_clock::now();
+    Pages pages;
+    std::string failure;
+    try {
+        const auto goOn = [&](double) {
+            const std::lock_guard lock(m_mutex);
+            return !m_stop && !(m_waiting && m_waiting->atlas != project.atlas);
+        };
+        if (project.atlas && !project.photos.empty())
+            pages = std::make_shared<const std::vector<Image>>(
+                composite(*project.mesh, *project.atlas, project.photos, project.texture.baseColour, goOn));
+    } catch (const Cancelled&) {
+        return;
+    } catch (const std::exception& error) {
+        failure = error.what();
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        m_pages = std::move(pages);
+        m_atlas = m_pages ? project.atlas : nullptr;
+        m_failure = std::move(failure);
+        m_milliseconds =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    }
+    emit composed();
+}
+
+} // namespace esm

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QAction>
+#include <QActionGroup>
+#include <QWidget>
+
+#include <string>
+#include <vector>
+
+class QUndoStack;
+
+namespace esm {
+
+/// Everything the window can be asked to do. The window owns the actions; controllers connect to them.
+struct Actions {
+    QAction *open, *save, *saveAs, *import, *exportPackage, *quit;
+    std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
+    QAction *undo, *redo, *rename;
+    QAction *showSprings, *showRegions, *showLeft, *showRight, *frame, *lightTheme;
+    std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
+    QAction *addRegion, *fixRegion, *freeNodes;
+    QAction *addPhoto, *fromCamera;
+    QAction *play, *reset;
+    QAction *about, *keys;
+    QActionGroup* tools;
+    QAction *look, *pull, *instrument, *region, *projector;
+    QActionGroup* workspaces;
+    QAction *tissue, *texture;
+};
+
+Actions createActions(QWidget* window, QUndoStack* undoStack);
+
+} // namespace esm

@@ -1,0 +1,86 @@
+#include "app/editor/window/edit_controller.h"
+
+#include "app/editor/commands/photo_edits.h"
+#include "app/editor/commands/region_edits.h"
+#include "app/editor/window/actions.h"
+
+#include <QInputDialog>
+
+namespace esm {
+
+EditController::EditController(QWidget& window, Document& document, Selection& selection,
+                               std::function<Camera()> camera)
+    : QObject(&window), m_window(window), m_document(document), m_selection(selection),
+      m_camera(std::move(camera)) {}
+
+void EditController::connectActions(const Actions& actions) {
+    connect(actions.rename, &QAction::triggered, this, &EditController::renameOrgan);
+    connect(actions.addRegion, &QAction::triggered, this, &EditController::addRegion);
+    connect(actions.fixRegion, &QAction::triggered, this, &EditController::fixRegion);
+    connect(actions.freeNodes, &QAction::triggered, this, &EditController::freeNodes);
+    connect(actions.fromCamera, &QAction::triggered, this, &EditController::projectFromCamera);
+    const auto update = [this, actions] { enable(actions); };
+    connect(&m_document, &Document::changed, this, update);
+    connect(&m_selection, &Selection::changed, this, update);
+    update();
+}
+
+void EditController::enable(const Actions& actions) {
+    const auto set = [](QAction* action, bool on, const QString& does, const QString& why) {
+        action->setEnabled(on);
+        action->setToolTip(on ? does : why);
+    };
+    const Project& project = m_document.project();
+    const auto region = m_selection.region();
+    set(actions.fixRegion, region && project.regions[*region].ellipsoid,
+        tr("Hold the nodes inside the selected region in space"),
+        tr("Select a region with an ellipsoid first"));
+    set(actions.freeNodes, !project.scene.fixed.empty(), tr("Let every fixed node go"),
+        tr("No node is fixed"));
+    set(actions.fromCamera, m_selection.photo().has_value(),
+        tr("Throw the selected photo from where you look (C)"), tr("No photo is selected"));
+    const QString noSurface = tr("This model has no surface to lay a photo on");
+    set(actions.addPhoto, !project.mesh->triangles.empty(),
+        tr("Lay a photo on the organ, from the camera (Ctrl+P)"), noSurface);
+}
+
+void EditController::renameOrgan() {
+    bool accepted = false;
+    const QString name =
+        QInputDialog::getText(&m_window, tr("Rename organ"), tr("Name of the organ"), QLineEdit::Normal,
+                              QString::fromStdString(m_document.project().name), &accepted);
+    if (!accepted || name.trimmed().isEmpty()) return;
+    m_document.edit(tr("Rename organ"),
+                    [&](Project& project) { project.name = name.trimmed().toStdString(); });
+}
+
+void EditController::addRegion() {
+    m_document.edit(tr("Add region"), [](Project& project) {
+        esm::addRegion(project, boundingBox(project.network->restPositions).center());
+    });
+}
+
+void EditController::fixRegion() {
+    const auto region = m_selection.region();
+    if (!region || !m_document.project().regions[*region].ellipsoid) return;
+    m_document.edit(tr("Fix nodes"), [&](Project& project) { fixNodesInside(project, *region); });
+}
+
+void EditController::freeNodes() {
+    m_document.edit(tr("Free fixed nodes"), [](Project& project) { project.scene.fixed.clear(); });
+}
+
+void EditController::projectFromCamera() {
+    const auto selected = m_selection.photo();
+    if (!selected) return;
+    m_document.edit(tr("Photo from camera"), [&](Project& project) {
+        PhotoLayer& layer = project.photos[*selected];
+        Projector projector = projectorFromCamera(m_camera(), layer.photo->image, *project.mesh);
+        projector.width = layer.projector.width;
+        projector.height = layer.projector.height;
+        projector.occlusion = layer.projector.occlusion;
+        layer.projector = projector;
+    });
+}
+
+} // namespace esm

@@ -1,0 +1,216 @@
+#include "app/editor/window/file_controller.h"
+
+#include "app/editor/commands/attempt.h"
+#include "app/editor/commands/long_work.h"
+#include "app/editor/commands/photo_edits.h"
+#include "app/editor/window/actions.h"
+#include "app/editor/window/import_dialog.h"
+#include "core/exchange/mesh_file.h"
+#include "core/exchange/model_package.h"
+#include "core/exchange/project_file.h"
+#include "core/samples/samples.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+namespace esm {
+
+namespace {
+
+const QStringList& photoEndings() {
+    static const QStringList endings{"png", "jpg", "jpeg", "bmp", "tif", "tiff", "webp"};
+    return endings;
+}
+
+QStringList meshEndings() {
+    QStringList endings;
+    for (const auto& ending : meshFileEndings())
+        endings << QString::fromStdString(ending);
+    return endings;
+}
+
+QString filter(const QString& name, const QStringList& endings) {
+    return QStringLiteral("%1 (*.%2)").arg(name, endings.join(QStringLiteral(" *.")));
+}
+
+std::filesystem::path toPath(const QString& file) {
+    return std::filesystem::path(file.toStdString());
+}
+
+QString fileName(const std::filesystem::path& file) {
+    return QString::fromStdString(file.filename().string());
+}
+
+} // namespace
+
+FileController::FileController(QWidget& window, Document& document, Selection& selection,
+                               std::function<Camera()> camera)
+    : QObject(&window), m_window(window), m_document(document), m_selection(selection),
+      m_camera(std::move(camera)) {}
+
+void FileController::connectActions(const Actions& actions) {
+    connect(actions.open, &QAction::triggered, this, &FileController::chooseProject);
+    connect(actions.import, &QAction::triggered, this, &FileController::chooseMesh);
+    connect(actions.save, &QAction::triggered, this, &FileController::save);
+    connect(actions.saveAs, &QAction::triggered, this, &FileController::saveAs);
+    connect(actions.exportPackage, &QAction::triggered, this, &FileController::chooseExport);
+    connect(actions.addPhoto, &QAction::triggered, this, &FileController::choosePhoto);
+    for (const auto& sample : actions.samples) {
+        const std::string name = sample.first;
+        connect(sample.second, &QAction::triggered, this, [this, name] { openSample(name); });
+    }
+}
+
+bool FileController::mayLeaveProject() {
+    if (!m_document.isModified()) return true;
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
+                    tr("Save the changes to %1?").arg(m_document.title()),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    box.setObjectName(QStringLiteral("unsavedBox"));
+    box.setInformativeText(tr("Without saving they are lost."));
+    const int answer = box.exec();
+    return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
+}
+
+void FileController::openAny(const std::filesystem::path& file) {
+    const QString ending = QFileInfo(QString::fromStdString(file.string())).suffix().toLower();
+    if (ending == QLatin1String("esm")) return openProject(file);
+    if (photoEndings().contains(ending)) return addPhoto(file);
+    if (meshEndings().contains(ending)) return importMesh(file);
+    attempt(&m_window, tr("This file cannot be opened"), [&] {
+        throw FileError(file, tr("neither a project (.esm), nor a surface (.%1), nor a photo (.%2)")
+                                  .arg(meshEndings().join(QStringLiteral(", .")),
+                                       photoEndings().join(QStringLiteral(", .")))
+                                  .toStdString());
+    });
+}
+
+void FileController::openProject(const std::filesystem::path& file) {
+    attempt(&m_window, tr("The project cannot be opened"), [&] {
+        Project project = computeLong(&m_window, tr("Opening %1").arg(fileName(file)),
+                                      [&](const Progress&) { return loadProject(file); });
+        if (!mayLeaveProject()) return;
+        m_document.replace(std::move(project), file);
+        emit message(tr("Opened %1").arg(fileName(file)));
+    });
+}
+
+void FileController::importMesh(const std::filesystem::path& file) {
+    attempt(&m_window, tr("The surface cannot be imported"), [&] {
+        const QString title = tr("Importing %1").arg(fileName(file));
+        auto soup = computeLong(&m_window, title, [&](const Progress&) { return readMeshFile(file); });
+        const auto repaired = computeLong(&m_window, title, [&](const Progress&) { return repair(soup); });
+        const Eigen::Vector3d extent = boundingBox(repaired.mesh.vertices).sizes();
+        ImportDialog dialog(fileName(file), extent, repaired.report, &m_window);
+        if (dialog.exec() != QDialog::Accepted || !mayLeaveProject()) return;
+        const ImportChoice choice = dialog.choice();
+        Project project = computeLong(&m_window, title, [&](const Progress&) {
+            convertToMetres(soup, choice.unit, choice.up);
+            RepairOptions options;
+            options.keep = choice.keep;
+            return makeProject(file.stem().string(), repair(soup, options));
+        });
+        m_document.replace(std::move(project), std::nullopt);
+        emit message(tr("Imported %1").arg(fileName(file)));
+    });
+}
+
+void FileController::openSample(const std::string& name) {
+    if (!mayLeaveProject()) return;
+    attempt(&m_window, tr("The sample cannot be made"), [&] {
+        m_document.replace(computeLong(&m_window, tr("Making the sample"),
+                                       [&](const Progress&) { return makeSample(name); }),
+                           std::nullopt);
+    });
+}
+
+std::shared_ptr<const Atlas> FileController::atlasForPhotos() {
+    const Project project = m_document.project();
+    if (project.mesh->triangles.empty())
+        throw InvalidModel(tr("This model has no surface to lay a photo on.").toStdString());
+    if (project.atlas) return project.atlas;
+    return std::make_shared<const Atlas>(
+        computeLong(&m_window, tr("Packing the texture"),
+                    [&](const Progress&) { return packFitting(*project.mesh, project.texture.atlas); }));
+}
+
+void FileController::addPhoto(const std::filesystem::path& file) {
+    attempt(&m_window, tr("The photo cannot be added"), [&] {
+        auto photo = computeLong(&m_window, tr("Reading %1").arg(fileName(file)),
+                                 [&](const Progress&) { return loadPhoto(file); });
+        const auto atlas = atlasForPhotos();
+        const Projector projector = projectorFromCamera(m_camera(), photo->image, *m_document.project().mesh);
+        m_document.edit(tr("Add photo"),
+                        [&](Project& project) { esm::addPhoto(project, photo, projector, atlas); });
+        emit message(tr("Added %1").arg(fileName(file)));
+    });
+}
+
+bool FileController::saveTo(const std::filesystem::path& file) {
+    return attempt(&m_window, tr("The project was not saved"), [&] {
+        const Project project = m_document.project();
+        runLongWork(
+            &m_window, tr("Saving %1").arg(fileName(file)),
+            [&](const Progress&) { saveProject(project, file); }, Cancelling::Impossible);
+        m_document.markSaved(file);
+        emit message(tr("Saved %1").arg(fileName(file)));
+    });
+}
+
+void FileController::exportTo(const std::filesystem::path& file) {
+    attempt(&m_window, tr("The package was not written"), [&] {
+        const Project project = m_document.project();
+        runLongWork(&m_window, tr("Exporting %1").arg(fileName(file)),
+                    [&](const Progress& progress) { exportPackage(project, file, progress); });
+        emit message(tr("Exported %1").arg(fileName(file)));
+    });
+}
+
+QString FileController::suggestedPath(const QString& ending) const {
+    const auto& path = m_document.path();
+    const QString folder = path ? QString::fromStdString(path->parent_path().string()) : QDir::currentPath();
+    return QDir(folder).filePath(QFileInfo(m_document.title()).completeBaseName() + ending);
+}
+
+void FileController::chooseProject() {
+    const QString file =
+        QFileDialog::getOpenFileName(&m_window, tr("Open project"), {}, tr("Projects (*.esm)"));
+    if (!file.isEmpty()) openProject(toPath(file));
+}
+
+void FileController::chooseMesh() {
+    const QString file =
+        QFileDialog::getOpenFileName(&m_window, tr("Import organ surface"), {},
+                                     filter(tr("Surfaces"), meshEndings()) + tr(";;All files (*)"));
+    if (!file.isEmpty()) importMesh(toPath(file));
+}
+
+void FileController::choosePhoto() {
+    const QString file = QFileDialog::getOpenFileName(
+        &m_window, tr("Add photo"), {}, filter(tr("Photos"), photoEndings()) + tr(";;All files (*)"));
+    if (!file.isEmpty()) addPhoto(toPath(file));
+}
+
+bool FileController::save() {
+    return m_document.path() ? saveTo(*m_document.path()) : saveAs();
+}
+
+bool FileController::saveAs() {
+    QString file = QFileDialog::getSaveFileName(
+        &m_window, tr("Save project"), suggestedPath(QStringLiteral(".esm")), tr("Projects (*.esm)"));
+    if (file.isEmpty()) return false;
+    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".esm");
+    return saveTo(toPath(file));
+}
+
+void FileController::chooseExport() {
+    QString file = QFileDialog::getSaveFileName(
+        &m_window, tr("Export package"), suggestedPath(QStringLiteral(".glb")), tr("Model packages (*.glb)"));
+    if (file.isEmpty()) return;
+    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".glb");
+    exportTo(toPath(file));
+}
+
+} // namespace esm

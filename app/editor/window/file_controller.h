@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/editor/document/document.h"
+#include "app/editor/document/selection.h"
+#include "core/render/camera.h"
+
+#include <QObject>
+#include <QWidget>
+
+namespace esm {
+
+struct Actions;
+
+/// Opens, imports, saves, hands over and adds photos: what the window does with files.
+class FileController : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param camera where the user looks from, for new photos
+    FileController(QWidget& window, Document& document, Selection& selection, std::function<Camera()> camera);
+
+    void connectActions(const Actions& actions);
+
+    /// Any file that the program understands, by its ending: a project, a mesh or a photo.
+    void openAny(const std::filesystem::path& file);
+    void openProject(const std::filesystem::path& file);
+    void importMesh(const std::filesystem::path& file);
+    void openSample(const std::string& name);
+    void addPhoto(const std::filesystem::path& file);
+    bool saveTo(const std::filesystem::path& file);
+    void exportTo(const std::filesystem::path& file);
+
+    /// True when nothing would be lost: nothing is unsaved, it was saved now, or the user gives it up.
+    bool mayLeaveProject();
+
+signals:
+    void message(const QString& text);
+
+private:
+    void chooseProject();
+    void chooseMesh();
+    void choosePhoto();
+    bool save();
+    bool saveAs();
+    void chooseExport();
+    QString suggestedPath(const QString& ending) const;
+    std::shared_ptr<const Atlas> atlasForPhotos();
+
+    QWidget& m_window;
+    Document& m_document;
+    Selection& m_selection;
+    std::function<Camera()> m_camera;
+};
+
+} // namespace esm

@@ -1,0 +1,143 @@
+#include "app/editor/window/import_dialog.h"
+
+#include "widgets/inputs/number_text.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRadioButton>
+
+#include <array>
+
+namespace esm {
+
+namespace {
+
+constexpr std::array<LengthUnit, 3> units{LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre};
+
+QString lengthText(double metres) {
+    if (metres >= 1) return QObject::tr("%1 m").arg(numberText(metres, 3));
+    return QObject::tr("%1 mm").arg(metres >= 0.01 ? decimalText(metres * 1000, 0)
+                                                   : numberText(metres * 1000, 2));
+}
+
+QLabel* quietLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("quiet", true);
+    return label;
+}
+
+QString reportText(const RepairReport& report) {
+    QStringList lines;
+    for (const auto& warning : report.warnings)
+        lines << QString::fromStdString(warning);
+    return lines.isEmpty() ? QObject::tr("The surface is sound: nothing had to be repaired.")
+                           : lines.join('\n');
+}
+
+} // namespace
+
+LengthUnit likelyUnit(double largestExtent, const QString& fileEnding) {
+    if (fileEnding == QLatin1String("glb") || fileEnding == QLatin1String("gltf")) return LengthUnit::Metre;
+    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Metre, LengthUnit::Centimetre}) {
+        const double metres = largestExtent * metresPer(unit);
+        if (metres >= 0.02 && metres <= 1) return unit;
+    }
+    return LengthUnit::Millimetre;
+}
+
+ImportDialog::ImportDialog(const QString& fileName, const Eigen::Vector3d& extent, const RepairReport& report,
+                           QWidget* parent)
+    : QDialog(parent), m_extent(extent), m_units(new QButtonGroup(this)), m_up(new QComboBox(this)),
+      m_keep(new QComboBox(this)), m_size(new QLabel(this)) {
+    setWindowTitle(tr("Import organ surface"));
+    setObjectName(QStringLiteral("importDialog"));
+    setMinimumWidth(460);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 18, 20, 18);
+    column->setSpacing(12);
+    auto* title = new QLabel(fileName, this);
+    title->setProperty("strong", true);
+    column->addWidget(title);
+    addUnits(column, likelyUnit(extent.maxCoeff(), fileName.section('.', -1).toLower()));
+    addOrientation(column);
+    m_keep->addItem(tr("all %1 parts").arg(report.components));
+    m_keep->addItem(tr("the largest part"));
+    m_keep->setEnabled(report.components > 1);
+    if (report.components <= 1) m_keep->setToolTip(tr("The surface is one part"));
+    addReport(column, report);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    QPushButton* accept = buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
+    accept->setProperty("primary", true);
+    accept->setDefault(true);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    showSize();
+}
+
+void ImportDialog::addUnits(QVBoxLayout* column, LengthUnit likely) {
+    column->addWidget(quietLabel(tr("One unit in the file is one …"), this));
+    auto* row = new QHBoxLayout;
+    const std::array<QString, 3> names{tr("&millimetre"), tr("&centimetre"), tr("m&etre")};
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        auto* button = new QRadioButton(names[i], this);
+        button->setObjectName(QStringLiteral("unit%1").arg(i));
+        button->setChecked(units[i] == likely);
+        m_units->addButton(button, static_cast<int>(i));
+        row->addWidget(button);
+    }
+    row->addStretch();
+    column->addLayout(row);
+    connect(m_units, &QButtonGroup::idClicked, this, &ImportDialog::showSize);
+}
+
+void ImportDialog::addOrientation(QVBoxLayout* column) {
+    m_up->addItem(tr("y axis"));
+    m_up->addItem(tr("z axis"));
+    connect(m_up, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showSize);
+    m_size->setObjectName(QStringLiteral("importSize"));
+    m_size->setProperty("strong", true);
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(8);
+    form->addRow(quietLabel(tr("Size of the organ"), this), m_size);
+    form->addRow(quietLabel(tr("Upwards in the file"), this), m_up);
+    form->addRow(quietLabel(tr("Keep"), this), m_keep);
+    column->addLayout(form);
+}
+
+void ImportDialog::addReport(QVBoxLayout* column, const RepairReport& report) {
+    column->addWidget(quietLabel(tr("Repaired and found"), this));
+    auto* text = new QPlainTextEdit(reportText(report), this);
+    text->setReadOnly(true);
+    text->setTabChangesFocus(true);
+    text->setFixedHeight(120);
+    column->addWidget(text);
+}
+
+void ImportDialog::showSize() {
+    const double scale = metresPer(choice().unit);
+    const Eigen::Vector3d size = m_extent * scale;
+    const bool zUp = choice().up == UpAxis::Z;
+    QStringList lengths;
+    for (const double metres : {size.x(), zUp ? size.z() : size.y(), zUp ? size.y() : size.z()})
+        lengths << lengthText(metres);
+    QString text = lengths.join(QStringLiteral(" × "));
+    // One unit at the end is easier to read when all three share it.
+    if (text.count(QStringLiteral(" mm")) == 3)
+        text = text.remove(QStringLiteral(" mm")) + QStringLiteral(" mm");
+    m_size->setText(text);
+}
+
+ImportChoice ImportDialog::choice() const {
+    ImportChoice choice;
+    choice.unit = units[static_cast<std::size_t>(qMax(0, m_units->checkedId()))];
+    choice.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
+    choice.keep = m_keep->currentIndex() == 1 ? KeepParts::Largest : KeepParts::All;
+    return choice;
+}
+
+} // namespace esm

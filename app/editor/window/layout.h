@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/editor/window/actions.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QPushButton>
+
+#include <initializer_list>
+
+namespace esm {
+
+/// What stands around the view: menus, the bar on top, the strip of tools, and the columns of panels.
+void buildMenus(QMainWindow& window, const Actions& actions);
+void buildToolStrip(QMainWindow& window, const Actions& actions);
+
+/// Undo and redo at the left, workspaces in the middle, playing and handing over at the right.
+void buildTopBar(QMainWindow& window, const Actions& actions);
+
+/// A scrolling column of panels at one side of the view.
+QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QString& title,
+                         std::initializer_list<QWidget*> panels);
+
+} // namespace esm

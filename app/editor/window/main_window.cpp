@@ -1,0 +1,159 @@
+#include "app/editor/window/main_window.h"
+
+#include "app/editor/panels/atlas_panel.h"
+#include "app/editor/panels/ellipsoid_panel.h"
+#include "app/editor/panels/model_panel.h"
+#include "app/editor/panels/photo_panel.h"
+#include "app/editor/panels/photos_panel.h"
+#include "app/editor/panels/projector_panel.h"
+#include "app/editor/panels/regions_panel.h"
+#include "app/editor/panels/tissue_panel.h"
+#include "app/editor/window/help.h"
+#include "app/editor/window/layout.h"
+#include "widgets/inputs/icon.h"
+
+#include <QCloseEvent>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QTimer>
+
+namespace esm {
+
+namespace {
+
+constexpr int leftWidth = 276, rightWidth = 340;
+
+} // namespace
+
+MainWindow::MainWindow(Project project)
+    : m_document(new Document(std::move(project), this)), m_selection(new Selection(*m_document)),
+      m_preview(new Preview(this)), m_actions(createActions(this, m_document->undoStack())),
+      m_view(new OrganView(this)),
+      m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)) {
+    const auto camera = [this] { return m_view->camera(); };
+    m_files = new FileController(*this, *m_document, *m_selection, camera);
+    m_edits = new EditController(*this, *m_document, *m_selection, camera);
+    m_play = new PlayController(*this, *m_preview);
+    m_status = new StatusLine(*statusBar());
+    m_title = new QLabel(menuBar());
+    m_title->setObjectName(QStringLiteral("documentName"));
+    menuBar()->setCornerWidget(m_title, Qt::TopLeftCorner);
+
+    setCentralWidget(m_view);
+    buildMenus(*this, m_actions);
+    buildTopBar(*this, m_actions);
+    buildToolStrip(*this, m_actions);
+    buildPanels();
+    connectParts();
+    connectWorkspaces();
+    setAcceptDrops(true);
+    setWindowIcon(icon(QStringLiteral("app")));
+    resize(1440, 900);
+    showTitle();
+    m_play->showAlive();
+}
+
+void MainWindow::buildPanels() {
+    auto* photos = new PhotosPanel(*m_document, *m_selection);
+    auto* projector = new ProjectorPanel(*m_document, *m_selection);
+    connect(photos, &PhotosPanel::addRequested, m_actions.addPhoto, &QAction::trigger);
+    connect(projector, &ProjectorPanel::fromCameraRequested, m_edits, &EditController::projectFromCamera);
+
+    m_tissueLeft = buildColumn(*this, Qt::LeftDockWidgetArea, tr("Organ"),
+                               {new ModelPanel(*m_document), new RegionsPanel(*m_document, *m_selection),
+                                new EllipsoidPanel(*m_document, *m_selection)});
+    m_textureLeft =
+        buildColumn(*this, Qt::LeftDockWidgetArea, tr("Photos"), {photos, new AtlasPanel(*m_document)});
+    m_tissueRight = buildColumn(*this, Qt::RightDockWidgetArea, tr("Tissue"),
+                                {new TissuePanel(*m_document, *m_selection)});
+    m_textureRight = buildColumn(*this, Qt::RightDockWidgetArea, tr("Photo"),
+                                 {new PhotoPanel(*m_document, *m_selection), projector});
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    resizeDocks({m_tissueLeft, m_tissueRight}, {leftWidth, rightWidth}, Qt::Horizontal);
+}
+
+void MainWindow::connectParts() {
+    m_viewController->connectActions(m_actions);
+    m_files->connectActions(m_actions);
+    m_edits->connectActions(m_actions);
+    m_play->connectActions(m_actions);
+    connect(m_viewController, &ViewController::touched, m_play, &PlayController::endGentleMotion);
+    connect(m_viewController, &ViewController::frameShown, m_status, &StatusLine::countFrame);
+    connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
+    connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
+    const auto showStatus = [this] { m_status->showStatus(m_preview->status()); };
+    connect(m_preview, &Preview::statusChanged, m_status, showStatus);
+    auto* slow = new QTimer(this);
+    connect(slow, &QTimer::timeout, m_status, showStatus);
+    slow->start(500);
+    connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
+    connect(m_document, &Document::changed, this, [this](const Change& change) {
+        if (change.name) showTitle();
+        if (change.mesh) m_play->showAlive();
+    });
+    connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
+    connect(m_actions.lightTheme, &QAction::toggled, this, &MainWindow::setTheme);
+    connect(m_actions.keys, &QAction::triggered, this, [this] { showKeys(this); });
+    connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(this); });
+}
+
+void MainWindow::connectWorkspaces() {
+    for (QAction* action : {m_actions.tissue, m_actions.texture, m_actions.showLeft, m_actions.showRight})
+        connect(action, &QAction::toggled, this, &MainWindow::showWorkspace);
+    connect(m_actions.tissue, &QAction::triggered, m_actions.pull, &QAction::trigger);
+    connect(m_actions.texture, &QAction::triggered, m_actions.projector, &QAction::trigger);
+    showWorkspace();
+}
+
+void MainWindow::showWorkspace() {
+    const bool tissue = m_actions.tissue->isChecked();
+    const bool left = m_actions.showLeft->isChecked(), right = m_actions.showRight->isChecked();
+    // The columns of both workspaces keep one width.
+    const QList<int> widths{leftWidth, rightWidth};
+    for (QDockWidget* gone : {tissue ? m_textureLeft : m_tissueLeft, tissue ? m_textureRight : m_tissueRight})
+        gone->hide();
+    QDockWidget* leftDock = tissue ? m_tissueLeft : m_textureLeft;
+    QDockWidget* rightDock = tissue ? m_tissueRight : m_textureRight;
+    leftDock->setVisible(left);
+    rightDock->setVisible(right);
+    resizeDocks({leftDock, rightDock}, widths, Qt::Horizontal);
+}
+
+void MainWindow::showTitle() {
+    const QString mark = m_document->isModified() ? QStringLiteral(" •") : QString();
+    m_title->setText(m_document->title() + mark);
+    m_title->adjustSize();
+    menuBar()->setCornerWidget(m_title, Qt::TopLeftCorner);
+    setWindowTitle(m_document->title() + mark + QStringLiteral(" – ") + tr("Elastodynamic Shape Modeler"));
+}
+
+void MainWindow::setTheme(bool light) {
+    const Theme theme = light ? Theme::Light : Theme::Dark;
+    applyTheme(*qApp, theme);
+    m_viewController->setTheme(theme);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // The view has its size only now.
+    if (!event->spontaneous()) QTimer::singleShot(0, m_view, &OrganView::frameOrgan);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(m_files->mayLeaveProject());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    for (const QUrl& url : event->mimeData()->urls())
+        // After the drop is over, so that its source does not wait for a dialog.
+        if (url.isLocalFile())
+            QTimer::singleShot(0, this, [this, file = url.toLocalFile()] { openFile(file.toStdString()); });
+}
+
+} // namespace esm

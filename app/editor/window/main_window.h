@@ -1,0 +1,61 @@
+#pragma once
+
+#include "app/editor/document/document.h"
+#include "app/editor/document/selection.h"
+#include "app/editor/preview/preview.h"
+#include "app/editor/window/actions.h"
+#include "app/editor/window/edit_controller.h"
+#include "app/editor/window/file_controller.h"
+#include "app/editor/window/play_controller.h"
+#include "app/editor/window/status_line.h"
+#include "app/editor/window/view_controller.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+
+namespace esm {
+
+/// The editor's window: puts document, view, panels and controllers together.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(Project project);
+
+    Document& document() { return *m_document; }
+    Preview& preview() { return *m_preview; }
+    FileController& files() { return *m_files; }
+    OrganView& view() { return *m_view; }
+
+    /// Opens a project, imports a mesh, or adds a photo, by the file's ending.
+    void openFile(const std::filesystem::path& file) { m_files->openAny(file); }
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void buildPanels();
+    void connectParts();
+    void connectWorkspaces();
+    void showWorkspace();
+    void showTitle();
+    void setTheme(bool light);
+
+    Document* m_document;
+    Selection* m_selection;
+    Preview* m_preview;
+    Actions m_actions;
+    OrganView* m_view;
+    ViewController* m_viewController;
+    FileController* m_files;
+    EditController* m_edits;
+    PlayController* m_play;
+    StatusLine* m_status;
+    QLabel* m_title;
+    QDockWidget *m_tissueLeft, *m_tissueRight, *m_textureLeft, *m_textureRight;
+};
+
+} // namespace esm

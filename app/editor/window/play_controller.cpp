@@ -1,0 +1,36 @@
+#include "app/editor/window/play_controller.h"
+
+#include "app/editor/window/actions.h"
+
+namespace esm {
+
+PlayController::PlayController(QWidget& window, Preview& preview) : QObject(&window), m_preview(preview) {}
+
+void PlayController::connectActions(const Actions& actions) {
+    connect(actions.play, &QAction::triggered, this, &PlayController::toggle);
+    connect(actions.reset, &QAction::triggered, this, [this] {
+        endGentleMotion();
+        m_preview.reset();
+    });
+    QAction* play = actions.play;
+    connect(&m_preview, &Preview::statusChanged, play, [this, play] {
+        const bool playing = m_preview.status().playing;
+        play->setText(playing ? tr("&Pause") : tr("&Play"));
+        play->setToolTip(playing ? tr("Stop the tissue where it is (Space)")
+                                 : tr("Let the tissue move (Space)"));
+    });
+}
+
+void PlayController::showAlive() {
+    m_preview.setGentleMotion(true);
+    m_preview.setPlaying(true);
+}
+
+void PlayController::toggle() {
+    const PreviewStatus status = m_preview.status();
+    // What tore apart is started again from rest.
+    if (!status.failure.empty()) m_preview.reset();
+    m_preview.setPlaying(!status.playing);
+}
+
+} // namespace esm

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/editor/preview/preview.h"
+
+#include <QWidget>
+
+namespace esm {
+
+struct Actions;
+
+/// Playing, pausing, going back to rest, and the gentle motion of an organ that was just opened.
+class PlayController : public QObject {
+    Q_OBJECT
+
+public:
+    PlayController(QWidget& window, Preview& preview);
+
+    void connectActions(const Actions& actions);
+    /// Shows a newly opened organ alive.
+    void showAlive();
+    /// The user took over.
+    void endGentleMotion() { m_preview.setGentleMotion(false); }
+
+private:
+    void toggle();
+
+    Preview& m_preview;
+};
+
+} // namespace esm

@@ -1,0 +1,122 @@
+#include "app/editor/window/status_line.h"
+
+#include "widgets/inputs/number_text.h"
+
+#include <QPainter>
+#include <QStyle>
+#include <QVariant>
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+QString millisecondsText(double seconds) {
+    return seconds >= 1e-4 ? QObject::tr("%1 ms").arg(numberText(seconds * 1000, 2))
+                           : QObject::tr("%1 µs").arg(numberText(seconds * 1e6, 2));
+}
+
+QString safeText(const PreviewStatus& status) {
+    if (!status.safeStep) return QString();
+    if (std::isinf(*status.safeStep)) return QObject::tr("safe at any step");
+    return QObject::tr("safe up to %1").arg(millisecondsText(*status.safeStep));
+}
+
+} // namespace
+
+StabilityGauge::StabilityGauge(QWidget* parent) : QWidget(parent) {
+    setFixedSize(92, 12);
+}
+
+void StabilityGauge::setShare(double share) {
+    m_share = share;
+    update();
+}
+
+void StabilityGauge::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    const QRectF bar(0, 3, width(), 6);
+    QLinearGradient zones(bar.topLeft(), bar.topRight());
+    const auto zone = [&](double from, double to, const QColor& colour) {
+        zones.setColorAt(from, colour);
+        zones.setColorAt(to, colour);
+    };
+    zone(0, 0.62, QColor(63, 170, 120));
+    zone(0.621, 0.83, palette().color(QPalette::LinkVisited));
+    zone(0.831, 1, palette().color(QPalette::BrightText));
+    painter.setBrush(m_share < 0 ? QBrush(palette().color(QPalette::Mid)) : QBrush(zones));
+    painter.drawRoundedRect(bar, 3, 3);
+    if (m_share < 0) return;
+    // The largest stable step lies where red begins.
+    painter.setBrush(palette().color(QPalette::WindowText));
+    painter.drawRoundedRect(QRectF(qBound(0.0, m_share * 0.83, 1.0) * (width() - 3), 0, 3, 12), 1, 1);
+}
+
+StatusLine::StatusLine(QStatusBar& bar) : QObject(&bar), m_bar(bar) {
+    bar.setSizeGripEnabled(false);
+    m_rate = addLabel(QStringLiteral("frameRate"), tr("000 fps"), tr("Pictures drawn per second"));
+    m_realTime = addLabel(QStringLiteral("realTime"), tr("0000× real time"),
+                          tr("How much faster than real time the tissue can be computed"));
+    m_step = addLabel(QStringLiteral("stepping"), tr("split2, step 00.00 ms"), tr("How time is stepped"));
+    m_message = new QLabel(&bar);
+    m_message->setObjectName(QStringLiteral("message"));
+    m_message->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    bar.addWidget(m_message, 1);
+    auto* caption = new QLabel(tr("Stability"), &bar);
+    m_gauge = new StabilityGauge(&bar);
+    m_stability = new QLabel(&bar);
+    m_stability->setMinimumWidth(m_stability->fontMetrics().horizontalAdvance(tr("safe up to 000 ms")) + 16);
+    for (QWidget* widget : std::initializer_list<QWidget*>{caption, m_gauge, m_stability}) {
+        widget->setToolTip(tr("The step in use, and the largest one that is stable"));
+        bar.addPermanentWidget(widget);
+    }
+    connect(&m_rateTimer, &QTimer::timeout, this, &StatusLine::showRate);
+    m_rateTimer.start(1000);
+    m_since.start();
+    m_messageTimer.setSingleShot(true);
+    connect(&m_messageTimer, &QTimer::timeout, this, [this] { m_message->setText(m_failure); });
+}
+
+QLabel* StatusLine::addLabel(const QString& name, const QString& widestText, const QString& toolTip) {
+    auto* label = new QLabel(&m_bar);
+    label->setObjectName(name);
+    label->setToolTip(toolTip);
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widestText) + 18);
+    m_bar.addWidget(label);
+    return label;
+}
+
+void StatusLine::showRate() {
+    const double seconds = double(m_since.restart()) / 1000;
+    m_rate->setText(tr("%1 fps").arg(qRound(m_frames / seconds)));
+    m_frames = 0;
+}
+
+void StatusLine::showStatus(const PreviewStatus& status) {
+    const bool moves = status.playing && status.realTimeFactor > 0;
+    m_realTime->setText(moves ? tr("%1× real time").arg(numberText(status.realTimeFactor, 2)) : tr("paused"));
+    m_step->setText(status.integrator.empty() ? QString()
+                                              : tr("%1, step %2")
+                                                    .arg(QString::fromStdString(status.integrator),
+                                                         millisecondsText(status.timeStep)));
+    m_stability->setText(safeText(status));
+    m_gauge->setShare(status.safeStep ? status.timeStep / *status.safeStep : -1);
+    const QString failure = QString::fromStdString(status.failure).replace('\n', QStringLiteral("; "));
+    if (failure == m_failure) return;
+    m_failure = failure;
+    m_message->setProperty("warning", !failure.isEmpty());
+    m_message->style()->unpolish(m_message);
+    m_message->style()->polish(m_message);
+    m_message->setText(failure);
+    m_message->setToolTip(failure);
+}
+
+void StatusLine::showMessage(const QString& text) {
+    m_message->setText(text);
+    m_messageTimer.start(6000);
+}
+
+} // namespace esm

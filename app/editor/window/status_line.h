@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/editor/preview/preview_run.h"
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QStatusBar>
+#include <QTimer>
+
+namespace esm {
+
+/// How close the time step is to the largest stable one.
+class StabilityGauge : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StabilityGauge(QWidget* parent = nullptr);
+    /// @param share step over the largest stable step, 0 to 1; below zero while it is not known
+    void setShare(double share);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    double m_share = -1;
+};
+
+/// The state at a glance, at the bottom of the window.
+class StatusLine : public QObject {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(QStatusBar& bar);
+
+    void countFrame() { ++m_frames; }
+    void showStatus(const PreviewStatus& status);
+    /// Something that was done; goes by itself.
+    void showMessage(const QString& text);
+
+private:
+    QLabel* addLabel(const QString& name, const QString& widestText, const QString& toolTip);
+    void showRate();
+
+    QStatusBar& m_bar;
+    QLabel *m_rate, *m_realTime, *m_step, *m_message, *m_stability;
+    StabilityGauge* m_gauge;
+    QTimer m_rateTimer, m_messageTimer;
+    QElapsedTimer m_since;
+    int m_frames = 0;
+    QString m_failure;
+};
+
+} // namespace esm

@@ -1,0 +1,120 @@
+#include "app/editor/window/theme.h"
+
+#include "widgets/inputs/icon.h"
+
+#include <QFile>
+#include <QPalette>
+#include <QStyleFactory>
+
+#include <map>
+
+namespace esm {
+
+namespace {
+
+using Colours = std::map<QString, QString>;
+
+const Colours& coloursOf(Theme theme) {
+    static const Colours dark{{"name", "dark"},
+                              {"window", "#1b1e22"},
+                              {"panel", "#22262b"},
+                              {"bar", "#262a30"},
+                              {"raised", "#2f353c"},
+                              {"hover", "#3a424a"},
+                              {"pressed", "#262b31"},
+                              {"line", "#15171a"},
+                              {"border", "#3a4149"},
+                              {"field", "#1b1e22"},
+                              {"track", "#3a4149"},
+                              {"text", "#e7e9ec"},
+                              {"quiet", "#98a1ab"},
+                              {"disabled", "#6b747e"},
+                              {"accent", "#2b8f84"},
+                              {"accentHover", "#31a094"},
+                              {"bright", "#3fb6a8"},
+                              {"accentSoft", "#202d2e"},
+                              {"accentBorder", "#2a5450"},
+                              {"wordsText", "#bfeee6"},
+                              {"amber", "#e3a33b"},
+                              {"amberSoft", "#3a3328"},
+                              {"red", "#e25d5d"},
+                              {"redSoft", "#3a2427"},
+                              {"overlay", "rgba(27, 30, 34, 215)"}};
+    static const Colours light{{"name", "light"},
+                               {"window", "#eef0f2"},
+                               {"panel", "#f8f9fa"},
+                               {"bar", "#f2f4f5"},
+                               {"raised", "#ffffff"},
+                               {"hover", "#e4e8eb"},
+                               {"pressed", "#d9dee2"},
+                               {"line", "#d5d9de"},
+                               {"border", "#c3c9cf"},
+                               {"field", "#ffffff"},
+                               {"track", "#cdd3d8"},
+                               {"text", "#1f2429"},
+                               {"quiet", "#667079"},
+                               {"disabled", "#9aa3ab"},
+                               {"accent", "#217a70"},
+                               {"accentHover", "#1d6c63"},
+                               {"bright", "#1f7f74"},
+                               {"accentSoft", "#e3f2f0"},
+                               {"accentBorder", "#a5d3cd"},
+                               {"wordsText", "#14524b"},
+                               {"amber", "#8f5f0c"},
+                               {"amberSoft", "#f8ecd4"},
+                               {"red", "#b93636"},
+                               {"redSoft", "#f9e3e3"},
+                               {"overlay", "rgba(248, 249, 250, 225)"}};
+    return theme == Theme::Dark ? dark : light;
+}
+
+QPalette paletteOf(const Colours& colours) {
+    const auto colour = [&](const char* name) { return QColor(colours.at(QString::fromLatin1(name))); };
+    QPalette palette;
+    palette.setColor(QPalette::Window, colour("panel"));
+    palette.setColor(QPalette::Base, colour("field"));
+    palette.setColor(QPalette::AlternateBase, colour("panel"));
+    palette.setColor(QPalette::Button, colour("raised"));
+    palette.setColor(QPalette::ToolTipBase, colour("raised"));
+    palette.setColor(QPalette::Highlight, colour("accent"));
+    palette.setColor(QPalette::HighlightedText, Qt::white);
+    palette.setColor(QPalette::Link, colour("bright"));
+    palette.setColor(QPalette::LinkVisited, colour("amber"));
+    palette.setColor(QPalette::BrightText, colour("red"));
+    palette.setColor(QPalette::Mid, colour("border"));
+    palette.setColor(QPalette::Dark, colour("line"));
+    for (const auto role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
+        palette.setColor(role, colour("text"));
+        palette.setColor(QPalette::Disabled, role, colour("disabled"));
+    }
+    palette.setColor(QPalette::PlaceholderText, colour("quiet"));
+    palette.setColor(QPalette::Disabled, QPalette::PlaceholderText, colour("disabled"));
+    return palette;
+}
+
+QString styleSheetOf(const Colours& colours) {
+    QFile file(QStringLiteral(":/style.qss"));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    QString sheet = QString::fromUtf8(file.readAll());
+    for (const auto& [name, colour] : colours)
+        sheet.replace('@' + name + '@', colour);
+    return sheet;
+}
+
+} // namespace
+
+void applyTheme(QApplication& application, Theme theme) {
+    loadResources();
+    const Colours& colours = coloursOf(theme);
+    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setPalette(paletteOf(colours));
+    application.setStyleSheet(styleSheetOf(colours));
+}
+
+std::pair<Colour, Colour> viewBackground(Theme theme) {
+    if (theme == Theme::Dark) return {{57, 64, 71}, {29, 32, 37}};
+    return {{250, 251, 252}, {205, 211, 217}};
+}
+
+} // namespace esm

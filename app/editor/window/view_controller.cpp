@@ -1,0 +1,185 @@
+#include "app/editor/window/view_controller.h"
+
+#include "app/editor/window/actions.h"
+
+#include <algorithm>
+
+namespace esm {
+
+ViewController::ViewController(OrganView& view, Document& document, Selection& selection, Preview& preview)
+    : QObject(&view), m_view(view), m_document(document), m_selection(selection), m_preview(preview) {
+    connect(&document, &Document::changed, this, &ViewController::followDocument);
+    connect(&selection, &Selection::changed, this, &ViewController::rebuildScene);
+    connect(&preview, &Preview::frameReady, this, &ViewController::showFrame);
+    connect(&m_composer, &TextureComposer::composed, this, &ViewController::showTexture);
+    connectView();
+    followDocument(Change::everything());
+}
+
+void ViewController::connectView() {
+    connect(&m_view, &OrganView::pullStarted, this, &ViewController::touched);
+    connect(&m_view, &OrganView::instrumentMoved, this, &ViewController::touched);
+    connect(&m_view, &OrganView::pullMoved, this, [this](quint32 node, const Eigen::Vector3d& target) {
+        m_preview.setPull(Pull{node, target});
+    });
+    connect(&m_view, &OrganView::pullReleased, this, [this] { m_preview.setPull(std::nullopt); });
+    connect(&m_view, &OrganView::instrumentMoved, this, [this](const Eigen::Vector3d& centre) {
+        m_preview.setInstrument(Sphere{centre, m_instrumentRadius});
+    });
+    connect(&m_view, &OrganView::instrumentRemoved, this, [this] { m_preview.setInstrument(std::nullopt); });
+    connect(&m_view, &OrganView::regionPicked, this, &ViewController::pickRegion);
+    connect(&m_view, &OrganView::regionDragged, this, &ViewController::dragRegion);
+    connect(&m_view, &OrganView::projectorDragged, this,
+            [this](int, const Projector& projector) { dragProjector(projector); });
+    connect(&m_view, &OrganView::dragFinished, this, [this] { m_document.finishGesture(); });
+}
+
+void ViewController::connectActions(const Actions& actions) {
+    const auto bindTool = [this](QAction* action, ViewTool tool) {
+        connect(action, &QAction::triggered, this, [this, tool] { m_view.setTool(tool); });
+        connect(&m_view, &OrganView::toolChanged, action, [action, tool](ViewTool now) {
+            if (now == tool) action->setChecked(true);
+        });
+    };
+    bindTool(actions.look, ViewTool::Select);
+    bindTool(actions.pull, ViewTool::Pull);
+    bindTool(actions.instrument, ViewTool::Instrument);
+    bindTool(actions.region, ViewTool::Region);
+    bindTool(actions.projector, ViewTool::Projector);
+    m_view.setTool(ViewTool::Pull);
+
+    for (int i = 0; i < static_cast<int>(actions.standardViews.size()); ++i)
+        connect(actions.standardViews[static_cast<std::size_t>(i)], &QAction::triggered, this,
+                [this, i] { m_view.showView(static_cast<StandardView>(i)); });
+    connect(actions.frame, &QAction::triggered, &m_view, &OrganView::frameOrgan);
+    connect(actions.showSprings, &QAction::toggled, this, [this](bool on) {
+        m_showSprings = on;
+        rebuildScene();
+    });
+    connect(actions.showRegions, &QAction::toggled, this, [this](bool on) {
+        m_showRegions = on;
+        rebuildScene();
+    });
+    connect(actions.texture, &QAction::toggled, this, [this](bool on) {
+        m_textureWorkspace = on;
+        rebuildScene();
+    });
+}
+
+void ViewController::setTheme(Theme theme) {
+    m_theme = theme;
+    rebuildScene();
+}
+
+void ViewController::followDocument(const Change& change) {
+    const Project& project = m_document.project();
+    if (change.model()) m_preview.setProject(project);
+    if (change.picture()) m_composer.compose(project);
+    if (change.mesh) {
+        const double diagonal = boundingBox(project.network->restPositions).diagonal().norm();
+        m_instrumentRadius = 0.05 * diagonal;
+        m_view.setInstrumentRadius(m_instrumentRadius);
+    }
+    rebuildScene();
+    if (change.mesh) m_view.frameOrgan();
+}
+
+void ViewController::rebuildScene() {
+    const Project& project = m_document.project();
+    RenderScene scene;
+    scene.mesh = project.mesh;
+    scene.network = project.network;
+    const PreviewFrame frame = m_preview.frame();
+    if (frame.network == project.network) scene.nodePositions = frame.positions;
+    scene.baseColour = project.texture.baseColour;
+    const auto atlas = m_composer.atlas();
+    if (atlas && atlas == project.atlas && !project.photos.empty()) {
+        scene.atlas = atlas;
+        scene.texturePages = m_composer.pages();
+    }
+    std::tie(scene.backgroundTop, scene.backgroundBottom) = viewBackground(m_theme);
+    addEllipsoids(scene);
+    addProjector(scene);
+    addSprings(scene);
+    m_view.setScene(std::move(scene));
+}
+
+void ViewController::addEllipsoids(RenderScene& scene) {
+    m_shownRegions.clear();
+    if (m_textureWorkspace || !m_showRegions) return;
+    const auto& regions = m_document.project().regions;
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        if (!regions[i].ellipsoid) continue;
+        scene.ellipsoids.push_back({*regions[i].ellipsoid, regions[i].colour, m_selection.region() == i});
+        m_shownRegions.push_back(i);
+    }
+}
+
+void ViewController::addProjector(RenderScene& scene) {
+    const auto selected = m_selection.photo();
+    if (!m_textureWorkspace || !selected) return;
+    const PhotoLayer& layer = m_document.project().photos[*selected];
+    // The picture is part of the photo: one owner for both.
+    const std::shared_ptr<const Image> picture(layer.photo, &layer.photo->image);
+    scene.projectors.push_back({layer.projector, picture, true});
+}
+
+void ViewController::addSprings(RenderScene& scene) {
+    const Project& project = m_document.project();
+    const bool onlySprings = project.mesh->triangles.empty();
+    scene.showSprings = (m_showSprings && !m_textureWorkspace) || onlySprings;
+    m_view.setLegend(std::nullopt);
+    if (!scene.showSprings || project.network->springs.empty()) return;
+    const TissueModel model = evaluateModel(project);
+    auto values = std::make_shared<std::vector<double>>();
+    values->reserve(project.network->springs.size());
+    for (const Spring& spring : project.network->springs)
+        values->push_back(springConstant(model, spring));
+    const auto [least, most] = std::minmax_element(values->begin(), values->end());
+    scene.springValueMinimum = *least;
+    // One constant everywhere still needs a range to colour by.
+    scene.springValueMaximum = *most > *least ? *most : *least + std::max(1e-9, *least);
+    m_view.setLegend(ViewLegend{tr("Spring constant"), QStringLiteral("N/m"), *least, *most});
+    scene.springValues = std::move(values);
+}
+
+void ViewController::showFrame() {
+    PreviewFrame frame = m_preview.frame();
+    if (frame.network != m_document.project().network) return;
+    m_view.setNodePositions(std::move(frame.positions));
+    emit frameShown();
+}
+
+void ViewController::showTexture() {
+    rebuildScene();
+    const std::string failure = m_composer.failure();
+    if (!failure.empty())
+        emit message(tr("The photos cannot be composed: %1").arg(QString::fromStdString(failure)));
+    else if (m_composer.pages())
+        emit message(tr("Recomposed in %1 ms").arg(qRound(m_composer.milliseconds())));
+}
+
+void ViewController::pickRegion(int index) {
+    const auto shown = static_cast<std::size_t>(index);
+    if (index >= 0 && shown < m_shownRegions.size()) m_selection.setRegion(m_shownRegions[shown]);
+}
+
+void ViewController::dragRegion(int index, const Ellipsoid& shape) {
+    const auto shown = static_cast<std::size_t>(index);
+    if (index < 0 || shown >= m_shownRegions.size()) return;
+    const std::size_t region = m_shownRegions[shown];
+    m_selection.setRegion(region);
+    m_document.edit(
+        tr("Shape region"), [&](Project& project) { project.regions[region].ellipsoid = shape; },
+        QStringLiteral("region %1").arg(region));
+}
+
+void ViewController::dragProjector(const Projector& projector) {
+    const auto selected = m_selection.photo();
+    if (!selected) return;
+    m_document.edit(
+        tr("Place photo"), [&](Project& project) { project.photos[*selected].projector = projector; },
+        QStringLiteral("projector %1").arg(*selected));
+}
+
+} // namespace esm

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/editor/document/document.h"
+#include "app/editor/document/selection.h"
+#include "app/editor/preview/preview.h"
+#include "app/editor/preview/texture_composer.h"
+#include "app/editor/window/theme.h"
+#include "widgets/view/organ_view.h"
+
+namespace esm {
+
+struct Actions;
+
+/// Between the view and everything else: what is shown comes from document, selection, preview and composed
+/// texture; what the user does in the view becomes edits and loads.
+class ViewController : public QObject {
+    Q_OBJECT
+
+public:
+    ViewController(OrganView& view, Document& document, Selection& selection, Preview& preview);
+
+    void connectActions(const Actions& actions);
+    void setTheme(Theme theme);
+
+signals:
+    void frameShown();
+    /// The user took the tissue in hand.
+    void touched();
+    void message(const QString& text);
+
+private:
+    void connectView();
+    void followDocument(const Change& change);
+    void rebuildScene();
+    void addEllipsoids(RenderScene& scene);
+    void addProjector(RenderScene& scene);
+    void addSprings(RenderScene& scene);
+    void showFrame();
+    void showTexture();
+    void dragRegion(int index, const Ellipsoid& shape);
+    void dragProjector(const Projector& projector);
+    void pickRegion(int index);
+
+    OrganView& m_view;
+    Document& m_document;
+    Selection& m_selection;
+    Preview& m_preview;
+    TextureComposer m_composer;
+    double m_instrumentRadius = 0.01; ///< m
+    Theme m_theme = Theme::Dark;
+    bool m_textureWorkspace = false, m_showSprings = false, m_showRegions = true;
+    std::vector<std::size_t> m_shownRegions; ///< the region of each ellipsoid that is drawn
+};
+
+} // namespace esm

@@ -1,0 +1,87 @@
+#include "widgets/fuzzy/linguistic_slider.h"
+
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr int sliderSteps = 1000;
+
+NumberFormat formatOf(const FuzzyVariable& variable, const QString& unit) {
+    NumberFormat format;
+    format.unit = unit;
+    format.step = (variable.maximum - variable.minimum) / 100;
+    return format;
+}
+
+} // namespace
+
+LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString& caption, const QString& unit,
+                                   QWidget* parent)
+    : QWidget(parent), m_variable(variable), m_field(new NumberField(formatOf(variable, unit), this)),
+      m_slider(new QSlider(Qt::Horizontal, this)), m_terms(new TermScale(this)), m_header(new QHBoxLayout) {
+    auto* name = new QLabel(caption, this);
+    name->setProperty("strong", true);
+    name->setBuddy(m_slider);
+    m_header->setSpacing(6);
+    m_header->addWidget(name, 1);
+    m_header->addWidget(m_field);
+    m_slider->setRange(0, sliderSteps);
+    m_slider->setPageStep(sliderSteps / 10);
+    m_slider->setSingleStep(sliderSteps / 100);
+    m_slider->setAccessibleName(caption);
+    m_slider->setFocusPolicy(Qt::StrongFocus);
+    m_terms->setVariable(variable);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(3);
+    column->addLayout(m_header);
+    column->addWidget(m_slider);
+    column->addWidget(m_terms);
+
+    connect(m_slider, &QSlider::valueChanged, this, &LinguisticSlider::takeSlider);
+    connect(m_slider, &QSlider::sliderReleased, this, &LinguisticSlider::editingFinished);
+    const auto takeOnce = [this](double value) {
+        setValue(value);
+        emit valueEdited(value);
+        emit editingFinished();
+    };
+    connect(m_field, &NumberField::valueEdited, this, takeOnce);
+    connect(m_terms, &TermScale::termPicked, this, takeOnce);
+}
+
+void LinguisticSlider::setValue(std::optional<double> value) {
+    const double range = m_variable.maximum - m_variable.minimum;
+    const double fraction = value ? (*value - m_variable.minimum) / range : 0.5;
+    const QSignalBlocker quiet(m_slider);
+    // A drag in progress keeps the handle under the mouse.
+    if (!m_slider->isSliderDown())
+        m_slider->setValue(static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * sliderSteps)));
+    m_field->setValue(value);
+    m_terms->setValue(value);
+}
+
+QToolButton* LinguisticSlider::addHoldButton() {
+    auto* hold = new QToolButton(this);
+    hold->setText(tr("hold"));
+    hold->setCheckable(true);
+    hold->setObjectName(QStringLiteral("holdButton"));
+    m_header->insertWidget(1, hold);
+    return hold;
+}
+
+void LinguisticSlider::takeSlider(int position) {
+    const double value =
+        m_variable.minimum + (m_variable.maximum - m_variable.minimum) * position / double(sliderSteps);
+    m_field->setValue(value);
+    m_terms->setValue(value);
+    emit valueEdited(value);
+}
+
+} // namespace esm

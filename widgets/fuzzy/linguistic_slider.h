@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/fuzzy/fuzzy_system.h"
+#include "widgets/fuzzy/term_scale.h"
+#include "widgets/inputs/number_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
+
+namespace esm {
+
+/// A linguistic variable: its name, a number field with the unit, a slider over its range and its terms
+/// beneath.
+class LinguisticSlider : public QWidget {
+    Q_OBJECT
+
+public:
+    LinguisticSlider(const FuzzyVariable& variable, const QString& caption, const QString& unit,
+                     QWidget* parent = nullptr);
+
+    /// Shows a value without announcing it. Without one the slider waits in the middle.
+    void setValue(std::optional<double> value);
+    /// In place of the terms, for a variable that has no value.
+    void setNote(const QString& note) { m_terms->setNote(note); }
+    /// Adds a checkable button beside the number that holds it at a value set by hand.
+    QToolButton* addHoldButton();
+
+    NumberField* field() const { return m_field; }
+    QSlider* slider() const { return m_slider; }
+
+signals:
+    void valueEdited(double value);
+    /// A drag ended, or a value was typed: what follows is another edit.
+    void editingFinished();
+
+private:
+    void takeSlider(int position);
+
+    FuzzyVariable m_variable;
+    NumberField* m_field;
+    QSlider* m_slider;
+    TermScale* m_terms;
+    QHBoxLayout* m_header;
+};
+
+} // namespace esm

@@ -1,0 +1,166 @@
+#include "widgets/inputs/item_list.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStyledItemDelegate>
+
+namespace esm {
+
+namespace {
+
+enum Role { NoteRole = Qt::UserRole, ColourRole, PictureRole };
+constexpr int dotRowHeight = 27, pictureRowHeight = 54, pictureSide = 42;
+
+bool hasPicture(const QModelIndex& index) {
+    return !index.data(PictureRole).value<QPixmap>().isNull();
+}
+
+class RowDelegate : public QStyledItemDelegate {
+public:
+    RowDelegate(QPalette::ColorRole mark, QObject* parent) : QStyledItemDelegate(parent), m_mark(mark) {}
+
+    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const override {
+        return {60, hasPicture(index) ? pictureRowHeight : dotRowHeight};
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        const QRect row = option.rect;
+        if (option.state & QStyle::State_Selected) paintSelection(painter, option);
+        if (hasPicture(index))
+            paintPicture(painter, option, index);
+        else
+            paintDot(painter, option, index);
+        painter->setPen(option.palette.color(QPalette::WindowText));
+        const QRect name = nameRect(row, index);
+        const QString text = index.data().toString();
+        painter->drawText(name, Qt::AlignVCenter | Qt::AlignLeft,
+                          option.fontMetrics.elidedText(text, Qt::ElideRight, name.width()));
+        painter->restore();
+    }
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
+        auto* editor = new QLineEdit(parent);
+        editor->setMaxLength(80);
+        return editor;
+    }
+
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const override {
+        const QRect name = nameRect(option.rect, index);
+        editor->setGeometry(name.x() - 8, name.center().y() - 12, option.rect.right() - name.x() + 6, 25);
+    }
+
+private:
+    static int textLeft(const QRect& row, const QModelIndex& index) {
+        return row.left() + (hasPicture(index) ? pictureSide + 16 : 24);
+    }
+
+    static QRect nameRect(const QRect& row, const QModelIndex& index) {
+        const int left = textLeft(row, index);
+        if (hasPicture(index)) return {left, row.top() + 9, row.right() - left - 6, 18};
+        return {left, row.top(), row.right() - left - 62, row.height()};
+    }
+
+    void paintSelection(QPainter* painter, const QStyleOptionViewItem& option) const {
+        QColor fill = option.palette.color(m_mark);
+        fill.setAlpha(38);
+        const QRectF row = QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5);
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(fill);
+        painter->drawRoundedRect(row, 5, 5);
+        painter->setBrush(option.palette.color(m_mark));
+        painter->drawRoundedRect(QRectF(row.left(), row.top(), 2.5, row.height()), 1.2, 1.2);
+    }
+
+    static void paintDot(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) {
+        const QRect row = option.rect;
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(index.data(ColourRole).value<QColor>());
+        painter->drawEllipse(QPointF(row.left() + 12, row.center().y() + 0.5), 4.5, 4.5);
+        painter->setPen(option.palette.color(QPalette::PlaceholderText));
+        painter->drawText(row.adjusted(0, 0, -8, 0), Qt::AlignVCenter | Qt::AlignRight,
+                          index.data(NoteRole).toString());
+    }
+
+    static void paintPicture(QPainter* painter, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) {
+        const QRect row = option.rect;
+        painter->drawPixmap(QRect(row.left() + 7, row.top() + 6, pictureSide, pictureSide),
+                            index.data(PictureRole).value<QPixmap>());
+        painter->setPen(option.palette.color(QPalette::PlaceholderText));
+        const QRect name = nameRect(row, index);
+        painter->drawText(name.translated(0, 18), Qt::AlignVCenter | Qt::AlignLeft,
+                          index.data(NoteRole).toString());
+    }
+
+    QPalette::ColorRole m_mark;
+};
+
+} // namespace
+
+ItemList::ItemList(QPalette::ColorRole mark, QWidget* parent) : QListWidget(parent) {
+    setItemDelegate(new RowDelegate(mark, this));
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setFrameShape(QFrame::NoFrame);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    connect(this, &QListWidget::currentRowChanged, this, &ItemList::rowSelected);
+    connect(this, &QListWidget::itemChanged, this,
+            [this](QListWidgetItem* item) { emit rowRenamed(row(item), item->text().trimmed()); });
+}
+
+void ItemList::setRows(const std::vector<ItemRow>& rows, int selected) {
+    const QSignalBlocker quiet(this);
+    while (count() > static_cast<int>(rows.size()))
+        delete takeItem(count() - 1);
+    while (count() < static_cast<int>(rows.size()))
+        new QListWidgetItem(this);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        QListWidgetItem* entry = item(static_cast<int>(i));
+        const ItemRow& row = rows[i];
+        entry->setText(row.name);
+        entry->setToolTip(row.name);
+        entry->setData(NoteRole, row.note);
+        entry->setData(ColourRole, row.colour);
+        entry->setData(PictureRole, row.picture);
+        entry->setFlags(row.renamable ? entry->flags() | Qt::ItemIsEditable
+                                      : entry->flags() & ~Qt::ItemIsEditable);
+    }
+    setCurrentRow(selected);
+    if (selected < 0) clearSelection();
+    doItemsLayout();
+    updateGeometry();
+    viewport()->update();
+}
+
+QSize ItemList::sizeHint() const {
+    int height = 0;
+    for (int row = 0; row < count(); ++row)
+        height += sizeHintForRow(row);
+    // Longer lists scroll, so that the sections below stay in sight.
+    return {100, qBound(2 * dotRowHeight, height, 8 * dotRowHeight)};
+}
+
+void ItemList::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Delete && currentRow() >= 0)
+        emit removeRequested(currentRow());
+    else
+        QListWidget::keyPressEvent(event);
+}
+
+void ItemList::paintEvent(QPaintEvent* event) {
+    QListWidget::paintEvent(event);
+    if (count() > 0) return;
+    QPainter painter(viewport());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(viewport()->rect(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_emptyText);
+}
+
+} // namespace esm

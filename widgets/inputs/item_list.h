@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QColor>
+#include <QListWidget>
+#include <QPixmap>
+
+#include <vector>
+
+namespace esm {
+
+/// A row of an ItemList: a dot of its own colour or a small picture, a name, and a quiet note.
+struct ItemRow {
+    QString name;
+    QString note;    ///< at the right of a dot's row, beneath the name of a picture's row
+    QColor colour;   ///< of the dot
+    QPixmap picture; ///< in place of the dot
+    bool renamable = true;
+};
+
+/// A short list of named things, one of which is selected; a double click or F2 renames, Delete asks for
+/// removal.
+class ItemList : public QListWidget {
+    Q_OBJECT
+
+public:
+    /// @param mark colour of the selected row's edge
+    explicit ItemList(QPalette::ColorRole mark, QWidget* parent = nullptr);
+
+    /// Shows rows, announcing nothing. `selected` below zero selects none.
+    void setRows(const std::vector<ItemRow>& rows, int selected);
+    /// What stands in the list while it is empty.
+    void setEmptyText(const QString& text) { m_emptyText = text; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+signals:
+    void rowSelected(int row);
+    void rowRenamed(int row, const QString& name);
+    void removeRequested(int row);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    QString m_emptyText;
+};
+
+} // namespace esm

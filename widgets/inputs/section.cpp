@@ -1,0 +1,76 @@
+#include "widgets/inputs/section.h"
+
+namespace esm {
+
+Section::Section(const QString& title, QWidget* parent)
+    : QFrame(parent), m_title(new QLabel(this)), m_header(new QHBoxLayout), m_body(new QVBoxLayout) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 10, 12, 14);
+    column->setSpacing(8);
+    m_title->setObjectName(QStringLiteral("sectionTitle"));
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_title->setMinimumHeight(22);
+    m_header->addWidget(m_title, 1);
+    m_header->setSpacing(4);
+    column->addLayout(m_header);
+    m_body->setSpacing(6);
+    column->addLayout(m_body);
+    setTitle(title);
+}
+
+void Section::setTitle(const QString& title) {
+    m_title->setText(title);
+    m_title->setToolTip(title);
+}
+
+void Section::addToHeader(QWidget* widget) {
+    m_header->addWidget(widget);
+}
+
+QToolButton* Section::addHeaderButton(const QString& text, const QString& toolTip) {
+    auto* button = new QToolButton(this);
+    button->setText(text);
+    button->setToolTip(toolTip);
+    button->setAccessibleName(toolTip);
+    button->setObjectName(QStringLiteral("headerButton"));
+    button->setFocusPolicy(Qt::TabFocus);
+    addToHeader(button);
+    return button;
+}
+
+QToolButton* Section::addHeaderIcon(const QIcon& icon, const QString& name) {
+    QToolButton* button = addHeaderButton({}, name);
+    button->setIcon(icon);
+    button->setIconSize({16, 16});
+    button->setProperty("iconOnly", true);
+    return button;
+}
+
+ValueRows::ValueRows(QWidget* parent) : QWidget(parent), m_form(new QFormLayout(this)) {
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setHorizontalSpacing(12);
+    m_form->setVerticalSpacing(6);
+    m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+}
+
+QLabel* ValueRows::addText(const QString& caption, const QString& name) {
+    auto* text = new QLabel(this);
+    text->setObjectName(name);
+    text->setProperty("value", true);
+    text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    addField(caption, text);
+    return text;
+}
+
+void ValueRows::addField(const QString& caption, QWidget* field) {
+    auto* label = new QLabel(caption, this);
+    label->setProperty("quiet", true);
+    label->setBuddy(field);
+    label->setMinimumHeight(field->minimumSizeHint().height());
+    m_form->addRow(label, field);
+}
+
+} // namespace esm

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QFormLayout>
+#include <QFrame>
+#include <QLabel>
+#include <QToolButton>
+#include <QVariant>
+#include <QVBoxLayout>
+
+namespace esm {
+
+/// One section of a side panel: a small quiet title, an optional action at its right, the content beneath and
+/// a line below.
+class Section : public QFrame {
+    Q_OBJECT
+
+public:
+    explicit Section(const QString& title, QWidget* parent = nullptr);
+
+    void setTitle(const QString& title);
+    /// Adds a widget at the right of the title.
+    void addToHeader(QWidget* widget);
+    /// A quiet text button at the right of the title.
+    QToolButton* addHeaderButton(const QString& text, const QString& toolTip);
+    /// The same with an icon in place of the text.
+    QToolButton* addHeaderIcon(const QIcon& icon, const QString& name);
+    QVBoxLayout* body() const { return m_body; }
+
+private:
+    QLabel* m_title;
+    QHBoxLayout* m_header;
+    QVBoxLayout* m_body;
+};
+
+/// Rows of a quiet caption at the left and a value or field at the right.
+class ValueRows : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ValueRows(QWidget* parent = nullptr);
+
+    /// A right-aligned text that can be selected and copied; `name` finds it in tests.
+    QLabel* addText(const QString& caption, const QString& name);
+    void addField(const QString& caption, QWidget* field);
+
+private:
+    QFormLayout* m_form;
+};
+
+} // namespace esm

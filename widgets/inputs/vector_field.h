@@ -1,0 +1,32 @@
+#pragma once
+
+#include "widgets/inputs/number_field.h"
+
+#include <Eigen/Core>
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+namespace esm {
+
+/// Three numbers side by side, in one unit that the row's caption names.
+class VectorField : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit VectorField(const NumberFormat& format, QWidget* parent = nullptr);
+
+    /// Shows a value without announcing it; none shows dashes.
+    void setValue(const std::optional<Eigen::Vector3d>& value);
+    NumberField* field(int axis) const { return m_fields[static_cast<std::size_t>(axis)]; }
+
+signals:
+    void valueEdited(const Eigen::Vector3d& value);
+
+private:
+    std::array<NumberField*, 3> m_fields;
+};
+
+} // namespace esm

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/texture/image.h"
+
+#include <QImage>
+
+namespace esm {
+
+/// A copy for drawing with Qt.
+QImage toQImage(const Image& image);
+
+/// A square that a picture fills, its longer side cropped.
+QImage thumbnail(const Image& image, int side);
+
+} // namespace esm
