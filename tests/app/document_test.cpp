@@ -1,0 +1,126 @@
+#include "app/editor/commands/photo_edits.h"
+#include "app/editor/commands/region_edits.h"
+#include "app/editor/document/document.h"
+#include "app/editor/document/selection.h"
+#include "core/samples/samples.h"
+
+#include <gtest/gtest.h>
+#include <QSignalSpy>
+
+using namespace esm;
+
+namespace {
+
+void setMass(Document& document, double mass, const QString& mergeKey = {}) {
+    document.edit(
+        "mass", [mass](Project& project) { project.base.mass = mass; }, mergeKey);
+}
+
+} // namespace
+
+TEST(Document, MergesADragIntoOneStep) {
+    Document document(makeSample("tube"));
+    const Project before = document.project();
+    for (const double mass : {0.02, 0.03, 0.04})
+        setMass(document, mass, "mass");
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    document.undoStack()->undo();
+    EXPECT_FALSE(difference(before, document.project()).any());
+    document.undoStack()->redo();
+    EXPECT_EQ(document.project().base.mass, 0.04);
+}
+
+TEST(Document, StartsANewStepAfterADrag) {
+    Document document(makeSample("tube"));
+    setMass(document, 0.02, "mass");
+    document.finishGesture();
+    setMass(document, 0.03, "mass");
+    EXPECT_EQ(document.undoStack()->count(), 2);
+}
+
+TEST(Document, DropsEditsThatChangeNothing) {
+    Document document(makeSample("tube"));
+    const double mass = document.project().base.mass;
+    QSignalSpy changed(&document, &Document::changed);
+    setMass(document, mass);
+    EXPECT_EQ(document.undoStack()->count(), 0);
+    EXPECT_EQ(changed.count(), 0);
+    setMass(document, 2 * mass, "mass");
+    setMass(document, mass, "mass");
+    EXPECT_EQ(document.undoStack()->count(), 0);
+    EXPECT_FALSE(document.isModified());
+}
+
+TEST(Document, SaysWhatChanged) {
+    const Project before = makeSample("tube");
+    const auto changed = [&](const std::function<void(Project&)>& edit) {
+        Project after = before;
+        edit(after);
+        return difference(before, after);
+    };
+    EXPECT_TRUE(changed([](Project& p) { p.name = "x"; }).name);
+    EXPECT_TRUE(changed([](Project& p) { p.base.viscosity += 1; }).tissue);
+    EXPECT_TRUE(changed([](Project& p) { addRegion(p, Eigen::Vector3d::Zero()); }).regions);
+    EXPECT_TRUE(changed([](Project& p) { p.scene.gravity.y() = -9.81; }).scene);
+    EXPECT_TRUE(changed([](Project& p) { p.texture.atlas.size = 512; }).texture);
+    EXPECT_TRUE(changed([](Project& p) { p.mesh = std::make_shared<TriangleMesh>(*p.mesh); }).mesh);
+    EXPECT_FALSE(changed([](Project&) {}).any());
+}
+
+TEST(Document, ForgetsItsStepsWithAnotherProject) {
+    Document document(makeSample("tube"));
+    setMass(document, 0.5);
+    document.replace(makeSample("uterus"), std::nullopt);
+    EXPECT_FALSE(document.undoStack()->canUndo());
+    EXPECT_FALSE(document.isModified());
+}
+
+TEST(Selection, FollowsWhatIsAddedAndRemoved) {
+    Document document(makeSample("tube"));
+    Selection selection(document);
+    const std::size_t already = document.project().regions.size();
+    document.edit("add", [](Project& p) { addRegion(p, Eigen::Vector3d::Zero()); });
+    EXPECT_EQ(selection.region(), already);
+    document.edit("add", [](Project& p) { addRegion(p, Eigen::Vector3d::Zero()); });
+    EXPECT_EQ(selection.region(), already + 1);
+    document.undoStack()->undo();
+    EXPECT_EQ(selection.region(), already);
+}
+
+TEST(RegionEdits, KeepTheWholeOrganBeneath) {
+    Project project = makeSample("tube");
+    project.regions.clear();
+    addRegion(project, Eigen::Vector3d::Zero());
+    const auto system = std::make_shared<FuzzySystem>();
+    EXPECT_EQ(setSystem(project, std::nullopt, system), 0U);
+    EXPECT_EQ(wholeOrganRegion(project), 0U);
+    EXPECT_FALSE(canMoveRegion(project, 0, 1));
+    EXPECT_FALSE(canMoveRegion(project, 1, -1));
+    addRegion(project, Eigen::Vector3d::Zero());
+    ASSERT_TRUE(canMoveRegion(project, 1, 1));
+    const std::string lower = project.regions[1].name;
+    moveRegion(project, 1, 1);
+    EXPECT_EQ(project.regions[2].name, lower);
+    EXPECT_NE(project.regions[1].colour, project.regions[2].colour);
+}
+
+TEST(PhotoEdits, AProjectorStandsBetweenTheEyeAndTheOrgan) {
+    const Project project = makeSample("liver");
+    const auto box = boundingBox(project.mesh->vertices);
+    Image photo;
+    photo.width = 200;
+    photo.height = 100;
+    photo.pixels.resize(4 * 200 * 100);
+    for (const auto view : {StandardView::Front, StandardView::Left, StandardView::Top}) {
+        const Camera camera = framedCamera(box, view, 1.5);
+        const Projector projector = projectorFromCamera(camera, photo, *project.mesh);
+        const Eigen::Vector3d towards = (camera.target - camera.eye).normalized();
+        EXPECT_LT((projector.pose.linear() * -Eigen::Vector3d::UnitZ() - towards).norm(), 1e-9);
+        EXPECT_NEAR(projector.pose.linear().determinant(), 1, 1e-9);
+        EXPECT_DOUBLE_EQ(projector.width, 2 * projector.height);
+        for (const auto& vertex : project.mesh->vertices)
+            EXPECT_GE((vertex - projector.pose.translation()).dot(towards), 0);
+        const double depth = (projector.pose.translation() - camera.eye).dot(towards);
+        EXPECT_GT(depth, 0);
+    }
+}

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "app/editor/window/main_window.h"
+
+#include <gtest/gtest.h>
+#include <QApplication>
+#include <QDialog>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QTest>
+#include <QTimer>
+
+#include <deque>
+#include <functional>
+
+/// Generous: the machine may be slow and busy.
+constexpr int patience = 60000;
+
+/// Waits for a condition while the window lives; a failed wait fails the test.
+#define ESM_EVENTUALLY(condition)                                                                            \
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bool(condition); }, patience)) << #condition
+
+/// Answers modal dialogs in the order in which they are expected, as a user would.
+class DialogScript : public QObject {
+public:
+    DialogScript() {
+        QObject::connect(&m_timer, &QTimer::timeout, this, [this] { answerNext(); });
+        m_timer.start(20);
+    }
+
+    /// The next dialog that `is` recognises is answered.
+    void expect(const std::function<bool(QWidget*)>& is, const std::function<void(QDialog*)>& answer) {
+        m_steps.push_back({is, answer});
+    }
+    void expectNamed(const QString& name, const std::function<void(QDialog*)>& answer) {
+        expect([name](QWidget* dialog) { return dialog->objectName() == name; }, answer);
+    }
+    void expectFile(const std::filesystem::path& file) {
+        expect([](QWidget* dialog) { return qobject_cast<QFileDialog*>(dialog) != nullptr; },
+               [file](QDialog* dialog) {
+                   auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+                   ASSERT_NE(name, nullptr);
+                   name->setText(QString::fromStdString(file.string()));
+                   QTest::keyClick(name, Qt::Key_Return);
+               });
+    }
+    bool isDone() const { return m_steps.empty(); }
+
+private:
+    struct Step {
+        std::function<bool(QWidget*)> is;
+        std::function<void(QDialog*)> answer;
+    };
+
+    void answerNext() {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (m_steps.empty() || !dialog || !dialog->isVisible() || !m_steps.front().is(dialog)) return;
+        const Step step = m_steps.front();
+        m_steps.pop_front();
+        step.answer(dialog);
+    }
+
+    std::deque<Step> m_steps;
+    QTimer m_timer;
+};
+
+/// The editor's window on a display, with keys and mouse.
+class EditorTest : public testing::Test {
+protected:
+    void open(esm::Project project) {
+        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        window = std::make_unique<esm::MainWindow>(std::move(project));
+        window->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+        QApplication::setActiveWindow(window.get());
+    }
+    void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QApplication::setActiveWindow(window.get());
+        QTest::keyClick(window.get(), Qt::Key(key), modifiers);
+    }
+    const esm::Project& project() const { return window->document().project(); }
+    template<typename Widget> Widget* child(const char* name) const {
+        return window->findChild<Widget*>(name);
+    }
+    void moveMouse(const QPoint& at) {
+        QMouseEvent event(QEvent::MouseMove, at, window->view().mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QApplication::sendEvent(&window->view(), &event);
+    }
+
+    DialogScript dialogs;
+    std::unique_ptr<esm::MainWindow> window;
+};

@@ -1,0 +1,189 @@
+#include "core/exchange/image_file.h"
+#include "core/exchange/model_package.h"
+#include "core/exchange/project_file.h"
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+#include "tests/support/temporary_folder.h"
+
+#include <QComboBox>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QToolButton>
+
+#include <cmath>
+#include <fstream>
+
+using namespace esm;
+
+namespace {
+
+constexpr int rings = 18, around = 28;
+
+/// An ellipsoid of 120 × 80 × 60 as OBJ.
+void writeOrgan(const std::filesystem::path& file) {
+    std::ofstream out(file);
+    constexpr double pi = 3.14159265358979323846;
+    const auto vertex = [&](double latitude, double longitude) {
+        out << "v " << 60 * std::cos(latitude) * std::cos(longitude) << ' ' << 40 * std::sin(latitude) << ' '
+            << 30 * std::cos(latitude) * std::sin(longitude) << '\n';
+    };
+    vertex(pi / 2, 0);
+    for (int ring = 1; ring < rings; ++ring)
+        for (int i = 0; i < around; ++i)
+            vertex(pi / 2 - pi * ring / rings, 2 * pi * i / around);
+    vertex(-pi / 2, 0);
+    const auto index = [](int ring, int i) { return 2 + (ring - 1) * around + i % around; };
+    for (int i = 0; i < around; ++i) {
+        out << "f 1 " << index(1, i + 1) << ' ' << index(1, i) << '\n';
+        for (int ring = 1; ring + 1 < rings; ++ring)
+            out << "f " << index(ring, i) << ' ' << index(ring, i + 1) << ' ' << index(ring + 1, i + 1) << ' '
+                << index(ring + 1, i) << '\n';
+        const int last = 2 + (rings - 1) * around;
+        out << "f " << last << ' ' << index(rings - 1, i) << ' ' << index(rings - 1, i + 1) << '\n';
+    }
+}
+
+class MainJobTest : public EditorTest {
+protected:
+    void importOrgan() {
+        writeOrgan(folder / "organ.obj");
+        dialogs.expectFile(folder / "organ.obj");
+        dialogs.expectNamed("importDialog", [](QDialog* dialog) {
+            QTest::mouseClick(dialog->findChild<QRadioButton*>("unit2"), Qt::LeftButton, {}, {8, 8});
+            EXPECT_EQ(dialog->findChild<QLabel*>("importSize")->text(), "120 m × 80.0 m × 60.0 m");
+            QTest::mouseClick(dialog->findChild<QRadioButton*>("unit0"), Qt::LeftButton, {}, {8, 8});
+            EXPECT_EQ(dialog->findChild<QLabel*>("importSize")->text(), "120 × 80 × 60 mm");
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+        press(Qt::Key_I, Qt::ControlModifier);
+        ASSERT_TRUE(dialogs.isDone());
+        ASSERT_EQ(project().network->restPositions.size(), std::size_t(2 + (rings - 1) * around));
+        const Eigen::Vector3d size = boundingBox(project().mesh->vertices).sizes();
+        EXPECT_LT((size - Eigen::Vector3d(0.12, 0.08, 0.06)).norm(), 1e-6);
+        EXPECT_EQ(child<QLabel>("modelSize")->text(), "120 × 80 × 60 mm");
+    }
+
+    void softenRegion() {
+        press(Qt::Key_R, Qt::ControlModifier);
+        ASSERT_EQ(project().regions.size(), 1U);
+        auto* choice = child<QComboBox>("systemChoice");
+        QTest::keyClick(choice, Qt::Key_Down);
+        ASSERT_NE(project().regions[0].system, nullptr);
+        const std::string variable = project().regions[0].system->inputs[0].name;
+        auto* row = window->findChild<QWidget*>(QString::fromStdString("input-" + variable));
+        ASSERT_NE(row, nullptr);
+        auto* slider = row->findChild<QSlider*>();
+        const QString wordsBefore = child<QLabel>("words")->text();
+        const auto springBefore =
+            evaluateRegion(project(), project().regions[0]).tissue.values.springConstant;
+        QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() - 4, slider->height() / 2});
+        QTest::keyClick(slider, Qt::Key_End);
+        EXPECT_EQ(project().regions[0].inputs[0].second, project().regions[0].system->inputs[0].maximum);
+        EXPECT_NE(child<QLabel>("words")->text(), wordsBefore);
+        const auto springNow = evaluateRegion(project(), project().regions[0]).tissue.values.springConstant;
+        EXPECT_NE(springNow, springBefore);
+    }
+
+    void pullTissue() {
+        press(Qt::Key_P);
+        ESM_EVENTUALLY(window->preview().status().playing && !window->view().scene().nodePositions.empty());
+        QSignalSpy started(&window->view(), &OrganView::pullStarted);
+        const QPoint middle = window->view().rect().center();
+        QTest::mousePress(&window->view(), Qt::LeftButton, {}, middle);
+        ASSERT_EQ(started.count(), 1);
+        const auto node = started[0][0].toUInt();
+        moveMouse(middle + QPoint(40, -30));
+        moveMouse(middle + QPoint(80, -60));
+        const auto moved = [&] {
+            return (window->view().scene().nodePositions[node] - project().network->restPositions[node])
+                .norm();
+        };
+        ESM_EVENTUALLY(moved() > 0.005);
+        QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, middle + QPoint(80, -60));
+        ESM_EVENTUALLY(moved() < 0.004);
+        EXPECT_EQ(window->preview().status().failure, "");
+    }
+
+    void layPhoto() {
+        writePng(makeSamplePhoto(samplePhotoNames().front())->image, folder / "photo.png");
+        press(Qt::Key_2, Qt::ControlModifier);
+        dialogs.expectFile(folder / "photo.png");
+        press(Qt::Key_P, Qt::ControlModifier);
+        ASSERT_TRUE(dialogs.isDone());
+        ASSERT_EQ(project().photos.size(), 1U);
+        ASSERT_NE(project().atlas, nullptr);
+        ESM_EVENTUALLY(window->view().scene().texturePages);
+        const auto& pages = *window->view().scene().texturePages;
+        const auto& base = project().texture.baseColour;
+        std::size_t painted = 0;
+        for (std::size_t i = 0; i < pages[0].pixels.size(); i += 4)
+            painted += pages[0].pixels[i] != base[0] || pages[0].pixels[i + 1] != base[1];
+        EXPECT_GT(painted, 1000U);
+    }
+
+    void saveAndReopen() {
+        dialogs.expectFile(folder / "organ.esm");
+        press(Qt::Key_S, Qt::ControlModifier);
+        ASSERT_TRUE(dialogs.isDone());
+        EXPECT_FALSE(window->document().isModified());
+        const Project loaded = loadProject(folder / "organ.esm");
+        EXPECT_EQ(loaded.mesh->vertices, project().mesh->vertices);
+        ASSERT_EQ(loaded.regions.size(), 1U);
+        EXPECT_EQ(loaded.regions[0].inputs, project().regions[0].inputs);
+        ASSERT_EQ(loaded.photos.size(), 1U);
+        EXPECT_EQ(loaded.photos[0].photo->encoded, project().photos[0].photo->encoded);
+        EXPECT_EQ(loaded.photos[0].projector.pose.matrix(), project().photos[0].projector.pose.matrix());
+    }
+
+    void handOver() {
+        dialogs.expectFile(folder / "organ.glb");
+        press(Qt::Key_E, Qt::ControlModifier);
+        ASSERT_TRUE(dialogs.isDone());
+        EXPECT_TRUE(validatePackage(folder / "organ.glb").empty());
+    }
+
+    TemporaryFolder folder;
+};
+
+} // namespace
+
+TEST_F(MainJobTest, GoesFromAMeshToAPackageAndBack) {
+    open(makeSample("tube"));
+    importOrgan();
+    if (HasFatalFailure()) return;
+    const Project imported = project();
+    softenRegion();
+    if (HasFatalFailure()) return;
+    pullTissue();
+    if (HasFatalFailure()) return;
+    layPhoto();
+    if (HasFatalFailure()) return;
+    saveAndReopen();
+    handOver();
+
+    const Project finished = project();
+    auto* steps = window->document().undoStack();
+    while (steps->canUndo())
+        press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(difference(imported, project()).any());
+    while (steps->canRedo())
+        press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_FALSE(difference(finished, project()).any());
+    EXPECT_FALSE(window->document().isModified());
+    EXPECT_TRUE(window->close());
+}
+
+TEST_F(MainJobTest, ANewWindowMovesByItself) {
+    open(makeSample("liver"));
+    const auto largestMotion = [&] {
+        const auto& now = window->view().scene().nodePositions;
+        double largest = 0;
+        for (std::size_t i = 0; i < now.size(); ++i)
+            largest = std::max(largest, (now[i] - project().network->restPositions[i]).norm());
+        return largest;
+    };
+    ESM_EVENTUALLY(largestMotion() > 0.005);
+    press(Qt::Key_Space);
+    ESM_EVENTUALLY(!window->preview().status().playing);
+}
