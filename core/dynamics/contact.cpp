@@ -17,6 +17,7 @@ using Eigen::Vector3d;
 constexpr double smallTriangle = 0.25;       ///< circle around it, in radii of the sphere
 constexpr double leastMovable = 0.2;         ///< share of a point that its movable nodes must carry
 constexpr double projectionTolerance = 1e-9; ///< in radii
+constexpr double planeSlack = 0.98;          ///< so that sliding along the sphere can turn the plane
 constexpr int mostProjections = 30;
 constexpr int mostParts = 64;
 constexpr std::uint32_t noNode = std::numeric_limits<std::uint32_t>::max();
@@ -61,12 +62,20 @@ Vector3d pointOf(const Contact& contact, const Vectors& positions) {
     return point;
 }
 
-/// Outwards; from where the point was before when it is at the centre or beyond it.
-Vector3d outward(const Vector3d& after, const Vector3d& before, const SphereMove& sphere) {
-    const Vector3d now = after - sphere.to, then = before - sphere.from;
-    const Vector3d& direction = now.dot(then) > 0 ? now : then;
-    const double length = direction.norm();
-    return length > 0 ? Vector3d(direction / length) : Vector3d(Vector3d::UnitY());
+/// Away from the sphere where the point now lies, but turned away from where it was only so far that the
+/// plane kept free, `distance` from the centre, leaves its old place free as well: a push then takes speed
+/// and gives none.
+Vector3d outward(const Vector3d& after, const Vector3d& before, const SphereMove& sphere, double distance) {
+    const Vector3d then = before - sphere.from, now = after - sphere.to;
+    const double thenLength = then.norm(), nowLength = now.norm();
+    if (!(thenLength > 0)) return nowLength > 0 ? Vector3d(now / nowLength) : Vector3d(Vector3d::UnitY());
+    if (!(nowLength > 0)) return then / thenLength;
+    const double angle = std::acos(std::clamp(then.dot(now) / (thenLength * nowLength), -1.0, 1.0));
+    const double most = std::acos(std::min(1.0, planeSlack * distance / thenLength));
+    if (angle <= most) return now / nowLength;
+    const Vector3d turned = std::sin(angle - most) / thenLength * then + std::sin(most) / nowLength * now;
+    const double length = turned.norm();
+    return length > 1e-9 ? Vector3d(turned / length) : Vector3d(then / thenLength);
 }
 
 /// The same point has the same contact, whichever triangle it is found in.
@@ -94,7 +103,7 @@ double movableShare(const Contact& contact, const std::vector<char>& immovable) 
 } // namespace
 
 void turnOutward(Contact& contact, const Vectors& before, const Vectors& after, const SphereMove& sphere) {
-    contact.normal = outward(pointOf(contact, after), pointOf(contact, before), sphere);
+    contact.normal = outward(pointOf(contact, after), pointOf(contact, before), sphere, contact.distance);
 }
 
 double depth(const Contact& contact, const Vectors& positions, const SphereMove& sphere) {
@@ -112,7 +121,7 @@ std::vector<Contact> findContacts(const std::vector<Triangle>& surface, const st
         contact.depth = distance - (point - sphere.to).norm();
         if (contact.depth <= 0 || movableShare(contact, immovable) < leastMovable) return;
         contact.distance = distance;
-        contact.normal = outward(point, pointOf(contact, before), sphere);
+        contact.normal = outward(point, pointOf(contact, before), sphere, contact.distance);
         const auto [found, isNew] = contacts.try_emplace(contact.nodes, contact);
         if (!isNew && contact.distance > found->second.distance) found->second = contact;
     };

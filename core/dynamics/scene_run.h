@@ -7,8 +7,8 @@
 
 namespace esm {
 
-/// The scene's loads during the step of length `timeStep` that starts at `start`, s. `rest` are the nodes' rest
-/// positions, m.
+/// The scene's loads during the step of length `timeStep` that starts at `start`, s. `rest` are the nodes'
+/// rest positions, m.
 Loads loadsAt(const Scene& scene, const std::vector<Eigen::Vector3d>& rest, double start, double timeStep);
 
 /// Receives the recorded nodes' positions at 0, every, 2·every, … and the duration, each at the first step

@@ -1,0 +1,173 @@
+#include "core/dynamics/scene_run.h"
+#include "core/support/errors.h"
+#include "tests/support/tissue_models.h"
+
+#include <gmock/gmock.h>
+
+using namespace esm;
+using tissue::Vectors;
+
+namespace {
+
+struct Frames {
+    std::vector<double> times;
+    std::vector<Vectors> positions;
+    FrameSink sink() {
+        return [this](double time, const Vectors& now) {
+            times.push_back(time);
+            positions.push_back(now);
+        };
+    }
+};
+
+SimulationSettings withStep(Integrator integrator, double step) {
+    SimulationSettings settings;
+    settings.integrator = integrator;
+    settings.timeStep = step;
+    return settings;
+}
+
+TissueModel membrane() {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(7, 0.1), {10, 0.1, 0.001});
+    model.fixedNodes = {0, 6, 42, 48};
+    return model;
+}
+
+TEST(SceneRun, RecordsAtTheFirstStepThatReachesTheTime) {
+    Scene scene;
+    scene.duration = 0.105;
+    scene.record.every = 0.03;
+    Frames frames;
+    const SceneOutcome outcome =
+        runScene(membrane(), {}, scene, withStep(Integrator::Split, 0.01), frames.sink());
+    ASSERT_EQ(frames.times.size(), 5);
+    EXPECT_THAT(frames.times, testing::Pointwise(testing::DoubleNear(1e-12), {0.0, 0.03, 0.06, 0.09, 0.11}));
+    EXPECT_EQ(outcome.steps, 11);
+    EXPECT_EQ(outcome.outcome, "completed");
+    EXPECT_TRUE(outcome.stable);
+    EXPECT_NEAR(outcome.simulatedSeconds, 0.11, 1e-12);
+}
+
+TEST(SceneRun, DoesNotDriftOverManySteps) {
+    Scene scene;
+    scene.duration = 1000;
+    scene.record.every = 0.1;
+    Frames frames;
+    const SceneOutcome outcome =
+        runScene(tissue::oneSpring({10, 1, 1}), {}, scene, withStep(Integrator::Split, 0.1), frames.sink());
+    EXPECT_EQ(outcome.steps, 10000);
+    EXPECT_EQ(frames.times.size(), 10001);
+    EXPECT_NEAR(frames.times.back(), 1000, 1e-9);
+}
+
+TEST(SceneRun, PutsFramesOnStepsWhenItChoosesTheStep) {
+    Scene scene;
+    scene.duration = 0.5;
+    scene.record.every = 0.025;
+    Frames frames;
+    const SceneOutcome outcome = runScene(membrane(), {}, scene, {}, frames.sink());
+    EXPECT_LE(outcome.timeStep, 0.01);
+    ASSERT_EQ(frames.times.size(), 21);
+    for (std::size_t i = 0; i < 21; ++i)
+        EXPECT_NEAR(frames.times[i], 0.025 * static_cast<double>(i), 1e-12);
+}
+
+TEST(SceneRun, GivesEachFrameOnceWhenStepsAreLonger) {
+    Scene scene;
+    scene.duration = 0.1;
+    scene.record.every = 0.001;
+    Frames frames;
+    runScene(membrane(), {}, scene, withStep(Integrator::Split, 0.02), frames.sink());
+    EXPECT_THAT(frames.times,
+                testing::Pointwise(testing::DoubleNear(1e-12), {0.0, 0.02, 0.04, 0.06, 0.08, 0.1}));
+}
+
+TEST(SceneRun, ForcesActFromTheirStartUpToTheirEnd) {
+    // A free body: its momentum tells how many steps a force acted in.
+    Scene scene;
+    scene.duration = 1;
+    scene.record.every = 1;
+    scene.forces = {{0, {0, 2, 0}, 0.2, 0.5}};
+    TissueModel model = tissue::oneSpring({0, 0, 4});
+    const SceneOutcome outcome = runScene(model, {}, scene, withStep(Integrator::Euler, 0.1), {});
+    EXPECT_NEAR(outcome.energy.kinetic, 0.5 * 4 * std::pow(2 * 0.3 / 4, 2), 1e-12);
+}
+
+TEST(SceneRun, LeadsNodesAlongTheirPaths) {
+    Scene scene;
+    scene.duration = 1;
+    scene.record.every = 0.1;
+    scene.record.nodes = std::vector<std::uint32_t>{24, 25};
+    scene.moves = {{24, {{0.0, {0, 0, 0}}, {0.5, {0, 0, -0.01}}}}};
+    const TissueModel model = membrane();
+    Frames frames;
+    runScene(model, {}, scene, {}, frames.sink());
+    const Eigen::Vector3d rest = model.network->restPositions[24];
+    ASSERT_EQ(frames.positions.size(), 11);
+    ASSERT_EQ(frames.positions[3].size(), 2);
+    EXPECT_LT((frames.positions[3][0] - rest - Eigen::Vector3d(0, 0, -0.006)).norm(), 1e-12);
+    EXPECT_LT((frames.positions[10][0] - rest - Eigen::Vector3d(0, 0, -0.01)).norm(), 1e-12);
+    EXPECT_LT(frames.positions[10][1].z(), -0.001);
+}
+
+TEST(SceneRun, PushesTheSurfaceWithItsInstrument) {
+    const TriangleMesh mesh = tissue::gridMesh(15, 0.1);
+    TissueModel model = tissue::fromMesh(mesh, {10, 0.1, 0.001});
+    for (std::uint32_t i = 0; i < 15; ++i)
+        model.fixedNodes.push_back(i);
+    Scene scene;
+    scene.instrument = InstrumentMotion{0.02, {{0.0, {0, 0, 0.04}}, {0.5, {0, 0, 0.0}}}};
+    Frames frames;
+    runScene(model, mesh.triangles, scene, {}, frames.sink());
+    EXPECT_EQ(frames.positions.front(), model.network->restPositions);
+    EXPECT_LE(frames.positions.back()[112].z(), -0.02);
+}
+
+TEST(SceneRun, DivergingEndsWithItsLastGoodState) {
+    Scene scene;
+    scene.forces = {{24, {0, 0, 1}, 0, 1}};
+    Frames frames;
+    const TissueModel model = tissue::fromMesh(tissue::gridMesh(7, 0.1), {1e6, 0, 1e-4});
+    const SceneOutcome outcome = runScene(model, {}, scene, withStep(Integrator::Euler, 0.01), frames.sink());
+    EXPECT_FALSE(outcome.stable);
+    EXPECT_NE(outcome.outcome, "completed");
+    EXPECT_LT(outcome.simulatedSeconds, 1);
+    EXPECT_NEAR(frames.times.back(), outcome.simulatedSeconds, 1e-12);
+    for (const Vectors& frame : frames.positions)
+        for (const Eigen::Vector3d& position : frame)
+            EXPECT_TRUE(position.allFinite());
+}
+
+TEST(SceneRun, IsTheSameEveryTime) {
+    const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
+    const TissueModel model = tissue::fromMesh(mesh, {10, 0.1, 0.0001});
+    Scene scene;
+    scene.duration = 0.5;
+    scene.moves = {{7, {{0.0, {0, 0, 0}}, {0.5, {0.01, 0, 0}}}}};
+    scene.instrument = InstrumentMotion{0.02, {{0.0, {0, 0, 0.08}}, {0.5, {0, 0, 0.04}}}};
+    Frames first, second;
+    runScene(model, mesh.triangles, scene, {}, first.sink());
+    runScene(model, mesh.triangles, scene, {}, second.sink());
+    EXPECT_EQ(first.positions, second.positions);
+}
+
+TEST(SceneRun, StopsWhenAsked) {
+    Scene scene;
+    scene.duration = 1e6;
+    const auto stopAfterStart = [](double fraction) { return fraction == 0; };
+    EXPECT_THROW(runScene(membrane(), {}, scene, {}, {}, stopAfterStart), Cancelled);
+}
+
+TEST(SceneRun, RefusesASceneForAnotherModel) {
+    Scene scene;
+    scene.forces = {{900, {0, 0, 1}, 0, 1}};
+    scene.moves = {{901, {{0.0, {0, 0, 0}}}}};
+    try {
+        runScene(membrane(), {}, scene, {}, {});
+        FAIL() << "accepted";
+    } catch (const InvalidModel& problem) {
+        EXPECT_EQ(problem.problems().size(), 2);
+    }
+}
+
+} // namespace

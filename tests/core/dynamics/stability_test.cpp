@@ -1,0 +1,206 @@
+#include "core/dynamics/stability.h"
+#include "core/support/errors.h"
+#include "tests/support/tissue_models.h"
+
+#include <Eigen/Eigenvalues>
+#include <gmock/gmock.h>
+
+#include <array>
+
+using namespace esm;
+
+namespace {
+
+SimulationSettings withStep(Integrator integrator, double step) {
+    SimulationSettings settings;
+    settings.integrator = integrator;
+    settings.timeStep = step;
+    return settings;
+}
+
+/// Largest growth factor of an oscillator with stepDamping = h·d/m and stepStiffness = (hω)² under split2,
+/// from the matrix that takes (x, x⁻, h·v, h·v⁻) to the next step.
+double split2Growth(double stepDamping, double stepStiffness) {
+    const double a = 1.5 + stepDamping, k = stepStiffness;
+    Eigen::Matrix4d next;
+    const Eigen::RowVector4d velocity(-2 * k / a, k / a, 2 / a, -0.5 / a);
+    next << (4.0 / 3) + 2.0 / 3 * velocity[0], -1.0 / 3 + 2.0 / 3 * velocity[1], 2.0 / 3 * velocity[2],
+        2.0 / 3 * velocity[3], 1, 0, 0, 0, velocity, 0, 0, 1, 0;
+    return next.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+TEST(Split2Limit, IsWhereARootLeavesTheUnitCircle) {
+    for (const double damping : {1e-4, 1e-2, 0.1, 0.3866, 0.7, 1.1, 8.0 / 7, 1.3, 3.0, 50.0, 1e4}) {
+        const double limit = split2Limit(damping);
+        EXPECT_GT(split2Growth(damping, 1.001 * limit), 1) << damping;
+        for (const double part : {1e-3, 0.1, 0.5, 0.9, 0.999}) {
+            EXPECT_LE(split2Growth(damping, part * limit), 1 + 1e-12) << damping;
+        }
+    }
+    // The rules that are known: a half plane for strong damping, h³ω⁴ < 2d/m for weak.
+    EXPECT_DOUBLE_EQ(split2Limit(6), 16.0 / 3 + 8);
+    EXPECT_NEAR(split2Limit(1e-8), std::sqrt(2e-8), 1e-7);
+    EXPECT_EQ(split2Limit(0), 0);
+}
+
+/// Whether the energy of a small kick everywhere grows a millionfold. Near its limit a weakly damped split2
+/// grows by little at each of very many steps.
+bool blowsUp(const TissueModel& model, Integrator integrator, double step) {
+    Simulation simulation(model, withStep(integrator, step));
+    Loads kick;
+    for (std::uint32_t i = 0; i < model.mass.size(); ++i)
+        kick.forces.emplace_back(
+            i, 1e-6 * model.mass[i] / step *
+                   Eigen::Vector3d(std::sin(9.1 * i), std::cos(5.3 * i), std::sin(3.7 * i + 1)));
+    const auto total = [&] { return simulation.energy().kinetic + simulation.energy().elastic; };
+    EXPECT_TRUE(simulation.step(kick));
+    const double given = total();
+    for (int i = 1; i < 40000; ++i) {
+        if (!simulation.step({})) return true;
+        if (i % 100 == 0 && total() > 1e6 * given) return true;
+    }
+    return false;
+}
+
+/// A chain along x, where the weighted Laplacian is the stiffness itself, moved lengthwise.
+TissueModel chain(const tissue::Parameters& parameters) {
+    SpringNetwork network;
+    for (int i = 0; i < 20; ++i)
+        network.restPositions.emplace_back(1000 * i, 0, 0);
+    for (std::size_t i = 0; i + 1 < 20; ++i)
+        tissue::addSpring(network, i, i + 1);
+    return tissue::model(std::move(network), parameters);
+}
+
+TEST(CriticalSteps, AreWhereUniformTissueBlowsUp) {
+    for (const tissue::Parameters& parameters :
+         {tissue::Parameters{100, 0.03, 0.01}, {100, 0.2, 0.01}, {100, 2, 0.01}, {100, 50, 0.01}}) {
+        const TissueModel model = chain(parameters);
+        const CriticalSteps steps = criticalSteps(model);
+        for (const auto& [integrator, step] : {std::pair{Integrator::Euler, steps.euler},
+                                               {Integrator::Split, steps.split},
+                                               {Integrator::Split2, steps.split2}}) {
+            SCOPED_TRACE(std::string(integratorName(integrator)) + ", viscosity " +
+                         std::to_string(parameters.viscosity));
+            ASSERT_TRUE(step);
+            EXPECT_FALSE(blowsUp(model, integrator, 0.95 * *step)) << *step;
+            EXPECT_TRUE(blowsUp(model, integrator, 1.05 * *step)) << *step;
+        }
+    }
+}
+
+TEST(CriticalSteps, HoldWhereElasticityAndViscosityDoNotCommute) {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(8, 0.1), {50, 0.5, 0.001});
+    for (std::size_t i = 0; i < model.mass.size(); ++i) {
+        model.springConstant[i] *= std::exp(2 * std::sin(1.7 * static_cast<double>(i)));
+        model.viscosity[i] *= std::exp(2 * std::cos(2.9 * static_cast<double>(i)));
+        model.mass[i] *= std::exp(std::sin(4.1 * static_cast<double>(i)));
+    }
+    model.tethers = {{3, 500, 0.01}, {40, 1, 30}};
+    const CriticalSteps steps = criticalSteps(model);
+    EXPECT_FALSE(blowsUp(model, Integrator::Euler, 0.99 * *steps.euler));
+    EXPECT_FALSE(blowsUp(model, Integrator::Split, 0.99 * *steps.split));
+    EXPECT_FALSE(blowsUp(model, Integrator::Split2, 0.99 * *steps.split2));
+    // Rest shape and direction matter only a little: the bound is not needlessly short either.
+    EXPECT_TRUE(blowsUp(model, Integrator::Euler, 2 * *steps.euler));
+    EXPECT_TRUE(blowsUp(model, Integrator::Split, 2 * *steps.split));
+}
+
+TEST(CriticalSteps, KnowWhereThereIsNoLimitAndNoStep) {
+    EXPECT_EQ(criticalSteps(tissue::oneSpring({0, 0, 1})).euler, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(criticalSteps(tissue::oneSpring({0, 1, 1})).split2, std::numeric_limits<double>::infinity());
+    TissueModel fixed = tissue::oneSpring({10, 1, 1});
+    fixed.fixedNodes = {0, 1};
+    EXPECT_EQ(criticalSteps(fixed).split, std::numeric_limits<double>::infinity());
+    const CriticalSteps undamped = criticalSteps(tissue::oneSpring({10, 0, 1}));
+    EXPECT_EQ(undamped.split2, std::nullopt);
+    EXPECT_NEAR(undamped.omegaMax, std::sqrt(20), 1e-3);
+    EXPECT_NEAR(*undamped.euler, 2 / std::sqrt(20), 1e-3);
+    EXPECT_NEAR(*undamped.split, 2 / std::sqrt(20), 1e-3);
+}
+
+TEST(CriticalSteps, OfThePublishedTubeAllowEulerMicrosecondsAndTheSplitFormsTenthsOfASecond) {
+    const TissueModel tube = tissue::fallopianTube();
+    const CriticalSteps steps = criticalSteps(tube);
+    EXPECT_FALSE(blowsUp(tube, Integrator::Euler, 0.95 * *steps.euler));
+    EXPECT_TRUE(blowsUp(tube, Integrator::Euler, 1.05 * *steps.euler));
+    EXPECT_LT(*steps.euler, 5e-6);
+    EXPECT_GT(*steps.split, 0.3);
+    EXPECT_GT(*steps.split2, 0.2);
+}
+
+TEST(ChooseStep, TakesTheOverdampedTissueByItsSecondOrderForm) {
+    const ChosenStep chosen = chooseStep(tissue::fallopianTube(), {});
+    EXPECT_EQ(chosen.integrator, Integrator::Split2);
+    EXPECT_EQ(chosen.timeStep, 0.01);
+}
+
+TEST(ChooseStep, TakesUndampedTissueByEuler) {
+    const ChosenStep chosen = chooseStep(tissue::fromMesh(tissue::gridMesh(8, 0.1), {1e4, 0, 0.001}), {});
+    EXPECT_EQ(chosen.integrator, Integrator::Euler);
+    EXPECT_LT(chosen.timeStep, 0.01);
+}
+
+TEST(ChooseStep, TakesAGivenStepAsGiven) {
+    const TissueModel tube = tissue::fallopianTube();
+    EXPECT_EQ(chooseStep(tube, withStep(Integrator::Euler, 0.02)).timeStep, 0.02);
+    EXPECT_EQ(chooseStep(tube, withStep(Integrator::Auto, 0.02)).integrator, Integrator::Split2);
+    EXPECT_EQ(chooseStep(tube, withStep(Integrator::Auto, 1e4)).integrator, Integrator::Split);
+}
+
+TEST(ChooseStep, RefusesWhatCannotWork) {
+    const TissueModel model = tissue::oneSpring({10, 0, 1});
+    SimulationSettings settings = withStep(Integrator::Split2, 0);
+    settings.damping = Damping::Axial;
+    settings.longestStep = std::nan("");
+    try {
+        chooseStep(model, settings);
+        FAIL() << "accepted";
+    } catch (const InvalidModel& problem) {
+        EXPECT_EQ(problem.problems().size(), 3);
+    }
+    settings = {};
+    settings.integrator = Integrator::Split2;
+    EXPECT_THROW(chooseStep(model, settings), InvalidModel);
+    TissueModel broken = model;
+    broken.mass[0] = 0;
+    EXPECT_THROW(chooseStep(broken, {}), InvalidModel);
+    EXPECT_THROW(Simulation(broken, {}), InvalidModel);
+}
+
+// Every corner of what sliders and files can ask for: a run stays whole or is refused with a reason.
+TEST(Extremes, StayWholeOrAreRefused) {
+    const TriangleMesh mesh = tissue::sphereMesh(1, 0.05);
+    int ran = 0, refused = 0;
+    for (const double springConstant : {1e-6, 1.0, 1e4, 1e9})
+        for (const double viscosity : {0.0, 1e-6, 1.0, 1e3, 1e6})
+            for (const double mass : {1e-9, 1e-3, 1e3})
+                for (const bool contrast : {false, true})
+                    for (const bool tied : {false, true}) {
+                        TissueModel model = tissue::fromMesh(mesh, {springConstant, viscosity, mass});
+                        if (contrast)
+                            for (std::size_t i = 0; i < 20; ++i) {
+                                model.springConstant[i] *= 1e-6;
+                                model.viscosity[2 * i] *= 1e-6;
+                            }
+                        if (tied) model.fixedNodes = {0, 1, 2};
+                        SCOPED_TRACE(testing::Message() << springConstant << " " << viscosity << " " << mass
+                                                        << " " << contrast << tied);
+                        try {
+                            Simulation simulation(model, {}, mesh.triangles);
+                            Loads loads;
+                            loads.forces = {{30, {0, 0, 0.01 * springConstant}}};
+                            for (int i = 0; i < 200; ++i) {
+                                if (i == 100) loads = Loads{};
+                                ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
+                            }
+                            ++ran;
+                        } catch (const InvalidModel& reason) {
+                            EXPECT_FALSE(reason.problems().empty());
+                            ++refused;
+                        }
+                    }
+    EXPECT_GT(ran, 5 * refused) << ran << " ran, " << refused << " refused";
+}
+
+} // namespace
