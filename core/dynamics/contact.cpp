@@ -139,6 +139,7 @@ std::vector<Contact> findContacts(const std::vector<Triangle>& surface, const st
         if (nearest.count > 1) offer(nearest, sphere.radius);
     }
     std::vector<Contact> result;
+    result.reserve(contacts.size());
     for (const auto& [nodes, contact] : contacts)
         result.push_back(contact);
     return result;
