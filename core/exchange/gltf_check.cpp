@@ -30,10 +30,20 @@ public:
     void check() const {
         if (!m_document.is_object()) fail("has no JSON object at its top");
         checkRequiredExtensions();
+        checkNodes();
         forEach("buffers", [this](const Json& buffer, std::size_t index) { checkBuffer(buffer, index); });
         forEach("bufferViews", [this](const Json& view, std::size_t index) { checkView(view, index); });
         forEach("accessors",
                 [this](const Json& accessor, std::size_t index) { checkAccessor(accessor, index); });
+    }
+
+    std::size_t triangleCount() const {
+        std::size_t triangles = 0;
+        forEach("meshes", [&](const Json& mesh, std::size_t index) {
+            for (const Json& primitive : mesh.value("primitives", Json::array()))
+                triangles += trianglesOf(primitive, "mesh " + std::to_string(index));
+        });
+        return triangles;
     }
 
 private:
@@ -63,7 +73,9 @@ private:
         return m_document[table][index];
     }
 
+    std::size_t trianglesOf(const Json& primitive, const std::string& place) const;
     void checkRequiredExtensions() const;
+    void checkNodes() const;
     void checkBuffer(const Json& buffer, std::size_t index) const;
     void checkView(const Json& view, std::size_t index) const;
     void checkAccessor(const Json& accessor, std::size_t index) const;
@@ -80,6 +92,27 @@ void GltfChecker::checkRequiredExtensions() const {
             if (name == compression)
                 throw FileError(m_file, std::string("is compressed (") + compression +
                                             "), which cannot be read; export it without compression");
+}
+
+/// Nodes are trees, and not so deep that walking down them by recursion could run out of stack.
+void GltfChecker::checkNodes() const {
+    constexpr std::size_t deepest = 200;
+    std::vector<std::optional<std::size_t>> parents(m_document.value("nodes", Json::array()).size());
+    forEach("nodes", [&](const Json& node, std::size_t index) {
+        if (!node.is_object()) fail("has a node that is no object");
+        for (const Json& child : node.value("children", Json::array())) {
+            if (!child.is_number_unsigned() || child.get<std::size_t>() >= parents.size())
+                fail("has a node " + std::to_string(index) + " with a child that is not there");
+            std::optional<std::size_t>& parent = parents[child.get<std::size_t>()];
+            if (parent) fail("has a node " + child.dump() + " with two parents");
+            parent = index;
+        }
+    });
+    for (std::size_t node = 0; node < parents.size(); ++node) {
+        std::size_t depth = 0;
+        for (std::optional<std::size_t> parent = parents[node]; parent; parent = parents[*parent])
+            if (++depth > deepest) fail("has nodes nested too deeply, or within themselves");
+    }
 }
 
 void GltfChecker::checkBuffer(const Json& buffer, std::size_t index) const {
@@ -156,6 +189,17 @@ void GltfChecker::checkAccessor(const Json& accessor, std::size_t index) const {
         fail(place + " announces " + std::to_string(count) + " entries, more than its data holds");
 }
 
+std::size_t GltfChecker::trianglesOf(const Json& primitive, const std::string& place) const {
+    constexpr std::size_t separate = 4, fan = 6; // a strip between them
+    const std::size_t mode = number(primitive, "mode", separate);
+    const Json attributes = primitive.value("attributes", Json::object());
+    if (mode < separate || mode > fan || !attributes.contains("POSITION")) return 0;
+    const std::size_t accessor = number(primitive, "indices", number(attributes, "POSITION", 0));
+    const std::size_t corners = number(entry("accessors", accessor, place), "count", 0);
+    if (mode == separate) return corners / 3;
+    return corners < 3 ? 0 : corners - 2;
+}
+
 Json parsed(const fs::path& file, Bytes::const_iterator begin, Bytes::const_iterator end) {
     try {
         return Json::parse(begin, end);
@@ -165,13 +209,24 @@ Json parsed(const fs::path& file, Bytes::const_iterator begin, Bytes::const_iter
     }
 }
 
-} // namespace
-
-void checkGltf(const fs::path& file, const Bytes& content) {
-    GltfChecker(file, parsed(file, content.begin(), content.end()), std::nullopt).check();
+/// Checks everything and counts the triangles.
+std::size_t checkDocument(const fs::path& file, Json document, std::optional<std::size_t> binaryBytes) {
+    try {
+        const GltfChecker checker(file, std::move(document), binaryBytes);
+        checker.check();
+        return checker.triangleCount();
+    } catch (const Json::exception&) {
+        throw FileError(file, "is damaged: its JSON part is not in the form of glTF; export it again");
+    }
 }
 
-void checkGlb(const fs::path& file, const Bytes& content) {
+} // namespace
+
+std::size_t checkGltf(const fs::path& file, const Bytes& content) {
+    return checkDocument(file, parsed(file, content.begin(), content.end()), std::nullopt);
+}
+
+std::size_t checkGlb(const fs::path& file, const Bytes& content) {
     if (content.size() < glbHeaderBytes + chunkHeaderBytes || littleEndian(content, 0) != 0x46546C67)
         throw FileError(file, "is cut off or no GLB file: its header is missing; export it again");
     if (littleEndian(content, 4) != 2)
@@ -193,8 +248,8 @@ void checkGlb(const fs::path& file, const Bytes& content) {
                                       "; export it again");
     }
     const auto begin = content.begin() + jsonStart;
-    GltfChecker(file, parsed(file, begin, begin + static_cast<std::ptrdiff_t>(jsonBytes)), binaryBytes)
-        .check();
+    return checkDocument(file, parsed(file, begin, begin + static_cast<std::ptrdiff_t>(jsonBytes)),
+                         binaryBytes);
 }
 
 } // namespace esm

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* withoutTriangle = "has no triangle; export the surface, not lines or points";
+
 std::string endingOf(const fs::path& file) {
     std::string ending = file.extension().string();
     if (!ending.empty()) ending.erase(0, 1);
@@ -73,7 +75,16 @@ void appendNode(const fs::path& file, const aiScene& scene, const aiNode& node, 
         appendNode(file, scene, *node.mChildren[i], transform, soup);
 }
 
-PolygonSoup readWithAssimp(const fs::path& file) {
+/// Faces of all meshes that are surfaces, each once however often it is placed.
+std::size_t faceCountOf(const aiScene& scene) {
+    std::size_t count = 0;
+    for (unsigned int i = 0; i < scene.mNumMeshes; ++i)
+        if (scene.mMeshes[i]->mPrimitiveTypes & (aiPrimitiveType_TRIANGLE | aiPrimitiveType_POLYGON))
+            count += scene.mMeshes[i]->mNumFaces;
+    return count;
+}
+
+PolygonSoup readWithAssimp(const fs::path& file, const std::optional<std::size_t>& faceCount) {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (!scene || !scene->mRootNode) {
@@ -82,15 +93,17 @@ PolygonSoup readWithAssimp(const fs::path& file) {
         throw FileError(file,
                         "cannot be read as a mesh (" + reason + "); export it again or in another format");
     }
+    if (const std::size_t delivered = faceCountOf(*scene); faceCount && delivered != *faceCount)
+        throw FileError(file, "announces " + std::to_string(*faceCount) + " faces, of which " +
+                                  std::to_string(delivered) +
+                                  " can be read; the others name missing vertices; export it again");
     PolygonSoup soup;
     appendNode(file, *scene, *scene->mRootNode, Transform::Identity(), soup);
     return soup;
 }
 
 void checkSurface(const fs::path& file, const PolygonSoup& soup) {
-    if (soup.polygons.empty())
-        throw FileError(file, "has no triangle (" + std::to_string(soup.vertices.size()) +
-                                  " points only); export the surface, not lines or points");
+    if (soup.polygons.empty()) throw FileError(file, withoutTriangle);
     for (std::size_t i = 0; i < soup.vertices.size(); ++i)
         if (!soup.vertices[i].allFinite())
             throw FileError(file, "has a coordinate that is not a finite number at vertex " +
@@ -123,10 +136,11 @@ PolygonSoup readMeshFile(const fs::path& file) {
     const std::vector<std::string>& known = meshFileEndings();
     if (std::find(known.begin(), known.end(), ending) == known.end())
         throw FileError(file, "is of an unknown kind; mesh files end in " + knownEndings());
-    checkMeshContent(file, content, ending);
+    const std::optional<std::size_t> faceCount = checkMeshContent(file, content, ending);
+    if (faceCount && *faceCount == 0) throw FileError(file, withoutTriangle);
     PolygonSoup soup = ending == "vtk"   ? parseVtkPolydata(file, content)
                        : ending == "obj" ? parseObj(file, content)
-                                         : readWithAssimp(file);
+                                         : readWithAssimp(file, faceCount);
     checkSurface(file, soup);
     return soup;
 }

@@ -46,7 +46,8 @@ std::optional<Signature> signatureOf(std::string_view content) {
 
 } // namespace
 
-void checkMeshContent(const fs::path& file, const Bytes& content, const std::string& ending) {
+std::optional<std::size_t> checkMeshContent(const fs::path& file, const Bytes& content,
+                                            const std::string& ending) {
     if (content.empty()) throw FileError(file, "is empty; export the mesh again");
     const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
     const std::optional<Signature> signature = signatureOf(text);
@@ -57,16 +58,12 @@ void checkMeshContent(const fs::path& file, const Bytes& content, const std::str
         throw FileError(file,
                         "is " + std::string(signature->name) + " and not what its ending says; " + advice);
     }
-    if (ending == "off")
-        checkOff(file, content);
-    else if (ending == "stl")
-        checkStl(file, content);
-    else if (ending == "ply")
-        checkPly(file, content);
-    else if (ending == "gltf")
-        checkGltf(file, content);
-    else if (ending == "glb")
-        checkGlb(file, content);
+    if (ending == "off") return checkOff(file, content);
+    if (ending == "stl") return checkStl(file, content);
+    if (ending == "ply") return checkPly(file, content);
+    if (ending == "gltf") return checkGltf(file, content);
+    if (ending == "glb") return checkGlb(file, content);
+    return std::nullopt;
 }
 
 } // namespace esm

@@ -3,6 +3,7 @@
 #include "core/support/file_io.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace esm {
@@ -11,14 +12,17 @@ namespace esm {
 /// for those that assimp reads, complete: announced counts fit the file's size, parts named in it are there.
 /// Importers take what is missing for zero, or believe a lying header. `ending` is in lower case, without the
 /// dot.
+/// @return how many faces the importer has to deliver, where the file says so
 /// @throws FileError saying what is wrong, where, and what to do
-void checkMeshContent(const std::filesystem::path& file, const Bytes& content, const std::string& ending);
+std::optional<std::size_t> checkMeshContent(const std::filesystem::path& file, const Bytes& content,
+                                            const std::string& ending);
 
-/// The checks of single formats.
-void checkOff(const std::filesystem::path& file, const Bytes& content);
-void checkStl(const std::filesystem::path& file, const Bytes& content);
-void checkPly(const std::filesystem::path& file, const Bytes& content);
-void checkGltf(const std::filesystem::path& file, const Bytes& content);
-void checkGlb(const std::filesystem::path& file, const Bytes& content);
+/// The checks of single formats. They return the number of faces announced; a PLY file with strips
+/// of triangles announces none.
+std::size_t checkOff(const std::filesystem::path& file, const Bytes& content);
+std::size_t checkStl(const std::filesystem::path& file, const Bytes& content);
+std::optional<std::size_t> checkPly(const std::filesystem::path& file, const Bytes& content);
+std::size_t checkGltf(const std::filesystem::path& file, const Bytes& content);
+std::size_t checkGlb(const std::filesystem::path& file, const Bytes& content);
 
 } // namespace esm

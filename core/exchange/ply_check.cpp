@@ -49,12 +49,17 @@ class PlyChecker {
 public:
     PlyChecker(const fs::path& file, const Bytes& content) : m_file(file), m_content(content) {}
 
-    void check() {
+    std::optional<std::size_t> check() {
         readHeader();
         if (m_header.form == PlyForm::Text)
             checkText();
         else
             checkBinary();
+        for (const PlyElement& element : m_header.elements)
+            if (element.name == "face") return element.count;
+        for (const PlyElement& element : m_header.elements)
+            if (element.name == "tristrips") return std::nullopt;
+        return 0;
     }
 
 private:
@@ -187,8 +192,8 @@ void PlyChecker::checkBinary() const {
 
 } // namespace
 
-void checkPly(const fs::path& file, const Bytes& content) {
-    PlyChecker(file, content).check();
+std::optional<std::size_t> checkPly(const fs::path& file, const Bytes& content) {
+    return PlyChecker(file, content).check();
 }
 
 } // namespace esm

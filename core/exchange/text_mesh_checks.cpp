@@ -23,7 +23,7 @@ bool holdsThreeNumbers(std::string_view rest) {
 
 } // namespace
 
-void checkOff(const fs::path& file, const Bytes& content) {
+std::size_t checkOff(const fs::path& file, const Bytes& content) {
     refuseBinary(file, content, "OFF");
     TextLines lines(content);
     const auto nextData = [&lines](std::string_view& line) {
@@ -60,6 +60,7 @@ void checkOff(const fs::path& file, const Bytes& content) {
                                       std::to_string(i) + atLine(lines) +
                                       " is missing, damaged or names a missing vertex; export it again");
     }
+    return *faceCount;
 }
 
 namespace {
@@ -71,9 +72,29 @@ bool isText(const Bytes& content) {
                         [](std::uint8_t byte) { return byte < 9; });
 }
 
+std::size_t checkStlText(const fs::path& file, const Bytes& content) {
+    TextLines lines(content);
+    std::size_t facets = 0, vertices = 0;
+    bool ended = false;
+    for (std::string_view line; lines.next(line);) {
+        const std::string_view keyword = takeWord(line);
+        facets += keyword == "facet";
+        ended = ended || keyword == "endsolid";
+        if (keyword != "vertex") continue;
+        ++vertices;
+        if (!holdsThreeNumbers(line) || vertices > 3 * facets)
+            throw FileError(file, "has a corner that is damaged or belongs to no facet" + atLine(lines) +
+                                      "; export it again");
+    }
+    if (!ended || vertices != 3 * facets)
+        throw FileError(file, "is cut off" + atLine(lines) + ": after " + std::to_string(facets) +
+                                  " facets, corners or \"endsolid\" are missing; export it again");
+    return facets;
+}
+
 } // namespace
 
-void checkStl(const fs::path& file, const Bytes& content) {
+std::size_t checkStl(const fs::path& file, const Bytes& content) {
     constexpr std::size_t headerSize = 84, triangleSize = 50;
     const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
     std::uint32_t count = 0;
@@ -82,17 +103,14 @@ void checkStl(const fs::path& file, const Bytes& content) {
             count |= std::uint32_t{content[80 + i]} << (8 * i);
     const std::size_t held = content.size() >= headerSize ? (content.size() - headerSize) / triangleSize : 0;
     if (content.size() >= headerSize && content.size() == headerSize + std::size_t{count} * triangleSize)
-        return;
+        return count;
 
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     if (isText(content)) {
         if (begin == text.npos || text.substr(begin, 5) != "solid")
             throw FileError(file, "is a text that does not begin with \"solid\", so it is no STL file; "
                                   "choose a file of the kind its ending says");
-        if (text.rfind("endsolid") == text.npos)
-            throw FileError(file, "is cut off: \"endsolid\" is missing at its end, byte " +
-                                      std::to_string(content.size()) + "; export it again");
-        return;
+        return checkStlText(file, content);
     }
     if (content.size() < headerSize)
         throw FileError(file, "is cut off or no STL file: it ends at byte " + std::to_string(content.size()) +
@@ -101,6 +119,7 @@ void checkStl(const fs::path& file, const Bytes& content) {
         throw FileError(file, "is cut off or no STL file: it announces " + std::to_string(count) +
                                   " triangles and has room for " + std::to_string(held) +
                                   "; export it again");
+    return count;
 }
 
 } // namespace esm

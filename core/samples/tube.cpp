@@ -21,7 +21,7 @@ Eigen::Vector3d centreAt(double t) {
 /// Narrow at the uterus, wider towards the ovary, where the end opens like a funnel with a wavy seam.
 double radiusAt(double t, std::uint32_t around) {
     const double funnel = std::pow(t, 8);
-    const double seam = 1 + 0.12 * funnel * (around % 2 == 0 ? 1 : -1);
+    const double seam = 1 + 0.05 * funnel * (around % 2 == 0 ? 1 : -1);
     return (0.0028 + 0.0022 * t + 0.0045 * funnel) * seam;
 }
 

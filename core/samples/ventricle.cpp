@@ -14,46 +14,65 @@ struct AxisPoint {
     double radius;         ///< m
 };
 
-/// From the frontal horn back over the body to the atrium, then down and forward into the temporal horn.
-const std::array<AxisPoint, 8> course{{{{0.000, 0.006, 0.040}, 0.0030},
-                                       {{0.002, 0.014, 0.027}, 0.0072},
-                                       {{0.003, 0.018, 0.008}, 0.0060},
-                                       {{0.005, 0.015, -0.013}, 0.0070},
-                                       {{0.010, 0.004, -0.029}, 0.0092},
-                                       {{0.016, -0.010, -0.027}, 0.0064},
-                                       {{0.020, -0.018, -0.013}, 0.0046},
-                                       {{0.019, -0.021, 0.006}, 0.0028}}};
+constexpr std::size_t coursePoints = 8;
 
-double ventricleDistance(const Eigen::Vector3d& point) {
-    const RoundCone occipitalHorn{course[4].place, {0.013, 0.001, -0.052}, 0.0078, 0.0026};
-    double body = roundConeDistance(point, occipitalHorn);
-    for (std::size_t i = 1; i < course.size(); ++i)
-        body = joined(body,
-                      roundConeDistance(point, {course[i - 1].place, course[i].place, course[i - 1].radius,
-                                                course[i].radius}),
-                      0.004);
-    return body;
+/// From the frontal horn back over the body to the atrium, then down and forward into the temporal horn.
+const std::array<AxisPoint, coursePoints> course{{{{0.000, 0.006, 0.040}, 0.0030},
+                                                  {{0.002, 0.014, 0.027}, 0.0072},
+                                                  {{0.003, 0.018, 0.008}, 0.0060},
+                                                  {{0.005, 0.015, -0.013}, 0.0070},
+                                                  {{0.010, 0.004, -0.029}, 0.0092},
+                                                  {{0.016, -0.010, -0.027}, 0.0064},
+                                                  {{0.020, -0.018, -0.013}, 0.0046},
+                                                  {{0.019, -0.021, 0.006}, 0.0028}}};
+const RoundCone occipitalHorn{{0.010, 0.004, -0.029}, {0.013, 0.001, -0.050}, 0.0080, 0.0036};
+
+AxisPoint courseAt(int index) {
+    constexpr int last = coursePoints - 1;
+    const int inside = std::clamp(index, 0, last);
+    const int towards = std::clamp(inside, 1, last - 1);
+    const AxisPoint& end = course[static_cast<std::size_t>(inside)];
+    const Eigen::Vector3d onward = end.place - course[static_cast<std::size_t>(towards)].place;
+    return {end.place + std::abs(index - inside) * onward, end.radius};
 }
 
-/// A smooth line through the course (Catmull and Rom), prolonged beyond both tips.
-Eigen::Vector3d axisAt(double t) {
-    constexpr double beyond = 0.5; // of a segment, more than a tip's radius
-    const double place = std::clamp(t, 0.0, 1.0) * (double(course.size() - 1) + 2 * beyond) - beyond;
-    const auto at = [](int i) -> Eigen::Vector3d {
-        constexpr int last = static_cast<int>(course.size()) - 1;
-        if (i < 0) return course.front().place + double(-i) * (course[0].place - course[1].place);
-        if (i > last)
-            return course.back().place + double(i - last) * (course[last].place - course[last - 1].place);
-        return course[static_cast<std::size_t>(i)].place;
-    };
+/// A smooth line through the course (Catmull and Rom); `place` 0 is its first point, 1 its second. It goes on
+/// straight beyond both tips.
+AxisPoint smoothAt(double place) {
     const int segment = static_cast<int>(std::floor(place));
+    const AxisPoint a = courseAt(segment - 1), b = courseAt(segment), c = courseAt(segment + 1),
+                    d = courseAt(segment + 2);
     const double u = place - segment;
-    const Eigen::Vector3d a = at(segment - 1), b = at(segment), c = at(segment + 1), d = at(segment + 2);
-    return b + 0.5 * u * (c - a + u * (2 * a - 5 * b + 4 * c - d + u * (3 * (b - c) + d - a)));
+    const auto through = [u](const auto& p, const auto& q, const auto& r, const auto& s) {
+        return (q + 0.5 * u * (r - p + u * (2 * p - 5 * q + 4 * r - s + u * (3 * (q - r) + s - p)))).eval();
+    };
+    const auto number = [](double value) { return Eigen::Matrix<double, 1, 1>(value); };
+    return {through(a.place, b.place, c.place, d.place),
+            through(number(a.radius), number(b.radius), number(c.radius), number(d.radius))[0]};
+}
+
+/// The cavity as round cones so short that no joint shows.
+std::vector<RoundCone> cavityCones() {
+    constexpr int perSegment = 4;
+    std::vector<RoundCone> cones;
+    for (int i = 1; i <= perSegment * static_cast<int>(coursePoints - 1); ++i) {
+        const AxisPoint from = smoothAt(double(i - 1) / perSegment), to = smoothAt(double(i) / perSegment);
+        cones.push_back({from.place, to.place, from.radius, to.radius});
+    }
+    return cones;
 }
 
 TriangleMesh ventricleSurface() {
-    return meshAround(ventricleDistance, {axisAt, Eigen::Vector3d::UnitX()}, 0.0021);
+    const std::vector<RoundCone> cones = cavityCones();
+    const Shape shape = [&cones](const Eigen::Vector3d& point) {
+        double cavity = roundConeDistance(point, cones[0]);
+        for (const RoundCone& cone : cones)
+            cavity = std::min(cavity, roundConeDistance(point, cone));
+        return joined(cavity, roundConeDistance(point, occipitalHorn), 0.006);
+    };
+    constexpr double beyond = 0.5; // of a segment, more than a tip's radius
+    const auto axisAt = [](double t) { return smoothAt(t * (coursePoints - 1 + 2 * beyond) - beyond).place; };
+    return meshAround(shape, {axisAt, Eigen::Vector3d::UnitX()}, 0.0021);
 }
 
 } // namespace
