@@ -19,7 +19,7 @@ RepairedMesh asImported(TriangleMesh mesh);
 /// A region over the whole organ, or one without an ellipsoid yet, with a shipped fuzzy system.
 Region fuzzyRegion(std::string name, const std::string& preset, NamedValues inputs);
 
-/// An instrument that comes along a ray, pushes the surface in by `depth`, stays and goes back.
+/// An instrument that comes along a ray, pushes the surface in by `depth`, stays and is gone at half time.
 /// @throws InvalidModel when the ray misses the surface
 struct Poke {
     Ray ray;

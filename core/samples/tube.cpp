@@ -74,7 +74,7 @@ Project makeTube() {
     Project project = makeProject("Fallopian tube", asImported(tubeSurface()), 0.010);
     project.network = std::make_shared<const SpringNetwork>(tubeNetwork(*project.mesh));
     project.regions = {fuzzyRegion("Tube", "susilap-g", {{"consistency", 5.5}})};
-    project.scene.duration = 2;
+    project.scene.duration = 3;
     project.scene.tethers = {{3, 2.41327, 10.6875}}; // consistency 2.5 [R C.1]
     project.scene.instrument =
         pokeOf(*project.mesh, {{centreAt(0.5) + 0.1 * Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ()},

@@ -25,7 +25,7 @@ const std::array<AxisPoint, coursePoints> course{{{{0.000, 0.006, 0.040}, 0.0030
                                                   {{0.016, -0.010, -0.027}, 0.0064},
                                                   {{0.020, -0.018, -0.013}, 0.0046},
                                                   {{0.019, -0.021, 0.006}, 0.0028}}};
-const RoundCone occipitalHorn{{0.010, 0.004, -0.029}, {0.013, 0.001, -0.050}, 0.0080, 0.0036};
+const RoundCone occipitalHorn{{0.010, 0.004, -0.029}, {0.013, 0.002, -0.045}, 0.0084, 0.0050};
 
 AxisPoint courseAt(int index) {
     constexpr int last = coursePoints - 1;
@@ -81,7 +81,7 @@ Project makeVentricle() {
     Project project = makeProject("Lateral ventricle", asImported(ventricleSurface()), 1.0);
     project.regions = {fuzzyRegion("Ventricle wall", "robo-sim",
                                    {{"consistency", 7.3}, {"sensitiveness", 4.9}, {"shiftability", 3.0}})};
-    project.scene.duration = 2;
+    project.scene.duration = 3;
     project.scene.instrument =
         pokeOf(*project.mesh,
                {{{0.06, 0.017, 0.008}, -Eigen::Vector3d::UnitX()}, 0.003, 0.004, project.scene.duration});

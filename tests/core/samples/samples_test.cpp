@@ -1,7 +1,6 @@
 #include "core/samples/samples.h"
 
 #include "core/dynamics/scene_run.h"
-#include "core/geometry/surface_query.h"
 #include "core/support/errors.h"
 
 #include <gmock/gmock.h>
@@ -38,25 +37,8 @@ TEST_P(AnySample, IsTheSameEveryTime) {
     EXPECT_EQ(first.network->restPositions, second.network->restPositions);
 }
 
-/// An instrument starts clear of the surface and at its deepest is well within it.
-TEST(Samples, InstrumentsReachTheSurface) {
-    for (const std::string name : {"tube", "ventricle", "liver"}) {
-        const Project project = makeSample(name);
-        ASSERT_TRUE(project.scene.instrument) << name;
-        const InstrumentMotion& instrument = *project.scene.instrument;
-        const SurfaceQuery surface(project.mesh->vertices, project.mesh->triangles);
-        const auto distanceAt = [&](double time) {
-            const Eigen::Vector3d centre = positionAt(instrument.path, time);
-            return (surface.nearestPoint(centre, 1)->point - centre).norm();
-        };
-        EXPECT_GT(distanceAt(0), instrument.radius) << name;
-        EXPECT_LT(distanceAt(project.scene.duration / 4), 0.9 * instrument.radius) << name;
-        EXPECT_GT(distanceAt(project.scene.duration), instrument.radius) << name;
-    }
-}
-
-TEST(Samples, UterusMovesInItsOwnSceneAndComesBack) {
-    const Project project = makeSample("uterus");
+TEST_P(AnySample, MovesInItsOwnSceneAndComesBack) {
+    const Project project = makeSample(GetParam());
     Scene scene = project.scene;
     scene.record.every = scene.duration / 20;
     const auto& rest = project.network->restPositions;
