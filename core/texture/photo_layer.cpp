@@ -10,7 +10,8 @@ namespace esm {
 
 namespace {
 
-constexpr std::uint64_t mostPixels = 200'000'000;
+constexpr std::uint64_t mostPixels =
+    16384 * 16384; // as many as the largest texture page, which is read like a photo
 constexpr std::uintmax_t mostBytes = 1'000'000'000;
 
 /// Eight bits per channel, in red, green, blue, alpha. Empty for kinds of numbers that photos do not have.
@@ -40,7 +41,7 @@ std::shared_ptr<const Photo> makePhoto(const std::filesystem::path& shown, std::
     const PhotoFormat format = inspectPhoto(encoded);
     if (!format.problem.empty()) throw FileError(shown, format.problem);
     if (format.width > mostPixels / format.height)
-        throw FileError(shown, "is larger than 200 megapixels (" + std::to_string(format.width) + " × " +
+        throw FileError(shown, "is larger than 268 megapixels (" + std::to_string(format.width) + " × " +
                                    std::to_string(format.height) + "); scale it down");
     const cv::Mat rgba = decode(encoded, format.isJpeg);
     if (rgba.empty())

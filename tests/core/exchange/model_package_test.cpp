@@ -100,8 +100,7 @@ protected:
         const std::string command = std::string("python3 '") + ESM_SOURCE_DIR +
                                     "/tests/cli/read_package.py' '" + m_file.string() + "' --project '" +
                                     saved.string() + "' --tissue '" + expected.string() + "'";
-        EXPECT_EQ(std::system(command.c_str()), 0)
-            << command; // NOLINT(cert-env33-c): paths are the test's own
+        EXPECT_EQ(std::system(command.c_str()), 0) << command;
     }
 
     TemporaryFolder m_folder;
@@ -170,6 +169,22 @@ TEST_F(ModelPackageFile, IsReadByAStrangersReader) {
     project.scene = {};
     expectReadIndependently(project);
     expectReadIndependently(bareProject());
+}
+
+TEST_F(ModelPackageFile, IsReadByTheReaderOfTheSpecification) {
+    exportPackage(richProject(), m_file);
+    const std::string source = ESM_SOURCE_DIR, counts = (m_folder / "counts.json").string();
+    const std::string command = "python3 '" + source + "/tests/cli/documented_reader.py' '" + source +
+                                "/docs/model-package.md' '" + m_file.string() + "' > '" + counts + "'";
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    const Bytes text = readFile(counts);
+    const Json json = Json::parse(text.begin(), text.end());
+    EXPECT_EQ(json["nodes"]["restPosition"], 3 * 48);
+    EXPECT_EQ(json["springs"]["nodes"], 2 * 144);
+    EXPECT_EQ(json["springs"]["restLength"], 144);
+    EXPECT_EQ(json["tethers"]["viscosity"], 23);
+    EXPECT_EQ(json["fixedNodes"]["nodes"], 2);
+    EXPECT_EQ(json["surface"]["triangles"], 3 * 96);
 }
 
 TEST_F(ModelPackageFile, SpreadsTheTextureOverPages) {
