@@ -42,6 +42,7 @@ OrganView::~OrganView() {
 void OrganView::setScene(RenderScene scene) {
     m_scene = std::move(scene);
     m_picker.setScene(m_scene);
+    if (m_instrument) showInstrument();
     if (!m_framed && !organBox().isEmpty()) frameOrgan();
     update();
 }

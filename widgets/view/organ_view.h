@@ -15,7 +15,8 @@
 namespace esm {
 
 /// Shows an organ and what stands around it; tells what the user does to it. Knows no document: a scene goes
-/// in, intents come out, and nothing moves until a new scene says so. Only the camera is the view's own.
+/// in, intents come out, and nothing moves until a new scene says so. Only the camera and the sphere
+/// instrument in the user's hand are the view's own.
 ///
 /// Keys: V P I E J take a tool, 1 to 6 or F B L R T a standard view, Home or 0 shows all, Esc lets go.
 class OrganView : public QOpenGLWidget {
@@ -89,6 +90,7 @@ private:
     void moveInstrument(const QPointF& place);
     void pushInstrument(double notches, const QPointF& place);
     void removeInstrument();
+    void showInstrument();
 
     /// Where a handle is shown; nothing when its axis points at the viewer.
     std::optional<QPointF> handlePlace(const Eigen::Vector3d& end, const Eigen::Vector3d& centre) const;

@@ -13,7 +13,7 @@ constexpr double handleReach = 9; // pixels around a handle's middle
 constexpr double clickReach = 4;  // pixels a click may wander before it is a drag
 constexpr double nodeReach = 12;  // pixels around a node that is picked without a surface
 constexpr double shortAxis =
-    16; // pixels below which an axis points at the viewer and its handles are not shown
+    0.35; // sine of an axis' angle to the line of sight below which it has no handles
 constexpr double pushPerNotch = 0.15; // of the instrument's radius
 constexpr double anglePerNotch = 120;
 
@@ -163,6 +163,7 @@ void OrganView::followDrag(const QPointF& place) {
         emit projectorDragged(size->index, dragged(*size, ray));
     } else if (const auto* sweep = std::get_if<InstrumentSweep>(&drag)) {
         m_instrument = meet(ray, sweep->plane);
+        showInstrument();
         if (m_instrument) emit instrumentMoved(*m_instrument);
     }
 }
@@ -200,6 +201,7 @@ void OrganView::moveInstrument(const QPointF& place) {
         const Vector3d depth = m_instrument.value_or(camera().target);
         m_instrument = meet(ray, picturePlane(camera(), depth));
     }
+    showInstrument();
     if (m_instrument) emit instrumentMoved(*m_instrument);
 }
 
@@ -208,6 +210,7 @@ void OrganView::pushInstrument(double notches, const QPointF& place) {
     if (!m_instrument) return;
     m_instrumentPushed = true;
     *m_instrument += notches * pushPerNotch * m_instrumentRadius * rayAt(place).direction;
+    showInstrument();
     emit instrumentMoved(*m_instrument);
 }
 
@@ -215,7 +218,14 @@ void OrganView::removeInstrument() {
     m_instrumentPushed = false;
     if (!m_instrument) return;
     m_instrument.reset();
+    showInstrument();
     emit instrumentRemoved();
+}
+
+void OrganView::showInstrument() {
+    m_scene.instrument.reset();
+    if (m_instrument) m_scene.instrument = DrawnSphere{*m_instrument, m_instrumentRadius};
+    update();
 }
 
 std::optional<QPointF> OrganView::handlePlace(const Vector3d& end, const Vector3d& centre) const {

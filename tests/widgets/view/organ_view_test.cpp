@@ -295,6 +295,9 @@ TEST_F(OrganViewTest, InstrumentTouchesTheSurfaceAndIsPushedIn) {
     moveTo(middle(), Qt::NoButton);
     ASSERT_TRUE(centre);
     EXPECT_NEAR(centre->z(), 0.12, 0.002);
+    EXPECT_TRUE(view.scene().instrument) << "and is shown";
+    view.setScene(scene);
+    EXPECT_TRUE(view.scene().instrument) << "whatever becomes of the organ meanwhile";
     wheel(middle(), 5, Qt::ControlModifier);
     const double pushed = centre->z();
     EXPECT_LT(pushed, 0.11);
@@ -302,6 +305,7 @@ TEST_F(OrganViewTest, InstrumentTouchesTheSurfaceAndIsPushedIn) {
     EXPECT_NEAR(centre->z(), pushed, 1e-4) << "it sweeps at its depth";
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_EQ(removed.count(), 1);
+    EXPECT_FALSE(view.scene().instrument);
 }
 
 TEST_F(OrganViewTest, OverlaysArePainted) {
