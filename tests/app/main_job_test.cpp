@@ -68,7 +68,9 @@ protected:
         press(Qt::Key_R, Qt::ControlModifier);
         ASSERT_EQ(project().regions.size(), 1U);
         auto* choice = child<QComboBox>("systemChoice");
-        QTest::keyClick(choice, Qt::Key_Down);
+        const auto first = project().regions[0].system;
+        QTest::keyClick(choice, Qt::Key_Up);
+        ASSERT_NE(project().regions[0].system, first);
         ASSERT_NE(project().regions[0].system, nullptr);
         const std::string variable = project().regions[0].system->inputs[0].name;
         auto* row = window->findChild<QWidget*>(QString::fromStdString("input-" + variable));

@@ -11,6 +11,10 @@
 
 namespace esm {
 
+QString readableName(const std::string& name) {
+    return QString::fromStdString(name).replace('_', ' ');
+}
+
 TermScale::TermScale(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     QFont small = font();
@@ -40,7 +44,7 @@ QSize TermScale::sizeHint() const {
 std::vector<QRect> TermScale::termRects() const {
     std::vector<int> widths;
     for (const auto& term : m_variable.terms)
-        widths.push_back(fontMetrics().horizontalAdvance(QString::fromStdString(term.name)) + 1);
+        widths.push_back(fontMetrics().horizontalAdvance(readableName(term.name)) + 1);
     const int total = std::accumulate(widths.begin(), widths.end(), 0);
     const int count = static_cast<int>(widths.size());
     const int smallestGap = 5;
@@ -72,7 +76,7 @@ void TermScale::paintEvent(QPaintEvent*) {
         const bool active = m_value && membership(term.set, *m_value) > 0;
         painter.setPen(active ? palette().color(QPalette::Link) : quiet);
         const QString name =
-            fontMetrics().elidedText(QString::fromStdString(term.name), Qt::ElideRight, rects[i].width());
+            fontMetrics().elidedText(readableName(term.name), Qt::ElideRight, rects[i].width());
         painter.drawText(rects[i], Qt::AlignLeft | Qt::AlignVCenter, name);
     }
 }
@@ -101,8 +105,8 @@ bool TermScale::event(QEvent* event) {
     const auto& term = m_variable.terms[static_cast<std::size_t>(index)];
     const QStringList corners{numberText(term.set.a), numberText(term.set.b), numberText(term.set.c),
                               numberText(term.set.d)};
-    QToolTip::showText(help->globalPos(),
-                       QString::fromStdString(term.name) + ' ' + corners.join(QStringLiteral(" · ")), this);
+    QToolTip::showText(help->globalPos(), readableName(term.name) + ' ' + corners.join(QStringLiteral(" · ")),
+                       this);
     return true;
 }
 

@@ -9,6 +9,9 @@
 
 namespace esm {
 
+/// A name as people read it: "very_small" is "very small".
+QString readableName(const std::string& name);
+
 /// The terms of a variable in their order, spread over the width; those the value belongs to stand out. A
 /// click on a term asks for the middle of its core.
 class TermScale : public QWidget {

@@ -1,7 +1,11 @@
 #include "app/editor/commands/region_edits.h"
 
+#include "core/exchange/fuzzy_file.h"
+
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <limits>
 
 namespace esm {
 
@@ -13,13 +17,23 @@ using Colour = std::array<std::uint8_t, 3>;
 constexpr std::array<Colour, 6> regionColours{
     {{63, 182, 168}, {227, 163, 59}, {104, 146, 232}, {196, 120, 214}, {150, 190, 82}, {232, 121, 143}}};
 
+int distance(const Colour& a, const Colour& b) {
+    int sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        sum += std::abs(int(a[i]) - int(b[i]));
+    return sum;
+}
+
+/// The colour that is told apart best from those in use.
 Colour unusedColour(const std::vector<Region>& regions) {
-    const auto used = [&](const Colour& colour) {
-        return std::any_of(regions.begin(), regions.end(),
-                           [&](const Region& r) { return r.colour == colour; });
+    const auto nearest = [&](const Colour& colour) {
+        int least = std::numeric_limits<int>::max();
+        for (const Region& region : regions)
+            least = std::min(least, distance(colour, region.colour));
+        return least;
     };
-    const auto free = std::find_if_not(regionColours.begin(), regionColours.end(), used);
-    return free != regionColours.end() ? *free : regionColours[regions.size() % regionColours.size()];
+    return *std::max_element(regionColours.begin(), regionColours.end(),
+                             [&](const Colour& a, const Colour& b) { return nearest(a) < nearest(b); });
 }
 
 std::string unusedName(const std::vector<Region>& regions) {
@@ -42,6 +56,8 @@ void addRegion(Project& project, const Eigen::Vector3d& centre) {
     region.ellipsoid =
         Ellipsoid{centre, (0.25 * box.sizes()).cwiseMax(smallest), Eigen::Quaterniond::Identity()};
     project.regions.push_back(std::move(region));
+    setSystem(project, project.regions.size() - 1,
+              std::make_shared<const FuzzySystem>(fuzzyPreset("susilap-g")));
 }
 
 std::optional<std::size_t> wholeOrganRegion(const Project& project) {

@@ -8,7 +8,8 @@
 
 namespace esm {
 
-/// A new ellipsoid region on top, a quarter of the organ's size, around a point, with a colour of its own.
+/// A new ellipsoid region on top, a quarter of the organ's size, around a point, with a colour of its own and
+/// the simplest of the shipped fuzzy systems.
 void addRegion(Project& project, const Eigen::Vector3d& centre);
 
 /// Where the list's "Whole organ" row keeps its tissue: a lowest region without an ellipsoid, if there is

@@ -18,7 +18,7 @@ NumberFormat massFormat() {
 QString millimetres(const Eigen::Vector3d& metres, const QString& between) {
     const Eigen::Vector3d mm = metres * 1000;
     const double largest = mm.cwiseAbs().maxCoeff();
-    const int decimals = largest >= 100 ? 0 : largest >= 10 ? 1 : 2;
+    const int decimals = largest >= 100 ? 0 : largest >= 1 ? 1 : 2;
     return decimalText(mm.x(), decimals) + between + decimalText(mm.y(), decimals) + between +
            decimalText(mm.z(), decimals) + QStringLiteral(" mm");
 }

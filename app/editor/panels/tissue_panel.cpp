@@ -12,8 +12,8 @@ constexpr std::array<Parameter, 3> parameters{Parameter::SpringConstant, Paramet
 QWidget* emptyColumn(QVBoxLayout* into) {
     auto* column = new QWidget;
     auto* layout = new QVBoxLayout(column);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(12);
+    layout->setContentsMargins(0, 4, 0, 0);
+    layout->setSpacing(14);
     into->insertWidget(into->count() > 0 ? 1 : 0, column);
     return column;
 }
@@ -22,10 +22,6 @@ std::optional<double> inputValue(const Region& region, const std::string& variab
     const auto found = std::find_if(region.inputs.begin(), region.inputs.end(),
                                     [&](const auto& input) { return input.first == variable; });
     return found != region.inputs.end() ? std::optional(found->second) : std::nullopt;
-}
-
-QString readable(const std::string& name) {
-    return QString::fromStdString(name).replace('_', ' ');
 }
 
 } // namespace
@@ -89,9 +85,9 @@ QString TissuePanel::words() const {
     QStringList lines;
     for (const auto& variable : shown->system->inputs) {
         const auto value = inputValue(*shown, variable.name);
-        QString said = value ? QString::fromStdString(inWords(variable, *value)) : tr("left out");
+        QString said = value ? readableName(inWords(variable, *value)) : tr("left out");
         if (said.isEmpty()) said = tr("between the words");
-        lines << (shown->system->inputs.size() > 1 ? readable(variable.name) + ": " + said : said);
+        lines << (shown->system->inputs.size() > 1 ? readableName(variable.name) + ": " + said : said);
     }
     return lines.join('\n');
 }
@@ -125,14 +121,14 @@ void TissuePanel::rebuild() {
 }
 
 void TissuePanel::addInput(const FuzzyVariable& variable) {
-    auto* row = new LinguisticSlider(variable, readable(variable.name), {}, m_inputs);
+    auto* row = new LinguisticSlider(variable, readableName(variable.name), {}, m_inputs);
     row->setObjectName(QStringLiteral("input-") + QString::fromStdString(variable.name));
     m_inputs->layout()->addWidget(row);
     const std::string name = variable.name;
     connect(row, &LinguisticSlider::valueEdited, this, [this, name](double value) {
         const auto selected = m_selection.region();
         m_document.edit(
-            tr("Set %1").arg(readable(name)),
+            tr("Set %1").arg(readableName(name)),
             [&](Project& project) { setInput(project.regions[*selected], name, value); },
             QStringLiteral("input %1").arg(QString::fromStdString(name)));
     });
@@ -143,7 +139,7 @@ void TissuePanel::addInput(const FuzzyVariable& variable) {
 
 void TissuePanel::addOutput(Parameter parameter, std::size_t index) {
     const FuzzyVariable& variable = m_builtFor->outputs[index];
-    auto* row = new LinguisticSlider(variable, readable(variable.name), parameterUnit(parameter), m_outputs);
+    auto* row = new LinguisticSlider(variable, parameterName(parameter), parameterUnit(parameter), m_outputs);
     row->setObjectName(QStringLiteral("output-") + QString::fromStdString(variable.name));
     m_outputs->layout()->addWidget(row);
     QToolButton* hold = row->addHoldButton();
