@@ -3,6 +3,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <QMessageBox>
+#include <QPushButton>
 
 #include <fstream>
 

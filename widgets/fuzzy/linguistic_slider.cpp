@@ -30,6 +30,7 @@ LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString&
     name->setBuddy(m_slider);
     m_header->setSpacing(6);
     m_header->addWidget(name, 1);
+    m_field->setFixedWidth(unit.isEmpty() ? 84 : 124);
     m_header->addWidget(m_field);
     m_slider->setRange(0, sliderSteps);
     m_slider->setPageStep(sliderSteps / 10);

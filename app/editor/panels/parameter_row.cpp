@@ -46,6 +46,7 @@ ParameterRow::ParameterRow(Parameter parameter, bool canHold, QWidget* parent)
     name->setBuddy(m_field);
     m_note->setProperty("quiet", true);
     m_field->setAccessibleName(parameterName(parameter));
+    m_field->setFixedWidth(124);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
