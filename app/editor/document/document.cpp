@@ -9,6 +9,11 @@ Document::Document(Project project, QObject* parent) : QObject(parent), m_projec
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::titleChanged);
 }
 
+Document::~Document() {
+    // The stack empties itself when it goes, which is news to nobody: the listeners may be half gone as well.
+    m_undoStack.disconnect();
+}
+
 QString Document::title() const {
     return m_path ? QString::fromStdString(m_path->filename().string())
                   : QString::fromStdString(m_project.name);

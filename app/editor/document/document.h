@@ -19,6 +19,7 @@ class Document : public QObject {
 
 public:
     explicit Document(Project project, QObject* parent = nullptr);
+    ~Document() override;
 
     const Project& project() const { return m_project; }
     const std::optional<std::filesystem::path>& path() const { return m_path; }

@@ -101,8 +101,7 @@ void TissuePanel::rebuild() {
     // A row may be what asked for this: it goes when control is back in the event loop.
     for (QWidget* column : {m_inputs, m_outputs})
         for (QWidget* row : column->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-            row->hide();
-            column->layout()->removeWidget(row);
+            row->setParent(nullptr);
             row->deleteLater();
         }
     if (m_builtFor)
