@@ -29,7 +29,7 @@ struct Contact {
 std::vector<Contact> findContacts(const std::vector<Triangle>& surface, const std::vector<char>& immovable,
                                   const Vectors& before, const Vectors& after, const SphereMove& sphere);
 
-/// Sets the normal to where the point now lies.
+/// Turns the normal to where the point now lies.
 void turnOutward(Contact& contact, const Vectors& before, const Vectors& after, const SphereMove& sphere);
 
 /// How deep the contact's point lies, m; negative outside.
@@ -38,8 +38,7 @@ double depth(const Contact& contact, const Vectors& positions, const SphereMove&
 /// Of contacts as they were found, m; 0 without any.
 double deepest(const std::vector<Contact>& found);
 
-/// Adds those that are not among the contacts yet, the deepest first,
-/// up to `most` in all.
+/// Adds those that are not among the contacts yet, the deepest first, up to `most` in all.
 void mergeContacts(std::vector<Contact>& contacts, std::vector<Contact> found, std::size_t most);
 
 /// Moves what is still inside out along the shortest way.

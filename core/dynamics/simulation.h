@@ -28,7 +28,8 @@ struct SimulationSettings {
 /// Every problem of the settings. Empty when they can be used.
 std::vector<std::string> validate(const SimulationSettings& settings);
 
-/// A sphere that pushes the surface out of its way.
+/// A sphere that pushes the surface out of its way. Within one step it may move 32 radii; moved farther, it
+/// may pass through thin tissue. Where nothing can give way, as between fixed nodes, it passes.
 struct Sphere {
     Eigen::Vector3d centre; ///< m
     double radius;          ///< m

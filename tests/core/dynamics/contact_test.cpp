@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace esm;
 using Eigen::Vector3d;
 using tissue::Vectors;
@@ -121,6 +123,23 @@ TEST(Contact, ClosedOrganIsDentedFromOutside) {
         SCOPED_TRACE(speed);
         const Simulation simulation = poke(organ, {{0.08, 0, 0}, {-1, 0, 0}, 0.05, speed, 0.015}, 2);
         EXPECT_LT(displacement(simulation, organ), 0.003);
+    }
+}
+
+TEST(Contact, ALeapOfThirtyRadiiTakesTheTissueAlong) {
+    for (const Integrator integrator : all) {
+        SCOPED_TRACE(integratorName(integrator));
+        const Tissue tissue = membrane(21, soft, integrator);
+        Simulation simulation(tissue.model, tissue.settings, tissue.surface);
+        Loads loads;
+        loads.instrument = Sphere{{0.003, 0.002, 0.02}, 0.002};
+        ASSERT_TRUE(simulation.step(loads));
+        loads.instrument = Sphere{{0.003, 0.002, -0.04}, 0.002};
+        ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
+        EXPECT_LT(penetration(tissue.surface, simulation.positions(), *loads.instrument), 1e-6);
+        const auto lowest = std::min_element(simulation.positions().begin(), simulation.positions().end(),
+                                             [](const auto& a, const auto& b) { return a.z() < b.z(); });
+        EXPECT_LT(lowest->z(), -0.04);
     }
 }
 
