@@ -25,7 +25,7 @@ const std::array<AxisPoint, coursePoints> course{{{{0.000, 0.006, 0.040}, 0.0030
                                                   {{0.016, -0.010, -0.027}, 0.0064},
                                                   {{0.020, -0.018, -0.013}, 0.0046},
                                                   {{0.019, -0.021, 0.006}, 0.0028}}};
-const RoundCone occipitalHorn{{0.010, 0.004, -0.029}, {0.013, 0.002, -0.045}, 0.0084, 0.0050};
+const RoundCone occipitalHorn{{0.010, 0.004, -0.029}, {0.0125, 0.003, -0.039}, 0.0088, 0.0064};
 
 AxisPoint courseAt(int index) {
     constexpr int last = coursePoints - 1;
