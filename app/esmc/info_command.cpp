@@ -1,3 +1,4 @@
+#include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
 #include "core/dynamics/stability.h"
@@ -30,8 +31,11 @@ Json regionInJson(const Region& region) {
 
 std::string regionInText(const Region& region) {
     const TissueValues values = evaluate(region).values;
-    return "region " + region.name + ": spring constant " + inText(values.springConstant) +
-           " N/m, viscosity " + inText(values.viscosity) + " N·s/m, mass " + inText(values.mass) + " kg";
+    std::vector<std::string> parts;
+    if (values.springConstant) parts.push_back("spring constant " + inText(*values.springConstant) + " N/m");
+    if (values.viscosity) parts.push_back("viscosity " + inText(*values.viscosity) + " N·s/m");
+    if (values.mass) parts.push_back("mass " + inText(*values.mass) + " kg");
+    return "region " + region.name + ": " + (parts.empty() ? "changes nothing" : joined(parts));
 }
 
 void addRegions(Report& report, const std::vector<Region>& regions) {

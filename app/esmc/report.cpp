@@ -16,10 +16,6 @@ std::string inText(double value) {
     return text.str();
 }
 
-std::string inText(const std::optional<double>& value) {
-    return value ? inText(*value) : "none";
-}
-
 std::string inText(const Eigen::Vector3d& value) {
     return inText(value.x()) + ", " + inText(value.y()) + ", " + inText(value.z());
 }

@@ -25,9 +25,8 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Numbers for people: four significant digits. "none" without a value.
+/// Numbers for people: four significant digits.
 std::string inText(double value);
-std::string inText(const std::optional<double>& value);
 std::string inText(const Eigen::Vector3d& value);
 
 /// "1 node", "12 nodes", "2 vertices".

@@ -22,10 +22,10 @@ Report runValidate(const ValidateOptions& options, Context& context) {
     Report report;
     report.json = {{"valid", problems.empty()}, {"problems", problems}};
     report.text = problems;
-    if (problems.empty())
-        report.text.push_back(options.file + ": all is well");
-    else
-        report.failure = counted(problems.size(), "problem") + " found; the first: " + problems.front();
+    if (problems.empty()) report.text.push_back(options.file + ": all is well");
+    if (problems.size() == 1) report.failure = problems.front();
+    if (problems.size() > 1)
+        report.failure = std::to_string(problems.size()) + " problems; the first: " + problems.front();
     return report;
 }
 

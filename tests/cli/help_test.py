@@ -1,7 +1,8 @@
 import json
+import subprocess
 import unittest
 
-from esmc import Case, command
+from esmc import ESMC, Case, command
 
 COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "texture", "export", "validate",
             "render", "fuzzy eval", "texture pack", "texture photo", "texture bake"]
@@ -71,15 +72,10 @@ class HelpTest(Case):
     def test_output_that_cannot_be_written_is_an_error(self):
         project = self.sample("tube")
         with open("/dev/full", "w") as full:
-            process = command_to(full, "info", project, "--json")
+            process = subprocess.run([ESMC, "info", project, "--json"], stdout=full, stderr=subprocess.PIPE, text=True,
+                                     timeout=60)
         self.assertEqual(process.returncode, 1)
         self.assertRegex(process.stderr, r"\Aesmc: standard output[^\n]+\n\Z")
-
-
-def command_to(stream, *arguments):
-    import subprocess
-    from esmc import ESMC
-    return subprocess.run([ESMC, *map(str, arguments)], stdout=stream, stderr=subprocess.PIPE, text=True, timeout=60)
 
 
 if __name__ == "__main__":

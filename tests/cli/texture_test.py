@@ -2,7 +2,7 @@ import struct
 import unittest
 import zlib
 
-from esmc import PROJECTOR, Case
+from esmc import PROJECTOR, Case, command
 
 
 def read_png(path):
@@ -67,7 +67,6 @@ class TextureTest(Case):
         self.assertFalse(self.file("c.esm").exists())
 
     def failing_code(self, *line):
-        from esmc import command
         process = command(*line)
         self.assertRegex(process.stderr, r"\Aesmc: [^\n]+\n\Z")
         return process.returncode
@@ -159,6 +158,16 @@ class RenderTest(Case):
         self.assertAlmostEqual((lines[0] + lines[-1]) / 2, 44.5, delta=3)
         self.fails(1, "render", self.file("tube.esm"), "-o", self.file("p.png"), "--camera", camera(fov=0), naming="camera.json")
         self.fails(1, "render", self.file("tube.esm"), "-o", self.file("p.png"), "--camera", camera(pose=[1, 2]), naming="camera.json")
+
+    def test_a_package_looks_as_its_project(self):
+        project, package = self.sample("liver"), self.file("liver.glb")
+        self.done("sample", "vessels", "-o", self.file("photo.png"))
+        self.done("texture", "photo", project, "--photo", self.file("photo.png"), "--projector",
+                  self.file("pose.json", PROJECTOR), "-o", project)
+        self.done("export", project, "-o", package, "--to", "glb")
+        ours, theirs = ([value for row in self.rendered(file) for pixel in row for value in pixel]
+                        for file in (project, package))
+        self.assertLessEqual(max(abs(a - b) for a, b in zip(ours, theirs)), 4)
 
     def test_a_motion_model_without_surface_shows_its_springs(self):
         pixels = self.rendered(self.sample("uterus"))
