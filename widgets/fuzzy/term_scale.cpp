@@ -11,6 +11,12 @@
 
 namespace esm {
 
+namespace {
+
+constexpr int smallestGap = 5;
+
+} // namespace
+
 QString readableName(const std::string& name) {
     return QString::fromStdString(name).replace('_', ' ');
 }
@@ -41,13 +47,24 @@ QSize TermScale::sizeHint() const {
     return {100, fontMetrics().height() + 2};
 }
 
+QFont TermScale::fittingFont() const {
+    const int gaps = smallestGap * qMax(0, static_cast<int>(m_variable.terms.size()) - 1);
+    int total = 0;
+    for (const auto& term : m_variable.terms)
+        total += fontMetrics().horizontalAdvance(readableName(term.name)) + 2;
+    QFont fitting = font();
+    if (total > width() - gaps)
+        fitting.setPointSizeF(fitting.pointSizeF() * qMax(0.75, double(width() - gaps) / total));
+    return fitting;
+}
+
 std::vector<QRect> TermScale::termRects() const {
+    const QFontMetrics metrics(fittingFont());
     std::vector<int> widths;
     for (const auto& term : m_variable.terms)
-        widths.push_back(fontMetrics().horizontalAdvance(readableName(term.name)) + 1);
+        widths.push_back(metrics.horizontalAdvance(readableName(term.name)) + 2);
     const int total = std::accumulate(widths.begin(), widths.end(), 0);
     const int count = static_cast<int>(widths.size());
-    const int smallestGap = 5;
     const int room = width() - smallestGap * qMax(0, count - 1);
     const double shrink = total > room ? double(room) / total : 1;
     const double gap = count > 1 ? (width() - total * shrink) / (count - 1) : 0;
@@ -71,12 +88,13 @@ void TermScale::paintEvent(QPaintEvent*) {
         return;
     }
     const auto rects = termRects();
+    painter.setFont(fittingFont());
     for (std::size_t i = 0; i < rects.size(); ++i) {
         const auto& term = m_variable.terms[i];
         const bool active = m_value && membership(term.set, *m_value) > 0;
         painter.setPen(active ? palette().color(QPalette::Link) : quiet);
         const QString name =
-            fontMetrics().elidedText(readableName(term.name), Qt::ElideRight, rects[i].width());
+            painter.fontMetrics().elidedText(readableName(term.name), Qt::ElideRight, rects[i].width());
         painter.drawText(rects[i], Qt::AlignLeft | Qt::AlignVCenter, name);
     }
 }

@@ -37,6 +37,8 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    /// Small enough for all terms, down to three quarters.
+    QFont fittingFont() const;
     std::vector<QRect> termRects() const;
     int termAt(const QPoint& position) const;
 

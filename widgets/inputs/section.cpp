@@ -1,5 +1,7 @@
 #include "widgets/inputs/section.h"
 
+#include <QEvent>
+
 namespace esm {
 
 Section::Section(const QString& title, QWidget* parent)
@@ -10,6 +12,7 @@ Section::Section(const QString& title, QWidget* parent)
     m_title->setObjectName(QStringLiteral("sectionTitle"));
     m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_title->setMinimumHeight(22);
+    m_title->installEventFilter(this);
     m_header->addWidget(m_title, 1);
     m_header->setSpacing(4);
     column->addLayout(m_header);
@@ -19,8 +22,18 @@ Section::Section(const QString& title, QWidget* parent)
 }
 
 void Section::setTitle(const QString& title) {
-    m_title->setText(title);
+    m_fullTitle = title;
     m_title->setToolTip(title);
+    fitTitle();
+}
+
+void Section::fitTitle() {
+    m_title->setText(m_title->fontMetrics().elidedText(m_fullTitle, Qt::ElideRight, m_title->width()));
+}
+
+bool Section::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_title && event->type() == QEvent::Resize) fitTitle();
+    return QFrame::eventFilter(watched, event);
 }
 
 void Section::addToHeader(QWidget* widget) {

@@ -26,7 +26,13 @@ public:
     QToolButton* addHeaderIcon(const QIcon& icon, const QString& name);
     QVBoxLayout* body() const { return m_body; }
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void fitTitle();
+
+    QString m_fullTitle;
     QLabel* m_title;
     QHBoxLayout* m_header;
     QVBoxLayout* m_body;

@@ -69,8 +69,9 @@ ImportDialog::ImportDialog(const QString& fileName, const Eigen::Vector3d& exten
     addReport(column, report);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    QPushButton* accept = buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
+    auto* accept = new QPushButton(tr("&Import"), this);
     accept->setProperty("primary", true);
+    buttons->addButton(accept, QDialogButtonBox::AcceptRole);
     accept->setDefault(true);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

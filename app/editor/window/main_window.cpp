@@ -123,6 +123,13 @@ void MainWindow::showWorkspace() {
 void MainWindow::showTitle() {
     const QString mark = m_document->isModified() ? QStringLiteral(" •") : QString();
     m_title->setText(m_document->title() + mark);
+    // Room for the mark, so that the menus stay where they are.
+    const QFont bold = [font = m_title->font()]() mutable {
+        font.setBold(true);
+        return font;
+    }();
+    m_title->setMinimumWidth(
+        QFontMetrics(bold).horizontalAdvance(m_document->title() + QStringLiteral(" •")) + 16);
     m_title->adjustSize();
     menuBar()->setCornerWidget(m_title, Qt::TopLeftCorner);
     setWindowTitle(m_document->title() + mark + QStringLiteral(" – ") + tr("Elastodynamic Shape Modeler"));
