@@ -15,8 +15,8 @@ constexpr int projectFileVersion = 1;
 Project loadProject(const std::filesystem::path& file);
 
 /// Saves atomically. The same project gives the same bytes.
-/// @throws FileError, also for a project with problems, which could not be loaded again; an existing file is then
-/// as it was
+/// @throws FileError, also for a project with problems, which could not be loaded again; an existing file is
+/// then as it was
 void saveProject(const Project& project, const std::filesystem::path& file);
 
 /// All problems at once; empty when the file is whole. @throws FileError when there is no file to read
