@@ -62,7 +62,7 @@ ImportDialog::ImportDialog(const QString& fileName, const Eigen::Vector3d& exten
     column->addWidget(title);
     addUnits(column, likelyUnit(extent.maxCoeff(), fileName.section('.', -1).toLower()));
     addOrientation(column);
-    m_keep->addItem(tr("all %1 parts").arg(report.components));
+    m_keep->addItem(report.components == 1 ? tr("the one part") : tr("all %1 parts").arg(report.components));
     m_keep->addItem(tr("the largest part"));
     m_keep->setEnabled(report.components > 1);
     if (report.components <= 1) m_keep->setToolTip(tr("The surface is one part"));
