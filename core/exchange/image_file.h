@@ -7,8 +7,10 @@
 
 namespace esm {
 
-/// PNG by libpng, with the physical texel size where one is given (texels per metre, 0 for none) and sRGB noted.
+/// PNG by libpng, with the physical texel size where one is given (texels per metre, 0 for none) and sRGB
+/// noted.
 Bytes encodePng(const Image& image, double texelsPerMetre = 0);
-void writePng(const Image& image, const std::filesystem::path& file, double texelsPerMetre = 0); ///< @throws FileError
+void writePng(const Image& image, const std::filesystem::path& file,
+              double texelsPerMetre = 0); ///< @throws FileError
 
 } // namespace esm

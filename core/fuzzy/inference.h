@@ -14,7 +14,7 @@ using NamedValues = std::vector<std::pair<std::string, double>>;
 
 struct InferenceResult {
     std::vector<std::optional<double>> outputs; ///< in the system's order; empty where no rule fires
-    std::vector<double> firing; ///< degree per rule, 0 to 1
+    std::vector<double> firing;                 ///< degree per rule, 0 to 1
 };
 
 /// Mamdani inference: AND = minimum, implication = minimum, aggregation = maximum [R 2.48, 2.49], then the

@@ -16,8 +16,8 @@ namespace esm {
 /// Tissue of the whole organ before any region.
 struct BaseTissue {
     double springConstant = 0; ///< N/m
-    double viscosity = 0; ///< N·s/m
-    double mass = 0; ///< kg, total
+    double viscosity = 0;      ///< N·s/m
+    double mass = 0;           ///< kg, total
 };
 
 /// How the organ got its texture space. The packed atlas is derived from the mesh and these.
@@ -26,15 +26,16 @@ struct TextureSettings {
     std::array<std::uint8_t, 3> baseColour{186, 92, 84}; ///< where no photo lies
 };
 
-/// One organ and all that was said about it. A value: a copy costs a few pointers and small lists; an edit makes
-/// a new value.
+/// One organ and all that was said about it. A value: a copy costs a few pointers and small lists; an edit
+/// makes a new value.
 struct Project {
     std::string name;
     std::shared_ptr<const TriangleMesh> mesh; ///< never null; may have no triangle (a pure motion model)
     std::shared_ptr<const RepairReport> importReport; ///< never null
-    std::shared_ptr<const SpringNetwork> network; ///< never null
+    std::shared_ptr<const SpringNetwork> network;     ///< never null
     BaseTissue base;
-    std::vector<Region> regions; ///< evaluated from the first to the last; a later one lies over an earlier one
+    std::vector<Region>
+        regions; ///< evaluated from the first to the last; a later one lies over an earlier one
     Scene scene;
     std::vector<PhotoLayer> photos; ///< from the lowest to the topmost
     TextureSettings texture;
@@ -42,7 +43,8 @@ struct Project {
 };
 
 /// A project around an imported or made mesh, with default tissue and tethers that are stable and behave like
-/// tissue at any size. `massKilograms` ≤ 0: closed surface, its volume × 1000 kg/m³; open, area × 3 mm × 1000 kg/m³.
+/// tissue at any size. `massKilograms` ≤ 0: closed surface, its volume × 1000 kg/m³; open, area × 3 mm × 1000
+/// kg/m³.
 Project makeProject(std::string name, RepairedMesh surface, double massKilograms = 0);
 
 /// What one region came to.
@@ -54,7 +56,9 @@ struct RegionResult {
 /// Evaluates regions from the bottom up, then the scene's tethers and fixed nodes.
 /// Precondition: the scene is valid for the network.
 TissueModel evaluateModel(const Project& project, const Scene& scene);
-inline TissueModel evaluateModel(const Project& project) { return evaluateModel(project, project.scene); }
+inline TissueModel evaluateModel(const Project& project) {
+    return evaluateModel(project, project.scene);
+}
 
 /// Counts and values of one region for reports and panels.
 RegionResult evaluateRegion(const Project& project, const Region& region);

@@ -13,24 +13,25 @@ namespace esm {
 /// Parameters of tissue. What is not set stays as it was beneath.
 struct TissueValues {
     std::optional<double> springConstant; ///< N/m
-    std::optional<double> viscosity; ///< N·s/m
-    std::optional<double> mass; ///< kg, total of the region, spread evenly over its nodes
+    std::optional<double> viscosity;      ///< N·s/m
+    std::optional<double> mass;           ///< kg, total of the region, spread evenly over its nodes
 };
 
-/// A part of the organ and how its tissue behaves. Kept as it was put in, and re-evaluated, so it stays editable.
+/// A part of the organ and how its tissue behaves. Kept as it was put in, and re-evaluated, so it stays
+/// editable.
 struct Region {
     std::string name;
     std::array<std::uint8_t, 3> colour{63, 182, 168}; ///< red, green, blue; the same in list and view
-    std::optional<Ellipsoid> ellipsoid; ///< the whole organ without
-    std::shared_ptr<const FuzzySystem> system; ///< may be null: then only `held` counts
-    NamedValues inputs; ///< of the fuzzy system
-    TissueValues held; ///< set by hand, in place of what the system infers
+    std::optional<Ellipsoid> ellipsoid;               ///< the whole organ without
+    std::shared_ptr<const FuzzySystem> system;        ///< may be null: then only `held` counts
+    NamedValues inputs;                               ///< of the fuzzy system
+    TissueValues held;                                ///< set by hand, in place of what the system infers
 };
 
 /// What a region's fuzzy system and held values give together.
 struct RegionTissue {
     TissueValues values;
-    InferenceResult inference; ///< empty lists without a system
+    InferenceResult inference;         ///< empty lists without a system
     std::vector<std::string> warnings; ///< outputs no rule reached, inputs out of range
 };
 

@@ -17,17 +17,17 @@ struct NodeSelection {
 struct TetherRule {
     std::uint32_t every = 3;
     double springConstant = 0; ///< N/m
-    double viscosity = 0; ///< N·s/m
+    double viscosity = 0;      ///< N·s/m
 };
 
 struct NodeForce {
     std::uint32_t node;
     Eigen::Vector3d force; ///< N
-    double from, to; ///< s; acts for from ≤ t < to, t being the step's start
+    double from, to;       ///< s; acts for from ≤ t < to, t being the step's start
 };
 
 struct PathPoint {
-    double time; ///< s
+    double time;           ///< s
     Eigen::Vector3d value; ///< m
 };
 using Path = std::vector<PathPoint>; ///< times strictly increasing; linear between, constant outside
@@ -41,17 +41,17 @@ struct NodeMove {
 /// A rigid instrument that pushes the surface. A capsule is not offered yet.
 struct InstrumentMotion {
     double radius; ///< m, > 0
-    Path path; ///< of the centre, in model coordinates
+    Path path;     ///< of the centre, in model coordinates
 };
 
 struct Recording {
-    double every = 0.01; ///< s
+    double every = 0.01;                             ///< s
     std::optional<std::vector<std::uint32_t>> nodes; ///< all without
 };
 
 /// What happens to the model in a run: boundary conditions, loads and what is recorded.
 struct Scene {
-    double duration = 1; ///< s
+    double duration = 1;                               ///< s
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero(); ///< m/s²
     std::vector<NodeSelection> fixed;
     std::vector<TetherRule> tethers;

@@ -9,7 +9,7 @@ namespace esm {
 
 struct Spring {
     std::uint32_t first, second; ///< node indices
-    double restLength; ///< m
+    double restLength;           ///< m
 };
 
 /// The nodes and springs under an organ's surface. Immutable once built, like the mesh.

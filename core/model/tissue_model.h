@@ -13,15 +13,16 @@ namespace esm {
 struct Tether {
     std::uint32_t node;
     double springConstant; ///< N/m
-    double viscosity; ///< N·s/m
+    double viscosity;      ///< N·s/m
 };
 
-/// Everything a simulation needs to know of the tissue, evaluated: regions and scene are already in the numbers.
+/// Everything a simulation needs to know of the tissue, evaluated: regions and scene are already in the
+/// numbers.
 struct TissueModel {
     std::shared_ptr<const SpringNetwork> network;
-    std::vector<double> mass; ///< kg per node
+    std::vector<double> mass;           ///< kg per node
     std::vector<double> springConstant; ///< N/m per node; a spring takes its ends' mean
-    std::vector<double> viscosity; ///< N·s/m per node; a spring takes its ends' mean
+    std::vector<double> viscosity;      ///< N·s/m per node; a spring takes its ends' mean
     std::vector<Tether> tethers;
     std::vector<std::uint32_t> fixedNodes; ///< sorted, each once
 };

@@ -6,7 +6,8 @@ namespace {
 
 std::string joined(const std::vector<std::string>& problems) {
     std::string text;
-    for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
+    for (const std::string& problem : problems)
+        text += (text.empty() ? "" : "; ") + problem;
     return text;
 }
 

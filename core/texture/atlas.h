@@ -19,12 +19,13 @@ struct Atlas {
     AtlasOptions options;
     double texelsPerMetre = 0;
     double utilisation = 0; ///< area of the patches over the area of the pages
-    std::vector<std::array<Eigen::Vector2d, 3>> corners; ///< per triangle, pixels from the page's top left corner
+    std::vector<std::array<Eigen::Vector2d, 3>>
+        corners;                     ///< per triangle, pixels from the page's top left corner
     std::vector<std::uint16_t> page; ///< per triangle
 };
 
-/// The source's rows of triangles [R 4.3.2.2]. @throws InvalidModel when size, pages or gap cannot hold the mesh,
-/// naming the smallest size that can
+/// The source's rows of triangles [R 4.3.2.2]. @throws InvalidModel when size, pages or gap cannot hold the
+/// mesh, naming the smallest size that can
 Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options);
 
 } // namespace esm

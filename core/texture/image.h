@@ -11,7 +11,10 @@ struct Image {
     std::vector<std::uint8_t> pixels; ///< 4 · width · height
 
     bool empty() const { return pixels.empty(); }
-    std::uint8_t* at(int x, int y) { return &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))]; }
+    std::uint8_t* at(int x, int y) {
+        return &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                            static_cast<std::size_t>(x))];
+    }
     const std::uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
 

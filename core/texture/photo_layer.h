@@ -13,7 +13,7 @@ namespace esm {
 /// A photograph: its file as it was read, and its pixels. Immutable once loaded.
 struct Photo {
     std::string fileName; ///< without folder
-    Bytes encoded; ///< the file's bytes, kept so that a project loses nothing
+    Bytes encoded;        ///< the file's bytes, kept so that a project loses nothing
     Image image;
 };
 
@@ -23,7 +23,7 @@ struct PhotoLayer {
     std::shared_ptr<const Photo> photo; ///< never null
     Projector projector;
     double blendPixels = 24; ///< photo pixels over which the weight rises from 0 at the border to 1 [R 4.3.3]
-    double opacity = 1; ///< 0 to 1
+    double opacity = 1;      ///< 0 to 1
     bool visible = true;
 };
 

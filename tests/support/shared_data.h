@@ -10,5 +10,5 @@ inline std::filesystem::path sharedData(const std::filesystem::path& name) {
 }
 
 /// Ends a test that needs a file of the shared data where that is absent.
-#define ESM_SKIP_WITHOUT(path)                                                                                \
+#define ESM_SKIP_WITHOUT(path)                                                                               \
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "test data not here: " << (path)
