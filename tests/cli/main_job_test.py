@@ -7,6 +7,8 @@ import math
 import os
 import shutil
 import struct
+import subprocess
+import sys
 import unittest
 from pathlib import Path
 
@@ -86,6 +88,8 @@ class MainJobTest(Case):
         self.assertEqual(self.done("validate", package), {"valid": True, "problems": []})
         magic, version, length = struct.unpack("<4sII", package.read_bytes()[:12])
         self.assertEqual((magic, version, length), (b"glTF", 2, package.stat().st_size))
+        reader = Path(__file__).with_name("read_package.py")
+        subprocess.run([sys.executable, reader, package, "--project", project], check=True, stdout=subprocess.DEVNULL)
         ours, theirs = self.done("info", project), self.done("info", package)
         for key in ("nodes", "springs", "triangles", "textures", "fuzzy_systems"):
             self.assertEqual(ours[key], theirs[key], key)
