@@ -15,12 +15,14 @@
 #include <QCloseEvent>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QTimer>
 
 namespace esm {
 
 namespace {
 
+constexpr QSize roomForFrame(0, 40);
 constexpr int leftWidth = 276, rightWidth = 340;
 
 } // namespace
@@ -48,7 +50,7 @@ MainWindow::MainWindow(Project project)
     connectWorkspaces();
     setAcceptDrops(true);
     setWindowIcon(icon(QStringLiteral("app")));
-    resize(1440, 900);
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - roomForFrame));
     showTitle();
     m_play->showAlive();
 }
