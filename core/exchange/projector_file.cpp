@@ -18,33 +18,18 @@ namespace {
 constexpr const char* parallelOnly = "this version places photos by parallel projection only; give \"kind\": "
                                      "\"parallel\" with width and height";
 
-/// Largest deviation of a rotation's columns from unit length and right angles: three digits typed by hand.
-constexpr double rotationTolerance = 1e-3;
-/// Deviations below are rounding; such a pose is kept bit by bit.
-constexpr double roundingTolerance = 1e-12;
+/// Largest deviation of a rotation's columns from unit length and right angles.
+constexpr double rotationTolerance = 1e-6;
 
 bool isFiniteNumber(const Json& value) {
     return value.is_number() && std::isfinite(value.get<double>());
 }
 
-double deviationFromRotation(const Eigen::Matrix3d& matrix) {
-    return (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-}
-
 bool isRigid(const Eigen::Matrix4d& matrix) {
     const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
-    return deviationFromRotation(rotation) <= rotationTolerance && rotation.determinant() > 0 &&
+    const Eigen::Matrix3d deviation = rotation.transpose() * rotation - Eigen::Matrix3d::Identity();
+    return deviation.cwiseAbs().maxCoeff() <= rotationTolerance && rotation.determinant() > 0 &&
            matrix.row(3) == Eigen::RowVector4d(0, 0, 0, 1);
-}
-
-/// A rigid pose, its rotation made exact where it was typed with few digits.
-Eigen::Isometry3d exactPose(const Eigen::Matrix4d& matrix) {
-    Eigen::Isometry3d pose;
-    pose.matrix() = matrix;
-    const Eigen::Matrix3d rotation = pose.linear();
-    if (deviationFromRotation(rotation) > roundingTolerance)
-        pose.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
-    return pose;
 }
 
 /// Reads key by key and gathers what is wrong.
@@ -77,7 +62,7 @@ void ProjectorReader::readPose(Eigen::Isometry3d& pose) {
     for (int i = 0; i < 16; ++i)
         matrix(i / 4, i % 4) = (*value)[static_cast<std::size_t>(i)].get<double>();
     if (isRigid(matrix))
-        pose = exactPose(matrix);
+        pose.matrix() = matrix;
     else
         problems.push_back(
             "\"pose\" must be a rotation and a shift, without scaling, shearing or mirroring and with "

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <fstream>
 
 using namespace esm;
@@ -51,16 +50,6 @@ TEST(ProjectorFile, ComesBackBitByBit) {
     EXPECT_EQ(back.width, projector.width);
     EXPECT_EQ(back.height, projector.height);
     EXPECT_FALSE(back.occlusion);
-}
-
-TEST(ProjectorFile, TakesATurnTypedWithFewDigitsAndMakesItExact) {
-    Json json = valid();
-    json["pose"] = {0.707, -0.707, 0, 0, 0.707, 0.707, 0, 0, 0, 0, 1, 0.1, 0, 0, 0, 1};
-    const Eigen::Matrix3d turn = projectorFromJson(json).pose.linear();
-    EXPECT_TRUE((turn.transpose() * turn).isIdentity(1e-14));
-    EXPECT_NEAR(turn(0, 0), std::sqrt(0.5), 1e-12);
-    json["pose"][0] = 0.7;
-    EXPECT_THAT(problems(json), ElementsAre(HasSubstr("without scaling")));
 }
 
 TEST(ProjectorFile, ListsEveryProblem) {
