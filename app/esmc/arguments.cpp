@@ -1,6 +1,7 @@
 #include "app/esmc/arguments.h"
 
 #include "app/esmc/report.h"
+#include "core/support/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@
 namespace esm {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double parseNumber(const std::string& text, const std::string& option) {
     double value = 0;
@@ -57,7 +56,7 @@ Ellipsoid parseEllipsoid(const std::string& text) {
     if (n.size() == 6) return ellipsoid;
     const Eigen::Vector3d axis(n[6], n[7], n[8]);
     if (!(axis.norm() > 0)) throw UsageError("--ellipsoid: the axis must have a length");
-    ellipsoid.orientation = Eigen::AngleAxisd(n[9] * pi / 180, axis.normalized());
+    ellipsoid.orientation = Eigen::AngleAxisd(toRadians(n[9]), axis.normalized());
     return ellipsoid;
 }
 

@@ -1,14 +1,13 @@
 #include "app/esmc/camera_file.h"
 
 #include "core/exchange/json_reader.h"
+#include "core/support/angles.h"
 #include "core/support/errors.h"
 #include "core/support/file_io.h"
 
 namespace esm {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 using RowMajor = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 
@@ -25,7 +24,7 @@ Eigen::Matrix4d poseFrom(const JsonReader& place, const std::vector<double>& num
 double fieldOfViewFrom(const JsonReader& place) {
     const double degrees = place.number();
     if (degrees < 0.1 || degrees > 170) place.addProblem("must lie between 0.1 and 170 degrees");
-    return degrees * pi / 180;
+    return toRadians(degrees);
 }
 
 Camera cameraFrom(const nlohmann::ordered_json& json) {

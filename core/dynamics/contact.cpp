@@ -20,7 +20,6 @@ constexpr double projectionTolerance = 1e-9; ///< in radii
 constexpr double planeSlack = 0.98;          ///< so that sliding along the sphere can turn the plane
 constexpr int mostProjections = 30;
 constexpr int mostParts = 64;
-constexpr std::uint32_t noNode = std::numeric_limits<std::uint32_t>::max();
 
 AlignedBox3d boxOf(const Triangle& triangle, const Vectors& positions) {
     AlignedBox3d box(positions[triangle[0]]);
@@ -80,16 +79,16 @@ Vector3d outward(const Vector3d& after, const Vector3d& before, const SphereMove
 
 /// The same point has the same contact, whichever triangle it is found in.
 Contact makeContact(Triangle nodes, std::array<double, 3> weights) {
-    Contact contact{{noNode, noNode, noNode}, {}, 0, {}, 0, 0};
+    Contact contact{{noIndex, noIndex, noIndex}, {}, 0, {}, 0, 0};
     while (true) {
         const auto lowest =
             static_cast<std::size_t>(std::min_element(nodes.begin(), nodes.end()) - nodes.begin());
-        if (nodes.at(lowest) == noNode) return contact;
+        if (nodes.at(lowest) == noIndex) return contact;
         if (weights.at(lowest) > 0) {
             contact.nodes.at(static_cast<std::size_t>(contact.count)) = nodes.at(lowest);
             contact.weights.at(static_cast<std::size_t>(contact.count++)) = weights.at(lowest);
         }
-        nodes.at(lowest) = noNode;
+        nodes.at(lowest) = noIndex;
     }
 }
 
@@ -133,7 +132,7 @@ std::vector<Contact> findContacts(const std::vector<Triangle>& surface, const st
         const double cornerDistance =
             isSmall ? std::sqrt(sphere.radius * sphere.radius + circle) : sphere.radius;
         for (const std::uint32_t node : triangle)
-            offer({{node, noNode, noNode}, {1}, 1, {}, 0, 0}, cornerDistance);
+            offer({{node, noIndex, noIndex}, {1}, 1, {}, 0, 0}, cornerDistance);
         if (isSmall) continue;
         const Contact nearest = makeContact(triangle, nearestWeights(sphere.to, a, b, c));
         if (nearest.count > 1) offer(nearest, sphere.radius);

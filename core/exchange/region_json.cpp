@@ -1,5 +1,6 @@
 #include "core/exchange/region_json.h"
 
+#include "core/exchange/ellipsoid_json.h"
 #include "core/exchange/fuzzy_file.h"
 #include "core/support/errors.h"
 
@@ -10,18 +11,6 @@ namespace esm {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-Json toJson(const Ellipsoid& ellipsoid) {
-    const Eigen::Quaterniond& q = ellipsoid.orientation;
-    return {{"centre", {ellipsoid.centre.x(), ellipsoid.centre.y(), ellipsoid.centre.z()}},
-            {"radii", {ellipsoid.radii.x(), ellipsoid.radii.y(), ellipsoid.radii.z()}},
-            {"orientation", {q.w(), q.x(), q.y(), q.z()}}};
-}
-
-Ellipsoid ellipsoidFromJson(const JsonReader& reader) {
-    const std::vector<double> q = reader.member("orientation").numbers(4);
-    return {reader.member("centre").vector(), reader.member("radii").vector(), {q[0], q[1], q[2], q[3]}};
-}
 
 Json toJson(const TissueValues& values) {
     Json json = Json::object();

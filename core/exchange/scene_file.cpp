@@ -1,10 +1,9 @@
 #include "core/exchange/scene_file.h"
 
-#include "core/exchange/json_reader.h"
+#include "core/exchange/ellipsoid_json.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace esm {
@@ -31,30 +30,6 @@ Path pathFromJson(const JsonReader& reader) {
         path.push_back({txyz[0], {txyz[1], txyz[2], txyz[3]}});
     }
     return path;
-}
-
-/// "orientation" is exact; "axis" and "degrees" are what people write.
-Eigen::Quaterniond orientationFromJson(const JsonReader& reader) {
-    if (reader.has("orientation")) {
-        if (reader.has("axis") || reader.has("degrees"))
-            reader.addProblem("has an orientation and axis with degrees too; leave one out");
-        const std::vector<double> q = reader.member("orientation").numbers(4);
-        return {q[0], q[1], q[2], q[3]};
-    }
-    if (!reader.has("axis") && !reader.has("degrees")) return Eigen::Quaterniond::Identity();
-    const Eigen::Vector3d axis = reader.member("axis").vector();
-    const double degrees = reader.member("degrees").number();
-    if (degrees == 0) return Eigen::Quaterniond::Identity();
-    if (axis.norm() > 0)
-        return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * M_PI / 180, axis.stableNormalized()));
-    if (reader.has("axis")) reader.member("axis").addProblem("must have a length, or degrees be 0");
-    return Eigen::Quaterniond::Identity();
-}
-
-Ellipsoid ellipsoidFromJson(const JsonReader& reader) {
-    reader.allowOnly({"centre", "radii", "axis", "degrees", "orientation"});
-    if (!reader.json().is_object()) return {};
-    return {reader.member("centre").vector(), reader.member("radii").vector(), orientationFromJson(reader)};
 }
 
 NodeSelection selectionFromJson(const JsonReader& reader) {
@@ -121,7 +96,7 @@ std::vector<Entry> list(const JsonReader& reader, const char* key, Read read) {
     return entries;
 }
 
-Scene readScene(const JsonReader& reader) {
+Scene sceneFromMembers(const JsonReader& reader) {
     Scene scene;
     scene.duration = reader.member("duration").number();
     if (reader.has("gravity")) scene.gravity = reader.member("gravity").vector();
@@ -142,22 +117,11 @@ bool speaksOfUnread(const std::string& problem, const std::vector<std::string>& 
                        [&](const std::string& text) { return text.compare(0, place.size(), place) == 0; });
 }
 
-Json toJson(const Eigen::Vector3d& vector) {
-    return {vector.x(), vector.y(), vector.z()};
-}
-
 Json toJson(const Path& path) {
     Json json = Json::array();
     for (const PathPoint& point : path)
         json.push_back({point.time, point.value.x(), point.value.y(), point.value.z()});
     return json;
-}
-
-Json toJson(const Ellipsoid& ellipsoid) {
-    const Eigen::Quaterniond& q = ellipsoid.orientation;
-    return {{"centre", toJson(ellipsoid.centre)},
-            {"radii", toJson(ellipsoid.radii)},
-            {"orientation", {q.w(), q.x(), q.y(), q.z()}}};
 }
 
 Json toJson(const NodeSelection& selection) {
@@ -171,7 +135,8 @@ Json toJson(const TetherRule& rule) {
 }
 
 Json toJson(const NodeForce& force) {
-    return {{"node", force.node}, {"force", toJson(force.force)}, {"from", force.from}, {"to", force.to}};
+    return {
+        {"node", force.node}, {"force", vectorToJson(force.force)}, {"from", force.from}, {"to", force.to}};
 }
 
 Json toJson(const NodeMove& move) {
@@ -190,7 +155,7 @@ Scene sceneFromJson(const Json& json) {
     const JsonReader reader(json, "", problems);
     reader.allowOnly({"duration", "gravity", "fixed", "tethers", "forces", "moves", "instrument", "record"});
     if (!json.is_object()) throw InvalidModel(problems);
-    Scene scene = readScene(reader);
+    Scene scene = sceneFromMembers(reader);
 
     const std::vector<std::string> unread = problems;
     for (const std::string& problem : validate(scene, std::numeric_limits<std::size_t>::max()))
@@ -200,7 +165,7 @@ Scene sceneFromJson(const Json& json) {
 }
 
 Json toJson(const Scene& scene) {
-    Json json{{"duration", scene.duration}, {"gravity", toJson(scene.gravity)}};
+    Json json{{"duration", scene.duration}, {"gravity", vectorToJson(scene.gravity)}};
     addList(json, "fixed", scene.fixed);
     addList(json, "tethers", scene.tethers);
     addList(json, "forces", scene.forces);

@@ -1,7 +1,6 @@
 #include "core/geometry/adjacency.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace esm {
@@ -49,13 +48,12 @@ Parts connectedParts(const std::vector<Triangle>& triangles, std::size_t vertexC
             const std::uint32_t a = rootOf(parents, triangle[0]), b = rootOf(parents, triangle[corner]);
             parents[std::max(a, b)] = std::min(a, b);
         }
-    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> partOfRoot(vertexCount, none);
+    std::vector<std::uint32_t> partOfRoot(vertexCount, noIndex);
     Parts parts;
     parts.ofTriangle.reserve(triangles.size());
     for (const Triangle& triangle : triangles) {
         std::uint32_t& part = partOfRoot[rootOf(parents, triangle[0])];
-        if (part == none) part = static_cast<std::uint32_t>(parts.count++);
+        if (part == noIndex) part = static_cast<std::uint32_t>(parts.count++);
         parts.ofTriangle.push_back(part);
     }
     return parts;

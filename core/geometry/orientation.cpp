@@ -3,13 +3,10 @@
 #include "core/geometry/adjacency.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace esm {
 
 namespace {
-
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// Triangles that hang together across edges of exactly two triangles.
 struct Patch {
@@ -28,11 +25,11 @@ class Orienter {
 public:
     Orienter(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles)
         : m_vertices(vertices), m_triangles(triangles), m_sides(sidesByEdge(triangles)),
-          m_neighbours(triangles.size()), m_patchOf(triangles.size(), none),
+          m_neighbours(triangles.size()), m_patchOf(triangles.size(), noIndex),
           m_turned(triangles.size(), false) {
         findNeighbours();
         for (std::uint32_t i = 0; i < triangles.size(); ++i)
-            if (m_patchOf[i] == none) flood(i);
+            if (m_patchOf[i] == noIndex) flood(i);
         findOpenPatches();
         for (const Patch& patch : m_patches)
             settle(patch);
@@ -61,7 +58,7 @@ private:
             const std::uint32_t triangle = patch.triangles[next];
             patch.turned += m_turned[triangle];
             for (const Neighbour& neighbour : m_neighbours[triangle]) {
-                if (m_patchOf[neighbour.triangle] != none) continue;
+                if (m_patchOf[neighbour.triangle] != noIndex) continue;
                 m_patchOf[neighbour.triangle] = patchIndex;
                 m_turned[neighbour.triangle] = m_turned[triangle] == neighbour.agrees;
                 patch.triangles.push_back(neighbour.triangle);

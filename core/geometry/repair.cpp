@@ -8,14 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_set>
 
 namespace esm {
 
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr double largestCoordinate = 1e12;  // beyond it areas and volumes lose their meaning in double
 constexpr std::size_t mostCorners = 10'000; // cutting ears takes time quadratic in the corners
 
@@ -30,7 +28,8 @@ struct Workpiece {
 void check(const PolygonSoup& soup, const RepairOptions& options) {
     if (!(options.weldDistance >= 0) || !std::isfinite(options.weldDistance))
         throw InvalidModel("the weld distance must be zero or more");
-    if (soup.vertices.size() >= none) throw InvalidModel("the mesh has more vertices than can be numbered");
+    if (soup.vertices.size() >= noIndex)
+        throw InvalidModel("the mesh has more vertices than can be numbered");
     for (std::size_t i = 0; i < soup.vertices.size(); ++i)
         if (!(soup.vertices[i].array().abs() <= largestCoordinate).all())
             throw InvalidModel("vertex " + std::to_string(i) +
@@ -155,7 +154,7 @@ TriangleMesh numbered(const Workpiece& piece) {
     for (const Triangle& triangle : piece.triangles)
         for (const std::uint32_t vertex : triangle)
             used[vertex] = true;
-    std::vector<std::uint32_t> numbers(piece.soup.vertices.size(), none);
+    std::vector<std::uint32_t> numbers(piece.soup.vertices.size(), noIndex);
     TriangleMesh mesh;
     for (const std::uint32_t vertex : piece.order) {
         if (!used[vertex]) continue;

@@ -17,19 +17,6 @@ namespace {
 // relative to a scene scaled to about 1.
 constexpr float slack = 1e-6F;
 
-struct DeviceDeleter {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct SceneDeleter {
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-struct GeometryDeleter {
-    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-using Device = std::unique_ptr<RTCDeviceTy, DeviceDeleter>;
-using Scene = std::unique_ptr<RTCSceneTy, SceneDeleter>;
-using Geometry = std::unique_ptr<RTCGeometryTy, GeometryDeleter>;
-
 /// Weights of the corners of the triangle's point that is nearest to a point.
 Eigen::Vector3d nearestWeights(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
                                const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -68,6 +55,19 @@ float scaledLimit(double distance, double scale) {
 } // namespace
 
 struct SurfaceQuery::Implementation {
+    struct DeviceDeleter {
+        void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    };
+    struct SceneDeleter {
+        void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+    };
+    struct GeometryDeleter {
+        void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+    };
+    using Device = std::unique_ptr<RTCDeviceTy, DeviceDeleter>;
+    using Scene = std::unique_ptr<RTCSceneTy, SceneDeleter>;
+    using Geometry = std::unique_ptr<RTCGeometryTy, GeometryDeleter>;
+
     Implementation(const std::vector<Eigen::Vector3d>& initialPositions,
                    std::vector<Triangle> initialTriangles);
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace esm {
 
 using Triangle = std::array<std::uint32_t, 3>;        ///< vertex indices, counter-clockwise seen from outside
 using Edge = std::pair<std::uint32_t, std::uint32_t>; ///< vertex indices, the smaller first
+
+/// Marks a vertex or triangle that has no number.
+inline constexpr std::uint32_t noIndex = std::numeric_limits<std::uint32_t>::max();
 
 /// An organ's surface. Immutable once built: held by `std::shared_ptr<const TriangleMesh>` and replaced
 /// whole.

@@ -1,5 +1,7 @@
 #include "core/samples/organs.h"
 
+#include "core/support/angles.h"
+
 #include <cmath>
 
 namespace esm {
@@ -7,8 +9,6 @@ namespace esm {
 namespace {
 
 constexpr std::uint32_t ringCount = 17, ringNodes = 10;
-constexpr double pi = 3.141592653589793;
-
 std::uint32_t nodeAt(std::uint32_t ring, std::uint32_t around) {
     return ring * ringNodes + around % ringNodes;
 }

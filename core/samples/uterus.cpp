@@ -1,12 +1,12 @@
 #include "core/samples/organs.h"
 
+#include "core/support/angles.h"
+
 #include <cmath>
 
 namespace esm {
 
 namespace {
-
-constexpr double pi = 3.141592653589793;
 
 /// Two inner nodes, one above the other, that carry the uterus; each hangs on three fixed outer nodes which
 /// stand around it like a tripod, so that it is held in every direction [R 5.1, fig. 5.4].

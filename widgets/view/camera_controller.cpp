@@ -8,9 +8,13 @@ namespace {
 
 constexpr double radiansPerHeight = 3.2; // a drag over the view's height turns about half round
 constexpr double zoomPerNotch = 0.87;
-constexpr double anglePerNotch = 120; // QWheelEvent's eighths of a degree
 
 } // namespace
+
+double wheelNotches(const QWheelEvent& event) {
+    constexpr double anglePerNotch = 120; // in eighths of a degree, as Qt counts
+    return event.angleDelta().y() / anglePerNotch;
+}
 
 std::optional<StandardView> standardViewOfKey(int key) {
     switch (key) {
@@ -73,11 +77,10 @@ bool CameraController::release(const QMouseEvent& event) {
 }
 
 void CameraController::zoom(const QWheelEvent& event, const QSize& viewSize) {
-    const double notches = event.angleDelta().y() / anglePerNotch;
     const Eigen::Vector2d at(event.position().x() / std::max(1, viewSize.width()),
                              event.position().y() / std::max(1, viewSize.height()));
     const double aspect = double(std::max(1, viewSize.width())) / std::max(1, viewSize.height());
-    m_camera = zoomedAbout(m_camera, std::pow(zoomPerNotch, notches), at, aspect);
+    m_camera = zoomedAbout(m_camera, std::pow(zoomPerNotch, wheelNotches(event)), at, aspect);
 }
 
 } // namespace esm

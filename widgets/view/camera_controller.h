@@ -10,6 +10,9 @@
 
 namespace esm {
 
+/// How far the wheel was turned: positive away from the user.
+double wheelNotches(const QWheelEvent& event);
+
 /// The standard view of a key: 1 to 6 and F, B, L, R, T (front, back, left, right, top; 6 is bottom).
 std::optional<StandardView> standardViewOfKey(int key);
 

@@ -15,7 +15,6 @@ constexpr double nodeReach = 12;  // pixels around a node that is picked without
 constexpr double shortAxis =
     0.35; // sine of an axis' angle to the line of sight below which it has no handles
 constexpr double pushPerNotch = 0.15; // of the instrument's radius
-constexpr double anglePerNotch = 120;
 
 double distance(const QPointF& a, const QPointF& b) {
     return std::hypot(a.x() - b.x(), a.y() - b.y());
@@ -65,7 +64,7 @@ void OrganView::mouseReleaseEvent(QMouseEvent* event) {
 
 void OrganView::wheelEvent(QWheelEvent* event) {
     if (m_tool == ViewTool::Instrument && event->modifiers().testFlag(Qt::ControlModifier))
-        return pushInstrument(event->angleDelta().y() / anglePerNotch, event->position());
+        return pushInstrument(wheelNotches(*event), event->position());
     m_cameraController.zoom(*event, size());
     applyCamera(camera());
 }

@@ -1,15 +1,11 @@
 #include "app/editor/commands/angles.h"
 
+#include "core/support/angles.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace esm {
-
-namespace {
-
-constexpr double degreesPerRadian = 180 / 3.14159265358979323846;
-
-} // namespace
 
 Eigen::Vector3d degreesOf(const Eigen::Matrix3d& r) {
     const double y = std::asin(std::clamp(r(0, 2), -1.0, 1.0));
@@ -17,14 +13,13 @@ Eigen::Vector3d degreesOf(const Eigen::Matrix3d& r) {
     const bool locked = std::abs(r(0, 2)) > 1 - 1e-12;
     const double x = locked ? std::atan2(r(2, 1), r(1, 1)) : std::atan2(-r(1, 2), r(2, 2));
     const double z = locked ? 0 : std::atan2(-r(0, 1), r(0, 0));
-    return Eigen::Vector3d(x, y, z) * degreesPerRadian;
+    return {toDegrees(x), toDegrees(y), toDegrees(z)};
 }
 
 Eigen::Matrix3d rotationOf(const Eigen::Vector3d& degrees) {
-    const Eigen::Vector3d angles = degrees / degreesPerRadian;
-    return (Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX()) *
-            Eigen::AngleAxisd(angles.y(), Eigen::Vector3d::UnitY()) *
-            Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()))
+    return (Eigen::AngleAxisd(toRadians(degrees.x()), Eigen::Vector3d::UnitX()) *
+            Eigen::AngleAxisd(toRadians(degrees.y()), Eigen::Vector3d::UnitY()) *
+            Eigen::AngleAxisd(toRadians(degrees.z()), Eigen::Vector3d::UnitZ()))
         .toRotationMatrix();
 }
 

@@ -1,4 +1,5 @@
 #include "core/dynamics/simulation.h"
+#include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
@@ -9,13 +10,6 @@ using namespace esm;
 using tissue::Vectors;
 
 namespace {
-
-SimulationSettings withStep(Integrator integrator, double step) {
-    SimulationSettings settings;
-    settings.integrator = integrator;
-    settings.timeStep = step;
-    return settings;
-}
 
 double error(const Simulation& simulation, const Vectors& reference, const Vectors& rest) {
     double difference = 0, motion = 0;

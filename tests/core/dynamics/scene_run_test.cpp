@@ -1,5 +1,6 @@
 #include "core/dynamics/scene_run.h"
 #include "core/support/errors.h"
+#include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
@@ -19,13 +20,6 @@ struct Frames {
         };
     }
 };
-
-SimulationSettings withStep(Integrator integrator, double step) {
-    SimulationSettings settings;
-    settings.integrator = integrator;
-    settings.timeStep = step;
-    return settings;
-}
 
 TissueModel membrane() {
     TissueModel model = tissue::fromMesh(tissue::gridMesh(7, 0.1), {10, 0.1, 0.001});

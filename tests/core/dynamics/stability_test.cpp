@@ -1,5 +1,6 @@
 #include "core/dynamics/stability.h"
 #include "core/support/errors.h"
+#include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
 #include <Eigen/Eigenvalues>
@@ -10,13 +11,6 @@
 using namespace esm;
 
 namespace {
-
-SimulationSettings withStep(Integrator integrator, double step) {
-    SimulationSettings settings;
-    settings.integrator = integrator;
-    settings.timeStep = step;
-    return settings;
-}
 
 /// Largest growth factor of an oscillator with stepDamping = h·d/m and stepStiffness = (hω)² under split2,
 /// from the matrix that takes (x, x⁻, h·v, h·v⁻) to the next step.

@@ -282,7 +282,7 @@ TEST_F(ProjectFile, ANewerVersionSaysSo) {
                           "up to 1; update the program"));
 }
 
-struct Damage {
+struct ProjectDamage {
     const char* pointer;
     Json value;
     const char* named; ///< what the message must name
@@ -290,7 +290,7 @@ struct Damage {
 
 TEST_F(ProjectFile, AnyWrongValueIsRefusedByItsName) {
     const Json deep = Json::parse(std::string(90, '[') + std::string(90, ']'));
-    const std::vector<Damage> cases{
+    const std::vector<ProjectDamage> cases{
         {"/format", "esm-projekt", "not a project"},
         {"/version", "1", "version"},
         {"/version", 0, "version"},
@@ -339,7 +339,7 @@ TEST_F(ProjectFile, AnyWrongValueIsRefusedByItsName) {
         {"/arrays/network~1springs.u32", 2, "network/springs.u32"},
         {"/arrays/atlas~1corners.f64", 6, "atlas/corners.f64"},
     };
-    for (const Damage& damage : cases) {
+    for (const ProjectDamage& damage : cases) {
         saveWithManifest(damage.pointer, damage.value);
         const std::string message = loadingError();
         EXPECT_THAT(message, testing::AllOf(HasSubstr("organ.esm: "), HasSubstr(damage.named)))
