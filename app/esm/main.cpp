@@ -3,7 +3,6 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QSurfaceFormat>
 #include <QTimer>
 
 namespace {
@@ -31,12 +30,7 @@ QStringList readCommandLine(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     const QStringList files = readCommandLine(argc, argv);
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setSamples(4);
-    QSurfaceFormat::setDefaultFormat(format);
+    QSurfaceFormat::setDefaultFormat(esm::viewFormat());
 
     QApplication application(argc, argv);
     esm::applyTheme(application, esm::Theme::Dark);

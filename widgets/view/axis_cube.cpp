@@ -58,7 +58,7 @@ std::vector<CubeFace> visibleFaces(const Camera& camera, const QRectF& square) {
     return faces;
 }
 
-void paintAxisCube(QPainter& painter, const Camera& camera, const QRectF& square) {
+void paintAxisCube(QPainter& painter, const Camera& camera, const QRectF& square, const QPalette& palette) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     QFont font = painter.font();
@@ -66,15 +66,15 @@ void paintAxisCube(QPainter& painter, const Camera& camera, const QRectF& square
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
     for (const CubeFace& face : visibleFaces(camera, square)) {
-        painter.setPen(QPen(QColor(0x59, 0x62, 0x6b), 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.setBrush(mixed(QColor(0x25, 0x2a, 0x30), QColor(0x3d, 0x45, 0x4e), face.facing));
+        painter.setPen(QPen(palette.color(QPalette::Mid), 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setBrush(mixed(palette.color(QPalette::Dark), palette.color(QPalette::Button), face.facing));
         painter.drawPolygon(face.outline);
         QTransform onFace;
         const QPolygonF flat({{0, 0}, {faceText, 0}, {faceText, faceText}, {0, faceText}});
         if (face.facing < 0.3 || !QTransform::quadToQuad(flat, face.outline, onFace)) continue;
         painter.save();
         painter.setTransform(onFace, true);
-        painter.setPen(mixed(QColor(0x98, 0xa1, 0xab), QColor(0xe7, 0xe9, 0xec), face.facing));
+        painter.setPen(palette.color(QPalette::WindowText));
         painter.drawText(QRectF(0, 0, faceText, faceText), Qt::AlignCenter, nameOf(face.view));
         painter.restore();
     }

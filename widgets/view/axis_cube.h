@@ -3,6 +3,7 @@
 #include "core/render/camera.h"
 
 #include <QPainter>
+#include <QPalette>
 #include <QPolygonF>
 
 #include <optional>
@@ -19,7 +20,8 @@ struct CubeFace {
 /// The faces of a small cube that stands in the organ's space, as the camera sees it in a square of the view.
 std::vector<CubeFace> visibleFaces(const Camera& camera, const QRectF& square);
 
-void paintAxisCube(QPainter& painter, const Camera& camera, const QRectF& square);
+/// Faces that look at the viewer are painted as raised, the others darker.
+void paintAxisCube(QPainter& painter, const Camera& camera, const QRectF& square, const QPalette& palette);
 
 /// The view named on the face under a point.
 std::optional<StandardView> viewAt(const QPointF& point, const Camera& camera, const QRectF& square);

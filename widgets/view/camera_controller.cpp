@@ -16,30 +16,6 @@ double wheelNotches(const QWheelEvent& event) {
     return event.angleDelta().y() / anglePerNotch;
 }
 
-std::optional<StandardView> standardViewOfKey(int key) {
-    switch (key) {
-    case Qt::Key_1:
-    case Qt::Key_F:
-        return StandardView::Front;
-    case Qt::Key_2:
-    case Qt::Key_B:
-        return StandardView::Back;
-    case Qt::Key_3:
-    case Qt::Key_L:
-        return StandardView::Left;
-    case Qt::Key_4:
-    case Qt::Key_R:
-        return StandardView::Right;
-    case Qt::Key_5:
-    case Qt::Key_T:
-        return StandardView::Top;
-    case Qt::Key_6:
-        return StandardView::Bottom;
-    default:
-        return std::nullopt;
-    }
-}
-
 bool CameraController::press(const QMouseEvent& event) {
     if (isDragging()) return true;
     const bool orbits = event.button() == Qt::RightButton ||

@@ -6,15 +6,10 @@
 #include <QSize>
 #include <QWheelEvent>
 
-#include <optional>
-
 namespace esm {
 
 /// How far the wheel was turned: positive away from the user.
 double wheelNotches(const QWheelEvent& event);
-
-/// The standard view of a key: 1 to 6 and F, B, L, R, T (front, back, left, right, top; 6 is bottom).
-std::optional<StandardView> standardViewOfKey(int key);
 
 /// Turns mouse and wheel into cameras. The right button, or the left one with Alt, orbits; the middle button,
 /// or either of those with Shift, shifts; the wheel zooms about the mouse.

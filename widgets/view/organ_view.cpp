@@ -13,6 +13,12 @@
 namespace esm {
 namespace {
 
+void* resolved(const char* name) {
+    return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+}
+
+} // namespace
+
 QSurfaceFormat viewFormat() {
     QSurfaceFormat format;
     format.setVersion(3, 3);
@@ -21,12 +27,6 @@ QSurfaceFormat viewFormat() {
     format.setSamples(4);
     return format;
 }
-
-void* resolved(const char* name) {
-    return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
-}
-
-} // namespace
 
 OrganView::OrganView(QWidget* parent) : QOpenGLWidget(parent) {
     setFormat(viewFormat());
@@ -41,7 +41,7 @@ OrganView::~OrganView() {
 
 void OrganView::setScene(RenderScene scene) {
     m_scene = std::move(scene);
-    m_picker.setScene(m_scene);
+    m_picker.sceneChanged();
     if (m_instrument) showInstrument();
     if (!m_framed && !organBox().isEmpty()) frameOrgan();
     update();
@@ -49,7 +49,7 @@ void OrganView::setScene(RenderScene scene) {
 
 void OrganView::setNodePositions(std::vector<Eigen::Vector3d> positions) {
     m_scene.nodePositions = std::move(positions);
-    m_picker.setScene(m_scene);
+    m_picker.sceneChanged();
     update();
 }
 
@@ -138,17 +138,20 @@ void OrganView::paintGL() {
 void OrganView::paintOverlay() {
     QPainter painter(this);
     if (!m_renderer) {
-        painter.fillRect(rect(), QColor(0x1d, 0x20, 0x25));
-        painter.setPen(QColor(0xe7, 0xe9, 0xec));
+        painter.fillRect(rect(), palette().color(QPalette::Window));
+        painter.setPen(palette().color(QPalette::WindowText));
         painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, m_problem);
         return;
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    if (m_tool == ViewTool::Region) paintHandles(painter, regionHandles(), QColor(0x2b, 0x8f, 0x84));
-    if (m_tool == ViewTool::Projector) paintHandles(painter, projectorHandles(), QColor(0xe3, 0xa3, 0x3b));
-    if (m_legend) paintLegend(painter, size(), *m_legend);
-    paintHint(painter, size(), m_hint.isEmpty() ? toolHint(m_tool) : m_hint, m_legend.has_value());
-    paintAxisCube(painter, camera(), cubeSquare(size()));
+    const OverlayStyle style{size(), palette()};
+    if (m_tool == ViewTool::Region)
+        paintHandles(painter, regionHandles(), style.palette.color(QPalette::Highlight));
+    if (m_tool == ViewTool::Projector)
+        paintHandles(painter, projectorHandles(), style.palette.color(QPalette::LinkVisited));
+    if (m_legend) paintLegend(painter, style, *m_legend);
+    paintHint(painter, style, m_hint.isEmpty() ? toolHint(m_tool) : m_hint, m_legend.has_value());
+    paintAxisCube(painter, camera(), cubeSquare(size()), style.palette);
 }
 
 } // namespace esm

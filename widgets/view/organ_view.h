@@ -8,17 +8,21 @@
 #include "widgets/view/view_tool.h"
 
 #include <QOpenGLWidget>
+#include <QSurfaceFormat>
 
 #include <memory>
 #include <optional>
 
 namespace esm {
 
+/// The kind of surface that the view draws on; a program makes it the default before its first window.
+QSurfaceFormat viewFormat();
+
 /// Shows an organ and what stands around it; tells what the user does to it. Knows no document: a scene goes
 /// in, intents come out, and nothing moves until a new scene says so. Only the camera and the sphere
 /// instrument in the user's hand are the view's own.
 ///
-/// Keys: V P I E J take a tool, 1 to 6 or F B L R T a standard view, Home or 0 shows all, Esc lets go.
+/// Esc lets go of what is held; every other key is the window's.
 class OrganView : public QOpenGLWidget {
     Q_OBJECT
 

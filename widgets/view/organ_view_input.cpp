@@ -70,21 +70,9 @@ void OrganView::wheelEvent(QWheelEvent* event) {
 }
 
 void OrganView::keyPressEvent(QKeyEvent* event) {
-    const bool plain = (event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
-    const auto tool = plain ? toolOfKey(event->key()) : std::nullopt;
-    const auto view = plain ? standardViewOfKey(event->key()) : std::nullopt;
-    if (tool) return setTool(*tool);
-    if (view) return showView(*view);
-    switch (event->key()) {
-    case Qt::Key_Home:
-    case Qt::Key_0:
-        return frameOrgan();
-    case Qt::Key_Escape:
-        endDrag();
-        return removeInstrument();
-    default:
-        QOpenGLWidget::keyPressEvent(event);
-    }
+    if (event->key() != Qt::Key_Escape) return QOpenGLWidget::keyPressEvent(event);
+    endDrag();
+    removeInstrument();
 }
 
 void OrganView::leaveEvent(QEvent* event) {
@@ -108,7 +96,7 @@ std::optional<Drag> OrganView::dragAt(const QPointF& place) {
         break;
     }
     const double tolerance = nodeReach / height() * camera().verticalFieldOfView;
-    const std::optional<PickedPoint> picked = m_picker.pick(ray, tolerance);
+    const std::optional<PickedPoint> picked = m_picker.pick(m_scene, ray, tolerance);
     if (!picked) return std::nullopt;
     return PullDrag{picked->node, picturePlane(camera(), picked->point),
                     picked->nodePosition - picked->point};
@@ -186,7 +174,7 @@ void OrganView::click(const QPointF& place) {
     if (!picks) return;
     if (region >= 0) return emit regionPicked(region);
     if (projector >= 0) return emit projectorPicked(projector);
-    const auto picked = m_picker.pick(ray, nodeReach / height() * camera().verticalFieldOfView);
+    const auto picked = m_picker.pick(m_scene, ray, nodeReach / height() * camera().verticalFieldOfView);
     if (picked) emit pointPicked(picked->node, picked->point);
 }
 
@@ -194,7 +182,7 @@ void OrganView::moveInstrument(const QPointF& place) {
     const Ray ray = rayAt(place);
     if (m_instrumentPushed && m_instrument) {
         m_instrument = meet(ray, picturePlane(camera(), *m_instrument));
-    } else if (const auto hit = m_picker.pick(ray, 0)) {
+    } else if (const auto hit = m_picker.pick(m_scene, ray, 0)) {
         m_instrument = hit->point - m_instrumentRadius * ray.direction.normalized();
     } else {
         const Vector3d depth = m_instrument.value_or(camera().target);

@@ -11,7 +11,13 @@ namespace {
 
 constexpr int margin = 14, padding = 11, legendWidth = 230, legendHeight = 66; // pixels
 constexpr int cubeSize = 78, handleSize = 9;
-const QColor panel(0x1b, 0x1e, 0x22, 225), line(0x33, 0x3a, 0x42), text(0xe7, 0xe9, 0xec);
+constexpr int backgroundAlpha = 225;
+
+QColor background(const QPalette& palette) {
+    QColor colour = palette.color(QPalette::Window);
+    colour.setAlpha(backgroundAlpha);
+    return colour;
+}
 
 QFont sized(QFont font, int pixels) {
     font.setPixelSize(pixels);
@@ -34,20 +40,20 @@ QLinearGradient rampGradient(const QRectF& bar) {
 
 } // namespace
 
-void paintLegend(QPainter& painter, const QSize& view, const ViewLegend& legend) {
-    const QRectF box(margin, view.height() - margin - legendHeight, legendWidth, legendHeight);
+void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend) {
+    const QRectF box(margin, style.view.height() - margin - legendHeight, legendWidth, legendHeight);
     const QRectF bar(box.left() + padding, box.top() + 31, box.width() - 2 * padding, 8);
     const QRectF title(bar.left(), box.top() + 7, bar.width(), 20);
     const QRectF range(bar.left(), bar.bottom() + 3, bar.width(), 18);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(line, 1));
-    painter.setBrush(panel);
+    painter.setPen(QPen(style.palette.color(QPalette::Mid), 1));
+    painter.setBrush(background(style.palette));
     painter.drawRoundedRect(box, 6, 6);
     painter.setPen(Qt::NoPen);
     painter.setBrush(rampGradient(bar));
     painter.drawRoundedRect(bar, 3, 3);
-    painter.setPen(text);
+    painter.setPen(style.palette.color(QPalette::WindowText));
     painter.setFont(sized(painter.font(), 13));
     painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, legend.title);
     painter.setFont(sized(painter.font(), 12));
@@ -57,22 +63,22 @@ void paintLegend(QPainter& painter, const QSize& view, const ViewLegend& legend)
     painter.restore();
 }
 
-void paintHint(QPainter& painter, const QSize& view, const QString& hint, bool besideLegend) {
+void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint, bool besideLegend) {
     if (hint.isEmpty()) return;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(sized(painter.font(), 12));
     const double left = besideLegend ? 2 * margin + legendWidth : margin;
-    const double room = view.width() - margin - left;
+    const double room = style.view.width() - margin - left;
     const QFontMetricsF metrics(painter.font());
     const QString shown = metrics.elidedText(hint, Qt::ElideRight, room - 2 * padding);
     const double width = metrics.horizontalAdvance(shown) + 2 * padding;
-    const double centred = (view.width() - width) / 2;
-    const QRectF pill(std::max(left, centred), view.height() - margin - 26, width, 26);
+    const double centred = (style.view.width() - width) / 2;
+    const QRectF pill(std::max(left, centred), style.view.height() - margin - 26, width, 26);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(panel);
+    painter.setBrush(background(style.palette));
     painter.drawRoundedRect(pill, 13, 13);
-    painter.setPen(QColor(0xc4, 0xca, 0xd0));
+    painter.setPen(style.palette.color(QPalette::WindowText));
     painter.drawText(pill, Qt::AlignCenter, shown);
     painter.restore();
 }

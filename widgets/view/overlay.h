@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPainter>
+#include <QPalette>
 #include <QSize>
 #include <QString>
 
@@ -16,10 +17,16 @@ struct ViewLegend {
     double minimum = 0, maximum = 1;
 };
 
+/// How large the picture is that something is painted over, and in which colours.
+struct OverlayStyle {
+    QSize view;
+    QPalette palette;
+};
+
 /// A box at the bottom left with the ramp of colours and its range.
-void paintLegend(QPainter& painter, const QSize& view, const ViewLegend& legend);
+void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend);
 /// A pill with one line of text at the bottom, in the middle of what the legend leaves.
-void paintHint(QPainter& painter, const QSize& view, const QString& hint, bool besideLegend);
+void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint, bool besideLegend);
 /// Small white squares with a coloured rim.
 void paintHandles(QPainter& painter, const std::vector<QPointF>& places, const QColor& rim);
 /// The square of the axis cube at the top right.

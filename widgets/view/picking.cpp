@@ -4,29 +4,27 @@
 
 namespace esm {
 
-void Picker::setScene(const RenderScene& scene) {
-    if (scene.mesh != m_mesh || scene.network != m_network) m_query.reset();
+std::optional<PickedPoint> Picker::pick(const RenderScene& scene, const Ray& ray, double tolerance) {
+    if (m_changed) refresh(scene);
+    return m_query ? pickSurface(ray) : pickNode(ray, tolerance);
+}
+
+void Picker::refresh(const RenderScene& scene) {
+    const bool other = scene.mesh != m_mesh || scene.network != m_network;
     m_mesh = scene.mesh;
     m_network = scene.network;
     m_nodes = drawnNodes(scene);
     m_vertices = drawnVertices(scene, m_nodes);
-    m_moved = true;
-}
-
-std::optional<PickedPoint> Picker::pick(const Ray& ray, double tolerance) {
-    return m_mesh && !m_mesh->triangles.empty() ? pickSurface(ray) : pickNode(ray, tolerance);
-}
-
-void Picker::refresh() {
-    if (!m_query)
+    m_changed = false;
+    if (!m_mesh || m_mesh->triangles.empty())
+        m_query.reset();
+    else if (other || !m_query)
         m_query.emplace(m_vertices, m_mesh->triangles);
-    else if (m_moved)
+    else
         m_query->refit(m_vertices);
-    m_moved = false;
 }
 
 std::optional<PickedPoint> Picker::pickSurface(const Ray& ray) {
-    refresh();
     const std::optional<RayHit> hit = m_query->firstHit(ray);
     if (!hit) return std::nullopt;
     Eigen::Index nearest = 0;

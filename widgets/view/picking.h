@@ -18,15 +18,16 @@ struct PickedPoint {
 /// Finds what lies under the mouse on the organ as it is drawn now.
 class Picker {
 public:
-    /// The scene's mesh and network; both may be null.
-    void setScene(const RenderScene& scene);
+    /// What is drawn is another, or moved: looked at when something is picked.
+    void sceneChanged() { m_changed = true; }
 
     /// The surface's first point on a ray. A model without triangles is picked by its nodes: the one nearest
-    /// to the ray, seen from the ray's origin under at most `tolerance` (rad).
-    std::optional<PickedPoint> pick(const Ray& ray, double tolerance);
+    /// to the ray, seen from the ray's origin under at most `tolerance` (rad). The scene's mesh and network
+    /// may be null.
+    std::optional<PickedPoint> pick(const RenderScene& scene, const Ray& ray, double tolerance);
 
 private:
-    void refresh();
+    void refresh(const RenderScene& scene);
     std::optional<PickedPoint> pickSurface(const Ray& ray);
     std::optional<PickedPoint> pickNode(const Ray& ray, double tolerance) const;
 
@@ -34,7 +35,7 @@ private:
     std::shared_ptr<const SpringNetwork> m_network;
     std::vector<Eigen::Vector3d> m_nodes, m_vertices;
     std::optional<SurfaceQuery> m_query;
-    bool m_moved = false; ///< since the query was fitted
+    bool m_changed = true; ///< since the last pick
 };
 
 } // namespace esm

@@ -4,23 +4,6 @@
 
 namespace esm {
 
-std::optional<ViewTool> toolOfKey(int key) {
-    switch (key) {
-    case Qt::Key_V:
-        return ViewTool::Select;
-    case Qt::Key_P:
-        return ViewTool::Pull;
-    case Qt::Key_I:
-        return ViewTool::Instrument;
-    case Qt::Key_E:
-        return ViewTool::Region;
-    case Qt::Key_J:
-        return ViewTool::Projector;
-    default:
-        return std::nullopt;
-    }
-}
-
 QString toolHint(ViewTool tool) {
     const auto text = [](const char* hint) { return QCoreApplication::translate("esm::ViewTool", hint); };
     switch (tool) {

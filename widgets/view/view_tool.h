@@ -2,8 +2,6 @@
 
 #include <QString>
 
-#include <optional>
-
 namespace esm {
 
 /// What the left mouse button does in the organ's view.
@@ -14,9 +12,6 @@ enum class ViewTool {
     Region,     ///< moves and scales a region's ellipsoid
     Projector   ///< moves and scales a photo's projector
 };
-
-/// V, P, I, E, J in the order above.
-std::optional<ViewTool> toolOfKey(int key);
 
 /// One line on how to use the tool.
 QString toolHint(ViewTool tool);

@@ -5,6 +5,8 @@
 
 #include <QUndoStack>
 
+#include <array>
+
 namespace esm {
 
 namespace {
@@ -16,9 +18,7 @@ QString tr(const char* text) {
 QAction* make(QWidget* window, const char* text, const QKeySequence& key, const char* toolTip) {
     auto* action = new QAction(tr(text), window);
     action->setShortcut(key);
-    const QString shownKey = key.toString(QKeySequence::NativeText);
-    action->setToolTip(shownKey.isEmpty() ? tr(toolTip)
-                                          : QStringLiteral("%1 (%2)").arg(tr(toolTip), shownKey));
+    action->setToolTip(withShortcut(tr(toolTip), action));
     window->addAction(action);
     return action;
 }
@@ -60,6 +60,13 @@ void makeEditActions(Actions& a, QWidget* window, QUndoStack* undoStack) {
     a.undo->setShortcut(QKeySequence::Undo);
     a.redo->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    const auto explain = [undo = a.undo, redo = a.redo, undoStack] {
+        undo->setToolTip(undoStack->canUndo() ? withShortcut(undo->text(), undo) : tr("Nothing to undo"));
+        redo->setToolTip(undoStack->canRedo() ? withShortcut(redo->text(), redo) : tr("Nothing to redo"));
+    };
+    QObject::connect(undoStack, &QUndoStack::undoTextChanged, a.undo, explain);
+    QObject::connect(undoStack, &QUndoStack::redoTextChanged, a.redo, explain);
+    explain();
     a.undo->setIcon(icon(QStringLiteral("undo")));
     a.redo->setIcon(icon(QStringLiteral("redo")));
     a.rename = make(window, "Rename &organ…", {}, "Give the organ another name");
@@ -84,9 +91,13 @@ void makeViewActions(Actions& a, QWidget* window) {
         makeSwitch(make(window, "Righ&t panels", QKeySequence(Qt::Key_F10), "Show the right panels"), true);
     a.frame = make(window, "&Whole organ", QKeySequence(Qt::Key_Home), "Bring the whole organ into view");
     a.lightTheme = makeSwitch(make(window, "&Light theme", {}, "Light colours"), false);
+    a.frame->setShortcuts({QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_0)});
     int key = Qt::Key_1;
     for (const char* name : {"&Front", "&Back", "&Left", "&Right", "&Top", "B&ottom"})
         a.standardViews.push_back(make(window, name, QKeySequence(key++), "Look from this side"));
+    const std::array<Qt::Key, 5> initials{Qt::Key_F, Qt::Key_B, Qt::Key_L, Qt::Key_R, Qt::Key_T};
+    for (std::size_t i = 0; i < initials.size(); ++i)
+        a.standardViews[i]->setShortcuts({a.standardViews[i]->shortcut(), QKeySequence(initials[i])});
 }
 
 void makeToolActions(Actions& a, QWidget* window) {
@@ -119,6 +130,11 @@ void makeToolActions(Actions& a, QWidget* window) {
 }
 
 } // namespace
+
+QString withShortcut(const QString& toolTip, const QAction* action) {
+    const QString key = action->shortcut().toString(QKeySequence::NativeText);
+    return key.isEmpty() ? toolTip : QStringLiteral("%1 (%2)").arg(toolTip, key);
+}
 
 Actions createActions(QWidget* window, QUndoStack* undoStack) {
     Actions actions{};

@@ -30,4 +30,7 @@ struct Actions {
 
 Actions createActions(QWidget* window, QUndoStack* undoStack);
 
+/// "Bring the whole organ into view (Home)": a tool tip with the action's key, where it has one.
+QString withShortcut(const QString& toolTip, const QAction* action);
+
 } // namespace esm

@@ -19,6 +19,8 @@ QString tr(const char* text) {
 QPushButton* pushButton(QAction* action, QWidget* parent) {
     auto* button = new QPushButton(parent);
     button->setCheckable(action->isCheckable());
+    // A click leaves the keys where they were.
+    button->setFocusPolicy(Qt::TabFocus);
     const auto follow = [button, action] {
         button->setText(action->text().remove('&').remove(QChar(0x2026)));
         button->setToolTip(action->toolTip());
@@ -98,8 +100,7 @@ void buildMenus(QMainWindow& window, const Actions& a) {
 
     QMenu* simulation = bar->addMenu(tr("&Simulation"));
     simulation->addActions({a.play, a.reset});
-    simulation->addSeparator();
-    simulation->addActions(a.tools->actions());
+    bar->addMenu(tr("&Tools"))->addActions(a.tools->actions());
     bar->addMenu(tr("&Help"))->addActions({a.keys, a.about});
 }
 

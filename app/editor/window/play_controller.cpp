@@ -16,8 +16,8 @@ void PlayController::connectActions(const Actions& actions) {
     connect(&m_preview, &Preview::statusChanged, play, [this, play] {
         const bool playing = m_preview.status().playing;
         play->setText(playing ? tr("&Pause") : tr("&Play"));
-        play->setToolTip(playing ? tr("Stop the tissue where it is (Space)")
-                                 : tr("Let the tissue move (Space)"));
+        play->setToolTip(
+            withShortcut(playing ? tr("Stop the tissue where it is") : tr("Let the tissue move"), play));
     });
 }
 

@@ -6,69 +6,11 @@
 #include <QPalette>
 #include <QStyleFactory>
 
-#include <map>
-
 namespace esm {
 
 namespace {
 
-using Colours = std::map<QString, QString>;
-
-const Colours& coloursOf(Theme theme) {
-    static const Colours dark{{"name", "dark"},
-                              {"window", "#1b1e22"},
-                              {"panel", "#22262b"},
-                              {"bar", "#262a30"},
-                              {"raised", "#2f353c"},
-                              {"hover", "#3a424a"},
-                              {"pressed", "#262b31"},
-                              {"line", "#15171a"},
-                              {"border", "#3a4149"},
-                              {"field", "#1b1e22"},
-                              {"track", "#3a4149"},
-                              {"text", "#e7e9ec"},
-                              {"quiet", "#98a1ab"},
-                              {"disabled", "#6b747e"},
-                              {"accent", "#2b8f84"},
-                              {"accentHover", "#31a094"},
-                              {"bright", "#3fb6a8"},
-                              {"accentSoft", "#202d2e"},
-                              {"accentBorder", "#2a5450"},
-                              {"wordsText", "#bfeee6"},
-                              {"amber", "#e3a33b"},
-                              {"amberSoft", "#3a3328"},
-                              {"red", "#e25d5d"},
-                              {"redSoft", "#3a2427"},
-                              {"overlay", "rgba(27, 30, 34, 215)"}};
-    static const Colours light{{"name", "light"},
-                               {"window", "#eef0f2"},
-                               {"panel", "#f8f9fa"},
-                               {"bar", "#f2f4f5"},
-                               {"raised", "#ffffff"},
-                               {"hover", "#e4e8eb"},
-                               {"pressed", "#d9dee2"},
-                               {"line", "#d5d9de"},
-                               {"border", "#c3c9cf"},
-                               {"field", "#ffffff"},
-                               {"track", "#cdd3d8"},
-                               {"text", "#1f2429"},
-                               {"quiet", "#667079"},
-                               {"disabled", "#9aa3ab"},
-                               {"accent", "#217a70"},
-                               {"accentHover", "#1d6c63"},
-                               {"bright", "#1f7f74"},
-                               {"accentSoft", "#e3f2f0"},
-                               {"accentBorder", "#a5d3cd"},
-                               {"wordsText", "#14524b"},
-                               {"amber", "#8f5f0c"},
-                               {"amberSoft", "#f8ecd4"},
-                               {"red", "#b93636"},
-                               {"redSoft", "#f9e3e3"},
-                               {"overlay", "rgba(248, 249, 250, 225)"}};
-    return theme == Theme::Dark ? dark : light;
-}
-
-QPalette paletteOf(const Colours& colours) {
+QPalette paletteOf(const ThemeColours& colours) {
     const auto colour = [&](const char* name) { return QColor(colours.at(QString::fromLatin1(name))); };
     QPalette palette;
     palette.setColor(QPalette::Window, colour("panel"));
@@ -93,7 +35,7 @@ QPalette paletteOf(const Colours& colours) {
     return palette;
 }
 
-QString styleSheetOf(const Colours& colours) {
+QString styleSheetOf(const ThemeColours& colours) {
     QFile file(QStringLiteral(":/style.qss"));
     if (!file.open(QIODevice::ReadOnly)) return {};
     QString sheet = QString::fromUtf8(file.readAll());
@@ -104,9 +46,46 @@ QString styleSheetOf(const Colours& colours) {
 
 } // namespace
 
+const ThemeColours& themeColours(Theme theme) {
+    static const ThemeColours dark{{"name", "dark"},
+                                   {"window", "#1b1e22"},
+                                   {"panel", "#22262b"},
+                                   {"bar", "#262a30"},
+                                   {"raised", "#2f353c"},
+                                   {"hover", "#3a424a"},
+                                   {"pressed", "#262b31"},
+                                   {"line", "#15171a"},
+                                   {"border", "#3a4149"},
+                                   {"field", "#1b1e22"},
+                                   {"track", "#3a4149"},
+                                   {"text", "#e7e9ec"},
+                                   {"quiet", "#98a1ab"},
+                                   {"disabled", "#6b747e"},
+                                   {"accent", "#237a70"},
+                                   {"accentHover", "#258278"},
+                                   {"bright", "#3fb6a8"},
+                                   {"accentSoft", "#202d2e"},
+                                   {"accentBorder", "#2a5450"},
+                                   {"wordsText", "#bfeee6"},
+                                   {"amber", "#e3a33b"},
+                                   {"amberSoft", "#3a3328"},
+                                   {"red", "#e76868"},
+                                   {"trough", "#15171a"}};
+    static const ThemeColours light{
+        {"name", "light"},           {"window", "#eef0f2"},    {"panel", "#f8f9fa"},
+        {"bar", "#f2f4f5"},          {"raised", "#ffffff"},    {"hover", "#e4e8eb"},
+        {"pressed", "#d9dee2"},      {"line", "#d5d9de"},      {"border", "#c3c9cf"},
+        {"field", "#ffffff"},        {"track", "#cdd3d8"},     {"text", "#1f2429"},
+        {"quiet", "#5b656e"},        {"disabled", "#9aa3ab"},  {"accent", "#217a70"},
+        {"accentHover", "#1d6c63"},  {"bright", "#1f7f74"},    {"accentSoft", "#e3f2f0"},
+        {"accentBorder", "#a5d3cd"}, {"wordsText", "#14524b"}, {"amber", "#8f5f0c"},
+        {"amberSoft", "#f8ecd4"},    {"red", "#b93636"},       {"trough", "#e4e8eb"}};
+    return theme == Theme::Dark ? dark : light;
+}
+
 void applyTheme(QApplication& application, Theme theme) {
     loadResources();
-    const Colours& colours = coloursOf(theme);
+    const ThemeColours& colours = themeColours(theme);
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     application.setPalette(paletteOf(colours));
     application.setStyleSheet(styleSheetOf(colours));

@@ -6,6 +6,19 @@
 
 namespace esm {
 
+namespace {
+
+std::shared_ptr<const std::vector<double>> springConstants(const Project& project) {
+    const TissueModel model = evaluateModel(project);
+    auto values = std::make_shared<std::vector<double>>();
+    values->reserve(project.network->springs.size());
+    for (const Spring& spring : project.network->springs)
+        values->push_back(springConstant(model, spring));
+    return values;
+}
+
+} // namespace
+
 ViewController::ViewController(OrganView& view, Document& document, Selection& selection, Preview& preview)
     : QObject(&view), m_view(view), m_document(document), m_selection(selection), m_preview(preview) {
     connect(&document, &Document::changed, this, &ViewController::followDocument);
@@ -74,6 +87,7 @@ void ViewController::setTheme(Theme theme) {
 void ViewController::followDocument(const Change& change) {
     const Project& project = m_document.project();
     if (change.model()) m_preview.setProject(project);
+    if (change.model()) m_springConstants.reset();
     if (change.picture()) m_composer.compose(project);
     if (change.mesh) {
         const double diagonal = boundingBox(project.network->restPositions).diagonal().norm();
@@ -130,17 +144,13 @@ void ViewController::addSprings(RenderScene& scene) {
     scene.showSprings = (m_showSprings && !m_textureWorkspace) || onlySprings;
     m_view.setLegend(std::nullopt);
     if (!scene.showSprings || project.network->springs.empty()) return;
-    const TissueModel model = evaluateModel(project);
-    auto values = std::make_shared<std::vector<double>>();
-    values->reserve(project.network->springs.size());
-    for (const Spring& spring : project.network->springs)
-        values->push_back(springConstant(model, spring));
-    const auto [least, most] = std::minmax_element(values->begin(), values->end());
+    if (!m_springConstants) m_springConstants = springConstants(project);
+    const auto [least, most] = std::minmax_element(m_springConstants->begin(), m_springConstants->end());
     scene.springValueMinimum = *least;
     // One constant everywhere still needs a range to colour by.
     scene.springValueMaximum = *most > *least ? *most : *least + std::max(1e-9, *least);
     m_view.setLegend(ViewLegend{tr("Spring constant"), QStringLiteral("N/m"), *least, *most});
-    scene.springValues = std::move(values);
+    scene.springValues = m_springConstants;
 }
 
 void ViewController::showFrame() {

@@ -49,6 +49,7 @@ private:
     double m_instrumentRadius = 0.01; ///< m
     Theme m_theme = Theme::Dark;
     bool m_textureWorkspace = false, m_showSprings = false, m_showRegions = true;
+    std::shared_ptr<const std::vector<double>> m_springConstants; ///< N/m per spring, while they hold
     std::vector<std::size_t> m_shownRegions; ///< the region of each ellipsoid that is drawn
 };
 

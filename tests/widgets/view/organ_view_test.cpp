@@ -133,8 +133,7 @@ TEST_F(OrganViewTest, EscapeAndAnotherToolLetGo) {
     release(middle());
     EXPECT_EQ(releases, 1);
     press(middle());
-    QTest::keyClick(&view, Qt::Key_V);
-    EXPECT_EQ(view.tool(), ViewTool::Select);
+    view.setTool(ViewTool::Select);
     EXPECT_EQ(releases, 2);
 }
 
@@ -188,21 +187,17 @@ TEST_F(OrganViewTest, ButtonsTurnAndShift) {
     EXPECT_FALSE(pulled);
 }
 
-TEST_F(OrganViewTest, KeysTakeViewsAndTools) {
+TEST_F(OrganViewTest, ShowsStandardViewsAndTheWholeOrgan) {
     QSignalSpy cameraChanges(&view, &OrganView::cameraChanged);
-    QTest::keyClick(&view, Qt::Key_4);
+    view.showView(StandardView::Right);
     EXPECT_TRUE(viewDirection().isApprox(Vector3d::UnitX(), 1e-9));
-    QTest::keyClick(&view, Qt::Key_T);
+    view.showView(StandardView::Top);
     EXPECT_TRUE(viewDirection().isApprox(Vector3d::UnitY(), 1e-9));
     EXPECT_EQ(cameraChanges.count(), 2);
     wheel(middle(), -20);
     const double far = distance();
-    QTest::keyClick(&view, Qt::Key_Home);
+    view.frameOrgan();
     EXPECT_LT(distance(), 0.5 * far);
-    QTest::keyClick(&view, Qt::Key_P);
-    EXPECT_EQ(view.tool(), ViewTool::Pull);
-    QTest::keyClick(&view, Qt::Key_J);
-    EXPECT_EQ(view.tool(), ViewTool::Projector);
 }
 
 TEST_F(OrganViewTest, CubeTurnsToItsFace) {
@@ -317,4 +312,19 @@ TEST_F(OrganViewTest, OverlaysArePainted) {
     EXPECT_NE(plain.copy(legend), painted.copy(legend));
     const QColor right = painted.pixelColor(14 + 230 - 14, view.height() - 14 - 66 + 35);
     EXPECT_GT(right.red(), right.blue() + 80) << "the ramp ends in red";
+    view.setHint("Something else");
+    const QRect hint(14 + 230 + 14, view.height() - 14 - 26, view.width() - 14 - 230 - 28, 26);
+    EXPECT_NE(view.grabFramebuffer().copy(hint), painted.copy(hint));
+}
+
+TEST_F(OrganViewTest, OverlaysTakeTheColoursOfTheTheme) {
+    view.setLegend(ViewLegend{"Spring constant", "N/m", 2.4, 81});
+    const auto legendBackground = [&](const QColor& colour) {
+        QPalette palette = view.palette();
+        palette.setColor(QPalette::Window, colour);
+        view.setPalette(palette);
+        return view.grabFramebuffer().pixelColor(14 + 230 - 6, view.height() - 14 - 33);
+    };
+    EXPECT_LT(legendBackground(Qt::black).lightness(), 60);
+    EXPECT_GT(legendBackground(Qt::white).lightness(), 200);
 }
