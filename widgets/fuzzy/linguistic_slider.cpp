@@ -12,31 +12,29 @@ namespace {
 
 constexpr int sliderSteps = 1000;
 
-NumberFormat formatOf(const FuzzyVariable& variable, const QString& unit) {
-    NumberFormat format;
-    format.unit = unit;
-    format.step = (variable.maximum - variable.minimum) / 100;
+NumberFormat withStep(NumberFormat format, const FuzzyVariable& variable) {
+    if (format.step <= 0) format.step = (variable.maximum - variable.minimum) / 100;
     return format;
 }
 
 } // namespace
 
-LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString& caption, const QString& unit,
+LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString& caption, NumberFormat format,
                                    QWidget* parent)
-    : QWidget(parent), m_variable(variable), m_field(new NumberField(formatOf(variable, unit), this)),
-      m_slider(new QSlider(Qt::Horizontal, this)), m_terms(new TermScale(this)), m_header(new QHBoxLayout) {
+    : QWidget(parent), m_variable(variable),
+      m_field(new NumberField(withStep(std::move(format), variable), this)), m_slider(new ValueSlider(this)),
+      m_terms(new TermScale(this)), m_header(new QHBoxLayout) {
     auto* name = new QLabel(caption, this);
     name->setProperty("strong", true);
     name->setBuddy(m_slider);
     m_header->setSpacing(6);
     m_header->addWidget(name, 1);
-    m_field->setFixedWidth(unit.isEmpty() ? 84 : 124);
+    m_field->setFixedWidth(m_field->format().unit.isEmpty() ? 84 : 124);
     m_header->addWidget(m_field);
     m_slider->setRange(0, sliderSteps);
     m_slider->setPageStep(sliderSteps / 10);
     m_slider->setSingleStep(sliderSteps / 100);
     m_slider->setAccessibleName(caption);
-    m_slider->setFocusPolicy(Qt::StrongFocus);
     m_terms->setVariable(variable);
 
     auto* column = new QVBoxLayout(this);
@@ -47,14 +45,9 @@ LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString&
     column->addWidget(m_terms);
 
     connect(m_slider, &QSlider::valueChanged, this, &LinguisticSlider::takeSlider);
-    connect(m_slider, &QSlider::sliderReleased, this, &LinguisticSlider::editingFinished);
-    const auto takeOnce = [this](double value) {
-        setValue(value);
-        emit valueEdited(value);
-        emit editingFinished();
-    };
-    connect(m_field, &NumberField::valueEdited, this, takeOnce);
-    connect(m_terms, &TermScale::termPicked, this, takeOnce);
+    connect(m_slider, &ValueSlider::gestureFinished, this, &LinguisticSlider::editingFinished);
+    connect(m_field, &NumberField::valueEdited, this, &LinguisticSlider::takeOnce);
+    connect(m_terms, &TermScale::termPicked, this, &LinguisticSlider::takeOnce);
 }
 
 void LinguisticSlider::setValue(std::optional<double> value) {
@@ -78,11 +71,22 @@ QToolButton* LinguisticSlider::addHoldButton() {
 }
 
 void LinguisticSlider::takeSlider(int position) {
-    const double value =
-        m_variable.minimum + (m_variable.maximum - m_variable.minimum) * position / double(sliderSteps);
+    const double value = withinLimits(m_variable.minimum + (m_variable.maximum - m_variable.minimum) *
+                                                               position / double(sliderSteps));
     m_field->setValue(value);
     m_terms->setValue(value);
     emit valueEdited(value);
+}
+
+void LinguisticSlider::takeOnce(double value) {
+    const double taken = withinLimits(value);
+    setValue(taken);
+    emit valueEdited(taken);
+    emit editingFinished();
+}
+
+double LinguisticSlider::withinLimits(double value) const {
+    return std::clamp(value, m_field->format().minimum, m_field->format().maximum);
 }
 
 } // namespace esm

@@ -3,21 +3,22 @@
 #include "core/fuzzy/fuzzy_system.h"
 #include "widgets/fuzzy/term_scale.h"
 #include "widgets/inputs/number_field.h"
+#include "widgets/inputs/value_slider.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSlider>
 #include <QToolButton>
 
 namespace esm {
 
 /// A linguistic variable: its name, a number field with the unit, a slider over its range and its terms
-/// beneath.
+/// beneath. What is set lies in the range that may be typed.
 class LinguisticSlider : public QWidget {
     Q_OBJECT
 
 public:
-    LinguisticSlider(const FuzzyVariable& variable, const QString& caption, const QString& unit,
+    /// @param format unit and limits of the number; without a step, a hundredth of the variable's range
+    LinguisticSlider(const FuzzyVariable& variable, const QString& caption, NumberFormat format,
                      QWidget* parent = nullptr);
 
     /// Shows a value without announcing it. Without one the slider waits in the middle.
@@ -28,19 +29,21 @@ public:
     QToolButton* addHoldButton();
 
     NumberField* field() const { return m_field; }
-    QSlider* slider() const { return m_slider; }
+    ValueSlider* slider() const { return m_slider; }
 
 signals:
     void valueEdited(double value);
-    /// A drag ended, or a value was typed: what follows is another edit.
+    /// The slider came to rest, or a value was typed: what follows is another edit.
     void editingFinished();
 
 private:
     void takeSlider(int position);
+    void takeOnce(double value);
+    double withinLimits(double value) const;
 
     FuzzyVariable m_variable;
     NumberField* m_field;
-    QSlider* m_slider;
+    ValueSlider* m_slider;
     TermScale* m_terms;
     QHBoxLayout* m_header;
 };

@@ -2,8 +2,12 @@
 
 #include "widgets/inputs/number_text.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
+#include <QStyle>
 #include <QTimer>
+#include <QToolTip>
+#include <QVariant>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +19,7 @@ NumberField::NumberField(NumberFormat format, QWidget* parent)
     setAlignment(Qt::AlignRight);
     setObjectName(QStringLiteral("numberField"));
     connect(this, &QLineEdit::editingFinished, this, &NumberField::takeText);
+    connect(this, &QLineEdit::textEdited, this, [this] { setRefusal({}); });
     showValue();
 }
 
@@ -25,14 +30,23 @@ void NumberField::setValue(std::optional<double> value) {
     if (!(hasFocus() && isModified())) showValue();
 }
 
-void NumberField::setFormat(const NumberFormat& format) {
-    m_format = format;
-    showValue();
-}
-
 QSize NumberField::sizeHint() const {
     const int width = fontMetrics().horizontalAdvance(QStringLiteral("00000.00 ") + m_format.unit) + 18;
     return {width, QLineEdit::sizeHint().height()};
+}
+
+bool NumberField::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip && !m_refusal.isEmpty()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), m_refusal, this);
+        return true;
+    }
+    const bool handled = QLineEdit::event(event);
+    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        // Nothing was typed that could be undone here: the keys are the document's.
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) event->ignore();
+    }
+    return handled;
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
@@ -56,9 +70,14 @@ void NumberField::focusInEvent(QFocusEvent* event) {
 
 void NumberField::takeText() {
     if (!isModified()) return;
-    const auto typed = parseNumber(text());
-    const double value = typed ? *typed / m_format.shownPerValue : 0;
-    if (!typed || value < m_format.minimum || value > m_format.maximum) return showValue();
+    const auto typed = readNumber(text());
+    if (!typed) return refuse(tr("This is not a number."));
+    const auto ratio = typed->unit.isEmpty() ? std::optional(1.0) : unitRatio(typed->unit, m_format.unit);
+    if (!ratio && m_format.unit.isEmpty())
+        return refuse(tr("“%1” is not understood: the number has no unit.").arg(typed->unit));
+    if (!ratio) return refuse(tr("“%1” is not understood: the unit is %2.").arg(typed->unit, m_format.unit));
+    const double value = typed->number * *ratio / m_format.shownPerValue;
+    if (value < m_format.minimum || value > m_format.maximum) return refuse(rangeText());
     take(value);
 }
 
@@ -70,16 +89,43 @@ void NumberField::take(double value) {
     if (changed) emit valueEdited(value);
 }
 
+void NumberField::refuse(const QString& reason) {
+    setRefusal(reason);
+    if (!hasFocus()) return;
+    selectAll();
+    QToolTip::showText(mapToGlobal(QPoint(0, height())), reason, this);
+}
+
+void NumberField::setRefusal(const QString& reason) {
+    if (reason == m_refusal) return;
+    m_refusal = reason;
+    setProperty("refused", !reason.isEmpty());
+    style()->polish(this);
+    if (reason.isEmpty()) QToolTip::hideText();
+}
+
 void NumberField::showValue() {
+    setRefusal({});
     QString shown(QChar(0x2013));
     if (m_value) {
         const double number = *m_value * m_format.shownPerValue;
         shown = m_format.decimals < 0 ? numberText(number) : decimalText(number, m_format.decimals);
-        if (!m_format.unit.isEmpty()) shown += ' ' + m_format.unit;
+        if (m_format.showsUnit && !m_format.unit.isEmpty()) shown += ' ' + m_format.unit;
     }
     setText(shown);
     setCursorPosition(0);
     setModified(false);
+}
+
+QString NumberField::rangeText() const {
+    const auto bound = [this](double value) {
+        return QString::number(value * m_format.shownPerValue, 'g', 6).replace('-', QChar(0x2212));
+    };
+    const QString unit = m_format.unit.isEmpty() ? QString() : ' ' + m_format.unit;
+    if (m_format.maximum == std::numeric_limits<double>::max())
+        return tr("The value must be at least %1%2.").arg(bound(m_format.minimum), unit);
+    return tr("The value must lie between %1 and %2%3.")
+        .arg(bound(m_format.minimum), bound(m_format.maximum), unit);
 }
 
 } // namespace esm

@@ -10,6 +10,7 @@ namespace esm {
 /// How a quantity is shown and what may be typed.
 struct NumberFormat {
     QString unit;                                           ///< "mm"; may be empty
+    bool showsUnit = true;                                  ///< false where a caption names the unit
     double shownPerValue = 1;                               ///< 1000 for a length in m that is shown in mm
     int decimals = -1;                                      ///< fixed; below zero, four significant digits
     double minimum = std::numeric_limits<double>::lowest(); ///< of the value, not of what is shown
@@ -17,8 +18,10 @@ struct NumberFormat {
     double step = 0; ///< of the value, for the arrow keys; 0: a twentieth of the value
 };
 
-/// A right-aligned number with its unit. What is typed counts on Enter or when the field is left; Escape
-/// takes it back; the arrow keys step. What is no number, or lies out of range, is not taken.
+/// A right-aligned number with its unit. What is typed counts on Enter or when the field is left, in the
+/// field's unit or another of the same quantity ("5 cm"); Escape takes it back; the arrow keys step. What is
+/// no number, or lies out of range, is not taken: it stays to be corrected, marked, with the reason in the
+/// tool tip.
 class NumberField : public QLineEdit {
     Q_OBJECT
 
@@ -28,7 +31,9 @@ public:
     /// Shows a value without announcing it; none shows a dash.
     void setValue(std::optional<double> value);
     std::optional<double> value() const { return m_value; }
-    void setFormat(const NumberFormat& format);
+    const NumberFormat& format() const { return m_format; }
+    /// Why what stands in the field was not taken; empty when it was.
+    const QString& refusal() const { return m_refusal; }
 
     QSize sizeHint() const override;
 
@@ -36,16 +41,21 @@ signals:
     void valueEdited(double value);
 
 protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
 
 private:
     void takeText();
     void take(double value);
+    void refuse(const QString& reason);
+    void setRefusal(const QString& reason);
     void showValue();
+    QString rangeText() const;
 
     NumberFormat m_format;
     std::optional<double> m_value;
+    QString m_refusal;
 };
 
 } // namespace esm

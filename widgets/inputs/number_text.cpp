@@ -1,5 +1,6 @@
 #include "widgets/inputs/number_text.h"
 
+#include <QHash>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -11,6 +12,36 @@ namespace {
 
 QString withTrueMinus(QString text) {
     return text.replace('-', QChar(0x2212));
+}
+
+enum class Quantity { Length, Mass, SpringConstant, Viscosity, Angle };
+
+struct UnitSize {
+    Quantity quantity;
+    double size; ///< in SI units; an angle's in degrees
+};
+
+std::optional<UnitSize> siUnitOf(const QString& unit) {
+    static const QHash<QString, UnitSize> units{
+        {QStringLiteral("µm"), {Quantity::Length, 1e-6}},
+        {QStringLiteral("um"), {Quantity::Length, 1e-6}},
+        {QStringLiteral("mm"), {Quantity::Length, 1e-3}},
+        {QStringLiteral("cm"), {Quantity::Length, 1e-2}},
+        {QStringLiteral("m"), {Quantity::Length, 1}},
+        {QStringLiteral("mg"), {Quantity::Mass, 1e-6}},
+        {QStringLiteral("g"), {Quantity::Mass, 1e-3}},
+        {QStringLiteral("kg"), {Quantity::Mass, 1}},
+        {QStringLiteral("N/m"), {Quantity::SpringConstant, 1}},
+        {QStringLiteral("mN/m"), {Quantity::SpringConstant, 1e-3}},
+        {QStringLiteral("N/mm"), {Quantity::SpringConstant, 1e3}},
+        {QStringLiteral("N·s/m"), {Quantity::Viscosity, 1}},
+        {QStringLiteral("Ns/m"), {Quantity::Viscosity, 1}},
+        {QStringLiteral("N*s/m"), {Quantity::Viscosity, 1}},
+        {QStringLiteral("°"), {Quantity::Angle, 1}},
+        {QStringLiteral("deg"), {Quantity::Angle, 1}},
+    };
+    const auto found = units.constFind(unit);
+    return found != units.constEnd() ? std::optional(*found) : std::nullopt;
 }
 
 } // namespace
@@ -27,7 +58,7 @@ QString numberText(double value, int significantDigits) {
     if (value == 0) return QStringLiteral("0");
     const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
     if (exponent < -4 || exponent > 6)
-        return withTrueMinus(QString::number(value, 'e', significantDigits - 2));
+        return withTrueMinus(QString::number(value, 'e', significantDigits - 1));
     return decimalText(value, std::clamp(significantDigits - 1 - exponent, 0, 8));
 }
 
@@ -39,16 +70,25 @@ QString decimalText(double value, int decimals) {
     return withTrueMinus(QString::number(value, 'f', decimals));
 }
 
-std::optional<double> parseNumber(const QString& text) {
-    static const QRegularExpression number(
-        QStringLiteral("^\\s*([-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?)"));
+std::optional<TypedNumber> readNumber(const QString& text) {
+    static const QRegularExpression pattern(QStringLiteral(
+        "^\\s*([-+]?(?:\\d{1,3}(?:[ \\x{00a0}\\x{2009}\\x{202f}]\\d{3})+(?!\\d)|\\d+|(?=\\.\\d))"
+        "(?:\\.\\d*)?(?:[eE][-+]?\\d+)?)(.*)$"));
     QString plain = text;
-    plain.replace(QChar(0x2212), '-').replace(',', '.').remove(QChar(0x2009));
-    const auto match = number.match(plain);
+    const auto match = pattern.match(plain.replace(QChar(0x2212), '-').replace(',', '.'));
     if (!match.hasMatch()) return std::nullopt;
+    const QString digits = match.captured(1).simplified().remove(' ');
     bool valid = false;
-    const double value = match.captured(1).toDouble(&valid);
-    return valid && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    const double number = digits.toDouble(&valid);
+    if (!valid || !std::isfinite(number)) return std::nullopt;
+    return TypedNumber{number, match.captured(2).trimmed()};
+}
+
+std::optional<double> unitRatio(const QString& from, const QString& to) {
+    if (from == to) return 1.0;
+    const auto source = siUnitOf(from), target = siUnitOf(to);
+    if (!source || !target || source->quantity != target->quantity) return std::nullopt;
+    return source->size / target->size;
 }
 
 } // namespace esm

@@ -2,6 +2,8 @@
 
 #include "app/editor/commands/attempt.h"
 #include "app/editor/commands/long_work.h"
+#include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 
 namespace esm {
@@ -10,7 +12,7 @@ AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
     : Section(tr("Atlas"), parent), m_document(document), m_size(new QComboBox(this)) {
     for (const int size : {512, 1024, 2048, 4096, 8192})
         m_size->addItem(tr("%1 × %1").arg(size), size);
-    m_size->setToolTip(tr("Size of the texture in pixels"));
+    guardFromWheel(*m_size);
     m_size->setObjectName(QStringLiteral("atlasSize"));
     auto* rows = new ValueRows(this);
     rows->addField(tr("Si&ze"), m_size);
@@ -30,10 +32,11 @@ AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
 
 void AtlasPanel::show() {
     const Project& project = m_document.project();
-    m_size->setCurrentIndex(m_size->findData(project.texture.atlas.size));
-    m_size->setEnabled(!project.mesh->triangles.empty());
-    if (project.mesh->triangles.empty())
-        m_size->setToolTip(tr("This model has no surface to lay a texture on"));
+    const int size = project.texture.atlas.size;
+    if (m_size->findData(size) < 0) m_size->addItem(tr("%1 × %1").arg(size), size);
+    m_size->setCurrentIndex(m_size->findData(size));
+    enable(m_size, !project.mesh->triangles.empty(), tr("Size of the texture in pixels"),
+           tr("This model has no surface to lay a texture on"));
     const Atlas* atlas = project.atlas.get();
     m_used->setText(atlas ? tr("%1 %").arg(qRound(atlas->utilisation * 100)) : tr("not packed"));
     m_texel->setText(atlas ? tr("%1 mm").arg(numberText(1000 / atlas->texelsPerMetre, 2))
@@ -41,6 +44,7 @@ void AtlasPanel::show() {
 }
 
 void AtlasPanel::pack(int size) {
+    if (size == m_document.project().texture.atlas.size && m_document.project().atlas) return;
     AtlasOptions options = m_document.project().texture.atlas;
     options.size = size;
     const auto mesh = m_document.project().mesh;

@@ -1,39 +1,18 @@
 #include "app/editor/panels/ellipsoid_panel.h"
 
 #include "app/editor/commands/angles.h"
+#include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quantity_formats.h"
 
 namespace esm {
-
-namespace {
-
-NumberFormat lengthFormat(double minimum) {
-    NumberFormat format;
-    format.shownPerValue = 1000;
-    format.decimals = 1;
-    format.minimum = minimum;
-    format.maximum = 1000;
-    format.step = 0.001;
-    return format;
-}
-
-NumberFormat angleFormat() {
-    NumberFormat format;
-    format.decimals = 0;
-    format.minimum = -360;
-    format.maximum = 360;
-    format.step = 1;
-    return format;
-}
-
-} // namespace
 
 EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget* parent)
     : Section(tr("Ellipsoid"), parent), m_document(document), m_selection(selection) {
     auto* rows = new ValueRows(this);
-    m_centre = new VectorField(lengthFormat(-1000), this);
-    m_radii = new VectorField(lengthFormat(1e-5), this);
-    m_turned = new VectorField(angleFormat(), this);
+    m_centre = new VectorField(withoutUnit(lengthFormat(-1000)), this);
+    m_radii = new VectorField(withoutUnit(lengthFormat(smallestLength)), this);
+    m_turned = new VectorField(withoutUnit(angleFormat()), this);
     rows->addField(tr("Centre, mm"), m_centre);
     rows->addField(tr("Radii, mm"), m_radii);
     rows->addField(tr("Turned, °"), m_turned);
@@ -53,8 +32,15 @@ EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget
              [&](Ellipsoid& ellipsoid) { ellipsoid.orientation = Eigen::Quaterniond(rotationOf(degrees)); });
     });
     connect(&selection, &Selection::changed, this, &EllipsoidPanel::show);
-    connect(&document, &Document::changed, this, &EllipsoidPanel::show);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.mesh || change.regions) show();
+    });
     show();
+}
+
+void EllipsoidPanel::showEvent(QShowEvent* event) {
+    Section::showEvent(event);
+    showInside();
 }
 
 void EllipsoidPanel::show() {
@@ -62,22 +48,26 @@ void EllipsoidPanel::show() {
     const auto selected = m_selection.region();
     const Ellipsoid* ellipsoid =
         selected && project.regions[*selected].ellipsoid ? &*project.regions[*selected].ellipsoid : nullptr;
-    for (QWidget* field : {m_centre, m_radii, m_turned}) {
-        field->setEnabled(ellipsoid);
-        field->setToolTip(ellipsoid ? tr("x, y, z")
-                                    : tr("The whole organ has no ellipsoid: select or add a region"));
-    }
-    if (!ellipsoid) {
-        for (VectorField* field : {m_centre, m_radii, m_turned})
-            field->setValue(std::nullopt);
+    const QString none = tr("The whole organ has no ellipsoid: select or add a region");
+    enable(m_centre, ellipsoid, tr("x, y, z"), none);
+    enable(m_radii, ellipsoid, tr("Along the ellipsoid's own x, y, z"), none);
+    enable(m_turned, ellipsoid, turnedToolTip(), none);
+    using Vector = std::optional<Eigen::Vector3d>;
+    m_centre->setValue(ellipsoid ? Vector(ellipsoid->centre) : Vector());
+    m_radii->setValue(ellipsoid ? Vector(ellipsoid->radii) : Vector());
+    m_turned->setValue(ellipsoid ? Vector(degreesOf(ellipsoid->orientation.toRotationMatrix())) : Vector());
+    if (isVisible()) showInside();
+}
+
+void EllipsoidPanel::showInside() {
+    const Project& project = m_document.project();
+    const auto selected = m_selection.region();
+    if (selected && project.regions[*selected].ellipsoid) {
+        const RegionCounts::Count& inside = m_counts.of(project, *selected);
+        m_inside->setText(tr("%1 nodes, %2 springs").arg(countText(inside.nodes), countText(inside.springs)));
+    } else {
         m_inside->setText(tr("all nodes"));
-        return;
     }
-    m_centre->setValue(ellipsoid->centre);
-    m_radii->setValue(ellipsoid->radii);
-    m_turned->setValue(degreesOf(ellipsoid->orientation.toRotationMatrix()));
-    const RegionResult result = evaluateRegion(project, project.regions[*selected]);
-    m_inside->setText(tr("%1 nodes, %2 springs").arg(countText(result.nodes), countText(result.springs)));
     m_inside->setToolTip(m_inside->text());
 }
 

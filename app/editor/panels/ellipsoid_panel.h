@@ -2,6 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/panels/region_counts.h"
 #include "widgets/inputs/section.h"
 #include "widgets/inputs/vector_field.h"
 
@@ -14,14 +15,20 @@ class EllipsoidPanel : public Section {
 public:
     EllipsoidPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void show();
+    /// Counting takes a moment: only while it is seen.
+    void showInside();
     void edit(const QString& text, const std::function<void(Ellipsoid&)>& change);
 
     Document& m_document;
     Selection& m_selection;
     VectorField *m_centre, *m_radii, *m_turned;
     QLabel* m_inside;
+    RegionCounts m_counts;
 };
 
 } // namespace esm

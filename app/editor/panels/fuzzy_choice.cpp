@@ -3,13 +3,27 @@
 #include "app/editor/commands/attempt.h"
 #include "core/exchange/fuzzy_file.h"
 
+#include <nlohmann/json.hpp>
 #include <QFileDialog>
+#include <QWheelEvent>
+
+#include <algorithm>
 
 namespace esm {
 
 namespace {
 
 enum Kind { NoSystem, Preset, FromFile, InUse };
+
+bool isPreset(const std::string& name) {
+    const auto names = fuzzyPresetNames();
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A file may name its system as a preset is named: only what it says tells them apart.
+bool isThePreset(const FuzzySystem& system) {
+    return isPreset(system.name) && toJson(system) == toJson(fuzzyPreset(system.name));
+}
 
 } // namespace
 
@@ -18,42 +32,47 @@ FuzzyChoice::FuzzyChoice(QWidget* parent) : QComboBox(parent) {
     setAccessibleName(tr("Fuzzy system"));
     setToolTip(tr("The fuzzy system that turns words into tissue parameters"));
     setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    setFocusPolicy(Qt::StrongFocus);
     connect(this, qOverload<int>(&QComboBox::activated), this, &FuzzyChoice::choose);
-    setSystem(nullptr);
+    fill();
 }
 
 void FuzzyChoice::setSystem(const std::shared_ptr<const FuzzySystem>& system) {
+    if (system == m_system) return;
     m_system = system;
+    fill();
+}
+
+void FuzzyChoice::fill() {
     clear();
     addItem(tr("no fuzzy system"), NoSystem);
     for (const auto& name : fuzzyPresetNames())
         addItem(QString::fromStdString(name), Preset);
-    if (system) {
-        const QString name = QString::fromStdString(system->name);
-        int index = findText(name, Qt::MatchFixedString);
-        if (index < 0) {
-            addItem(name, InUse);
-            index = count() - 1;
+    if (m_system) {
+        const QString name = QString::fromStdString(m_system->name);
+        if (isThePreset(*m_system)) {
+            setCurrentIndex(findText(name));
+        } else {
+            addItem(isPreset(m_system->name) ? tr("%1 (from file)").arg(name) : name, InUse);
+            setCurrentIndex(count() - 1);
         }
-        setCurrentIndex(index);
     }
     insertSeparator(count());
     addItem(tr("From file…"), FromFile);
 }
 
+void FuzzyChoice::wheelEvent(QWheelEvent* event) {
+    event->ignore();
+}
+
 void FuzzyChoice::choose(int index) {
     switch (itemData(index).toInt()) {
     case NoSystem:
-        emit systemChosen(nullptr);
+        if (m_system) emit systemChosen(nullptr);
         break;
-    case Preset: {
-        const std::string name = itemText(index).toStdString();
-        // The same system again would only put its sliders back.
-        if (m_system && m_system->name == name) break;
-        attempt(window(), tr("The fuzzy system cannot be used"),
-                [&] { emit systemChosen(std::make_shared<const FuzzySystem>(fuzzyPreset(name))); });
+    case Preset:
+        choosePreset(itemText(index).toStdString());
         break;
-    }
     case FromFile:
         chooseFile();
         break;
@@ -62,11 +81,17 @@ void FuzzyChoice::choose(int index) {
     }
 }
 
+void FuzzyChoice::choosePreset(const std::string& name) {
+    // The same system again would only put its sliders back.
+    if (m_system && m_system->name == name && isThePreset(*m_system)) return;
+    attempt(window(), tr("The fuzzy system cannot be used"),
+            [&] { emit systemChosen(std::make_shared<const FuzzySystem>(fuzzyPreset(name))); });
+}
+
 void FuzzyChoice::chooseFile() {
-    const auto shown = m_system;
     const QString file =
         QFileDialog::getOpenFileName(window(), tr("Open fuzzy system"), {}, tr("Fuzzy systems (*.json)"));
-    setSystem(shown);
+    fill();
     if (file.isEmpty()) return;
     attempt(window(), tr("The fuzzy system cannot be opened"), [&] {
         emit systemChosen(std::make_shared<const FuzzySystem>(readFuzzyFile(file.toStdString())));

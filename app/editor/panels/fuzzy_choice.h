@@ -8,7 +8,8 @@
 
 namespace esm {
 
-/// Chooses a fuzzy system: none, one that ships with the program, or one from a file.
+/// Chooses a fuzzy system: none, one that ships with the program, or one from a file. One from a file is not
+/// taken for the shipped one whose name it bears.
 class FuzzyChoice : public QComboBox {
     Q_OBJECT
 
@@ -21,8 +22,14 @@ public:
 signals:
     void systemChosen(const std::shared_ptr<const esm::FuzzySystem>& system);
 
+protected:
+    /// The wheel scrolls the panel: turning through the systems would lose what was set for each.
+    void wheelEvent(QWheelEvent* event) override;
+
 private:
+    void fill();
     void choose(int index);
+    void choosePreset(const std::string& name);
     void chooseFile();
 
     std::shared_ptr<const FuzzySystem> m_system;

@@ -1,18 +1,14 @@
 #include "app/editor/panels/model_panel.h"
 
+#include "app/editor/panels/parameter_row.h"
 #include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quantity_formats.h"
+
+#include <numeric>
 
 namespace esm {
 
 namespace {
-
-NumberFormat massFormat() {
-    NumberFormat format;
-    format.unit = QStringLiteral("kg");
-    format.minimum = 1e-9;
-    format.maximum = 1e4;
-    return format;
-}
 
 /// Three lengths in mm with as many decimals as the largest needs to be read, at most one.
 QString millimetres(const Eigen::Vector3d& metres, const QString& between) {
@@ -26,21 +22,24 @@ QString millimetres(const Eigen::Vector3d& metres, const QString& between) {
 } // namespace
 
 ModelPanel::ModelPanel(Document& document, QWidget* parent)
-    : Section(tr("Model"), parent), m_document(document), m_mass(new NumberField(massFormat(), this)) {
+    : Section(tr("Model"), parent), m_document(document), m_baseMass(new NumberField(massFormat(), this)) {
     auto* rows = new ValueRows(this);
     m_nodes = rows->addText(tr("Nodes"), QStringLiteral("nodeCount"));
     m_springs = rows->addText(tr("Springs"), QStringLiteral("springCount"));
     m_size = rows->addText(tr("Size"), QStringLiteral("modelSize"));
     m_centre = rows->addText(tr("Centre"), QStringLiteral("modelCentre"));
     m_fixed = rows->addText(tr("Fixed nodes"), QStringLiteral("fixedCount"));
-    rows->addField(tr("M&ass"), m_mass);
-    m_mass->setAccessibleName(tr("Total mass"));
-    m_mass->setToolTip(tr("Total mass, spread evenly over the nodes"));
+    m_totalMass = rows->addText(tr("Total mass"), QStringLiteral("totalMass"));
+    rows->addField(tr("B&ase mass"), m_baseMass);
+    m_totalMass->setToolTip(tr("Mass of all nodes, with what the regions set"));
+    m_baseMass->setAccessibleName(tr("Base mass"));
+    m_baseMass->setToolTip(tr("Spread evenly over the nodes, before the regions set theirs"));
     m_fixed->setToolTip(tr("Nodes held in space. Model → Fix nodes in region adds some."));
     body()->addWidget(rows);
 
-    connect(m_mass, &NumberField::valueEdited, this, [this](double mass) {
-        m_document.edit(tr("Change mass"), [mass](Project& project) { project.base.mass = mass; });
+    connect(m_baseMass, &NumberField::valueEdited, this, [this](double mass) {
+        m_document.edit(tr("Set %1").arg(parameterName(Parameter::Mass, Extent::Base)),
+                        [mass](Project& project) { project.base.mass = mass; });
     });
     connect(&document, &Document::changed, this, &ModelPanel::show);
     show(Change::everything());
@@ -48,9 +47,23 @@ ModelPanel::ModelPanel(Document& document, QWidget* parent)
 
 void ModelPanel::show(const Change& change) {
     if (change.mesh) showMesh();
-    if (change.tissue || change.mesh) m_mass->setValue(m_document.project().base.mass);
-    if (change.scene || change.mesh)
-        m_fixed->setText(countText(evaluateModel(m_document.project()).fixedNodes.size()));
+    if (change.tissue || change.mesh) m_baseMass->setValue(m_document.project().base.mass);
+    if (!change.model()) return;
+    m_evaluated = false;
+    if (isVisible()) showEvaluated();
+}
+
+void ModelPanel::showEvent(QShowEvent* event) {
+    Section::showEvent(event);
+    if (!m_evaluated) showEvaluated();
+}
+
+void ModelPanel::showEvaluated() {
+    const TissueModel model = evaluateModel(m_document.project());
+    const double mass = std::accumulate(model.mass.begin(), model.mass.end(), 0.0);
+    m_totalMass->setText(tr("%1 kg").arg(numberText(mass)));
+    m_fixed->setText(countText(model.fixedNodes.size()));
+    m_evaluated = true;
 }
 
 void ModelPanel::showMesh() {

@@ -13,13 +13,19 @@ class ModelPanel : public Section {
 public:
     explicit ModelPanel(Document& document, QWidget* parent = nullptr);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void show(const Change& change);
     void showMesh();
+    /// What takes an evaluation of the model: only while it is seen.
+    void showEvaluated();
 
     Document& m_document;
-    QLabel *m_nodes, *m_springs, *m_size, *m_centre, *m_fixed;
-    NumberField* m_mass;
+    QLabel *m_nodes, *m_springs, *m_size, *m_centre, *m_fixed, *m_totalMass;
+    NumberField* m_baseMass;
+    bool m_evaluated = false;
 };
 
 } // namespace esm

@@ -1,51 +1,39 @@
 #include "app/editor/panels/parameter_row.h"
 
+#include "widgets/inputs/quantity_formats.h"
+
 #include <QHBoxLayout>
-#include <QSignalBlocker>
 
 namespace esm {
 
-namespace {
-
-NumberFormat formatOf(Parameter parameter) {
-    NumberFormat format;
-    format.unit = parameterUnit(parameter);
-    format.minimum = parameter == Parameter::Mass ? 1e-9 : 0;
-    format.maximum = 1e9;
-    return format;
-}
-
-} // namespace
-
-QString parameterName(Parameter parameter) {
+QString parameterName(Parameter parameter, Extent extent) {
     switch (parameter) {
     case Parameter::SpringConstant:
         return QObject::tr("spring constant");
     case Parameter::Viscosity:
         return QObject::tr("viscosity");
     default:
-        return QObject::tr("mass");
+        return extent == Extent::Base ? QObject::tr("base mass") : QObject::tr("region mass");
     }
 }
 
-QString parameterUnit(Parameter parameter) {
-    switch (parameter) {
-    case Parameter::SpringConstant:
-        return QStringLiteral("N/m");
-    case Parameter::Viscosity:
-        return QStringLiteral("N·s/m");
-    default:
-        return QStringLiteral("kg");
-    }
+NumberFormat parameterFormat(Parameter parameter) {
+    if (parameter == Parameter::Mass) return massFormat();
+    NumberFormat format;
+    format.unit = parameter == Parameter::SpringConstant ? QStringLiteral("N/m") : QStringLiteral("N·s/m");
+    format.minimum = 0;
+    format.maximum = 1e9;
+    return format;
 }
 
-ParameterRow::ParameterRow(Parameter parameter, bool canHold, QWidget* parent)
-    : QWidget(parent), m_field(new NumberField(formatOf(parameter), this)), m_note(new QLabel(this)) {
-    auto* name = new QLabel(parameterName(parameter), this);
+ParameterRow::ParameterRow(Parameter parameter, Extent extent, QWidget* parent)
+    : QWidget(parent), m_field(new NumberField(parameterFormat(parameter), this)), m_note(new QLabel(this)) {
+    const QString caption = parameterName(parameter, extent);
+    auto* name = new QLabel(caption, this);
     name->setProperty("strong", true);
     name->setBuddy(m_field);
     m_note->setProperty("quiet", true);
-    m_field->setAccessibleName(parameterName(parameter));
+    m_field->setAccessibleName(caption);
     m_field->setFixedWidth(124);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -53,7 +41,7 @@ ParameterRow::ParameterRow(Parameter parameter, bool canHold, QWidget* parent)
     row->addWidget(name);
     row->addWidget(m_note, 1, Qt::AlignRight);
     connect(m_field, &NumberField::valueEdited, this, &ParameterRow::valueEdited);
-    if (canHold) {
+    if (extent == Extent::Region) {
         m_hold = new QToolButton(this);
         m_hold->setText(tr("hold"));
         m_hold->setCheckable(true);

@@ -8,16 +8,20 @@
 
 namespace esm {
 
-/// Caption, unit and limits of a tissue parameter.
-QString parameterName(Parameter parameter);
-QString parameterUnit(Parameter parameter);
+/// Whose tissue a parameter speaks of: the organ's before any region, or a region's.
+enum class Extent { Base, Region };
+
+QString parameterName(Parameter parameter, Extent extent);
+/// Unit and limits of a tissue parameter.
+NumberFormat parameterFormat(Parameter parameter);
 
 /// A tissue parameter without a linguistic variable: its name, a number, and whether it is held.
 class ParameterRow : public QWidget {
     Q_OBJECT
 
 public:
-    ParameterRow(Parameter parameter, bool canHold, QWidget* parent = nullptr);
+    /// A region's parameter can be held or let go; the base tissue always has a value.
+    ParameterRow(Parameter parameter, Extent extent, QWidget* parent = nullptr);
 
     /// A value that is set by hand; none shows that the tissue beneath keeps its own.
     void setValue(std::optional<double> value);

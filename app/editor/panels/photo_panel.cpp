@@ -1,5 +1,7 @@
 #include "app/editor/panels/photo_panel.h"
 
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/quantity_formats.h"
 #include "widgets/texture/image_conversion.h"
 
 #include <QSignalBlocker>
@@ -10,43 +12,29 @@ namespace {
 
 constexpr int pictureHeight = 150;
 
-NumberFormat percentFormat() {
-    NumberFormat format;
-    format.unit = QStringLiteral("%");
-    format.shownPerValue = 100;
-    format.decimals = 0;
-    format.minimum = 0;
-    format.maximum = 1;
-    format.step = 0.05;
-    return format;
-}
-
-NumberFormat pixelFormat() {
-    NumberFormat format;
-    format.unit = QStringLiteral("px");
-    format.decimals = 0;
-    format.minimum = 0;
-    format.maximum = 10000;
-    format.step = 1;
-    return format;
-}
-
 } // namespace
 
 PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent)
     : Section(tr("Photo"), parent), m_document(document), m_selection(selection), m_picture(new QLabel(this)),
       m_visible(new QCheckBox(tr("&Visible"), this)),
-      m_occlusion(new QCheckBox(tr("Only what the projector &sees"), this)),
-      m_opacity(new QSlider(Qt::Horizontal, this)), m_opacityField(new NumberField(percentFormat(), this)),
-      m_blend(new NumberField(pixelFormat(), this)) {
+      m_occlusion(new QCheckBox(tr("Only what the projector &sees"), this)), m_opacity(new ValueSlider(this)),
+      m_opacityField(new NumberField(shareFormat(), this)), m_blend(new NumberField(pixelFormat(), this)) {
+    layOut();
+    connectControls();
+    connect(&selection, &Selection::changed, this, &PhotoPanel::show);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.photos) show();
+    });
+    show();
+}
+
+void PhotoPanel::layOut() {
     m_picture->setFixedHeight(pictureHeight);
     m_picture->setAlignment(Qt::AlignCenter);
     m_picture->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_opacity->setRange(0, 100);
     m_opacity->setObjectName(QStringLiteral("opacitySlider"));
     m_opacity->setAccessibleName(tr("Opacity"));
-    m_blend->setToolTip(tr("Photo pixels from the border over which the photo fades in"));
-    m_occlusion->setToolTip(tr("Leave out what faces away from the projector or lies behind other tissue"));
     auto* rows = new ValueRows(this);
     rows->addField(tr("&Opacity"), m_opacityField);
     body()->addWidget(m_picture);
@@ -57,15 +45,15 @@ PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent
     body()->addWidget(blendRow);
     body()->addWidget(m_visible);
     body()->addWidget(m_occlusion);
+}
 
-    const auto setOpacity = [this](double opacity) {
-        edit(
-            tr("Set opacity"), [=](PhotoLayer& layer) { layer.opacity = opacity; },
-            QStringLiteral("opacity"));
-    };
-    connect(m_opacity, &QSlider::valueChanged, this, [=](int percent) { setOpacity(percent / 100.0); });
-    connect(m_opacity, &QSlider::sliderReleased, this, [this] { m_document.finishGesture(); });
-    connect(m_opacityField, &NumberField::valueEdited, this, setOpacity);
+void PhotoPanel::connectControls() {
+    connect(m_opacity, &QSlider::valueChanged, this, [this](int percent) { setOpacity(percent / 100.0); });
+    connect(m_opacity, &ValueSlider::gestureFinished, this, [this] { m_document.finishGesture(); });
+    connect(m_opacityField, &NumberField::valueEdited, this, [this](double opacity) {
+        setOpacity(opacity);
+        m_document.finishGesture();
+    });
     connect(m_blend, &NumberField::valueEdited, this, [this](double pixels) {
         edit(tr("Set blending"), [=](PhotoLayer& layer) { layer.blendPixels = pixels; });
     });
@@ -76,20 +64,13 @@ PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent
         edit(tr("Set what the projector reaches"),
              [=](PhotoLayer& layer) { layer.projector.occlusion = on; });
     });
-    connect(&selection, &Selection::changed, this, &PhotoPanel::show);
-    connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.photos) show();
-    });
-    show();
 }
 
 void PhotoPanel::show() {
     const auto selected = m_selection.photo();
     const PhotoLayer* layer = selected ? &m_document.project().photos[*selected] : nullptr;
     setTitle(layer ? tr("Photo · %1").arg(QString::fromStdString(layer->name)) : tr("Photo"));
-    for (QWidget* control :
-         std::initializer_list<QWidget*>{m_visible, m_occlusion, m_opacity, m_opacityField, m_blend})
-        control->setEnabled(layer);
+    showUse(layer);
     showPicture(layer ? layer->photo : nullptr);
     const QSignalBlocker quiet(m_opacity);
     m_opacityField->setValue(layer ? std::optional(layer->opacity) : std::nullopt);
@@ -99,11 +80,23 @@ void PhotoPanel::show() {
     m_occlusion->setChecked(layer && layer->projector.occlusion);
 }
 
+void PhotoPanel::showUse(bool hasPhoto) {
+    const QString why = tr("No photo is selected");
+    const QString opacity = tr("How much of what lies beneath the photo hides");
+    enable(m_visible, hasPhoto, tr("Whether the photo is part of the texture"), why);
+    enable(m_occlusion, hasPhoto,
+           tr("Leave out what faces away from the projector or lies behind other tissue"), why);
+    enable(m_opacity, hasPhoto, opacity, why);
+    enable(m_opacityField, hasPhoto, opacity, why);
+    enable(m_blend, hasPhoto, tr("Photo pixels from the border over which the photo fades in"), why);
+}
+
 void PhotoPanel::showPicture(const std::shared_ptr<const Photo>& photo) {
     if (photo && photo == m_shown) return;
     m_shown = photo;
     if (!photo) {
         m_picture->setText(tr("Select or add a photo"));
+        m_picture->setToolTip({});
         return;
     }
     const QImage picture = toQImage(photo->image);
@@ -115,12 +108,17 @@ void PhotoPanel::showPicture(const std::shared_ptr<const Photo>& photo) {
                               .arg(photo->image.height));
 }
 
-void PhotoPanel::edit(const QString& text, const std::function<void(PhotoLayer&)>& change,
-                      const QString& mergeKey) {
+void PhotoPanel::setOpacity(double opacity) {
     const auto selected = m_selection.photo();
-    if (selected)
-        m_document.edit(
-            text, [&](Project& project) { change(project.photos[*selected]); }, mergeKey);
+    if (!selected) return;
+    m_document.edit(
+        tr("Set opacity"), [&](Project& project) { project.photos[*selected].opacity = opacity; },
+        QStringLiteral("opacity %1").arg(*selected));
+}
+
+void PhotoPanel::edit(const QString& text, const std::function<void(PhotoLayer&)>& change) {
+    const auto selected = m_selection.photo();
+    if (selected) m_document.edit(text, [&](Project& project) { change(project.photos[*selected]); });
 }
 
 } // namespace esm

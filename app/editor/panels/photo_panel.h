@@ -4,9 +4,9 @@
 #include "app/editor/document/selection.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/section.h"
+#include "widgets/inputs/value_slider.h"
 
 #include <QCheckBox>
-#include <QSlider>
 
 namespace esm {
 
@@ -18,16 +18,19 @@ public:
     PhotoPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
 
 private:
+    void layOut();
+    void connectControls();
     void show();
-    void edit(const QString& text, const std::function<void(PhotoLayer&)>& change,
-              const QString& mergeKey = {});
+    void showUse(bool hasPhoto);
+    void setOpacity(double opacity);
+    void edit(const QString& text, const std::function<void(PhotoLayer&)>& change);
     void showPicture(const std::shared_ptr<const Photo>& photo);
 
     Document& m_document;
     Selection& m_selection;
     QLabel* m_picture;
     QCheckBox *m_visible, *m_occlusion;
-    QSlider* m_opacity;
+    ValueSlider* m_opacity;
     NumberField *m_opacityField, *m_blend;
     std::shared_ptr<const Photo> m_shown;
 };

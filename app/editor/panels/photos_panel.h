@@ -2,35 +2,35 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
-#include "widgets/inputs/item_list.h"
-#include "widgets/inputs/section.h"
+#include "app/editor/panels/layers_panel.h"
 
 #include <map>
 
 namespace esm {
 
 /// The photos on the organ, the topmost first.
-class PhotosPanel : public Section {
+class PhotosPanel : public LayersPanel {
     Q_OBJECT
 
 public:
     PhotosPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
 
-signals:
-    void addRequested();
+protected:
+    void show() override;
+    std::size_t layerCount() const override { return m_document.project().photos.size(); }
+    std::optional<std::size_t> selectedLayer() const override { return m_selection.photo(); }
+    void selectLayer(std::optional<std::size_t> layer) override { m_selection.setPhoto(layer); }
+    bool canMoveLayer(std::size_t layer, int above) const override;
+    void moveLayer(std::size_t layer, int above) override;
+    void removeLayer(std::size_t layer) override;
+    void renameLayer(std::size_t layer, const std::string& name) override;
 
 private:
-    void show();
-    void move(int above);
-    void removeSelected();
-    void rename(int row, const QString& name);
-    std::optional<std::size_t> photoOfRow(int row) const;
+    Obstacles obstacles() const;
     QPixmap picture(const std::shared_ptr<const Photo>& photo);
 
     Document& m_document;
     Selection& m_selection;
-    ItemList* m_list;
-    QToolButton *m_up, *m_down, *m_remove;
     std::map<std::shared_ptr<const Photo>, QPixmap> m_pictures; ///< made once per photo
 };
 

@@ -1,39 +1,17 @@
 #include "app/editor/panels/projector_panel.h"
 
 #include "app/editor/commands/angles.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/quantity_formats.h"
 
 namespace esm {
 
-namespace {
-
-NumberFormat millimetreFormat(double minimum, const QString& unit) {
-    NumberFormat format;
-    format.unit = unit;
-    format.shownPerValue = 1000;
-    format.decimals = 1;
-    format.minimum = minimum;
-    format.maximum = 1000;
-    format.step = 0.001;
-    return format;
-}
-
-NumberFormat degreeFormat() {
-    NumberFormat format;
-    format.decimals = 0;
-    format.minimum = -360;
-    format.maximum = 360;
-    format.step = 1;
-    return format;
-}
-
-} // namespace
-
 ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget* parent)
     : Section(tr("Projector"), parent), m_document(document), m_selection(selection),
-      m_width(new NumberField(millimetreFormat(1e-5, QStringLiteral("mm")), this)),
-      m_height(new NumberField(millimetreFormat(1e-5, QStringLiteral("mm")), this)),
-      m_position(new VectorField(millimetreFormat(-1000, {}), this)),
-      m_turned(new VectorField(degreeFormat(), this)),
+      m_width(new NumberField(lengthFormat(smallestLength), this)),
+      m_height(new NumberField(lengthFormat(smallestLength), this)),
+      m_position(new VectorField(withoutUnit(lengthFormat(-1000)), this)),
+      m_turned(new VectorField(withoutUnit(angleFormat()), this)),
       m_fromCamera(new QPushButton(tr("From &camera"), this)) {
     auto* rows = new ValueRows(this);
     rows->addField(tr("Width"), m_width);
@@ -57,7 +35,6 @@ ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget
         edit(tr("Turn projector"),
              [&](Projector& projector) { projector.pose.linear() = rotationOf(degrees); });
     });
-    connect(m_fromCamera, &QPushButton::clicked, this, &ProjectorPanel::fromCameraRequested);
     connect(&selection, &Selection::changed, this, &ProjectorPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.photos) show();
@@ -69,17 +46,19 @@ void ProjectorPanel::show() {
     const auto selected = m_selection.photo();
     const Projector* projector = selected ? &m_document.project().photos[*selected].projector : nullptr;
     const QString why = tr("No photo is selected");
-    for (QWidget* field :
-         std::initializer_list<QWidget*>{m_width, m_height, m_position, m_turned, m_fromCamera}) {
-        field->setEnabled(projector);
-        field->setToolTip(projector ? QString() : why);
-    }
-    if (projector) m_fromCamera->setToolTip(tr("Throw the photo from where you look (C)"));
+    enable(m_width, projector, tr("Width of the thrown photo"), why);
+    enable(m_height, projector, tr("Height of the thrown photo"), why);
+    enable(m_position, projector, tr("x, y, z"), why);
+    enable(m_turned, projector, turnedToolTip(), why);
     m_width->setValue(projector ? std::optional(projector->width) : std::nullopt);
     m_height->setValue(projector ? std::optional(projector->height) : std::nullopt);
     using Vector = std::optional<Eigen::Vector3d>;
     m_position->setValue(projector ? Vector(projector->pose.translation()) : Vector());
     m_turned->setValue(projector ? Vector(degreesOf(projector->pose.linear())) : Vector());
+}
+
+void ProjectorPanel::setFromCameraAction(QAction* action) {
+    follow(m_fromCamera, action);
 }
 
 void ProjectorPanel::edit(const QString& text, const std::function<void(Projector&)>& change) {

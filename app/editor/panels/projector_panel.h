@@ -16,9 +16,8 @@ class ProjectorPanel : public Section {
 public:
     ProjectorPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
 
-signals:
-    /// The projector shall stand where the camera does.
-    void fromCameraRequested();
+    /// What the button "From camera" does.
+    void setFromCameraAction(QAction* action);
 
 private:
     void show();

@@ -1,7 +1,6 @@
 #include "app/editor/panels/regions_panel.h"
 
 #include "app/editor/commands/region_edits.h"
-#include "widgets/inputs/icon.h"
 #include "widgets/inputs/number_text.h"
 
 namespace esm {
@@ -15,36 +14,17 @@ QColor toQColor(const std::array<std::uint8_t, 3>& colour) {
 } // namespace
 
 RegionsPanel::RegionsPanel(Document& document, Selection& selection, QWidget* parent)
-    : Section(tr("Regions"), parent), m_document(document), m_selection(selection),
-      m_list(new ItemList(QPalette::Link, this)) {
-    m_up = addHeaderIcon(icon(QStringLiteral("up")), tr("Lay over the region above"));
-    m_down = addHeaderIcon(icon(QStringLiteral("down")), tr("Lay under the region below"));
-    m_remove = addHeaderIcon(icon(QStringLiteral("remove")), tr("Remove the region (Del)"));
-    QToolButton* add = addHeaderButton(tr("+ add"), tr("Add an ellipsoid region (Ctrl+R)"));
-    add->setProperty("adds", QStringLiteral("region"));
-    m_list->setObjectName(QStringLiteral("regionList"));
-    m_list->setAccessibleName(tr("Regions"));
-    body()->addWidget(m_list);
-
-    connect(add, &QToolButton::clicked, this, &RegionsPanel::addRegion);
-    connect(m_up, &QToolButton::clicked, this, [this] { move(1); });
-    connect(m_down, &QToolButton::clicked, this, [this] { move(-1); });
-    connect(m_remove, &QToolButton::clicked, this, &RegionsPanel::removeSelected);
-    connect(m_list, &ItemList::removeRequested, this, &RegionsPanel::removeSelected);
-    connect(m_list, &ItemList::rowRenamed, this, &RegionsPanel::rename);
-    connect(m_list, &ItemList::rowSelected, this,
-            [this](int row) { m_selection.setRegion(regionOfRow(row)); });
+    : LayersPanel(
+          tr("Regions"), QPalette::Link,
+          {tr("Lay over the region above"), tr("Lay under the region below"), tr("Remove the region (Del)")},
+          parent),
+      m_document(document), m_selection(selection) {
+    list()->setObjectName(QStringLiteral("regionList"));
     connect(&selection, &Selection::changed, this, &RegionsPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.mesh || change.regions) show();
     });
-    show();
-}
-
-std::optional<std::size_t> RegionsPanel::regionOfRow(int row) const {
-    const std::size_t count = m_document.project().regions.size();
-    if (row < 0 || static_cast<std::size_t>(row) >= count) return std::nullopt;
-    return count - 1 - static_cast<std::size_t>(row);
+    RegionsPanel::show();
 }
 
 void RegionsPanel::show() {
@@ -52,7 +32,7 @@ void RegionsPanel::show() {
     std::vector<ItemRow> rows;
     for (std::size_t i = project.regions.size(); i-- > 0;) {
         const Region& region = project.regions[i];
-        const QString count = countText(nodesInside(*project.network, region).size());
+        const QString count = countText(m_counts.of(project, i).nodes);
         rows.push_back({QString::fromStdString(region.name), count, toQColor(region.colour), {}, true});
     }
     if (!wholeOrganRegion(project)) {
@@ -60,55 +40,36 @@ void RegionsPanel::show() {
         rows.push_back({tr("Whole organ"), count, QColor(152, 161, 171), {}, false});
     }
     const auto selected = m_selection.region();
-    m_list->setRows(rows,
-                    static_cast<int>(selected ? project.regions.size() - 1 - *selected : rows.size() - 1));
-    showButtons();
+    list()->setRows(rows, selected ? rowOf(*selected) : static_cast<int>(rows.size() - 1));
+    showButtons(obstacles());
 }
 
-void RegionsPanel::showButtons() {
-    const Project& project = m_document.project();
+LayersPanel::Obstacles RegionsPanel::obstacles() const {
     const auto selected = m_selection.region();
-    const auto enable = [](QToolButton* button, bool on, const QString& does, const QString& why) {
-        button->setEnabled(on);
-        button->setToolTip(on ? does : why);
-    };
     const QString whole = tr("The whole organ always lies beneath the regions");
-    enable(m_up, selected && canMoveRegion(project, *selected, 1), tr("Lay over the region above"),
-           selected && *selected > 0 ? tr("This region already lies on top") : whole);
-    enable(m_down, selected && canMoveRegion(project, *selected, -1), tr("Lay under the region below"),
-           selected && project.regions[*selected].ellipsoid ? tr("No region lies beneath this one") : whole);
-    enable(m_remove, selected.has_value(), tr("Remove the region (Del)"),
-           tr("The whole organ cannot be removed"));
+    if (!selected) return {whole, whole, tr("The whole organ cannot be removed")};
+    if (!m_document.project().regions[*selected].ellipsoid && *selected == 0) return {whole, whole, {}};
+    return {canMoveLayer(*selected, 1) ? QString() : tr("This region already lies on top"),
+            canMoveLayer(*selected, -1) ? QString() : tr("No region lies beneath this one"),
+            {}};
 }
 
-void RegionsPanel::addRegion() {
-    m_document.edit(tr("Add region"), [](Project& project) {
-        esm::addRegion(project, boundingBox(project.network->restPositions).center());
+bool RegionsPanel::canMoveLayer(std::size_t layer, int above) const {
+    return canMoveRegion(m_document.project(), layer, above);
+}
+
+void RegionsPanel::moveLayer(std::size_t layer, int above) {
+    m_document.edit(tr("Reorder regions"), [=](Project& project) { moveRegion(project, layer, above); });
+}
+
+void RegionsPanel::removeLayer(std::size_t layer) {
+    m_document.edit(tr("Remove region"), [layer](Project& project) {
+        project.regions.erase(project.regions.begin() + static_cast<std::ptrdiff_t>(layer));
     });
 }
 
-void RegionsPanel::removeSelected() {
-    const auto selected = m_selection.region();
-    if (!selected) return;
-    m_document.edit(tr("Remove region"), [selected](Project& project) {
-        project.regions.erase(project.regions.begin() + static_cast<std::ptrdiff_t>(*selected));
-    });
-}
-
-void RegionsPanel::move(int above) {
-    const auto selected = m_selection.region();
-    if (!selected || !canMoveRegion(m_document.project(), *selected, above)) return;
-    m_document.edit(tr("Reorder regions"), [=](Project& project) { moveRegion(project, *selected, above); });
-    m_selection.setRegion(above > 0 ? *selected + 1 : *selected - 1);
-}
-
-void RegionsPanel::rename(int row, const QString& name) {
-    const auto region = regionOfRow(row);
-    if (region && !name.isEmpty())
-        m_document.edit(tr("Rename region"),
-                        [&](Project& project) { project.regions[*region].name = name.toStdString(); });
-    // An empty name was not taken: the old one comes back.
-    QMetaObject::invokeMethod(this, &RegionsPanel::show, Qt::QueuedConnection);
+void RegionsPanel::renameLayer(std::size_t layer, const std::string& name) {
+    m_document.edit(tr("Rename region"), [&](Project& project) { project.regions[layer].name = name; });
 }
 
 } // namespace esm

@@ -18,6 +18,21 @@ QWidget* emptyColumn(QVBoxLayout* into) {
     return column;
 }
 
+/// What may be typed for an input: the range the variable speaks of.
+NumberFormat inputFormat(const FuzzyVariable& variable) {
+    NumberFormat format;
+    format.minimum = variable.minimum;
+    format.maximum = variable.maximum;
+    return format;
+}
+
+/// "flexible 0.92, medium 0.08", or why there are no words for a value.
+QString said(const FuzzyVariable& variable, std::optional<double> value) {
+    if (!value) return QObject::tr("left out");
+    const std::string words = inWords(variable, *value);
+    return words == "none" ? QObject::tr("between the words") : readableName(words);
+}
+
 std::optional<double> inputValue(const Region& region, const std::string& variable) {
     const auto found = std::find_if(region.inputs.begin(), region.inputs.end(),
                                     [&](const auto& input) { return input.first == variable; });
@@ -84,10 +99,8 @@ QString TissuePanel::words() const {
     if (!shown->system) return tr("No words yet: choose a fuzzy system, or hold values below.");
     QStringList lines;
     for (const auto& variable : shown->system->inputs) {
-        const auto value = inputValue(*shown, variable.name);
-        QString said = value ? readableName(inWords(variable, *value)) : tr("left out");
-        if (said.isEmpty()) said = tr("between the words");
-        lines << (shown->system->inputs.size() > 1 ? readableName(variable.name) + ": " + said : said);
+        const QString words = said(variable, inputValue(*shown, variable.name));
+        lines << (shown->system->inputs.size() > 1 ? readableName(variable.name) + ": " + words : words);
     }
     return lines.join('\n');
 }
@@ -120,7 +133,7 @@ void TissuePanel::rebuild() {
 }
 
 void TissuePanel::addInput(const FuzzyVariable& variable) {
-    auto* row = new LinguisticSlider(variable, readableName(variable.name), {}, m_inputs);
+    auto* row = new LinguisticSlider(variable, readableName(variable.name), inputFormat(variable), m_inputs);
     row->setObjectName(QStringLiteral("input-") + QString::fromStdString(variable.name));
     m_inputs->layout()->addWidget(row);
     const std::string name = variable.name;
@@ -129,7 +142,7 @@ void TissuePanel::addInput(const FuzzyVariable& variable) {
         m_document.edit(
             tr("Set %1").arg(readableName(name)),
             [&](Project& project) { setInput(project.regions[*selected], name, value); },
-            QStringLiteral("input %1").arg(QString::fromStdString(name)));
+            QStringLiteral("input %1 %2").arg(*selected).arg(QString::fromStdString(name)));
     });
     connect(row, &LinguisticSlider::editingFinished, this, [this] { m_document.finishGesture(); });
     m_refreshers.emplace_back(
@@ -138,12 +151,13 @@ void TissuePanel::addInput(const FuzzyVariable& variable) {
 
 void TissuePanel::addOutput(Parameter parameter, std::size_t index) {
     const FuzzyVariable& variable = m_builtFor->outputs[index];
-    auto* row = new LinguisticSlider(variable, parameterName(parameter), parameterUnit(parameter), m_outputs);
+    auto* row = new LinguisticSlider(variable, parameterName(parameter, Extent::Region),
+                                     parameterFormat(parameter), m_outputs);
     row->setObjectName(QStringLiteral("output-") + QString::fromStdString(variable.name));
     m_outputs->layout()->addWidget(row);
     QToolButton* hold = row->addHoldButton();
     connect(row, &LinguisticSlider::valueEdited, this,
-            [this, parameter](double value) { setHeld(parameter, value, QStringLiteral("held")); });
+            [this, parameter](double value) { setHeld(parameter, value, Merging::WhileMoved); });
     connect(row, &LinguisticSlider::editingFinished, this, [this] { m_document.finishGesture(); });
     connect(hold, &QToolButton::clicked, this, [this, row, hold, parameter](bool held) {
         if (held && !row->field()->value()) return hold->setChecked(false);
@@ -161,7 +175,7 @@ void TissuePanel::addOutput(Parameter parameter, std::size_t index) {
 }
 
 void TissuePanel::addPlainParameter(Parameter parameter) {
-    auto* row = new ParameterRow(parameter, true, m_outputs);
+    auto* row = new ParameterRow(parameter, Extent::Region, m_outputs);
     m_outputs->layout()->addWidget(row);
     connect(row, &ParameterRow::valueEdited, this,
             [this, parameter](double value) { setHeld(parameter, value); });
@@ -172,10 +186,10 @@ void TissuePanel::addPlainParameter(Parameter parameter) {
 }
 
 void TissuePanel::addBaseParameter(Parameter parameter) {
-    auto* row = new ParameterRow(parameter, false, m_outputs);
+    auto* row = new ParameterRow(parameter, Extent::Base, m_outputs);
     m_outputs->layout()->addWidget(row);
     connect(row, &ParameterRow::valueEdited, this, [this, parameter](double value) {
-        m_document.edit(tr("Set %1").arg(parameterName(parameter)),
+        m_document.edit(tr("Set %1").arg(parameterName(parameter, Extent::Base)),
                         [&](Project& project) { valueOf(project.base, parameter) = value; });
     });
     m_refreshers.emplace_back([this, row, parameter](const Region*, const RegionTissue&) {
@@ -184,14 +198,14 @@ void TissuePanel::addBaseParameter(Parameter parameter) {
     });
 }
 
-void TissuePanel::setHeld(Parameter parameter, std::optional<double> value, const QString& mergeKey) {
+void TissuePanel::setHeld(Parameter parameter, std::optional<double> value, Merging merging) {
     const auto selected = m_selection.region();
     if (!selected) return;
-    const QString text = value ? tr("Hold %1") : tr("Let go of %1");
-    m_document.edit(
-        text.arg(parameterName(parameter)),
-        [&](Project& project) { valueOf(project.regions[*selected].held, parameter) = value; },
-        mergeKey.isEmpty() ? mergeKey : mergeKey + parameterName(parameter));
+    const QString name = parameterName(parameter, Extent::Region);
+    m_document.edit((value ? tr("Hold %1") : tr("Let go of %1")).arg(name),
+                    [&](Project& project) { valueOf(project.regions[*selected].held, parameter) = value; },
+                    merging == Merging::WhileMoved ? QStringLiteral("held %1 %2").arg(*selected).arg(name)
+                                                   : QString());
 }
 
 void TissuePanel::chooseSystem(const std::shared_ptr<const FuzzySystem>& system) {

@@ -28,7 +28,8 @@ private:
     void addOutput(Parameter parameter, std::size_t index);
     void addPlainParameter(Parameter parameter);
     void addBaseParameter(Parameter parameter);
-    void setHeld(Parameter parameter, std::optional<double> value, const QString& mergeKey = {});
+    enum class Merging { Never, WhileMoved };
+    void setHeld(Parameter parameter, std::optional<double> value, Merging merging = Merging::Never);
     void chooseSystem(const std::shared_ptr<const FuzzySystem>& system);
     QString words() const;
 

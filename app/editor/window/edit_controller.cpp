@@ -3,6 +3,7 @@
 #include "app/editor/commands/photo_edits.h"
 #include "app/editor/commands/region_edits.h"
 #include "app/editor/window/actions.h"
+#include "widgets/inputs/enabling.h"
 
 #include <QInputDialog>
 
@@ -26,22 +27,19 @@ void EditController::connectActions(const Actions& actions) {
 }
 
 void EditController::enable(const Actions& actions) {
-    const auto set = [](QAction* action, bool on, const QString& does, const QString& why) {
-        action->setEnabled(on);
-        action->setToolTip(on ? does : why);
-    };
     const Project& project = m_document.project();
     const auto region = m_selection.region();
-    set(actions.fixRegion, region && project.regions[*region].ellipsoid,
-        tr("Hold the nodes inside the selected region in space"),
-        tr("Select a region with an ellipsoid first"));
-    set(actions.freeNodes, !project.scene.fixed.empty(), tr("Let every fixed node go"),
-        tr("No node is fixed"));
-    set(actions.fromCamera, m_selection.photo().has_value(),
-        tr("Throw the selected photo from where you look (C)"), tr("No photo is selected"));
+    esm::enable(actions.fixRegion, region && project.regions[*region].ellipsoid,
+                tr("Hold the nodes inside the selected region in space"),
+                tr("Select a region with an ellipsoid first"));
+    esm::enable(actions.freeNodes, !project.scene.fixed.empty(), tr("Let every fixed node go"),
+                tr("No node is fixed"));
+    esm::enable(actions.fromCamera, m_selection.photo().has_value(),
+                withShortcut(tr("Throw the selected photo from where you look"), actions.fromCamera),
+                tr("No photo is selected"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
-    set(actions.addPhoto, !project.mesh->triangles.empty(),
-        tr("Lay a photo on the organ, from the camera (Ctrl+P)"), noSurface);
+    esm::enable(actions.addPhoto, !project.mesh->triangles.empty(),
+                withShortcut(tr("Lay a photo on the organ, from the camera"), actions.addPhoto), noSurface);
 }
 
 void EditController::renameOrgan() {

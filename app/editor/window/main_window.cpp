@@ -10,6 +10,7 @@
 #include "app/editor/panels/tissue_panel.h"
 #include "app/editor/window/help.h"
 #include "app/editor/window/layout.h"
+#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/icon.h"
 
 #include <QCloseEvent>
@@ -48,6 +49,7 @@ MainWindow::MainWindow(Project project)
     buildPanels();
     connectParts();
     connectWorkspaces();
+    keepControlKeys(*this);
     setAcceptDrops(true);
     setWindowIcon(icon(QStringLiteral("app")));
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - roomForFrame));
@@ -56,14 +58,16 @@ MainWindow::MainWindow(Project project)
 }
 
 void MainWindow::buildPanels() {
+    auto* regions = new RegionsPanel(*m_document, *m_selection);
     auto* photos = new PhotosPanel(*m_document, *m_selection);
     auto* projector = new ProjectorPanel(*m_document, *m_selection);
-    connect(photos, &PhotosPanel::addRequested, m_actions.addPhoto, &QAction::trigger);
-    connect(projector, &ProjectorPanel::fromCameraRequested, m_edits, &EditController::projectFromCamera);
+    regions->setAddAction(m_actions.addRegion);
+    photos->setAddAction(m_actions.addPhoto);
+    projector->setFromCameraAction(m_actions.fromCamera);
 
-    m_tissueLeft = buildColumn(*this, Qt::LeftDockWidgetArea, tr("Organ"),
-                               {new ModelPanel(*m_document), new RegionsPanel(*m_document, *m_selection),
-                                new EllipsoidPanel(*m_document, *m_selection)});
+    m_tissueLeft =
+        buildColumn(*this, Qt::LeftDockWidgetArea, tr("Organ"),
+                    {new ModelPanel(*m_document), regions, new EllipsoidPanel(*m_document, *m_selection)});
     m_textureLeft =
         buildColumn(*this, Qt::LeftDockWidgetArea, tr("Photos"), {photos, new AtlasPanel(*m_document)});
     m_tissueRight = buildColumn(*this, Qt::RightDockWidgetArea, tr("Tissue"),

@@ -1,0 +1,59 @@
+#include "app/editor/panels/layers_panel.h"
+
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/icon.h"
+
+namespace esm {
+
+LayersPanel::LayersPanel(const QString& title, QPalette::ColorRole mark, ToolTips toolTips, QWidget* parent)
+    : Section(title, parent), m_toolTips(std::move(toolTips)), m_list(new ItemList(mark, this)) {
+    m_up = addHeaderIcon(icon(QStringLiteral("up")), m_toolTips.up);
+    m_down = addHeaderIcon(icon(QStringLiteral("down")), m_toolTips.down);
+    m_remove = addHeaderIcon(icon(QStringLiteral("remove")), m_toolTips.remove);
+    m_add = addHeaderButton(tr("+ add"), tr("Add"));
+    m_list->setAccessibleName(title);
+    body()->addWidget(m_list);
+
+    connect(m_up, &QToolButton::clicked, this, [this] { move(1); });
+    connect(m_down, &QToolButton::clicked, this, [this] { move(-1); });
+    connect(m_remove, &QToolButton::clicked, this, &LayersPanel::removeSelected);
+    connect(m_list, &ItemList::removeRequested, this, &LayersPanel::removeSelected);
+    connect(m_list, &ItemList::rowRenamed, this, &LayersPanel::rename);
+    connect(m_list, &ItemList::rowSelected, this, [this](int row) { selectLayer(layerOf(row)); });
+}
+
+void LayersPanel::setAddAction(QAction* action) {
+    follow(m_add, action);
+}
+
+void LayersPanel::showButtons(const Obstacles& obstacles) {
+    enable(m_up, obstacles.up.isEmpty(), m_toolTips.up, obstacles.up);
+    enable(m_down, obstacles.down.isEmpty(), m_toolTips.down, obstacles.down);
+    enable(m_remove, obstacles.remove.isEmpty(), m_toolTips.remove, obstacles.remove);
+}
+
+std::optional<std::size_t> LayersPanel::layerOf(int row) const {
+    if (row < 0 || static_cast<std::size_t>(row) >= layerCount()) return std::nullopt;
+    return layerCount() - 1 - static_cast<std::size_t>(row);
+}
+
+void LayersPanel::move(int above) {
+    const auto selected = selectedLayer();
+    if (!selected || !canMoveLayer(*selected, above)) return;
+    moveLayer(*selected, above);
+    selectLayer(above > 0 ? *selected + 1 : *selected - 1);
+}
+
+void LayersPanel::removeSelected() {
+    if (const auto selected = selectedLayer()) removeLayer(*selected);
+}
+
+void LayersPanel::rename(int row, const QString& name) {
+    const auto layer = layerOf(row);
+    if (layer && !name.isEmpty()) renameLayer(*layer, name.toStdString());
+    // An empty name was not taken: the old one comes back.
+    QMetaObject::invokeMethod(
+        this, [this] { show(); }, Qt::QueuedConnection);
+}
+
+} // namespace esm

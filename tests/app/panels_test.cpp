@@ -1,0 +1,101 @@
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QToolButton>
+
+using namespace esm;
+
+namespace {
+
+class PanelsTest : public EditorTest {
+protected:
+    void SetUp() override { open(makeSample("tube")); }
+
+    void type(QLineEdit* field, const QString& text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    QLineEdit* fieldOf(const char* row) const {
+        return child<QWidget>(row)->findChild<QLineEdit*>("numberField");
+    }
+};
+
+} // namespace
+
+TEST_F(PanelsTest, AHeldValueCannotMakeTheProjectUnsaveable) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    type(fieldOf("output-spring_const"), "-5");
+    EXPECT_FALSE(project().regions.back().held.springConstant);
+    EXPECT_TRUE(validate(project()).empty());
+    type(fieldOf("output-spring_const"), "0");
+    EXPECT_EQ(project().regions.back().held.springConstant, 0.0);
+    EXPECT_TRUE(validate(project()).empty());
+}
+
+TEST_F(PanelsTest, InputsKeepToTheirVariablesRange) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    const auto& variable = project().regions.back().system->inputs[0];
+    const double before = project().regions.back().inputs[0].second;
+    const std::string row = "input-" + variable.name;
+    type(fieldOf(row.c_str()), QString::number(variable.maximum + 1));
+    EXPECT_EQ(project().regions.back().inputs[0].second, before);
+}
+
+TEST_F(PanelsTest, ShowsTheMassThatTheRegionsMake) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    const QString before = child<QLabel>("totalMass")->text();
+    window->document().edit("mass", [](Project& p) { p.regions.back().held.mass = 3 * p.base.mass; });
+    EXPECT_NE(child<QLabel>("totalMass")->text(), before);
+    window->document().undoStack()->undo();
+    EXPECT_EQ(child<QLabel>("totalMass")->text(), before);
+}
+
+TEST_F(PanelsTest, DisabledControlsSayWhy) {
+    for (const char* name : {"opacitySlider", "projectorWidth"}) {
+        EXPECT_FALSE(child<QWidget>(name)->isEnabled());
+        EXPECT_EQ(child<QWidget>(name)->toolTip(), "No photo is selected") << name;
+    }
+    QAction* undo = nullptr;
+    for (QAction* action : window->actions() + window->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(QKeySequence::Undo)) undo = action;
+    ASSERT_NE(undo, nullptr);
+    EXPECT_EQ(undo->toolTip(), "Nothing to undo");
+    window->document().edit("Set base mass", [](Project& p) { p.base.mass *= 2; });
+    EXPECT_TRUE(undo->toolTip().contains("Set base mass")) << undo->toolTip().toStdString();
+}
+
+TEST_F(PanelsTest, TheAtlasForgetsThatThereWasNoSurface) {
+    Project bare = makeSample("tube");
+    auto mesh = std::make_shared<TriangleMesh>(*bare.mesh);
+    mesh->triangles.clear();
+    bare.mesh = mesh;
+    bare.atlas.reset();
+    auto* size = child<QComboBox>("atlasSize");
+    window->document().replace(bare, std::nullopt);
+    EXPECT_FALSE(size->isEnabled());
+    const QString why = size->toolTip();
+    Project good = makeSample("tube");
+    good.texture.atlas.size = 3000;
+    window->document().replace(good, std::nullopt);
+    EXPECT_TRUE(size->isEnabled());
+    EXPECT_NE(size->toolTip(), why);
+    EXPECT_TRUE(size->currentText().startsWith("3000")) << "a size that is not in the list is shown";
+}
+
+TEST_F(PanelsTest, AValueBetweenTheWordsIsSaidSo) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    window->document().edit("gap", [](Project& p) {
+        auto system = std::make_shared<FuzzySystem>(*p.regions.back().system);
+        const double middle = (system->inputs[0].minimum + system->inputs[0].maximum) / 2;
+        for (FuzzyTerm& term : system->inputs[0].terms)
+            term.set = {middle + 1, middle + 1, middle + 2, middle + 2};
+        p.regions.back().system = system;
+    });
+    EXPECT_TRUE(child<QLabel>("words")->text().contains("between the words"))
+        << child<QLabel>("words")->text().toStdString();
+}

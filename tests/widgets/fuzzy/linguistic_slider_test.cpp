@@ -1,0 +1,77 @@
+#include "widgets/fuzzy/linguistic_slider.h"
+
+#include <gtest/gtest.h>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace esm;
+
+namespace {
+
+FuzzyVariable firmness() {
+    FuzzyVariable variable;
+    variable.name = "firmness";
+    variable.minimum = -10;
+    variable.maximum = 90;
+    variable.terms = {{"very_soft", {-10, -10, -4, 20}}, {"firm", {20, 60, 90, 90}}};
+    return variable;
+}
+
+/// No number below zero, though the variable's range begins there.
+NumberFormat aboveZero() {
+    NumberFormat format;
+    format.unit = "N/m";
+    format.minimum = 0;
+    return format;
+}
+
+class LinguisticSliderTest : public testing::Test {
+protected:
+    LinguisticSlider row{firmness(), "firmness", aboveZero()};
+    QSignalSpy edited{&row, &LinguisticSlider::valueEdited};
+    QSignalSpy finished{&row, &LinguisticSlider::editingFinished};
+};
+
+} // namespace
+
+TEST_F(LinguisticSliderTest, ShowsAValueWithoutAnnouncingIt) {
+    row.setValue(40);
+    EXPECT_EQ(row.slider()->value(), (row.slider()->minimum() + row.slider()->maximum()) / 2);
+    EXPECT_EQ(row.field()->text(), "40.00 N/m");
+    row.setValue(std::nullopt);
+    EXPECT_EQ(row.field()->text(), QString(QChar(0x2013)));
+    EXPECT_EQ(edited.count() + finished.count(), 0);
+}
+
+TEST_F(LinguisticSliderTest, SliderAndNumberFollowEachOther) {
+    row.slider()->setValue(row.slider()->maximum());
+    ASSERT_EQ(edited.count(), 1);
+    EXPECT_DOUBLE_EQ(edited[0][0].toDouble(), 90);
+    EXPECT_EQ(row.field()->value(), 90.0);
+    row.field()->selectAll();
+    QTest::keyClicks(row.field(), "40");
+    QTest::keyClick(row.field(), Qt::Key_Return);
+    EXPECT_EQ(row.slider()->value(), row.slider()->maximum() / 2);
+    EXPECT_EQ(finished.count(), 1) << "what is typed is an edit of its own";
+}
+
+TEST_F(LinguisticSliderTest, NothingBeyondTheLimitsIsAnnounced) {
+    row.setValue(40);
+    row.slider()->setValue(row.slider()->minimum());
+    EXPECT_EQ(edited.back()[0].toDouble(), 0);
+    row.field()->selectAll();
+    QTest::keyClicks(row.field(), "-5");
+    QTest::keyClick(row.field(), Qt::Key_Return);
+    EXPECT_FALSE(row.field()->refusal().isEmpty());
+    EXPECT_EQ(edited.count(), 1);
+    auto* terms = row.findChild<TermScale*>();
+    terms->resize(300, terms->sizeHint().height());
+    QTest::mouseClick(terms, Qt::LeftButton, {}, {3, 5}); // "very soft", about −7
+    EXPECT_EQ(row.field()->value(), 0.0);
+}
+
+TEST_F(LinguisticSliderTest, KeysOnTheSliderEndAsAnEdit) {
+    QTest::keyClick(row.slider(), Qt::Key_Right);
+    EXPECT_EQ(finished.count(), 0);
+    EXPECT_TRUE(finished.wait(5000));
+}

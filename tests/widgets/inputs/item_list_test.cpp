@@ -1,0 +1,57 @@
+#include "widgets/inputs/item_list.h"
+
+#include <gtest/gtest.h>
+#include <QApplication>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace esm;
+
+namespace {
+
+class ItemListTest : public testing::Test {
+protected:
+    void SetUp() override {
+        list.setRows({{"Lobe", "212", Qt::red, {}, true}, {"Whole organ", "2 194", Qt::gray, {}, false}}, 0);
+        list.resize(240, 100);
+        list.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&list));
+        QApplication::setActiveWindow(&list);
+        list.setFocus();
+    }
+
+    ItemList list{QPalette::Link};
+};
+
+} // namespace
+
+TEST_F(ItemListTest, ShowsRowsWithoutAnnouncingThem) {
+    QSignalSpy selected(&list, &ItemList::rowSelected), renamed(&list, &ItemList::rowRenamed);
+    list.setRows({{"Other", "1", Qt::red, {}, true}}, -1);
+    EXPECT_EQ(list.count(), 1);
+    EXPECT_TRUE(list.selectedItems().isEmpty());
+    EXPECT_EQ(selected.count() + renamed.count(), 0);
+}
+
+TEST_F(ItemListTest, ArrowsSelectAndDeleteAsksForRemoval) {
+    QSignalSpy selected(&list, &ItemList::rowSelected), removed(&list, &ItemList::removeRequested);
+    QTest::keyClick(&list, Qt::Key_Down);
+    ASSERT_EQ(selected.count(), 1);
+    EXPECT_EQ(selected[0][0].toInt(), 1);
+    QTest::keyClick(&list, Qt::Key_Delete);
+    ASSERT_EQ(removed.count(), 1);
+    EXPECT_EQ(removed[0][0].toInt(), 1);
+}
+
+TEST_F(ItemListTest, F2RenamesWhatMayBeRenamed) {
+    QSignalSpy renamed(&list, &ItemList::rowRenamed);
+    QTest::keyClick(&list, Qt::Key_F2);
+    auto* editor = list.findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    editor->setText(" Right lobe ");
+    QTest::keyClick(editor, Qt::Key_Return);
+    ASSERT_TRUE(renamed.count() == 1 || renamed.wait(5000));
+    EXPECT_EQ(renamed[0][1].toString(), "Right lobe");
+    EXPECT_FALSE(list.item(1)->flags() & Qt::ItemIsEditable);
+}

@@ -1,0 +1,119 @@
+#include "widgets/inputs/number_field.h"
+#include "widgets/inputs/quantity_formats.h"
+
+#include <gtest/gtest.h>
+#include <QAction>
+#include <QApplication>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+
+using namespace esm;
+
+namespace {
+
+class NumberFieldTest : public testing::Test {
+protected:
+    void SetUp() override { field.setValue(0.01); }
+
+    void type(const QString& text) {
+        field.selectAll();
+        QTest::keyClick(&field, Qt::Key_Delete);
+        QTest::keyClicks(&field, text);
+        QTest::keyClick(&field, Qt::Key_Return);
+    }
+
+    NumberField field{lengthFormat(0)};
+    QSignalSpy edited{&field, &NumberField::valueEdited};
+};
+
+} // namespace
+
+TEST_F(NumberFieldTest, TakesWhatIsTypedInTheShownUnit) {
+    EXPECT_EQ(field.text(), "10.0 mm");
+    type("25");
+    ASSERT_EQ(edited.count(), 1);
+    EXPECT_DOUBLE_EQ(field.value().value(), 0.025);
+    EXPECT_EQ(field.text(), "25.0 mm");
+}
+
+TEST_F(NumberFieldTest, ConvertsOtherUnitsOfTheSameQuantity) {
+    type("5 cm");
+    EXPECT_DOUBLE_EQ(field.value().value(), 0.05);
+    EXPECT_EQ(field.text(), "50.0 mm");
+    type("0,02 m");
+    EXPECT_DOUBLE_EQ(field.value().value(), 0.02);
+    type("1 234");
+    EXPECT_DOUBLE_EQ(field.value().value(), 1.234);
+}
+
+TEST_F(NumberFieldTest, RefusesWithAReasonAndLeavesTheTextToBeCorrected) {
+    for (const char* text : {"-3", "abc", "5000000", "4 kg"}) {
+        type(text);
+        EXPECT_EQ(field.text(), text);
+        EXPECT_FALSE(field.refusal().isEmpty()) << text;
+        EXPECT_EQ(field.value(), 0.01) << text;
+    }
+    EXPECT_TRUE(field.refusal().contains("mm")) << field.refusal().toStdString();
+    type("-3");
+    EXPECT_TRUE(field.refusal().contains("between 0 and")) << field.refusal().toStdString();
+    EXPECT_EQ(edited.count(), 0);
+    QTest::keyClicks(&field, "7");
+    EXPECT_TRUE(field.refusal().isEmpty()) << "it is being corrected";
+    type("7");
+    EXPECT_DOUBLE_EQ(field.value().value(), 0.007);
+}
+
+TEST_F(NumberFieldTest, EscapeTakesBackWhatWasRefused) {
+    type("abc");
+    QTest::keyClick(&field, Qt::Key_Escape);
+    EXPECT_EQ(field.text(), "10.0 mm");
+    EXPECT_TRUE(field.refusal().isEmpty());
+}
+
+TEST_F(NumberFieldTest, IsNotRoundedByLookingAtIt) {
+    field.setValue(0.0123456);
+    QTest::keyClick(&field, Qt::Key_Return);
+    EXPECT_EQ(edited.count(), 0);
+    EXPECT_EQ(field.value(), 0.0123456);
+}
+
+TEST_F(NumberFieldTest, ArrowsStepWithinTheLimits) {
+    QTest::keyClick(&field, Qt::Key_Up);
+    EXPECT_DOUBLE_EQ(field.value().value(), 0.011);
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(&field, Qt::Key_Down, Qt::ShiftModifier);
+    EXPECT_EQ(field.value(), 0.0);
+}
+
+TEST_F(NumberFieldTest, MayLeaveItsUnitToTheCaption) {
+    NumberField bare(withoutUnit(lengthFormat(0)));
+    bare.setValue(0.01);
+    EXPECT_EQ(bare.text(), "10.0");
+    bare.selectAll();
+    QTest::keyClicks(&bare, "3 cm");
+    QTest::keyClick(&bare, Qt::Key_Return);
+    EXPECT_EQ(bare.text(), "30.0");
+}
+
+TEST_F(NumberFieldTest, LeavesUndoToTheWindowUntilSomethingIsTyped) {
+    QWidget window;
+    auto* column = new QVBoxLayout(&window);
+    auto* number = new NumberField(lengthFormat(0), &window);
+    column->addWidget(number);
+    number->setValue(0.01);
+    QAction undo;
+    undo.setShortcut(QKeySequence::Undo);
+    window.addAction(&undo);
+    QSignalSpy undone(&undo, &QAction::triggered);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    QApplication::setActiveWindow(&window);
+    number->setFocus();
+    QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(undone.count(), 1);
+    number->selectAll();
+    QTest::keyClicks(number, "25");
+    QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(undone.count(), 1) << "typing is undone in the field";
+}

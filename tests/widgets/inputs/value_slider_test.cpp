@@ -1,0 +1,73 @@
+#include "widgets/inputs/value_slider.h"
+
+#include <gtest/gtest.h>
+#include <QApplication>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+using namespace esm;
+
+namespace {
+
+class ValueSliderTest : public testing::Test {
+protected:
+    void SetUp() override {
+        auto* column = new QVBoxLayout(&window);
+        column->addWidget(slider);
+        column->addWidget(other);
+        slider->setRange(0, 100);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        QApplication::setActiveWindow(&window);
+    }
+    void turnWheel() {
+        QWheelEvent event({5, 5}, slider->mapToGlobal(QPoint(5, 5)), {}, {0, 120}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(slider, &event);
+    }
+
+    QWidget window;
+    ValueSlider* slider = new ValueSlider(&window);
+    ValueSlider* other = new ValueSlider(&window);
+    QSignalSpy finished{slider, &ValueSlider::gestureFinished};
+};
+
+} // namespace
+
+TEST_F(ValueSliderTest, TheWheelMovesItOnlyWithTheFocus) {
+    other->setFocus();
+    turnWheel();
+    EXPECT_EQ(slider->value(), 0);
+    EXPECT_FALSE(slider->hasFocus());
+    slider->setFocus();
+    turnWheel();
+    EXPECT_GT(slider->value(), 0);
+}
+
+TEST_F(ValueSliderTest, KeysAndWheelEndTheirGestureAfterAPause) {
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    QTest::keyClick(slider, Qt::Key_Right);
+    EXPECT_EQ(finished.count(), 0);
+    EXPECT_TRUE(finished.wait(5000));
+    turnWheel();
+    EXPECT_TRUE(finished.wait(5000));
+    EXPECT_EQ(finished.count(), 2);
+}
+
+TEST_F(ValueSliderTest, LeavingItEndsTheGesture) {
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    other->setFocus();
+    EXPECT_EQ(finished.count(), 1);
+}
+
+TEST_F(ValueSliderTest, LettingGoOfTheHandleEndsTheGesture) {
+    slider->setSliderDown(true);
+    slider->setValue(30);
+    EXPECT_EQ(finished.count(), 0);
+    slider->setSliderDown(false);
+    EXPECT_EQ(finished.count(), 1);
+}

@@ -1,0 +1,64 @@
+#include "widgets/inputs/quantity_formats.h"
+
+namespace esm {
+
+NumberFormat withoutUnit(NumberFormat format) {
+    format.showsUnit = false;
+    return format;
+}
+
+NumberFormat lengthFormat(double minimum) {
+    NumberFormat format;
+    format.unit = QStringLiteral("mm");
+    format.shownPerValue = 1000;
+    format.decimals = 1;
+    format.minimum = minimum;
+    format.maximum = 1000;
+    format.step = 0.001;
+    return format;
+}
+
+NumberFormat angleFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("°");
+    format.decimals = 0;
+    format.minimum = -360;
+    format.maximum = 360;
+    format.step = 1;
+    return format;
+}
+
+QString turnedToolTip() {
+    return QObject::tr("Turned about x, then y, then z, each about its own axis as turned so far");
+}
+
+NumberFormat massFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("kg");
+    format.minimum = 1e-9;
+    format.maximum = 1e4;
+    return format;
+}
+
+NumberFormat shareFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("%");
+    format.shownPerValue = 100;
+    format.decimals = 0;
+    format.minimum = 0;
+    format.maximum = 1;
+    format.step = 0.05;
+    return format;
+}
+
+NumberFormat pixelFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("px");
+    format.decimals = 0;
+    format.minimum = 0;
+    format.maximum = 10000;
+    format.step = 1;
+    return format;
+}
+
+} // namespace esm

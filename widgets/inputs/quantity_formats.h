@@ -1,0 +1,22 @@
+#pragma once
+
+#include "widgets/inputs/number_field.h"
+
+namespace esm {
+
+/// The same quantity in a field whose caption names the unit.
+NumberFormat withoutUnit(NumberFormat format);
+
+/// Lengths and places in m, shown in mm.
+NumberFormat lengthFormat(double minimum);
+/// The shortest length that makes sense for an axis or an edge, m.
+constexpr double smallestLength = 1e-5;
+
+NumberFormat angleFormat(); ///< whole degrees
+/// How three angles make one turn.
+QString turnedToolTip();
+NumberFormat massFormat();  ///< kg, above zero
+NumberFormat shareFormat(); ///< 0 to 1, shown in percent
+NumberFormat pixelFormat(); ///< whole pixels
+
+} // namespace esm
