@@ -4,6 +4,8 @@
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollArea>
+#include <QToolBar>
 #include <QToolButton>
 
 using namespace esm;
@@ -12,7 +14,10 @@ namespace {
 
 class PanelsTest : public EditorTest {
 protected:
-    void SetUp() override { open(makeSample("tube")); }
+    void SetUp() override {
+        applyTheme(*qApp, Theme::Dark);
+        open(makeSample("tube"));
+    }
 
     void type(QLineEdit* field, const QString& text) {
         field->setFocus();
@@ -85,6 +90,34 @@ TEST_F(PanelsTest, TheAtlasForgetsThatThereWasNoSurface) {
     EXPECT_TRUE(size->isEnabled());
     EXPECT_NE(size->toolTip(), why);
     EXPECT_TRUE(size->currentText().startsWith("3000")) << "a size that is not in the list is shown";
+}
+
+TEST_F(PanelsTest, FitTheirColumns) {
+    const auto expectFit = [this](const char* state) {
+        QTest::qWait(0);
+        for (const auto* column : window->findChildren<QScrollArea*>("column")) {
+            if (column->isVisible())
+                EXPECT_LE(column->widget()->minimumSizeHint().width(), column->viewport()->width()) << state;
+        }
+    };
+    expectFit("the whole organ");
+    press(Qt::Key_R, Qt::ControlModifier);
+    expectFit("a region with a fuzzy system");
+    window->document().edit("none", [](Project& p) { p.regions.back().system = nullptr; });
+    expectFit("a region without");
+    press(Qt::Key_2, Qt::ControlModifier);
+    expectFit("photos");
+}
+
+TEST_F(PanelsTest, TheToolsStayWhereTheyAreInAnotherTheme) {
+    auto* strip = child<QToolBar>("toolStrip");
+    const auto place = [strip] { return strip->widgetForAction(strip->actions().front())->geometry(); };
+    const QRect before = place();
+    for (QAction* action : window->actions())
+        if (action->toolTip() == "Light colours") action->trigger();
+    QTest::qWait(50);
+    EXPECT_EQ(place(), before);
+    applyTheme(*qApp, Theme::Dark);
 }
 
 TEST_F(PanelsTest, AValueBetweenTheWordsIsSaidSo) {

@@ -30,6 +30,11 @@ void NumberField::setValue(std::optional<double> value) {
     if (!(hasFocus() && isModified())) showValue();
 }
 
+void NumberField::setEmptyText(const QString& text) {
+    m_emptyText = text;
+    if (!isModified()) showValue();
+}
+
 QSize NumberField::sizeHint() const {
     const int width = fontMetrics().horizontalAdvance(QStringLiteral("00000.00 ") + m_format.unit) + 18;
     return {width, QLineEdit::sizeHint().height()};
@@ -106,7 +111,7 @@ void NumberField::setRefusal(const QString& reason) {
 
 void NumberField::showValue() {
     setRefusal({});
-    QString shown(QChar(0x2013));
+    QString shown = m_emptyText;
     if (m_value) {
         const double number = *m_value * m_format.shownPerValue;
         shown = m_format.decimals < 0 ? numberText(number) : decimalText(number, m_format.decimals);

@@ -28,8 +28,9 @@ class NumberField : public QLineEdit {
 public:
     explicit NumberField(NumberFormat format, QWidget* parent = nullptr);
 
-    /// Shows a value without announcing it; none shows a dash.
+    /// Shows a value without announcing it; none shows a dash, or what stands for it.
     void setValue(std::optional<double> value);
+    void setEmptyText(const QString& text);
     std::optional<double> value() const { return m_value; }
     const NumberFormat& format() const { return m_format; }
     /// Why what stands in the field was not taken; empty when it was.
@@ -55,7 +56,7 @@ private:
 
     NumberFormat m_format;
     std::optional<double> m_value;
-    QString m_refusal;
+    QString m_emptyText{QChar(0x2013)}, m_refusal;
 };
 
 } // namespace esm

@@ -16,7 +16,8 @@ EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget
     rows->addField(tr("Centre, mm"), m_centre);
     rows->addField(tr("Radii, mm"), m_radii);
     rows->addField(tr("Turned, °"), m_turned);
-    m_inside = rows->addText(tr("Inside"), QStringLiteral("ellipsoidInside"));
+    m_nodesInside = rows->addText(tr("Inside"), QStringLiteral("nodesInside"));
+    m_springsInside = rows->addText({}, QStringLiteral("springsInside"));
     m_centre->setObjectName(QStringLiteral("ellipsoidCentre"));
     m_radii->setObjectName(QStringLiteral("ellipsoidRadii"));
     body()->addWidget(rows);
@@ -62,13 +63,10 @@ void EllipsoidPanel::show() {
 void EllipsoidPanel::showInside() {
     const Project& project = m_document.project();
     const auto selected = m_selection.region();
-    if (selected && project.regions[*selected].ellipsoid) {
-        const RegionCounts::Count& inside = m_counts.of(project, *selected);
-        m_inside->setText(tr("%1 nodes, %2 springs").arg(countText(inside.nodes), countText(inside.springs)));
-    } else {
-        m_inside->setText(tr("all nodes"));
-    }
-    m_inside->setToolTip(m_inside->text());
+    RegionCounts::Count inside{project.network->restPositions.size(), project.network->springs.size()};
+    if (selected) inside = m_counts.of(project, *selected);
+    m_nodesInside->setText(tr("%1 nodes").arg(countText(inside.nodes)));
+    m_springsInside->setText(tr("%1 springs").arg(countText(inside.springs)));
 }
 
 void EllipsoidPanel::edit(const QString& text, const std::function<void(Ellipsoid&)>& change) {

@@ -27,7 +27,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     VectorField *m_centre, *m_radii, *m_turned;
-    QLabel* m_inside;
+    QLabel *m_nodesInside, *m_springsInside;
     RegionCounts m_counts;
 };
 

@@ -27,21 +27,20 @@ NumberFormat parameterFormat(Parameter parameter) {
 }
 
 ParameterRow::ParameterRow(Parameter parameter, Extent extent, QWidget* parent)
-    : QWidget(parent), m_field(new NumberField(parameterFormat(parameter), this)), m_note(new QLabel(this)) {
+    : QWidget(parent), m_field(new NumberField(parameterFormat(parameter), this)) {
     const QString caption = parameterName(parameter, extent);
     auto* name = new QLabel(caption, this);
     name->setProperty("strong", true);
     name->setBuddy(m_field);
-    m_note->setProperty("quiet", true);
     m_field->setAccessibleName(caption);
     m_field->setFixedWidth(124);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    row->addWidget(name);
-    row->addWidget(m_note, 1, Qt::AlignRight);
+    row->addWidget(name, 1);
     connect(m_field, &NumberField::valueEdited, this, &ParameterRow::valueEdited);
     if (extent == Extent::Region) {
+        m_field->setEmptyText(tr("as beneath"));
         m_hold = new QToolButton(this);
         m_hold->setText(tr("hold"));
         m_hold->setCheckable(true);
@@ -61,7 +60,6 @@ void ParameterRow::setValue(std::optional<double> value) {
     m_field->setValue(value);
     if (!m_hold) return;
     m_hold->setChecked(value.has_value());
-    m_note->setText(value ? QString() : tr("as beneath"));
     m_hold->setToolTip(value ? tr("Let go: keep the value of the tissue beneath")
                              : tr("Type a value to hold it"));
 }

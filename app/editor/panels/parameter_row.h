@@ -34,7 +34,6 @@ signals:
 private:
     NumberField* m_field;
     QToolButton* m_hold = nullptr;
-    QLabel* m_note;
 };
 
 } // namespace esm

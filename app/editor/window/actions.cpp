@@ -90,7 +90,7 @@ void makeViewActions(Actions& a, QWidget* window) {
     a.showRight =
         makeSwitch(make(window, "Righ&t panels", QKeySequence(Qt::Key_F10), "Show the right panels"), true);
     a.frame = make(window, "&Whole organ", QKeySequence(Qt::Key_Home), "Bring the whole organ into view");
-    a.lightTheme = makeSwitch(make(window, "&Light theme", {}, "Light colours"), false);
+    a.lightTheme = makeSwitch(make(window, "Li&ght theme", {}, "Light colours"), false);
     a.frame->setShortcuts({QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_0)});
     int key = Qt::Key_1;
     for (const char* name : {"&Front", "&Back", "&Left", "&Right", "&Top", "B&ottom"})

@@ -1,5 +1,6 @@
 #include "app/editor/window/layout.h"
 
+#include <QCoreApplication>
 #include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QMenuBar>
@@ -119,8 +120,10 @@ void buildToolStrip(QMainWindow& window, const Actions& a) {
         button->setFixedSize(34, 34);
     }
     strip->setFixedWidth(46);
-    strip->layout()->setContentsMargins(6, 8, 6, 8);
-    strip->layout()->setSpacing(4);
+    // Its margins lie in the style sheet, which knows it by a name that it did not have when it was made.
+    strip->ensurePolished();
+    QEvent named(QEvent::StyleChange);
+    QCoreApplication::sendEvent(strip, &named);
     window.addToolBar(Qt::LeftToolBarArea, strip);
 }
 

@@ -70,7 +70,8 @@ const ThemeColours& themeColours(Theme theme) {
                                    {"amber", "#e3a33b"},
                                    {"amberSoft", "#3a3328"},
                                    {"red", "#e76868"},
-                                   {"trough", "#15171a"}};
+                                   {"trough", "#15171a"},
+                                   {"chosen", "#3a424a"}};
     static const ThemeColours light{
         {"name", "light"},           {"window", "#eef0f2"},    {"panel", "#f8f9fa"},
         {"bar", "#f2f4f5"},          {"raised", "#ffffff"},    {"hover", "#e4e8eb"},
@@ -79,7 +80,8 @@ const ThemeColours& themeColours(Theme theme) {
         {"quiet", "#5b656e"},        {"disabled", "#9aa3ab"},  {"accent", "#217a70"},
         {"accentHover", "#1d6c63"},  {"bright", "#1f7f74"},    {"accentSoft", "#e3f2f0"},
         {"accentBorder", "#a5d3cd"}, {"wordsText", "#14524b"}, {"amber", "#8f5f0c"},
-        {"amberSoft", "#f8ecd4"},    {"red", "#b93636"},       {"trough", "#e4e8eb"}};
+        {"amberSoft", "#f8ecd4"},    {"red", "#b93636"},       {"trough", "#e4e8eb"},
+        {"chosen", "#ffffff"}};
     return theme == Theme::Dark ? dark : light;
 }
 
