@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
 namespace esm {
@@ -13,36 +12,6 @@ namespace esm {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-/// Watches a document while it is parsed. The parser itself would keep one of two equal keys without a word.
-class ParseGuard {
-public:
-    bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
-        constexpr int deepest = 100;
-        if (depth > deepest) throw InvalidModel("lists are nested too deeply");
-        if (event == Json::parse_event_t::object_start) m_open.emplace_back();
-        if (event == Json::parse_event_t::object_end) m_open.pop_back();
-        if (event == Json::parse_event_t::key) enter(parsed.get<std::string>());
-        return true;
-    }
-
-private:
-    struct Object {
-        std::set<std::string> keys;
-        std::string latest;
-    };
-
-    void enter(const std::string& key) {
-        m_open.back().latest = key;
-        if (m_open.back().keys.insert(key).second) return;
-        std::string place;
-        for (const Object& object : m_open)
-            place += (place.empty() ? "" : ".") + object.latest;
-        throw InvalidModel(place + " is there twice; remove or rename one");
-    }
-
-    std::vector<Object> m_open; ///< from the outermost
-};
 
 std::string lineAndColumn(const char* begin, const char* end, std::size_t byte) {
     const char* place = begin + std::min(byte > 0 ? byte - 1 : 0, static_cast<std::size_t>(end - begin));
@@ -53,17 +22,84 @@ std::string lineAndColumn(const char* begin, const char* end, std::size_t byte) 
            std::to_string(place - lineStart + 1);
 }
 
+/// Goes through a document before it is built. The parser itself would keep one of two equal keys without a
+/// word, compares each key with all before it, and nests without end; watching it by its callback makes it
+/// slow for long lists.
+class ParseGuard : public nlohmann::json_sax<Json> {
+public:
+    ParseGuard(const char* begin, const char* end) : m_begin(begin), m_end(end) {}
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+
+    bool start_array(std::size_t) override { return enter(); }
+    bool end_array() override { return leave(); }
+    bool start_object(std::size_t) override {
+        m_open.emplace_back();
+        return enter();
+    }
+    bool end_object() override {
+        m_open.pop_back();
+        return leave();
+    }
+    bool key(string_t& key) override;
+
+    bool parse_error(std::size_t byte, const std::string&,
+                     const nlohmann::detail::exception& error) override {
+        if (dynamic_cast<const Json::out_of_range*>(&error))
+            throw InvalidModel("is not valid JSON: a number is out of range");
+        throw InvalidModel("is not valid JSON at " + lineAndColumn(m_begin, m_end, byte));
+    }
+
+private:
+    struct Object {
+        std::set<std::string> keys;
+        std::string latest;
+    };
+
+    bool enter() {
+        constexpr int deepest = 100;
+        if (++m_depth > deepest) throw InvalidModel("lists are nested too deeply");
+        return true;
+    }
+    bool leave() {
+        --m_depth;
+        return true;
+    }
+    std::string place() const {
+        std::string text;
+        for (const Object& object : m_open)
+            text += (text.empty() ? "" : ".") + object.latest;
+        return text;
+    }
+
+    const char *m_begin, *m_end;
+    int m_depth = 0;
+    std::vector<Object> m_open; ///< from the outermost
+};
+
+bool ParseGuard::key(string_t& key) {
+    constexpr std::size_t mostMembers = 2000;
+    m_open.back().latest = key;
+    if (!m_open.back().keys.insert(key).second)
+        throw InvalidModel(place() + " is there twice; remove or rename one");
+    if (m_open.back().keys.size() > mostMembers)
+        throw InvalidModel(place() + " is one member too many; an object may have " +
+                           std::to_string(mostMembers));
+    return true;
+}
+
 } // namespace
 
 Json parseJson(const char* begin, const char* end) {
-    ParseGuard guard;
-    try {
-        return Json::parse(begin, end, std::ref(guard));
-    } catch (const Json::parse_error& error) {
-        throw InvalidModel("is not valid JSON at " + lineAndColumn(begin, end, error.byte));
-    } catch (const Json::exception&) {
-        throw InvalidModel("is not valid JSON: a number is out of range");
-    }
+    ParseGuard guard(begin, end);
+    Json::sax_parse(begin, end, &guard);
+    return Json::parse(begin, end);
 }
 
 Json readJsonFile(const std::filesystem::path& file) {

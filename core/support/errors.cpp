@@ -1,14 +1,18 @@
 #include "core/support/errors.h"
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
 
 std::string joined(const std::vector<std::string>& problems) {
+    constexpr std::size_t mostNamed = 20;
     std::string text;
-    for (const std::string& problem : problems)
-        text += (text.empty() ? "" : "; ") + problem;
-    return text;
+    for (std::size_t i = 0; i < std::min(problems.size(), mostNamed); ++i)
+        text += (i == 0 ? "" : "; ") + problems[i];
+    if (problems.size() <= mostNamed) return text;
+    return text + "; and " + std::to_string(problems.size() - mostNamed) + " more";
 }
 
 } // namespace
