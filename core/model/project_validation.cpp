@@ -1,9 +1,11 @@
 #include "core/model/project.h"
 #include "core/support/errors.h"
 #include "core/support/offenders.h"
+#include "core/texture/texture_limits.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace esm {
 
@@ -46,28 +48,43 @@ Problems regionProblems(const Region& region) {
     return problems;
 }
 
+void requireLength(Problems& problems, const std::string& name, double length) {
+    if (length >= texture_limits::shortestPhoto && length <= texture_limits::longestPhoto) return;
+    problems.push_back(name + " must be from 1 micrometre to 1 kilometre");
+}
+
 Problems photoProblems(const PhotoLayer& layer) {
     Problems problems;
     if (!layer.photo) problems.emplace_back("has no picture");
     if (!layer.projector.pose.matrix().allFinite())
         problems.emplace_back("the projector's place is not finite");
-    requireValue(problems, "the projector's width", layer.projector.width, false);
-    requireValue(problems, "the projector's height", layer.projector.height, false);
+    requireLength(problems, "the projector's width", layer.projector.width);
+    requireLength(problems, "the projector's height", layer.projector.height);
     requireValue(problems, "the blending width", layer.blendPixels, true);
     if (!(layer.opacity >= 0 && layer.opacity <= 1)) problems.emplace_back("the opacity must be from 0 to 1");
     return problems;
 }
 
+/// Pixels of all photos together, each counted once however often it is laid.
+std::uint64_t photoPixels(const Project& project) {
+    std::set<const Photo*> counted;
+    std::uint64_t pixels = 0;
+    for (const PhotoLayer& layer : project.photos)
+        if (layer.photo && counted.insert(layer.photo.get()).second)
+            pixels += layer.photo->image.pixels.size() / 4;
+    return pixels;
+}
+
 Problems textureProblems(const Project& project) {
-    Problems problems;
-    const AtlasOptions& options = project.texture.atlas;
-    if (options.size < 1 || options.pages < 1 || options.gap < 0)
-        problems.emplace_back(
-            "the texture needs a size and a number of pages above 0, and a gap of 0 or more pixels");
-    if (!project.atlas) return problems;
-    const std::size_t triangles = project.mesh->triangles.size();
-    if (project.atlas->corners.size() != triangles || project.atlas->page.size() != triangles)
-        problems.emplace_back("the packed texture was made for another mesh; pack it anew");
+    Problems problems = validate(project.texture.atlas);
+    if (project.atlas) {
+        const Problems found = validate(*project.atlas, project.mesh->triangles.size());
+        problems.insert(problems.end(), found.begin(), found.end());
+    }
+    if (photoPixels(project) > texture_limits::mostPixelsOfAllPhotos)
+        problems.push_back("the photos have more than " +
+                           std::to_string(texture_limits::mostPixelsOfAllPhotos / 1'000'000) +
+                           " megapixels together; use fewer or smaller photos");
     return problems;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/support/errors.h"
 #include "core/texture/row_layout.h"
+#include "core/texture/texture_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@
 namespace esm {
 
 namespace {
-
-constexpr int largestSize = 16384;
-constexpr int mostPages = 64;
 
 /// Below this share of its longest side a triangle's height is rounding error.
 constexpr double flatness = 1e-9;
@@ -96,14 +94,20 @@ double largestScale(const Shapes& shapes, const AtlasOptions& options) {
     return fitting;
 }
 
+/// The largest page of which there may be so many.
+int largestSizeOf(int pages) {
+    const double share = std::sqrt(static_cast<double>(texture_limits::mostTexels) / pages);
+    return std::min(texture_limits::largestPageSize, static_cast<int>(share));
+}
+
 /// The smallest page that holds the shapes at their smallest scale; 0 when none does.
 int smallestSize(const Shapes& shapes, AtlasOptions options) {
     const auto fitsAt = [&](int size) {
         options.size = size;
         return fits(layoutAt(shapes, options, shapes.smallestScale), options);
     };
-    int failing = 0, fitting = largestSize;
-    if (!fitsAt(largestSize)) return 0;
+    int failing = 0, fitting = largestSizeOf(options.pages);
+    if (!fitsAt(fitting)) return 0;
     while (fitting - failing > 1) {
         const int middle = (failing + fitting) / 2;
         (fitsAt(middle) ? fitting : failing) = middle;
@@ -118,22 +122,16 @@ int smallestSize(const Shapes& shapes, AtlasOptions options) {
                              (options.pages == 1 ? " page" : " pages");
     const int size = smallestSize(shapes, options);
     if (size == 0)
-        throw InvalidModel(what + ", nor does the largest of " + std::to_string(largestSize) +
+        throw InvalidModel(what + ", nor does the largest of " +
+                           std::to_string(largestSizeOf(options.pages)) +
                            "; use a smaller gap or more pages");
     throw InvalidModel(what + "; the smallest size that fits is " + std::to_string(size));
 }
 
-void checkOptions(const AtlasOptions& options) {
-    std::vector<std::string> problems;
-    if (options.size > largestSize)
-        problems.push_back("a texture of " + std::to_string(options.size) +
-                           " pixels is too large; use at most " + std::to_string(largestSize));
-    if (options.gap < 0)
-        problems.push_back("a gap of " + std::to_string(options.gap) +
-                           " pixels is impossible; the smallest that fits is 0");
-    if (options.pages < 1 || options.pages > mostPages)
-        problems.push_back(std::to_string(options.pages) + " pages are impossible; use 1 to " +
-                           std::to_string(mostPages));
+/// A size below 1 is told which one fits, as any other that is too small.
+void checkOptions(AtlasOptions options) {
+    options.size = std::max(options.size, 1);
+    const std::vector<std::string> problems = validate(options);
     if (!problems.empty()) throw InvalidModel(problems);
 }
 

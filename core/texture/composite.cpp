@@ -3,6 +3,7 @@
 #include "core/support/errors.h"
 #include "core/texture/layer_projection.h"
 #include "core/texture/patch_scan.h"
+#include "core/texture/texture_limits.h"
 
 #include <algorithm>
 #include <map>
@@ -25,8 +26,8 @@ constexpr double hidingTolerance = 1e-4;
 constexpr double touching = 0.70711;
 
 void checkAtlas(const TriangleMesh& mesh, const Atlas& atlas) {
-    if (atlas.corners.size() != mesh.triangles.size() || atlas.page.size() != mesh.triangles.size())
-        throw InvalidModel("the texture layout belongs to another surface; lay it out again");
+    const std::vector<std::string> problems = validate(atlas, mesh.triangles.size());
+    if (!problems.empty()) throw InvalidModel(problems);
 }
 
 /// What all bands share: the shown layers, each photo's pyramid once, and the surface for shadows.

@@ -18,10 +18,10 @@ double pixelsPerTexel(const Eigen::Matrix3d& places, const std::array<Eigen::Vec
     Eigen::Matrix2d texels, pixels;
     texels << patch[1] - patch[0], patch[2] - patch[0];
     pixels << (places.col(1) - places.col(0)).head<2>(), (places.col(2) - places.col(0)).head<2>();
-    if (texels.determinant() == 0) return 0;
     const Eigen::Matrix2d perTexel = pixels * texels.inverse();
     const double half = perTexel.squaredNorm() / 2, product = perTexel.determinant();
-    return std::sqrt(half + std::sqrt(std::max(0.0, half * half - product * product)));
+    const double density = std::sqrt(half + std::sqrt(std::max(0.0, half * half - product * product)));
+    return std::isfinite(density) ? density : 0; // a patch without area shows the photo itself
 }
 
 } // namespace
@@ -53,6 +53,7 @@ std::optional<TriangleProjection> TriangleProjection::make(const PhotoLayer& lay
 
 Eigen::Vector4f TriangleProjection::at(const PatchTexel& texel) const {
     const Eigen::Vector3d place = m_places * texel.extended;
+    if (!place.allFinite()) return Eigen::Vector4f::Zero();
     const double border = borderWeight(place);
     if (border <= 0 || place.z() < -m_surface.tolerance) return Eigen::Vector4f::Zero();
     Eigen::Vector4f colour = m_sampler.at(place.x(), place.y(), m_depth);

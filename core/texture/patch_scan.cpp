@@ -13,6 +13,9 @@ constexpr int rowsPerBand = 32;
 /// A centre farther out than this is no neighbour in bilinear filtering and takes the patch's border colour.
 constexpr double extension = 1.5;
 
+/// Below this share of the sides' squares a patch's area is rounding error: no texel's centre lies inside.
+constexpr double singular = 1e-10;
+
 double nearestFraction(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     const Eigen::Vector2d along = b - a;
     const double square = along.squaredNorm();
@@ -50,7 +53,7 @@ PatchScan::PatchScan(const std::array<Eigen::Vector2d, 3>& corners)
       m_bottom(std::max({corners[0].y(), corners[1].y(), corners[2].y()})) {
     Eigen::Matrix2d sides;
     sides << corners[1] - corners[0], corners[2] - corners[0];
-    m_isPoint = sides.isZero(0);
+    m_isPoint = !(std::abs(sides.determinant()) > singular * sides.squaredNorm());
     m_inverse = m_isPoint ? Eigen::Matrix2d::Zero() : Eigen::Matrix2d(sides.inverse());
 }
 

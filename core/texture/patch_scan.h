@@ -31,7 +31,9 @@ struct PatchTexel {
     Eigen::Vector3d extended; ///< its centre in the triangle's plane, the same where it lies inside
 };
 
-/// A patch with its inverse map from texels to the triangle's corners.
+/// A patch with its inverse map from texels to the triangle's corners. One without area has no inverse: it
+/// is scanned like a point, and every texel near it sees the triangle's middle. Precondition: the corners lie
+/// on the page.
 class PatchScan {
 public:
     explicit PatchScan(const std::array<Eigen::Vector2d, 3>& corners);

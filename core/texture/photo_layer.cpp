@@ -2,7 +2,9 @@
 
 #include "core/support/errors.h"
 #include "core/texture/photo_format.h"
+#include "core/texture/texture_limits.h"
 
+#include <new>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -10,8 +12,6 @@ namespace esm {
 
 namespace {
 
-constexpr std::uint64_t mostPixels =
-    16384 * 16384; // as many as the largest texture page, which is read like a photo
 constexpr std::uintmax_t mostBytes = 1'000'000'000;
 
 /// Eight bits per channel, in red, green, blue, alpha. Empty for kinds of numbers that photos do not have.
@@ -31,7 +31,8 @@ cv::Mat decode(const Bytes& encoded, bool isJpeg) {
     const int mode = isJpeg ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED;
     try {
         return toRgba(cv::imdecode(encoded, mode));
-    } catch (const cv::Exception&) {
+    } catch (const cv::Exception& error) {
+        if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
         return {};
     }
 }
@@ -40,7 +41,7 @@ cv::Mat decode(const Bytes& encoded, bool isJpeg) {
 std::shared_ptr<const Photo> makePhoto(const std::filesystem::path& shown, std::string name, Bytes encoded) {
     const PhotoFormat format = inspectPhoto(encoded);
     if (!format.problem.empty()) throw FileError(shown, format.problem);
-    if (format.width > mostPixels / format.height)
+    if (format.width > texture_limits::mostPhotoPixels / format.height)
         throw FileError(shown, "is larger than 268 megapixels (" + std::to_string(format.width) + " × " +
                                    std::to_string(format.height) + "); scale it down");
     const cv::Mat rgba = decode(encoded, format.isJpeg);

@@ -27,7 +27,7 @@ struct PhotoLayer {
     bool visible = true;
 };
 
-/// Decodes a photo. @throws FileError when it is missing, not an image or damaged
+/// Decodes a photo. @throws FileError when it is missing, not an image, damaged or too large
 std::shared_ptr<const Photo> loadPhoto(const std::filesystem::path& file);
 /// The same from bytes; `name` stands in messages.
 std::shared_ptr<const Photo> decodePhoto(std::string name, Bytes encoded);

@@ -163,3 +163,25 @@ TEST(Project, ReportsTheProblemsOfAllItsParts) {
                             HasSubstr("width")));
     EXPECT_THAT(validate(Project{}), ElementsAre(HasSubstr("no organ")));
 }
+
+TEST(Project, ReportsTexturesAndPhotosBeyondAllUse) {
+    Project project = projectOf(sheet(2, 2), false);
+    const Atlas packed = packAtlas(*project.mesh, {64, 1, 1});
+    project.atlas = std::make_shared<Atlas>(packed);
+    ASSERT_THAT(validate(project), ElementsAre());
+    project.texture.atlas = {16384, 256, 1};
+    Atlas beyond = packed;
+    beyond.corners[0][0].x() = 1e300;
+    project.atlas = std::make_shared<Atlas>(beyond);
+    EXPECT_THAT(validate(project), ElementsAre(HasSubstr("texture: 256 pages"), HasSubstr("(triangle 0)")));
+
+    project.texture.atlas = {};
+    project.atlas = nullptr;
+    PhotoLayer layer;
+    layer.photo = std::make_shared<Photo>();
+    layer.projector.width = 1e-308;
+    layer.projector.height = 1e4;
+    project.photos = {layer};
+    EXPECT_THAT(validate(project),
+                ElementsAre(HasSubstr("projector's width"), HasSubstr("projector's height")));
+}

@@ -50,10 +50,12 @@ Colour pixelAt(const Image& page, int x, int y) {
     return {pixel[0], pixel[1], pixel[2], pixel[3]};
 }
 
-/// Calls `visit(surface point, colour, triangle)` for every texel whose centre lies inside a patch.
+/// Calls `visit(surface point, colour, triangle)` for every texel whose centre lies inside a patch, and fails
+/// where there are too few to tell anything.
 void forEachTexelInside(
     const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Image>& pages,
     const std::function<void(const Eigen::Vector3d&, const Colour&, std::size_t)>& visit) {
+    std::size_t visited = 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto& patch = atlas.corners[i];
         Eigen::AlignedBox2d box;
@@ -65,6 +67,7 @@ void forEachTexelInside(
             for (int x = int(box.min().x()); x <= int(box.max().x()); ++x) {
                 const Eigen::Vector2d w = sides.inverse() * (Eigen::Vector2d(x + 0.5, y + 0.5) - patch[0]);
                 if (w.minCoeff() < 0 || w.sum() > 1) continue;
+                ++visited;
                 const Triangle& t = mesh.triangles[i];
                 visit((1 - w.sum()) * mesh.vertices[t[0]] + w.x() * mesh.vertices[t[1]] +
                           w.y() * mesh.vertices[t[2]],
@@ -72,6 +75,7 @@ void forEachTexelInside(
             }
         }
     }
+    EXPECT_GT(visited, 2000U);
 }
 
 /// A square of 0.1 m at z = 0 and a smaller one of 0.04 m above its middle, both seen from above.
@@ -285,9 +289,36 @@ TEST(Composite, StopsWhenToldTo) {
     EXPECT_THROW(composite(mesh, atlas, layers, baseColour, [](double) { return false; }), Cancelled);
 }
 
-TEST(Composite, RefusesTheLayoutOfAnotherSurface) {
-    const Atlas atlas = packAtlas(flatSquare(0.1, 3), {256, 1, 2});
+TEST(Composite, RefusesTheLayoutOfAnotherSurfaceOrBeyondThePage) {
+    const TriangleMesh mesh = flatSquare(0.1, 3);
+    Atlas atlas = packAtlas(mesh, {256, 1, 2});
     EXPECT_THROW(composite(flatSquare(0.1, 4), atlas, {}, baseColour), InvalidModel);
+    atlas.corners[0][0].y() = 1e300;
+    const PhotoLayer layer = layerFromAbove(plainPhoto(green), 0.3);
+    EXPECT_THROW(composite(mesh, atlas, {layer}, baseColour), InvalidModel);
+    EXPECT_THROW(coverage(mesh, atlas, layer), InvalidModel);
+}
+
+TEST(Composite, GivesPatchesWithoutAreaAColourLikePoints) {
+    const TriangleMesh mesh = flatSquare(0.1, 3);
+    const PhotoLayer layer = layerFromAbove(plainPhoto(green), 0.3);
+    for (const double off : {0.0, 1e-300, 1e-14, 1e-9}) {
+        Atlas atlas = packAtlas(mesh, {256, 1, 2});
+        atlas.corners[0] = {Eigen::Vector2d(10, 10), {30, 30 + off}, {50, 50}};
+        const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
+        const Colour colour = pixelAt(pages[0], 30, 30);
+        EXPECT_TRUE(colour == green || colour == base) << off;
+        EXPECT_GT(coverage(mesh, atlas, layer).triangles, 1U);
+    }
+}
+
+TEST(Composite, TakesNoColourFromPlacesThatAreNotFinite) {
+    const TriangleMesh mesh = flatSquare(0.1, 3);
+    const Atlas atlas = packAtlas(mesh, {256, 1, 2});
+    PhotoLayer layer = layerFromAbove(plainPhoto(green), 1e-308);
+    layer.projector.occlusion = false;
+    forEachTexelInside(mesh, atlas, composite(mesh, atlas, {layer}, baseColour),
+                       [](auto&, const Colour& colour, std::size_t) { ASSERT_EQ(colour, base); });
 }
 
 TEST(Coverage, CountsTexelsAndTriangles) {

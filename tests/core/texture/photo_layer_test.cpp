@@ -9,6 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <fstream>
+#include <new>
 
 using namespace esm;
 using testing::HasSubstr;
@@ -127,6 +128,22 @@ TEST(Photo, RefusesWhatIsNoPictureOrTooLarge) {
     Bytes lying = encoded(".bmp", noise(8, 8, CV_8UC3));
     lying[21] = lying[25] = 0x7f; // claims two thousand million pixels each way
     EXPECT_THAT(refusal(lying), HasSubstr("268 megapixels"));
+}
+
+TEST(Photo, ThatMemoryCannotHoldIsNotCalledDamaged) {
+    struct NoMemory : cv::MatAllocator {
+        cv::UMatData* allocate(int, const int*, int, void*, std::size_t*, cv::AccessFlag,
+                               cv::UMatUsageFlags) const override {
+            CV_Error(cv::Error::StsNoMem, "no memory");
+        }
+        bool allocate(cv::UMatData*, cv::AccessFlag, cv::UMatUsageFlags) const override { return false; }
+        void deallocate(cv::UMatData*) const override {}
+    } full;
+    const Bytes bytes = encoded(".png", noise(64, 48, CV_8UC3));
+    cv::MatAllocator* const usual = cv::Mat::getDefaultAllocator();
+    cv::Mat::setDefaultAllocator(&full);
+    EXPECT_THROW(decodePhoto("liver.png", bytes), std::bad_alloc);
+    cv::Mat::setDefaultAllocator(usual);
 }
 
 TEST(Photo, NamesTheFileThatCannotBeRead) {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/texture/atlas.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// How large textures and photos may be, so that neither a slip nor a damaged file asks for all memory. What
+/// exceeds them is neither made, saved nor read.
+namespace esm::texture_limits {
+
+constexpr int largestPageSize = 16384; ///< pixels, width and height
+constexpr int mostPages = 64;
+constexpr std::int64_t mostTexels = std::int64_t{1} << 30; ///< of all pages together
+
+constexpr std::uint64_t mostPhotoPixels =
+    std::uint64_t{largestPageSize} * largestPageSize; ///< a texture page is read like a photo
+constexpr std::uint64_t mostPixelsOfAllPhotos = std::uint64_t{1} << 29;
+
+constexpr double shortestPhoto = 1e-6, longestPhoto = 1e3; ///< m, width and height of a photo in space
+
+} // namespace esm::texture_limits
+
+namespace esm {
+
+/// Every problem of the size of a texture. Empty when all is well.
+std::vector<std::string> validate(const AtlasOptions& options);
+
+/// Every problem of a layout for a surface of so many triangles.
+std::vector<std::string> validate(const Atlas& atlas, std::size_t triangles);
+
+} // namespace esm
