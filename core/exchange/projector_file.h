@@ -1,14 +1,15 @@
 #pragma once
 
+#include "core/exchange/json_reader.h"
 #include "core/texture/projector.h"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 
 namespace esm {
 
-/// Projector JSON as in `docs/command-line.md`.
+/// Projector JSON as in `docs/command-line.md`. A pose that is a rotation but for few digits is turned to the
+/// nearest one.
+Projector projectorFromJson(const JsonReader& reader);
 Projector projectorFromJson(const nlohmann::ordered_json& json); ///< @throws InvalidModel with every problem
 nlohmann::ordered_json toJson(const Projector& projector);
 Projector readProjectorFile(const std::filesystem::path& file); ///< @throws FileError

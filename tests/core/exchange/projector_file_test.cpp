@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <fstream>
 
 using namespace esm;
@@ -55,9 +56,8 @@ TEST(ProjectorFile, ComesBackBitByBit) {
 TEST(ProjectorFile, ListsEveryProblem) {
     const Json json =
         Json::parse(R"({"width": -1, "height": "tall", "occlusion": 1, "colour": 3, "kind": "flat"})");
-    EXPECT_THAT(problems(json),
-                ElementsAre(HasSubstr("pose"), HasSubstr("kind"), HasSubstr("width"), HasSubstr("height"),
-                            HasSubstr("occlusion"), HasSubstr("colour")));
+    EXPECT_THAT(problems(json), ElementsAre(HasSubstr("colour"), HasSubstr("pose"), HasSubstr("kind"),
+                                            HasSubstr("width"), HasSubstr("height"), HasSubstr("occlusion")));
     EXPECT_THAT(problems(Json::parse("[1]")), ElementsAre(HasSubstr("object")));
 }
 
@@ -75,6 +75,25 @@ TEST(ProjectorFile, RefusesAPoseThatIsNotRigid) {
     Json shortPose = valid();
     shortPose["pose"].erase(15);
     EXPECT_THAT(problems(shortPose), ElementsAre(HasSubstr("16 numbers")));
+}
+
+TEST(ProjectorFile, TurnsAPoseOfFewDigitsToTheNearestRotation) {
+    Json json = valid();
+    json["pose"] = {0.7071, -0.7071, 0, 0.5, 0.7071, 0.7071, 0, 0.25, 0, 0, 1, 2, 0, 0, 0, 1};
+    ASSERT_THAT(problems(json), ElementsAre());
+    const Eigen::Isometry3d pose = projectorFromJson(json).pose;
+    const Eigen::AngleAxisd eighth(std::acos(-1.0) / 4, Eigen::Vector3d::UnitZ());
+    EXPECT_TRUE(pose.linear().isApprox(eighth.toRotationMatrix(), 1e-12));
+    EXPECT_EQ(Eigen::Vector3d(pose.translation()), Eigen::Vector3d(0.5, 0.25, 2));
+}
+
+TEST(ProjectorFile, RefusesAPhotoOfNoUsableSize) {
+    for (const char* key : {"width", "height"})
+        for (const double length : {1e-308, 1e-7, 1001.0, 1e300, 0.0, -0.1}) {
+            Json json = valid();
+            json[key] = length;
+            EXPECT_THAT(problems(json), ElementsAre(HasSubstr(key))) << length;
+        }
 }
 
 TEST(ProjectorFile, SaysThatPerspectiveIsNotForThisVersion) {
