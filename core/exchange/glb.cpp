@@ -1,6 +1,6 @@
 #include "core/exchange/glb.h"
 
-#include "core/exchange/little_endian.h"
+#include "core/support/byte_order.h"
 #include "core/support/errors.h"
 
 #include <algorithm>

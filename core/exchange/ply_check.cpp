@@ -1,7 +1,9 @@
 #include "core/exchange/mesh_file_checks.h"
 #include "core/exchange/text_lines.h"
+#include "core/support/byte_order.h"
 #include "core/support/errors.h"
 
+#include <algorithm>
 #include <array>
 
 namespace esm {
@@ -70,9 +72,10 @@ private:
     void readHeader();
     void readFormat(std::string_view name);
     void readProperty(std::string_view rest, const std::string& place);
+    void readElement(std::string_view rest, const std::string& place);
+    void endHeader(std::string_view lastLine);
     void checkText() const;
     void checkBinary() const;
-    std::uint64_t listLength(std::size_t at, std::size_t bytes) const;
 
     const fs::path& m_file;
     const Bytes& m_content;
@@ -103,34 +106,36 @@ void PlyChecker::readProperty(std::string_view rest, const std::string& place) {
     m_header.elements.back().properties.push_back(property);
 }
 
+void PlyChecker::readElement(std::string_view rest, const std::string& place) {
+    const std::string name(takeWord(rest));
+    const auto count = wholeNumber<std::uint64_t>(takeWord(rest));
+    if (!count) fail("has an element without a count" + place);
+    m_header.elements.push_back({name, *count, {}});
+}
+
+void PlyChecker::endHeader(std::string_view lastLine) {
+    const char* const begin = reinterpret_cast<const char*>(m_content.data());
+    std::size_t end = static_cast<std::size_t>(lastLine.data() - begin) + lastLine.size();
+    if (end < m_content.size() && m_content[end] == '\r') ++end;
+    m_header.bodyStart = std::min(m_content.size(), end + 1);
+    const bool hasVertices =
+        std::any_of(m_header.elements.begin(), m_header.elements.end(),
+                    [](const PlyElement& element) { return element.name == "vertex" && element.count > 0; });
+    if (!hasVertices) fail("announces no vertices in its header");
+}
+
 void PlyChecker::readHeader() {
     TextLines lines(m_content);
-    std::size_t vertices = 0;
     for (std::string_view line; lines.next(line);) {
         const std::string place = " in line " + std::to_string(lines.number());
         std::string_view rest = line;
         const std::string_view keyword = takeWord(rest);
         if (lines.number() == 1 && keyword != "ply")
             fail("does not begin with \"ply\", so it is no PLY file");
-        if (keyword == "end_header") {
-            const char* next = line.data() + line.size();
-            if (next < reinterpret_cast<const char*>(m_content.data() + m_content.size()) && *next == '\r')
-                ++next;
-            m_header.bodyStart = std::min(
-                m_content.size(),
-                static_cast<std::size_t>(next + 1 - reinterpret_cast<const char*>(m_content.data())));
-            if (vertices == 0) fail("announces no vertices in its header");
-            return;
-        }
+        if (keyword == "end_header") return endHeader(line);
         if (keyword == "format") readFormat(takeWord(rest));
         if (keyword == "property") readProperty(rest, place);
-        if (keyword == "element") {
-            const std::string name(takeWord(rest));
-            const auto count = wholeNumber<std::uint64_t>(takeWord(rest));
-            if (!count) fail("has an element without a count" + place);
-            m_header.elements.push_back({name, *count, {}});
-            if (name == "vertex") vertices = *count;
-        }
+        if (keyword == "element") readElement(rest, place);
     }
     fail("is cut off: its header has no \"end_header\"");
 }
@@ -157,16 +162,8 @@ void PlyChecker::checkText() const {
         }
 }
 
-std::uint64_t PlyChecker::listLength(std::size_t at, std::size_t bytes) const {
-    std::uint64_t length = 0;
-    for (std::size_t i = 0; i < bytes; ++i) {
-        const std::size_t significant = m_header.form == PlyForm::BigEndian ? i : bytes - 1 - i;
-        length = length << 8 | m_content[at + significant];
-    }
-    return length;
-}
-
 void PlyChecker::checkBinary() const {
+    const ByteOrder order = m_header.form == PlyForm::BigEndian ? ByteOrder::Big : ByteOrder::Little;
     std::size_t at = m_header.bodyStart;
     const auto need = [&](std::uint64_t items, std::uint64_t bytes, const PlyElement& element) {
         if (items > (m_content.size() - at) / bytes)
@@ -181,7 +178,7 @@ void PlyChecker::checkBinary() const {
                 std::uint64_t items = 1;
                 if (property.countBytes > 0) {
                     need(1, property.countBytes, element);
-                    items = listLength(at, property.countBytes);
+                    items = unsignedNumber(&m_content[at], property.countBytes, order);
                     at += property.countBytes;
                 }
                 need(items, property.bytes, element);

@@ -1,4 +1,4 @@
-#include "core/exchange/little_endian.h"
+#include "core/support/byte_order.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/project_layout.h"
 #include "core/exchange/projector_file.h"

@@ -31,7 +31,6 @@ public:
     }
 
     std::size_t number() const { return m_number; } ///< of the line last returned, from 1
-    bool atEnd() const { return m_at >= m_text.size(); }
 
 private:
     std::string_view m_text;

@@ -1,5 +1,6 @@
 #include "core/exchange/mesh_file_checks.h"
 #include "core/exchange/text_lines.h"
+#include "core/support/byte_order.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -21,46 +22,75 @@ bool holdsThreeNumbers(std::string_view rest) {
     return true;
 }
 
+bool isBlank(std::string_view line) {
+    return line.find_first_not_of(" \t") == std::string_view::npos;
+}
+
+class OffChecker {
+public:
+    OffChecker(const fs::path& file, const Bytes& content) : m_file(file), m_lines(content) {}
+
+    /// The number of faces.
+    std::uint64_t check() {
+        readCounts();
+        for (std::uint64_t i = 0; i < m_vertices; ++i)
+            if (!nextData() || !holdsThreeNumbers(m_line))
+                fail("announces " + std::to_string(m_vertices) + " vertices, but number " +
+                     std::to_string(i) + atLine(m_lines) + " is missing or damaged; the file may be cut off");
+        for (std::uint64_t i = 0; i < m_faces; ++i)
+            if (!nextData() || !isFace(m_line))
+                fail("announces " + std::to_string(m_faces) + " faces, but number " + std::to_string(i) +
+                     atLine(m_lines) + " is missing, damaged or names a missing vertex");
+        return m_faces;
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& problem) const {
+        throw FileError(m_file, problem + "; export it again");
+    }
+
+    /// The next line that holds more than a comment.
+    bool nextData() {
+        while (m_lines.next(m_line)) {
+            m_line = m_line.substr(0, m_line.find('#'));
+            if (!isBlank(m_line)) return true;
+        }
+        return false;
+    }
+
+    /// The counts may stand beside the format's name or below it.
+    void readCounts() {
+        if (!nextData() || takeWord(m_line).find("OFF") == std::string_view::npos)
+            throw FileError(m_file, "does not begin with OFF; choose a file of the kind its ending says");
+        if (isBlank(m_line)) nextData();
+        const auto vertices = wholeNumber<std::uint64_t>(takeWord(m_line));
+        const auto faces = wholeNumber<std::uint64_t>(takeWord(m_line));
+        if (!vertices || !faces) fail("does not give its counts of vertices and faces" + atLine(m_lines));
+        m_vertices = *vertices;
+        m_faces = *faces;
+    }
+
+    bool isFace(std::string_view line) const {
+        const std::uint64_t corners = wholeNumber<std::uint64_t>(takeWord(line)).value_or(0);
+        if (corners == 0 || corners > line.size()) return false;
+        for (std::uint64_t corner = 0; corner < corners; ++corner) {
+            const auto index = wholeNumber<std::uint64_t>(takeWord(line));
+            if (!index || *index >= m_vertices) return false;
+        }
+        return true;
+    }
+
+    const fs::path& m_file;
+    TextLines m_lines;
+    std::string_view m_line;
+    std::uint64_t m_vertices = 0, m_faces = 0;
+};
+
 } // namespace
 
 std::size_t checkOff(const fs::path& file, const Bytes& content) {
     refuseBinary(file, content, "OFF");
-    TextLines lines(content);
-    const auto nextData = [&lines](std::string_view& line) {
-        while (lines.next(line)) {
-            line = line.substr(0, line.find('#'));
-            if (line.find_first_not_of(" \t") != line.npos) return true;
-        }
-        return false;
-    };
-    std::string_view line;
-    if (!nextData(line) || takeWord(line).find("OFF") == line.npos)
-        throw FileError(file, "does not begin with OFF; choose a file of the kind its ending says");
-    if (line.find_first_not_of(" \t") == line.npos) nextData(line);
-    const auto vertexCount = wholeNumber<std::uint64_t>(takeWord(line));
-    const auto faceCount = wholeNumber<std::uint64_t>(takeWord(line));
-    if (!vertexCount || !faceCount)
-        throw FileError(file, "does not give its counts of vertices and faces" + atLine(lines) +
-                                  "; export it again");
-    for (std::uint64_t i = 0; i < *vertexCount; ++i)
-        if (!nextData(line) || !holdsThreeNumbers(line))
-            throw FileError(file, "announces " + std::to_string(*vertexCount) + " vertices, but number " +
-                                      std::to_string(i) + atLine(lines) +
-                                      " is missing or damaged; the file may be cut off; export it again");
-    for (std::uint64_t i = 0; i < *faceCount; ++i) {
-        const bool there = nextData(line);
-        const std::uint64_t corners = there ? wholeNumber<std::uint64_t>(takeWord(line)).value_or(0) : 0;
-        bool whole = corners > 0 && corners <= line.size();
-        for (std::uint64_t corner = 0; whole && corner < corners; ++corner) {
-            const auto index = wholeNumber<std::uint64_t>(takeWord(line));
-            whole = index && *index < *vertexCount;
-        }
-        if (!whole)
-            throw FileError(file, "announces " + std::to_string(*faceCount) + " faces, but number " +
-                                      std::to_string(i) + atLine(lines) +
-                                      " is missing, damaged or names a missing vertex; export it again");
-    }
-    return *faceCount;
+    return OffChecker(file, content).check();
 }
 
 namespace {
@@ -97,10 +127,7 @@ std::size_t checkStlText(const fs::path& file, const Bytes& content) {
 std::size_t checkStl(const fs::path& file, const Bytes& content) {
     constexpr std::size_t headerSize = 84, triangleSize = 50;
     const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
-    std::uint32_t count = 0;
-    if (content.size() >= headerSize)
-        for (std::size_t i = 0; i < 4; ++i)
-            count |= std::uint32_t{content[80 + i]} << (8 * i);
+    const std::uint32_t count = content.size() >= headerSize ? littleEndian<std::uint32_t>(&content[80]) : 0;
     const std::size_t held = content.size() >= headerSize ? (content.size() - headerSize) / triangleSize : 0;
     if (content.size() >= headerSize && content.size() == headerSize + std::size_t{count} * triangleSize)
         return count;

@@ -1,6 +1,7 @@
 #include "core/exchange/vtk_polydata.h"
 
 #include "core/exchange/text_lines.h"
+#include "core/support/byte_order.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -199,10 +200,9 @@ void VtkParser::beginNumbers(std::size_t count, std::size_t perItem, const Numbe
 
 std::uint64_t VtkParser::nextBits(std::size_t bytes) {
     if (m_text.size() - m_at < bytes) fail("is cut off in the middle of its numbers");
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < bytes; ++i)
-        bits = bits << 8 | static_cast<unsigned char>(m_text[m_at++]);
-    return bits;
+    const auto* place = reinterpret_cast<const std::uint8_t*>(m_text.data() + m_at);
+    m_at += bytes;
+    return unsignedNumber(place, bytes, ByteOrder::Big);
 }
 
 double VtkParser::nextReal(const NumberType& type) {

@@ -1,5 +1,7 @@
 #include "core/texture/photo_format.h"
 
+#include "core/support/byte_order.h"
+
 #include <cstdlib>
 #include <cstring>
 #include <optional>
@@ -12,8 +14,6 @@ namespace {
 const char* const truncated = "ends before the picture does; copy or export it again";
 const char* const damaged = "is damaged; copy or export it again";
 
-enum class ByteOrder { Big, Little };
-
 /// Numbers at places in a file that may be shorter than it says.
 class Cursor {
 public:
@@ -22,13 +22,10 @@ public:
     bool holds(std::size_t place, std::size_t size) const {
         return place <= m_bytes.size() && size <= m_bytes.size() - place;
     }
+    /// 0 where the file ends before it does.
     std::uint32_t number(std::size_t place, std::size_t size) const {
-        std::uint32_t value = 0;
-        for (std::size_t i = 0; i < size && holds(place + i, 1); ++i) {
-            const std::uint32_t byte = m_bytes[place + i];
-            value = m_order == ByteOrder::Big ? value << 8 | byte : value | byte << (8 * i);
-        }
-        return value;
+        if (!holds(place, size)) return 0;
+        return static_cast<std::uint32_t>(unsignedNumber(m_bytes.data() + place, size, m_order));
     }
     bool startsWith(const char* text, std::size_t place = 0) const {
         const std::size_t length = std::strlen(text);

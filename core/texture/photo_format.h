@@ -14,8 +14,9 @@ struct PhotoFormat {
     std::uint64_t width = 0, height = 0; ///< pixels
 };
 
-/// Walks through the structure of a PNG, JPEG, BMP or TIFF file to its end, since decoders fill up a
-/// truncated picture with grey in silence and allocate whatever size a header claims.
+/// Walks through the structure of a PNG or JPEG file to its end, since decoders fill up a truncated picture
+/// with grey in silence and allocate whatever size a header claims. Of a BMP file the header is compared with
+/// the file's size, of a TIFF file the first directory read.
 PhotoFormat inspectPhoto(const Bytes& encoded);
 
 } // namespace esm

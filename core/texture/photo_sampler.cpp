@@ -1,5 +1,7 @@
 #include "core/texture/photo_sampler.h"
 
+#include "core/texture/bilinear.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,16 +46,13 @@ Image halved(const Image& image) {
 }
 
 Eigen::Vector4f bilinear(const Image& image, double x, double y) {
-    x = std::clamp(x - 0.5, 0.0, image.width - 1.0);
-    y = std::clamp(y - 0.5, 0.0, image.height - 1.0);
-    const int left = static_cast<int>(x), top = static_cast<int>(y);
-    const int right = std::min(left + 1, image.width - 1), bottom = std::min(top + 1, image.height - 1);
-    const auto u = static_cast<float>(x - left), v = static_cast<float>(y - top);
+    const BilinearPlace place = bilinearPlace(image, x, y);
+    const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
     WeightedColour mean;
-    mean.add(image.at(left, top), (1 - u) * (1 - v));
-    mean.add(image.at(right, top), u * (1 - v));
-    mean.add(image.at(left, bottom), (1 - u) * v);
-    mean.add(image.at(right, bottom), u * v);
+    mean.add(image.at(place.left, place.top), (1 - u) * (1 - v));
+    mean.add(image.at(place.right, place.top), u * (1 - v));
+    mean.add(image.at(place.left, place.bottom), (1 - u) * v);
+    mean.add(image.at(place.right, place.bottom), u * v);
     return mean.colour();
 }
 

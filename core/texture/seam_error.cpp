@@ -1,3 +1,4 @@
+#include "core/texture/bilinear.h"
 #include "core/texture/composite.h"
 
 #include <algorithm>
@@ -14,19 +15,16 @@ struct Side {
     Eigen::Vector2d start, end; ///< pixels
 };
 
-/// Clamped at the page's borders as a texture is.
-Eigen::Vector3d filtered(const Image& page, const Eigen::Vector2d& place) {
-    const double x = std::clamp(place.x() - 0.5, 0.0, page.width - 1.0);
-    const double y = std::clamp(place.y() - 0.5, 0.0, page.height - 1.0);
-    const int left = static_cast<int>(x), top = static_cast<int>(y);
-    const int right = std::min(left + 1, page.width - 1), bottom = std::min(top + 1, page.height - 1);
+Eigen::Vector3d filtered(const Image& page, const Eigen::Vector2d& point) {
+    const BilinearPlace place = bilinearPlace(page, point.x(), point.y());
     const auto colour = [&](int column, int row) {
         const std::uint8_t* pixel = page.at(column, row);
         return Eigen::Vector3d(pixel[0], pixel[1], pixel[2]);
     };
-    const double u = x - left, v = y - top;
-    return (1 - v) * ((1 - u) * colour(left, top) + u * colour(right, top)) +
-           v * ((1 - u) * colour(left, bottom) + u * colour(right, bottom));
+    const auto mixed = [&](int row) -> Eigen::Vector3d {
+        return (1 - place.u) * colour(place.left, row) + place.u * colour(place.right, row);
+    };
+    return (1 - place.v) * mixed(place.top) + place.v * mixed(place.bottom);
 }
 
 /// Compared at every texel of the edge's length and at its ends.

@@ -2,7 +2,7 @@
 
 #include "core/exchange/fuzzy_file.h"
 #include "core/exchange/json_reader.h"
-#include "core/exchange/little_endian.h"
+#include "core/support/byte_order.h"
 #include "core/exchange/project_layout.h"
 #include "core/exchange/scene_file.h"
 #include "core/exchange/zip_archive.h"
