@@ -38,6 +38,24 @@ void appendChunk(Bytes& file, std::uint32_t type, const Bytes& content) {
     file.insert(file.end(), content.begin(), content.end());
 }
 
+std::uint32_t wordAt(const Bytes& file, std::size_t place) {
+    return littleEndian<std::uint32_t>(&file[place]);
+}
+
+/// The bytes that the header speaks of.
+std::size_t announcedSize(const Bytes& file) {
+    if (file.empty()) throw InvalidModel("is empty; choose another file");
+    if (file.size() < headerSize || wordAt(file, 0) != magic)
+        throw InvalidModel("is not a binary glTF file (.glb)");
+    if (const std::uint32_t version = wordAt(file, 4); version != 2)
+        throw InvalidModel("is glTF of version " + std::to_string(version) + "; version 2 is needed");
+    const std::uint32_t announced = wordAt(file, 8);
+    if (announced < headerSize || announced > file.size())
+        throw InvalidModel("is cut off or damaged: its header speaks of " + std::to_string(announced) +
+                           " bytes, but it has " + std::to_string(file.size()));
+    return announced;
+}
+
 } // namespace
 
 Bytes writeGlb(const Glb& glb) {
@@ -58,34 +76,36 @@ Bytes writeGlb(const Glb& glb) {
 }
 
 Glb parseGlb(const Bytes& file) {
-    const auto word = [&](std::size_t place) { return littleEndian<std::uint32_t>(&file[place]); };
-    if (file.empty()) throw InvalidModel("is empty; choose another file");
-    if (file.size() < headerSize || word(0) != magic) throw InvalidModel("is not a binary glTF file (.glb)");
-    if (word(4) != 2)
-        throw InvalidModel("is glTF of version " + std::to_string(word(4)) + "; version 2 is needed");
-    if (word(8) != file.size())
-        throw InvalidModel("is cut off or damaged: its header speaks of " + std::to_string(word(8)) +
+    const GlbParts parts = glbParts(file);
+    if (const std::uint32_t announced = wordAt(file, 8); announced != file.size())
+        throw InvalidModel("is damaged: its header speaks of " + std::to_string(announced) +
                            " bytes, but it has " + std::to_string(file.size()));
-    Glb glb;
-    bool hasJson = false;
-    for (std::size_t place = headerSize; place < file.size();) {
-        if (file.size() - place < chunkHeaderSize || file.size() - place - chunkHeaderSize < word(place))
-            throw InvalidModel("is damaged: the chunk at byte " + std::to_string(place) +
-                               " is longer than the file");
-        const std::size_t size = word(place), begin = place + chunkHeaderSize;
-        const std::uint32_t type = word(place + 4);
-        if (!hasJson && type != jsonChunk) throw InvalidModel("is damaged: its first chunk is not JSON");
-        const std::uint8_t* content = file.data() + begin;
-        if (!hasJson)
-            glb.json = parseJson(reinterpret_cast<const char*>(content),
-                                 reinterpret_cast<const char*>(content) + size);
-        else if (type == binaryChunk && glb.binary.empty())
-            glb.binary.assign(content, content + size);
-        hasJson = true;
-        place = begin + size;
+    return {parseJson(parts.json, parts.jsonEnd), Bytes(parts.binary, parts.binaryEnd)};
+}
+
+GlbParts glbParts(const Bytes& file) {
+    const std::size_t end = announcedSize(file);
+    GlbParts parts{nullptr, nullptr, nullptr, nullptr};
+    for (std::size_t place = headerSize; end - place >= chunkHeaderSize;) {
+        const std::size_t size = wordAt(file, place);
+        const std::uint32_t type = wordAt(file, place + 4);
+        const std::uint8_t* content = file.data() + place + chunkHeaderSize;
+        place += chunkHeaderSize;
+        if (size > end - place)
+            throw InvalidModel("is cut off or damaged: its part at byte " + std::to_string(place) +
+                               " announces " + std::to_string(size) + " bytes");
+        place += size;
+        if (!parts.json && type != jsonChunk) throw InvalidModel("is damaged: its first part is not JSON");
+        if (!parts.json) {
+            parts.json = reinterpret_cast<const char*>(content);
+            parts.jsonEnd = parts.json + size;
+        } else if (type == binaryChunk && !parts.binary) {
+            parts.binary = content;
+            parts.binaryEnd = content + size;
+        }
     }
-    if (!hasJson) throw InvalidModel("is damaged: it has no JSON");
-    return glb;
+    if (!parts.json) throw InvalidModel("is damaged: it has no JSON");
+    return parts;
 }
 
 GltfArrays::GltfArrays(Glb& glb) : m_glb(glb) {

@@ -15,8 +15,17 @@ struct Glb {
     Bytes binary;
 };
 
-Bytes writeGlb(const Glb& glb);
-Glb parseGlb(const Bytes& file); ///< @throws InvalidModel: not a GLB 2.0 file, or cut off
+Bytes writeGlb(const Glb& glb);  ///< @throws InvalidModel beyond the 4 GiB a GLB can hold
+Glb parseGlb(const Bytes& file); ///< @throws InvalidModel: not a GLB 2.0 file, cut off or followed by more
+
+/// The parts of a binary glTF file where they lie in it.
+struct GlbParts {
+    const char *json, *jsonEnd;
+    const std::uint8_t *binary, *binaryEnd; ///< both null without binary data
+};
+
+/// @throws InvalidModel: not a GLB 2.0 file, or cut off
+GlbParts glbParts(const Bytes& file);
 
 /// glTF's names for what an array holds.
 enum class GltfType { Scalar, Vec2, Vec3 };

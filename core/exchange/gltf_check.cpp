@@ -1,3 +1,5 @@
+#include "core/exchange/glb.h"
+#include "core/exchange/json_reader.h"
 #include "core/exchange/mesh_file_checks.h"
 #include "core/support/errors.h"
 
@@ -12,14 +14,20 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t glbHeaderBytes = 12, chunkHeaderBytes = 8;
+/// A node may place a mesh again in a few bytes, and a primitive share its points with others: what the
+/// tables come to is bounded, so that a small file cannot fill the memory.
+constexpr double mostTriangles = 1e7, mostVertices = 3e7;
 
-std::uint32_t littleEndian(const Bytes& content, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        value |= std::uint32_t{content[at + i]} << (8 * i);
-    return value;
-}
+/// What meshes take when they are read. Fractions never occur; sums cannot overflow.
+struct MeshSize {
+    double triangles = 0, vertices = 0;
+
+    MeshSize& operator+=(const MeshSize& other) {
+        triangles += other.triangles;
+        vertices += other.vertices;
+        return *this;
+    }
+};
 
 /// Checks the tables of a glTF document against each other and against the data there is.
 class GltfChecker {
@@ -30,11 +38,11 @@ public:
     void check() const {
         if (!m_document.is_object()) fail("has no JSON object at its top");
         checkRequiredExtensions();
-        checkNodes();
         forEach("buffers", [this](const Json& buffer, std::size_t index) { checkBuffer(buffer, index); });
         forEach("bufferViews", [this](const Json& view, std::size_t index) { checkView(view, index); });
         forEach("accessors",
                 [this](const Json& accessor, std::size_t index) { checkAccessor(accessor, index); });
+        checkSizes();
     }
 
     std::size_t triangleCount() const {
@@ -73,9 +81,15 @@ private:
         return m_document[table][index];
     }
 
+    using Parents = std::vector<std::optional<std::size_t>>;
+
     std::size_t trianglesOf(const Json& primitive, const std::string& place) const;
+    std::size_t verticesOf(const Json& primitive, const std::string& place) const;
+    std::vector<MeshSize> meshSizes() const;
+    Parents nodeParents() const;
     void checkRequiredExtensions() const;
-    void checkNodes() const;
+    void checkSizes() const;
+    void requireReadable(const MeshSize& size, const std::string& what) const;
     void checkBuffer(const Json& buffer, std::size_t index) const;
     void checkView(const Json& view, std::size_t index) const;
     void checkAccessor(const Json& accessor, std::size_t index) const;
@@ -95,9 +109,9 @@ void GltfChecker::checkRequiredExtensions() const {
 }
 
 /// Nodes are trees, and not so deep that walking down them by recursion could run out of stack.
-void GltfChecker::checkNodes() const {
+GltfChecker::Parents GltfChecker::nodeParents() const {
     constexpr std::size_t deepest = 200;
-    std::vector<std::optional<std::size_t>> parents(m_document.value("nodes", Json::array()).size());
+    Parents parents(m_document.value("nodes", Json::array()).size());
     forEach("nodes", [&](const Json& node, std::size_t index) {
         if (!node.is_object()) fail("has a node that is no object");
         for (const Json& child : node.value("children", Json::array())) {
@@ -113,6 +127,51 @@ void GltfChecker::checkNodes() const {
         for (std::optional<std::size_t> parent = parents[node]; parent; parent = parents[*parent])
             if (++depth > deepest) fail("has nodes nested too deeply, or within themselves");
     }
+    return parents;
+}
+
+std::vector<MeshSize> GltfChecker::meshSizes() const {
+    std::vector<MeshSize> sizes;
+    forEach("meshes", [&](const Json& mesh, std::size_t index) {
+        const std::string place = "mesh " + std::to_string(index);
+        MeshSize size;
+        for (const Json& primitive : mesh.value("primitives", Json::array()))
+            size += {static_cast<double>(trianglesOf(primitive, place)),
+                     static_cast<double>(verticesOf(primitive, place))};
+        sizes.push_back(size);
+    });
+    return sizes;
+}
+
+void GltfChecker::requireReadable(const MeshSize& size, const std::string& what) const {
+    if (size.triangles <= mostTriangles && size.vertices <= mostVertices) return;
+    fail(what + " more than the 10 million triangles or 30 million points that can be read; leave out copies "
+                "or reduce the mesh");
+}
+
+/// A mesh is placed as often as a scene names its node or one above it.
+void GltfChecker::checkSizes() const {
+    const Parents parents = nodeParents();
+    const std::vector<MeshSize> meshes = meshSizes();
+    MeshSize held;
+    for (const MeshSize& mesh : meshes)
+        held += mesh;
+    requireReadable(held, "holds");
+    std::vector<MeshSize> nodes(parents.size()); // with all below
+    forEach("nodes", [&](const Json& node, std::size_t index) {
+        const std::size_t mesh = number(node, "mesh", meshes.size());
+        if (mesh >= meshes.size()) return;
+        nodes[index] += meshes[mesh];
+        for (std::optional<std::size_t> parent = parents[index]; parent; parent = parents[*parent])
+            nodes[*parent] += meshes[mesh];
+    });
+    forEach("scenes", [&](const Json& scene, std::size_t index) {
+        MeshSize placed;
+        for (const Json& node : scene.value("nodes", Json::array()))
+            if (node.is_number_unsigned() && node.get<std::size_t>() < nodes.size())
+                placed += nodes[node.get<std::size_t>()];
+        requireReadable(placed, "places in scene " + std::to_string(index));
+    });
 }
 
 void GltfChecker::checkBuffer(const Json& buffer, std::size_t index) const {
@@ -172,7 +231,7 @@ void GltfChecker::checkAccessor(const Json& accessor, std::size_t index) const {
     const std::size_t count = number(accessor, "count", 0);
     if (!accessor.contains("bufferView")) {
         // Without data an accessor stands for zeros, as many as the file likes to say.
-        if (count > 100'000'000)
+        if (static_cast<double>(count) > mostVertices)
             fail(place + " announces " + std::to_string(count) + " entries without any data");
         return;
     }
@@ -200,56 +259,49 @@ std::size_t GltfChecker::trianglesOf(const Json& primitive, const std::string& p
     return corners < 3 ? 0 : corners - 2;
 }
 
-Json parsed(const fs::path& file, Bytes::const_iterator begin, Bytes::const_iterator end) {
+/// Shapes that a mesh morphs into are points of their own.
+std::size_t GltfChecker::verticesOf(const Json& primitive, const std::string& place) const {
+    const Json attributes = primitive.value("attributes", Json::object());
+    if (!attributes.contains("POSITION")) return 0;
+    const std::size_t shapes = 1 + primitive.value("targets", Json::array()).size();
+    return shapes * number(entry("accessors", number(attributes, "POSITION", 0), place), "count", 0);
+}
+
+/// Checks everything and counts the triangles. The guards of parseJson() come before the importer, which
+/// parses without any.
+std::size_t checkDocument(const fs::path& file, const char* begin, const char* end,
+                          std::optional<std::size_t> binaryBytes) {
     try {
-        return Json::parse(begin, end);
-    } catch (const Json::parse_error& error) {
-        throw FileError(file, "is damaged or cut off: its JSON part cannot be read at byte " +
-                                  std::to_string(error.byte) + " of it; export it again");
+        const GltfChecker checker(file, parseJson(begin, end), binaryBytes);
+        checker.check();
+        return checker.triangleCount();
+    } catch (const InvalidModel& error) {
+        throw FileError(file, std::string("is damaged or cut off: its JSON part: ") + error.what() +
+                                  "; export it again");
+    } catch (const Json::exception&) {
+        throw FileError(file, "is damaged: its JSON part is not in the form of glTF; export it again");
     }
 }
 
-/// Checks everything and counts the triangles.
-std::size_t checkDocument(const fs::path& file, Json document, std::optional<std::size_t> binaryBytes) {
+GlbParts partsOf(const fs::path& file, const Bytes& content) {
     try {
-        const GltfChecker checker(file, std::move(document), binaryBytes);
-        checker.check();
-        return checker.triangleCount();
-    } catch (const Json::exception&) {
-        throw FileError(file, "is damaged: its JSON part is not in the form of glTF; export it again");
+        return glbParts(content);
+    } catch (const InvalidModel& error) {
+        throw FileError(file, std::string(error.what()) + "; export it again");
     }
 }
 
 } // namespace
 
 std::size_t checkGltf(const fs::path& file, const Bytes& content) {
-    return checkDocument(file, parsed(file, content.begin(), content.end()), std::nullopt);
+    const char* begin = reinterpret_cast<const char*>(content.data());
+    return checkDocument(file, begin, begin + content.size(), std::nullopt);
 }
 
 std::size_t checkGlb(const fs::path& file, const Bytes& content) {
-    if (content.size() < glbHeaderBytes + chunkHeaderBytes || littleEndian(content, 0) != 0x46546C67)
-        throw FileError(file, "is cut off or no GLB file: its header is missing; export it again");
-    if (littleEndian(content, 4) != 2)
-        throw FileError(file, "is a GLB file of version " + std::to_string(littleEndian(content, 4)) +
-                                  "; version 2 can be read; convert it");
-    const std::size_t announced = littleEndian(content, 8);
-    const std::size_t jsonBytes = littleEndian(content, glbHeaderBytes);
-    constexpr std::size_t jsonStart = glbHeaderBytes + chunkHeaderBytes;
-    if (announced > content.size() || jsonBytes > content.size() - jsonStart)
-        throw FileError(file, "is cut off: it announces " + std::to_string(announced) +
-                                  " bytes and ends at byte " + std::to_string(content.size()) +
-                                  "; export it again");
-    std::size_t binaryBytes = 0;
-    if (const std::size_t next = jsonStart + jsonBytes; content.size() - next >= chunkHeaderBytes) {
-        binaryBytes = littleEndian(content, next);
-        if (binaryBytes > content.size() - next - chunkHeaderBytes)
-            throw FileError(file, "is cut off: its binary part announces " + std::to_string(binaryBytes) +
-                                      " bytes and ends at byte " + std::to_string(content.size()) +
-                                      "; export it again");
-    }
-    const auto begin = content.begin() + jsonStart;
-    return checkDocument(file, parsed(file, begin, begin + static_cast<std::ptrdiff_t>(jsonBytes)),
-                         binaryBytes);
+    const GlbParts parts = partsOf(file, content);
+    return checkDocument(file, parts.json, parts.jsonEnd,
+                         static_cast<std::size_t>(parts.binaryEnd - parts.binary));
 }
 
 } // namespace esm

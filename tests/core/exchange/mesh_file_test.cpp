@@ -1,6 +1,7 @@
 #include "core/exchange/mesh_file.h"
 #include "core/geometry/repair.h"
 #include "core/support/errors.h"
+#include "tests/core/exchange/tetrahedron.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_meshes.h"
 
@@ -19,16 +20,12 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-/// A tetrahedron of side lengths around 1 and volume 1/6, in every format.
-const std::vector<Eigen::Vector3f> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-const std::vector<Triangle> faces{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-
-template<typename Number> void put(std::string& bytes, Number value, bool bigEndian = false) {
-    std::string raw(sizeof value, '\0');
-    std::memcpy(raw.data(), &value, sizeof value);
-    bytes += bigEndian ? std::string(raw.rbegin(), raw.rend()) : raw;
-}
+using tetrahedron::corners;
+using tetrahedron::faces;
+using tetrahedron::glb;
+using tetrahedron::gltfDocument;
+using tetrahedron::meshBuffer;
+using tetrahedron::put;
 
 std::string objText() {
     return "# tetrahedron\nmtllib missing.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\ng side\nusemtl "
@@ -103,39 +100,6 @@ std::string offText() {
     for (const Triangle& t : faces)
         text << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
     return text.str();
-}
-
-std::string meshBuffer() {
-    std::string bytes;
-    for (const Eigen::Vector3f& corner : corners)
-        for (const float coordinate : corner)
-            put(bytes, coordinate);
-    for (const Triangle& t : faces)
-        for (const std::uint32_t v : t)
-            put(bytes, static_cast<std::uint16_t>(v));
-    return bytes;
-}
-
-nlohmann::json gltfDocument() {
-    return nlohmann::json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
-        "buffers": [{"byteLength": 72}],
-        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 24}],
-        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0],
-                       "max": [1, 1, 1]},
-                      {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}]})");
-}
-
-std::string glb(const nlohmann::json& document, const std::string& buffer = meshBuffer()) {
-    std::string json = document.dump();
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    std::string bytes = "glTF";
-    put(bytes, std::uint32_t{2});
-    put(bytes, static_cast<std::uint32_t>(28 + json.size() + buffer.size()));
-    put(bytes, static_cast<std::uint32_t>(json.size()));
-    bytes += "JSON" + json;
-    put(bytes, static_cast<std::uint32_t>(buffer.size()));
-    return bytes + std::string("BIN\0", 4) + buffer;
 }
 
 std::string vtkText(const std::string& version = "3.0") {
@@ -374,16 +338,6 @@ TEST_F(MeshFile, DoesNotBelieveHeadersThatLie) {
         errorOf("g.vtk",
                 "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4000000000 float\n0 0 0\n"),
         HasSubstr("4000000000"));
-}
-
-TEST_F(MeshFile, RefusesNodesNestedTooDeeply) {
-    nlohmann::json document = gltfDocument();
-    nlohmann::json nodes = nlohmann::json::array();
-    for (int i = 0; i < 200000; ++i)
-        nodes.push_back({{"children", {i + 1}}});
-    nodes.push_back({{"mesh", 0}});
-    document["nodes"] = nodes;
-    EXPECT_THAT(errorOf("deep.glb", glb(document)), HasSubstr("nested"));
 }
 
 } // namespace
