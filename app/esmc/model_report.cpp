@@ -1,8 +1,5 @@
 #include "app/esmc/model_report.h"
 
-#include "core/support/file_io.h"
-
-#include <fstream>
 #include <numeric>
 
 namespace esm {
@@ -82,15 +79,6 @@ Report modelReport(const Project& project) {
 
 Report modelReport(const ModelPackage& package) {
     return reportOf(package.mesh, package.tissue, countedAnew(package.mesh));
-}
-
-bool isModelPackage(const std::filesystem::path& file) {
-    std::error_code error;
-    std::string start(4, '\0');
-    if (std::filesystem::is_regular_file(file, error))
-        std::ifstream(file, std::ios::binary).read(start.data(), 4);
-    if (start == "glTF") return true;
-    return start != std::string("PK\3\4", 4) && file.extension() == ".glb";
 }
 
 } // namespace esm

@@ -30,6 +30,9 @@ struct ModelPackage {
 /// Cancelled
 void exportPackage(const Project& project, const std::filesystem::path& file, const Progress& progress = {});
 
+/// True for a model package, false for what should be a project; told by the first bytes, else by the name.
+bool isModelPackage(const std::filesystem::path& file);
+
 /// @throws FileError: damaged, or not a model package, or of a newer version
 ModelPackage loadPackage(const std::filesystem::path& file);
 

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <cstddef>
-
 /// What writing and reading of the model package agree on; described in `docs/model-package.md`.
 namespace esm::package_layout {
 
 constexpr const char* extension = "ESM_spring_mass";
 constexpr const char* units = "SI: metre, kilogram, second, newton";
-
-constexpr std::size_t largestPageCount = 256;
-constexpr int largestPageSize = 16384; ///< pixels
 
 /// A spring's parameters are its ends' mean; how far 32-bit rounding may lead from it, relative.
 constexpr double meanTolerance = 1e-6;

@@ -1,25 +1,22 @@
 #include "core/exchange/glb.h"
+#include "core/exchange/model_json.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/package_layout.h"
 #include "core/exchange/region_json.h"
 #include "core/support/errors.h"
+#include "core/texture/photo_format.h"
+#include "core/texture/texture_limits.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <set>
 
 namespace esm {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-std::vector<Eigen::Vector3d> points(const std::vector<float>& coordinates) {
-    std::vector<Eigen::Vector3d> result;
-    result.reserve(coordinates.size() / 3);
-    for (std::size_t i = 0; i < coordinates.size(); i += 3)
-        result.push_back(Eigen::Vector3f(&coordinates[i]).cast<double>());
-    return result;
-}
 
 class PackageReader {
 public:
@@ -59,7 +56,9 @@ private:
     void placePart(const JsonReader& drawn, const DrawnPart& part, std::size_t page, Atlas& atlas) const;
     std::shared_ptr<Atlas> readAtlas(const JsonReader& texture, std::size_t pages,
                                      std::size_t triangles) const;
-    Image readPage(const JsonReader& primitive, int size) const;
+    JsonReader imageOf(const JsonReader& primitive) const;
+    Image readPage(const JsonReader& image, int size) const;
+    void readPages(const std::vector<JsonReader>& primitives, ModelPackage& package) const;
 
     JsonReader m_json;
     GltfArrayReader m_arrays;
@@ -71,14 +70,7 @@ void PackageReader::requireExtension() const {
     const std::string name = package_layout::extension;
     if (!m_json.has("extensions") || !m_json.member("extensions").has(name.c_str()))
         throw InvalidModel("is a glTF file, but no model package: it has no " + name);
-    const std::uint64_t version = m_json.member("extensions")
-                                      .member(name.c_str())
-                                      .member("version")
-                                      .integer(1, std::numeric_limits<std::uint32_t>::max());
-    if (version > static_cast<std::uint64_t>(modelPackageVersion))
-        throw InvalidModel("was made by a newer version (" + std::to_string(version) +
-                           ") of the program; this one reads up to " + std::to_string(modelPackageVersion) +
-                           "; update the program");
+    refuseNewerVersion(m_json.member("extensions").member(name.c_str()), modelPackageVersion);
     const auto names = [&](const char* list) {
         if (!m_json.has(list)) return false;
         const std::vector<std::string> all = m_json.member(list).texts();
@@ -92,7 +84,7 @@ void PackageReader::requireExtension() const {
 
 void PackageReader::readNodes(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const {
     const std::size_t count = countOf(group);
-    network.restPositions = points(m_arrays.floats(group.member("restPosition"), GltfType::Vec3, count));
+    network.restPositions = pointsOf(m_arrays.floats(group.member("restPosition"), GltfType::Vec3, count));
     tissue.mass = scalars(group, "mass", count);
     tissue.springConstant = scalars(group, "springConstant", count);
     tissue.viscosity = scalars(group, "viscosity", count);
@@ -146,32 +138,49 @@ void PackageReader::readTethers(const JsonReader& group, TissueModel& tissue) co
 void PackageReader::readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const {
     const std::size_t vertices = countOf(group, "vertexCount"), triangles = countOf(group, "triangleCount");
     if (vertices > 0) {
-        mesh.vertices = points(m_arrays.floats(group.member("restPosition"), GltfType::Vec3, vertices));
+        mesh.vertices = pointsOf(m_arrays.floats(group.member("restPosition"), GltfType::Vec3, vertices));
         network.vertexNodes =
             m_arrays.indices(group.member("vertexNodes"), vertices, network.restPositions.size());
     }
     if (triangles == 0) return;
-    const std::vector<std::uint32_t> corners =
-        m_arrays.indices(group.member("triangles"), 3 * triangles, mesh.vertices.size());
-    for (std::size_t i = 0; i < corners.size(); i += 3)
-        mesh.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    mesh.triangles =
+        trianglesOf(m_arrays.indices(group.member("triangles"), 3 * triangles, mesh.vertices.size()));
 }
 
-Image PackageReader::readPage(const JsonReader& primitive, int size) const {
+JsonReader PackageReader::imageOf(const JsonReader& primitive) const {
     const JsonReader material = m_arrays.element("materials", primitive.member("material"));
     const JsonReader colour = material.member("pbrMetallicRoughness").member("baseColorTexture");
     const JsonReader texture = m_arrays.element("textures", colour.member("index"));
-    const JsonReader image = m_arrays.element("images", texture.member("source"));
+    return m_arrays.element("images", texture.member("source"));
+}
+
+/// Decodes nothing that is not of the page's size.
+Image PackageReader::readPage(const JsonReader& image, int size) const {
     const Bytes png = m_arrays.file(image.member("bufferView"));
     if (png.empty()) return {};
+    const PhotoFormat format = inspectPhoto(png);
+    const auto expected = static_cast<std::uint64_t>(size);
+    if (format.problem.empty() && (format.width != expected || format.height != expected)) {
+        image.addProblem("should be " + std::to_string(size) + " by " + std::to_string(size) + " pixels");
+        return {};
+    }
     try {
-        Image page = decodePhoto(image.place(), png)->image;
-        if (page.width != size || page.height != size)
-            image.addProblem("should be " + std::to_string(size) + " by " + std::to_string(size) + " pixels");
-        return page;
+        return decodePhoto(image.place(), png)->image;
     } catch (const FileError& error) {
         m_problems.emplace_back(error.what());
         return {};
+    }
+}
+
+/// Pages are decoded once all else is known to be sound: there are few of them and each is drawn.
+void PackageReader::readPages(const std::vector<JsonReader>& primitives, ModelPackage& package) const {
+    std::set<std::string> named;
+    for (const JsonReader& primitive : primitives) {
+        const JsonReader image = imageOf(primitive);
+        if (!image.json().is_null() && !named.insert(image.place()).second)
+            image.addProblem("is the picture of two pages");
+        else
+            package.textures.push_back(readPage(image, package.atlas->options.size));
     }
 }
 
@@ -189,7 +198,7 @@ PackageReader::DrawnPart PackageReader::readPart(const JsonReader& drawn, const 
     const std::size_t vertices = m_arrays.count(attributes.member("POSITION"));
     const std::size_t triangles = m_arrays.count(drawn.member("triangles"));
     DrawnPart part{primitive, {}, {}, {}, {}, {}};
-    part.positions = points(m_arrays.floats(attributes.member("POSITION"), GltfType::Vec3, vertices));
+    part.positions = pointsOf(m_arrays.floats(attributes.member("POSITION"), GltfType::Vec3, vertices));
     part.vertexNodes = m_arrays.indices(drawn.member("vertexNodes"), vertices, nodes);
     part.triangles = m_arrays.indices(drawn.member("triangles"), triangles, mesh.triangles.size());
     part.indices = m_arrays.indices(primitive.member("indices"), 3 * triangles, vertices);
@@ -231,9 +240,11 @@ std::shared_ptr<Atlas> PackageReader::readAtlas(const JsonReader& texture, std::
                                                 std::size_t triangles) const {
     auto atlas = std::make_shared<Atlas>();
     atlas->options.size =
-        static_cast<int>(texture.member("size").integer(1, package_layout::largestPageSize));
+        static_cast<int>(texture.member("size").integer(1, texture_limits::largestPageSize));
     atlas->options.pages = static_cast<int>(pages);
-    atlas->options.gap = static_cast<int>(texture.member("gap").integer(0, package_layout::largestPageSize));
+    atlas->options.gap = static_cast<int>(texture.member("gap").integer(0, texture_limits::largestPageSize));
+    for (const std::string& problem : validate(atlas->options))
+        texture.addProblem("is not usable: " + problem);
     atlas->texelsPerMetre = texture.member("texelsPerMetre").number();
     atlas->utilisation = texture.member("utilisation").number();
     atlas->corners.resize(triangles);
@@ -245,12 +256,13 @@ void PackageReader::readDrawn(const JsonReader& extension, ModelPackage& package
     const std::vector<JsonReader> drawn = extension.member("drawn").elements();
     const std::size_t triangles = package.mesh.triangles.size();
     if (triangles == 0) return;
-    if (drawn.empty() || drawn.size() > package_layout::largestPageCount)
-        return extension.member("drawn").addProblem(
-            "should have 1 to " + std::to_string(package_layout::largestPageCount) + " parts");
+    if (drawn.empty() || drawn.size() > texture_limits::mostPages)
+        return extension.member("drawn").addProblem("should have 1 to " +
+                                                    std::to_string(texture_limits::mostPages) + " parts");
     std::shared_ptr<Atlas> atlas;
     if (extension.has("texture")) atlas = readAtlas(extension.member("texture"), drawn.size(), triangles);
     std::vector<int> timesDrawn(triangles, 0);
+    std::vector<JsonReader> primitives;
     for (std::size_t page = 0; page < drawn.size(); ++page) {
         const std::size_t known = m_problems.size();
         const DrawnPart part =
@@ -261,17 +273,17 @@ void PackageReader::readDrawn(const JsonReader& extension, ModelPackage& package
         checkPart(drawn[page], part, package);
         if (!atlas) continue;
         placePart(drawn[page], part, page, *atlas);
-        package.textures.push_back(readPage(part.primitive, atlas->options.size));
+        primitives.push_back(part.primitive);
     }
     if (std::any_of(timesDrawn.begin(), timesDrawn.end(), [](int times) { return times != 1; }))
         extension.member("drawn").addProblem("should show every triangle of the surface once");
     package.atlas = atlas;
+    if (m_problems.empty()) readPages(primitives, package);
 }
 
 ModelPackage PackageReader::read() {
     requireExtension();
     const JsonReader extension = m_json.member("extensions").member(package_layout::extension);
-    const JsonReader base = extension.member("base");
     ModelPackage package;
     auto network = std::make_shared<SpringNetwork>();
     package.tissue.network = network;
@@ -286,8 +298,7 @@ ModelPackage PackageReader::read() {
         package.tissue.fixedNodes =
             m_arrays.indices(fixed.member("nodes"), count, network->restPositions.size());
     readSurface(extension.member("surface"), *network, package.mesh);
-    package.base = {base.member("springConstant").number(), base.member("viscosity").number(),
-                    base.member("mass").number()};
+    package.base = baseTissueFromJson(extension.member("base"));
     package.regions = regionsFromJson(extension.member("fuzzySystems"), extension.member("regions"));
     package.baseColour = colourFromJson(extension.member("baseColour"));
     if (m_problems.empty()) readDrawn(extension, package);
@@ -326,6 +337,15 @@ std::pair<ModelPackage, std::vector<std::string>> readPackage(const std::filesys
 }
 
 } // namespace
+
+bool isModelPackage(const std::filesystem::path& file) {
+    std::error_code error;
+    std::string start(4, '\0');
+    if (std::filesystem::is_regular_file(file, error))
+        std::ifstream(file, std::ios::binary).read(start.data(), 4);
+    if (start == "glTF") return true;
+    return start != std::string("PK\3\4", 4) && file.extension() == ".glb";
+}
 
 ModelPackage loadPackage(const std::filesystem::path& file) {
     auto [package, problems] = readPackage(file);

@@ -1,5 +1,6 @@
 #include "core/exchange/glb.h"
 #include "core/exchange/image_file.h"
+#include "core/exchange/model_json.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/package_layout.h"
 #include "core/exchange/region_json.h"
@@ -53,6 +54,12 @@ private:
     Json texture() const;
     Json extension();
 
+    struct PageVertices {
+        std::vector<Eigen::Vector3d> positions, normals;
+        std::vector<float> places; ///< in the texture; two per vertex
+        std::vector<std::uint32_t> nodes;
+    };
+    PageVertices pageVertices(const std::vector<std::uint32_t>& triangles) const;
     Json drawnPages(Json& drawn);
     Json drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, Json& drawn);
     Json drawnSurface(Json& drawn);
@@ -85,11 +92,7 @@ std::vector<float> PackageBuilder::floats(const std::vector<double>& values, con
 }
 
 std::vector<float> PackageBuilder::coordinates(const std::vector<Eigen::Vector3d>& points, const char* what) {
-    std::vector<double> values;
-    values.reserve(3 * points.size());
-    for (const Eigen::Vector3d& point : points)
-        values.insert(values.end(), point.data(), point.data() + 3);
-    return floats(values, what);
+    return floats(coordinatesOf(points), what);
 }
 
 Json PackageBuilder::nodes() {
@@ -162,10 +165,7 @@ Json PackageBuilder::surface() {
     json["restPosition"] = m_shared.vertexPositions;
     json["vertexNodes"] = m_shared.vertexNodes;
     if (m_mesh.triangles.empty()) return json;
-    std::vector<std::uint32_t> corners;
-    for (const Triangle& triangle : m_mesh.triangles)
-        corners.insert(corners.end(), triangle.begin(), triangle.end());
-    m_shared.triangles = m_arrays.addIndices(corners, GltfTarget::Indices);
+    m_shared.triangles = m_arrays.addIndices(cornersOf(m_mesh.triangles), GltfTarget::Indices);
     json["triangles"] = m_shared.triangles;
     return json;
 }
@@ -190,9 +190,7 @@ Json PackageBuilder::extension() {
     json["tethers"] = tethers();
     json["fixedNodes"] = fixedNodes();
     json["surface"] = surface();
-    json["base"] = {{"springConstant", project.base.springConstant},
-                    {"viscosity", project.base.viscosity},
-                    {"mass", project.base.mass}};
+    json["base"] = toJson(project.base);
     json["fuzzySystems"] = std::move(regions.systems);
     json["regions"] = std::move(regions.regions);
     json["baseColour"] = colourToJson(project.texture.baseColour);
@@ -215,34 +213,38 @@ std::size_t PackageBuilder::addTexture(const Image& page) {
 }
 
 /// Every corner has a vertex of its own, since every triangle has a texture patch of its own.
-Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, Json& drawn) {
-    std::vector<Eigen::Vector3d> positions, cornerNormals;
-    std::vector<float> places;
-    std::vector<std::uint32_t> nodes;
+PackageBuilder::PageVertices PackageBuilder::pageVertices(const std::vector<std::uint32_t>& triangles) const {
+    PageVertices vertices;
     for (const std::uint32_t triangle : triangles)
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t vertex = m_mesh.triangles[triangle][corner];
-            positions.push_back(m_mesh.vertices[vertex]);
-            cornerNormals.push_back(m_normals[vertex]);
-            nodes.push_back(m_network.vertexNodes[vertex]);
+            vertices.positions.push_back(m_mesh.vertices[vertex]);
+            vertices.normals.push_back(m_normals[vertex]);
+            vertices.nodes.push_back(m_network.vertexNodes[vertex]);
             const Eigen::Vector2d place =
                 m_from.atlas->corners[triangle][corner] / m_from.atlas->options.size;
             for (const double value : {place.x(), place.y()})
-                places.push_back(static_cast<float>(std::clamp(value, 0.0, 1.0)));
+                vertices.places.push_back(static_cast<float>(std::clamp(value, 0.0, 1.0)));
         }
-    std::vector<std::uint32_t> indices(positions.size());
+    return vertices;
+}
+
+Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, Json& drawn) {
+    const PageVertices vertices = pageVertices(triangles);
+    std::vector<std::uint32_t> indices(vertices.nodes.size());
     std::iota(indices.begin(), indices.end(), 0U);
-    const Json attributes{{"POSITION", m_arrays.addFloats(coordinates(positions, "coordinate"),
-                                                          GltfType::Vec3, GltfTarget::Vertices)},
-                          {"NORMAL", m_arrays.addFloats(coordinates(cornerNormals, "normal"), GltfType::Vec3,
-                                                        GltfTarget::Vertices)},
-                          {"TEXCOORD_0", m_arrays.addFloats(places, GltfType::Vec2, GltfTarget::Vertices)}};
+    const Json attributes{
+        {"POSITION", m_arrays.addFloats(coordinates(vertices.positions, "coordinate"), GltfType::Vec3,
+                                        GltfTarget::Vertices)},
+        {"NORMAL",
+         m_arrays.addFloats(coordinates(vertices.normals, "normal"), GltfType::Vec3, GltfTarget::Vertices)},
+        {"TEXCOORD_0", m_arrays.addFloats(vertices.places, GltfType::Vec2, GltfTarget::Vertices)}};
     const std::size_t order = m_arrays.addIndices(indices, GltfTarget::Indices);
     const std::size_t texture = addTexture(m_from.pages[page]);
     addMaterial({{"baseColorTexture", {{"index", texture}}}});
     drawn.push_back({{"mesh", 0},
                      {"primitive", drawn.size()},
-                     {"vertexNodes", m_arrays.addIndices(nodes)},
+                     {"vertexNodes", m_arrays.addIndices(vertices.nodes)},
                      {"triangles", m_arrays.addIndices(triangles)}});
     return {{"attributes", attributes}, {"indices", order}, {"material", m_glb.json["materials"].size() - 1}};
 }

@@ -1,14 +1,18 @@
-#include "core/support/byte_order.h"
+#include "core/exchange/model_json.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/project_layout.h"
 #include "core/exchange/projector_file.h"
 #include "core/exchange/region_json.h"
 #include "core/exchange/scene_file.h"
 #include "core/exchange/zip_archive.h"
+#include "core/support/byte_order.h"
 #include "core/support/errors.h"
+#include "core/texture/photo_format.h"
+#include "core/texture/texture_limits.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace esm {
 
@@ -23,11 +27,17 @@ public:
     Source(const ZipReader& archive, std::vector<std::string>& problems)
         : m_archive(archive), m_problems(problems) {}
 
-    /// An entry of `size` bytes; empty, and a problem, where it cannot be had.
+    /// An entry of `size` bytes; empty, and a problem, where it cannot be had. What fails counts too, so that
+    /// no file can have the same bytes unpacked again and again.
     Bytes bytes(const std::string& entry, std::uint64_t size) {
         try {
-            Bytes content = m_archive.read(entry, std::min(size, m_budget));
-            m_budget -= content.size();
+            if (!m_named.insert(entry).second)
+                throw InvalidModel("the entry " + entry + " is named twice; leave one out");
+            if (size > m_budget)
+                throw InvalidModel("the entry " + entry +
+                                   " would unpack to more than the 2 GiB a project may have");
+            m_budget -= size;
+            Bytes content = m_archive.read(entry, size);
             if (content.size() == size) return content;
             m_problems.push_back(entry + " should have " + std::to_string(size) + " bytes, but has " +
                                  std::to_string(content.size()));
@@ -35,6 +45,21 @@ public:
             m_problems.push_back(error.what());
         }
         return {};
+    }
+
+    /// A photo, decoded only where the pixels it claims leave room for the other ones.
+    std::shared_ptr<const Photo> photo(const std::string& name, Bytes encoded) {
+        const PhotoFormat format = inspectPhoto(encoded);
+        const std::uint64_t most = texture_limits::mostPhotoPixels;
+        if (format.width > 0 && format.height > 0 && format.width <= most / format.height) {
+            const std::uint64_t pixels = format.width * format.height;
+            if (pixels > m_pixels)
+                throw FileError(name,
+                                "has more pixels than the project's other photos leave room for; use fewer "
+                                "or smaller photos");
+            m_pixels -= pixels;
+        }
+        return decodePhoto(name, std::move(encoded));
     }
 
     /// The numbers of an array in groups of `components`.
@@ -80,30 +105,21 @@ public:
 private:
     const ZipReader& m_archive;
     std::vector<std::string>& m_problems;
+    std::set<std::string> m_named;
     std::uint64_t m_budget = layout::largestProject;
+    std::uint64_t m_pixels = texture_limits::mostPixelsOfAllPhotos;
 };
-
-std::vector<Eigen::Vector3d> points(const std::vector<double>& coordinates) {
-    std::vector<Eigen::Vector3d> result;
-    result.reserve(coordinates.size() / 3);
-    for (std::size_t i = 0; i < coordinates.size(); i += 3)
-        result.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
-    return result;
-}
 
 std::shared_ptr<const TriangleMesh> readMesh(const JsonReader& arrays, Source& source) {
     auto mesh = std::make_shared<TriangleMesh>();
-    mesh->vertices = points(source.numbers(arrays, layout::meshVertices, 3));
-    const std::vector<std::uint32_t> corners =
-        source.indices(arrays, layout::meshTriangles, 3, mesh->vertices.size());
-    for (std::size_t i = 0; i < corners.size(); i += 3)
-        mesh->triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    mesh->vertices = pointsOf(source.numbers(arrays, layout::meshVertices, 3));
+    mesh->triangles = trianglesOf(source.indices(arrays, layout::meshTriangles, 3, mesh->vertices.size()));
     return mesh;
 }
 
 std::shared_ptr<const SpringNetwork> readNetwork(const JsonReader& arrays, Source& source) {
     auto network = std::make_shared<SpringNetwork>();
-    network->restPositions = points(source.numbers(arrays, layout::networkNodes, 3));
+    network->restPositions = pointsOf(source.numbers(arrays, layout::networkNodes, 3));
     const std::size_t nodes = network->restPositions.size();
     const std::vector<std::uint32_t> ends = source.indices(arrays, layout::networkSprings, 2, nodes);
     const std::vector<double> restLengths = source.numbers(arrays, layout::networkRestLengths, 1);
@@ -116,11 +132,11 @@ std::shared_ptr<const SpringNetwork> readNetwork(const JsonReader& arrays, Sourc
     return network;
 }
 
-/// Sizes are bounded so that a damaged number cannot ask for all memory when the texture is composed.
+/// Bounded so that the numbers fit; what they come to together is checked with the whole project.
 AtlasOptions atlasOptionsFromJson(const JsonReader& reader) {
-    return {static_cast<int>(reader.member("size").integer(1, 16384)),
-            static_cast<int>(reader.member("pages").integer(1, 256)),
-            static_cast<int>(reader.member("gap").integer(0, 16384))};
+    return {static_cast<int>(reader.member("size").integer(1, texture_limits::largestPageSize)),
+            static_cast<int>(reader.member("pages").integer(1, texture_limits::mostPages)),
+            static_cast<int>(reader.member("gap").integer(0, texture_limits::largestPageSize))};
 }
 
 std::shared_ptr<const Atlas> readAtlas(const JsonReader& reader, const JsonReader& arrays, Source& source) {
@@ -146,24 +162,9 @@ std::shared_ptr<const RepairReport> reportFromJson(const JsonReader& reader) {
     return report;
 }
 
-BaseTissue baseFromJson(const JsonReader& reader) {
-    return {reader.member("springConstant").number(), reader.member("viscosity").number(),
-            reader.member("mass").number()};
-}
-
 Scene readScene(const JsonReader& reader) {
     try {
         return sceneFromJson(reader.json());
-    } catch (const InvalidModel& error) {
-        for (const std::string& problem : error.problems())
-            reader.addProblem("is not usable: " + problem);
-        return {};
-    }
-}
-
-Projector readProjector(const JsonReader& reader) {
-    try {
-        return projectorFromJson(reader.json());
     } catch (const InvalidModel& error) {
         for (const std::string& problem : error.problems())
             reader.addProblem("is not usable: " + problem);
@@ -176,7 +177,7 @@ std::shared_ptr<const Photo> readPhotoFile(const JsonReader& reader, Source& sou
     Bytes encoded = source.bytes(entry, reader.member("bytes").integer(1, layout::largestProject));
     if (encoded.empty()) return nullptr;
     try {
-        return decodePhoto(reader.member("fileName").text(), std::move(encoded));
+        return source.photo(reader.member("fileName").text(), std::move(encoded));
     } catch (const FileError& error) {
         reader.addProblem("cannot be shown (entry " + entry + "): " + error.what());
         return nullptr;
@@ -197,7 +198,7 @@ std::vector<PhotoLayer> readPhotos(const JsonReader& reader, Source& source) {
         else
             json.addProblem("names photo file " + std::to_string(place) + ", but there are " +
                             std::to_string(files.size()));
-        layer.projector = readProjector(json.member("projector"));
+        layer.projector = projectorFromJson(json.member("projector"));
         layer.blendPixels = json.member("blendPixels").number();
         layer.opacity = json.member("opacity").number();
         layer.visible = json.member("visible").flag();
@@ -213,7 +214,7 @@ Project readContent(const JsonReader& manifest, Source& source) {
     project.mesh = readMesh(arrays, source);
     project.network = readNetwork(arrays, source);
     project.importReport = reportFromJson(manifest.member("importReport"));
-    project.base = baseFromJson(manifest.member("base"));
+    project.base = baseTissueFromJson(manifest.member("base"));
     project.regions = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
     project.scene = readScene(manifest.member("scene"));
     project.photos = readPhotos(manifest.member("photos"), source);
@@ -237,12 +238,7 @@ Json readManifest(const ZipReader& archive) {
 void requireKnownVersion(const JsonReader& manifest) {
     if (!manifest.has("format") || manifest.json()["format"] != layout::format)
         throw InvalidModel("is not a project of this program");
-    const std::uint64_t version =
-        manifest.member("version").integer(1, std::numeric_limits<std::uint32_t>::max());
-    if (version > static_cast<std::uint64_t>(projectFileVersion))
-        throw InvalidModel("was made by a newer version (" + std::to_string(version) +
-                           ") of the program; this one reads up to " + std::to_string(projectFileVersion) +
-                           "; update the program");
+    refuseNewerVersion(manifest, projectFileVersion);
 }
 
 /// The project and every problem of its file. The project is of use only without problems.

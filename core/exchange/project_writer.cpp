@@ -1,10 +1,11 @@
-#include "core/support/byte_order.h"
+#include "core/exchange/model_json.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/project_layout.h"
 #include "core/exchange/projector_file.h"
 #include "core/exchange/region_json.h"
 #include "core/exchange/scene_file.h"
 #include "core/exchange/zip_archive.h"
+#include "core/support/byte_order.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -36,20 +37,9 @@ struct Content {
     }
 };
 
-std::vector<double> coordinates(const std::vector<Eigen::Vector3d>& points) {
-    std::vector<double> values;
-    values.reserve(3 * points.size());
-    for (const Eigen::Vector3d& point : points)
-        values.insert(values.end(), point.data(), point.data() + 3);
-    return values;
-}
-
 void addMesh(const TriangleMesh& mesh, Content& content) {
-    std::vector<std::uint32_t> corners;
-    for (const Triangle& triangle : mesh.triangles)
-        corners.insert(corners.end(), triangle.begin(), triangle.end());
-    content.add(layout::meshVertices, coordinates(mesh.vertices));
-    content.add(layout::meshTriangles, corners);
+    content.add(layout::meshVertices, coordinatesOf(mesh.vertices));
+    content.add(layout::meshTriangles, cornersOf(mesh.triangles));
 }
 
 void addNetwork(const SpringNetwork& network, Content& content) {
@@ -59,7 +49,7 @@ void addNetwork(const SpringNetwork& network, Content& content) {
         ends.insert(ends.end(), {spring.first, spring.second});
         restLengths.push_back(spring.restLength);
     }
-    content.add(layout::networkNodes, coordinates(network.restPositions));
+    content.add(layout::networkNodes, coordinatesOf(network.restPositions));
     content.add(layout::networkSprings, ends);
     content.add(layout::networkRestLengths, restLengths);
     content.add(layout::networkVertexNodes, network.vertexNodes);
@@ -128,10 +118,6 @@ Json toJson(const RepairReport& report) {
     return json;
 }
 
-Json toJson(const BaseTissue& base) {
-    return {{"springConstant", base.springConstant}, {"viscosity", base.viscosity}, {"mass", base.mass}};
-}
-
 Json manifestOf(const Project& project, Content& content) {
     addMesh(*project.mesh, content);
     addNetwork(*project.network, content);
@@ -143,7 +129,7 @@ Json manifestOf(const Project& project, Content& content) {
                   {"program", ESM_VERSION},
                   {"name", project.name},
                   {"importReport", toJson(*project.importReport)},
-                  {"base", toJson(project.base)},
+                  {"base", esm::toJson(project.base)},
                   {"fuzzySystems", std::move(regions.systems)},
                   {"regions", std::move(regions.regions)},
                   {"scene", toJson(project.scene)},

@@ -8,7 +8,9 @@
 #include "core/texture/composite.h"
 #include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/overwrite.h"
+#include "tests/core/exchange/rounded_tissue.h"
 #include "tests/support/full_disk.h"
+#include "tests/support/same_project.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -20,42 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
-
-double rounded(double value) {
-    return static_cast<double>(static_cast<float>(value));
-}
-
-std::vector<double> rounded(std::vector<double> values) {
-    for (double& value : values)
-        value = rounded(value);
-    return values;
-}
-
-std::vector<Eigen::Vector3d> rounded(std::vector<Eigen::Vector3d> points) {
-    for (Eigen::Vector3d& point : points)
-        point = point.cast<float>().cast<double>();
-    return points;
-}
-
-void expectSameTissue(const TissueModel& package, const TissueModel& project) {
-    EXPECT_EQ(package.network->restPositions, rounded(project.network->restPositions));
-    EXPECT_EQ(package.network->vertexNodes, project.network->vertexNodes);
-    ASSERT_EQ(package.network->springs.size(), project.network->springs.size());
-    for (std::size_t i = 0; i < package.network->springs.size(); ++i) {
-        const Spring &a = package.network->springs[i], &b = project.network->springs[i];
-        EXPECT_TRUE(a.first == b.first && a.second == b.second && a.restLength == rounded(b.restLength)) << i;
-    }
-    EXPECT_EQ(package.mass, rounded(project.mass));
-    EXPECT_EQ(package.springConstant, rounded(project.springConstant));
-    EXPECT_EQ(package.viscosity, rounded(project.viscosity));
-    EXPECT_EQ(package.fixedNodes, project.fixedNodes);
-    ASSERT_EQ(package.tethers.size(), project.tethers.size());
-    for (std::size_t i = 0; i < package.tethers.size(); ++i) {
-        EXPECT_EQ(package.tethers[i].node, project.tethers[i].node);
-        EXPECT_EQ(package.tethers[i].springConstant, rounded(project.tethers[i].springConstant));
-        EXPECT_EQ(package.tethers[i].viscosity, rounded(project.tethers[i].viscosity));
-    }
-}
 
 class ModelPackageFile : public testing::Test {
 protected:
@@ -121,16 +87,7 @@ TEST_F(ModelPackageFile, HoldsTheTissueRoundedToFloat) {
 TEST_F(ModelPackageFile, KeepsRegionsAsTheyWerePutIn) {
     const Project project = richProject();
     const ModelPackage package = exported(project);
-    ASSERT_EQ(package.regions.size(), 3U);
-    for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(package.regions[i].name, project.regions[i].name);
-        EXPECT_EQ(package.regions[i].inputs, project.regions[i].inputs);
-        EXPECT_EQ(package.regions[i].held.mass, project.regions[i].held.mass);
-        EXPECT_EQ(package.regions[i].ellipsoid.has_value(), project.regions[i].ellipsoid.has_value());
-    }
-    EXPECT_EQ(toJson(*package.regions[1].system), toJson(*project.regions[1].system));
-    EXPECT_EQ(package.regions[1].ellipsoid->orientation.coeffs(),
-              project.regions[1].ellipsoid->orientation.coeffs());
+    expectSameRegions(package.regions, project.regions);
 }
 
 TEST_F(ModelPackageFile, HoldsTheBakedTextureAndItsPlaces) {
@@ -361,6 +318,29 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
     }
 }
 
+/// One picture for many pages would be decoded for each.
+TEST_F(ModelPackageFile, PagesHaveAPictureEach) {
+    Project project = richProject(24);
+    project.texture.atlas = {96, 3, 2};
+    project.atlas = std::make_shared<Atlas>(packAtlas(*project.mesh, project.texture.atlas));
+    exportPackage(project, m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    glb.json["textures"][2]["source"] = 1;
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("images/1 is the picture of two pages"));
+}
+
+TEST_F(ModelPackageFile, PagesThatDrawATriangleTwiceAreNotDecoded) {
+    exportPackage(richProject(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    Json& drawn = glb.json["extensions"]["ESM_spring_mass"]["drawn"];
+    drawn.push_back(drawn[0]);
+    glb.json["images"][0]["bufferView"] = 0; // no picture
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(validatePackage(m_file),
+                testing::ElementsAre(HasSubstr("every triangle of the surface once")));
+}
+
 TEST_F(ModelPackageFile, ValidationFindsAllProblemsAtOnce) {
     exportPackage(richProject(), m_file);
     Glb glb = parseGlb(readFile(m_file));
@@ -372,6 +352,19 @@ TEST_F(ModelPackageFile, ValidationFindsAllProblemsAtOnce) {
     const std::string problems = testing::PrintToString(validatePackage(m_file));
     for (const char* named : {"damping", "restLength", "mass"})
         EXPECT_THAT(problems, HasSubstr(named));
+}
+
+TEST_F(ModelPackageFile, IsToldFromAProjectByItsFirstBytes) {
+    const auto written = [&](const char* name, const std::string& content) {
+        overwrite(m_folder / name, content);
+        return m_folder / name;
+    };
+    EXPECT_TRUE(isModelPackage(written("a.esm", "glTF and more")));
+    EXPECT_FALSE(isModelPackage(written("b.glb", "PK\3\4 and more")));
+    EXPECT_TRUE(isModelPackage(written("c.glb", "gl")));
+    EXPECT_FALSE(isModelPackage(written("d.esm", "gl")));
+    EXPECT_TRUE(isModelPackage(m_folder / "missing.glb"));
+    EXPECT_FALSE(isModelPackage(m_folder.path()));
 }
 
 TEST_F(ModelPackageFile, WhatIsNoPackageIsRefused) {

@@ -1,164 +1,29 @@
 #include "core/exchange/project_file.h"
 
-#include "core/exchange/fuzzy_file.h"
 #include "core/exchange/json_reader.h"
-#include "core/support/byte_order.h"
 #include "core/exchange/project_layout.h"
 #include "core/exchange/scene_file.h"
 #include "core/exchange/zip_archive.h"
+#include "core/support/byte_order.h"
 #include "core/support/errors.h"
 #include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/overwrite.h"
 #include "tests/support/full_disk.h"
+#include "tests/support/same_project.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
+#include <opencv2/imgcodecs.hpp>
 
 namespace esm {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
-
-bool sameBits(double a, double b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
-}
-
-template<typename Matrix> bool sameMatrix(const Matrix& a, const Matrix& b) {
-    return std::equal(a.data(), a.data() + a.size(), b.data(), sameBits);
-}
-
-template<typename List, typename Same> bool sameList(const List& a, const List& b, const Same& same) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
-}
-
-bool sameOptional(const std::optional<double>& a, const std::optional<double>& b) {
-    return a.has_value() == b.has_value() && (!a || sameBits(*a, *b));
-}
-
-bool sameEllipsoid(const std::optional<Ellipsoid>& a, const std::optional<Ellipsoid>& b) {
-    return a.has_value() == b.has_value() &&
-           (!a || (sameMatrix(a->centre, b->centre) && sameMatrix(a->radii, b->radii) &&
-                   sameMatrix(a->orientation.coeffs(), b->orientation.coeffs())));
-}
-
-void expectSameMesh(const Project& a, const Project& b) {
-    EXPECT_TRUE(sameList(a.mesh->vertices, b.mesh->vertices, sameMatrix<Eigen::Vector3d>));
-    EXPECT_EQ(a.mesh->triangles, b.mesh->triangles);
-    EXPECT_TRUE(sameList(a.network->restPositions, b.network->restPositions, sameMatrix<Eigen::Vector3d>));
-    EXPECT_TRUE(sameList(a.network->springs, b.network->springs, [](const Spring& s, const Spring& t) {
-        return s.first == t.first && s.second == t.second && sameBits(s.restLength, t.restLength);
-    }));
-    EXPECT_EQ(a.network->vertexNodes, b.network->vertexNodes);
-    for (const auto& [key, count] : project_layout::reportCounts)
-        EXPECT_EQ((*a.importReport).*count, (*b.importReport).*count) << key;
-    EXPECT_EQ(a.importReport->warnings, b.importReport->warnings);
-}
-
-void expectSameRegions(const Project& a, const Project& b) {
-    ASSERT_EQ(a.regions.size(), b.regions.size());
-    for (std::size_t i = 0; i < a.regions.size(); ++i) {
-        const Region &r = a.regions[i], &s = b.regions[i];
-        EXPECT_EQ(r.name, s.name);
-        EXPECT_EQ(r.colour, s.colour);
-        EXPECT_TRUE(sameEllipsoid(r.ellipsoid, s.ellipsoid));
-        ASSERT_EQ(r.system == nullptr, s.system == nullptr);
-        if (r.system) {
-            EXPECT_EQ(toJson(*r.system), toJson(*s.system));
-        }
-        EXPECT_TRUE(sameList(r.inputs, s.inputs, [](const auto& x, const auto& y) {
-            return x.first == y.first && sameBits(x.second, y.second);
-        }));
-        EXPECT_TRUE(sameOptional(r.held.springConstant, s.held.springConstant));
-        EXPECT_TRUE(sameOptional(r.held.viscosity, s.held.viscosity));
-        EXPECT_TRUE(sameOptional(r.held.mass, s.held.mass));
-    }
-}
-
-bool samePath(const Path& a, const Path& b) {
-    return sameList(a, b, [](const PathPoint& p, const PathPoint& q) {
-        return sameBits(p.time, q.time) && sameMatrix(p.value, q.value);
-    });
-}
-
-void expectSameScene(const Scene& a, const Scene& b) {
-    EXPECT_TRUE(sameBits(a.duration, b.duration));
-    EXPECT_TRUE(sameMatrix(a.gravity, b.gravity));
-    EXPECT_TRUE(sameList(a.fixed, b.fixed, [](const NodeSelection& s, const NodeSelection& t) {
-        return s.nodes == t.nodes && sameEllipsoid(s.ellipsoid, t.ellipsoid);
-    }));
-    EXPECT_TRUE(sameList(a.tethers, b.tethers, [](const TetherRule& s, const TetherRule& t) {
-        return s.every == t.every && sameBits(s.springConstant, t.springConstant) &&
-               sameBits(s.viscosity, t.viscosity);
-    }));
-    EXPECT_TRUE(sameList(a.forces, b.forces, [](const NodeForce& s, const NodeForce& t) {
-        return s.node == t.node && sameMatrix(s.force, t.force) && sameBits(s.from, t.from) &&
-               sameBits(s.to, t.to);
-    }));
-    EXPECT_TRUE(sameList(a.moves, b.moves, [](const NodeMove& s, const NodeMove& t) {
-        return s.node == t.node && samePath(s.path, t.path);
-    }));
-    ASSERT_EQ(a.instrument.has_value(), b.instrument.has_value());
-    if (a.instrument) {
-        EXPECT_TRUE(sameBits(a.instrument->radius, b.instrument->radius));
-        EXPECT_TRUE(samePath(a.instrument->path, b.instrument->path));
-    }
-    EXPECT_TRUE(sameBits(a.record.every, b.record.every));
-    EXPECT_EQ(a.record.nodes, b.record.nodes);
-}
-
-void expectSamePhotos(const Project& a, const Project& b) {
-    ASSERT_EQ(a.photos.size(), b.photos.size());
-    for (std::size_t i = 0; i < a.photos.size(); ++i) {
-        const PhotoLayer &p = a.photos[i], &q = b.photos[i];
-        EXPECT_EQ(p.name, q.name);
-        EXPECT_EQ(p.photo->fileName, q.photo->fileName);
-        EXPECT_EQ(p.photo->encoded, q.photo->encoded);
-        EXPECT_EQ(p.photo->image.width, q.photo->image.width);
-        EXPECT_EQ(p.photo->image.pixels, q.photo->image.pixels);
-        EXPECT_TRUE(sameMatrix(p.projector.pose.matrix(), q.projector.pose.matrix()));
-        EXPECT_TRUE(sameBits(p.projector.width, q.projector.width));
-        EXPECT_TRUE(sameBits(p.projector.height, q.projector.height));
-        EXPECT_EQ(p.projector.occlusion, q.projector.occlusion);
-        EXPECT_TRUE(sameBits(p.blendPixels, q.blendPixels));
-        EXPECT_TRUE(sameBits(p.opacity, q.opacity));
-        EXPECT_EQ(p.visible, q.visible);
-    }
-}
-
-void expectSameTexture(const Project& a, const Project& b) {
-    const auto sameOptions = [](const AtlasOptions& o, const AtlasOptions& p) {
-        return o.size == p.size && o.pages == p.pages && o.gap == p.gap;
-    };
-    EXPECT_TRUE(sameOptions(a.texture.atlas, b.texture.atlas));
-    EXPECT_EQ(a.texture.baseColour, b.texture.baseColour);
-    ASSERT_EQ(a.atlas == nullptr, b.atlas == nullptr);
-    if (!a.atlas) return;
-    EXPECT_TRUE(sameOptions(a.atlas->options, b.atlas->options));
-    EXPECT_TRUE(sameBits(a.atlas->texelsPerMetre, b.atlas->texelsPerMetre));
-    EXPECT_TRUE(sameBits(a.atlas->utilisation, b.atlas->utilisation));
-    EXPECT_EQ(a.atlas->page, b.atlas->page);
-    EXPECT_TRUE(sameList(a.atlas->corners, b.atlas->corners, [](const auto& s, const auto& t) {
-        return sameList(s, t, sameMatrix<Eigen::Vector2d>);
-    }));
-}
-
-void expectSame(const Project& a, const Project& b) {
-    EXPECT_EQ(a.name, b.name);
-    EXPECT_TRUE(sameBits(a.base.springConstant, b.base.springConstant));
-    EXPECT_TRUE(sameBits(a.base.viscosity, b.base.viscosity));
-    EXPECT_TRUE(sameBits(a.base.mass, b.base.mass));
-    expectSameMesh(a, b);
-    expectSameRegions(a, b);
-    expectSameScene(a.scene, b.scene);
-    expectSamePhotos(a, b);
-    expectSameTexture(a, b);
-}
 
 class ProjectFile : public testing::Test {
 protected:
@@ -206,13 +71,13 @@ protected:
 TEST_F(ProjectFile, ComesBackBitByBit) {
     const Project project = richProject();
     saveProject(project, m_file);
-    expectSame(project, loadProject(m_file));
+    expectSameProject(project, loadProject(m_file));
     EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
 }
 
 TEST_F(ProjectFile, KeepsAModelWithoutSurfaceRegionsOrPhotos) {
     saveProject(bareProject(), m_file);
-    expectSame(bareProject(), loadProject(m_file));
+    expectSameProject(bareProject(), loadProject(m_file));
 }
 
 TEST_F(ProjectFile, SharesWhatWasShared) {
@@ -254,7 +119,7 @@ TEST_F(ProjectFile, AFlippedByteIsFoundOrHarmless) {
         overwrite(m_file, damaged);
         try {
             const Project loaded = loadProject(m_file);
-            expectSame(project, loaded);
+            expectSameProject(project, loaded);
             ASSERT_FALSE(testing::Test::HasFailure()) << "byte " << place;
         } catch (const FileError&) {
             ++refused;
@@ -280,6 +145,61 @@ TEST_F(ProjectFile, ANewerVersionSaysSo) {
     EXPECT_THAT(loadingError(),
                 HasSubstr("organ.esm: was made by a newer version (2) of the program; this one reads "
                           "up to 1; update the program"));
+}
+
+/// A second file entry that names the first one's bytes again.
+TEST_F(ProjectFile, APhotoIsNotUnpackedTwice) {
+    saveProject(richProject(), m_file);
+    const Bytes bytes = readFile(m_file);
+    const Bytes text = ZipReader(bytes).read(project_layout::manifest, 1 << 20);
+    Json files = Json::parse(text.begin(), text.end())["photos"]["files"];
+    files.push_back(files[0]);
+    saveWithManifest("/photos/files", files);
+    EXPECT_THAT(loadingError(), HasSubstr("photos/0.PNG is named twice"));
+}
+
+TEST_F(ProjectFile, PhotosTooLargeTogetherAreRefusedBeforeTheyAreDecoded) {
+    Bytes claiming;
+    cv::imencode(".bmp", cv::Mat::zeros(8, 8, CV_8UC3), claiming);
+    Bytes side;
+    appendLittleEndian(side, std::uint32_t{16384});
+    for (const std::ptrdiff_t place : {18, 22}) // width and height
+        std::copy(side.begin(), side.end(), claiming.begin() + place);
+    saveChanged(project_layout::manifest, [&](auto& entries, ZipEntry& entry) {
+        Json manifest = Json::parse(entry.content.begin(), entry.content.end());
+        std::vector<ZipEntry> added;
+        for (const char* name : {"photos/2.bmp", "photos/3.bmp", "photos/4.bmp"}) {
+            manifest["photos"]["files"].push_back(
+                {{"entry", name}, {"fileName", name}, {"bytes", claiming.size()}});
+            added.push_back({name, claiming, false});
+        }
+        const std::string text = manifest.dump();
+        entry.content.assign(text.begin(), text.end());
+        entries.insert(entries.end(), added.begin(), added.end());
+    });
+    const std::vector<std::string> problems = validateProjectFile(m_file);
+    ASSERT_EQ(problems.size(), 3U);
+    EXPECT_THAT(problems[0], HasSubstr("damaged"));
+    EXPECT_THAT(problems[2], HasSubstr("more pixels than the project's other photos leave room for"));
+}
+
+TEST_F(ProjectFile, CornersBeyondTheirPageAreRefused) {
+    saveChanged("atlas/corners.f64", [](auto&, ZipEntry& entry) {
+        Bytes far;
+        appendLittleEndian(far, 1e300);
+        std::copy(far.begin(), far.end(), entry.content.begin());
+    });
+    EXPECT_THAT(loadingError(), HasSubstr("1 triangle laid out beyond the texture's pages (triangle 0)"));
+}
+
+TEST_F(ProjectFile, WhatCouldNotBeLoadedIsNotSaved) {
+    for (const AtlasOptions& options :
+         {AtlasOptions{20000, 1, 2}, {1024, 65, 2}, {16384, 5, 2}, {64, 1, 20000}}) {
+        Project project = richProject();
+        project.texture.atlas = options;
+        EXPECT_THROW(saveProject(project, m_file), FileError) << options.size;
+    }
+    EXPECT_FALSE(std::filesystem::exists(m_file));
 }
 
 struct ProjectDamage {
@@ -327,6 +247,8 @@ TEST_F(ProjectFile, AnyWrongValueIsRefusedByItsName) {
         {"/photos/layers/1/visible", 1, "visible"},
         {"/texture/size", 1e9, "texture"},
         {"/texture/size", 1000000000, "texture"},
+        {"/texture/pages", 65, "texture.pages"},
+        {"/photos/layers/0/projector/width", 1e-308, "projector.width"},
         {"/texture/baseColour", "red", "baseColour"},
         {"/atlas/pages", 0, "atlas"},
         {"/atlas/gap", -1, "atlas"},

@@ -1,0 +1,51 @@
+#include "core/exchange/model_json.h"
+
+#include "core/support/errors.h"
+
+namespace esm {
+
+using Json = nlohmann::ordered_json;
+
+void refuseNewerVersion(const JsonReader& file, int known) {
+    const std::uint64_t version =
+        file.member("version").integer(1, std::numeric_limits<std::uint32_t>::max());
+    if (version > static_cast<std::uint64_t>(known))
+        throw InvalidModel("was made by a newer version (" + std::to_string(version) +
+                           ") of the program; this one reads up to " + std::to_string(known) +
+                           "; update the program");
+}
+
+Json toJson(const BaseTissue& base) {
+    return {{"springConstant", base.springConstant}, {"viscosity", base.viscosity}, {"mass", base.mass}};
+}
+
+BaseTissue baseTissueFromJson(const JsonReader& reader) {
+    return {reader.member("springConstant").number(), reader.member("viscosity").number(),
+            reader.member("mass").number()};
+}
+
+std::vector<double> coordinatesOf(const std::vector<Eigen::Vector3d>& points) {
+    std::vector<double> values;
+    values.reserve(3 * points.size());
+    for (const Eigen::Vector3d& point : points)
+        values.insert(values.end(), point.data(), point.data() + 3);
+    return values;
+}
+
+std::vector<std::uint32_t> cornersOf(const std::vector<Triangle>& triangles) {
+    std::vector<std::uint32_t> corners;
+    corners.reserve(3 * triangles.size());
+    for (const Triangle& triangle : triangles)
+        corners.insert(corners.end(), triangle.begin(), triangle.end());
+    return corners;
+}
+
+std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& corners) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(corners.size() / 3);
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+        triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    return triangles;
+}
+
+} // namespace esm

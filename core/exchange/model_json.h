@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/exchange/json_reader.h"
+#include "core/model/project.h"
+
+#include <vector>
+
+/// What the project file and the model package hold alike, besides their regions.
+namespace esm {
+
+/// @throws InvalidModel where the file's `version` is a newer one than `known`
+void refuseNewerVersion(const JsonReader& file, int known);
+
+nlohmann::ordered_json toJson(const BaseTissue& base);
+BaseTissue baseTissueFromJson(const JsonReader& reader);
+
+/// x, y, z of every point in one list, and back.
+std::vector<double> coordinatesOf(const std::vector<Eigen::Vector3d>& points);
+
+template<typename Number> std::vector<Eigen::Vector3d> pointsOf(const std::vector<Number>& coordinates) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(coordinates.size() / 3);
+    for (std::size_t i = 0; i < coordinates.size(); i += 3)
+        points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+    return points;
+}
+
+/// Three corners per triangle in one list, and back.
+std::vector<std::uint32_t> cornersOf(const std::vector<Triangle>& triangles);
+std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& corners);
+
+} // namespace esm

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/model/tissue_model.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace esm {
+
+inline double rounded(double value) {
+    return static_cast<double>(static_cast<float>(value));
+}
+
+inline std::vector<double> rounded(std::vector<double> values) {
+    for (double& value : values)
+        value = rounded(value);
+    return values;
+}
+
+inline std::vector<Eigen::Vector3d> rounded(std::vector<Eigen::Vector3d> points) {
+    for (Eigen::Vector3d& point : points)
+        point = point.cast<float>().cast<double>();
+    return points;
+}
+
+/// A package holds a project's tissue in 32-bit numbers.
+inline void expectSameTissue(const TissueModel& package, const TissueModel& project) {
+    EXPECT_EQ(package.network->restPositions, rounded(project.network->restPositions));
+    EXPECT_EQ(package.network->vertexNodes, project.network->vertexNodes);
+    ASSERT_EQ(package.network->springs.size(), project.network->springs.size());
+    for (std::size_t i = 0; i < package.network->springs.size(); ++i) {
+        const Spring &a = package.network->springs[i], &b = project.network->springs[i];
+        EXPECT_TRUE(a.first == b.first && a.second == b.second && a.restLength == rounded(b.restLength)) << i;
+    }
+    EXPECT_EQ(package.mass, rounded(project.mass));
+    EXPECT_EQ(package.springConstant, rounded(project.springConstant));
+    EXPECT_EQ(package.viscosity, rounded(project.viscosity));
+    EXPECT_EQ(package.fixedNodes, project.fixedNodes);
+    ASSERT_EQ(package.tethers.size(), project.tethers.size());
+    for (std::size_t i = 0; i < package.tethers.size(); ++i) {
+        EXPECT_EQ(package.tethers[i].node, project.tethers[i].node);
+        EXPECT_EQ(package.tethers[i].springConstant, rounded(project.tethers[i].springConstant));
+        EXPECT_EQ(package.tethers[i].viscosity, rounded(project.tethers[i].viscosity));
+    }
+}
+
+} // namespace esm

@@ -1,0 +1,153 @@
+#include "tests/support/same_project.h"
+
+#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/project_layout.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstring>
+
+namespace esm {
+
+namespace {
+
+bool sameBits(double a, double b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+template<typename Matrix> bool sameMatrix(const Matrix& a, const Matrix& b) {
+    return std::equal(a.data(), a.data() + a.size(), b.data(), sameBits);
+}
+
+template<typename List, typename Same> bool sameList(const List& a, const List& b, const Same& same) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+bool sameOptional(const std::optional<double>& a, const std::optional<double>& b) {
+    return a.has_value() == b.has_value() && (!a || sameBits(*a, *b));
+}
+
+bool sameEllipsoid(const std::optional<Ellipsoid>& a, const std::optional<Ellipsoid>& b) {
+    return a.has_value() == b.has_value() &&
+           (!a || (sameMatrix(a->centre, b->centre) && sameMatrix(a->radii, b->radii) &&
+                   sameMatrix(a->orientation.coeffs(), b->orientation.coeffs())));
+}
+
+void expectSameMesh(const Project& a, const Project& b) {
+    EXPECT_TRUE(sameList(a.mesh->vertices, b.mesh->vertices, sameMatrix<Eigen::Vector3d>));
+    EXPECT_EQ(a.mesh->triangles, b.mesh->triangles);
+    EXPECT_TRUE(sameList(a.network->restPositions, b.network->restPositions, sameMatrix<Eigen::Vector3d>));
+    EXPECT_TRUE(sameList(a.network->springs, b.network->springs, [](const Spring& s, const Spring& t) {
+        return s.first == t.first && s.second == t.second && sameBits(s.restLength, t.restLength);
+    }));
+    EXPECT_EQ(a.network->vertexNodes, b.network->vertexNodes);
+    for (const auto& [key, count] : project_layout::reportCounts)
+        EXPECT_EQ((*a.importReport).*count, (*b.importReport).*count) << key;
+    EXPECT_EQ(a.importReport->warnings, b.importReport->warnings);
+}
+
+bool samePath(const Path& a, const Path& b) {
+    return sameList(a, b, [](const PathPoint& p, const PathPoint& q) {
+        return sameBits(p.time, q.time) && sameMatrix(p.value, q.value);
+    });
+}
+
+void expectSameScene(const Scene& a, const Scene& b) {
+    EXPECT_TRUE(sameBits(a.duration, b.duration));
+    EXPECT_TRUE(sameMatrix(a.gravity, b.gravity));
+    EXPECT_TRUE(sameList(a.fixed, b.fixed, [](const NodeSelection& s, const NodeSelection& t) {
+        return s.nodes == t.nodes && sameEllipsoid(s.ellipsoid, t.ellipsoid);
+    }));
+    EXPECT_TRUE(sameList(a.tethers, b.tethers, [](const TetherRule& s, const TetherRule& t) {
+        return s.every == t.every && sameBits(s.springConstant, t.springConstant) &&
+               sameBits(s.viscosity, t.viscosity);
+    }));
+    EXPECT_TRUE(sameList(a.forces, b.forces, [](const NodeForce& s, const NodeForce& t) {
+        return s.node == t.node && sameMatrix(s.force, t.force) && sameBits(s.from, t.from) &&
+               sameBits(s.to, t.to);
+    }));
+    EXPECT_TRUE(sameList(a.moves, b.moves, [](const NodeMove& s, const NodeMove& t) {
+        return s.node == t.node && samePath(s.path, t.path);
+    }));
+    ASSERT_EQ(a.instrument.has_value(), b.instrument.has_value());
+    if (a.instrument) {
+        EXPECT_TRUE(sameBits(a.instrument->radius, b.instrument->radius));
+        EXPECT_TRUE(samePath(a.instrument->path, b.instrument->path));
+    }
+    EXPECT_TRUE(sameBits(a.record.every, b.record.every));
+    EXPECT_EQ(a.record.nodes, b.record.nodes);
+}
+
+void expectSamePhotos(const Project& a, const Project& b) {
+    ASSERT_EQ(a.photos.size(), b.photos.size());
+    for (std::size_t i = 0; i < a.photos.size(); ++i) {
+        const PhotoLayer &p = a.photos[i], &q = b.photos[i];
+        EXPECT_EQ(p.name, q.name);
+        EXPECT_EQ(p.photo->fileName, q.photo->fileName);
+        EXPECT_EQ(p.photo->encoded, q.photo->encoded);
+        EXPECT_EQ(p.photo->image.width, q.photo->image.width);
+        EXPECT_EQ(p.photo->image.pixels, q.photo->image.pixels);
+        EXPECT_TRUE(sameMatrix(p.projector.pose.matrix(), q.projector.pose.matrix()));
+        EXPECT_TRUE(sameBits(p.projector.width, q.projector.width));
+        EXPECT_TRUE(sameBits(p.projector.height, q.projector.height));
+        EXPECT_EQ(p.projector.occlusion, q.projector.occlusion);
+        EXPECT_TRUE(sameBits(p.blendPixels, q.blendPixels));
+        EXPECT_TRUE(sameBits(p.opacity, q.opacity));
+        EXPECT_EQ(p.visible, q.visible);
+    }
+}
+
+void expectSameTexture(const Project& a, const Project& b) {
+    const auto sameOptions = [](const AtlasOptions& o, const AtlasOptions& p) {
+        return o.size == p.size && o.pages == p.pages && o.gap == p.gap;
+    };
+    EXPECT_TRUE(sameOptions(a.texture.atlas, b.texture.atlas));
+    EXPECT_EQ(a.texture.baseColour, b.texture.baseColour);
+    ASSERT_EQ(a.atlas == nullptr, b.atlas == nullptr);
+    if (!a.atlas) return;
+    EXPECT_TRUE(sameOptions(a.atlas->options, b.atlas->options));
+    EXPECT_TRUE(sameBits(a.atlas->texelsPerMetre, b.atlas->texelsPerMetre));
+    EXPECT_TRUE(sameBits(a.atlas->utilisation, b.atlas->utilisation));
+    EXPECT_EQ(a.atlas->page, b.atlas->page);
+    EXPECT_TRUE(sameList(a.atlas->corners, b.atlas->corners, [](const auto& s, const auto& t) {
+        return sameList(s, t, sameMatrix<Eigen::Vector2d>);
+    }));
+}
+
+} // namespace
+
+void expectSameRegions(const std::vector<Region>& a, const std::vector<Region>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const Region &r = a[i], &s = b[i];
+        EXPECT_EQ(r.name, s.name);
+        EXPECT_EQ(r.colour, s.colour);
+        EXPECT_TRUE(sameEllipsoid(r.ellipsoid, s.ellipsoid));
+        ASSERT_EQ(r.system == nullptr, s.system == nullptr);
+        if (r.system) {
+            EXPECT_EQ(toJson(*r.system), toJson(*s.system));
+        }
+        EXPECT_TRUE(sameList(r.inputs, s.inputs, [](const auto& x, const auto& y) {
+            return x.first == y.first && sameBits(x.second, y.second);
+        }));
+        EXPECT_TRUE(sameOptional(r.held.springConstant, s.held.springConstant));
+        EXPECT_TRUE(sameOptional(r.held.viscosity, s.held.viscosity));
+        EXPECT_TRUE(sameOptional(r.held.mass, s.held.mass));
+    }
+}
+
+void expectSameProject(const Project& a, const Project& b) {
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_TRUE(sameBits(a.base.springConstant, b.base.springConstant));
+    EXPECT_TRUE(sameBits(a.base.viscosity, b.base.viscosity));
+    EXPECT_TRUE(sameBits(a.base.mass, b.base.mass));
+    expectSameMesh(a, b);
+    expectSameRegions(a.regions, b.regions);
+    expectSameScene(a.scene, b.scene);
+    expectSamePhotos(a, b);
+    expectSameTexture(a, b);
+}
+
+} // namespace esm

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/model/project.h"
+
+namespace esm {
+
+/// Every number bit by bit. Differences are failures of the running test.
+void expectSameProject(const Project& a, const Project& b);
+void expectSameRegions(const std::vector<Region>& a, const std::vector<Region>& b);
+
+} // namespace esm
