@@ -3,7 +3,6 @@
 #include "core/exchange/embedded_presets.h"
 #include "core/exchange/json_reader.h"
 #include "core/support/errors.h"
-#include "core/support/file_io.h"
 
 #include <algorithm>
 #include <cstring>
@@ -104,13 +103,6 @@ FuzzySystem readFuzzyFile(const std::filesystem::path& file) {
     } catch (const InvalidModel& error) {
         throw FileError(file, error.what());
     }
-}
-
-void writeFuzzyFile(const FuzzySystem& system, const std::filesystem::path& file) {
-    if (const std::vector<std::string> problems = validate(system); !problems.empty())
-        throw FileError(file, std::string("not written, the system could not be read again: ") +
-                                  InvalidModel(problems).what());
-    writeFileAtomically(file, toJson(system).dump(1) + "\n");
 }
 
 std::vector<std::string> fuzzyPresetNames() {

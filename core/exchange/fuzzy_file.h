@@ -17,8 +17,6 @@ nlohmann::ordered_json toJson(const FuzzySystem& system);
 
 /// A system without a name takes the file's. @throws FileError
 FuzzySystem readFuzzyFile(const std::filesystem::path& file);
-/// @throws FileError, also for a system with problems, which could not be read again
-void writeFuzzyFile(const FuzzySystem& system, const std::filesystem::path& file);
 
 /// The systems that ship with the program, compiled in from `presets/`.
 std::vector<std::string> fuzzyPresetNames();
