@@ -3,6 +3,7 @@
 #include "core/exchange/embedded_presets.h"
 #include "core/exchange/json_reader.h"
 #include "core/support/errors.h"
+#include "core/support/joined.h"
 
 #include <algorithm>
 #include <cstring>
@@ -95,6 +96,8 @@ Json toJson(const FuzzySystem& system) {
 }
 
 FuzzySystem readFuzzyFile(const std::filesystem::path& file) {
+    if (file.extension() == ".fcl" || file.extension() == ".fll")
+        throw FileError(file, "FCL and FLL files are not read yet; give the system as JSON");
     const Json json = readJsonFile(file);
     try {
         FuzzySystem system = fuzzySystemFromJson(json);
@@ -113,13 +116,11 @@ std::vector<std::string> fuzzyPresetNames() {
 }
 
 FuzzySystem fuzzyPreset(const std::string& name) {
-    std::string known;
-    for (const EmbeddedPreset& preset : embeddedPresets()) {
+    for (const EmbeddedPreset& preset : embeddedPresets())
         if (name == preset.name)
             return fuzzySystemFromJson(parseJson(preset.json, preset.json + std::strlen(preset.json)));
-        known += (known.empty() ? "" : ", ") + std::string(preset.name);
-    }
-    throw InvalidModel("there is no fuzzy system \"" + name + "\"; name a file or one of " + known);
+    throw InvalidModel("there is no fuzzy system \"" + name + "\"; name a file or one of " +
+                       joined(fuzzyPresetNames()));
 }
 
 FuzzySystem findFuzzySystem(const std::string& fileOrPreset) {

@@ -2,6 +2,7 @@
 
 #include "core/support/errors.h"
 #include "core/support/file_io.h"
+#include "core/support/joined.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,12 +181,9 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
 }
 
 void JsonReader::allowOnly(const std::vector<std::string>& keys) const {
-    std::string allowed;
-    for (const std::string& key : keys)
-        allowed += (allowed.empty() ? "" : ", ") + key;
     for (const auto& [key, member] : members())
         if (std::find(keys.begin(), keys.end(), key) == keys.end())
-            member.addProblem("is not known here; known are " + allowed);
+            member.addProblem("is not known here; known are " + joined(keys));
 }
 
 std::string JsonReader::text() const {

@@ -4,6 +4,7 @@
 #include "core/exchange/obj_mesh.h"
 #include "core/exchange/vtk_polydata.h"
 #include "core/support/errors.h"
+#include "core/support/joined.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
@@ -25,13 +26,6 @@ std::string endingOf(const fs::path& file) {
     for (char& letter : ending)
         if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
     return ending;
-}
-
-std::string knownEndings() {
-    std::string text;
-    for (const std::string& ending : meshFileEndings())
-        text += (text.empty() ? "." : ", .") + ending;
-    return text;
 }
 
 /// Row-major 3×4 part of a node's transform, in double so that parts that meet keep meeting.
@@ -135,7 +129,8 @@ PolygonSoup readMeshFile(const fs::path& file) {
     const std::string ending = endingOf(file);
     const std::vector<std::string>& known = meshFileEndings();
     if (std::find(known.begin(), known.end(), ending) == known.end())
-        throw FileError(file, "is of an unknown kind; mesh files end in " + knownEndings());
+        throw FileError(file,
+                        "is of an unknown kind; mesh files end in ." + joined(meshFileEndings(), ", ."));
     const std::optional<std::size_t> faceCount = checkMeshContent(file, content, ending);
     if (faceCount && *faceCount == 0) throw FileError(file, withoutTriangle);
     PolygonSoup soup = ending == "vtk"   ? parseVtkPolydata(file, content)

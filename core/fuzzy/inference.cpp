@@ -1,6 +1,7 @@
 #include "core/fuzzy/inference.h"
 
 #include "core/support/errors.h"
+#include "core/support/joined.h"
 
 #include <algorithm>
 #include <cmath>
@@ -187,14 +188,12 @@ InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional
 std::vector<std::optional<double>> orderedInputs(const FuzzySystem& system, const NamedValues& values) {
     std::vector<std::optional<double>> ordered(system.inputs.size());
     std::vector<std::string> problems;
-    std::string known;
-    for (const FuzzyVariable& input : system.inputs)
-        known += (known.empty() ? "" : ", ") + input.name;
     for (const auto& [name, value] : values) {
         const auto input = std::find_if(system.inputs.begin(), system.inputs.end(),
                                         [&name = name](const FuzzyVariable& v) { return v.name == name; });
         if (input == system.inputs.end())
-            problems.push_back("there is no input \"" + name + "\"; the inputs are " + known);
+            problems.push_back("there is no input \"" + name + "\"; the inputs are " +
+                               joinedNames(system.inputs));
         else if (!std::isfinite(value))
             problems.push_back("the input " + name + " is not a finite number");
         else

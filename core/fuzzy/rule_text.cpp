@@ -1,5 +1,6 @@
 #include "core/fuzzy/fuzzy_system.h"
 #include "core/support/errors.h"
+#include "core/support/joined.h"
 
 #include <algorithm>
 
@@ -37,13 +38,6 @@ bool isKeyword(const Word& word, const char* keyword) {
     return word.text.size() == expected.size() &&
            std::equal(expected.begin(), expected.end(), word.text.begin(),
                       [](char wanted, char given) { return given == wanted || given == wanted - 'A' + 'a'; });
-}
-
-template<class Named> std::string namesOf(const std::vector<Named>& list) {
-    std::string names;
-    for (const Named& entry : list)
-        names += (names.empty() ? "" : ", ") + entry.name;
-    return names;
 }
 
 class RuleParser {
@@ -89,7 +83,7 @@ private:
     template<class Named> std::size_t indexOf(const std::vector<Named>& list, const std::string& kind) {
         const auto found = std::find_if(list.begin(), list.end(),
                                         [&](const Named& entry) { return entry.name == word().text; });
-        if (found == list.end()) fail("expected the name of " + kind + " (" + namesOf(list) + ")");
+        if (found == list.end()) fail("expected the name of " + kind + " (" + joinedNames(list) + ")");
         ++m_next;
         return static_cast<std::size_t>(found - list.begin());
     }

@@ -1,5 +1,7 @@
 #include "core/render/camera.h"
 
+#include "core/support/angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -91,7 +93,7 @@ Camera orbited(const Camera& camera, double right, double upwards) {
     const Matrix3d axes = cameraAxes(camera);
     // The up direction never turns below the horizon: beyond it, "right" would turn the wrong way.
     const double elevation = std::atan2(axes.col(2).y(), axes.col(1).y());
-    const double limit = std::acos(0.0);
+    constexpr double limit = pi / 2;
     const double rise = std::clamp(elevation + upwards, -limit, limit) - elevation;
     const Eigen::AngleAxisd aboutVertical(right, Vector3d::UnitY());
     const Eigen::AngleAxisd aboutSideways(-rise, axes.col(0));

@@ -1,5 +1,7 @@
 #include "core/render/drawn_shape.h"
 
+#include "core/support/angles.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -19,7 +21,7 @@ std::vector<Vector3d> ellipsoidCurve(const Ellipsoid& ellipsoid, const Vector3d&
     const Vector3d first = axis.unitOrthogonal() * radius, second = axis.normalized().cross(first);
     std::vector<Vector3d> curve(curvePoints);
     for (int i = 0; i < curvePoints; ++i) {
-        const double angle = 2 * std::acos(-1.0) * i / curvePoints;
+        const double angle = 2 * pi * i / curvePoints;
         const Vector3d unit = centre + std::cos(angle) * first + std::sin(angle) * second;
         curve[static_cast<std::size_t>(i)] =
             ellipsoid.centre + ellipsoid.orientation * ellipsoid.radii.cwiseProduct(unit);

@@ -2,6 +2,7 @@
 
 #include "core/render/drawn_shape.h"
 #include "core/render/shaders.h"
+#include "core/support/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +19,11 @@ constexpr Colour steel{154, 164, 173};
 constexpr std::uint32_t ballRings = 32, ballSectors = 48;
 
 std::vector<Vector3f> ballPoints() {
-    const float pi = std::acos(-1.0F);
     std::vector<Vector3f> points;
     for (std::uint32_t ring = 0; ring <= ballRings; ++ring) {
-        const float polar = pi * float(ring) / float(ballRings);
+        const float polar = float(pi) * float(ring) / float(ballRings);
         for (std::uint32_t sector = 0; sector <= ballSectors; ++sector) {
-            const float around = 2 * pi * float(sector) / float(ballSectors);
+            const float around = 2 * float(pi) * float(sector) / float(ballSectors);
             points.emplace_back(std::sin(polar) * std::sin(around), std::cos(polar),
                                 std::sin(polar) * std::cos(around));
         }
@@ -163,16 +163,16 @@ void MarkerDrawer::drawBall(const GlProgram& program, const Ellipsoid& ellipsoid
 
 void MarkerDrawer::drawBoxFaces(const DrawnProjector& drawn, const Eigen::AlignedBox3d& shown,
                                 const Frame& frame) {
-    const std::array<Vector3d, 8> c = projectorBox(drawn.projector, shown);
+    const std::array<Vector3d, 8> corners = projectorBox(drawn.projector, shown);
     const Vector4f glass = withAlpha(amber, drawn.selected ? 0.06F : 0.03F);
-    drawQuad({c[4], c[5], c[7], c[6]}, glass, nullptr, frame);
+    drawQuad({corners[4], corners[5], corners[7], corners[6]}, glass, nullptr, frame);
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t next = (i + 1) % 4;
-        drawQuad({c[i], c[next], c[i + 4], c[next + 4]}, glass, nullptr, frame);
+        drawQuad({corners[i], corners[next], corners[i + 4], corners[next + 4]}, glass, nullptr, frame);
     }
     const GlTexture* photo = photoTexture(drawn.photo);
-    drawQuad({c[0], c[1], c[3], c[2]}, photo ? Vector4f(1, 1, 1, drawn.selected ? 0.55F : 0.35F) : glass,
-             photo, frame);
+    drawQuad({corners[0], corners[1], corners[3], corners[2]},
+             photo ? Vector4f(1, 1, 1, drawn.selected ? 0.55F : 0.35F) : glass, photo, frame);
 }
 
 void MarkerDrawer::drawQuad(const std::array<Vector3d, 4>& corners, const Vector4f& paint,

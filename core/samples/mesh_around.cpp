@@ -1,4 +1,5 @@
 #include "core/samples/implicit_surface.h"
+#include "core/support/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,7 @@ namespace esm {
 
 namespace {
 
-constexpr double fullTurn = 6.283185307179586;
+constexpr double fullTurn = 2 * pi;
 constexpr int stations = 300; ///< at which the body is measured along its axis
 
 /// The first place from inside to outside along a ray, m.

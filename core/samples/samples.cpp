@@ -4,6 +4,7 @@
 #include "core/geometry/adjacency.h"
 #include "core/samples/organs.h"
 #include "core/support/errors.h"
+#include "core/support/joined.h"
 
 #include <array>
 
@@ -32,12 +33,9 @@ const std::vector<std::string>& sampleNames() {
 }
 
 Project makeSample(const std::string& name) {
-    std::string known;
-    for (const Sample& sample : samples) {
+    for (const Sample& sample : samples)
         if (name == sample.name) return sample.make();
-        known += (known.empty() ? "" : ", ") + std::string(sample.name);
-    }
-    throw InvalidModel("there is no sample \"" + name + "\"; there are " + known);
+    throw InvalidModel("there is no sample \"" + name + "\"; there are " + joinedNames(samples));
 }
 
 RepairedMesh asImported(TriangleMesh mesh) {

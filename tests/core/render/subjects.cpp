@@ -1,5 +1,7 @@
 #include "tests/core/render/subjects.h"
 
+#include "core/support/angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,6 @@ namespace esm {
 
 TriangleMesh ball(int rings, int sectors, double bump) {
     TriangleMesh mesh;
-    const double pi = std::acos(-1.0);
     const auto add = [&](double polar, double around) {
         const Eigen::Vector3d unit(std::sin(polar) * std::sin(around), std::cos(polar),
                                    std::sin(polar) * std::cos(around));
