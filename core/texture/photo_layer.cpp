@@ -8,6 +8,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <fcntl.h>
+#include <mutex>
+#include <unistd.h>
+
 namespace esm {
 
 namespace {
@@ -26,7 +30,36 @@ cv::Mat toRgba(const cv::Mat& decoded) {
     return rgba;
 }
 
+/// Keeps standard error quiet while it lives. The libraries behind the decoder print there what they think of
+/// a picture, past every handler that can be set from outside; what is wrong with it is said once, by an
+/// exception.
+class QuietErrors {
+public:
+    QuietErrors() : m_lock(mutex()), m_kept(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (m_kept >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+        if (nowhere >= 0) ::close(nowhere);
+    }
+    QuietErrors(const QuietErrors&) = delete;
+    QuietErrors& operator=(const QuietErrors&) = delete;
+    ~QuietErrors() {
+        if (m_kept < 0) return;
+        ::dup2(m_kept, STDERR_FILENO);
+        ::close(m_kept);
+    }
+
+private:
+    static std::mutex& mutex() {
+        static std::mutex mutex; // standard error is one for the whole process
+        return mutex;
+    }
+
+    std::lock_guard<std::mutex> m_lock;
+    int m_kept;
+};
+
 cv::Mat decode(const Bytes& encoded, bool isJpeg) {
+    const QuietErrors quiet;
     // Only the colour mode turns a JPEG upright by its EXIF orientation; only the unchanged mode keeps alpha.
     const int mode = isJpeg ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED;
     try {

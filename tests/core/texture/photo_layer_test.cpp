@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <new>
+#include <zlib.h>
 
 using namespace esm;
 using testing::HasSubstr;
@@ -120,6 +122,25 @@ TEST(Photo, RefusesADamagedPng) {
     Bytes bytes = encoded(".png", noise(64, 48, CV_8UC3));
     bytes[bytes.size() / 2] ^= 0xff;
     EXPECT_THAT(refusal(bytes), HasSubstr("damaged"));
+}
+
+TEST(Photo, DecodersPrintNothing) {
+    Bytes strange = encoded(".png", noise(8, 8, CV_8UC4));
+    Bytes profile{0, 0, 0, 4, 'i', 'C', 'C', 'P', 'x', 0, 0, 'y'};
+    const auto checksum = static_cast<std::uint32_t>(crc32_z(0, profile.data() + 4, profile.size() - 4));
+    for (const int shift : {24, 16, 8, 0})
+        profile.push_back(std::uint8_t(checksum >> shift));
+    constexpr std::ptrdiff_t endOfHeader = 33;
+    strange.insert(strange.begin() + endOfHeader, profile.begin(), profile.end());
+    Bytes damaged = encoded(".jpg", noise(64, 48, CV_8UC3));
+    damaged.erase(damaged.end() - 200, damaged.end() - 2);
+    Bytes tiff = encoded(".tiff", noise(64, 48, CV_8UC3));
+    std::fill(tiff.begin() + 50, tiff.begin() + 100, std::uint8_t{0xff});
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(refusal(strange), "");
+    refusal(damaged);
+    refusal(tiff);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(Photo, RefusesWhatIsNoPictureOrTooLarge) {
