@@ -1,5 +1,8 @@
 #include "core/render/gl_objects.h"
 
+#include "core/texture/photo_sampler.h"
+
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -18,6 +21,12 @@ GLuint compiled(const GlFunctions& gl, GLenum kind, const std::string& source) {
     gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()) - 1, nullptr, log.data());
     gl.DeleteShader(shader);
     throw std::runtime_error(std::string("the graphics driver refuses a shader: ") + log.data());
+}
+
+GLint limitOf(const GlFunctions& gl, GLenum what) {
+    GLint limit = 0;
+    gl.GetIntegerv(what, &limit);
+    return limit;
 }
 
 } // namespace
@@ -86,6 +95,7 @@ GlBuffer::~GlBuffer() {
 }
 
 void GlBuffer::upload(GLenum target, const void* data, std::size_t bytes, GLenum usage) {
+    m_bytes = bytes;
     bind(target);
     m_gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
 }
@@ -121,6 +131,10 @@ GlTexture::~GlTexture() {
 }
 
 void GlTexture::upload(const Image& image, int levels) {
+    if (std::max(image.width, image.height) > limitOf(m_gl, GL_MAX_TEXTURE_SIZE)) {
+        upload(halved(image), std::max(levels - 1, 0));
+        return;
+    }
     bind(GL_TEXTURE_2D, 0);
     m_gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -135,6 +149,12 @@ void GlTexture::upload(const Image& image, int levels) {
 }
 
 void GlTexture::attach(const GlBuffer& buffer) {
+    const std::size_t texels = buffer.bytes() / sizeof(Eigen::Vector4f);
+    const auto limit = static_cast<std::size_t>(limitOf(m_gl, GL_MAX_TEXTURE_BUFFER_SIZE));
+    if (texels > limit)
+        throw std::runtime_error("the model is too large for the graphics driver, " + std::to_string(texels) +
+                                 " points and normals where " + std::to_string(limit) +
+                                 " fit; a coarser mesh or a newer driver may help");
     bind(GL_TEXTURE_BUFFER, 0);
     m_gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer.id());
 }

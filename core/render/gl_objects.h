@@ -44,10 +44,12 @@ public:
     void upload(GLenum target, const void* data, std::size_t bytes, GLenum usage);
     void bind(GLenum target) const;
     GLuint id() const { return m_id; }
+    std::size_t bytes() const { return m_bytes; }
 
 private:
     const GlFunctions& m_gl;
     GLuint m_id = 0;
+    std::size_t m_bytes = 0;
 };
 
 class GlVertexArray {
@@ -74,9 +76,10 @@ public:
     GlTexture& operator=(const GlTexture&) = delete;
     ~GlTexture();
 
-    /// Bilinear, with smaller copies down to `levels` halvings.
+    /// Bilinear, with smaller copies down to `levels` halvings. A picture larger than the driver takes is
+    /// halved until it fits.
     void upload(const Image& image, int levels);
-    /// Shaders read the buffer as `vec4` texels.
+    /// Shaders read the buffer as `vec4` texels. @throws std::runtime_error for more than the driver takes
     void attach(const GlBuffer& buffer);
     void bind(GLenum target, int unit) const;
 

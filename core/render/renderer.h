@@ -40,14 +40,14 @@ struct DrawnSphere {
 struct RenderScene {
     std::shared_ptr<const TriangleMesh> mesh;
     std::shared_ptr<const SpringNetwork> network;
-    std::vector<Eigen::Vector3d>
-        nodePositions; ///< m, one per node (without a network per vertex); else the rest shape
+    /// m, one per node (without a network per vertex); else the rest shape
+    std::vector<Eigen::Vector3d> nodePositions;
     std::shared_ptr<const Atlas> atlas;                     ///< null: base colour only
     std::shared_ptr<const std::vector<Image>> texturePages; ///< null: base colour only
     Colour baseColour{186, 92, 84};
-    bool showSurface = true, showSprings = false,
-         showNodes = false; ///< a network without triangles always shows both
-    bool unlit = false;     ///< the texture's own colours, without light
+    bool showSurface = true;
+    bool showSprings = false; ///< a network without triangles always shows them, and its nodes
+    bool unlit = false;       ///< the texture's own colours, without light
     /// Colours springs by a parameter, one per spring; may be null. A spring whose value is NaN is drawn
     /// quietly.
     std::shared_ptr<const std::vector<double>> springValues;

@@ -22,7 +22,7 @@ void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vecto
                         const LineDrawer& lines, const Frame& frame) {
     if (!scene.network) return;
     const bool bare = !scene.mesh || scene.mesh->triangles.empty();
-    if (!scene.showSprings && !scene.showNodes && !bare) return;
+    if (!scene.showSprings && !bare) return;
     const bool overSurface = scene.showSurface && !bare;
     takeSprings(scene, overSurface);
     if (nodes != m_nodes) {
@@ -33,12 +33,9 @@ void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vecto
     // need no such order, and would cut into their nodes' dots.
     m_gl.DepthMask(overSurface || bare ? GL_FALSE : GL_TRUE);
     const LineStyle style{1, overSurface ? liftShare * frame.size : 0, true};
-    if (scene.showSprings || bare) {
-        lines.draw(m_points, m_quiet, style, frame);
-        lines.draw(m_points, m_coloured, {1, style.lift, false}, frame);
-    }
-    if (scene.showNodes || bare)
-        lines.drawDots(m_points, {0.91F, 0.91F, 0.93F, 1}, bare ? 4.0F : 2.0F, frame);
+    lines.draw(m_points, m_quiet, style, frame);
+    lines.draw(m_points, m_coloured, {1, style.lift, false}, frame);
+    if (bare) lines.drawDots(m_points, {0.91F, 0.91F, 0.93F, 1}, 4.0F, frame);
     m_gl.DepthMask(GL_TRUE);
 }
 

@@ -112,7 +112,6 @@ void SurfaceDrawer::takeTriangles(const std::shared_ptr<const TriangleMesh>& mes
 
 void SurfaceDrawer::takeVertices(const std::vector<Eigen::Vector3d>& vertices, const Frame& frame) {
     if (vertices == m_vertices) return;
-    m_vertices = vertices;
     const std::vector<Eigen::Vector3d> normals = vertexNormals(vertices, m_mesh->triangles);
     m_texels.resize(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -122,6 +121,7 @@ void SurfaceDrawer::takeVertices(const std::vector<Eigen::Vector3d>& vertices, c
     m_vertexBuffer.upload(GL_TEXTURE_BUFFER, m_texels.data(), m_texels.size() * sizeof(m_texels[0]),
                           GL_STREAM_DRAW);
     m_vertexTexture.attach(m_vertexBuffer);
+    m_vertices = vertices;
 }
 
 void SurfaceDrawer::takeAtlas(const std::shared_ptr<const Atlas>& atlas) {

@@ -23,6 +23,19 @@ struct WeightedColour {
     }
 };
 
+Eigen::Vector4f bilinear(const Image& image, double x, double y) {
+    const BilinearPlace place = bilinearPlace(image, x, y);
+    const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
+    WeightedColour mean;
+    mean.add(image.at(place.left, place.top), (1 - u) * (1 - v));
+    mean.add(image.at(place.right, place.top), u * (1 - v));
+    mean.add(image.at(place.left, place.bottom), (1 - u) * v);
+    mean.add(image.at(place.right, place.bottom), u * v);
+    return mean.colour();
+}
+
+} // namespace
+
 Image halved(const Image& image) {
     Image half;
     half.width = (image.width + 1) / 2;
@@ -44,19 +57,6 @@ Image halved(const Image& image) {
     }
     return half;
 }
-
-Eigen::Vector4f bilinear(const Image& image, double x, double y) {
-    const BilinearPlace place = bilinearPlace(image, x, y);
-    const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
-    WeightedColour mean;
-    mean.add(image.at(place.left, place.top), (1 - u) * (1 - v));
-    mean.add(image.at(place.right, place.top), u * (1 - v));
-    mean.add(image.at(place.left, place.bottom), (1 - u) * v);
-    mean.add(image.at(place.right, place.bottom), u * v);
-    return mean.colour();
-}
-
-} // namespace
 
 PhotoSampler::PhotoSampler(const Image& photo) : m_photo(photo) {
     while (level(m_smaller.size()).width > 1 || level(m_smaller.size()).height > 1)

@@ -8,6 +8,9 @@
 
 namespace esm {
 
+/// The picture at half its width and height, rounded up. Colours count by their alpha.
+Image halved(const Image& image);
+
 /// Reads a photo between its pixels and at any size: a pyramid of halved pictures, so that a photo seen
 /// smaller than its pixels does not flicker [R 4.3.2.4]. Colours count by their alpha, so transparent pixels
 /// do not bleed.

@@ -117,7 +117,7 @@ void OrganView::initializeGL() {
         m_renderer = std::make_unique<Renderer>(resolved);
         m_problem.clear();
     } catch (const std::exception& problem) {
-        m_problem = tr("The organ cannot be shown: %1").arg(QString::fromUtf8(problem.what()));
+        m_problem = cannotBeShown(problem);
     }
 }
 
@@ -129,15 +129,27 @@ void OrganView::dropRenderer() {
 }
 
 void OrganView::paintGL() {
-    const double ratio = devicePixelRatioF();
-    if (m_renderer)
-        m_renderer->draw(m_scene, camera(), {qRound(width() * ratio), qRound(height() * ratio), ratio});
+    if (m_renderer) drawScene();
     paintOverlay();
+}
+
+void OrganView::drawScene() {
+    const double ratio = devicePixelRatioF();
+    try {
+        m_renderer->draw(m_scene, camera(), {qRound(width() * ratio), qRound(height() * ratio), ratio});
+        m_problem.clear();
+    } catch (const std::exception& problem) {
+        m_problem = cannotBeShown(problem);
+    }
+}
+
+QString OrganView::cannotBeShown(const std::exception& problem) {
+    return tr("The organ cannot be shown: %1").arg(QString::fromUtf8(problem.what()));
 }
 
 void OrganView::paintOverlay() {
     QPainter painter(this);
-    if (!m_renderer) {
+    if (!m_problem.isEmpty()) {
         painter.fillRect(rect(), palette().color(QPalette::Window));
         painter.setPen(palette().color(QPalette::WindowText));
         painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, m_problem);

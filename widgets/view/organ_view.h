@@ -10,6 +10,7 @@
 #include <QOpenGLWidget>
 #include <QSurfaceFormat>
 
+#include <exception>
 #include <memory>
 #include <optional>
 
@@ -100,7 +101,9 @@ private:
     std::optional<QPointF> handlePlace(const Eigen::Vector3d& end, const Eigen::Vector3d& centre) const;
     std::vector<QPointF> regionHandles() const;
     std::vector<QPointF> projectorHandles() const;
+    void drawScene();
     void paintOverlay();
+    static QString cannotBeShown(const std::exception& problem);
     void dropRenderer();
 
     RenderScene m_scene;
