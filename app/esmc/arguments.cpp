@@ -4,18 +4,30 @@
 #include "core/support/angles.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace esm {
 
 namespace {
 
-double parseNumber(const std::string& text, const std::string& option) {
+std::optional<double> finiteNumber(const std::string& text) {
     double value = 0;
-    if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value))
-        throw UsageError(option + ": '" + text + "' is not a number");
+    if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value)) return std::nullopt;
     return value;
+}
+
+double parseNumber(const std::string& text, const std::string& option) {
+    const std::optional<double> value = finiteNumber(text);
+    if (!value) throw UsageError(option + ": '" + text + "' is not a number");
+    return *value;
+}
+
+std::string rangeInWords(int least, int most) {
+    const std::string from = "from " + std::to_string(least);
+    return most == std::numeric_limits<int>::max() ? from + " on" : from + " to " + std::to_string(most);
 }
 
 } // namespace
@@ -45,18 +57,18 @@ NamedValues parsePairs(const std::vector<std::string>& pairs, const std::string&
 }
 
 Ellipsoid parseEllipsoid(const std::string& text) {
-    const std::vector<double> n = parseNumbers(text, "--ellipsoid");
-    if (n.size() != 6 && n.size() != 10)
+    const std::vector<double> numbers = parseNumbers(text, "--ellipsoid");
+    if (numbers.size() != 6 && numbers.size() != 10)
         throw UsageError(
             "--ellipsoid: give 6 numbers, \"cx cy cz rx ry rz\", or 10, with \"ax ay az degrees\"");
     Ellipsoid ellipsoid;
-    ellipsoid.centre = {n[0], n[1], n[2]};
-    ellipsoid.radii = {n[3], n[4], n[5]};
+    ellipsoid.centre = {numbers[0], numbers[1], numbers[2]};
+    ellipsoid.radii = {numbers[3], numbers[4], numbers[5]};
     if (!(ellipsoid.radii.minCoeff() > 0)) throw UsageError("--ellipsoid: the radii must be above zero");
-    if (n.size() == 6) return ellipsoid;
-    const Eigen::Vector3d axis(n[6], n[7], n[8]);
+    if (numbers.size() == 6) return ellipsoid;
+    const Eigen::Vector3d axis(numbers[6], numbers[7], numbers[8]);
     if (!(axis.norm() > 0)) throw UsageError("--ellipsoid: the axis must have a length");
-    ellipsoid.orientation = Eigen::AngleAxisd(toRadians(n[9]), axis.normalized());
+    ellipsoid.orientation = Eigen::AngleAxisd(toRadians(numbers[9]), axis.normalized());
     return ellipsoid;
 }
 
@@ -72,20 +84,38 @@ std::vector<std::string> parseWords(const std::string& text, const std::vector<s
     return words;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words)
-        text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 CLI::Validator positiveNumber() {
     const auto check = [](const std::string& text) -> std::string {
-        double value = 0;
-        const bool isPositive = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
-        return isPositive ? "" : "'" + text + "' is not a number above zero";
+        const std::optional<double> value = finiteNumber(text);
+        return value && *value > 0 ? "" : "'" + text + "' is not a number above zero";
     };
     return CLI::Validator(check, "");
+}
+
+CLI::Validator nonNegativeNumber() {
+    const auto check = [](const std::string& text) -> std::string {
+        const std::optional<double> value = finiteNumber(text);
+        return value && *value >= 0 ? "" : "'" + text + "' is not a number, zero or more";
+    };
+    return CLI::Validator(check, "");
+}
+
+std::optional<int> parseWholeNumber(const std::string& text, int least, int most) {
+    const char* const end = text.data() + text.size();
+    int value = 0;
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || value < least || value > most) return std::nullopt;
+    return value;
+}
+
+CLI::Validator wholeNumber(int least, int most) {
+    const auto transform = [least, most](std::string& text) -> std::string {
+        const std::optional<int> value = parseWholeNumber(text, least, most);
+        if (!value) return "'" + text + "' is not a whole number " + rangeInWords(least, most);
+        text = std::to_string(*value); // CLI11 would read leading zeros as octal
+        return "";
+    };
+    return CLI::Validator(transform, "");
 }
 
 CLI::Validator oneOf(const std::vector<std::string>& values) {

@@ -2,10 +2,14 @@
 
 #include "core/fuzzy/inference.h"
 #include "core/geometry/ellipsoid.h"
+#include "core/support/joined.h"
 
 #include <CLI/CLI.hpp>
 
+#include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace esm {
@@ -23,13 +27,40 @@ Ellipsoid parseEllipsoid(const std::string& text);
 std::vector<std::string> parseWords(const std::string& text, const std::vector<std::string>& known,
                                     const std::string& option);
 
-/// "a, b, c"
-std::string joined(const std::vector<std::string>& words);
-
 /// A check for an option that takes a finite number above zero.
 CLI::Validator positiveNumber();
 
+/// A check for an option that takes a finite number, zero or more.
+CLI::Validator nonNegativeNumber();
+
+/// Digits and perhaps a sign, always decimal: "0100" is a hundred. Nothing where that is not a number from
+/// `least` to `most`.
+std::optional<int> parseWholeNumber(const std::string& text, int least,
+                                    int most = std::numeric_limits<int>::max());
+
+/// For `transform` of an option that takes a whole number: the number as `parseWholeNumber` understands it.
+CLI::Validator wholeNumber(int least, int most = std::numeric_limits<int>::max());
+
 /// A check for an option whose values are known; the message of any other value lists them.
 CLI::Validator oneOf(const std::vector<std::string>& values);
+
+/// The words of an option, each with what it means.
+template<typename Value> using Words = std::vector<std::pair<std::string, Value>>;
+
+/// Adds an option that takes one of `words` and nothing else; `chosen` keeps its value without the option.
+template<typename Value>
+void addChoice(CLI::App& command, const std::string& name, Value& chosen, const Words<Value>& words,
+               const std::string& description) {
+    std::vector<std::string> known;
+    for (const auto& [word, value] : words)
+        known.push_back(word);
+    const auto choose = [&chosen, words](const std::string& given) {
+        for (const auto& [word, value] : words)
+            if (word == given) chosen = value;
+    };
+    command.add_option_function<std::string>(name, choose, description)
+        ->check(oneOf(known))
+        ->option_text(joined(known, "|"));
+}
 
 } // namespace esm

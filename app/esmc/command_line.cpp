@@ -6,6 +6,7 @@
 
 #include <tbb/global_control.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <new>
 
@@ -24,7 +25,7 @@ void describe(CLI::App& app, Context& context) {
     app.require_subcommand(1);
     app.add_flag("--json", context.json, "Print one JSON object instead of text");
     app.add_option("-j,--threads", context.threads, "Threads at most; the result does not depend on it")
-        ->check(CLI::Range(1, 4096));
+        ->transform(wholeNumber(1, 4096));
     addImportCommand(app, context);
     addSampleCommand(app, context);
     addInfoCommand(app, context);
@@ -72,7 +73,14 @@ std::string about(const Context& context, const std::string& problem) {
     return context.subject.empty() ? problem : context.subject.string() + ": " + problem;
 }
 
+/// OSMesa draws with threads of its own, one per processor unless its environment says otherwise when its
+/// first context is made: 0 is none beside the caller's.
+void limitDrawing(int threads) {
+    if (threads > 0) ::setenv("LP_NUM_THREADS", std::to_string(threads == 1 ? 0 : threads).c_str(), 1);
+}
+
 int runWork(Context& context) {
+    limitDrawing(context.threads);
     const std::size_t threads =
         context.threads > 0 ? static_cast<std::size_t>(context.threads)
                             : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);

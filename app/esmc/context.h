@@ -26,15 +26,20 @@ struct Context {
 /// terminal.
 Progress progressOf(const Context& context, const std::string& label);
 
-/// Adds a command whose options live as long as the parser. `Options` is a plain struct, filled by what
-/// `declare` adds to the command; `run` does the work.
+/// `Options` is a plain struct, filled by what `declare` adds to the parser; `run` does the work.
+template<typename Options> struct Command {
+    std::string name, description;
+    void (*declare)(CLI::App&, Options&);
+    Report (*run)(const Options&, Context&);
+};
+
+/// Adds a command whose options live as long as the parser.
 template<typename Options>
-void addCommand(CLI::App& parent, Context& context, const std::string& name, const std::string& description,
-                void (*declare)(CLI::App&, Options&), Report (*run)(const Options&, Context&)) {
-    CLI::App* command = parent.add_subcommand(name, description);
+void addCommand(CLI::App& parent, Context& context, const Command<Options>& command) {
+    CLI::App* parser = parent.add_subcommand(command.name, command.description);
     const auto options = std::make_shared<Options>();
-    declare(*command, *options);
-    command->callback([options, run, &context] {
+    command.declare(*parser, *options);
+    parser->callback([options, run = command.run, &context] {
         context.work = [options, run, &context] { return run(*options, context); };
     });
 }

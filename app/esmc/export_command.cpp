@@ -30,7 +30,9 @@ Report runExport(const ExportOptions& options, Context& context) {
 } // namespace
 
 void addExportCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "export", "Hand a project over to a simulator", declareExport, runExport);
+    addCommand(
+        app, context,
+        Command<ExportOptions>{"export", "Hand a project over to a simulator", declareExport, runExport});
 }
 
 } // namespace esm

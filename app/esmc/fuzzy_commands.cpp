@@ -1,6 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
-#include "app/esmc/fuzzy_source.h"
+#include "core/exchange/fuzzy_file.h"
 
 namespace esm {
 
@@ -47,16 +47,16 @@ void addOutputs(Report& report, const FuzzySystem& system, const InferenceResult
 Report runEval(const EvalOptions& options, Context& context) {
     const NamedValues values = parsePairs(options.values, "--set");
     context.subject = options.system;
-    const auto system = loadFuzzySystem(options.system);
-    const auto inputs = orderedInputs(*system, values);
-    const InferenceResult result = infer(*system, inputs);
+    const FuzzySystem system = findFuzzySystem(options.system);
+    const auto inputs = orderedInputs(system, values);
+    const InferenceResult result = infer(system, inputs);
     Report report;
-    addOutputs(report, *system, result);
+    addOutputs(report, system, result);
     report.json["firing"] = result.firing;
     for (std::size_t i = 0; i < result.firing.size(); ++i)
         if (result.firing[i] > 0)
-            report.text.push_back(inText(result.firing[i]) + "  " + ruleText(*system, system->rules[i]));
-    addWarnings(report, inputWarnings(*system, inputs));
+            report.text.push_back(inText(result.firing[i]) + "  " + ruleText(system, system.rules[i]));
+    addWarnings(report, inputWarnings(system, inputs));
     return report;
 }
 
@@ -65,7 +65,8 @@ Report runEval(const EvalOptions& options, Context& context) {
 void addFuzzyCommands(CLI::App& app, Context& context) {
     CLI::App* fuzzy = app.add_subcommand("fuzzy", "Fuzzy systems: words to parameters");
     fuzzy->require_subcommand(1);
-    addCommand(*fuzzy, context, "eval", "Infer the outputs of a fuzzy system", declareEval, runEval);
+    addCommand(*fuzzy, context,
+               Command<EvalOptions>{"eval", "Infer the outputs of a fuzzy system", declareEval, runEval});
 }
 
 } // namespace esm

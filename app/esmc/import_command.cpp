@@ -4,9 +4,6 @@
 #include "core/exchange/mesh_file.h"
 #include "core/exchange/project_file.h"
 
-#include <map>
-#include <utility>
-
 namespace esm {
 
 namespace {
@@ -21,30 +18,26 @@ struct ImportOptions {
     std::string detail;
 };
 
-const std::vector<std::pair<std::string, LengthUnit>> units{
+const Words<LengthUnit> units{
     {"mm", LengthUnit::Millimetre}, {"cm", LengthUnit::Centimetre}, {"m", LengthUnit::Metre}};
 
 void declareImport(CLI::App& command, ImportOptions& options) {
     command.add_option("mesh", options.mesh, "Surface: " + joined(meshFileEndings()))->required();
     command.add_option("-o,--output", options.output, "Project to write (.esm)")->required();
-    command
-        .add_option("--unit", options.unit, "What a coordinate of the file means: mm, cm or m (the default)")
-        ->transform(CLI::Transformer(units))
-        ->option_text("mm|cm|m");
+    addChoice(command, "--unit", options.unit, units,
+              "What a coordinate of the file means: mm, cm or m (the default)");
     command
         .add_option("--weld", options.weld, "Vertices closer than this become one, m (0: only equal ones)")
-        ->check(CLI::NonNegativeNumber);
-    command.add_option("--keep", options.keep, "Parts to keep: all (the default), or the largest")
-        ->transform(CLI::Transformer(
-            std::map<std::string, KeepParts>{{"all", KeepParts::All}, {"largest", KeepParts::Largest}}))
-        ->option_text("all|largest");
+        ->check(nonNegativeNumber());
+    addChoice(command, "--keep", options.keep,
+              Words<KeepParts>{{"all", KeepParts::All}, {"largest", KeepParts::Largest}},
+              "Parts to keep: all (the default), or the largest");
     command
         .add_option("--mass", options.mass,
                     "Total mass, kg (default: from the volume, or the area of an open surface)")
         ->check(positiveNumber());
-    command.add_option("--up", options.up, "The file's axis that points up: y (the default) or z")
-        ->transform(CLI::Transformer(std::map<std::string, UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}}))
-        ->option_text("y|z");
+    addChoice(command, "--up", options.up, Words<UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}},
+              "The file's axis that points up: y (the default) or z");
     command.add_option("--detail", options.detail)->group("");
 }
 
@@ -84,8 +77,9 @@ Report runImport(const ImportOptions& options, Context& context) {
 } // namespace
 
 void addImportCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "import", "Make a project of a surface mesh, repairing it", declareImport,
-               runImport);
+    addCommand(app, context,
+               Command<ImportOptions>{"import", "Make a project of a surface mesh, repairing it",
+                                      declareImport, runImport});
 }
 
 } // namespace esm

@@ -100,7 +100,8 @@ Report runInfo(const InfoOptions& options, Context& context) {
 } // namespace
 
 void addInfoCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "info", "Describe a project or a model package", declareInfo, runInfo);
+    addCommand(app, context,
+               Command<InfoOptions>{"info", "Describe a project or a model package", declareInfo, runInfo});
 }
 
 } // namespace esm

@@ -1,9 +1,10 @@
 #include "app/esmc/interruption.h"
 
+#include "core/support/errors.h"
+
 #include <chrono>
 #include <csignal>
 #include <string_view>
-#include <thread>
 #include <unistd.h>
 
 namespace esm {
@@ -23,16 +24,39 @@ sigset_t stopSignals() {
 Interruption::Interruption() {
     const sigset_t signals = stopSignals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    std::thread([this] { watch(); }).detach();
+    m_watcher = std::thread([this] { watch(); });
+}
+
+Interruption::~Interruption() {
+    {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        m_disarmed = true;
+    }
+    m_disarming.notify_all();
+    pthread_kill(m_watcher.native_handle(), SIGTERM); // it may still wait for a signal
+    m_watcher.join();
+}
+
+bool Interruption::requested() const {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    return m_requested;
+}
+
+void Interruption::disarm() {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if (m_requested) throw Cancelled();
+    m_disarmed = true;
 }
 
 void Interruption::watch() {
     const sigset_t signals = stopSignals();
     int received = 0;
     sigwait(&signals, &received);
+    std::unique_lock<std::mutex> lock(m_mutex);
+    if (m_disarmed) return;
     m_requested = true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    constexpr std::string_view message = "esmc: stopped; nothing was written\n";
+    if (m_disarming.wait_for(lock, std::chrono::milliseconds(500), [this] { return m_disarmed; })) return;
+    constexpr std::string_view message = "esmc: stopped; every output is whole or as it was before\n";
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message.data(), message.size());
     ::_exit(1);
 }

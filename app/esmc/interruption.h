@@ -1,6 +1,8 @@
 #pragma once
 
-#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
 
 namespace esm {
 
@@ -10,13 +12,23 @@ namespace esm {
 class Interruption {
 public:
     Interruption();
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+    ~Interruption();
 
-    bool requested() const { return m_requested; }
+    bool requested() const;
+
+    /// Nothing stops the work any more: for the moment in which several outputs take their places together.
+    /// @throws Cancelled when it was to stop already
+    void disarm();
 
 private:
-    [[noreturn]] void watch();
+    void watch();
 
-    std::atomic<bool> m_requested = false;
+    mutable std::mutex m_mutex;
+    std::condition_variable m_disarming;
+    bool m_requested = false, m_disarmed = false;
+    std::thread m_watcher; ///< last, so that it starts when all else is there
 };
 
 } // namespace esm

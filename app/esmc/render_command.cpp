@@ -8,6 +8,7 @@
 #include "core/texture/composite.h"
 
 #include <algorithm>
+#include <variant>
 
 namespace esm {
 
@@ -33,37 +34,43 @@ void declareRender(CLI::App& command, RenderOptions& options) {
 }
 
 PictureSize parseSize(const std::string& text) {
-    constexpr int largest = 8192;
-    PictureSize size;
-    const std::size_t cross = text.find('x');
-    const bool isPair = cross != std::string::npos &&
-                        CLI::detail::lexical_cast(text.substr(0, cross), size.width) &&
-                        CLI::detail::lexical_cast(text.substr(cross + 1), size.height);
-    if (!isPair || std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > largest)
+    const std::size_t cross = std::min(text.find('x'), text.size());
+    const auto width = parseWholeNumber(text.substr(0, cross), 1, largestPictureSize);
+    const auto height =
+        parseWholeNumber(text.substr(std::min(cross + 1, text.size())), 1, largestPictureSize);
+    if (!width || !height)
         throw UsageError("--size: '" + text + "' is not WIDTHxHEIGHT with numbers from 1 to " +
-                         std::to_string(largest));
-    return size;
+                         std::to_string(largestPictureSize));
+    return {*width, *height};
 }
 
-/// Checks what can be checked before any file is read.
-void requireUsable(const RenderOptions& options) {
-    if (!options.camera.empty() || standardViewFromName(options.view)) return;
-    const std::vector<double> n = parseNumbers(options.view, "--view");
-    if (n.size() != 6 || Eigen::Vector3d(n[3] - n[0], n[4] - n[1], n[5] - n[2]).norm() == 0)
+/// "ex ey ez tx ty tz"
+Camera freeCamera(const std::string& view) {
+    const std::vector<double> numbers = parseNumbers(view, "--view");
+    const bool isPair = numbers.size() == 6;
+    Camera camera;
+    if (isPair) camera.eye = {numbers[0], numbers[1], numbers[2]};
+    if (isPair) camera.target = {numbers[3], numbers[4], numbers[5]};
+    const Eigen::Vector3d sight = camera.target - camera.eye;
+    if (!isPair || sight.norm() == 0)
         throw UsageError(
             "--view: give front, back, left, right, top, bottom, or six numbers, eye and target apart");
+    if (std::abs(sight.normalized().y()) > 0.999) camera.up = {0, 0, sight.y() > 0 ? 1.0 : -1.0};
+    return camera;
 }
 
-Camera requestedCamera(const RenderOptions& options, const Eigen::AlignedBox3d& box, double aspect) {
+using RequestedView = std::variant<StandardView, Camera>;
+
+/// Reads everything the line says of the camera, before the organ is read.
+RequestedView requestedView(const RenderOptions& options) {
     if (!options.camera.empty()) return readCameraFile(options.camera);
-    if (const auto view = standardViewFromName(options.view)) return framedCamera(box, *view, aspect);
-    const std::vector<double> n = parseNumbers(options.view, "--view");
-    Camera camera;
-    camera.eye = {n[0], n[1], n[2]};
-    camera.target = {n[3], n[4], n[5]};
-    const Eigen::Vector3d sight = (camera.target - camera.eye).normalized();
-    if (std::abs(sight.y()) > 0.999) camera.up = {0, 0, sight.y() > 0 ? 1.0 : -1.0};
-    return camera;
+    if (const auto view = standardViewFromName(options.view)) return *view;
+    return freeCamera(options.view);
+}
+
+Camera cameraFor(const RequestedView& view, const Eigen::AlignedBox3d& box, double aspect) {
+    const auto* standard = std::get_if<StandardView>(&view);
+    return standard ? framedCamera(box, *standard, aspect) : std::get<Camera>(view);
 }
 
 /// Springs coloured by their constant, the colours spanning what the organ has.
@@ -130,20 +137,24 @@ Report runRender(const RenderOptions& options, Context& context) {
     const PictureSize size = parseSize(options.size);
     const Shown named = parseWords(options.show, {"surface", "springs", "regions", "projectors"}, "--show");
     const Shown shown = named.empty() ? Shown{"surface"} : named;
-    requireUsable(options);
+    const RequestedView view = requestedView(options);
     context.subject = options.project;
-    RenderScene scene = isModelPackage(options.project)
-                            ? packageScene(loadPackage(options.project), shown)
-                            : projectScene(loadProject(options.project), shown, context);
+    const bool isPackage = isModelPackage(options.project);
+    RenderScene scene = isPackage ? packageScene(loadPackage(options.project), shown)
+                                  : projectScene(loadProject(options.project), shown, context);
     scene.showSurface = shows(shown, "surface");
     // A pure motion model has nothing but springs to show.
     scene.showSprings = shows(shown, "springs") || scene.mesh->triangles.empty();
     scene.unlit = options.unlit;
-    const Camera camera = requestedCamera(options, boundingBox(scene.network->restPositions),
-                                          static_cast<double>(size.width) / size.height);
+    const Camera camera = cameraFor(view, boundingBox(scene.network->restPositions),
+                                    static_cast<double>(size.width) / size.height);
     writePng(renderOffscreen(scene, camera, size.width, size.height), options.output);
     Report report;
     report.json["size"] = {size.width, size.height};
+    std::vector<std::string> warnings;
+    if (isPackage && shows(shown, "projectors"))
+        warnings.emplace_back("a package holds no projectors; draw the project to see them");
+    addWarnings(report, warnings);
     addWritten(report, options.output);
     return report;
 }
@@ -151,8 +162,9 @@ Report runRender(const RenderOptions& options, Context& context) {
 } // namespace
 
 void addRenderCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "render", "Draw a picture of a project or a model package", declareRender,
-               runRender);
+    addCommand(app, context,
+               Command<RenderOptions>{"render", "Draw a picture of a project or a model package",
+                                      declareRender, runRender});
 }
 
 } // namespace esm

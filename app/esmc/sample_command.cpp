@@ -57,8 +57,9 @@ Report runSample(const SampleOptions& options, Context&) {
 } // namespace
 
 void addSampleCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "sample", "Make a project of one of the program's own organs", declareSample,
-               runSample);
+    addCommand(app, context,
+               Command<SampleOptions>{"sample", "Make a project of one of the program's own organs",
+                                      declareSample, runSample});
 }
 
 } // namespace esm

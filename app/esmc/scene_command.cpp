@@ -41,8 +41,9 @@ Report storeScene(const SceneOptions& options, Context& context) {
 } // namespace
 
 void addSceneCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "scene", "Store what holds and moves the organ in a project", declareScene,
-               storeScene);
+    addCommand(app, context,
+               Command<SceneOptions>{"scene", "Store what holds and moves the organ in a project",
+                                     declareScene, storeScene});
 }
 
 } // namespace esm

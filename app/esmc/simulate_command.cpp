@@ -6,6 +6,7 @@
 #include "core/exchange/project_file.h"
 #include "core/exchange/scene_file.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace esm {
@@ -97,6 +98,11 @@ std::vector<std::uint32_t> recordedNodes(const Scene& scene, std::size_t nodeCou
     return all;
 }
 
+/// Nothing for a run without a step, which has no speed.
+std::string realTimeInWords(double factor) {
+    return std::isfinite(factor) ? ", " + inText(factor) + " times real time" : "";
+}
+
 Report describe(const SceneOutcome& outcome) {
     const double realTimeFactor = outcome.simulatedSeconds / outcome.wallSeconds;
     Report report;
@@ -114,8 +120,7 @@ Report describe(const SceneOutcome& outcome) {
     report.text = {outcome.outcome + ": " + inText(outcome.simulatedSeconds) + " s in " +
                        counted(outcome.steps, "step") + " of " + inText(outcome.timeStep) + " s, " +
                        integratorName(outcome.integrator),
-                   inText(outcome.wallSeconds) + " s of computing, " + inText(realTimeFactor) +
-                       " times real time",
+                   inText(outcome.wallSeconds) + " s of computing" + realTimeInWords(realTimeFactor),
                    "energy at the end: kinetic " + inText(outcome.energy.kinetic) + " J, elastic " +
                        inText(outcome.energy.elastic) + " J"};
     if (!outcome.stable) report.failure = "the run stopped: " + outcome.outcome;
@@ -146,8 +151,9 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
 } // namespace
 
 void addSimulateCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "simulate", "Run a scene and write where the nodes went", declareSimulate,
-               runSimulate);
+    addCommand(app, context,
+               Command<SimulateOptions>{"simulate", "Run a scene and write where the nodes went",
+                                        declareSimulate, runSimulate});
 }
 
 } // namespace esm

@@ -3,9 +3,11 @@
 #include "core/exchange/image_file.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/projector_file.h"
+#include "core/support/atomic_file.h"
 #include "core/texture/composite.h"
 
 #include <filesystem>
+#include <list>
 
 namespace esm {
 
@@ -22,9 +24,12 @@ void declarePack(CLI::App& command, PackOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
         ->required();
-    command.add_option("--size", options.atlas.size, "Width and height of a page, pixels (2048)");
-    command.add_option("--pages", options.atlas.pages, "Pages (1)");
-    command.add_option("--gap", options.atlas.gap, "Pixels between any two triangles (2)");
+    // The packer says how much of each the mesh can do with.
+    command.add_option("--size", options.atlas.size, "Width and height of a page, pixels (2048)")
+        ->transform(wholeNumber(1));
+    command.add_option("--pages", options.atlas.pages, "Pages (1)")->transform(wholeNumber(1));
+    command.add_option("--gap", options.atlas.gap, "Pixels between any two triangles (2)")
+        ->transform(wholeNumber(0));
 }
 
 void pack(Project& project) {
@@ -71,7 +76,7 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
         ->required();
     command
         .add_option("--blend", options.blend, "Pixels of the photograph over which its border fades in (24)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(nonNegativeNumber());
     command.add_option("--name", options.name, "The layer's name (default: the photograph's)");
 }
 
@@ -120,24 +125,61 @@ void makeFolder(const fs::path& folder) {
     if (!fs::is_directory(folder)) throw FileError(folder, "cannot be made a folder; choose another name");
 }
 
+fs::path pageFile(const fs::path& folder, std::size_t page) {
+    return folder / ("texture-" + std::to_string(page + 1) + ".png");
+}
+
+std::vector<Bytes> encoded(const std::vector<Image>& pages, double texelsPerMetre, const Context& context) {
+    const Progress progress = progressOf(context, "writing");
+    std::vector<Bytes> files;
+    for (const Image& page : pages) {
+        reportProgress(progress, static_cast<double>(files.size()) / static_cast<double>(pages.size()));
+        files.push_back(encodePng(page, texelsPerMetre));
+    }
+    return files;
+}
+
+/// All pages take their places together or not at all.
+void writePages(const std::vector<Bytes>& pages, const fs::path& folder, Interruption& interruption) {
+    makeFolder(folder);
+    std::list<AtomicFile> files;
+    for (std::size_t page = 0; page < pages.size(); ++page) {
+        files.emplace_back(pageFile(folder, page));
+        files.back().write({reinterpret_cast<const char*>(pages[page].data()), pages[page].size()});
+        files.back().sync();
+    }
+    interruption.disarm();
+    for (AtomicFile& file : files)
+        file.commit();
+}
+
+/// Pages that a bake of more of them left in the folder would be taken for pages of this one.
+std::vector<std::string> staleWarnings(const fs::path& folder, std::size_t pages) {
+    std::vector<std::string> stale;
+    for (std::size_t page = pages; fs::exists(pageFile(folder, page)); ++page)
+        stale.push_back(pageFile(folder, page).string());
+    if (stale.empty()) return {};
+    return {joined(stale) + (stale.size() == 1 ? " is" : " are") +
+            " of an earlier bake and no part of this texture; remove or rename"};
+}
+
 Report runBake(const BakeOptions& options, Context& context) {
     context.subject = options.project;
     Project project = loadProject(options.project);
     packIfNeeded(project);
     const std::vector<Image> pages = composite(*project.mesh, *project.atlas, project.photos,
                                                project.texture.baseColour, progressOf(context, "baking"));
-    makeFolder(options.folder);
+    const double seams = seamError(*project.mesh, *project.atlas, pages);
+    writePages(encoded(pages, project.atlas->texelsPerMetre, context), options.folder, context.interruption);
     Report report;
     report.json["files"] = Json::array();
     for (std::size_t page = 0; page < pages.size(); ++page) {
-        const fs::path file = fs::path(options.folder) / ("texture-" + std::to_string(page + 1) + ".png");
-        writePng(pages[page], file, project.atlas->texelsPerMetre);
-        report.json["files"].push_back(file.string());
-        addWritten(report, file);
+        report.json["files"].push_back(pageFile(options.folder, page).string());
+        addWritten(report, pageFile(options.folder, page));
     }
-    const double seams = seamError(*project.mesh, *project.atlas, pages);
     report.json["seam_error"] = seams;
     report.text.push_back("largest difference of colour across an edge: " + inText(seams) + " of 255");
+    addWarnings(report, staleWarnings(options.folder, pages.size()));
     return report;
 }
 
@@ -146,10 +188,13 @@ Report runBake(const BakeOptions& options, Context& context) {
 void addTextureCommands(CLI::App& app, Context& context) {
     CLI::App* texture = app.add_subcommand("texture", "Photographs on the organ's surface");
     texture->require_subcommand(1);
-    addCommand(*texture, context, "pack", "Give every triangle its place in the texture", declarePack,
-               runPack);
-    addCommand(*texture, context, "photo", "Lay a photograph on the organ", declarePhoto, runPhoto);
-    addCommand(*texture, context, "bake", "Write the textures as PNG", declareBake, runBake);
+    addCommand(
+        *texture, context,
+        Command<PackOptions>{"pack", "Give every triangle its place in the texture", declarePack, runPack});
+    addCommand(*texture, context,
+               Command<PhotoOptions>{"photo", "Lay a photograph on the organ", declarePhoto, runPhoto});
+    addCommand(*texture, context,
+               Command<BakeOptions>{"bake", "Write the textures as PNG", declareBake, runBake});
 }
 
 } // namespace esm

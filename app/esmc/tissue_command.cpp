@@ -1,6 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
-#include "app/esmc/fuzzy_source.h"
+#include "core/exchange/fuzzy_file.h"
 #include "core/exchange/project_file.h"
 
 #include <algorithm>
@@ -90,7 +90,8 @@ Report runTissue(const TissueOptions& options, Context& context) {
     Region region = requestedRegion(options);
     context.subject = options.project;
     Project project = loadProject(options.project);
-    if (!options.system.empty()) region.system = loadFuzzySystem(options.system);
+    if (!options.system.empty())
+        region.system = std::make_shared<const FuzzySystem>(findFuzzySystem(options.system));
     region.colour = colourOf(project.regions.size());
     region.name = !options.name.empty() ? options.name
                   : region.ellipsoid    ? "region " + std::to_string(project.regions.size() + 1)
@@ -106,7 +107,9 @@ Report runTissue(const TissueOptions& options, Context& context) {
 } // namespace
 
 void addTissueCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "tissue", "Say how the tissue of a region behaves", declareTissue, runTissue);
+    addCommand(
+        app, context,
+        Command<TissueOptions>{"tissue", "Say how the tissue of a region behaves", declareTissue, runTissue});
 }
 
 } // namespace esm

@@ -32,7 +32,9 @@ Report runValidate(const ValidateOptions& options, Context& context) {
 } // namespace
 
 void addValidateCommand(CLI::App& app, Context& context) {
-    addCommand(app, context, "validate", "Check a project or a model package", declareValidate, runValidate);
+    addCommand(app, context,
+               Command<ValidateOptions>{"validate", "Check a project or a model package", declareValidate,
+                                        runValidate});
 }
 
 } // namespace esm

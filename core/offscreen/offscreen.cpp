@@ -12,10 +12,9 @@
 namespace esm {
 namespace {
 
-constexpr int largestSize = 8192; // pixels
-constexpr int samples = 2;        // per pixel in either direction
-constexpr int tileSize =
-    1024; // pixels; larger pictures are drawn in parts, as memory and drivers have limits
+constexpr int samples = 2; // per pixel in either direction
+// Pixels. Larger pictures are drawn in parts, as memory and drivers have limits.
+constexpr int tileSize = 1024;
 
 std::mutex& osmesaMutex() {
     static std::mutex mutex; // OSMesa's set-up is not safe for threads, and shared by the whole process
@@ -102,10 +101,10 @@ void place(const Context& tile, int left, int bottom, Image& picture) {
 } // namespace
 
 Image renderOffscreen(const RenderScene& scene, const Camera& camera, int width, int height) {
-    if (std::min(width, height) < 1 || std::max(width, height) > largestSize)
+    if (std::min(width, height) < 1 || std::max(width, height) > largestPictureSize)
         throw InvalidModel("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                            " pixels cannot be drawn: width and height go from 1 to " +
-                           std::to_string(largestSize));
+                           std::to_string(largestPictureSize));
     const std::lock_guard<std::mutex> lock(osmesaMutex());
     const Context context(samples * std::min(width, tileSize), samples * std::min(height, tileSize));
     Renderer renderer(osmesaFunction);

@@ -105,9 +105,14 @@ void AtomicFile::giveName() {
     }
 }
 
-void AtomicFile::commit() {
+void AtomicFile::sync() {
     flush();
-    if (::fchmod(m_descriptor, permissionsOf(m_target)) != 0 || ::fsync(m_descriptor) != 0) fail();
+    if (::fsync(m_descriptor) != 0) fail();
+}
+
+void AtomicFile::commit() {
+    if (::fchmod(m_descriptor, permissionsOf(m_target)) != 0) fail();
+    sync();
     if (m_name.empty()) giveName();
     const int descriptor = m_descriptor;
     m_descriptor = -1;

@@ -18,6 +18,7 @@ public:
     ~AtomicFile();
 
     void write(std::string_view data); ///< @throws FileError when the disk is full
+    void sync();                       ///< all of it to the disk, so that commit() has little left to do
     void commit();                     ///< synced, then renamed over the target. @throws FileError
 
 private:

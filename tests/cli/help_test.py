@@ -29,6 +29,10 @@ class HelpTest(Case):
                      ["import", "a.obj", "-o", out, "--mass", "0"], ["import", "a.obj", "-o", out, "--mass", "nan"],
                      ["import", "a.obj", "-o", out, "--weld", "-1"], ["import", "a.obj", "-o", out, "--up", "x"],
                      ["import", "a.obj", "-o", out, "--detail", "100"], ["import", "a.obj", "-o", out, "--keep", "x"],
+                     ["import", "a.obj", "-o", out, "--unit", "0"], ["import", "a.obj", "-o", out, "--unit", "7"],
+                     ["import", "a.obj", "-o", out, "--up", "1"], ["import", "a.obj", "-o", out, "--keep", "1"],
+                     ["import", "a.obj", "-o", out, "--weld", "nan"], ["import", "a.obj", "-o", out, "--weld", "inf"],
+                     ["texture", "photo", project, "--photo", "a.png", "--projector", "b.json", "--blend", "nan", "-o", out],
                      ["fuzzy", "eval", "susilap-g", "--set", "consistency"],
                      ["fuzzy", "eval", "susilap-g", "--set", "consistency=soft"],
                      ["fuzzy", "eval", "susilap-g", "--set", "consistency=nan"],
@@ -47,7 +51,10 @@ class HelpTest(Case):
                      ["render", project, "-o", out, "--view", "behind"],
                      ["render", project, "-o", out, "--view", "0 0 0 0 0 0"],
                      ["render", project, "-o", out, "--show", "bones"],
-                     ["texture", "pack", project, "-o", out, "--size", "big"]]:
+                     ["render", project, "-o", out, "--size", "0x0"], ["render", project, "-o", out, "--size", "x"],
+                     ["texture", "pack", project, "-o", out, "--size", "big"],
+                     ["texture", "pack", project, "-o", out, "--size", "0x100"],
+                     ["texture", "pack", project, "-o", out, "--pages", "2.5"]]:
             with self.subTest(line):
                 self.fails(2, *line)
         self.assertFalse(out.exists())

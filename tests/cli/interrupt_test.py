@@ -38,6 +38,25 @@ class InterruptTest(Case):
         self.assertEqual(out.read_bytes(), b"what was here before")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["liver.esm", "long.json", "out.csv"])
 
+    def test_pages_are_baked_all_or_none_and_the_message_is_true(self):
+        project, folder = self.sample("tube"), self.file("textures")
+        self.done("texture", "pack", project, "--size", "4096", "--pages", "4", "-o", project)
+        folder.mkdir()
+        first = folder / "texture-1.png"
+        for _ in range(3):
+            process = subprocess.Popen([ESMC, "texture", "bake", project, "-o", folder], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.PIPE, text=True)
+            while process.poll() is None and not first.exists():
+                time.sleep(0.001)
+            process.send_signal(signal.SIGINT)
+            error = process.communicate(timeout=60)[1]
+            self.assertEqual((process.returncode, error), (0, ""))
+            self.assertEqual(len(list(folder.iterdir())), 4)
+            for page in folder.iterdir():
+                page.unlink()
+        self.stopped(["texture", "bake", project, "-o", folder], after=0.3)
+        self.assertEqual(list(folder.iterdir()), [])
+
     def test_work_that_reports_no_progress_stops_too(self):
         mesh = self.data("meshes/VH_F_Vasculature.glb")
         for after in (0, 0.2):

@@ -74,13 +74,22 @@ class MainJobTest(Case):
     def photograph(self, project, centre, size, photo):
         """Thrown from the front over the middle of the organ."""
         pose = [1, 0, 0, centre[0], 0, 1, 0, centre[1], 0, 0, 1, centre[2] + size[2], 0, 0, 0, 1]
-        projector = self.file("pose.json", {"pose": pose, "width": 0.6 * size[0], "height": 0.6 * size[1], "kind": "parallel"})
+        shape = {"pose": pose, "width": 0.6 * size[0], "height": 0.6 * size[1], "kind": "parallel"}
+        projector = self.file("pose.json", shape)
         self.done("texture", "pack", project, "--size", "2048", "-o", project)
+        self.no_seams(project, photo, self.file("through.json", {**shape, "occlusion": False}))
         report = self.done("texture", "photo", project, "--photo", photo, "--projector", projector, "--blend", "30", "-o", project)
         self.assertGreater(report["triangles"], 20)
         baked = self.done("texture", "bake", project, "-o", self.file("textures"))
         self.assertEqual(len(baked["files"]), 1)
-        self.assertLessEqual(baked["seam_error"], 255)
+
+    def no_seams(self, project, photo, projector):
+        """A photo that goes through the organ runs on across every edge; where it ends at what is hidden, it may not.
+        What remains is that two patches sample the photo at other places: 10 to 24 of 255 on these organs. An edge of
+        the photo itself, as a patch out of its place would show, is above 140."""
+        through = self.file("through.esm")
+        self.done("texture", "photo", project, "--photo", photo, "--projector", projector, "--blend", "30", "-o", through)
+        self.assertLess(self.done("texture", "bake", through, "-o", self.file("through"))["seam_error"], 48)
 
     def hand_over(self, project, package):
         self.assertEqual(self.done("validate", project), {"valid": True, "problems": []})
@@ -100,7 +109,7 @@ class MainJobTest(Case):
         for part, options in {"surface": [], "springs": ["--show", "surface,springs,regions,projectors"],
                               "side": ["--view", "right"]}.items():
             picture = self.file(f"{name}-{part}.png")
-            self.assertEqual(self.done("render", project, "-o", picture, "--size", "800x600", *options), {"size": [800, 600]})
+            self.assertEqual(self.done("render", project, "-o", picture, "--size", "800x600", *options)["size"], [800, 600])
             self.assertGreater(picture.stat().st_size, 5000)
             if kept:
                 shutil.copy(picture, Path(kept))

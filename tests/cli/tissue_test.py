@@ -40,7 +40,14 @@ class FuzzyTest(Case):
         self.assertEqual(self.evaluated("consistency=3")["warnings"], [])
         self.assertIn("consistency", self.evaluated("consistency=13")["warnings"][0])
 
+    def test_a_presets_name_means_the_preset_wherever_the_program_runs(self):
+        self.file("susilap-g").mkdir()
+        self.assertEqual(self.done("fuzzy", "eval", "susilap-g", cwd=self.folder), self.evaluated())
+
     def test_names_what_it_does_not_know(self):
+        for name in ("a.fcl", "b.fll"):
+            message = self.fails(1, "fuzzy", "eval", self.file(name, "FUNCTION_BLOCK x"), naming=name)
+            self.assertIn("JSON", message)
         self.fails(1, "fuzzy", "eval", "susilap-g", "--set", "colour=3", naming="colour")
         self.assertIn("robo-sim", self.fails(1, "fuzzy", "eval", "susilap-x"))
         self.fails(1, "fuzzy", "eval", self.file("none.json"), naming="none.json")
