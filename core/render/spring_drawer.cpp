@@ -10,8 +10,9 @@ namespace {
 constexpr float liftShare = 0.004F;                      // of the organ's size
 constexpr float colouredWidth = 1.5F, quietWidth = 1.0F; // pixels
 
-std::array<std::uint8_t, 4> opaque(const Colour& colour) {
-    return {colour[0], colour[1], colour[2], 255};
+/// Over a surface its texture and shape stay to be seen.
+std::array<std::uint8_t, 4> springPaint(const Colour& colour, bool overSurface) {
+    return {colour[0], colour[1], colour[2], overSurface ? std::uint8_t{150} : std::uint8_t{255}};
 }
 
 } // namespace
@@ -59,7 +60,8 @@ void SpringDrawer::takeSprings(const RenderScene& scene, bool overSurface) {
         const Spring& spring = springs[i];
         if (valued && std::isfinite((*m_values)[i])) {
             const Colour colour = rampColour(((*m_values)[i] - m_minimum) / range);
-            coloured.push_back({spring.first, spring.second, opaque(colour), colouredWidth});
+            coloured.push_back(
+                {spring.first, spring.second, springPaint(colour, overSurface), colouredWidth});
         } else {
             quietSegments.push_back({spring.first, spring.second, quiet, quietWidth});
         }
