@@ -7,7 +7,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::microseconds framePeriod{16667};
-constexpr std::chrono::milliseconds settleTime{300};
 
 double inSeconds(Clock::duration duration) {
     return std::chrono::duration<double>(duration).count();
@@ -15,7 +14,9 @@ double inSeconds(Clock::duration duration) {
 
 } // namespace
 
-Preview::Preview(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
+Preview::Preview(QObject* parent)
+    : QObject(parent), m_safeSteps([this](std::optional<double> step) { takeSafeStep(step); }),
+      m_thread([this] { work(); }) {}
 
 Preview::~Preview() {
     send([](Inbox& inbox) { inbox.stop = true; });
@@ -37,6 +38,13 @@ void Preview::setProject(const Project& project) {
 
 void Preview::setPlaying(bool playing) {
     send([&](Inbox& inbox) { inbox.playing = playing; });
+}
+
+void Preview::togglePlaying() {
+    send([this](Inbox& inbox) {
+        inbox.playing = !inbox.playing;
+        if (!m_status.failure.empty()) inbox.reset = true;
+    });
 }
 
 void Preview::reset() {
@@ -69,7 +77,7 @@ PreviewStatus Preview::status() const {
 Preview::Inbox Preview::collect(bool idle, Clock::time_point until) {
     std::unique_lock lock(m_mutex);
     if (idle)
-        m_changed.wait_until(lock, until, [this] { return m_inbox.isNew; });
+        m_changed.wait(lock, [this] { return m_inbox.isNew; });
     else
         m_changed.wait_until(lock, until, [this] { return m_inbox.stop; });
     Inbox taken = m_inbox;
@@ -79,45 +87,70 @@ Preview::Inbox Preview::collect(bool idle, Clock::time_point until) {
 }
 
 void Preview::work() {
-    PreviewRun run;
-    auto next = Clock::now(), changedAt = next;
-    bool playing = false;
-    for (;;) {
-        Inbox inbox = collect(!playing, playing ? next : Clock::now() + settleTime);
-        if (inbox.stop) return;
-        const auto start = Clock::now();
-        next = start + framePeriod;
-        if (inbox.project) {
-            run.setProject(*inbox.project);
-            changedAt = start;
+    Worker worker;
+    for (bool goOn = true; goOn;) {
+        try {
+            goOn = workOnce(worker);
+        } catch (const std::exception& error) {
+            worker.playing = false;
+            giveUp(worker.run, error.what());
         }
-        if (inbox.reset) run.reset();
-        playing = inbox.playing && run.isReady();
-        if (playing && !run.advance(inSeconds(framePeriod), inbox.loads)) playing = false;
-        const bool learned = Clock::now() - changedAt > settleTime && run.updateSafeStep();
-        // A run that failed has to be started again by hand.
-        if (inbox.playing && !playing) {
-            const std::lock_guard lock(m_mutex);
-            if (!m_inbox.project && !m_inbox.reset) {
-                m_inbox.playing = false;
-                inbox.isNew = true;
-            }
-        }
-        if (playing || inbox.isNew || learned) publish(run);
     }
 }
 
+bool Preview::workOnce(Worker& worker) {
+    Inbox inbox = collect(!worker.playing, worker.next);
+    if (inbox.stop) return false;
+    worker.next = Clock::now() + framePeriod;
+    if (inbox.project) takeProject(worker.run, *inbox.project);
+    if (inbox.reset) worker.run.reset();
+    worker.playing =
+        inbox.playing && worker.run.isReady() && worker.run.advance(inSeconds(framePeriod), inbox.loads);
+    // A run that failed has to be started again by hand.
+    if (inbox.playing && !worker.playing) {
+        const std::lock_guard lock(m_mutex);
+        if (!m_inbox.project && !m_inbox.reset) {
+            m_inbox.playing = false;
+            inbox.isNew = true;
+        }
+    }
+    if (worker.playing || inbox.isNew) publish(worker.run);
+    return true;
+}
+
+void Preview::takeProject(PreviewRun& run, const Project& project) {
+    const auto network = run.network();
+    if (run.setProject(project)) m_safeSteps.find(run.model(), run.integrator());
+    // Another organ's step says nothing; that of the same organ is near until the new one is known.
+    if (run.network() != network) takeSafeStep(std::nullopt);
+}
+
+void Preview::giveUp(PreviewRun& run, const std::string& reason) {
+    run.fail(reason);
+    {
+        const std::lock_guard lock(m_mutex);
+        m_inbox.playing = m_status.playing = false;
+        m_status.failure = reason;
+    }
+    emit statusChanged();
+}
+
+void Preview::takeSafeStep(std::optional<double> step) {
+    const std::lock_guard lock(m_mutex);
+    m_status.safeStep = step;
+}
+
 void Preview::publish(const PreviewRun& run) {
+    PreviewStatus status = run.status();
     bool statusIsNew = false;
     {
         const std::lock_guard lock(m_mutex);
         m_frame.network = run.network();
         m_frame.positions = run.positions();
-        const bool played = m_status.playing;
-        const std::string failed = m_status.failure;
-        m_status = run.status();
-        m_status.playing = m_inbox.playing;
-        statusIsNew = played != m_status.playing || failed != m_status.failure;
+        status.playing = m_inbox.playing;
+        status.safeStep = m_status.safeStep;
+        statusIsNew = m_status.playing != status.playing || m_status.failure != status.failure;
+        m_status = std::move(status);
     }
     if (!m_frameAnnounced.exchange(true)) emit frameReady();
     if (statusIsNew) emit statusChanged();

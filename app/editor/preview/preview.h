@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/preview/preview_run.h"
+#include "app/editor/preview/safe_step_finder.h"
 
 #include <QObject>
 
@@ -28,6 +29,8 @@ public:
 
     void setProject(const Project& project);
     void setPlaying(bool playing);
+    /// Pauses what plays or is about to; plays what does not, from rest when the run had failed.
+    void togglePlaying();
     void reset();
     void setPull(const std::optional<Pull>& pull);
     void setInstrument(const std::optional<Sphere>& instrument);
@@ -48,9 +51,21 @@ private:
         PreviewLoads loads;
     };
 
+    /// The worker's own.
+    struct Worker {
+        PreviewRun run;
+        bool playing = false;
+        std::chrono::steady_clock::time_point next;
+    };
+
     void work();
+    bool workOnce(Worker& worker);
+    void takeProject(PreviewRun& run, const Project& project);
+    /// Ends the run for what went wrong outside the simulation.
+    void giveUp(PreviewRun& run, const std::string& reason);
     Inbox collect(bool idle, std::chrono::steady_clock::time_point until);
     void publish(const PreviewRun& run);
+    void takeSafeStep(std::optional<double> step);
     template<typename Change> void send(Change change);
 
     mutable std::mutex m_mutex;
@@ -59,6 +74,7 @@ private:
     PreviewFrame m_frame;
     PreviewStatus m_status;
     std::atomic<bool> m_frameAnnounced = false;
+    SafeStepFinder m_safeSteps;
     std::thread m_thread;
 };
 

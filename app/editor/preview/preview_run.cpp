@@ -1,6 +1,6 @@
 #include "app/editor/preview/preview_run.h"
 
-#include "core/dynamics/stability.h"
+#include <algorithm>
 
 namespace esm {
 
@@ -14,7 +14,7 @@ double secondsSince(Clock::time_point start) {
 
 } // namespace
 
-void PreviewRun::setProject(const Project& project) {
+bool PreviewRun::setProject(const Project& project) {
     try {
         const bool sameNetwork = m_simulation && m_model.network == project.network;
         TissueModel model = evaluateModel(project);
@@ -30,13 +30,13 @@ void PreviewRun::setProject(const Project& project) {
             m_gentleTime = 0;
         }
         m_gentlePull = gentlePull(m_model);
-        m_status.failure.clear();
-        m_status.integrator = integratorName(m_simulation->integrator());
-        m_status.timeStep = m_simulation->timeStep();
-        m_safeStepKnown = false;
+        m_modelFailure.clear();
+        m_runFailure.clear();
+        return true;
     } catch (const std::exception& error) {
-        m_status.failure = error.what();
+        m_modelFailure = error.what();
         if (!m_simulation) m_model.network = project.network;
+        return false;
     }
 }
 
@@ -45,9 +45,8 @@ void PreviewRun::reset() {
     m_gentleGrasp.reset();
     m_gentleTime = 0;
     m_debt = 0;
-    if (!m_simulation) return;
-    m_simulation->reset();
-    m_status.failure.clear();
+    m_runFailure.clear();
+    if (m_simulation) m_simulation->reset();
 }
 
 const std::vector<Eigen::Vector3d>& PreviewRun::positions() const {
@@ -93,7 +92,7 @@ bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
     double simulated = 0;
     while (m_debt >= timeStep && secondsSince(start) < seconds) {
         if (!step(loads)) {
-            m_status.failure = m_simulation->failure();
+            m_runFailure = m_simulation->failure();
             return false;
         }
         m_debt -= timeStep;
@@ -107,18 +106,17 @@ void PreviewRun::measure(double simulated, double computing) {
     constexpr double decay = 0.95;
     m_simulated = decay * m_simulated + simulated;
     m_computing = decay * m_computing + computing;
-    m_status.realTimeFactor = m_computing > 0 ? m_simulated / m_computing : 0;
 }
 
-bool PreviewRun::updateSafeStep() {
-    if (m_safeStepKnown || !m_simulation) return false;
-    m_safeStepKnown = true;
-    const CriticalSteps steps = criticalSteps(m_model);
-    const Integrator integrator = m_simulation->integrator();
-    m_status.safeStep = integrator == Integrator::Split2  ? steps.split2
-                        : integrator == Integrator::Split ? steps.split
-                                                          : steps.euler;
-    return true;
+PreviewStatus PreviewRun::status() const {
+    PreviewStatus status;
+    if (m_simulation) {
+        status.integrator = integratorName(m_simulation->integrator());
+        status.timeStep = m_simulation->timeStep();
+    }
+    status.realTimeFactor = m_computing > 0 ? m_simulated / m_computing : 0;
+    status.failure = m_modelFailure.empty() ? m_runFailure : m_modelFailure;
+    return status;
 }
 
 } // namespace esm

@@ -30,26 +30,30 @@ struct PreviewStatus {
     double timeStep = 0;            ///< s
     std::optional<double> safeStep; ///< s, largest stable step of the integrator; infinite without a limit
     double realTimeFactor = 0;      ///< simulated over computing time
-    std::string failure;            ///< why the run stopped; empty when all is well
+    std::string failure;            ///< why the tissue cannot move; empty when all is well
 };
 
 /// The simulation behind the window, run by the preview's thread alone.
 class PreviewRun {
 public:
-    /// Takes a project; the motion goes on when the network is the same. Problems go to status().failure.
-    void setProject(const Project& project);
-    /// Back to rest, and past a failure.
+    /// Takes a project; the motion goes on when the network is the same. False when it cannot be simulated:
+    /// nothing moves until another project can be.
+    bool setProject(const Project& project);
+    /// Back to rest, and past what stopped the run.
     void reset();
+    /// Stops the run for a reason that comes from outside.
+    void fail(const std::string& reason) { m_runFailure = reason; }
     /// Steps until `seconds` are simulated, or more than that has been spent computing. False when the run
     /// stopped.
     bool advance(double seconds, const PreviewLoads& loads);
-    /// Works out how far the step may go; false when that is known already.
-    bool updateSafeStep();
 
-    bool isReady() const { return m_simulation.has_value() && m_status.failure.empty(); }
+    bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
+    const TissueModel& model() const { return m_model; }
+    /// Precondition: a project was taken.
+    Integrator integrator() const { return m_simulation->integrator(); }
     const std::vector<Eigen::Vector3d>& positions() const;
     const std::shared_ptr<const SpringNetwork>& network() const { return m_model.network; }
-    const PreviewStatus& status() const { return m_status; }
+    PreviewStatus status() const;
 
 private:
     void followLoads(const PreviewLoads& loads);
@@ -64,8 +68,8 @@ private:
     Eigen::Vector3d m_gravity = Eigen::Vector3d::Zero();
     double m_debt = 0;                       ///< s that were asked for and not simulated yet
     double m_simulated = 0, m_computing = 0; ///< s, decaying sums for the real-time factor
-    bool m_safeStepKnown = false;
-    PreviewStatus m_status;
+    std::string m_modelFailure;              ///< why the latest project cannot be simulated
+    std::string m_runFailure;                ///< why the motion ended
 };
 
 } // namespace esm

@@ -7,7 +7,7 @@ namespace esm {
 PlayController::PlayController(QWidget& window, Preview& preview) : QObject(&window), m_preview(preview) {}
 
 void PlayController::connectActions(const Actions& actions) {
-    connect(actions.play, &QAction::triggered, this, &PlayController::toggle);
+    connect(actions.play, &QAction::triggered, &m_preview, &Preview::togglePlaying);
     connect(actions.reset, &QAction::triggered, this, [this] {
         endGentleMotion();
         m_preview.reset();
@@ -24,13 +24,6 @@ void PlayController::connectActions(const Actions& actions) {
 void PlayController::showAlive() {
     m_preview.setGentleMotion(true);
     m_preview.setPlaying(true);
-}
-
-void PlayController::toggle() {
-    const PreviewStatus status = m_preview.status();
-    // What tore apart is started again from rest.
-    if (!status.failure.empty()) m_preview.reset();
-    m_preview.setPlaying(!status.playing);
 }
 
 } // namespace esm

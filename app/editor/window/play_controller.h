@@ -22,8 +22,6 @@ public:
     void endGentleMotion() { m_preview.setGentleMotion(false); }
 
 private:
-    void toggle();
-
     Preview& m_preview;
 };
 

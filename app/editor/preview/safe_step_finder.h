@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/dynamics/simulation.h"
+
+#include <QThread>
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+namespace esm {
+
+/// Works out how far the time step may go, on an idle thread of its own: it never takes time from the motion.
+/// A model that comes while it works replaces the one it works on; only the latest one's result is told.
+class SafeStepFinder {
+public:
+    /// s; infinite without a limit, none where no step is stable.
+    using Found = std::function<void(std::optional<double> safeStep)>;
+
+    /// @param found called on the finder's thread
+    explicit SafeStepFinder(Found found);
+    ~SafeStepFinder();
+
+    void find(TissueModel model, Integrator integrator);
+
+private:
+    struct Question {
+        TissueModel model;
+        Integrator integrator;
+    };
+
+    void work();
+    bool isObsolete();
+
+    Found m_found;
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    std::optional<Question> m_waiting;
+    bool m_stop = false;
+    std::unique_ptr<QThread> m_thread;
+};
+
+} // namespace esm

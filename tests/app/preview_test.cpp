@@ -1,0 +1,89 @@
+#include "app/editor/preview/preview.h"
+#include "core/dynamics/stability.h"
+#include "core/samples/samples.h"
+
+#include <gtest/gtest.h>
+#include <QTest>
+
+#include <future>
+
+using namespace esm;
+
+namespace {
+
+constexpr int previewPatience = 60000; // ms
+
+Project refusedProject() {
+    Project project = makeSample("tube");
+    project.base.mass = -1;
+    return project;
+}
+
+} // namespace
+
+TEST(PreviewRun, DoesNotMoveOnWithAModelThatWasRefused) {
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(makeSample("tube")));
+    EXPECT_TRUE(run.isReady());
+    EXPECT_FALSE(run.setProject(refusedProject()));
+    run.reset();
+    EXPECT_FALSE(run.isReady());
+    EXPECT_NE(run.status().failure, "");
+    EXPECT_TRUE(run.setProject(makeSample("tube")));
+    EXPECT_TRUE(run.isReady());
+    EXPECT_EQ(run.status().failure, "");
+}
+
+TEST(PreviewRun, GoesOnFromRestAfterItWasStopped) {
+    PreviewRun run;
+    run.setProject(makeSample("tube"));
+    run.fail("no reason");
+    EXPECT_FALSE(run.isReady());
+    EXPECT_EQ(run.status().failure, "no reason");
+    run.reset();
+    EXPECT_TRUE(run.isReady());
+}
+
+TEST(Preview, SaysWhyARefusedModelDoesNotPlay) {
+    Preview preview;
+    preview.setProject(refusedProject());
+    preview.togglePlaying();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !preview.status().failure.empty(); }, previewPatience));
+    preview.togglePlaying();
+    QTest::qWait(200);
+    EXPECT_FALSE(preview.status().playing);
+    EXPECT_NE(preview.status().failure, "");
+}
+
+TEST(Preview, PlaysAfterAnOddNumberOfToggles) {
+    Preview preview;
+    preview.setProject(makeSample("tube"));
+    for (int i = 0; i < 3; ++i)
+        preview.togglePlaying();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.status().playing; }, previewPatience));
+    preview.togglePlaying();
+    preview.togglePlaying();
+    QTest::qWait(200);
+    EXPECT_TRUE(preview.status().playing);
+    preview.togglePlaying();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !preview.status().playing; }, previewPatience));
+}
+
+TEST(Preview, LearnsHowFarTheStepMayGo) {
+    Preview preview;
+    preview.setProject(makeSample("tube"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.status().safeStep.has_value(); }, previewPatience));
+    EXPECT_GT(*preview.status().safeStep, preview.status().timeStep);
+}
+
+TEST(SafeStepFinder, TellsOnlyTheLatestModelsStep) {
+    const TissueModel tube = evaluateModel(makeSample("tube")),
+                      ventricle = evaluateModel(makeSample("ventricle"));
+    std::promise<std::optional<double>> told;
+    SafeStepFinder finder([&](std::optional<double> step) { told.set_value(step); });
+    finder.find(ventricle, Integrator::Split);
+    finder.find(tube, Integrator::Euler);
+    auto step = told.get_future();
+    ASSERT_EQ(step.wait_for(std::chrono::milliseconds(previewPatience)), std::future_status::ready);
+    EXPECT_EQ(step.get(), criticalSteps(tube).euler);
+}
