@@ -23,11 +23,6 @@ bool same(const TissueValues& a, const TissueValues& b) {
     return a.springConstant == b.springConstant && a.viscosity == b.viscosity && a.mass == b.mass;
 }
 
-bool same(const Region& a, const Region& b) {
-    return a.name == b.name && a.colour == b.colour && same(a.ellipsoid, b.ellipsoid) &&
-           a.system == b.system && a.inputs == b.inputs && same(a.held, b.held);
-}
-
 bool same(const Path& a, const Path& b) {
     return sameList(
         a, b, [](const PathPoint& p, const PathPoint& q) { return p.time == q.time && p.value == q.value; });
@@ -53,13 +48,6 @@ bool same(const std::optional<InstrumentMotion>& a, const std::optional<Instrume
     return a.has_value() == b.has_value() && (!a || (a->radius == b->radius && same(a->path, b->path)));
 }
 
-bool same(const PhotoLayer& a, const PhotoLayer& b) {
-    return a.name == b.name && a.photo == b.photo && a.projector.pose.matrix() == b.projector.pose.matrix() &&
-           a.projector.width == b.projector.width && a.projector.height == b.projector.height &&
-           a.projector.occlusion == b.projector.occlusion && a.blendPixels == b.blendPixels &&
-           a.opacity == b.opacity && a.visible == b.visible;
-}
-
 template<typename T> bool sameItems(const std::vector<T>& a, const std::vector<T>& b) {
     return sameList(a, b, [](const T& x, const T& y) { return same(x, y); });
 }
@@ -81,6 +69,18 @@ bool same(const BaseTissue& a, const BaseTissue& b) {
 }
 
 } // namespace
+
+bool same(const Region& a, const Region& b) {
+    return a.name == b.name && a.colour == b.colour && same(a.ellipsoid, b.ellipsoid) &&
+           a.system == b.system && a.inputs == b.inputs && same(a.held, b.held);
+}
+
+bool same(const PhotoLayer& a, const PhotoLayer& b) {
+    return a.name == b.name && a.photo == b.photo && a.projector.pose.matrix() == b.projector.pose.matrix() &&
+           a.projector.width == b.projector.width && a.projector.height == b.projector.height &&
+           a.projector.occlusion == b.projector.occlusion && a.blendPixels == b.blendPixels &&
+           a.opacity == b.opacity && a.visible == b.visible;
+}
 
 Change difference(const Project& before, const Project& after) {
     Change change;

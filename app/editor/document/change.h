@@ -24,6 +24,8 @@ struct Change {
 };
 
 /// Shared parts are compared by pointer, all else by value.
+bool same(const Region& a, const Region& b);
+bool same(const PhotoLayer& a, const PhotoLayer& b);
 Change difference(const Project& before, const Project& after);
 
 } // namespace esm

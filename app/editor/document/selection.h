@@ -6,12 +6,14 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace esm {
 
 class Document;
 
-/// Which region and which photo the window speaks of. Not part of the project, and no edit.
+/// Which region and which photo the window speaks of. Not part of the project, and no edit. What is added, by
+/// an edit, its undoing or its redoing, is selected; what is selected stays so where it moves.
 class Selection : public QObject {
     Q_OBJECT
 
@@ -33,7 +35,8 @@ private:
 
     Document& m_document;
     std::optional<std::size_t> m_region, m_photo;
-    std::size_t m_regionCount, m_photoCount;
+    std::vector<Region> m_regions; ///< as they were when the selection last looked
+    std::vector<PhotoLayer> m_photos;
 };
 
 } // namespace esm
