@@ -1,7 +1,7 @@
+#include "app/editor/window/application.h"
 #include "app/editor/window/main_window.h"
 #include "core/samples/samples.h"
 
-#include <QApplication>
 #include <QCommandLineParser>
 #include <QTimer>
 
@@ -16,10 +16,10 @@ QStringList readCommandLine(int argc, char** argv) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
         QStringLiteral("Authors deformable organ models for surgical simulators."));
-    parser.addPositionalArgument(
-        QStringLiteral("FILE"),
-        QStringLiteral("a project, or an organ's surface to import; without it a sample organ"),
-        QStringLiteral("[FILE]"));
+    parser.addPositionalArgument(QStringLiteral("FILE"),
+                                 QStringLiteral("a project, an organ's surface to import, or a photo to lay "
+                                                "on it, one after the other; without any, a sample organ"),
+                                 QStringLiteral("[FILE…]"));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.process(application);
@@ -32,11 +32,18 @@ int main(int argc, char** argv) {
     const QStringList files = readCommandLine(argc, argv);
     QSurfaceFormat::setDefaultFormat(esm::viewFormat());
 
-    QApplication application(argc, argv);
+    QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    esm::Application application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("esm"));
+    QCoreApplication::setApplicationName(QStringLiteral("esm"));
     esm::applyTheme(application, esm::Theme::Dark);
     esm::MainWindow window(esm::makeSample("liver"));
+    window.restore();
     window.show();
-    if (!files.isEmpty())
-        QTimer::singleShot(0, &window, [&] { window.openFile(files.first().toStdString()); });
-    return QApplication::exec();
+    std::vector<std::filesystem::path> paths;
+    for (const QString& file : files)
+        paths.emplace_back(file.toStdString());
+    QTimer::singleShot(0, &window, [&] { window.openFiles(paths); });
+    return esm::Application::exec();
 }

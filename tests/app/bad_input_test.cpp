@@ -26,7 +26,7 @@ protected:
             said = qobject_cast<QMessageBox*>(dialog)->informativeText();
             dialog->accept();
         });
-        window->openFile(file);
+        window->openFiles({file});
         EXPECT_TRUE(dialogs.isDone());
         return said.toStdString();
     }

@@ -75,6 +75,26 @@ TEST(Document, ForgetsItsStepsWithAnotherProject) {
     EXPECT_FALSE(document.isModified());
 }
 
+TEST(Document, IsSavedOnlyAsTheProjectThatWasWritten) {
+    Document document(makeSample("tube"));
+    setMass(document, 0.5);
+    const Project written = document.project();
+    setMass(document, 0.75);
+    document.markSaved("tube.esm", written);
+    EXPECT_TRUE(document.isModified());
+    document.markSaved("tube.esm", document.project());
+    EXPECT_FALSE(document.isModified());
+}
+
+TEST(Document, IsUnsavedWhereItsProjectLiesInNoFile) {
+    Document document(makeSample("tube"));
+    document.replace(makeSample("uterus"), std::nullopt, Origin::Unsaved);
+    EXPECT_TRUE(document.isModified());
+    setMass(document, 0.5);
+    document.undoStack()->undo();
+    EXPECT_TRUE(document.isModified());
+}
+
 TEST(Selection, FollowsWhatIsAddedAndRemoved) {
     Document document(makeSample("tube"));
     Selection selection(document);
@@ -85,6 +105,51 @@ TEST(Selection, FollowsWhatIsAddedAndRemoved) {
     EXPECT_EQ(selection.region(), already + 1);
     document.undoStack()->undo();
     EXPECT_EQ(selection.region(), already);
+}
+
+TEST(Selection, FindsWhatUndoBringsBack) {
+    Document document(makeSample("tube"));
+    document.edit("clear", [](Project& p) {
+        p.regions.clear();
+        for (int i = 0; i < 3; ++i)
+            addRegion(p, Eigen::Vector3d::Zero());
+    });
+    Selection selection(document);
+    document.edit("remove", [](Project& p) { p.regions.erase(p.regions.begin()); });
+    selection.setRegion(1);
+    document.undoStack()->undo();
+    EXPECT_EQ(selection.region(), 0U);
+    document.undoStack()->redo();
+    EXPECT_EQ(selection.region(), 0U);
+}
+
+TEST(Selection, StaysWithWhatIsReordered) {
+    Document document(makeSample("tube"));
+    document.edit("clear", [](Project& p) {
+        p.regions.clear();
+        for (int i = 0; i < 3; ++i)
+            addRegion(p, Eigen::Vector3d::Zero());
+    });
+    Selection selection(document);
+    selection.setRegion(0);
+    document.edit("move", [](Project& p) { moveRegion(p, 0, 1); });
+    EXPECT_EQ(selection.region(), 1U);
+    document.undoStack()->undo();
+    EXPECT_EQ(selection.region(), 0U);
+    document.edit("change", [](Project& p) { p.regions[0].held.mass = 1; });
+    EXPECT_EQ(selection.region(), 0U);
+}
+
+TEST(Selection, GoesBackToTheWholeOrganWhoseTissueGoes) {
+    Document document(makeSample("tube"));
+    document.edit("clear", [](Project& p) { p.regions.clear(); });
+    document.edit("add", [](Project& p) { addRegion(p, Eigen::Vector3d::Zero()); });
+    Selection selection(document);
+    selection.setRegion(std::nullopt);
+    document.edit("system", [](Project& p) { setSystem(p, std::nullopt, std::make_shared<FuzzySystem>()); });
+    EXPECT_EQ(selection.region(), 0U);
+    document.undoStack()->undo();
+    EXPECT_EQ(selection.region(), std::nullopt);
 }
 
 TEST(RegionEdits, KeepTheWholeOrganBeneath) {

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "app/editor/window/main_window.h"
+#include "widgets/inputs/number_field.h"
 
 #include <gtest/gtest.h>
 #include <QApplication>
 #include <QDialog>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTest>
 #include <QTimer>
 
@@ -44,6 +47,9 @@ public:
                    QTest::keyClick(name, Qt::Key_Return);
                });
     }
+    void expectButton(const QString& name, QMessageBox::StandardButton button) {
+        expectNamed(name, [=](QDialog* box) { qobject_cast<QMessageBox*>(box)->button(button)->click(); });
+    }
     bool isDone() const { return m_steps.empty(); }
 
 private:
@@ -74,13 +80,42 @@ protected:
         ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
         QApplication::setActiveWindow(window.get());
     }
+    /// A key as a keyboard sends it: to the widget that has the focus.
     void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         QApplication::setActiveWindow(window.get());
-        QTest::keyClick(window.get(), Qt::Key(key), modifiers);
+        QWidget* focus = window->focusWidget();
+        QTest::keyClick(focus ? focus : window.get(), Qt::Key(key), modifiers);
+    }
+    /// Types into a number field and leaves the cursor in it.
+    void typeInto(esm::NumberField* field, const QString& text) {
+        QApplication::setActiveWindow(window.get());
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        ASSERT_TRUE(field->isModified());
+    }
+    esm::NumberField* massField() const {
+        for (auto* field : window->findChildren<esm::NumberField*>())
+            if (field->accessibleName() == QLatin1String("Base mass")) return field;
+        return nullptr;
     }
     const esm::Project& project() const { return window->document().project(); }
     template<typename Widget> Widget* child(const char* name) const {
         return window->findChild<Widget*>(name);
+    }
+    /// Where a point of the organ's space is seen in the view.
+    QPoint placeOf(const Eigen::Vector3d& point) const {
+        const QSize size = window->view().size();
+        const auto place =
+            esm::picturePoint(window->view().camera(), point, double(size.width()) / size.height());
+        return place ? QPoint(qRound(place->x() * size.width()), qRound(place->y() * size.height()))
+                     : QPoint(-1, -1);
+    }
+    void drag(const QPoint& from, const QPoint& by) {
+        QTest::mousePress(&window->view(), Qt::LeftButton, {}, from);
+        moveMouse(from + by / 2);
+        moveMouse(from + by);
+        QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, from + by);
     }
     void moveMouse(const QPoint& at) {
         QMouseEvent event(QEvent::MouseMove, at, window->view().mapToGlobal(at), Qt::NoButton, Qt::LeftButton,

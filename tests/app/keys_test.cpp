@@ -89,8 +89,8 @@ TEST_F(KeysTest, TakeViewsAndTools) {
     EXPECT_TRUE(viewDirection().isApprox(Eigen::Vector3d::UnitX(), 1e-9));
     press(Qt::Key_T);
     EXPECT_TRUE(viewDirection().isApprox(Eigen::Vector3d::UnitY(), 1e-9));
-    press(Qt::Key_J);
-    EXPECT_EQ(window->view().tool(), ViewTool::Projector);
+    press(Qt::Key_E);
+    EXPECT_EQ(window->view().tool(), ViewTool::Region);
     press(Qt::Key_V);
     EXPECT_EQ(window->view().tool(), ViewTool::Select);
 }

@@ -1,9 +1,9 @@
 #include "core/exchange/image_file.h"
 #include "core/exchange/model_package.h"
-#include "core/exchange/project_file.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"
+#include "widgets/view/gizmos.h"
 
 #include <QComboBox>
 #include <QRadioButton>
@@ -45,7 +45,7 @@ void writeOrgan(const std::filesystem::path& file) {
 }
 
 class MainJobTest : public EditorTest {
-protected:
+public:
     void importOrgan() {
         writeOrgan(folder / "organ.obj");
         dialogs.expectFile(folder / "organ.obj");
@@ -87,8 +87,22 @@ protected:
         EXPECT_NE(springNow, springBefore);
     }
 
+    void sizeRegion() {
+        press(Qt::Key_E);
+        ASSERT_EQ(window->view().tool(), ViewTool::Region);
+        const Ellipsoid before = *project().regions[0].ellipsoid;
+        drag(placeOf(handles(before)[0]), {30, 0});
+        const Ellipsoid after = *project().regions[0].ellipsoid;
+        EXPECT_GT(after.radii.x(), 1.05 * before.radii.x());
+        EXPECT_EQ(after.radii.tail<2>(), before.radii.tail<2>());
+        EXPECT_EQ(after.centre, before.centre);
+    }
+
     void pullTissue() {
+        press(Qt::Key_V);
+        ASSERT_EQ(window->view().tool(), ViewTool::Select);
         press(Qt::Key_P);
+        ASSERT_EQ(window->view().tool(), ViewTool::Pull);
         ESM_EVENTUALLY(window->preview().status().playing && !window->view().scene().nodePositions.empty());
         QSignalSpy started(&window->view(), &OrganView::pullStarted);
         const QPoint middle = window->view().rect().center();
@@ -109,10 +123,11 @@ protected:
 
     void layPhoto() {
         writePng(makeSamplePhoto(samplePhotoNames().front())->image, folder / "photo.png");
-        press(Qt::Key_2, Qt::ControlModifier);
         dialogs.expectFile(folder / "photo.png");
         press(Qt::Key_P, Qt::ControlModifier);
         ASSERT_TRUE(dialogs.isDone());
+        EXPECT_TRUE(window->windowActions().texture->isChecked());
+        ASSERT_EQ(window->view().tool(), ViewTool::Projector);
         ASSERT_EQ(project().photos.size(), 1U);
         ASSERT_NE(project().atlas, nullptr);
         ESM_EVENTUALLY(window->view().scene().texturePages);
@@ -124,18 +139,51 @@ protected:
         EXPECT_GT(painted, 1000U);
     }
 
-    void saveAndReopen() {
+    void sizePhoto() {
+        const Projector before = project().photos[0].projector;
+        drag(placeOf(handles(before)[2]), {24, -12});
+        const Projector after = project().photos[0].projector;
+        EXPECT_GT(after.width, before.width);
+        EXPECT_GT(after.height, before.height);
+        EXPECT_EQ(after.pose.matrix(), before.pose.matrix());
+    }
+
+    void save() {
         dialogs.expectFile(folder / "organ.esm");
         press(Qt::Key_S, Qt::ControlModifier);
         ASSERT_TRUE(dialogs.isDone());
         EXPECT_FALSE(window->document().isModified());
-        const Project loaded = loadProject(folder / "organ.esm");
-        EXPECT_EQ(loaded.mesh->vertices, project().mesh->vertices);
-        ASSERT_EQ(loaded.regions.size(), 1U);
-        EXPECT_EQ(loaded.regions[0].inputs, project().regions[0].inputs);
-        ASSERT_EQ(loaded.photos.size(), 1U);
-        EXPECT_EQ(loaded.photos[0].photo->encoded, project().photos[0].photo->encoded);
-        EXPECT_EQ(loaded.photos[0].projector.pose.matrix(), project().photos[0].projector.pose.matrix());
+    }
+
+    void undoAndRedoAll(const Project& first) {
+        const Project last = project();
+        auto* steps = window->document().undoStack();
+        const int count = steps->count();
+        for (int i = 0; i < count; ++i)
+            press(Qt::Key_Z, Qt::ControlModifier);
+        EXPECT_FALSE(steps->canUndo());
+        EXPECT_FALSE(difference(first, project()).any());
+        for (int i = 0; i < count; ++i)
+            press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        EXPECT_FALSE(difference(last, project()).any());
+        EXPECT_FALSE(window->document().isModified());
+    }
+
+    void reopen() {
+        const Project saved = project();
+        dialogs.expectFile(folder / "organ.esm");
+        press(Qt::Key_O, Qt::ControlModifier);
+        ASSERT_TRUE(dialogs.isDone());
+        ASSERT_NE(project().mesh, saved.mesh);
+        EXPECT_EQ(project().mesh->vertices, saved.mesh->vertices);
+        ASSERT_EQ(project().regions.size(), 1U);
+        EXPECT_EQ(project().regions[0].inputs, saved.regions[0].inputs);
+        EXPECT_EQ(project().regions[0].ellipsoid->radii, saved.regions[0].ellipsoid->radii);
+        ASSERT_EQ(project().photos.size(), 1U);
+        EXPECT_EQ(project().photos[0].photo->encoded, saved.photos[0].photo->encoded);
+        EXPECT_EQ(project().photos[0].projector.width, saved.photos[0].projector.width);
+        EXPECT_EQ(project().photos[0].projector.pose.matrix(), saved.photos[0].projector.pose.matrix());
+        ESM_EVENTUALLY(window->view().scene().texturePages);
     }
 
     void handOver() {
@@ -155,24 +203,14 @@ TEST_F(MainJobTest, GoesFromAMeshToAPackageAndBack) {
     importOrgan();
     if (HasFatalFailure()) return;
     const Project imported = project();
-    softenRegion();
-    if (HasFatalFailure()) return;
-    pullTissue();
-    if (HasFatalFailure()) return;
-    layPhoto();
-    if (HasFatalFailure()) return;
-    saveAndReopen();
+    for (const auto step : {&MainJobTest::softenRegion, &MainJobTest::sizeRegion, &MainJobTest::pullTissue,
+                            &MainJobTest::layPhoto, &MainJobTest::sizePhoto, &MainJobTest::save}) {
+        (this->*step)();
+        if (HasFatalFailure()) return;
+    }
+    undoAndRedoAll(imported);
+    reopen();
     handOver();
-
-    const Project finished = project();
-    auto* steps = window->document().undoStack();
-    while (steps->canUndo())
-        press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_FALSE(difference(imported, project()).any());
-    while (steps->canRedo())
-        press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_FALSE(difference(finished, project()).any());
-    EXPECT_FALSE(window->document().isModified());
     EXPECT_TRUE(window->close());
 }
 

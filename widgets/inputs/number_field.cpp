@@ -46,10 +46,13 @@ bool NumberField::event(QEvent* event) {
         return true;
     }
     const bool handled = QLineEdit::event(event);
-    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+    if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
+        // While something is typed, Escape is the field's, whatever else it does in the window.
+        if (isModified() && key->key() == Qt::Key_Escape) event->accept();
         // Nothing was typed that could be undone here: the keys are the document's.
-        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) event->ignore();
+        if (!isModified() && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)))
+            event->ignore();
     }
     return handled;
 }

@@ -65,11 +65,15 @@ void OrganView::setHint(const QString& hint) {
 
 void OrganView::setTool(ViewTool tool) {
     if (tool == m_tool) return;
-    endDrag();
-    removeInstrument();
+    letGo();
     m_tool = tool;
     update();
     emit toolChanged(tool);
+}
+
+void OrganView::letGo() {
+    endDrag();
+    removeInstrument();
 }
 
 void OrganView::setCamera(const Camera& camera) {
@@ -131,6 +135,7 @@ void OrganView::dropRenderer() {
 void OrganView::paintGL() {
     if (m_renderer) drawScene();
     paintOverlay();
+    emit drawn();
 }
 
 void OrganView::drawScene() {

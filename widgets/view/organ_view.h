@@ -43,6 +43,8 @@ public:
 
     ViewTool tool() const { return m_tool; }
     void setTool(ViewTool tool);
+    /// Ends a drag and takes the instrument away, as Esc does.
+    void letGo();
     void setInstrumentRadius(double metres) { m_instrumentRadius = metres; }
 
     const Camera& camera() const { return m_cameraController.camera(); }
@@ -54,10 +56,11 @@ public:
 signals:
     void toolChanged(esm::ViewTool tool);
     void cameraChanged();
+    /// A picture was drawn.
+    void drawn();
     /// A click on the surface, with the tool Select or Region.
     void pointPicked(quint32 node, const Eigen::Vector3d& point);
     void regionPicked(int index);
-    void projectorPicked(int index);
     /// A node is to follow the mouse: target in m. `pullReleased` always ends what `pullStarted` began.
     void pullStarted(quint32 node);
     void pullMoved(quint32 node, const Eigen::Vector3d& target);

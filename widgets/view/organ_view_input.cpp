@@ -71,8 +71,7 @@ void OrganView::wheelEvent(QWheelEvent* event) {
 
 void OrganView::keyPressEvent(QKeyEvent* event) {
     if (event->key() != Qt::Key_Escape) return QOpenGLWidget::keyPressEvent(event);
-    endDrag();
-    removeInstrument();
+    letGo();
 }
 
 void OrganView::leaveEvent(QEvent* event) {
@@ -173,7 +172,7 @@ void OrganView::click(const QPointF& place) {
         m_tool == ViewTool::Select || m_tool == ViewTool::Region || m_tool == ViewTool::Projector;
     if (!picks) return;
     if (region >= 0) return emit regionPicked(region);
-    if (projector >= 0) return emit projectorPicked(projector);
+    if (projector >= 0) return;
     const auto picked = m_picker.pick(m_scene, ray, nodeReach / height() * camera().verticalFieldOfView);
     if (picked) emit pointPicked(picked->node, picked->point);
 }

@@ -12,11 +12,12 @@ namespace esm {
 
 enum class Cancelling { Offered, Impossible };
 
-/// Does long work on another thread while the window stays alive; after a moment a dialog with progress and,
-/// where offered, a cancel button appears. Returns when the work is done and passes on what it throws;
-/// Cancelled also when work that reports no progress ended after it was asked to stop.
+/// Does long work on another thread while the window stays alive; after a moment a dialog with progress
+/// appears, with a cancel button where it is offered: for work that looks at its Progress often enough to
+/// stop at once. Returns when the work is done and passes on what it throws; Cancelled when it was asked to
+/// stop.
 void runLongWork(QWidget* window, const QString& title, const std::function<void(const Progress&)>& work,
-                 Cancelling cancelling = Cancelling::Offered);
+                 Cancelling cancelling = Cancelling::Impossible);
 
 /// The same for work that gives a result.
 template<typename Work> auto computeLong(QWidget* window, const QString& title, Work work) {

@@ -125,7 +125,8 @@ std::optional<double>& valueOf(TissueValues& values, Parameter parameter) {
 }
 
 std::optional<double> valueOf(const TissueValues& values, Parameter parameter) {
-    return valueOf(const_cast<TissueValues&>(values), parameter);
+    TissueValues copy = values;
+    return valueOf(copy, parameter);
 }
 
 double& valueOf(BaseTissue& base, Parameter parameter) {

@@ -28,17 +28,21 @@ void Document::edit(const QString& text, const std::function<void(Project&)>& ch
     m_undoStack.push(new ProjectCommand(*this, std::move(after), text, key));
 }
 
-void Document::replace(Project project, std::optional<std::filesystem::path> path) {
+void Document::replace(Project project, std::optional<std::filesystem::path> path, Origin origin) {
     m_path = std::move(path);
     m_project = std::move(project);
     m_undoStack.clear();
+    if (origin == Origin::Unsaved) m_undoStack.resetClean();
     emit changed(Change::everything());
     emit titleChanged();
 }
 
-void Document::markSaved(const std::filesystem::path& path) {
+void Document::markSaved(const std::filesystem::path& path, const Project& written) {
     m_path = path;
-    m_undoStack.setClean();
+    if (difference(written, m_project).any())
+        m_undoStack.resetClean();
+    else
+        m_undoStack.setClean();
     finishGesture();
     emit titleChanged();
 }

@@ -12,6 +12,9 @@
 
 namespace esm {
 
+/// Whether a project would be lost with the window: `Stored` lies in a file or can be made again.
+enum class Origin { Stored, Unsaved };
+
 /// The one project the window shows: a value, where it is saved, and the edits that led to it. Only commands
 /// change it; everyone else listens to changed().
 class Document : public QObject {
@@ -35,9 +38,9 @@ public:
     void finishGesture() { ++m_gesture; }
 
     /// Another project takes the place of this one; nothing to undo remains.
-    void replace(Project project, std::optional<std::filesystem::path> path);
-    /// The project as it is now lies in this file.
-    void markSaved(const std::filesystem::path& path);
+    void replace(Project project, std::optional<std::filesystem::path> path, Origin origin = Origin::Stored);
+    /// `written` lies in this file; the document is saved when it still is that project.
+    void markSaved(const std::filesystem::path& path, const Project& written);
 
 signals:
     void changed(const esm::Change& change);

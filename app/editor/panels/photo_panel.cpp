@@ -16,8 +16,8 @@ constexpr int pictureHeight = 150;
 
 PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent)
     : Section(tr("Photo"), parent), m_document(document), m_selection(selection), m_picture(new QLabel(this)),
-      m_visible(new QCheckBox(tr("&Visible"), this)),
-      m_occlusion(new QCheckBox(tr("Only what the projector &sees"), this)), m_opacity(new ValueSlider(this)),
+      m_visible(new QCheckBox(tr("V&isible"), this)),
+      m_occlusion(new QCheckBox(tr("Only what the pro&jector sees"), this)), m_opacity(new ValueSlider(this)),
       m_opacityField(new NumberField(shareFormat(), this)), m_blend(new NumberField(pixelFormat(), this)) {
     layOut();
     connectControls();

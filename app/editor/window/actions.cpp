@@ -3,6 +3,7 @@
 #include "core/samples/samples.h"
 #include "widgets/inputs/icon.h"
 
+#include <QCoreApplication>
 #include <QUndoStack>
 
 #include <array>
@@ -11,52 +12,81 @@ namespace esm {
 
 namespace {
 
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
+class ActionMaker {
+    Q_DECLARE_TR_FUNCTIONS(ActionMaker)
 
-QAction* make(QWidget* window, const char* text, const QKeySequence& key, const char* toolTip) {
-    auto* action = new QAction(tr(text), window);
+public:
+    explicit ActionMaker(QWidget* window) : m_window(window), m_actions() {}
+
+    Actions makeAll(QUndoStack* undoStack);
+
+private:
+    QAction* make(const QString& text, const QKeySequence& key, const QString& toolTip);
+    QAction* makeSwitch(QAction* action, bool on);
+    QAction* makeTool(QAction* action, const QString& iconName);
+    QAction* makeWorkspace(QAction* action);
+
+    void makeFileActions();
+    void makeEditActions(QUndoStack* undoStack);
+    void makeModelActions();
+    void makeViewActions();
+    void makeTools();
+    void makeWorkspaces();
+    void makePlayActions();
+
+    QWidget* m_window;
+    Actions m_actions;
+};
+
+QAction* ActionMaker::make(const QString& text, const QKeySequence& key, const QString& toolTip) {
+    auto* action = new QAction(text, m_window);
     action->setShortcut(key);
-    action->setToolTip(withShortcut(tr(toolTip), action));
-    window->addAction(action);
+    action->setToolTip(withShortcut(toolTip, action));
+    m_window->addAction(action);
     return action;
 }
 
-QAction* makeChoice(QActionGroup* group, QAction* action, const char* iconName = nullptr) {
-    action->setCheckable(true);
-    if (iconName) action->setIcon(icon(QString::fromLatin1(iconName)));
-    group->addAction(action);
-    return action;
-}
-
-QAction* makeSwitch(QAction* action, bool on) {
+QAction* ActionMaker::makeSwitch(QAction* action, bool on) {
     action->setCheckable(true);
     action->setChecked(on);
     return action;
 }
 
-void makeFileActions(Actions& a, QWidget* window) {
-    a.open = make(window, "&Open…", QKeySequence::Open, "Open a project");
+QAction* ActionMaker::makeTool(QAction* action, const QString& iconName) {
+    action->setCheckable(true);
+    action->setIcon(icon(iconName));
+    m_actions.tools->addAction(action);
+    return action;
+}
+
+QAction* ActionMaker::makeWorkspace(QAction* action) {
+    action->setCheckable(true);
+    m_actions.workspaces->addAction(action);
+    return action;
+}
+
+void ActionMaker::makeFileActions() {
+    Actions& a = m_actions;
+    a.open = make(tr("&Open…"), QKeySequence::Open, tr("Open a project"));
     a.import =
-        make(window, "&Import organ surface…", QKeySequence(Qt::CTRL | Qt::Key_I), "Import a mesh file");
-    a.save = make(window, "&Save", QKeySequence::Save, "Save the project");
+        make(tr("&Import organ surface…"), QKeySequence(Qt::CTRL | Qt::Key_I), tr("Import a mesh file"));
+    a.save = make(tr("&Save"), QKeySequence::Save, tr("Save the project"));
     a.saveAs =
-        make(window, "Save &as…", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), "Save under another name");
-    a.exportPackage = make(window, "&Export package…", QKeySequence(Qt::CTRL | Qt::Key_E),
-                           "Write the model package for simulators");
-    a.quit = make(window, "&Quit", QKeySequence::Quit, "Close the window");
+        make(tr("Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), tr("Save under another name"));
+    a.exportPackage = make(tr("&Export package…"), QKeySequence(Qt::CTRL | Qt::Key_E),
+                           tr("Write the model package for simulators"));
+    a.quit = make(tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
     for (const auto& name : sampleNames()) {
         QString title = QString::fromStdString(name);
         title[0] = title[0].toUpper();
-        auto* action = new QAction(title, window);
-        a.samples.emplace_back(name, action);
+        a.samples.emplace_back(name, new QAction(title, m_window));
     }
 }
 
-void makeEditActions(Actions& a, QWidget* window, QUndoStack* undoStack) {
-    a.undo = undoStack->createUndoAction(window, tr("&Undo"));
-    a.redo = undoStack->createRedoAction(window, tr("&Redo"));
+void ActionMaker::makeEditActions(QUndoStack* undoStack) {
+    Actions& a = m_actions;
+    a.undo = undoStack->createUndoAction(m_window, tr("&Undo"));
+    a.redo = undoStack->createRedoAction(m_window, tr("&Redo"));
     a.undo->setShortcut(QKeySequence::Undo);
     a.redo->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
@@ -69,64 +99,91 @@ void makeEditActions(Actions& a, QWidget* window, QUndoStack* undoStack) {
     explain();
     a.undo->setIcon(icon(QStringLiteral("undo")));
     a.redo->setIcon(icon(QStringLiteral("redo")));
-    a.rename = make(window, "Rename &organ…", {}, "Give the organ another name");
-    a.addRegion = make(window, "Add &region", QKeySequence(Qt::CTRL | Qt::Key_R), "Add an ellipsoid region");
-    a.fixRegion =
-        make(window, "&Fix nodes in region", {}, "Hold the nodes inside the selected region in space");
-    a.freeNodes = make(window, "Free &all fixed nodes", {}, "Let every fixed node go");
-    a.addPhoto = make(window, "Add &photo…", QKeySequence(Qt::CTRL | Qt::Key_P),
-                      "Lay a photo on the organ, from the camera");
-    a.fromCamera = make(window, "Photo from &camera", QKeySequence(Qt::Key_C),
-                        "Throw the selected photo from where you look");
+    a.rename = make(tr("Rename &organ…"), {}, tr("Give the organ another name"));
 }
 
-void makeViewActions(Actions& a, QWidget* window) {
+void ActionMaker::makeModelActions() {
+    Actions& a = m_actions;
+    a.addRegion = make(tr("Add &region"), QKeySequence(Qt::CTRL | Qt::Key_R), tr("Add an ellipsoid region"));
+    a.fixRegion =
+        make(tr("&Fix nodes in region"), {}, tr("Hold the nodes inside the selected region in space"));
+    a.freeNodes = make(tr("Free &all fixed nodes"), {}, tr("Let every fixed node go"));
+    a.addPhoto = make(tr("Add &photo…"), QKeySequence(Qt::CTRL | Qt::Key_P),
+                      tr("Lay a photo on the organ, from the camera"));
+    a.fromCamera = make(tr("Photo from &camera"), QKeySequence(Qt::Key_C),
+                        tr("Throw the selected photo from where you look"));
+}
+
+void ActionMaker::makeViewActions() {
+    Actions& a = m_actions;
     a.showSprings =
-        makeSwitch(make(window, "Show &springs", QKeySequence(Qt::Key_S), "Draw the spring network"), false);
+        makeSwitch(make(tr("Show &springs"), QKeySequence(Qt::Key_S), tr("Draw the spring network")), false);
     a.showRegions = makeSwitch(
-        make(window, "Show &regions", QKeySequence(Qt::Key_H), "Draw the regions' ellipsoids"), true);
+        make(tr("Show &regions"), QKeySequence(Qt::Key_H), tr("Draw the regions' ellipsoids")), true);
     a.showLeft =
-        makeSwitch(make(window, "&Left panels", QKeySequence(Qt::Key_F9), "Show the left panels"), true);
+        makeSwitch(make(tr("&Left panels"), QKeySequence(Qt::Key_F9), tr("Show the left panels")), true);
     a.showRight =
-        makeSwitch(make(window, "Righ&t panels", QKeySequence(Qt::Key_F10), "Show the right panels"), true);
-    a.frame = make(window, "&Whole organ", QKeySequence(Qt::Key_Home), "Bring the whole organ into view");
-    a.lightTheme = makeSwitch(make(window, "Li&ght theme", {}, "Light colours"), false);
+        makeSwitch(make(tr("Right &panels"), QKeySequence(Qt::Key_F10), tr("Show the right panels")), true);
+    a.frame = make(tr("&Whole organ"), QKeySequence(Qt::Key_Home), tr("Bring the whole organ into view"));
     a.frame->setShortcuts({QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_0)});
+    a.lightTheme = makeSwitch(make(tr("Li&ght theme"), {}, tr("Light colours")), false);
     int key = Qt::Key_1;
-    for (const char* name : {"&Front", "&Back", "&Left", "&Right", "&Top", "B&ottom"})
-        a.standardViews.push_back(make(window, name, QKeySequence(key++), "Look from this side"));
+    for (const QString& name :
+         {tr("&Front"), tr("&Back"), tr("&Left"), tr("&Right"), tr("&Top"), tr("B&ottom")})
+        a.standardViews.push_back(make(name, QKeySequence(key++), tr("Look from this side")));
     const std::array<Qt::Key, 5> initials{Qt::Key_F, Qt::Key_B, Qt::Key_L, Qt::Key_R, Qt::Key_T};
     for (std::size_t i = 0; i < initials.size(); ++i)
         a.standardViews[i]->setShortcuts({a.standardViews[i]->shortcut(), QKeySequence(initials[i])});
 }
 
-void makeToolActions(Actions& a, QWidget* window) {
-    a.tools = new QActionGroup(window);
-    a.look = makeChoice(a.tools, make(window, "&Look", QKeySequence(Qt::Key_V), "Turn and shift the view"),
-                        "look");
-    a.pull = makeChoice(a.tools, make(window, "&Pull", QKeySequence(Qt::Key_P), "Grasp the tissue and pull"),
-                        "pull");
-    a.instrument = makeChoice(
-        a.tools,
-        make(window, "&Instrument", QKeySequence(Qt::Key_I), "Push the tissue with a round instrument"),
-        "instrument");
-    a.region = makeChoice(
-        a.tools, make(window, "&Region", QKeySequence(Qt::Key_E), "Move and size the region's ellipsoid"),
-        "region");
-    a.projector = makeChoice(
-        a.tools, make(window, "P&hoto", QKeySequence(Qt::Key_J), "Move and size the photo's projector"),
-        "photo");
+void ActionMaker::makeTools() {
+    Actions& a = m_actions;
+    a.tools = new QActionGroup(m_window);
+    a.look = makeTool(make(tr("&Look"), QKeySequence(Qt::Key_V), tr("Turn and shift the view")),
+                      QStringLiteral("look"));
+    a.pull = makeTool(make(tr("P&ull"), QKeySequence(Qt::Key_P), tr("Grasp the tissue and pull")),
+                      QStringLiteral("pull"));
+    a.instrument = makeTool(
+        make(tr("&Instrument"), QKeySequence(Qt::Key_I), tr("Push the tissue with a round instrument")),
+        QStringLiteral("instrument"));
+    a.region =
+        makeTool(make(tr("Re&gion"), QKeySequence(Qt::Key_E), tr("Move and size the region's ellipsoid")),
+                 QStringLiteral("region"));
+    a.projector =
+        makeTool(make(tr("P&hoto"), QKeySequence(Qt::Key_J), tr("Move and size the photo's projector")),
+                 QStringLiteral("photo"));
     a.pull->setChecked(true);
-    a.workspaces = new QActionGroup(window);
-    a.tissue = makeChoice(a.workspaces, make(window, "&Tissue", QKeySequence(Qt::CTRL | Qt::Key_1),
-                                             "How the organ's tissue behaves"));
-    a.texture = makeChoice(
-        a.workspaces, make(window, "Te&xture", QKeySequence(Qt::CTRL | Qt::Key_2), "Photos on the organ"));
+    a.letGo =
+        make(tr("L&et go"), QKeySequence(Qt::Key_Escape), tr("End a drag and take the instrument away"));
+}
+
+void ActionMaker::makeWorkspaces() {
+    Actions& a = m_actions;
+    a.workspaces = new QActionGroup(m_window);
+    a.tissue = makeWorkspace(
+        make(tr("&Tissue"), QKeySequence(Qt::CTRL | Qt::Key_1), tr("How the organ's tissue behaves")));
+    a.texture =
+        makeWorkspace(make(tr("Te&xture"), QKeySequence(Qt::CTRL | Qt::Key_2), tr("Photos on the organ")));
     a.tissue->setChecked(true);
-    a.play = make(window, "&Play", QKeySequence(Qt::Key_Space), "Let the tissue move, or stop it");
-    a.reset = make(window, "&Reset", QKeySequence(Qt::CTRL | Qt::Key_0), "Back to the shape at rest");
-    a.keys = make(window, "&Keys and mouse", QKeySequence(Qt::Key_F1), "What mouse and keys do");
-    a.about = make(window, "&About", {}, "About this program");
+}
+
+void ActionMaker::makePlayActions() {
+    Actions& a = m_actions;
+    a.play = make(tr("&Play"), QKeySequence(Qt::Key_Space), tr("Let the tissue move, or stop it"));
+    a.reset = make(tr("&Reset"), QKeySequence(Qt::CTRL | Qt::Key_0), tr("Back to the shape at rest"));
+    a.keys = make(tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), tr("What mouse and keys do"));
+    a.about = make(tr("&About"), {}, tr("About this program"));
+}
+
+Actions ActionMaker::makeAll(QUndoStack* undoStack) {
+    makeFileActions();
+    makeEditActions(undoStack);
+    makeModelActions();
+    makeViewActions();
+    makeTools();
+    makeWorkspaces();
+    makePlayActions();
+    return m_actions;
 }
 
 } // namespace
@@ -137,12 +194,7 @@ QString withShortcut(const QString& toolTip, const QAction* action) {
 }
 
 Actions createActions(QWidget* window, QUndoStack* undoStack) {
-    Actions actions{};
-    makeFileActions(actions, window);
-    makeEditActions(actions, window, undoStack);
-    makeViewActions(actions, window);
-    makeToolActions(actions, window);
-    return actions;
+    return ActionMaker(window).makeAll(undoStack);
 }
 
 } // namespace esm

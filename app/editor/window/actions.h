@@ -20,7 +20,7 @@ struct Actions {
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes;
     QAction *addPhoto, *fromCamera;
-    QAction *play, *reset;
+    QAction *play, *reset, *letGo;
     QAction *about, *keys;
     QActionGroup* tools;
     QAction *look, *pull, *instrument, *region, *projector;

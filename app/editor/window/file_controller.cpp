@@ -5,15 +5,23 @@
 #include "app/editor/commands/photo_edits.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/import_dialog.h"
+#include "app/editor/window/save_dialog.h"
 #include "core/exchange/mesh_file.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/project_file.h"
 #include "core/samples/samples.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
+#include <QSettings>
+
+#include <algorithm>
 
 namespace esm {
 
@@ -39,16 +47,36 @@ std::filesystem::path toPath(const QString& file) {
     return std::filesystem::path(file.toStdString());
 }
 
+QString lastFolder() {
+    return QSettings().value(QStringLiteral("folder"), QDir::currentPath()).toString();
+}
+
+void rememberFolder(const QString& file) {
+    QSettings().setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath());
+}
+
 QString fileName(const std::filesystem::path& file) {
     return QString::fromStdString(file.filename().string());
 }
 
+ImportedSurface importedSurface(const PolygonSoup& soup, KeepParts keep) {
+    RepairOptions options;
+    options.keep = keep;
+    const RepairedMesh repaired = repair(soup, options);
+    return {boundingBox(repaired.mesh.vertices).sizes(), repaired.report};
+}
+
+/// With all parts, and with the largest alone where that is not the same.
+std::pair<ImportedSurface, std::optional<ImportedSurface>> waysToImport(const PolygonSoup& soup) {
+    const ImportedSurface all = importedSurface(soup, KeepParts::All);
+    if (all.report.components <= 1) return {all, std::nullopt};
+    return {all, importedSurface(soup, KeepParts::Largest)};
+}
+
 } // namespace
 
-FileController::FileController(QWidget& window, Document& document, Selection& selection,
-                               std::function<Camera()> camera)
-    : QObject(&window), m_window(window), m_document(document), m_selection(selection),
-      m_camera(std::move(camera)) {}
+FileController::FileController(QWidget& window, Document& document, std::function<Camera()> camera)
+    : QObject(&window), m_window(window), m_document(document), m_camera(std::move(camera)) {}
 
 void FileController::connectActions(const Actions& actions) {
     connect(actions.open, &QAction::triggered, this, &FileController::chooseProject);
@@ -63,7 +91,16 @@ void FileController::connectActions(const Actions& actions) {
     }
 }
 
+void FileController::commitTyping() {
+    // Neither a menu's key nor the window's end takes the focus from a field, which would make it count.
+    const QPointer<QWidget> focus = m_window.focusWidget();
+    if (!focus) return;
+    focus->clearFocus();
+    if (focus && focus->isVisible()) focus->setFocus();
+}
+
 bool FileController::mayLeaveProject() {
+    commitTyping();
     if (!m_document.isModified()) return true;
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
                     tr("Save the changes to %1?").arg(m_document.title()),
@@ -87,11 +124,17 @@ void FileController::openAny(const std::filesystem::path& file) {
     });
 }
 
+void FileController::openAll(const std::vector<std::filesystem::path>& files) {
+    for (const auto& file : files)
+        openAny(file);
+}
+
 void FileController::openProject(const std::filesystem::path& file) {
+    // Asked first: the answer may change the very file that is to be opened.
+    if (!mayLeaveProject()) return;
     attempt(&m_window, tr("The project cannot be opened"), [&] {
         Project project = computeLong(&m_window, tr("Opening %1").arg(fileName(file)),
                                       [&](const Progress&) { return loadProject(file); });
-        if (!mayLeaveProject()) return;
         m_document.replace(std::move(project), file);
         emit message(tr("Opened %1").arg(fileName(file)));
     });
@@ -101,9 +144,9 @@ void FileController::importMesh(const std::filesystem::path& file) {
     attempt(&m_window, tr("The surface cannot be imported"), [&] {
         const QString title = tr("Importing %1").arg(fileName(file));
         auto soup = computeLong(&m_window, title, [&](const Progress&) { return readMeshFile(file); });
-        const auto repaired = computeLong(&m_window, title, [&](const Progress&) { return repair(soup); });
-        const Eigen::Vector3d extent = boundingBox(repaired.mesh.vertices).sizes();
-        ImportDialog dialog(fileName(file), extent, repaired.report, &m_window);
+        const auto surfaces =
+            computeLong(&m_window, title, [&](const Progress&) { return waysToImport(soup); });
+        ImportDialog dialog(fileName(file), surfaces.first, surfaces.second, &m_window);
         if (dialog.exec() != QDialog::Accepted || !mayLeaveProject()) return;
         const ImportChoice choice = dialog.choice();
         Project project = computeLong(&m_window, title, [&](const Progress&) {
@@ -112,7 +155,7 @@ void FileController::importMesh(const std::filesystem::path& file) {
             options.keep = choice.keep;
             return makeProject(file.stem().string(), repair(soup, options));
         });
-        m_document.replace(std::move(project), std::nullopt);
+        m_document.replace(std::move(project), std::nullopt, Origin::Unsaved);
         emit message(tr("Imported %1").arg(fileName(file)));
     });
 }
@@ -144,52 +187,86 @@ void FileController::addPhoto(const std::filesystem::path& file) {
         const Projector projector = projectorFromCamera(m_camera(), photo->image, *m_document.project().mesh);
         m_document.edit(tr("Add photo"),
                         [&](Project& project) { esm::addPhoto(project, photo, projector, atlas); });
+        emit photoAdded();
         emit message(tr("Added %1").arg(fileName(file)));
     });
 }
 
 bool FileController::saveTo(const std::filesystem::path& file) {
+    commitTyping();
     return attempt(&m_window, tr("The project was not saved"), [&] {
         const Project project = m_document.project();
-        runLongWork(
-            &m_window, tr("Saving %1").arg(fileName(file)),
-            [&](const Progress&) { saveProject(project, file); }, Cancelling::Impossible);
-        m_document.markSaved(file);
+        runLongWork(&m_window, tr("Saving %1").arg(fileName(file)),
+                    [&](const Progress&) { saveProject(project, file); });
+        m_document.markSaved(file, project);
         emit message(tr("Saved %1").arg(fileName(file)));
     });
 }
 
 void FileController::exportTo(const std::filesystem::path& file) {
+    commitTyping();
     attempt(&m_window, tr("The package was not written"), [&] {
         const Project project = m_document.project();
-        runLongWork(&m_window, tr("Exporting %1").arg(fileName(file)),
-                    [&](const Progress& progress) { exportPackage(project, file, progress); });
+        runLongWork(
+            &m_window, tr("Exporting %1").arg(fileName(file)),
+            [&](const Progress& progress) { exportPackage(project, file, progress); }, Cancelling::Offered);
         emit message(tr("Exported %1").arg(fileName(file)));
+    });
+}
+
+void FileController::offerLeftBehind(Autosave& autosave) {
+    auto copies = autosave.leftBehind();
+    if (copies.empty()) return;
+    const auto age = [](const std::filesystem::path& copy) {
+        return QFileInfo(QString::fromStdString(copy.string())).lastModified();
+    };
+    const auto latest = *std::max_element(copies.begin(), copies.end(),
+                                          [&](const auto& a, const auto& b) { return age(a) < age(b); });
+    QMessageBox box(QMessageBox::Question, tr("Unsaved work"), tr("Bring back the unsaved work?"),
+                    QMessageBox::Discard, &m_window);
+    box.setObjectName(QStringLiteral("leftBehindBox"));
+    box.setInformativeText(tr("The program ended without saving it. It was kept on %1.")
+                               .arg(QLocale().toString(age(latest), QLocale::ShortFormat)));
+    QPushButton* restore = box.addButton(tr("&Bring back"), QMessageBox::AcceptRole);
+    box.setDefaultButton(restore);
+    box.exec();
+    if (box.clickedButton() == box.button(QMessageBox::Discard)) {
+        std::filesystem::remove(latest);
+        return;
+    }
+    if (box.clickedButton() != restore) return;
+    attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
+        m_document.replace(loadProject(latest), std::nullopt, Origin::Unsaved);
+        autosave.takeOver(latest);
     });
 }
 
 QString FileController::suggestedPath(const QString& ending) const {
     const auto& path = m_document.path();
-    const QString folder = path ? QString::fromStdString(path->parent_path().string()) : QDir::currentPath();
+    const QString folder = path ? QString::fromStdString(path->parent_path().string()) : lastFolder();
     return QDir(folder).filePath(QFileInfo(m_document.title()).completeBaseName() + ending);
 }
 
+QString FileController::chooseFile(const QString& title, const QString& filter) {
+    QString file = QFileDialog::getOpenFileName(&m_window, title, lastFolder(), filter);
+    if (!file.isEmpty()) rememberFolder(file);
+    return file;
+}
+
 void FileController::chooseProject() {
-    const QString file =
-        QFileDialog::getOpenFileName(&m_window, tr("Open project"), {}, tr("Projects (*.esm)"));
+    const QString file = chooseFile(tr("Open project"), tr("Projects (*.esm)"));
     if (!file.isEmpty()) openProject(toPath(file));
 }
 
 void FileController::chooseMesh() {
     const QString file =
-        QFileDialog::getOpenFileName(&m_window, tr("Import organ surface"), {},
-                                     filter(tr("Surfaces"), meshEndings()) + tr(";;All files (*)"));
+        chooseFile(tr("Import organ surface"), filter(tr("Surfaces"), meshEndings()) + tr(";;All files (*)"));
     if (!file.isEmpty()) importMesh(toPath(file));
 }
 
 void FileController::choosePhoto() {
-    const QString file = QFileDialog::getOpenFileName(
-        &m_window, tr("Add photo"), {}, filter(tr("Photos"), photoEndings()) + tr(";;All files (*)"));
+    const QString file =
+        chooseFile(tr("Add photo"), filter(tr("Photos"), photoEndings()) + tr(";;All files (*)"));
     if (!file.isEmpty()) addPhoto(toPath(file));
 }
 
@@ -198,19 +275,19 @@ bool FileController::save() {
 }
 
 bool FileController::saveAs() {
-    QString file = QFileDialog::getSaveFileName(
-        &m_window, tr("Save project"), suggestedPath(QStringLiteral(".esm")), tr("Projects (*.esm)"));
-    if (file.isEmpty()) return false;
-    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".esm");
-    return saveTo(toPath(file));
+    const QString ending = QStringLiteral(".esm");
+    const auto file =
+        chooseNewFile(&m_window, {tr("Save project"), suggestedPath(ending), tr("Projects (*.esm)"), ending});
+    if (!file) return false;
+    rememberFolder(QString::fromStdString(file->string()));
+    return saveTo(*file);
 }
 
 void FileController::chooseExport() {
-    QString file = QFileDialog::getSaveFileName(
-        &m_window, tr("Export package"), suggestedPath(QStringLiteral(".glb")), tr("Model packages (*.glb)"));
-    if (file.isEmpty()) return;
-    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".glb");
-    exportTo(toPath(file));
+    const QString ending = QStringLiteral(".glb");
+    const auto file = chooseNewFile(
+        &m_window, {tr("Export package"), suggestedPath(ending), tr("Model packages (*.glb)"), ending});
+    if (file) exportTo(*file);
 }
 
 } // namespace esm

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/editor/document/autosave.h"
 #include "app/editor/document/document.h"
-#include "app/editor/document/selection.h"
 #include "core/render/camera.h"
 
 #include <QObject>
@@ -17,24 +17,29 @@ class FileController : public QObject {
 
 public:
     /// @param camera where the user looks from, for new photos
-    FileController(QWidget& window, Document& document, Selection& selection, std::function<Camera()> camera);
+    FileController(QWidget& window, Document& document, std::function<Camera()> camera);
 
     void connectActions(const Actions& actions);
 
     /// Any file that the program understands, by its ending: a project, a mesh or a photo.
     void openAny(const std::filesystem::path& file);
+    /// One after the other.
+    void openAll(const std::vector<std::filesystem::path>& files);
     void openProject(const std::filesystem::path& file);
     void importMesh(const std::filesystem::path& file);
     void openSample(const std::string& name);
     void addPhoto(const std::filesystem::path& file);
     bool saveTo(const std::filesystem::path& file);
     void exportTo(const std::filesystem::path& file);
+    /// Offers the latest unsaved work that a sudden end of the program left behind.
+    void offerLeftBehind(Autosave& autosave);
 
     /// True when nothing would be lost: nothing is unsaved, it was saved now, or the user gives it up.
     bool mayLeaveProject();
 
 signals:
     void message(const QString& text);
+    void photoAdded();
 
 private:
     void chooseProject();
@@ -43,12 +48,13 @@ private:
     bool save();
     bool saveAs();
     void chooseExport();
+    void commitTyping();
+    QString chooseFile(const QString& title, const QString& filter);
     QString suggestedPath(const QString& ending) const;
     std::shared_ptr<const Atlas> atlasForPhotos();
 
     QWidget& m_window;
     Document& m_document;
-    Selection& m_selection;
     std::function<Camera()> m_camera;
 };
 

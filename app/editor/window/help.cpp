@@ -1,45 +1,71 @@
 #include "app/editor/window/help.h"
 
-#include <QMessageBox>
+#include "widgets/view/view_tool.h"
 
-#include <array>
+#include <QMessageBox>
 
 namespace esm {
 
 namespace {
 
-struct Key {
-    const char *keys, *does;
-};
+QString row(const QString& keys, const QString& does) {
+    return QStringLiteral("<tr><td style='padding:2px 20px 2px 0'><b>%1</b></td>"
+                          "<td style='padding:2px 40px 2px 0'>%2</td></tr>")
+        .arg(keys.toHtmlEscaped(), does.toHtmlEscaped());
+}
 
-constexpr std::array<Key, 14> keysAndMouse{{
-    {"Right drag, or Alt + left drag", "turn the view"},
-    {"Middle drag, or Shift + right drag", "shift the view"},
-    {"Wheel", "come closer, go away"},
-    {"1 to 6, Home", "look from a side, show the whole organ"},
-    {"P", "pull the tissue"},
-    {"I", "push it with the instrument; Shift + wheel pushes deeper"},
-    {"E", "move and size the selected region"},
-    {"J", "move and size the selected photo"},
-    {"V", "look and select"},
-    {"Space, Ctrl+0", "play or pause, back to rest"},
-    {"S, H", "show springs, hide regions"},
-    {"C", "throw the selected photo from where you look"},
-    {"Ctrl+1, Ctrl+2", "tissue, texture"},
-    {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo"},
-}};
+QString actionRow(const QAction* action) {
+    const QString keys = QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
+    return row(QString(keys).replace(QStringLiteral("; "), QStringLiteral(", ")),
+               action->text().remove('&').remove(QChar(0x2026)));
+}
+
+QString viewRows() {
+    return row(QObject::tr("Right drag, Alt + left drag"), QObject::tr("turn the view")) +
+           row(QObject::tr("Middle drag, Shift + drag"), QObject::tr("shift the view")) +
+           row(QObject::tr("Wheel"), QObject::tr("come closer, go away")) +
+           row(QObject::tr("1 to 6; F, B, L, R, T"),
+               QObject::tr("look from the front, back, left, right, top, bottom"));
+}
+
+QString toolRows(const Actions& a) {
+    QString rows;
+    for (const auto& [action, tool] :
+         {std::pair(a.look, ViewTool::Select), std::pair(a.pull, ViewTool::Pull),
+          std::pair(a.instrument, ViewTool::Instrument), std::pair(a.region, ViewTool::Region),
+          std::pair(a.projector, ViewTool::Projector)})
+        rows += row(action->shortcut().toString(QKeySequence::NativeText), toolHint(tool));
+    return rows + actionRow(a.letGo);
+}
+
+QString fieldRows() {
+    return row(QObject::tr("Up, Down; with Shift"), QObject::tr("step a number; ten steps at once")) +
+           row(QObject::tr("Enter, Esc"), QObject::tr("take what is typed, or take it back")) +
+           row(QObject::tr("F2, Del"), QObject::tr("rename or remove the selected region or photo"));
+}
+
+QString actionRows(std::initializer_list<const QAction*> actions) {
+    QString rows;
+    for (const QAction* action : actions)
+        rows += actionRow(action);
+    return rows;
+}
 
 } // namespace
 
-void showKeys(QWidget* window) {
-    QString rows;
-    for (const Key& key : keysAndMouse)
-        rows +=
-            QStringLiteral(
-                "<tr><td style='padding:3px 24px 3px 0'><b>%1</b></td><td style='padding:3px 0'>%2</td></tr>")
-                .arg(QObject::tr(key.keys), QObject::tr(key.does));
-    QMessageBox box(QMessageBox::NoIcon, QObject::tr("Keys and mouse"),
-                    QStringLiteral("<table>%1</table>").arg(rows), QMessageBox::Ok, window);
+QString keysText(const Actions& a) {
+    return QStringLiteral("<table><tr><td><table>%1%2%3</table></td><td><table>%4</table></td></tr></table>")
+        .arg(viewRows(), toolRows(a), fieldRows(),
+             actionRows({a.open,     a.import,    a.save,      a.saveAs,   a.exportPackage, a.quit,
+                         a.undo,     a.redo,      a.addRegion, a.addPhoto, a.fromCamera,    a.play,
+                         a.reset,    a.tissue,    a.texture,   a.frame,    a.showSprings,   a.showRegions,
+                         a.showLeft, a.showRight, a.keys}));
+}
+
+void showKeys(QWidget* window, const Actions& actions) {
+    QMessageBox box(QMessageBox::NoIcon, QObject::tr("Keys and mouse"), keysText(actions), QMessageBox::Ok,
+                    window);
+    box.setObjectName(QStringLiteral("keysBox"));
     box.exec();
 }
 

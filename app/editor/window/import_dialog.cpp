@@ -4,7 +4,6 @@
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
 
@@ -28,6 +27,13 @@ QLabel* quietLabel(const QString& text, QWidget* parent) {
     return label;
 }
 
+void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice) {
+    QLabel* label = quietLabel(caption, choice->parentWidget());
+    label->setBuddy(choice);
+    choice->setAccessibleName(QString(caption).remove('&'));
+    form->addRow(label, choice);
+}
+
 QString reportText(const RepairReport& report) {
     QStringList lines;
     for (const auto& warning : report.warnings)
@@ -47,10 +53,11 @@ LengthUnit likelyUnit(double largestExtent, const QString& fileEnding) {
     return LengthUnit::Millimetre;
 }
 
-ImportDialog::ImportDialog(const QString& fileName, const Eigen::Vector3d& extent, const RepairReport& report,
-                           QWidget* parent)
-    : QDialog(parent), m_extent(extent), m_units(new QButtonGroup(this)), m_up(new QComboBox(this)),
-      m_keep(new QComboBox(this)), m_size(new QLabel(this)) {
+ImportDialog::ImportDialog(const QString& fileName, const ImportedSurface& all,
+                           const std::optional<ImportedSurface>& largest, QWidget* parent)
+    : QDialog(parent), m_all(all), m_largest(largest), m_units(new QButtonGroup(this)),
+      m_up(new QComboBox(this)), m_keep(new QComboBox(this)), m_size(new QLabel(this)),
+      m_report(new QPlainTextEdit(this)) {
     setWindowTitle(tr("Import organ surface"));
     setObjectName(QStringLiteral("importDialog"));
     setMinimumWidth(460);
@@ -60,14 +67,25 @@ ImportDialog::ImportDialog(const QString& fileName, const Eigen::Vector3d& exten
     auto* title = new QLabel(fileName, this);
     title->setProperty("strong", true);
     column->addWidget(title);
-    addUnits(column, likelyUnit(extent.maxCoeff(), fileName.section('.', -1).toLower()));
+    addUnits(column, likelyUnit(all.extent.maxCoeff(), fileName.section('.', -1).toLower()));
+    addParts();
     addOrientation(column);
-    m_keep->addItem(report.components == 1 ? tr("the one part") : tr("all %1 parts").arg(report.components));
-    m_keep->addItem(tr("the largest part"));
-    m_keep->setEnabled(report.components > 1);
-    if (report.components <= 1) m_keep->setToolTip(tr("The surface is one part"));
-    addReport(column, report);
+    addReport(column);
+    addButtons(column);
+    showKept();
+}
 
+void ImportDialog::addParts() {
+    const std::size_t parts = m_all.report.components;
+    m_keep->setObjectName(QStringLiteral("importKeep"));
+    m_keep->addItem(parts == 1 ? tr("the one part") : tr("all %1 parts").arg(parts));
+    m_keep->addItem(tr("the largest part"));
+    m_keep->setEnabled(parts > 1);
+    if (parts <= 1) m_keep->setToolTip(tr("The surface is one part"));
+    connect(m_keep, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showKept);
+}
+
+void ImportDialog::addButtons(QVBoxLayout* column) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     auto* accept = new QPushButton(tr("&Import"), this);
     accept->setProperty("primary", true);
@@ -76,7 +94,6 @@ ImportDialog::ImportDialog(const QString& fileName, const Eigen::Vector3d& exten
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    showSize();
 }
 
 void ImportDialog::addUnits(QVBoxLayout* column, LengthUnit likely) {
@@ -92,36 +109,43 @@ void ImportDialog::addUnits(QVBoxLayout* column, LengthUnit likely) {
     }
     row->addStretch();
     column->addLayout(row);
-    connect(m_units, &QButtonGroup::idClicked, this, &ImportDialog::showSize);
+    connect(m_units, &QButtonGroup::idClicked, this, &ImportDialog::showKept);
 }
 
 void ImportDialog::addOrientation(QVBoxLayout* column) {
     m_up->addItem(tr("y axis"));
     m_up->addItem(tr("z axis"));
-    connect(m_up, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showSize);
+    connect(m_up, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showKept);
     m_size->setObjectName(QStringLiteral("importSize"));
     m_size->setProperty("strong", true);
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(8);
     form->addRow(quietLabel(tr("Size of the organ"), this), m_size);
-    form->addRow(quietLabel(tr("Upwards in the file"), this), m_up);
-    form->addRow(quietLabel(tr("Keep"), this), m_keep);
+    addChoice(form, tr("&Upwards in the file"), m_up);
+    addChoice(form, tr("&Keep"), m_keep);
     column->addLayout(form);
 }
 
-void ImportDialog::addReport(QVBoxLayout* column, const RepairReport& report) {
-    column->addWidget(quietLabel(tr("Repaired and found"), this));
-    auto* text = new QPlainTextEdit(reportText(report), this);
-    text->setReadOnly(true);
-    text->setTabChangesFocus(true);
-    text->setFixedHeight(120);
-    column->addWidget(text);
+void ImportDialog::addReport(QVBoxLayout* column) {
+    QLabel* caption = quietLabel(tr("&Repaired and found"), this);
+    caption->setBuddy(m_report);
+    column->addWidget(caption);
+    m_report->setObjectName(QStringLiteral("importReport"));
+    m_report->setReadOnly(true);
+    m_report->setTabChangesFocus(true);
+    m_report->setFixedHeight(120);
+    column->addWidget(m_report);
 }
 
-void ImportDialog::showSize() {
+const ImportedSurface& ImportDialog::kept() const {
+    return m_largest && choice().keep == KeepParts::Largest ? *m_largest : m_all;
+}
+
+void ImportDialog::showKept() {
+    m_report->setPlainText(reportText(kept().report));
     const double scale = metresPer(choice().unit);
-    const Eigen::Vector3d size = m_extent * scale;
+    const Eigen::Vector3d size = kept().extent * scale;
     const bool zUp = choice().up == UpAxis::Z;
     QStringList lengths;
     for (const double metres : {size.x(), zUp ? size.z() : size.y(), zUp ? size.y() : size.z()})

@@ -7,7 +7,10 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QVBoxLayout>
+
+#include <optional>
 
 namespace esm {
 
@@ -16,6 +19,12 @@ struct ImportChoice {
     LengthUnit unit = LengthUnit::Millimetre;
     UpAxis up = UpAxis::Y;
     KeepParts keep = KeepParts::All;
+};
+
+/// A surface as it would be imported, in the file's unit and axes.
+struct ImportedSurface {
+    Eigen::Vector3d extent;
+    RepairReport report;
 };
 
 /// The unit in which an organ of this extent has the size of an organ; glTF files are in metres by their
@@ -27,21 +36,27 @@ class ImportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    ImportDialog(const QString& fileName, const Eigen::Vector3d& extent, const RepairReport& report,
-                 QWidget* parent = nullptr);
+    /// @param largest the largest part alone; needed where the surface has more than one
+    ImportDialog(const QString& fileName, const ImportedSurface& all,
+                 const std::optional<ImportedSurface>& largest, QWidget* parent = nullptr);
 
     ImportChoice choice() const;
 
 private:
     void addUnits(QVBoxLayout* column, LengthUnit likely);
     void addOrientation(QVBoxLayout* column);
-    void addReport(QVBoxLayout* column, const RepairReport& report);
-    void showSize();
+    void addParts();
+    void addReport(QVBoxLayout* column);
+    void addButtons(QVBoxLayout* column);
+    const ImportedSurface& kept() const;
+    void showKept();
 
-    Eigen::Vector3d m_extent; ///< in the file's unit and axes
+    ImportedSurface m_all;
+    std::optional<ImportedSurface> m_largest;
     QButtonGroup* m_units;
     QComboBox *m_up, *m_keep;
     QLabel* m_size;
+    QPlainTextEdit* m_report;
 };
 
 } // namespace esm

@@ -12,10 +12,6 @@ namespace esm {
 
 namespace {
 
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
-
 /// A button that is an action: it follows its text, state and tool tip.
 QPushButton* pushButton(QAction* action, QWidget* parent) {
     auto* button = new QPushButton(parent);
@@ -63,13 +59,9 @@ QWidget* workspaceSwitch(const Actions& actions, QWidget* parent) {
     return frame;
 }
 
-} // namespace
-
-void buildMenus(QMainWindow& window, const Actions& a) {
-    QMenuBar* bar = window.menuBar();
-    QMenu* file = bar->addMenu(tr("&File"));
-    file->addActions({a.open});
-    QMenu* samples = file->addMenu(tr("Open sa&mple"));
+void fillFileMenu(QMenu* file, const Actions& a) {
+    file->addAction(a.open);
+    QMenu* samples = file->addMenu(QObject::tr("Open sa&mple"));
     for (const auto& sample : a.samples)
         samples->addAction(sample.second);
     file->addAction(a.import);
@@ -79,34 +71,64 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     file->addAction(a.exportPackage);
     file->addSeparator();
     file->addAction(a.quit);
+}
 
-    bar->addMenu(tr("&Edit"))->addActions({a.undo, a.redo, a.rename});
-
-    QMenu* view = bar->addMenu(tr("&View"));
+void fillViewMenu(QMenu* view, const Actions& a) {
     view->addActions({a.tissue, a.texture});
     view->addSeparator();
     view->addActions({a.showSprings, a.showRegions});
     view->addSeparator();
     view->addAction(a.frame);
-    QMenu* sides = view->addMenu(tr("L&ook from"));
+    QMenu* sides = view->addMenu(QObject::tr("L&ook from"));
     for (QAction* side : a.standardViews)
         sides->addAction(side);
     view->addSeparator();
     view->addActions({a.showLeft, a.showRight, a.lightTheme});
+}
 
-    QMenu* model = bar->addMenu(tr("&Model"));
+/// One side of the bar on top. Both take the same share, so that the workspaces stay in the middle.
+QHBoxLayout* addSide(QHBoxLayout* bar, QWidget* content) {
+    auto* side = new QWidget(content);
+    auto* row = new QHBoxLayout(side);
+    row->setContentsMargins(0, 0, 0, 0);
+    side->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    bar->addWidget(side, 1);
+    return row;
+}
+
+QPushButton* playButton(const Actions& actions, QWidget* parent) {
+    QPushButton* play = pushButton(actions.play, parent);
+    play->setProperty("primary", true);
+    play->setObjectName(QStringLiteral("playButton"));
+    // "Pause" and "Play" take the same room.
+    play->setMinimumWidth(84);
+    return play;
+}
+
+} // namespace
+
+void buildMenus(QMainWindow& window, const Actions& a) {
+    QMenuBar* bar = window.menuBar();
+    fillFileMenu(bar->addMenu(QObject::tr("&File")), a);
+    bar->addMenu(QObject::tr("&Edit"))->addActions({a.undo, a.redo, a.rename});
+    fillViewMenu(bar->addMenu(QObject::tr("&View")), a);
+
+    QMenu* model = bar->addMenu(QObject::tr("&Model"));
     model->addActions({a.addRegion, a.fixRegion, a.freeNodes});
     model->addSeparator();
     model->addActions({a.addPhoto, a.fromCamera});
 
-    QMenu* simulation = bar->addMenu(tr("&Simulation"));
+    QMenu* simulation = bar->addMenu(QObject::tr("&Simulation"));
     simulation->addActions({a.play, a.reset});
-    bar->addMenu(tr("&Tools"))->addActions(a.tools->actions());
-    bar->addMenu(tr("&Help"))->addActions({a.keys, a.about});
+    QMenu* tools = bar->addMenu(QObject::tr("&Tools"));
+    tools->addActions(a.tools->actions());
+    tools->addSeparator();
+    tools->addAction(a.letGo);
+    bar->addMenu(QObject::tr("&Help"))->addActions({a.keys, a.about});
 }
 
 void buildToolStrip(QMainWindow& window, const Actions& a) {
-    auto* strip = new QToolBar(tr("Tools"), &window);
+    auto* strip = new QToolBar(QObject::tr("Tools"), &window);
     strip->setObjectName(QStringLiteral("toolStrip"));
     strip->setMovable(false);
     strip->setContextMenuPolicy(Qt::PreventContextMenu);
@@ -128,7 +150,7 @@ void buildToolStrip(QMainWindow& window, const Actions& a) {
 }
 
 void buildTopBar(QMainWindow& window, const Actions& a) {
-    auto* bar = new QToolBar(tr("Top bar"), &window);
+    auto* bar = new QToolBar(QObject::tr("Top bar"), &window);
     bar->setObjectName(QStringLiteral("topBar"));
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
@@ -137,31 +159,17 @@ void buildTopBar(QMainWindow& window, const Actions& a) {
     row->setContentsMargins(10, 6, 10, 6);
     row->setSpacing(8);
 
-    // Both sides take the same share, so that the workspaces stay in the middle.
-    auto* left = new QWidget(content);
-    auto* leftRow = new QHBoxLayout(left);
-    leftRow->setContentsMargins(0, 0, 0, 0);
-    leftRow->addWidget(iconButton(a.undo, left));
-    leftRow->addWidget(iconButton(a.redo, left));
-    leftRow->addStretch();
-    auto* right = new QWidget(content);
-    auto* rightRow = new QHBoxLayout(right);
-    rightRow->setContentsMargins(0, 0, 0, 0);
-    rightRow->addStretch();
-    QPushButton* play = pushButton(a.play, right);
-    play->setProperty("primary", true);
-    play->setObjectName(QStringLiteral("playButton"));
-    // "Pause" and "Play" take the same room.
-    play->setMinimumWidth(84);
-    rightRow->addWidget(pushButton(a.reset, right));
-    rightRow->addWidget(play);
-    QPushButton* package = pushButton(a.exportPackage, right);
-    rightRow->addWidget(package);
-    for (QWidget* side : {left, right})
-        side->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    row->addWidget(left, 1);
+    QHBoxLayout* left = addSide(row, content);
+    left->addWidget(iconButton(a.undo, content));
+    left->addWidget(iconButton(a.redo, content));
+    left->addStretch();
     row->addWidget(workspaceSwitch(a, content));
-    row->addWidget(right, 1);
+    QHBoxLayout* right = addSide(row, content);
+    right->addStretch();
+    right->addWidget(pushButton(a.reset, content));
+    right->addWidget(playButton(a, content));
+    right->addWidget(pushButton(a.exportPackage, content));
+
     bar->addWidget(content);
     content->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     window.addToolBar(Qt::TopToolBarArea, bar);

@@ -17,6 +17,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
+#include <QSettings>
 #include <QTimer>
 
 namespace esm {
@@ -32,10 +33,12 @@ MainWindow::MainWindow(Project project)
     : m_document(new Document(std::move(project), this)), m_selection(new Selection(*m_document)),
       m_preview(new Preview(this)), m_actions(createActions(this, m_document->undoStack())),
       m_view(new OrganView(this)),
-      m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)) {
+      m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
+      m_tools(new ToolController(*m_view, *m_document, *m_selection, *m_preview)) {
     const auto camera = [this] { return m_view->camera(); };
-    m_files = new FileController(*this, *m_document, *m_selection, camera);
+    m_files = new FileController(*this, *m_document, camera);
     m_edits = new EditController(*this, *m_document, *m_selection, camera);
+    m_autosave = new Autosave(*m_document, recoveryFolder(), this);
     m_play = new PlayController(*this, *m_preview);
     m_status = new StatusLine(*statusBar());
     m_title = new QLabel(menuBar());
@@ -54,7 +57,13 @@ MainWindow::MainWindow(Project project)
     setWindowIcon(icon(QStringLiteral("app")));
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - roomForFrame));
     showTitle();
+    noteWhatIsLeftOut();
     m_play->showAlive();
+}
+
+MainWindow::~MainWindow() {
+    // A field that is left tells the document what was typed: now, while there is one.
+    if (QWidget* focus = focusWidget()) focus->clearFocus();
 }
 
 void MainWindow::buildPanels() {
@@ -81,13 +90,16 @@ void MainWindow::buildPanels() {
 
 void MainWindow::connectParts() {
     m_viewController->connectActions(m_actions);
+    m_tools->connectActions(m_actions);
     m_files->connectActions(m_actions);
     m_edits->connectActions(m_actions);
     m_play->connectActions(m_actions);
     connect(m_viewController, &ViewController::touched, m_play, &PlayController::endGentleMotion);
-    connect(m_viewController, &ViewController::frameShown, m_status, &StatusLine::countFrame);
+    connect(m_view, &OrganView::drawn, m_status, &StatusLine::countPicture);
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
+    connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
+    connect(m_files, &FileController::photoAdded, m_actions.texture, &QAction::trigger);
     const auto showStatus = [this] { m_status->showStatus(m_preview->status()); };
     connect(m_preview, &Preview::statusChanged, m_status, showStatus);
     auto* slow = new QTimer(this);
@@ -96,11 +108,12 @@ void MainWindow::connectParts() {
     connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
     connect(m_document, &Document::changed, this, [this](const Change& change) {
         if (change.name) showTitle();
+        if (change.scene) noteWhatIsLeftOut();
         if (change.mesh) m_play->showAlive();
     });
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions.lightTheme, &QAction::toggled, this, &MainWindow::setTheme);
-    connect(m_actions.keys, &QAction::triggered, this, [this] { showKeys(this); });
+    connect(m_actions.keys, &QAction::triggered, this, [this] { showKeys(this, m_actions); });
     connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(this); });
 }
 
@@ -141,6 +154,14 @@ void MainWindow::showTitle() {
     setWindowTitle(m_document->title() + mark + QStringLiteral(" – ") + tr("Elastodynamic Shape Modeler"));
 }
 
+void MainWindow::noteWhatIsLeftOut() {
+    const Scene& scene = m_document->project().scene;
+    const bool leftOut = !scene.forces.empty() || !scene.moves.empty() || scene.instrument;
+    m_status->showNote(leftOut
+                           ? tr("The scene's forces, moves and instrument act in “esmc simulate”, not here.")
+                           : QString());
+}
+
 void MainWindow::setTheme(bool light) {
     const Theme theme = light ? Theme::Light : Theme::Dark;
     applyTheme(*qApp, theme);
@@ -153,8 +174,19 @@ void MainWindow::showEvent(QShowEvent* event) {
     if (!event->spontaneous()) QTimer::singleShot(0, m_view, &OrganView::frameOrgan);
 }
 
+void MainWindow::restore() {
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+    m_actions.lightTheme->setChecked(settings.value(QStringLiteral("lightTheme")).toBool());
+    QTimer::singleShot(0, this, [this] { m_files->offerLeftBehind(*m_autosave); });
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(m_files->mayLeaveProject());
+    if (!event->isAccepted()) return;
+    QSettings settings;
+    settings.setValue(QStringLiteral("geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("lightTheme"), m_actions.lightTheme->isChecked());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -163,10 +195,11 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
+    std::vector<std::filesystem::path> files;
     for (const QUrl& url : event->mimeData()->urls())
-        // After the drop is over, so that its source does not wait for a dialog.
-        if (url.isLocalFile())
-            QTimer::singleShot(0, this, [this, file = url.toLocalFile()] { openFile(file.toStdString()); });
+        if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
+    // After the drop is over, so that its source does not wait for a dialog.
+    QTimer::singleShot(0, this, [this, files] { openFiles(files); });
 }
 
 } // namespace esm

@@ -8,6 +8,7 @@
 #include "app/editor/window/file_controller.h"
 #include "app/editor/window/play_controller.h"
 #include "app/editor/window/status_line.h"
+#include "app/editor/window/tool_controller.h"
 #include "app/editor/window/view_controller.h"
 
 #include <QDockWidget>
@@ -21,14 +22,19 @@ class MainWindow : public QMainWindow {
 
 public:
     explicit MainWindow(Project project);
+    ~MainWindow() override;
+
+    /// As the user left the window, and what an unexpected end of the program left unsaved.
+    void restore();
 
     Document& document() { return *m_document; }
     Preview& preview() { return *m_preview; }
     FileController& files() { return *m_files; }
     OrganView& view() { return *m_view; }
+    const Actions& windowActions() const { return m_actions; }
 
-    /// Opens a project, imports a mesh, or adds a photo, by the file's ending.
-    void openFile(const std::filesystem::path& file) { m_files->openAny(file); }
+    /// Opens projects, imports meshes and adds photos, by the files' endings and one after the other.
+    void openFiles(const std::vector<std::filesystem::path>& files) { m_files->openAll(files); }
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -42,6 +48,7 @@ private:
     void connectWorkspaces();
     void showWorkspace();
     void showTitle();
+    void noteWhatIsLeftOut();
     void setTheme(bool light);
 
     Document* m_document;
@@ -50,7 +57,9 @@ private:
     Actions m_actions;
     OrganView* m_view;
     ViewController* m_viewController;
+    ToolController* m_tools;
     FileController* m_files;
+    Autosave* m_autosave;
     EditController* m_edits;
     PlayController* m_play;
     StatusLine* m_status;

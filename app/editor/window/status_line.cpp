@@ -77,7 +77,7 @@ StatusLine::StatusLine(QStatusBar& bar) : QObject(&bar), m_bar(bar) {
     m_rateTimer.start(1000);
     m_since.start();
     m_messageTimer.setSingleShot(true);
-    connect(&m_messageTimer, &QTimer::timeout, this, [this] { m_message->setText(m_failure); });
+    connect(&m_messageTimer, &QTimer::timeout, this, &StatusLine::showLasting);
 }
 
 QLabel* StatusLine::addLabel(const QString& name, const QString& widestText, const QString& toolTip) {
@@ -91,8 +91,8 @@ QLabel* StatusLine::addLabel(const QString& name, const QString& widestText, con
 
 void StatusLine::showRate() {
     const double seconds = double(m_since.restart()) / 1000;
-    m_rate->setText(tr("%1 fps").arg(qRound(m_frames / seconds)));
-    m_frames = 0;
+    m_rate->setText(tr("%1 fps").arg(qRound(m_pictures / seconds)));
+    m_pictures = 0;
 }
 
 void StatusLine::showStatus(const PreviewStatus& status) {
@@ -107,16 +107,40 @@ void StatusLine::showStatus(const PreviewStatus& status) {
     const QString failure = QString::fromStdString(status.failure).replace('\n', QStringLiteral("; "));
     if (failure == m_failure) return;
     m_failure = failure;
-    m_message->setProperty("warning", !failure.isEmpty());
-    m_message->style()->unpolish(m_message);
-    m_message->style()->polish(m_message);
-    m_message->setText(failure);
-    m_message->setToolTip(failure);
+    showLasting();
+}
+
+void StatusLine::showPictureFailure(const QString& reason) {
+    if (reason == m_pictureFailure) return;
+    m_pictureFailure = reason;
+    showLasting();
+}
+
+void StatusLine::showNote(const QString& note) {
+    if (note == m_note) return;
+    m_note = note;
+    if (!m_messageTimer.isActive()) showLasting();
+}
+
+void StatusLine::showLasting() {
+    m_messageTimer.stop();
+    const QString problem = m_failure.isEmpty() ? m_pictureFailure : m_failure;
+    showText(problem.isEmpty() ? m_note : problem, !problem.isEmpty());
 }
 
 void StatusLine::showMessage(const QString& text) {
-    m_message->setText(text);
+    showText(text, false);
     m_messageTimer.start(6000);
+}
+
+void StatusLine::showText(const QString& text, bool warning) {
+    if (m_message->property("warning").toBool() != warning) {
+        m_message->setProperty("warning", warning);
+        m_message->style()->unpolish(m_message);
+        m_message->style()->polish(m_message);
+    }
+    m_message->setText(text);
+    m_message->setToolTip(text);
 }
 
 } // namespace esm

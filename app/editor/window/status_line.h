@@ -32,22 +32,28 @@ class StatusLine : public QObject {
 public:
     explicit StatusLine(QStatusBar& bar);
 
-    void countFrame() { ++m_frames; }
+    void countPicture() { ++m_pictures; }
     void showStatus(const PreviewStatus& status);
     /// Something that was done; goes by itself.
     void showMessage(const QString& text);
+    /// Why the photos are not on the organ; stays until it is empty.
+    void showPictureFailure(const QString& reason);
+    /// What the preview leaves out; stays while nothing else is to be said.
+    void showNote(const QString& note);
 
 private:
     QLabel* addLabel(const QString& name, const QString& widestText, const QString& toolTip);
     void showRate();
+    void showLasting();
+    void showText(const QString& text, bool warning);
 
     QStatusBar& m_bar;
     QLabel *m_rate, *m_realTime, *m_step, *m_message, *m_stability;
     StabilityGauge* m_gauge;
     QTimer m_rateTimer, m_messageTimer;
     QElapsedTimer m_since;
-    int m_frames = 0;
-    QString m_failure;
+    int m_pictures = 0;
+    QString m_failure, m_pictureFailure, m_note;
 };
 
 } // namespace esm

@@ -48,19 +48,6 @@ void ViewController::connectView() {
 }
 
 void ViewController::connectActions(const Actions& actions) {
-    const auto bindTool = [this](QAction* action, ViewTool tool) {
-        connect(action, &QAction::triggered, this, [this, tool] { m_view.setTool(tool); });
-        connect(&m_view, &OrganView::toolChanged, action, [action, tool](ViewTool now) {
-            if (now == tool) action->setChecked(true);
-        });
-    };
-    bindTool(actions.look, ViewTool::Select);
-    bindTool(actions.pull, ViewTool::Pull);
-    bindTool(actions.instrument, ViewTool::Instrument);
-    bindTool(actions.region, ViewTool::Region);
-    bindTool(actions.projector, ViewTool::Projector);
-    m_view.setTool(ViewTool::Pull);
-
     for (int i = 0; i < static_cast<int>(actions.standardViews.size()); ++i)
         connect(actions.standardViews[static_cast<std::size_t>(i)], &QAction::triggered, this,
                 [this, i] { m_view.showView(static_cast<StandardView>(i)); });
@@ -157,16 +144,13 @@ void ViewController::showFrame() {
     PreviewFrame frame = m_preview.frame();
     if (frame.network != m_document.project().network) return;
     m_view.setNodePositions(std::move(frame.positions));
-    emit frameShown();
 }
 
 void ViewController::showTexture() {
     rebuildScene();
-    const std::string failure = m_composer.failure();
-    if (!failure.empty())
-        emit message(tr("The photos cannot be composed: %1").arg(QString::fromStdString(failure)));
-    else if (m_composer.pages())
-        emit message(tr("Recomposed in %1 ms").arg(qRound(m_composer.milliseconds())));
+    const QString failure = QString::fromStdString(m_composer.failure());
+    emit pictureFailed(failure.isEmpty() ? QString() : tr("The photos cannot be composed: %1").arg(failure));
+    if (m_composer.pages()) emit message(tr("Recomposed in %1 ms").arg(qRound(m_composer.milliseconds())));
 }
 
 void ViewController::pickRegion(int index) {

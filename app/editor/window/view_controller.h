@@ -23,10 +23,11 @@ public:
     void setTheme(Theme theme);
 
 signals:
-    void frameShown();
     /// The user took the tissue in hand.
     void touched();
     void message(const QString& text);
+    /// Why the photos are not on the organ; empty when they are.
+    void pictureFailed(const QString& reason);
 
 private:
     void connectView();

@@ -1,0 +1,44 @@
+#include "app/editor/commands/long_work.h"
+#include "tests/app/editor_driver.h"
+
+#include <chrono>
+#include <thread>
+
+using namespace esm;
+
+namespace {
+
+QPushButton* visibleButton(QDialog* dialog) {
+    for (auto* button : dialog->findChildren<QPushButton*>())
+        if (button->isVisible()) return button;
+    return nullptr;
+}
+
+} // namespace
+
+TEST(LongWork, OffersCancelOnlyWhereItStops) {
+    DialogScript dialogs;
+    bool looked = false;
+    dialogs.expectNamed("progressDialog", [&](QDialog* dialog) {
+        looked = true;
+        EXPECT_EQ(visibleButton(dialog), nullptr);
+    });
+    runLongWork(nullptr, "work",
+                [&](const Progress&) { std::this_thread::sleep_for(std::chrono::milliseconds(600)); });
+    EXPECT_TRUE(looked);
+}
+
+TEST(LongWork, StopsWhenAsked) {
+    DialogScript dialogs;
+    dialogs.expectNamed("progressDialog", [](QDialog* dialog) {
+        ASSERT_NE(visibleButton(dialog), nullptr);
+        visibleButton(dialog)->click();
+    });
+    const auto endless = [](const Progress& progress) {
+        for (;;) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            reportProgress(progress, 0.5);
+        }
+    };
+    EXPECT_THROW(runLongWork(nullptr, "work", endless, Cancelling::Offered), Cancelled);
+}

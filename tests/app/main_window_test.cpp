@@ -1,0 +1,188 @@
+#include "app/editor/commands/region_edits.h"
+#include "app/editor/window/application.h"
+#include "app/editor/window/help.h"
+#include "app/editor/window/import_dialog.h"
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+
+#include <QCheckBox>
+#include <QMenuBar>
+#include <QSignalSpy>
+
+#include <algorithm>
+#include <stdexcept>
+
+using namespace esm;
+
+namespace {
+
+/// The letter after the "&", in lower case; null without one.
+QChar mnemonicOf(const QString& text) {
+    const int at = QString(text).replace("&&", "  ").indexOf('&');
+    return at < 0 ? QChar() : text[at + 1].toLower();
+}
+
+void expectDifferent(const QStringList& texts) {
+    QMap<QChar, QString> taken;
+    for (const QString& text : texts) {
+        const QChar key = mnemonicOf(text);
+        if (key.isNull()) continue;
+        EXPECT_FALSE(taken.contains(key)) << text.toStdString() << " and " << taken[key].toStdString();
+        taken[key] = text;
+    }
+}
+
+QStringList textsOf(const QWidget* menu) {
+    QStringList texts;
+    for (const QAction* action : menu->actions())
+        texts << action->text();
+    return texts;
+}
+
+class MainWindowTest : public EditorTest {
+protected:
+    void SetUp() override {
+        Project project = makeSample("tube");
+        // What the preview leaves out is said in the line that the tests look at.
+        project.scene.forces.clear();
+        project.scene.moves.clear();
+        project.scene.instrument.reset();
+        open(std::move(project));
+    }
+    QString message() const { return child<QLabel>("message")->text(); }
+    Eigen::Vector3d nearestVertex() const {
+        const auto& vertices = project().mesh->vertices;
+        const Eigen::Vector3d eye = window->view().camera().eye;
+        return *std::min_element(vertices.begin(), vertices.end(), [&](const auto& a, const auto& b) {
+            return (a - eye).norm() < (b - eye).norm();
+        });
+    }
+    void edit(const std::function<void(Project&)>& change) { window->document().edit("edit", change); }
+};
+
+} // namespace
+
+TEST_F(MainWindowTest, GivesEachEntryOfAMenuItsOwnLetter) {
+    expectDifferent(textsOf(window->menuBar()));
+    for (const auto* menu : window->menuBar()->findChildren<QMenu*>())
+        expectDifferent(textsOf(menu));
+}
+
+TEST_F(MainWindowTest, KeepsTheMenusLettersFreeOfThePanels) {
+    for (const auto* dock : window->findChildren<QDockWidget*>()) {
+        QStringList texts = textsOf(window->menuBar());
+        for (const auto* button : dock->findChildren<QAbstractButton*>())
+            texts << button->text();
+        for (const auto* label : dock->findChildren<QLabel*>())
+            if (label->buddy()) texts << label->text();
+        expectDifferent(texts);
+    }
+}
+
+TEST_F(MainWindowTest, SaysWhyAToolCannotBeTaken) {
+    const Actions& actions = window->windowActions();
+    edit([](Project& p) { p.regions.clear(); });
+    EXPECT_FALSE(actions.region->isEnabled());
+    EXPECT_TRUE(actions.region->toolTip().contains("Ctrl+R"));
+    window->view().setFocus();
+    press(Qt::Key_E);
+    EXPECT_EQ(window->view().tool(), ViewTool::Pull);
+    press(Qt::Key_J);
+    EXPECT_EQ(window->view().tool(), ViewTool::Pull);
+    press(Qt::Key_R, Qt::ControlModifier);
+    EXPECT_TRUE(actions.region->isEnabled());
+    press(Qt::Key_E);
+    EXPECT_EQ(window->view().tool(), ViewTool::Region);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(window->view().tool(), ViewTool::Select);
+    EXPECT_TRUE(actions.look->isChecked());
+}
+
+TEST_F(MainWindowTest, LetsGoWhereverTheFocusIs) {
+    ESM_EVENTUALLY(window->preview().status().playing);
+    QSignalSpy released(&window->view(), &OrganView::pullReleased);
+    QTest::mousePress(&window->view(), Qt::LeftButton, {}, placeOf(nearestVertex()));
+    massField()->setFocus();
+    ASSERT_EQ(released.count(), 0);
+    press(Qt::Key_Escape);
+    EXPECT_EQ(released.count(), 1);
+}
+
+TEST_F(MainWindowTest, EscapeTakesBackWhatIsTyped) {
+    const QString before = massField()->text();
+    typeInto(massField(), "0.5");
+    press(Qt::Key_Escape);
+    EXPECT_EQ(massField()->text(), before);
+    EXPECT_FALSE(window->document().isModified());
+}
+
+TEST_F(MainWindowTest, GoesWhileSomethingIsTyped) {
+    typeInto(massField(), "0.5");
+    window.reset();
+}
+
+TEST_F(MainWindowTest, SaysWhyTheTissueDoesNotMoveUntilItDoes) {
+    edit([](Project& p) { p.base.mass = -1; });
+    ESM_EVENTUALLY(!message().isEmpty());
+    const QString problem = message();
+    EXPECT_TRUE(child<QLabel>("message")->property("warning").toBool());
+    press(Qt::Key_0, Qt::ControlModifier);
+    press(Qt::Key_Space);
+    QTest::qWait(300);
+    EXPECT_EQ(message(), problem);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    ESM_EVENTUALLY(message() != problem);
+    EXPECT_FALSE(child<QLabel>("message")->property("warning").toBool());
+}
+
+TEST_F(MainWindowTest, SaysWhatThePreviewLeavesOut) {
+    EXPECT_EQ(message(), "");
+    edit([](Project& p) { p.scene.forces.push_back({0, Eigen::Vector3d(0, 0.1, 0), 0, 1}); });
+    EXPECT_TRUE(message().contains("forces"));
+    press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(message(), "");
+}
+
+TEST_F(MainWindowTest, TellsEveryKey) {
+    const QString text = keysText(window->windowActions());
+    for (const QAction* action : window->findChildren<QAction*>()) {
+        if (window->windowActions().standardViews.end() !=
+            std::find(window->windowActions().standardViews.begin(),
+                      window->windowActions().standardViews.end(), action))
+            continue;
+        for (const QKeySequence& key : action->shortcuts())
+            EXPECT_TRUE(text.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()))
+                << action->text().toStdString();
+    }
+    EXPECT_TRUE(text.contains(toolHint(ViewTool::Instrument)));
+}
+
+TEST_F(MainWindowTest, LivesOnWhenAnActionFails) {
+    QAction failing(window.get());
+    QObject::connect(&failing, &QAction::triggered, [] { throw std::runtime_error("no more paper"); });
+    failing.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_F12));
+    window->addAction(&failing);
+    QString said;
+    dialogs.expectNamed("problemBox", [&](QDialog* box) {
+        said = qobject_cast<QMessageBox*>(box)->informativeText();
+        box->accept();
+    });
+    QTimer::singleShot(0, &failing, [&] { failing.trigger(); });
+    ESM_EVENTUALLY(dialogs.isDone() && !said.isEmpty());
+    EXPECT_EQ(said, "no more paper");
+}
+
+TEST(ImportDialog, ShowsTheSizeOfWhatIsKept) {
+    ImportedSurface all{{200, 100, 100}, {}}, largest{{50, 40, 30}, {}};
+    all.report.components = 3;
+    all.report.warnings = {"three parts"};
+    largest.report.components = 1;
+    ImportDialog dialog("organ.obj", all, largest);
+    const auto* size = dialog.findChild<QLabel*>("importSize");
+    EXPECT_EQ(size->text(), "200 × 100 × 100 mm");
+    dialog.findChild<QComboBox*>("importKeep")->setCurrentIndex(1);
+    EXPECT_EQ(size->text(), "50 × 40 × 30 mm");
+    EXPECT_FALSE(dialog.findChild<QPlainTextEdit*>("importReport")->toPlainText().contains("three parts"));
+    for (const auto* choice : dialog.findChildren<QComboBox*>())
+        EXPECT_FALSE(choice->accessibleName().isEmpty());
+}
