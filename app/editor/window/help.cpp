@@ -2,15 +2,19 @@
 
 #include "widgets/view/view_tool.h"
 
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLabel>
 #include <QMessageBox>
+#include <QVBoxLayout>
 
 namespace esm {
 
 namespace {
 
 QString row(const QString& keys, const QString& does) {
-    return QStringLiteral("<tr><td style='padding:2px 20px 2px 0'><b>%1</b></td>"
-                          "<td style='padding:2px 40px 2px 0'>%2</td></tr>")
+    return QStringLiteral("<tr><td style='padding:2px 20px 2px 0; white-space:nowrap'><b>%1</b></td>"
+                          "<td style='padding:2px 40px 2px 0; white-space:nowrap'>%2</td></tr>")
         .arg(keys.toHtmlEscaped(), does.toHtmlEscaped());
 }
 
@@ -63,10 +67,17 @@ QString keysText(const Actions& a) {
 }
 
 void showKeys(QWidget* window, const Actions& actions) {
-    QMessageBox box(QMessageBox::NoIcon, QObject::tr("Keys and mouse"), keysText(actions), QMessageBox::Ok,
-                    window);
-    box.setObjectName(QStringLiteral("keysBox"));
-    box.exec();
+    QDialog dialog(window);
+    dialog.setWindowTitle(QObject::tr("Keys and mouse"));
+    dialog.setObjectName(QStringLiteral("keysDialog"));
+    auto* column = new QVBoxLayout(&dialog);
+    column->setContentsMargins(20, 18, 20, 18);
+    column->setSpacing(12);
+    column->addWidget(new QLabel(keysText(actions), &dialog));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok, &dialog);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    column->addWidget(buttons);
+    dialog.exec();
 }
 
 void showAbout(QWidget* window) {
