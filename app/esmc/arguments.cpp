@@ -25,9 +25,15 @@ double parseNumber(const std::string& text, const std::string& option) {
     return *value;
 }
 
-std::string rangeInWords(int least, int most) {
-    const std::string from = "from " + std::to_string(least);
-    return most == std::numeric_limits<int>::max() ? from + " on" : from + " to " + std::to_string(most);
+/// CLI11 itself would read leading zeros as octal. @param range " from 1 to 9", for the message
+CLI::Validator decimal(int least, int most, const std::string& range) {
+    const auto transform = [least, most, range](std::string& text) -> std::string {
+        const std::optional<int> value = parseWholeNumber(text, least, most);
+        if (!value) return "'" + text + "' is not a whole number" + range;
+        text = std::to_string(*value);
+        return "";
+    };
+    return CLI::Validator(transform, "");
 }
 
 } // namespace
@@ -109,13 +115,11 @@ std::optional<int> parseWholeNumber(const std::string& text, int least, int most
 }
 
 CLI::Validator wholeNumber(int least, int most) {
-    const auto transform = [least, most](std::string& text) -> std::string {
-        const std::optional<int> value = parseWholeNumber(text, least, most);
-        if (!value) return "'" + text + "' is not a whole number " + rangeInWords(least, most);
-        text = std::to_string(*value); // CLI11 would read leading zeros as octal
-        return "";
-    };
-    return CLI::Validator(transform, "");
+    return decimal(least, most, " from " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+CLI::Validator wholeNumber() {
+    return decimal(std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), "");
 }
 
 CLI::Validator oneOf(const std::vector<std::string>& values) {

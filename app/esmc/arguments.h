@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,13 +32,14 @@ CLI::Validator positiveNumber();
 /// A check for an option that takes a finite number, zero or more.
 CLI::Validator nonNegativeNumber();
 
-/// Digits and perhaps a sign, always decimal: "0100" is a hundred. Nothing where that is not a number from
+/// Digits and perhaps a minus, always decimal: "0100" is a hundred. Nothing where that is not a number from
 /// `least` to `most`.
-std::optional<int> parseWholeNumber(const std::string& text, int least,
-                                    int most = std::numeric_limits<int>::max());
+std::optional<int> parseWholeNumber(const std::string& text, int least, int most);
 
 /// For `transform` of an option that takes a whole number: the number as `parseWholeNumber` understands it.
-CLI::Validator wholeNumber(int least, int most = std::numeric_limits<int>::max());
+CLI::Validator wholeNumber(int least, int most);
+/// The same of any number, for options whose range the work knows better.
+CLI::Validator wholeNumber();
 
 /// A check for an option whose values are known; the message of any other value lists them.
 CLI::Validator oneOf(const std::vector<std::string>& values);

@@ -24,12 +24,12 @@ void declarePack(CLI::App& command, PackOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
         ->required();
-    // The packer says how much of each the mesh can do with.
+    // The packer says which of these the mesh can do with.
     command.add_option("--size", options.atlas.size, "Width and height of a page, pixels (2048)")
-        ->transform(wholeNumber(1));
-    command.add_option("--pages", options.atlas.pages, "Pages (1)")->transform(wholeNumber(1));
+        ->transform(wholeNumber());
+    command.add_option("--pages", options.atlas.pages, "Pages (1)")->transform(wholeNumber());
     command.add_option("--gap", options.atlas.gap, "Pixels between any two triangles (2)")
-        ->transform(wholeNumber(0));
+        ->transform(wholeNumber());
 }
 
 void pack(Project& project) {

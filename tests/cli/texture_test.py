@@ -66,9 +66,10 @@ class TextureTest(Case):
 
     def test_an_impossible_size_is_refused_with_one_that_fits(self):
         project = self.sample("liver")
-        message = self.fails(1, "texture", "pack", project, "--size", "64", "-o", self.file("b.esm"), naming=project)
-        smallest = max(int(word) for word in message.replace(";", " ").replace(",", " ").replace(".", " ").split() if word.isdigit())
-        self.done("texture", "pack", project, "--size", smallest, "-o", self.file("b.esm"))
+        for size in ("64", "0", "-5"):
+            message = self.fails(1, "texture", "pack", project, "--size", size, "-o", self.file("b.esm"), naming=project)
+            smallest = max(int(word) for word in message.replace(";", " ").replace(",", " ").replace(".", " ").split() if word.isdigit())
+            self.done("texture", "pack", project, "--size", smallest, "-o", self.file("b.esm"))
         for line in (["--size", "0"], ["--gap", "-1"], ["--pages", "0"], ["--size", "2000000000"]):
             self.assertIn(self.failing_code("texture", "pack", project, *line, "-o", self.file("c.esm")), (1, 2))
         self.assertFalse(self.file("c.esm").exists())
