@@ -29,6 +29,8 @@ SafeStepFinder::~SafeStepFinder() {
         m_stop = true;
     }
     m_changed.notify_one();
+    // Nobody is kept waiting for what idles.
+    m_thread->setPriority(QThread::NormalPriority);
     m_thread->wait();
 }
 
