@@ -1,19 +1,16 @@
 #include "app/esmc/report.h"
 
 #include "core/support/errors.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <sstream>
 
 namespace esm {
 
 std::string inText(double value) {
-    std::ostringstream text;
-    text.precision(4);
-    text << value;
-    return text.str();
+    return numberText(value, 4);
 }
 
 std::string inText(const Eigen::Vector3d& value) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <optional>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,13 +18,18 @@ namespace {
 
 constexpr std::size_t bufferSize = 1 << 20;
 
-/// The permissions an existing file has, or those a new file gets.
-mode_t permissionsOf(const fs::path& file) {
+/// The permissions of an existing file.
+std::optional<mode_t> permissionsOf(const fs::path& file) {
     struct stat status {};
-    if (::stat(file.c_str(), &status) == 0) return status.st_mode & 07777;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    return 0666 & ~mask;
+    if (::stat(file.c_str(), &status) != 0) return std::nullopt;
+    return status.st_mode & 07777;
+}
+
+/// Renaming would replace what its owner has protected, and the superuser may write everywhere.
+bool isWriteProtected(const fs::path& file) {
+    const std::optional<mode_t> permissions = permissionsOf(file);
+    return permissions &&
+           ((*permissions & 0222) == 0 || ::faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) != 0);
 }
 
 /// Where a path leads, or why it cannot be written.
@@ -31,9 +37,13 @@ fs::path checkedTarget(const fs::path& file) {
     std::error_code error;
     if (file.empty() || !file.has_filename()) throw FileError(file, "is no file's name; name a file");
     const fs::file_status status = fs::status(file, error);
+    if (!fs::status_known(status))
+        throw FileError(file, "cannot be reached: " + error.message() + "; check the folder's permissions");
     if (fs::is_directory(status)) throw FileError(file, "is a folder; name a file");
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw FileError(file, "is not a regular file; name another file to write to");
+    if (isWriteProtected(file))
+        throw FileError(file, "is write-protected; allow writing to it or name another file");
     const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
     const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
     if (!fs::is_directory(folder, error))
@@ -47,23 +57,39 @@ std::string descriptorPath(int descriptor) {
 }
 
 /// A file without a name, or -1 where the file system has no such thing.
-int openNameless(const fs::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+int openNameless(const fs::path& folder, mode_t permissions) {
+    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, permissions);
     if (descriptor < 0) return -1;
     if (::access(descriptorPath(descriptor).c_str(), F_OK) == 0) return descriptor;
     ::close(descriptor);
     return -1;
 }
 
+/// Offers names beside the target until `take` says that one was free. False, with errno, on another error.
+template<typename Take> bool takeFreeName(const fs::path& target, std::string& taken, Take take) {
+    for (int attempt = 0;; ++attempt) {
+        const std::string name =
+            target.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+        if (take(name.c_str())) {
+            taken = name;
+            return true;
+        }
+        if (errno != EEXIST) return false;
+    }
+}
+
 } // namespace
 
 AtomicFile::AtomicFile(const fs::path& target) : m_file(target), m_target(checkedTarget(target)) {
-    m_descriptor = openNameless(m_target.has_parent_path() ? m_target.parent_path() : ".");
+    // Never readable by more than the file it replaces; a new one gets what the process gives new files.
+    const mode_t permissions = permissionsOf(m_target).value_or(0666) & 0666;
+    m_descriptor = openNameless(m_target.has_parent_path() ? m_target.parent_path() : ".", permissions);
     if (m_descriptor >= 0) return;
-    std::string name = m_target.string() + ".XXXXXX";
-    m_descriptor = ::mkstemp(name.data());
-    if (m_descriptor < 0) fail();
-    m_name = name;
+    const auto create = [&](const char* name) {
+        m_descriptor = ::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, permissions);
+        return m_descriptor >= 0;
+    };
+    if (!takeFreeName(m_target, m_name, create)) fail();
 }
 
 AtomicFile::~AtomicFile() {
@@ -95,14 +121,10 @@ void AtomicFile::writeOut(std::string_view data) {
 
 void AtomicFile::giveName() {
     const std::string from = descriptorPath(m_descriptor);
-    for (int attempt = 0; m_name.empty(); ++attempt) {
-        const std::string name =
-            m_target.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-        if (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
-            m_name = name;
-        else if (errno != EEXIST)
-            fail();
-    }
+    const auto link = [&](const char* name) {
+        return ::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+    };
+    if (!takeFreeName(m_target, m_name, link)) fail();
 }
 
 void AtomicFile::sync() {
@@ -111,7 +133,8 @@ void AtomicFile::sync() {
 }
 
 void AtomicFile::commit() {
-    if (::fchmod(m_descriptor, permissionsOf(m_target)) != 0) fail();
+    const std::optional<mode_t> permissions = permissionsOf(m_target);
+    if (permissions && ::fchmod(m_descriptor, *permissions) != 0) fail();
     sync();
     if (m_name.empty()) giveName();
     const int descriptor = m_descriptor;

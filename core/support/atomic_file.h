@@ -11,7 +11,8 @@ namespace esm {
 /// when the process is killed.
 class AtomicFile {
 public:
-    /// @throws FileError when the folder is missing or read-only, or the target is no regular file
+    /// @throws FileError when the folder is missing or read-only, or the target is no regular file or is
+    /// write-protected
     explicit AtomicFile(const std::filesystem::path& target);
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;

@@ -13,7 +13,8 @@ using Bytes = std::vector<std::uint8_t>;
 Bytes readFile(const std::filesystem::path& file);
 
 /// Replaces `file` by `content`, or leaves it untouched: written to a new file beside it, synced, renamed.
-/// @throws FileError when the folder is missing or read-only, or the disk is full; the new file is removed.
+/// @throws FileError when the folder is missing or read-only, the file is write-protected or the disk is
+/// full; the new file is removed.
 void writeFileAtomically(const std::filesystem::path& file, const Bytes& content);
 void writeFileAtomically(const std::filesystem::path& file, const std::string& content);
 

@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,6 +68,31 @@ TEST(AtomicFile, KeepsTheOldFileOnAFullDisk) {
     EXPECT_EQ(WEXITSTATUS(status), 7);
     EXPECT_EQ(readFile(folder / "a"), (Bytes{'o', 'l', 'd'}));
     EXPECT_EQ(filesIn(folder).size(), 1u);
+}
+
+TEST(AtomicFile, LeavesAWriteProtectedFileAlone) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "a", std::string("old"));
+    ASSERT_EQ(::chmod((folder / "a").c_str(), 0444), 0);
+    try {
+        AtomicFile file(folder / "a");
+        FAIL() << "accepted";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("write-protected"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(readFile(folder / "a"), (Bytes{'o', 'l', 'd'}));
+    EXPECT_EQ(filesIn(folder).size(), 1u);
+}
+
+TEST(AtomicFile, GivesANewFileThePermissionsOfNewFiles) {
+    const TemporaryFolder folder;
+    const mode_t before = ::umask(027);
+    writeFileAtomically(folder / "a", std::string("x"));
+    const mode_t after = ::umask(before);
+    EXPECT_EQ(after, mode_t{027}) << "the process' own mask was changed";
+    struct stat status {};
+    ASSERT_EQ(::stat((folder / "a").c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, 0640u);
 }
 
 TEST(AtomicFile, RefusesWhatIsNoRegularFile) {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+namespace esm {
+
+/// Numbers of tissue and of fuzzy systems are no larger, and masses no smaller than one over it: squares and
+/// products of a few of them then stay within what a double holds.
+inline constexpr double largestNumber = 1e30;
+
+/// Finite and above zero.
+inline bool isPositive(double value) {
+    return value > 0 && std::isfinite(value);
+}
+
+/// Zero up to the largest number: what a spring constant, a viscosity or a length may be.
+inline bool isAmount(double value) {
+    return value >= 0 && value <= largestNumber;
+}
+
+/// What a mass may be.
+inline bool isMass(double value) {
+    return value >= 1 / largestNumber && value <= largestNumber;
+}
+
+/// A number for people, with as many significant digits at most.
+std::string numberText(double value, int digits = 6);
+
+} // namespace esm

@@ -1,0 +1,27 @@
+#include "core/support/numbers.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+TEST(Numbers, ArePositiveOnlyWhenFinite) {
+    EXPECT_TRUE(isPositive(5e-324));
+    EXPECT_TRUE(isPositive(1e308));
+    for (const double value : {0.0, -1.0, double{NAN}, double{INFINITY}})
+        EXPECT_FALSE(isPositive(value)) << value;
+}
+
+TEST(Numbers, OfTissueAreBounded) {
+    EXPECT_TRUE(isAmount(0) && isAmount(1e30));
+    EXPECT_TRUE(isMass(1e-30) && isMass(1e30));
+    for (const double value : {-1e-300, 1.1e30, double{NAN}, double{INFINITY}})
+        EXPECT_FALSE(isAmount(value) || isMass(value)) << value;
+    EXPECT_FALSE(isMass(0));
+}
+
+TEST(NumberText, HasSoManyDigitsAtMost) {
+    EXPECT_EQ(numberText(0.5), "0.5");
+    EXPECT_EQ(numberText(1.0 / 3), "0.333333");
+    EXPECT_EQ(numberText(1.0 / 3, 2), "0.33");
+    EXPECT_EQ(numberText(1e30), "1e+30");
+}
