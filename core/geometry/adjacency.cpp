@@ -1,7 +1,8 @@
 #include "core/geometry/adjacency.h"
 
+#include "core/geometry/disjoint_sets.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace esm {
 
@@ -30,29 +31,17 @@ EdgeCounts countEdges(const std::vector<TriangleSide>& sides) {
     return counts;
 }
 
-namespace {
-
-std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t vertex) {
-    while (parents[vertex] != vertex)
-        vertex = parents[vertex] = parents[parents[vertex]];
-    return vertex;
-}
-
-} // namespace
-
 Parts connectedParts(const std::vector<Triangle>& triangles, std::size_t vertexCount) {
-    std::vector<std::uint32_t> parents(vertexCount);
-    std::iota(parents.begin(), parents.end(), 0);
-    for (const Triangle& triangle : triangles)
-        for (std::size_t corner = 1; corner < 3; ++corner) {
-            const std::uint32_t a = rootOf(parents, triangle[0]), b = rootOf(parents, triangle[corner]);
-            parents[std::max(a, b)] = std::min(a, b);
-        }
-    std::vector<std::uint32_t> partOfRoot(vertexCount, noIndex);
+    DisjointSets sets(vertexCount);
+    for (const Triangle& triangle : triangles) {
+        sets.join(triangle[0], triangle[1]);
+        sets.join(triangle[0], triangle[2]);
+    }
+    std::vector<std::uint32_t> partOfSet(vertexCount, noIndex);
     Parts parts;
     parts.ofTriangle.reserve(triangles.size());
     for (const Triangle& triangle : triangles) {
-        std::uint32_t& part = partOfRoot[rootOf(parents, triangle[0])];
+        std::uint32_t& part = partOfSet[sets.lowest(triangle[0])];
         if (part == noIndex) part = static_cast<std::uint32_t>(parts.count++);
         parts.ofTriangle.push_back(part);
     }

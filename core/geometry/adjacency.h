@@ -31,6 +31,9 @@ struct EdgeCounts {
     std::size_t boundary = 0;     ///< of one triangle
     std::size_t nonManifold = 0;  ///< of more than two
     std::size_t inconsistent = 0; ///< of two triangles that run along it in the same direction
+
+    /// Whether the triangles enclose a volume: no border, and an inside and an outside everywhere.
+    bool isClosed() const { return boundary + inconsistent == 0; }
 };
 
 EdgeCounts countEdges(const std::vector<TriangleSide>& sides);

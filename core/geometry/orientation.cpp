@@ -67,12 +67,8 @@ private:
         const Eigen::Vector3d& origin = m_vertices[m_triangles[seed][0]];
         for (const std::uint32_t triangle : patch.triangles)
             patch.sixfoldVolume +=
-                (m_turned[triangle] ? -1 : 1) * sixfoldVolume(m_triangles[triangle], origin);
+                (m_turned[triangle] ? -1 : 1) * sixfoldVolume(m_vertices, m_triangles[triangle], origin);
         m_patches.push_back(std::move(patch));
-    }
-
-    double sixfoldVolume(const Triangle& t, const Eigen::Vector3d& origin) const {
-        return (m_vertices[t[0]] - origin).dot((m_vertices[t[1]] - origin).cross(m_vertices[t[2]] - origin));
     }
 
     /// A patch encloses a volume when along every edge it runs as often one way as the other. That holds for

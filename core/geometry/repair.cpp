@@ -5,6 +5,7 @@
 #include "core/geometry/polygon_split.h"
 #include "core/geometry/weld.h"
 #include "core/support/errors.h"
+#include "core/support/offenders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,26 +27,27 @@ struct Workpiece {
 };
 
 void check(const PolygonSoup& soup, const RepairOptions& options) {
+    std::vector<std::string> problems;
+    const std::size_t vertices = soup.vertices.size(), faces = soup.polygons.size();
     if (!(options.weldDistance >= 0) || !std::isfinite(options.weldDistance))
-        throw InvalidModel("the weld distance must be zero or more");
-    if (soup.vertices.size() >= noIndex)
-        throw InvalidModel("the mesh has more vertices than can be numbered");
-    for (std::size_t i = 0; i < soup.vertices.size(); ++i)
-        if (!(soup.vertices[i].array().abs() <= largestCoordinate).all())
-            throw InvalidModel("vertex " + std::to_string(i) +
-                               " of the mesh has a coordinate that is not a number " + "or is too large");
-    for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
-        const std::vector<std::uint32_t>& polygon = soup.polygons[i];
-        if (polygon.size() < 3 || polygon.size() > mostCorners)
-            throw InvalidModel("face " + std::to_string(i) + " of the mesh has " +
-                               std::to_string(polygon.size()) + " corners; 3 to " +
-                               std::to_string(mostCorners) + " are possible");
-        for (const std::uint32_t vertex : polygon)
-            if (vertex >= soup.vertices.size())
-                throw InvalidModel("face " + std::to_string(i) + " of the mesh names vertex " +
-                                   std::to_string(vertex) + ", but there are " +
-                                   std::to_string(soup.vertices.size()));
-    }
+        problems.emplace_back("the weld distance must be zero or more");
+    if (vertices >= noIndex) problems.emplace_back("the mesh has more vertices than can be numbered");
+    reportOffenders(problems, "mesh point", "with a coordinate that is not a number or is too large",
+                    placesWhere(vertices, [&](std::size_t i) {
+                        return !(soup.vertices[i].array().abs() <= largestCoordinate).all();
+                    }));
+    reportOffenders(problems, "face", "with other than 3 to " + std::to_string(mostCorners) + " corners",
+                    placesWhere(faces, [&](std::size_t i) {
+                        return soup.polygons[i].size() < 3 || soup.polygons[i].size() > mostCorners;
+                    }));
+    reportOffenders(problems, "face",
+                    "that names a mesh point beyond the " + std::to_string(vertices) + " there are",
+                    placesWhere(faces, [&](std::size_t i) {
+                        const std::vector<std::uint32_t>& corners = soup.polygons[i];
+                        return std::any_of(corners.begin(), corners.end(),
+                                           [&](std::uint32_t vertex) { return vertex >= vertices; });
+                    }));
+    if (!problems.empty()) throw InvalidModel(std::move(problems));
 }
 
 /// A polygon's corners after welding, without corners that fell onto their predecessor.

@@ -12,8 +12,8 @@ namespace esm {
 enum class KeepParts { All, Largest };
 
 struct RepairOptions {
-    double weldDistance =
-        0; ///< vertices closer than this become one; 0 welds exactly equal ones. Unit of the soup
+    /// Vertices no farther apart than this become one; 0 welds exactly equal ones. Unit of the soup.
+    double weldDistance = 0;
     KeepParts keep = KeepParts::All; ///< `Largest`: the connected part with the most triangles
 };
 
@@ -31,11 +31,12 @@ struct RepairReport {
     std::size_t boundaryEdgesBefore = 0, nonManifoldEdgesBefore = 0;
     std::size_t boundaryEdges = 0,
                 nonManifoldEdges = 0;  ///< of the result: one triangle, more than two triangles
-    std::size_t inconsistentEdges = 0; ///< neighbours that cannot agree (a Möbius strip, non-manifold walls)
+    std::size_t inconsistentEdges = 0; ///< between two triangles that cannot agree, as on a Möbius strip
     std::vector<std::string> warnings; ///< for people: what was repaired and what remains
 
     std::size_t removedTriangles() const { return degenerateTriangles + duplicateTriangles; }
-    bool isClosed() const { return boundaryEdges == 0; }
+    /// Whether the mesh encloses a volume: no border, and an inside and an outside everywhere.
+    bool isClosed() const { return boundaryEdges + inconsistentEdges == 0; }
 };
 
 struct RepairedMesh {
@@ -46,7 +47,8 @@ struct RepairedMesh {
 /// Makes a triangle mesh that can carry springs of a soup of polygons: welds equal vertices, splits polygons,
 /// drops degenerate and duplicate triangles and unused vertices, makes neighbouring triangles agree in
 /// orientation and closed parts face outwards. Open borders and non-manifold edges are kept and counted.
-/// @throws InvalidModel when a coordinate is not finite, an index is out of range or no triangle remains
+/// @throws InvalidModel with every coordinate that is not finite or beyond 10¹² and every face that names a
+/// missing vertex or has too few or too many corners; or when no triangle remains
 RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options = {});
 
 } // namespace esm

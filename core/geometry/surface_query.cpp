@@ -1,55 +1,32 @@
 #include "core/geometry/surface_query.h"
 
+#include "core/geometry/nearest_weights.h"
 #include "core/support/errors.h"
 
 #include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace esm {
 
 namespace {
 
-// Embree computes in float; what it finds is computed again in double, and its limits get this much slack,
-// relative to a scene scaled to about 1.
-constexpr float slack = 1e-6F;
-
-/// Weights of the corners of the triangle's point that is nearest to a point.
-Eigen::Vector3d nearestWeights(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
-                               const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-    const auto onEdge = [&point](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-        const Eigen::Vector3d along = to - from;
-        const double squared = along.squaredNorm();
-        return squared > 0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
-    };
-    const Eigen::Vector3d ab = b - a, ac = c - a, ap = point - a;
-    const Eigen::Vector3d normal = ab.cross(ac);
-    const double squared = normal.squaredNorm();
-    if (squared > 0) {
-        const double weightB = ap.cross(ac).dot(normal) / squared,
-                     weightC = ab.cross(ap).dot(normal) / squared;
-        if (weightB >= 0 && weightC >= 0 && weightB + weightC <= 1)
-            return {1 - weightB - weightC, weightB, weightC};
-    }
-    const double s = onEdge(a, b), t = onEdge(b, c), u = onEdge(c, a);
-    const std::array<Eigen::Vector3d, 3> candidates{
-        Eigen::Vector3d(1 - s, s, 0), Eigen::Vector3d(0, 1 - t, t), Eigen::Vector3d(u, 0, 1 - u)};
-    const auto distance = [&](const Eigen::Vector3d& w) {
-        return (w[0] * a + w[1] * b + w[2] * c - point).squaredNorm();
-    };
-    return *std::min_element(candidates.begin(), candidates.end(),
-                             [&](const Eigen::Vector3d& left, const Eigen::Vector3d& right) {
-                                 return distance(left) < distance(right);
-                             });
+/// @throws InvalidModel when Embree could not do what it was asked for last
+void checkLastError(RTCDevice device) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_NONE) return;
+    if (error == RTC_ERROR_OUT_OF_MEMORY)
+        throw InvalidModel("the surface is too large for the memory there is");
+    throw InvalidModel("rays cannot be followed to the surface on this machine (Embree error " +
+                       std::to_string(static_cast<int>(error)) + ")");
 }
 
-/// A distance as a limit for Embree: scaled, with the slack, and never beyond what float can hold.
-float scaledLimit(double distance, double scale) {
-    constexpr double most = std::numeric_limits<float>::max() / 2;
-    return static_cast<float>(std::min(distance * scale, most)) * (1 + slack) + slack;
+RTCDevice newDevice() {
+    RTCDevice device = rtcNewDevice(nullptr);
+    if (!device) checkLastError(nullptr);
+    return device;
 }
 
 } // namespace
@@ -72,6 +49,7 @@ struct SurfaceQuery::Implementation {
                    std::vector<Triangle> initialTriangles);
 
     void setPositions(const std::vector<Eigen::Vector3d>& newPositions);
+    void commitScene();
     Eigen::Vector3f scaled(const Eigen::Vector3d& point) const {
         return ((point - centre) * scale).cast<float>();
     }
@@ -79,7 +57,6 @@ struct SurfaceQuery::Implementation {
     const Eigen::Vector3d& corner(std::uint32_t triangle, std::size_t index) const {
         return positions[triangles[triangle][index]];
     }
-    NearestPoint nearestOn(std::uint32_t triangle, const Eigen::Vector3d& point) const;
 
     std::vector<Eigen::Vector3d> positions;
     std::vector<Triangle> triangles;
@@ -93,7 +70,7 @@ struct SurfaceQuery::Implementation {
 
 SurfaceQuery::Implementation::Implementation(const std::vector<Eigen::Vector3d>& initialPositions,
                                              std::vector<Triangle> initialTriangles)
-    : triangles(std::move(initialTriangles)), device(rtcNewDevice(nullptr)), scene(rtcNewScene(device.get())),
+    : triangles(std::move(initialTriangles)), device(newDevice()), scene(rtcNewScene(device.get())),
       geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE)) {
     for (const Triangle& triangle : triangles)
         for (const std::uint32_t vertex : triangle)
@@ -105,12 +82,17 @@ SurfaceQuery::Implementation::Implementation(const std::vector<Eigen::Vector3d>&
                                 3 * sizeof(float), std::max<std::size_t>(initialPositions.size(), 1)));
     void* indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                             sizeof(Triangle), std::max<std::size_t>(triangles.size(), 1));
-    if (!scaledPositions || !indices) throw InvalidModel("the surface is too large for the memory there is");
+    checkLastError(device.get());
     std::copy(triangles.begin(), triangles.end(), static_cast<Triangle*>(indices));
     rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_REFIT);
     setPositions(initialPositions);
     if (!triangles.empty()) rtcAttachGeometry(scene.get(), geometry.get());
+    commitScene();
+}
+
+void SurfaceQuery::Implementation::commitScene() {
     rtcCommitScene(scene.get());
+    checkLastError(device.get());
 }
 
 void SurfaceQuery::Implementation::setPositions(const std::vector<Eigen::Vector3d>& newPositions) {
@@ -125,6 +107,7 @@ void SurfaceQuery::Implementation::setPositions(const std::vector<Eigen::Vector3
         Eigen::Map<Eigen::Vector3f>(scaledPositions + 3 * i) = scaled(positions[i]);
     rtcUpdateGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0);
     rtcCommitGeometry(geometry.get());
+    checkLastError(device.get());
 }
 
 RTCRay SurfaceQuery::Implementation::scaledRay(const Eigen::Vector3d& origin,
@@ -142,13 +125,6 @@ RTCRay SurfaceQuery::Implementation::scaledRay(const Eigen::Vector3d& origin,
     return ray;
 }
 
-NearestPoint SurfaceQuery::Implementation::nearestOn(std::uint32_t triangle,
-                                                     const Eigen::Vector3d& point) const {
-    const Eigen::Vector3d &a = corner(triangle, 0), &b = corner(triangle, 1), &c = corner(triangle, 2);
-    const Eigen::Vector3d weights = nearestWeights(point, a, b, c);
-    return {triangle, weights, weights[0] * a + weights[1] * b + weights[2] * c};
-}
-
 SurfaceQuery::SurfaceQuery(const std::vector<Eigen::Vector3d>& positions,
                            const std::vector<Triangle>& triangles)
     : m_implementation(std::make_unique<Implementation>(positions, triangles)) {}
@@ -161,7 +137,7 @@ void SurfaceQuery::refit(const std::vector<Eigen::Vector3d>& positions) {
         throw InvalidModel("the surface has " + std::to_string(m_implementation->positions.size()) +
                            " vertices and was given " + std::to_string(positions.size()) + " positions");
     m_implementation->setPositions(positions);
-    rtcCommitScene(m_implementation->scene.get());
+    m_implementation->commitScene();
 }
 
 std::optional<RayHit> SurfaceQuery::firstHit(const Ray& ray) const {
@@ -182,16 +158,16 @@ std::optional<RayHit> SurfaceQuery::firstHit(const Ray& ray) const {
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
     const std::uint32_t triangle = query.hit.primID;
-    const Eigen::Vector3d& a = surface.corner(triangle, 0);
-    const Eigen::Vector3d ab = surface.corner(triangle, 1) - a, ac = surface.corner(triangle, 2) - a;
-    const Eigen::Vector3d normal = ab.cross(ac), fromA = ray.origin - a;
+    const Eigen::Vector3d &a = surface.corner(triangle, 0), &b = surface.corner(triangle, 1),
+                          &c = surface.corner(triangle, 2);
+    const Eigen::Vector3d normal = (b - a).cross(c - a), fromA = ray.origin - a;
     const double across = direction.dot(normal), squared = normal.squaredNorm();
     const double hitInFloat = skipped + double{query.ray.tfar} / surface.scale;
     // A triangle seen edge-on has no better distance than the one found.
     const bool edgeOn = !(across * across > 1e-12 * squared);
     const double distance = edgeOn ? hitInFloat : std::max(0.0, -fromA.dot(normal) / across);
-    const NearestPoint place = surface.nearestOn(triangle, ray.origin + distance * direction);
-    return RayHit{triangle, place.barycentric, distance};
+    const Eigen::Vector3d place = ray.origin + distance * direction;
+    return RayHit{triangle, nearestWeights(place, a, b, c), distance};
 }
 
 bool SurfaceQuery::isBlocked(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin) const {
@@ -205,51 +181,6 @@ bool SurfaceQuery::isBlocked(const Eigen::Vector3d& from, const Eigen::Vector3d&
     rtcInitIntersectContext(&context);
     rtcOccluded1(surface.scene.get(), &context, &ray);
     return ray.tfar < 0;
-}
-
-namespace {
-
-/// What a search for the nearest point has found so far, in metres.
-struct Search {
-    const Eigen::Vector3d& point;
-    const std::function<NearestPoint(std::uint32_t)> nearestOn;
-    double scale;
-    double distance;
-    std::optional<NearestPoint> found;
-};
-
-bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
-    Search& search = *static_cast<Search*>(arguments->userPtr);
-    const NearestPoint candidate = search.nearestOn(arguments->primID);
-    const double distance = (candidate.point - search.point).norm();
-    const bool nearer =
-        distance < search.distance ||
-        (distance == search.distance && (!search.found || candidate.triangle < search.found->triangle));
-    if (!nearer) return false;
-    search.distance = distance;
-    search.found = candidate;
-    arguments->query->radius = scaledLimit(distance, search.scale);
-    return true;
-}
-
-} // namespace
-
-std::optional<NearestPoint> SurfaceQuery::nearestPoint(const Eigen::Vector3d& point,
-                                                       double maximumDistance) const {
-    const Implementation& surface = *m_implementation;
-    if (!point.allFinite() || !(maximumDistance >= 0)) return std::nullopt;
-    Search search{point, [&](std::uint32_t triangle) { return surface.nearestOn(triangle, point); },
-                  surface.scale, maximumDistance, std::nullopt};
-    const Eigen::Vector3f place = surface.scaled(point);
-    RTCPointQuery query{};
-    query.x = place.x();
-    query.y = place.y();
-    query.z = place.z();
-    query.radius = scaledLimit(maximumDistance, surface.scale);
-    RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(surface.scene.get(), &query, &context, visitTriangle, &search);
-    return search.found;
 }
 
 } // namespace esm

@@ -18,24 +18,19 @@ struct RayHit {
     double distance;             ///< m, along the normalised direction
 };
 
-struct NearestPoint {
-    std::uint32_t triangle;
-    Eigen::Vector3d barycentric;
-    Eigen::Vector3d point; ///< m
-};
-
-/// Rays and nearest points against a surface whose vertices may move (bounding-volume tree, refitted by
-/// Embree).
+/// Rays against a surface whose vertices may move (bounding-volume tree, refitted by Embree).
 class SurfaceQuery {
 public:
-    /// @throws InvalidModel when a position is not finite or a triangle names a missing vertex
+    /// @throws InvalidModel when a position is not finite, a triangle names a missing vertex or memory runs
+    /// out
     SurfaceQuery(const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& triangles);
     SurfaceQuery(SurfaceQuery&&) noexcept;
     SurfaceQuery& operator=(SurfaceQuery&&) noexcept;
     ~SurfaceQuery();
 
     /// Takes new positions of the same vertices.
-    /// @throws InvalidModel when one is not finite or their number differs; what was before then stays
+    /// @throws InvalidModel when one is not finite or their number differs, what was before then stays; or
+    /// when memory runs out
     void refit(const std::vector<Eigen::Vector3d>& positions);
 
     /// The first triangle that a ray meets, from either side.
@@ -43,9 +38,6 @@ public:
 
     /// True when anything lies between the two points, `margin` (m) left free at both ends.
     bool isBlocked(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin) const;
-
-    /// The surface's nearest point within `maximumDistance` (m).
-    std::optional<NearestPoint> nearestPoint(const Eigen::Vector3d& point, double maximumDistance) const;
 
 private:
     struct Implementation;

@@ -37,10 +37,15 @@ double enclosedVolume(const TriangleMesh& mesh) {
     if (mesh.vertices.empty()) return 0;
     const Eigen::Vector3d origin = boundingBox(mesh.vertices).center();
     double sixfold = 0;
-    for (const Triangle& t : mesh.triangles)
-        sixfold += (mesh.vertices[t[0]] - origin)
-                       .dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
+    for (const Triangle& triangle : mesh.triangles)
+        sixfold += sixfoldVolume(mesh.vertices, triangle, origin);
     return sixfold / 6;
+}
+
+double sixfoldVolume(const std::vector<Eigen::Vector3d>& vertices, const Triangle& triangle,
+                     const Eigen::Vector3d& point) {
+    const auto& [a, b, c] = triangle;
+    return (vertices[a] - point).dot((vertices[b] - point).cross(vertices[c] - point));
 }
 
 std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& positions,

@@ -36,6 +36,11 @@ double surfaceArea(const TriangleMesh& mesh);
 /// Volume enclosed by a closed, consistently oriented surface, m³; negative when it faces inwards.
 double enclosedVolume(const TriangleMesh& mesh);
 
+/// Six times the volume, m³, of the tetrahedron between a triangle and a point; positive when the triangle
+/// faces away from the point.
+double sixfoldVolume(const std::vector<Eigen::Vector3d>& vertices, const Triangle& triangle,
+                     const Eigen::Vector3d& point);
+
 /// Unit normals at the vertices, area-weighted. A vertex whose triangles have no area gets (0, 0, 1).
 std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& positions,
                                            const std::vector<Triangle>& triangles);

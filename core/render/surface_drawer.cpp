@@ -27,9 +27,10 @@ bool isTextured(const RenderScene& scene) {
            scene.atlas->page.size() == scene.mesh->triangles.size();
 }
 
-bool isClosed(const TriangleMesh& mesh) {
+/// Seen from outside, every triangle that faces away is hidden by others.
+bool hidesItsInside(const TriangleMesh& mesh) {
     const EdgeCounts counts = countEdges(sidesByEdge(mesh.triangles));
-    return counts.boundary + counts.nonManifold + counts.inconsistent == 0 && enclosedVolume(mesh) > 0;
+    return counts.isClosed() && counts.nonManifold == 0 && enclosedVolume(mesh) > 0;
 }
 
 } // namespace
@@ -102,7 +103,7 @@ void SurfaceDrawer::drawPages() const {
 void SurfaceDrawer::takeTriangles(const std::shared_ptr<const TriangleMesh>& mesh) {
     if (mesh == m_mesh) return;
     m_mesh = mesh;
-    m_closed = isClosed(*mesh);
+    m_closed = hidesItsInside(*mesh);
     m_atlas.reset();
     m_vertices.clear();
     m_plainArray.bind();

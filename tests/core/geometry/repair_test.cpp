@@ -243,16 +243,46 @@ TEST(Repair, SplitsAConcavePolygonIntoTheSameArea) {
     }
 }
 
+TEST(Repair, ListsEverythingThatIsWrongAtOnce) {
+    PolygonSoup soup = cubeSoup();
+    soup.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
+    soup.vertices[7].y() = 1e300;
+    soup.polygons[1] = {0, 1};
+    soup.polygons[4][2] = 99;
+    RepairOptions options;
+    options.weldDistance = -1;
+    try {
+        repair(soup, options);
+        FAIL() << "accepted";
+    } catch (const InvalidModel& error) {
+        EXPECT_THAT(error.problems(),
+                    testing::ElementsAre(HasSubstr("weld distance"), HasSubstr("mesh point 3, 7"),
+                                         HasSubstr("face 1"), HasSubstr("face 4")));
+    }
+}
+
+/// Six points and ten triangles of which each edge has two: a closed surface with one side only.
+TEST(Repair, DoesNotCallAProjectivePlaneClosed) {
+    PolygonSoup soup;
+    soup.vertices = {{0, 0, 0}, {1, 0, 0.2}, {0.3, 1, 0}, {0.2, 0.1, 1}, {-1, 0.4, 0.3}, {0.1, -0.8, -0.9}};
+    soup.polygons = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
+                     {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
+    const RepairReport report = repair(soup).report;
+    EXPECT_EQ(report.boundaryEdges, 0U);
+    EXPECT_GT(report.inconsistentEdges, 0U);
+    EXPECT_FALSE(report.isClosed());
+}
+
 TEST(Repair, RefusesWhatIsNoMesh) {
     PolygonSoup nan = cubeSoup();
     nan.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THAT(messageOf(nan), HasSubstr("vertex 3"));
+    EXPECT_THAT(messageOf(nan), HasSubstr("mesh point 3"));
     PolygonSoup infinite = cubeSoup();
     infinite.vertices[5].x() = std::numeric_limits<double>::infinity();
-    EXPECT_THAT(messageOf(infinite), HasSubstr("vertex 5"));
+    EXPECT_THAT(messageOf(infinite), HasSubstr("mesh point 5"));
     PolygonSoup missing = cubeSoup();
     missing.polygons[2][1] = 24;
-    EXPECT_THAT(messageOf(missing), testing::AllOf(HasSubstr("face 2"), HasSubstr("vertex 24")));
+    EXPECT_THAT(messageOf(missing), testing::AllOf(HasSubstr("face 2"), HasSubstr("the 24 there are")));
     PolygonSoup line = cubeSoup();
     line.polygons[1] = {0, 1};
     EXPECT_THAT(messageOf(line), HasSubstr("face 1"));

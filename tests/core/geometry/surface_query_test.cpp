@@ -34,25 +34,6 @@ std::optional<double> bruteHit(const TriangleMesh& mesh, const Ray& ray) {
     return nearest;
 }
 
-/// The distance to a triangle by alternating projection onto a fine grid of its points is too coarse;
-/// instead: the plane's foot point where it lies inside, else the nearest of the three edges.
-double bruteDistance(const TriangleMesh& mesh, const Eigen::Vector3d& point) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Triangle& t : mesh.triangles) {
-        const std::array<Eigen::Vector3d, 3> p{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-        const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-        bool inside = true;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Eigen::Vector3d along = p[(i + 1) % 3] - p[i];
-            inside = inside && normal.dot(along.cross(point - p[i])) >= 0;
-            const double s = std::clamp(along.dot(point - p[i]) / along.squaredNorm(), 0.0, 1.0);
-            nearest = std::min(nearest, (p[i] + s * along - point).norm());
-        }
-        if (inside) nearest = std::min(nearest, std::abs(normal.dot(point - p[0])));
-    }
-    return nearest;
-}
-
 struct Placement {
     double scale;
     Eigen::Vector3d shift;
@@ -95,21 +76,6 @@ TEST_P(SurfaceQueryAt, FirstHitAgreesWithEveryTriangleAskedInTurn) {
     }
     EXPECT_GT(hits, 100);
     EXPECT_LT(hits, 450);
-}
-
-TEST_P(SurfaceQueryAt, NearestPointAgreesWithEveryTriangleAskedInTurn) {
-    const SurfaceQuery query(m_mesh.vertices, m_mesh.triangles);
-    for (int i = 0; i < 500; ++i) {
-        const Eigen::Vector3d point = randomPoint(i % 2 == 0 ? 1.5 : 30);
-        const double expected = bruteDistance(m_mesh, point);
-        const auto nearest = query.nearestPoint(point, std::numeric_limits<double>::infinity());
-        ASSERT_TRUE(nearest);
-        EXPECT_NEAR((nearest->point - point).norm(), expected, 1e-9 * GetParam().scale);
-        EXPECT_TRUE(query.nearestPoint(point, expected * 1.0001));
-        EXPECT_FALSE(query.nearestPoint(point, expected * 0.9999));
-        EXPECT_NEAR(nearest->barycentric.sum(), 1, 1e-12);
-        EXPECT_GE(nearest->barycentric.minCoeff(), 0);
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Placements, SurfaceQueryAt,
@@ -174,14 +140,12 @@ TEST(SurfaceQuery, RefusesPositionsThatAreNotFiniteAndKeepsWhatItHad) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(query.firstHit({{nan, 0, 0}, {-1, 0, 0}}));
     EXPECT_FALSE(query.firstHit({{5, 0, 0}, {0, 0, 0}}));
-    EXPECT_FALSE(query.nearestPoint({nan, 0, 0}, 1));
     EXPECT_FALSE(query.isBlocked({nan, 0, 0}, {0, 0, 0}, 0));
 }
 
 TEST(SurfaceQuery, OfNothingFindsNothing) {
     const SurfaceQuery query({}, {});
     EXPECT_FALSE(query.firstHit({{5, 0, 0}, {-1, 0, 0}}));
-    EXPECT_FALSE(query.nearestPoint({0, 0, 0}, 100));
     EXPECT_FALSE(query.isBlocked({5, 0, 0}, {-5, 0, 0}, 0));
 }
 
