@@ -1,22 +1,17 @@
 #include "core/fuzzy/fuzzy_system.h"
 
+#include "core/fuzzy/keywords.h"
+#include "core/support/numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 namespace esm {
 
 namespace {
 
 using Problems = std::vector<std::string>;
-
-bool isKeyword(const std::string& name) {
-    std::string upper(name);
-    for (char& c : upper)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    return upper == "IF" || upper == "IS" || upper == "AND" || upper == "THEN";
-}
 
 /// A name stands as one word in a rule.
 void checkName(Problems& problems, const std::string& place, const std::string& name) {
@@ -30,29 +25,32 @@ void checkName(Problems& problems, const std::string& place, const std::string& 
 }
 
 std::string listed(std::initializer_list<double> numbers) {
-    std::ostringstream text;
+    std::string text;
     for (const double number : numbers)
-        text << (text.tellp() > 0 ? ", " : "") << number;
-    return text.str();
+        text += (text.empty() ? "" : ", ") + numberText(number);
+    return text;
+}
+
+/// Beyond it the square of a width overflows.
+std::string upToLargest() {
+    return " up to " + numberText(largestNumber);
 }
 
 void checkCorners(Problems& problems, const std::string& place, const Trapezoid& set) {
-    const bool finite =
-        std::isfinite(set.a) && std::isfinite(set.b) && std::isfinite(set.c) && std::isfinite(set.d);
-    if (!finite)
-        problems.push_back(place + ": the corners must be finite numbers");
+    const auto isBounded = [](double corner) { return std::abs(corner) <= largestNumber; };
+    if (!(isBounded(set.a) && isBounded(set.b) && isBounded(set.c) && isBounded(set.d)))
+        problems.push_back(place + ": the corners must be finite numbers" + upToLargest());
     else if (!(set.a <= set.b && set.b <= set.c && set.c <= set.d))
         problems.push_back(place + ": the corners must rise, got " + listed({set.a, set.b, set.c, set.d}));
 }
 
 void checkVariable(Problems& problems, const std::string& place, const FuzzyVariable& variable) {
     checkName(problems, place, variable.name);
-    const bool hasRange = std::isfinite(variable.minimum) && std::isfinite(variable.maximum) &&
-                          std::isfinite(variable.maximum - variable.minimum) &&
+    const bool hasRange = variable.minimum >= -largestNumber && variable.maximum <= largestNumber &&
                           variable.minimum < variable.maximum;
     if (!hasRange)
-        problems.push_back(place + ".range: must be two finite numbers, the smaller first, got " +
-                           listed({variable.minimum, variable.maximum}));
+        problems.push_back(place + ".range: must be two finite numbers" + upToLargest() +
+                           ", the smaller first, got " + listed({variable.minimum, variable.maximum}));
     if (variable.terms.empty()) problems.push_back(place + ".terms: there must be at least one");
     std::set<std::string> names;
     for (const FuzzyTerm& term : variable.terms) {
@@ -63,11 +61,17 @@ void checkVariable(Problems& problems, const std::string& place, const FuzzyVari
     }
 }
 
-/// A conclusion outside its variable's range would have nothing to take the centre of gravity of.
+/// A conclusion outside its variable's range would have nothing to take the centre of gravity of; one that
+/// reaches the range in its end point alone, neither area nor the weight of a point.
 void checkOutputSets(Problems& problems, const std::string& place, const FuzzyVariable& output) {
-    for (const FuzzyTerm& term : output.terms)
-        if (term.set.d < output.minimum || term.set.a > output.maximum)
+    for (const FuzzyTerm& term : output.terms) {
+        const auto& [a, b, c, d] = term.set;
+        const bool isPoint = a == d;
+        const bool isOutside =
+            isPoint ? d < output.minimum || a > output.maximum : d <= output.minimum || a >= output.maximum;
+        if (isOutside)
             problems.push_back(place + ".terms." + term.name + ": lies outside the output's range");
+    }
 }
 
 void checkPropositions(Problems& problems, const std::string& place,

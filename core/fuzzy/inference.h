@@ -20,6 +20,7 @@ struct InferenceResult {
 /// Mamdani inference: AND = minimum, implication = minimum, aggregation = maximum [R 2.48, 2.49], then the
 /// exact centre of gravity of the piecewise linear result. `inputs` are in the system's order; one that is
 /// missing takes no part: rules that ask for it do not fire. Inputs out of range are evaluated unclamped.
+/// Preconditions: the system is valid, there are as many inputs as it has. Does not throw.
 InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional<double>>& inputs);
 
 /// Puts named values into the system's order. @throws InvalidModel naming every unknown or non-finite one

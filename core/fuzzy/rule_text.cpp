@@ -1,4 +1,5 @@
 #include "core/fuzzy/fuzzy_system.h"
+#include "core/fuzzy/keywords.h"
 #include "core/support/errors.h"
 #include "core/support/joined.h"
 
@@ -33,13 +34,6 @@ std::vector<Word> words(const std::string& text) {
     return list;
 }
 
-bool isKeyword(const Word& word, const char* keyword) {
-    const std::string expected(keyword);
-    return word.text.size() == expected.size() &&
-           std::equal(expected.begin(), expected.end(), word.text.begin(),
-                      [](char wanted, char given) { return given == wanted || given == wanted - 'A' + 'a'; });
-}
-
 class RuleParser {
 public:
     RuleParser(const FuzzySystem& system, const std::string& text) : m_system(system), m_words(words(text)) {}
@@ -62,7 +56,7 @@ private:
     const Word& word() const { return m_words[m_next]; }
 
     bool accept(const char* keyword) {
-        if (!isKeyword(word(), keyword)) return false;
+        if (!isKeyword(word().text, keyword)) return false;
         ++m_next;
         return true;
     }
@@ -110,6 +104,18 @@ std::string clause(const std::vector<FuzzyVariable>& variables, const std::vecto
 }
 
 } // namespace
+
+bool isKeyword(const std::string& word, const char* keyword) {
+    const std::string expected(keyword);
+    return word.size() == expected.size() &&
+           std::equal(expected.begin(), expected.end(), word.begin(),
+                      [](char wanted, char given) { return given == wanted || given == wanted - 'A' + 'a'; });
+}
+
+bool isKeyword(const std::string& word) {
+    return isKeyword(word, "IF") || isKeyword(word, "IS") || isKeyword(word, "AND") ||
+           isKeyword(word, "THEN");
+}
 
 std::string ruleText(const FuzzySystem& system, const FuzzyRule& rule) {
     return "IF " + clause(system.inputs, rule.conditions) + " THEN " +

@@ -66,21 +66,47 @@ TEST(FuzzySystem, ReportsEveryProblemWithItsPlace) {
     system.outputs[0].terms[0].set = {0, 2, 1, 2};
     system.outputs[0].terms[1] = {"thin", {6, 7, 8, NAN}};
     system.rules = {{{{0, 2}}, {{1, 0}}}, {}};
-    EXPECT_THAT(validate(system),
-                ElementsAre("inputs.: the name is missing",
-                            "inputs.zeal.range: must be two finite numbers, the smaller first, got 0, 0",
-                            "inputs.zeal.terms: there must be at least one",
-                            "outputs.zeal.terms.thin: the corners must rise, got 0, 2, 1, 2",
-                            "outputs.zeal.terms.thin: the corners must be finite numbers",
-                            "outputs.zeal.terms.thin: the name is there twice",
-                            "outputs.zeal: the name is there twice",
-                            "outputs.zeal.terms.thin: lies outside the output's range",
-                            "rules[0], conditions: speaks of a variable or term that is not there",
-                            "rules[0], conclusions: speaks of a variable or term that is not there",
-                            "rules[1], conditions: there must be at least one",
-                            "rules[1], conclusions: there must be at least one"));
+    EXPECT_THAT(
+        validate(system),
+        ElementsAre("inputs.: the name is missing",
+                    "inputs.zeal.range: must be two finite numbers up to 1e+30, the smaller first, got 0, 0",
+                    "inputs.zeal.terms: there must be at least one",
+                    "outputs.zeal.terms.thin: the corners must rise, got 0, 2, 1, 2",
+                    "outputs.zeal.terms.thin: the corners must be finite numbers up to 1e+30",
+                    "outputs.zeal.terms.thin: the name is there twice",
+                    "outputs.zeal: the name is there twice",
+                    "outputs.zeal.terms.thin: lies outside the output's range",
+                    "rules[0], conditions: speaks of a variable or term that is not there",
+                    "rules[0], conclusions: speaks of a variable or term that is not there",
+                    "rules[1], conditions: there must be at least one",
+                    "rules[1], conclusions: there must be at least one"));
     EXPECT_THAT(validate(FuzzySystem{}),
                 ElementsAre("inputs: there must be at least one", "outputs: there must be at least one"));
+}
+
+TEST(FuzzySystem, RefusesOutputSetsThatOnlyTouchTheRange) {
+    const auto problemsOf = [](const Trapezoid& set) {
+        FuzzySystem system = sound();
+        system.outputs[0].terms[1].set = set; // the range is 0 to 5
+        return validate(system);
+    };
+    for (const Trapezoid& set :
+         {Trapezoid{-9, -5, -5, 0}, {-9, -5, 0, 0}, {5, 5, 6, 7}, {5, 6, 6, 7}, {6, 6, 6, 6}})
+        EXPECT_THAT(problemsOf(set), ElementsAre(HasSubstr("thick: lies outside the output's range")))
+            << set.a;
+    for (const Trapezoid& set :
+         {Trapezoid{-9, -5, -5, 0.1}, {4.9, 5, 6, 7}, {0, 0, 0, 0}, {5, 5, 5, 5}, {-9, -9, 9, 9}})
+        EXPECT_THAT(problemsOf(set), IsEmpty()) << set.a;
+}
+
+TEST(FuzzySystem, BoundsRangesAndCorners) {
+    FuzzySystem system = sound();
+    system.outputs[0] = {
+        "viscosity", -1e30, 1e30, {{"thin", {-1e30, -1e30, 0, 1e30}}, {"thick", {0, 1, 1, 1}}}};
+    EXPECT_THAT(validate(system), IsEmpty());
+    system.outputs[0].maximum = 1.1e30;
+    system.outputs[0].terms[0].set.d = 2e30;
+    EXPECT_THAT(validate(system), testing::SizeIs(2));
 }
 
 TEST(FuzzySystem, RefusesNamesARuleCouldNotSpeak) {

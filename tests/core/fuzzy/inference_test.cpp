@@ -86,7 +86,7 @@ std::vector<Sample> readSamples(const std::filesystem::path& file, std::size_t c
     return samples;
 }
 
-/// Compares all samples of one system; a failure names the worst.
+/// Compares all samples of one system.
 void expectSamples(const std::string& name) {
     const std::filesystem::path file = sharedData("fuzzy/" + name + ".csv");
     ESM_SKIP_WITHOUT(file);
@@ -94,8 +94,6 @@ void expectSamples(const std::string& name) {
     const std::size_t inputs = system.inputs.size();
     const std::vector<Sample> samples = readSamples(file, inputs + system.outputs.size());
     EXPECT_EQ(samples.size(), 60);
-    double worst = 0;
-    std::size_t worstLine = 0;
     for (const Sample& sample : samples) {
         std::vector<std::optional<double>> values(inputs);
         for (std::size_t i = 0; i < inputs; ++i)
@@ -105,12 +103,10 @@ void expectSamples(const std::string& name) {
             const double expected = sample.numbers[inputs + i];
             EXPECT_EQ(result.outputs[i].has_value(), !std::isnan(expected)) << "line " << sample.line;
             if (!result.outputs[i] || std::isnan(expected)) continue;
-            const double error = std::abs(*result.outputs[i] - expected) / std::abs(expected);
-            if (error > worst) worstLine = sample.line;
-            worst = std::max(worst, error);
+            EXPECT_LE(std::abs(*result.outputs[i] - expected), 1e-9 * std::abs(expected))
+                << "line " << sample.line;
         }
     }
-    EXPECT_LE(worst, 1e-9) << name << ": line " << worstLine;
 }
 
 } // namespace
@@ -120,6 +116,36 @@ TEST(Inference, ReproducesTheSamplesOfSusilapG) {
 }
 TEST(Inference, ReproducesTheSamplesOfRoboSim) {
     expectSamples("robo-sim");
+}
+
+// [R C.1, C.2]; the shipped sets are a calibration that comes this near to them.
+TEST(Inference, ReproducesThePublishedPairs) {
+    struct Pair {
+        const char* system;
+        std::vector<std::optional<double>> inputs;
+        double springConstant, viscosity;
+    };
+    for (const Pair& pair : {Pair{"susilap-g", {5.5}, 16.2606, 2.87713},
+                             {"susilap-g", {2.5}, 2.41327, 10.6875},
+                             {"susilap-g", {7.0}, 11.3536, 9.13015},
+                             {"susilap-g", {10.1}, 81.3091, 6},
+                             {"robo-sim", {7.3, 4.9, 3.0}, 45.4871, 72.8125}}) {
+        const FuzzySystem system = fuzzyPreset(pair.system);
+        ASSERT_EQ(system.outputs[0].name, "spring_const");
+        ASSERT_EQ(system.outputs[1].name, "viscosity");
+        const InferenceResult result = infer(system, pair.inputs);
+        EXPECT_NEAR(result.outputs[0].value(), pair.springConstant, 2e-4 * pair.springConstant);
+        EXPECT_NEAR(result.outputs[1].value(), pair.viscosity, 2e-4 * pair.viscosity);
+    }
+}
+
+TEST(Inference, FindsTheCentreAtTheBoundsOfItsRanges) {
+    FuzzySystem system = systemOf({{-1e30, -1e30, 1e30, 1e30}, {-1e30, -1e30, -1e30, 1e30}}, {0.5, 1});
+    system.outputs[0].minimum = -1e30;
+    system.outputs[0].maximum = 1e30;
+    // ½ everywhere, and a slope from 1 to ½ over the left half.
+    const double expected = (0.5 * 2 * 0 + 0.25 * (-1 + 1.0 / 3)) / (0.5 * 2 + 0.25);
+    EXPECT_NEAR(infer(system, {0.0, 0.0}).outputs[0].value() / 1e30, expected, 1e-12);
 }
 
 TEST(Inference, FindsTheCentreOfOneSetInClosedForm) {
