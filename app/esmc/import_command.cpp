@@ -13,7 +13,7 @@ struct ImportOptions {
     LengthUnit unit = LengthUnit::Metre;
     double weld = 0; // m
     KeepParts keep = KeepParts::All;
-    double mass = 0; // kg; 0: from the surface
+    std::optional<double> mass; // kg; from the surface without
     UpAxis up = UpAxis::Y;
     std::string detail;
 };

@@ -34,6 +34,7 @@ Report storeScene(const SceneOptions& options, Context& context) {
     report.text.push_back(counted(tissue.fixedNodes.size(), "fixed node") + ", " +
                           counted(tissue.tethers.size(), "tether") + ", " + inText(project.scene.duration) +
                           " s");
+    addWarnings(report, sceneWarnings(project.scene, tissue));
     addWritten(report, options.output);
     return report;
 }

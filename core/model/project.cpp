@@ -1,8 +1,11 @@
 #include "core/model/project.h"
 
+#include "core/geometry/disjoint_sets.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace esm {
 
@@ -35,31 +38,18 @@ double meanRestLength(const SpringNetwork& network) {
     return sum / static_cast<double>(network.springs.size());
 }
 
-/// For every node, the lowest node of its connected part.
-std::vector<std::uint32_t> connectedParts(const SpringNetwork& network) {
-    std::vector<std::uint32_t> parent(network.restPositions.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    const auto root = [&parent](std::uint32_t node) {
-        while (parent[node] != node)
-            node = parent[node] = parent[parent[node]];
-        return node;
-    };
-    for (const Spring& spring : network.springs) {
-        const auto [low, high] = std::minmax({root(spring.first), root(spring.second)});
-        parent[high] = low;
-    }
-    for (std::uint32_t& node : parent)
-        node = root(node);
-    return parent;
-}
-
 /// A part held by fewer than three tethers could turn or drift away.
 bool everyPartIsHeld(const SpringNetwork& network, std::uint32_t every) {
-    const std::vector<std::uint32_t> parts = connectedParts(network);
-    std::vector<std::uint32_t> tethers(parts.size(), 0);
-    for (std::size_t node = 0; node < parts.size(); node += every)
-        ++tethers[parts[node]];
-    return std::all_of(parts.begin(), parts.end(), [&](std::uint32_t part) { return tethers[part] >= 3; });
+    const auto nodes = static_cast<std::uint32_t>(network.restPositions.size());
+    DisjointSets parts(nodes);
+    for (const Spring& spring : network.springs)
+        parts.join(spring.first, spring.second);
+    std::vector<std::uint32_t> tethers(nodes, 0);
+    for (std::uint32_t node = 0; node < nodes; ++node)
+        tethers[parts.lowest(node)] += node % every == 0;
+    for (std::uint32_t node = 0; node < nodes; ++node)
+        if (tethers[parts.lowest(node)] < 3) return false;
+    return true;
 }
 
 /// A tether's share of a spring for which a poke takes along the same part of the organ however fine its mesh
@@ -113,11 +103,12 @@ void fix(TissueModel& model, const NodeSelection& selection) {
 
 } // namespace
 
-Project makeProject(std::string name, RepairedMesh surface, double massKilograms) {
+Project makeProject(std::string name, RepairedMesh surface, std::optional<double> massKilograms) {
+    if (massKilograms && !isMass(*massKilograms))
+        throw InvalidModel("the mass must be above 0 kg, got " + numberText(*massKilograms));
     Project project;
     project.name = std::move(name);
-    const double mass =
-        massKilograms > 0 ? massKilograms : defaultMass(surface.mesh, surface.report.isClosed());
+    const double mass = massKilograms ? *massKilograms : defaultMass(surface.mesh, surface.report.isClosed());
     const SpringNetwork network = networkFromMesh(surface.mesh);
     project.base = {defaultSpringConstant, defaultViscosity, mass};
     if (!network.springs.empty()) {
@@ -156,6 +147,28 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
     model.fixedNodes.erase(std::unique(model.fixedNodes.begin(), model.fixedNodes.end()),
                            model.fixedNodes.end());
     return model;
+}
+
+std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& model) {
+    std::vector<std::string> warnings;
+    const auto& positions = model.network->restPositions;
+    for (std::size_t i = 0; i < scene.fixed.size(); ++i) {
+        const auto& ellipsoid = scene.fixed[i].ellipsoid;
+        if (ellipsoid && std::none_of(positions.begin(), positions.end(),
+                                      [&](const auto& position) { return contains(*ellipsoid, position); }))
+            warnings.push_back(sceneEntry("fixed", i) +
+                               ": the ellipsoid holds no node and fixes nothing; move or enlarge it");
+    }
+    const auto warnIfFixed = [&](const char* list, std::size_t i, std::uint32_t node, const char* fate) {
+        if (std::binary_search(model.fixedNodes.begin(), model.fixedNodes.end(), node))
+            warnings.push_back(sceneEntry(list, i) + ": node " + std::to_string(node) + " is fixed and " +
+                               fate);
+    };
+    for (std::size_t i = 0; i < scene.forces.size(); ++i)
+        warnIfFixed("forces", i, scene.forces[i].node, "does not give way");
+    for (std::size_t i = 0; i < scene.moves.size(); ++i)
+        warnIfFixed("moves", i, scene.moves[i].node, "does not follow its path");
+    return warnings;
 }
 
 RegionResult evaluateRegion(const Project& project, const Region& region) {

@@ -34,8 +34,7 @@ struct Project {
     std::shared_ptr<const RepairReport> importReport; ///< never null
     std::shared_ptr<const SpringNetwork> network;     ///< never null
     BaseTissue base;
-    std::vector<Region>
-        regions; ///< evaluated from the first to the last; a later one lies over an earlier one
+    std::vector<Region> regions; ///< from the first to the last; a later one lies over an earlier one
     Scene scene;
     std::vector<PhotoLayer> photos; ///< from the lowest to the topmost
     TextureSettings texture;
@@ -43,9 +42,11 @@ struct Project {
 };
 
 /// A project around an imported or made mesh, with default tissue and tethers that are stable and behave like
-/// tissue at any size. `massKilograms` ≤ 0: closed surface, its volume × 1000 kg/m³; open, area × 3 mm × 1000
+/// tissue at any size. Without a mass: closed surface, its volume × 1000 kg/m³; open, area × 3 mm × 1000
 /// kg/m³.
-Project makeProject(std::string name, RepairedMesh surface, double massKilograms = 0);
+/// @throws InvalidModel when the mass is not above zero
+Project makeProject(std::string name, RepairedMesh surface,
+                    std::optional<double> massKilograms = std::nullopt);
 
 /// What one region came to.
 struct RegionResult {
@@ -55,12 +56,18 @@ struct RegionResult {
 
 /// Evaluates regions from the bottom up, then the scene's tethers and fixed nodes.
 /// Precondition: the scene is valid for the network.
+/// @throws InvalidModel when a region sets inputs that its fuzzy system does not have
 TissueModel evaluateModel(const Project& project, const Scene& scene);
 inline TissueModel evaluateModel(const Project& project) {
     return evaluateModel(project, project.scene);
 }
 
+/// What of a scene has no effect on the model it was evaluated for: ellipsoids that hold no node, forces and
+/// paths of fixed nodes. Precondition: the scene is valid for the network.
+std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& model);
+
 /// Counts and values of one region for reports and panels.
+/// @throws InvalidModel when the region sets inputs that its fuzzy system does not have
 RegionResult evaluateRegion(const Project& project, const Region& region);
 
 /// Nodes inside a region, in order.

@@ -1,5 +1,6 @@
 #include "core/model/project.h"
 #include "core/support/errors.h"
+#include "core/support/numbers.h"
 #include "core/support/offenders.h"
 #include "core/texture/texture_limits.h"
 
@@ -27,8 +28,9 @@ Problems meshProblems(const TriangleMesh& mesh) {
 }
 
 void requireValue(Problems& problems, const std::string& name, double value, bool zeroAllowed) {
-    if (std::isfinite(value) && (value > 0 || (zeroAllowed && value == 0))) return;
-    problems.push_back(name + (zeroAllowed ? " must be 0 or more" : " must be above 0"));
+    if (zeroAllowed ? isAmount(value) : isMass(value)) return;
+    problems.push_back(name + (zeroAllowed ? " must be 0 or more" : " must be above 0") + " and at most " +
+                       numberText(largestNumber));
 }
 
 Problems regionProblems(const Region& region) {

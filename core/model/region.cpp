@@ -1,20 +1,25 @@
 #include "core/model/region.h"
 
-#include <cmath>
-#include <sstream>
+#include "core/support/numbers.h"
+
+#include <algorithm>
 
 namespace esm {
 
 namespace {
 
-std::string inWarning(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
+constexpr std::array<Parameter, 3> parameters{Parameter::SpringConstant, Parameter::Viscosity,
+                                              Parameter::Mass};
 
-bool sets(const std::string& output, const char* parameter) {
-    return output == parameter || (output == "spring_const" && std::string(parameter) == "spring_constant");
+bool setsParameter(const std::string& output, Parameter parameter) {
+    switch (parameter) {
+    case Parameter::SpringConstant:
+        return output == "spring_const" || output == "spring_constant";
+    case Parameter::Viscosity:
+        return output == "viscosity";
+    default:
+        return output == "mass";
+    }
 }
 
 void warnOfInputsOutOfRange(RegionTissue& tissue, const FuzzySystem& system,
@@ -22,9 +27,39 @@ void warnOfInputsOutOfRange(RegionTissue& tissue, const FuzzySystem& system,
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const FuzzyVariable& variable = system.inputs[i];
         if (!inputs[i] || (*inputs[i] >= variable.minimum && *inputs[i] <= variable.maximum)) continue;
-        tissue.warnings.push_back(variable.name + " " + inWarning(*inputs[i]) + " is out of its range, " +
-                                  inWarning(variable.minimum) + " to " + inWarning(variable.maximum));
+        tissue.warnings.push_back(variable.name + " " + numberText(*inputs[i]) + " is out of its range, " +
+                                  numberText(variable.minimum) + " to " + numberText(variable.maximum));
     }
+}
+
+/// Outputs without a value, unless one is held in its place.
+void warnOfOutputsNotReached(RegionTissue& tissue, const Region& region) {
+    for (std::size_t i = 0; i < region.system->outputs.size(); ++i) {
+        const std::string& name = region.system->outputs[i].name;
+        const bool isHeld = std::any_of(parameters.begin(), parameters.end(), [&](Parameter parameter) {
+            return setsParameter(name, parameter) && valueOf(region.held, parameter);
+        });
+        if (!tissue.inference.outputs[i] && !isHeld)
+            tissue.warnings.push_back("no rule reaches " + name + ", which stays as it was");
+    }
+}
+
+/// Outputs that set nothing because an earlier one sets the same, or because none has a parameter's name.
+void warnOfUselessOutputs(RegionTissue& tissue, const FuzzySystem& system) {
+    bool setsAny = false;
+    for (const Parameter parameter : parameters) {
+        const std::optional<std::size_t> first = outputFor(system, parameter);
+        if (!first) continue;
+        setsAny = true;
+        for (std::size_t i = *first + 1; i < system.outputs.size(); ++i)
+            if (setsParameter(system.outputs[i].name, parameter))
+                tissue.warnings.push_back(system.outputs[i].name + " sets nothing, since " +
+                                          system.outputs[*first].name + " before it sets the same");
+    }
+    if (!setsAny)
+        tissue.warnings.push_back("the fuzzy system " + system.name +
+                                  " sets no tissue: none of its outputs is named spring_constant, viscosity "
+                                  "or mass");
 }
 
 /// Runs the system; what it says of tissue goes into `tissue.values`.
@@ -33,41 +68,50 @@ void takeInferred(RegionTissue& tissue, const Region& region) {
     const auto inputs = orderedInputs(system, region.inputs);
     warnOfInputsOutOfRange(tissue, system, inputs);
     tissue.inference = infer(system, inputs);
-    for (std::size_t i = 0; i < system.outputs.size(); ++i) {
-        const std::string& name = system.outputs[i].name;
-        const std::optional<double>& value = tissue.inference.outputs[i];
-        if (!value)
-            tissue.warnings.push_back("no rule reaches " + name + ", which stays as it was");
-        else if (sets(name, "spring_constant"))
-            tissue.values.springConstant = value;
-        else if (sets(name, "viscosity"))
-            tissue.values.viscosity = value;
-        else if (sets(name, "mass"))
-            tissue.values.mass = value;
-    }
+    warnOfOutputsNotReached(tissue, region);
+    warnOfUselessOutputs(tissue, system);
+    for (const Parameter parameter : parameters)
+        if (const auto output = outputFor(system, parameter))
+            valueOf(tissue.values, parameter) = tissue.inference.outputs[*output];
 }
 
 /// Takes a value no tissue can have out again, so that what lies beneath shows through.
-void dropImpossible(RegionTissue& tissue, std::optional<double>& value, const char* name, bool zeroAllowed) {
-    if (!value || (std::isfinite(*value) && (*value > 0 || (zeroAllowed && *value == 0)))) return;
-    tissue.warnings.push_back(std::string(name) + " " + inWarning(*value) +
-                              (zeroAllowed ? " is below zero" : " is not above zero") +
-                              ", so it stays as it was");
+void dropImpossible(RegionTissue& tissue, Parameter parameter, const char* name) {
+    const bool isOfMass = parameter == Parameter::Mass;
+    std::optional<double>& value = valueOf(tissue.values, parameter);
+    if (!value || (isOfMass ? isMass(*value) : isAmount(*value))) return;
+    tissue.warnings.push_back(name + (" " + numberText(*value)) +
+                              (isOfMass ? " is not above zero" : " is not zero or more") + " and at most " +
+                              numberText(largestNumber) + ", so it stays as it was");
     value.reset();
 }
 
 } // namespace
 
+std::optional<double>& valueOf(TissueValues& values, Parameter parameter) {
+    if (parameter == Parameter::SpringConstant) return values.springConstant;
+    return parameter == Parameter::Viscosity ? values.viscosity : values.mass;
+}
+
+std::optional<double> valueOf(const TissueValues& values, Parameter parameter) {
+    TissueValues copy = values;
+    return valueOf(copy, parameter);
+}
+
+std::optional<std::size_t> outputFor(const FuzzySystem& system, Parameter parameter) {
+    for (std::size_t i = 0; i < system.outputs.size(); ++i)
+        if (setsParameter(system.outputs[i].name, parameter)) return i;
+    return std::nullopt;
+}
+
 RegionTissue evaluate(const Region& region) {
     RegionTissue tissue;
     if (region.system) takeInferred(tissue, region);
-    TissueValues& values = tissue.values;
-    if (region.held.springConstant) values.springConstant = region.held.springConstant;
-    if (region.held.viscosity) values.viscosity = region.held.viscosity;
-    if (region.held.mass) values.mass = region.held.mass;
-    dropImpossible(tissue, values.springConstant, "spring constant", true);
-    dropImpossible(tissue, values.viscosity, "viscosity", true);
-    dropImpossible(tissue, values.mass, "mass", false);
+    for (const Parameter parameter : parameters)
+        if (const auto held = valueOf(region.held, parameter)) valueOf(tissue.values, parameter) = held;
+    dropImpossible(tissue, Parameter::SpringConstant, "spring constant");
+    dropImpossible(tissue, Parameter::Viscosity, "viscosity");
+    dropImpossible(tissue, Parameter::Mass, "mass");
     return tissue;
 }
 

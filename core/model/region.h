@@ -17,6 +17,15 @@ struct TissueValues {
     std::optional<double> mass;           ///< kg, total of the region, spread evenly over its nodes
 };
 
+/// One of them.
+enum class Parameter { SpringConstant, Viscosity, Mass };
+std::optional<double>& valueOf(TissueValues& values, Parameter parameter);
+std::optional<double> valueOf(const TissueValues& values, Parameter parameter);
+
+/// The output of a fuzzy system that sets a parameter, by its name: `spring_const` or `spring_constant`,
+/// `viscosity`, `mass`. The first where there are several; none without.
+std::optional<std::size_t> outputFor(const FuzzySystem& system, Parameter parameter);
+
 /// A part of the organ and how its tissue behaves. Kept as it was put in, and re-evaluated, so it stays
 /// editable.
 struct Region {
@@ -32,10 +41,10 @@ struct Region {
 struct RegionTissue {
     TissueValues values;
     InferenceResult inference;         ///< empty lists without a system
-    std::vector<std::string> warnings; ///< outputs no rule reached, inputs out of range
+    std::vector<std::string> warnings; ///< inputs out of range, outputs that come to nothing
 };
 
-/// Outputs named `spring_const` or `spring_constant`, `viscosity` and `mass` set those parameters.
+/// @throws InvalidModel when an input is unknown to the fuzzy system or not finite
 RegionTissue evaluate(const Region& region);
 
 } // namespace esm

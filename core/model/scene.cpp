@@ -1,5 +1,6 @@
 #include "core/model/scene.h"
 
+#include "core/support/numbers.h"
 #include "core/support/offenders.h"
 
 #include <algorithm>
@@ -12,18 +13,6 @@ namespace esm {
 namespace {
 
 using Problems = std::vector<std::string>;
-
-bool isPositive(double value) {
-    return value > 0 && std::isfinite(value);
-}
-bool isNotNegative(double value) {
-    return value >= 0 && std::isfinite(value);
-}
-
-/// "forces[2]": how a scene file names the third force.
-std::string entry(const char* list, std::size_t index) {
-    return std::string(list) + "[" + std::to_string(index) + "]";
-}
 
 /// Adds problems under the place in the scene they belong to.
 class SceneCheck {
@@ -80,22 +69,24 @@ private:
 void checkBoundary(SceneCheck& check, const Scene& scene) {
     for (std::size_t i = 0; i < scene.fixed.size(); ++i) {
         const NodeSelection& selection = scene.fixed[i];
-        check.requireNodes(selection.nodes, entry("fixed", i));
-        if (selection.ellipsoid) check.add(entry("fixed", i) + ".ellipsoid", validate(*selection.ellipsoid));
+        check.requireNodes(selection.nodes, sceneEntry("fixed", i));
+        if (selection.ellipsoid)
+            check.add(sceneEntry("fixed", i) + ".ellipsoid", validate(*selection.ellipsoid));
     }
+    const std::string limit = ", at most " + numberText(largestNumber);
     for (std::size_t i = 0; i < scene.tethers.size(); ++i) {
         const TetherRule& rule = scene.tethers[i];
-        const std::string place = entry("tethers", i);
+        const std::string place = sceneEntry("tethers", i);
         check.require(rule.every >= 1, place, "every must be 1 or more");
-        check.require(isNotNegative(rule.springConstant), place, "spring_constant must be 0 N/m or more");
-        check.require(isNotNegative(rule.viscosity), place, "viscosity must be 0 N·s/m or more");
+        check.require(isAmount(rule.springConstant), place, "spring_constant must be 0 N/m or more" + limit);
+        check.require(isAmount(rule.viscosity), place, "viscosity must be 0 N·s/m or more" + limit);
     }
 }
 
 void checkForces(SceneCheck& check, const Scene& scene) {
     for (std::size_t i = 0; i < scene.forces.size(); ++i) {
         const NodeForce& force = scene.forces[i];
-        const std::string place = entry("forces", i);
+        const std::string place = sceneEntry("forces", i);
         check.requireNode(force.node, place);
         check.require(force.force.allFinite(), place, "the force is not finite");
         check.require(std::isfinite(force.from) && std::isfinite(force.to) && force.from <= force.to, place,
@@ -107,7 +98,7 @@ void checkMotion(SceneCheck& check, const Scene& scene) {
     std::set<std::uint32_t> moved;
     for (std::size_t i = 0; i < scene.moves.size(); ++i) {
         const NodeMove& move = scene.moves[i];
-        const std::string place = entry("moves", i);
+        const std::string place = sceneEntry("moves", i);
         check.requireNode(move.node, place);
         check.require(moved.insert(move.node).second, place,
                       "node " + std::to_string(move.node) +
@@ -120,6 +111,10 @@ void checkMotion(SceneCheck& check, const Scene& scene) {
 }
 
 } // namespace
+
+std::string sceneEntry(const char* list, std::size_t index) {
+    return std::string(list) + "[" + std::to_string(index) + "]";
+}
 
 Eigen::Vector3d positionAt(const Path& path, double time) {
     const auto later = std::upper_bound(path.begin(), path.end(), time,

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace esm {
@@ -63,6 +64,9 @@ struct Scene {
 
 /// Where a path is at a time. Precondition: the path has a point.
 Eigen::Vector3d positionAt(const Path& path, double time);
+
+/// "forces[2]": how a scene file names the third force.
+std::string sceneEntry(const char* list, std::size_t index);
 
 /// Every problem of a scene for a model of `nodeCount` nodes. Empty when it can run.
 std::vector<std::string> validate(const Scene& scene, std::size_t nodeCount);

@@ -1,8 +1,7 @@
 #include "core/model/tissue_model.h"
 
+#include "core/support/numbers.h"
 #include "core/support/offenders.h"
-
-#include <cmath>
 
 namespace esm {
 
@@ -10,8 +9,9 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-bool isNegativeOrNotFinite(double value) {
-    return !(value >= 0 && std::isfinite(value));
+/// Rest positions and parameters are no larger, so that nothing computed from them overflows.
+std::string withinBounds(const char* least) {
+    return std::string(" that is not ") + least + " to " + numberText(largestNumber);
 }
 
 double meanOfEnds(const std::vector<double>& perNode, const Spring& spring) {
@@ -29,7 +29,9 @@ void checkNetwork(Problems& problems, const SpringNetwork& network) {
     const auto& springs = network.springs;
     if (nodes.empty()) problems.emplace_back("the model has no nodes");
     reportOffenders(problems, "node", "without a finite rest position",
-                    placesWhere(nodes.size(), [&](std::size_t i) { return !nodes[i].allFinite(); }));
+                    placesWhere(nodes.size(), [&](std::size_t i) {
+                        return !(nodes[i].array().abs() <= largestNumber).all();
+                    }));
     reportOffenders(problems, "spring", "joined to a node that does not exist",
                     placesWhere(springs.size(), [&](std::size_t i) {
                         return springs[i].first >= nodes.size() || springs[i].second >= nodes.size();
@@ -37,9 +39,9 @@ void checkNetwork(Problems& problems, const SpringNetwork& network) {
     reportOffenders(
         problems, "spring", "from a node to itself",
         placesWhere(springs.size(), [&](std::size_t i) { return springs[i].first == springs[i].second; }));
-    reportOffenders(problems, "spring", "with a negative or non-finite rest length",
-                    placesWhere(springs.size(),
-                                [&](std::size_t i) { return isNegativeOrNotFinite(springs[i].restLength); }));
+    reportOffenders(
+        problems, "spring", "with a rest length" + withinBounds("0"),
+        placesWhere(springs.size(), [&](std::size_t i) { return !isAmount(springs[i].restLength); }));
     reportOffenders(problems, "mesh point", "carried by a node that does not exist",
                     placesWhere(network.vertexNodes.size(),
                                 [&](std::size_t i) { return network.vertexNodes[i] >= nodes.size(); }));
@@ -50,17 +52,15 @@ void checkNodeParameters(Problems& problems, const TissueModel& model) {
     checkSize(problems, "masses", model.mass.size(), nodes);
     checkSize(problems, "spring constants", model.springConstant.size(), nodes);
     checkSize(problems, "viscosities", model.viscosity.size(), nodes);
-    reportOffenders(problems, "node", "with a mass that is not above zero",
-                    placesWhere(model.mass.size(), [&](std::size_t i) {
-                        return isNegativeOrNotFinite(model.mass[i]) || model.mass[i] == 0;
-                    }));
-    reportOffenders(problems, "node", "with a negative or non-finite spring constant",
-                    placesWhere(model.springConstant.size(), [&](std::size_t i) {
-                        return isNegativeOrNotFinite(model.springConstant[i]);
-                    }));
-    reportOffenders(problems, "node", "with a negative or non-finite viscosity",
-                    placesWhere(model.viscosity.size(),
-                                [&](std::size_t i) { return isNegativeOrNotFinite(model.viscosity[i]); }));
+    const std::string massBounds = withinBounds(numberText(1 / largestNumber).c_str());
+    reportOffenders(problems, "node", "with a mass" + massBounds,
+                    placesWhere(model.mass.size(), [&](std::size_t i) { return !isMass(model.mass[i]); }));
+    reportOffenders(problems, "node", "with a spring constant" + withinBounds("0"),
+                    placesWhere(model.springConstant.size(),
+                                [&](std::size_t i) { return !isAmount(model.springConstant[i]); }));
+    reportOffenders(
+        problems, "node", "with a viscosity" + withinBounds("0"),
+        placesWhere(model.viscosity.size(), [&](std::size_t i) { return !isAmount(model.viscosity[i]); }));
 }
 
 void checkTethersAndFixedNodes(Problems& problems, const TissueModel& model) {
@@ -69,10 +69,9 @@ void checkTethersAndFixedNodes(Problems& problems, const TissueModel& model) {
     const auto& fixed = model.fixedNodes;
     reportOffenders(problems, "tether", "on a node that does not exist",
                     placesWhere(tethers.size(), [&](std::size_t i) { return tethers[i].node >= nodes; }));
-    reportOffenders(problems, "tether", "with a negative or non-finite spring constant or viscosity",
+    reportOffenders(problems, "tether", "with a spring constant or viscosity" + withinBounds("0"),
                     placesWhere(tethers.size(), [&](std::size_t i) {
-                        return isNegativeOrNotFinite(tethers[i].springConstant) ||
-                               isNegativeOrNotFinite(tethers[i].viscosity);
+                        return !isAmount(tethers[i].springConstant) || !isAmount(tethers[i].viscosity);
                     }));
     reportOffenders(problems, "fixed node", "that does not exist",
                     placesWhere(fixed.size(), [&](std::size_t i) { return fixed[i] >= nodes; }));

@@ -31,8 +31,8 @@ struct TissueModel {
 double springConstant(const TissueModel& model, const Spring& spring);
 double viscosity(const TissueModel& model, const Spring& spring);
 
-/// Every problem: sizes that do not agree, springs to missing nodes, masses not above zero, negative or
-/// non-finite parameters. Empty when the model can be simulated.
+/// Every problem: sizes that do not agree, springs to missing nodes, parameters that are negative or beyond
+/// 10³⁰, masses outside 10⁻³⁰ to 10³⁰ kg. Empty when the model can be simulated.
 std::vector<std::string> validate(const TissueModel& model);
 
 } // namespace esm

@@ -109,26 +109,6 @@ void fixNodesInside(Project& project, std::size_t region) {
     project.scene.fixed.push_back(std::move(selection));
 }
 
-std::optional<std::size_t> outputFor(const FuzzySystem& system, Parameter parameter) {
-    const auto names = [&]() -> std::vector<std::string> {
-        if (parameter == Parameter::SpringConstant) return {"spring_const", "spring_constant"};
-        return {parameter == Parameter::Viscosity ? "viscosity" : "mass"};
-    }();
-    for (std::size_t i = 0; i < system.outputs.size(); ++i)
-        if (std::find(names.begin(), names.end(), system.outputs[i].name) != names.end()) return i;
-    return std::nullopt;
-}
-
-std::optional<double>& valueOf(TissueValues& values, Parameter parameter) {
-    if (parameter == Parameter::SpringConstant) return values.springConstant;
-    return parameter == Parameter::Viscosity ? values.viscosity : values.mass;
-}
-
-std::optional<double> valueOf(const TissueValues& values, Parameter parameter) {
-    TissueValues copy = values;
-    return valueOf(copy, parameter);
-}
-
 double& valueOf(BaseTissue& base, Parameter parameter) {
     if (parameter == Parameter::SpringConstant) return base.springConstant;
     return parameter == Parameter::Viscosity ? base.viscosity : base.mass;

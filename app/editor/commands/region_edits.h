@@ -31,12 +31,6 @@ void moveRegion(Project& project, std::size_t region, int above);
 /// Fixes the nodes inside a region's ellipsoid in space. Precondition: it has one.
 void fixNodesInside(Project& project, std::size_t region);
 
-/// The system output that sets a parameter, by the names the project file knows; none without.
-enum class Parameter { SpringConstant, Viscosity, Mass };
-std::optional<std::size_t> outputFor(const FuzzySystem& system, Parameter parameter);
-
-std::optional<double>& valueOf(TissueValues& values, Parameter parameter);
-std::optional<double> valueOf(const TissueValues& values, Parameter parameter);
 double& valueOf(BaseTissue& base, Parameter parameter);
 
 } // namespace esm

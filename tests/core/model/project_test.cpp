@@ -1,5 +1,7 @@
 #include "core/model/project.h"
 
+#include "core/support/errors.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -35,7 +37,7 @@ TriangleMesh tetrahedron(double side) {
             {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-Project projectOf(TriangleMesh mesh, bool closed, double mass = 0) {
+Project projectOf(TriangleMesh mesh, bool closed, std::optional<double> mass = std::nullopt) {
     RepairedMesh surface{std::move(mesh), {}};
     surface.report.boundaryEdges = closed ? 0 : 4;
     return makeProject("trial", std::move(surface), mass);
@@ -64,6 +66,17 @@ TEST(Project, WeighsWhatItIsGivenElseItsVolumeElseItsWall) {
 TEST(Project, WeighsAFlatClosedSurfaceByItsWall) {
     TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
     EXPECT_NEAR(projectOf(flat, true).base.mass, 3, 1e-12);
+}
+
+TEST(Project, WeighsByItsWallWhereInsideAndOutsideCannotBeToldApart) {
+    RepairedMesh surface{tetrahedron(0.1), {}};
+    surface.report.inconsistentEdges = 1;
+    EXPECT_NEAR(makeProject("trial", surface).base.mass, surfaceArea(surface.mesh) * 0.003 * 1000, 1e-12);
+}
+
+TEST(Project, RefusesAMassThatIsNone) {
+    for (const double mass : {0.0, -1.0, double{NAN}, double{INFINITY}, 1e-40})
+        EXPECT_THROW(projectOf(tetrahedron(0.1), true, mass), InvalidModel) << mass;
 }
 
 TEST(Project, IsSoundAtAnySize) {
@@ -125,6 +138,21 @@ TEST(Model, TakesTethersAndFixedNodesFromTheScene) {
     EXPECT_EQ(model.tethers[2].node, 8);
     EXPECT_EQ(model.tethers[2].springConstant, 1.5);
     EXPECT_EQ(model.tethers[2].viscosity, 2.5);
+}
+
+TEST(SceneWarnings, NameWhatHasNoEffect) {
+    const Project project = projectOf(sheet(2, 2), false);
+    Scene scene;
+    Ellipsoid corner, nowhere;
+    corner.radii.setConstant(1.1);
+    nowhere.centre = {9, 9, 9};
+    scene.fixed = {{{8}, {}}, {{}, corner}, {{4}, nowhere}};
+    scene.forces = {{5, {0, 0, 1}, 0, 1}, {8, {0, 0, 1}, 0, 1}};
+    scene.moves = {{0, {{0, {0, 0, 0}}}}, {7, {{0, {0, 0, 0}}}}};
+    EXPECT_THAT(sceneWarnings(scene, evaluateModel(project, scene)),
+                ElementsAre(HasSubstr("fixed[2]: the ellipsoid holds no node"),
+                            HasSubstr("forces[1]: node 8 is fixed"), HasSubstr("moves[0]: node 0 is fixed")));
+    EXPECT_THAT(sceneWarnings(project.scene, evaluateModel(project)), IsEmpty());
 }
 
 TEST(RegionResult, CountsNodesAndTheSpringsBetweenThem) {

@@ -57,6 +57,37 @@ TEST(Region, LeavesOutputsNoRuleReachesAndSaysSo) {
     EXPECT_THAT(tissue.warnings, ElementsAre(HasSubstr("no rule reaches viscosity")));
 }
 
+TEST(Region, SaysNothingOfAnOutputThatAHeldValueStandsFor) {
+    Region region;
+    region.system = systemOf({around("viscosity", 5), around("spring_const", 20)});
+    region.inputs = {{"firmness", 7}};
+    region.held.viscosity = 11;
+    const RegionTissue tissue = evaluate(region);
+    EXPECT_EQ(tissue.values.viscosity, 11);
+    EXPECT_THAT(tissue.warnings, ElementsAre(HasSubstr("no rule reaches spring_const")));
+}
+
+TEST(Region, WarnsOfASystemThatSetsNoTissue) {
+    Region region;
+    region.system = systemOf({around("colour", 5), around("stiffness", 20)});
+    region.inputs = {{"firmness", 2}};
+    EXPECT_THAT(evaluate(region).warnings, ElementsAre(HasSubstr("trial sets no tissue")));
+}
+
+TEST(Region, TakesTheFirstOfTwoOutputsThatSetTheSameAndSaysSo) {
+    Region region;
+    region.system =
+        systemOf({around("viscosity", 5), around("spring_constant", 20), around("spring_const", 70)});
+    region.inputs = {{"firmness", 2}};
+    const RegionTissue tissue = evaluate(region);
+    EXPECT_DOUBLE_EQ(tissue.values.springConstant.value(), 20);
+    EXPECT_THAT(tissue.warnings,
+                ElementsAre(HasSubstr("spring_const sets nothing, since spring_constant before it")));
+    EXPECT_EQ(outputFor(*region.system, Parameter::SpringConstant), 1);
+    EXPECT_EQ(outputFor(*region.system, Parameter::Viscosity), 0);
+    EXPECT_EQ(outputFor(*region.system, Parameter::Mass), std::nullopt);
+}
+
 TEST(Region, WarnsOfInputsOutOfRangeAndEvaluatesThemUnclamped) {
     Region region;
     region.system = systemOf({around("viscosity", 5)});
@@ -88,6 +119,12 @@ TEST(Region, KeepsWhatIsBeneathWhereAValueIsImpossible) {
     EXPECT_FALSE(tissue.values.springConstant || tissue.values.viscosity || tissue.values.mass);
     EXPECT_THAT(tissue.warnings,
                 ElementsAre(HasSubstr("spring constant"), HasSubstr("viscosity -5"), HasSubstr("mass 0")));
+
+    region = {};
+    region.held = {1e31, 1e300, 1e-31};
+    EXPECT_THAT(evaluate(region).warnings, testing::SizeIs(3));
+    region.held = {1e30, 1e30, 1e-30};
+    EXPECT_THAT(evaluate(region).warnings, IsEmpty());
 }
 
 TEST(Region, RefusesInputsItsSystemDoesNotHave) {

@@ -47,6 +47,22 @@ TEST(Scene, ThatIsSoundHasNoProblem) {
     EXPECT_THAT(validate(Scene{}, 1), IsEmpty());
 }
 
+TEST(Scene, MayHaveExtremeTimes) {
+    for (const double time : {5e-324, 1e-300, 1e25, 1e308}) {
+        Scene scene = soundScene();
+        scene.duration = scene.record.every = time;
+        EXPECT_THAT(validate(scene, 5), IsEmpty()) << time;
+    }
+}
+
+TEST(Scene, BoundsItsTethers) {
+    Scene scene = soundScene();
+    scene.tethers = {{1, 1e30, 1e30}};
+    EXPECT_THAT(validate(scene, 5), IsEmpty());
+    scene.tethers = {{1, 2e30, 2e30}};
+    EXPECT_THAT(validate(scene, 5), testing::SizeIs(2));
+}
+
 TEST(Scene, ReportsEveryProblemWithItsPlace) {
     Scene scene = soundScene();
     scene.duration = 0;

@@ -76,12 +76,29 @@ TEST(TissueModel, ReportsEveryKindOfProblemOnce) {
     EXPECT_THAT(validate(model),
                 ElementsAre(HasSubstr("node without a finite rest position (node 0)"),
                             HasSubstr("does not exist (spring 1)"), HasSubstr("itself (spring 2)"),
-                            HasSubstr("rest length (spring 3)"), HasSubstr("(mesh point 2)"),
-                            HasSubstr("viscosities has 3 entries for 4 nodes"),
-                            HasSubstr("4 nodes with a mass that is not above zero (node 0, 1, 2, 3)"),
-                            HasSubstr("spring constant (node 1)"), HasSubstr("(tether 0)"),
-                            HasSubstr("(tether 1)"), HasSubstr("(fixed node 2)"),
+                            HasSubstr("rest length that is not 0 to 1e+30 (spring 3)"),
+                            HasSubstr("(mesh point 2)"), HasSubstr("viscosities has 3 entries for 4 nodes"),
+                            HasSubstr("4 nodes with a mass that is not 1e-30 to 1e+30 (node 0, 1, 2, 3)"),
+                            HasSubstr("spring constant that is not 0 to 1e+30 (node 1)"),
+                            HasSubstr("(tether 0)"), HasSubstr("(tether 1)"), HasSubstr("(fixed node 2)"),
                             HasSubstr("(fixed node 1)")));
+}
+
+TEST(TissueModel, IsBoundedSoThatNothingComputedFromItOverflows) {
+    TissueModel model = modelOf(networkFromMesh(square()));
+    const auto within = [&](double springConstant, double viscosity, double mass) {
+        model.springConstant.assign(4, springConstant);
+        model.viscosity.assign(4, viscosity);
+        model.mass.assign(4, mass);
+        return validate(model).empty();
+    };
+    EXPECT_TRUE(within(1e30, 1e30, 1e-30));
+    EXPECT_EQ(springConstant(model, {1, 3, 1}), 1e30);
+    EXPECT_TRUE(within(0, 0, 1e30));
+    EXPECT_FALSE(within(1.1e30, 1, 1));
+    EXPECT_FALSE(within(1, 1e308, 1));
+    EXPECT_FALSE(within(1, 1, 1e31));
+    EXPECT_FALSE(within(1, 1, 1e-31));
 }
 
 TEST(TissueModel, WithoutNetworkOrNodesIsRefused) {
