@@ -140,10 +140,11 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     const auto sink = [&trajectory](double time, const std::vector<Eigen::Vector3d>& positions) {
         trajectory.add(time, positions);
     };
-    const SceneOutcome outcome =
-        runScene(model.tissue, model.surface, model.scene, settings, sink, progressOf(context, "simulating"));
+    const SceneOutcome outcome = runScene({model.tissue, model.surface, model.scene, settings}, sink,
+                                          progressOf(context, "simulating"));
     trajectory.commit();
     Report report = describe(outcome);
+    addWarnings(report, sceneWarnings(model.scene, model.tissue));
     addWritten(report, options.output);
     return report;
 }

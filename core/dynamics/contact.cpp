@@ -1,5 +1,7 @@
 #include "core/dynamics/contact.h"
 
+#include "core/geometry/nearest_weights.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -34,29 +36,9 @@ double enclosingCircle(const Vector3d& a, const Vector3d& b, const Vector3d& c) 
     return sides[0] * sides[1] * sides[2] / (4 * (b - a).cross(c - a).squaredNorm());
 }
 
-/// Weights of the triangle's point nearest to a point. After Ericson, Real-Time Collision Detection, 5.1.5.
-std::array<double, 3> nearestWeights(const Vector3d& p, const Vector3d& a, const Vector3d& b,
-                                     const Vector3d& c) {
-    const Vector3d ab = b - a, ac = c - a;
-    const double d1 = ab.dot(p - a), d2 = ac.dot(p - a), d3 = ab.dot(p - b), d4 = ac.dot(p - b);
-    const double d5 = ab.dot(p - c), d6 = ac.dot(p - c);
-    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-    const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-    if (va <= 0 && d4 >= d3 && d5 >= d6) {
-        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0, 1 - w, w};
-    }
-    const double sum = va + vb + vc;
-    return {va / sum, vb / sum, vc / sum};
-}
-
 Vector3d pointOf(const Contact& contact, const Vectors& positions) {
     Vector3d point = Vector3d::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i)
+    for (std::size_t i = 0; i < contact.count; ++i)
         point += contact.weights.at(i) * positions[contact.nodes.at(i)];
     return point;
 }
@@ -78,15 +60,16 @@ Vector3d outward(const Vector3d& after, const Vector3d& before, const SphereMove
 }
 
 /// The same point has the same contact, whichever triangle it is found in.
-Contact makeContact(Triangle nodes, std::array<double, 3> weights) {
+Contact makeContact(Triangle nodes, const Vector3d& weights) {
     Contact contact{{noIndex, noIndex, noIndex}, {}, 0, {}, 0, 0};
     while (true) {
         const auto lowest =
             static_cast<std::size_t>(std::min_element(nodes.begin(), nodes.end()) - nodes.begin());
         if (nodes.at(lowest) == noIndex) return contact;
-        if (weights.at(lowest) > 0) {
-            contact.nodes.at(static_cast<std::size_t>(contact.count)) = nodes.at(lowest);
-            contact.weights.at(static_cast<std::size_t>(contact.count++)) = weights.at(lowest);
+        const double weight = weights[static_cast<Eigen::Index>(lowest)];
+        if (weight > 0) {
+            contact.nodes.at(contact.count) = nodes.at(lowest);
+            contact.weights.at(contact.count++) = weight;
         }
         nodes.at(lowest) = noIndex;
     }
@@ -94,7 +77,7 @@ Contact makeContact(Triangle nodes, std::array<double, 3> weights) {
 
 double movableShare(const Contact& contact, const std::vector<char>& immovable) {
     double share = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i)
+    for (std::size_t i = 0; i < contact.count; ++i)
         if (!immovable[contact.nodes.at(i)]) share += contact.weights.at(i);
     return share;
 }
@@ -171,9 +154,9 @@ void projectOut(const std::vector<Triangle>& surface, const std::vector<char>& i
             const double inside = depth(contact, positions, sphere);
             if (inside <= 0) continue;
             double squares = 0;
-            for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i)
+            for (std::size_t i = 0; i < contact.count; ++i)
                 if (!immovable[contact.nodes.at(i)]) squares += contact.weights.at(i) * contact.weights.at(i);
-            for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i)
+            for (std::size_t i = 0; i < contact.count; ++i)
                 if (!immovable[contact.nodes.at(i)])
                     positions[contact.nodes.at(i)] +=
                         inside * contact.weights.at(i) / squares * contact.normal;

@@ -14,9 +14,9 @@ struct SphereMove {
 
 /// A surface point that must not come nearer to the sphere's centre than `distance`.
 struct Contact {
-    std::array<std::uint32_t, 3> nodes; ///< the first `count` count
+    std::array<std::uint32_t, 3> nodes; ///< the first `count` of them; then noIndex
     std::array<double, 3> weights;      ///< of the nodes in the point; sum 1
-    int count;
+    std::size_t count;
     Eigen::Vector3d normal; ///< away from the sphere
     double distance;        ///< m
     double depth;           ///< m inside, when found
@@ -24,8 +24,8 @@ struct Contact {
 
 /// Where the surface, moved from `before` to `after`, is inside the sphere at its end. A triangle that is
 /// small beside the sphere is kept out by its corners, which stay outside by as much as its middle would sink
-/// in between; a larger one by its nearest point. Points that nothing can move (`immovable` nodes) are left
-/// out. In a fixed order.
+/// in between; a larger one by its corners and its nearest point. Points that hang on `immovable` nodes by
+/// more than four fifths are left out. In a fixed order.
 std::vector<Contact> findContacts(const std::vector<Triangle>& surface, const std::vector<char>& immovable,
                                   const Vectors& before, const Vectors& after, const SphereMove& sphere);
 
@@ -45,8 +45,8 @@ void mergeContacts(std::vector<Contact>& contacts, std::vector<Contact> found, s
 void projectOut(const std::vector<Triangle>& surface, const std::vector<char>& immovable,
                 const Vectors& before, const SphereMove& sphere, Vectors& positions);
 
-/// Parts a step should be cut into so that neither the sphere nor tissue in its way moves more than half a
-/// radius.
+/// Parts a step should be cut into so that neither the sphere nor tissue in its way, moving at `velocities`,
+/// moves more than half a radius.
 int contactParts(const std::vector<Triangle>& surface, const Vectors& positions, const Vectors& velocities,
                  const SphereMove& sphere, double duration);
 

@@ -11,7 +11,7 @@ constexpr int mostSweeps = 200;
 std::vector<std::uint32_t> movableNodes(const ContactProblem& problem) {
     std::vector<std::uint32_t> nodes;
     for (const Contact& contact : problem.contacts)
-        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i)
+        for (std::size_t i = 0; i < contact.count; ++i)
             if (!problem.immovable[contact.nodes.at(i)]) nodes.push_back(contact.nodes.at(i));
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -28,7 +28,7 @@ std::vector<std::vector<Share>> sharesOf(const ContactProblem& problem,
     std::vector<std::vector<Share>> shares(problem.contacts.size());
     for (std::size_t c = 0; c < shares.size(); ++c) {
         const Contact& contact = problem.contacts[c];
-        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
+        for (std::size_t i = 0; i < contact.count; ++i) {
             if (problem.immovable[contact.nodes.at(i)]) continue;
             const auto place =
                 std::lower_bound(nodes.begin(), nodes.end(), contact.nodes.at(i)) - nodes.begin();

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/energy.h"
+#include "core/dynamics/settings.h"
 #include "core/dynamics/spring_system.h"
 
 namespace esm {

@@ -3,6 +3,7 @@
 #include "core/dynamics/spring_system.h"
 #include "core/dynamics/stability.h"
 #include "core/support/errors.h"
+#include "core/support/numbers.h"
 
 #include <chrono>
 #include <cmath>
@@ -16,34 +17,50 @@ using Clock = std::chrono::steady_clock;
 constexpr double tooShortToTime = 0.01; // s
 constexpr int mostRepeats = 5;
 constexpr double progressInterval = 0.1; // s
+constexpr double mostSteps = 1e12;       // at a microsecond each, eleven days
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 /// Steps are counted, not added up; a step that misses a time by rounding alone reaches it.
-std::size_t stepReaching(double time, double timeStep) {
-    return static_cast<std::size_t>(std::max(0.0, std::ceil(time / timeStep - 1e-6)));
+double stepReaching(double time, double timeStep) {
+    return std::max(0.0, std::ceil(time / timeStep - 1e-6));
+}
+
+/// @throws InvalidModel when there are more than can be run
+std::size_t stepsOf(const Scene& scene, double timeStep) {
+    const double steps = std::max(1.0, stepReaching(scene.duration, timeStep));
+    if (steps > mostSteps)
+        throw InvalidModel("duration: " + numberText(scene.duration) + " s in steps of " +
+                           numberText(timeStep) + " s are more steps than can be run, " +
+                           numberText(mostSteps) + "; shorten the duration or lengthen the step");
+    return static_cast<std::size_t>(steps);
 }
 
 class Recorder {
 public:
     Recorder(const Scene& scene, double timeStep, FrameSink sink)
-        : m_scene(scene), m_timeStep(timeStep), m_last(stepReaching(scene.duration, timeStep)),
-          m_sink(std::move(sink)) {}
+        : m_scene(scene), m_timeStep(timeStep), m_last(stepsOf(scene, timeStep)), m_sink(std::move(sink)) {}
 
     std::size_t lastStep() const { return m_last; }
 
     /// Hands out the state after so many steps when a frame is due, or when it is the last there will be.
     void offer(std::size_t step, const Simulation& simulation, bool last) {
-        if (step != m_next && step != m_last && !(last && step > m_given)) return;
+        const bool isDue = static_cast<double>(step) >= m_next;
+        if (!isDue && step != m_last && !(last && step > m_given)) return;
         if (m_sink) m_sink(simulation.time(), recorded(simulation.positions()));
         m_given = step;
-        while (m_next <= step && m_next < m_last)
-            m_next = stepReaching(static_cast<double>(++m_frame) * m_scene.record.every, m_timeStep);
+        if (isDue) m_next = dueAfter(step);
     }
 
 private:
+    /// The step at which the next frame is due: each one when frames follow faster than steps.
+    double dueAfter(std::size_t step) {
+        if (m_scene.record.every <= m_timeStep) return static_cast<double>(step) + 1;
+        return stepReaching(++m_frame * m_scene.record.every, m_timeStep);
+    }
+
     Vectors recorded(const Vectors& positions) const {
         if (!m_scene.record.nodes) return positions;
         Vectors chosen;
@@ -54,18 +71,21 @@ private:
 
     const Scene& m_scene;
     double m_timeStep;
-    std::size_t m_last, m_next = 0, m_given = 0, m_frame = 0;
+    std::size_t m_last, m_given = 0;
+    double m_next = 0, m_frame = 0; ///< whole numbers; may be beyond any step
     FrameSink m_sink;
 };
 
-/// Runs the scene from rest; returns the seconds spent stepping.
-double run(Simulation& simulation, const Scene& scene, const Vectors& rest, Recorder& recorder,
-           const Progress& progress, SceneOutcome& outcome) {
+/// Runs the scene from rest, its instrument standing at its path's start; returns the seconds spent stepping.
+double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& recorder, const Progress& progress,
+                   SceneOutcome& outcome) {
     double stepping = 0;
     Clock::time_point lastReport = Clock::now();
+    if (run.scene.instrument) simulation.placeInstrument(positionAt(run.scene.instrument->path, 0));
     recorder.offer(0, simulation, false);
     for (outcome.steps = 0; outcome.steps < recorder.lastStep();) {
-        const Loads loads = loadsAt(scene, rest, simulation.time(), simulation.timeStep());
+        const Loads loads =
+            loadsAt(run.scene, run.model.network->restPositions, simulation.time(), simulation.timeStep());
         const Clock::time_point start = Clock::now();
         outcome.stable = simulation.step(loads);
         stepping += secondsSince(start);
@@ -80,21 +100,24 @@ double run(Simulation& simulation, const Scene& scene, const Vectors& rest, Reco
     return stepping;
 }
 
-/// A chosen step is shortened so that frames fall on steps.
-SimulationSettings withStep(const TissueModel& model, SimulationSettings settings, const Recording& record) {
+/// A chosen step is shortened so that frames fall on steps, where that leaves it long enough.
+SimulationSettings withStep(const SceneRun& run) {
+    SimulationSettings settings = run.settings;
     if (settings.timeStep) return settings;
-    const ChosenStep chosen = chooseStep(model, settings);
+    const ChosenStep chosen = chooseStep(run.model, settings);
     settings.integrator = chosen.integrator;
-    settings.timeStep = record.every / std::ceil(record.every / chosen.timeStep * (1 - 1e-9));
+    const double every = run.scene.record.every;
+    const double shortened = every / std::ceil(every / chosen.timeStep * (1 - 1e-9));
+    settings.timeStep = shortened >= shortestStep ? shortened : chosen.timeStep;
     return settings;
 }
 
-double bestOfRepeats(Simulation& simulation, const Scene& scene, const Vectors& rest, double seconds) {
+double bestOfRepeats(const SceneRun& run, Simulation& simulation, double seconds) {
     for (int repeat = 1; repeat < mostRepeats && seconds < tooShortToTime; ++repeat) {
         simulation.reset();
         SceneOutcome ignored;
-        Recorder nothing(scene, simulation.timeStep(), {});
-        seconds = std::min(seconds, run(simulation, scene, rest, nothing, {}, ignored));
+        Recorder nothing(run.scene, simulation.timeStep(), {});
+        seconds = std::min(seconds, stepThrough(run, simulation, nothing, {}, ignored));
     }
     return seconds;
 }
@@ -114,26 +137,24 @@ Loads loadsAt(const Scene& scene, const Vectors& rest, double start, double time
     return loads;
 }
 
-SceneOutcome runScene(const TissueModel& model, const std::vector<Triangle>& surface, const Scene& scene,
-                      const SimulationSettings& settings, const FrameSink& sink, const Progress& progress) {
-    if (auto problems = validate(scene, model.mass.size()); !problems.empty())
+SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& progress) {
+    if (auto problems = validate(run.scene, run.model.mass.size()); !problems.empty())
         throw InvalidModel(std::move(problems));
     reportProgress(progress, 0);
     const Clock::time_point start = Clock::now();
-    Simulation simulation(model, withStep(model, settings, scene.record),
-                          scene.instrument ? surface : std::vector<Triangle>{});
+    Simulation simulation(run.model, withStep(run),
+                          run.scene.instrument ? run.surface : std::vector<Triangle>{});
     SceneOutcome outcome;
     outcome.setupSeconds = secondsSince(start);
     outcome.integrator = simulation.integrator();
     outcome.timeStep = simulation.timeStep();
 
-    const Vectors& rest = model.network->restPositions;
-    Recorder recorder(scene, outcome.timeStep, sink);
-    outcome.wallSeconds = run(simulation, scene, rest, recorder, progress, outcome);
+    Recorder recorder(run.scene, outcome.timeStep, sink);
+    outcome.wallSeconds = stepThrough(run, simulation, recorder, progress, outcome);
     outcome.simulatedSeconds = simulation.time();
     outcome.energy = simulation.energy();
     outcome.outcome = outcome.stable ? "completed" : simulation.failure();
-    if (outcome.stable) outcome.wallSeconds = bestOfRepeats(simulation, scene, rest, outcome.wallSeconds);
+    if (outcome.stable) outcome.wallSeconds = bestOfRepeats(run, simulation, outcome.wallSeconds);
     reportProgress(progress, 1);
     return outcome;
 }

@@ -25,10 +25,16 @@ struct SceneOutcome {
     Energy energy;       ///< at the end
 };
 
+/// What is run, and how.
+struct SceneRun {
+    const TissueModel& model;
+    const std::vector<Triangle>& surface; ///< over the nodes, what an instrument touches; may be empty
+    const Scene& scene;
+    SimulationSettings settings = {};
+};
+
 /// Runs a scene from rest. A run that diverges ends with its last good state and says so in the outcome.
-/// @throws InvalidModel, Cancelled
-SceneOutcome runScene(const TissueModel& model, const std::vector<Triangle>& surface, const Scene& scene,
-                      const SimulationSettings& settings, const FrameSink& sink,
-                      const Progress& progress = {});
+/// @throws InvalidModel when the scene is not for the model or takes more than 10¹² steps; Cancelled
+SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& progress = {});
 
 } // namespace esm

@@ -1,17 +1,14 @@
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/settings.h"
+
+#include "core/support/numbers.h"
 
 #include <array>
-#include <cmath>
 
 namespace esm {
 
 namespace {
 
 constexpr std::array<const char*, 4> integratorNames{"auto", "euler", "split", "split2"};
-
-bool isPositive(double value) {
-    return std::isfinite(value) && value > 0;
-}
 
 } // namespace
 
@@ -29,8 +26,6 @@ std::vector<std::string> validate(const SimulationSettings& settings) {
     std::vector<std::string> problems;
     if (settings.timeStep && !isPositive(*settings.timeStep))
         problems.emplace_back("the time step must be a number of seconds above zero");
-    if (!isPositive(settings.longestStep))
-        problems.emplace_back("the longest time step must be a number of seconds above zero");
     const bool split = settings.integrator == Integrator::Split || settings.integrator == Integrator::Split2;
     if (split && settings.damping == Damping::Axial)
         problems.push_back(std::string(integratorName(settings.integrator)) +

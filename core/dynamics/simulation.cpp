@@ -1,37 +1,15 @@
 #include "core/dynamics/simulation.h"
 
+#include "core/dynamics/divergence.h"
 #include "core/dynamics/forces.h"
 #include "core/dynamics/stepper.h"
 #include "core/support/errors.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace esm {
 
 namespace {
-
-/// Farther from each other than this many times the model's size, nodes have left all bounds.
-constexpr double mostSpread = 100;
-
-double spread(const Vectors& positions) {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& position : positions)
-        mean += position;
-    mean /= static_cast<double>(positions.size());
-    double farthest = 0;
-    for (const Eigen::Vector3d& position : positions) {
-        const double distance = (position - mean).norm();
-        if (!(distance <= farthest)) farthest = distance; // not-a-number stays
-        if (std::isnan(distance)) return distance;
-    }
-    return farthest;
-}
-
-bool isFinite(const Vectors& vectors) {
-    for (const Eigen::Vector3d& vector : vectors)
-        if (!vector.allFinite()) return false;
-    return true;
-}
 
 /// Why the loads cannot act on a model; empty when they can.
 std::string problemOf(const Loads& loads, std::size_t nodeCount) {
@@ -55,8 +33,9 @@ struct Simulation::Implementation {
     Stepper stepper;
     Motion motion;
     std::size_t steps = 0;
-    double startTime = 0; ///< s, before which the step was another
-    double size = 0;      ///< m
+    double startTime = 0;                      ///< s, before which the step was another
+    std::optional<Eigen::Vector3d> instrument; ///< m, centre, where the last step left it
+    DivergenceGuard guard;
     std::string failure;
 
     Implementation(const TissueModel& model, const SimulationSettings& given, std::vector<Triangle> triangles)
@@ -68,7 +47,8 @@ struct Simulation::Implementation {
     void reset() {
         motion.positions = stepper.system().network->restPositions;
         motion.velocities.assign(motion.positions.size(), Eigen::Vector3d::Zero());
-        size = motion.positions.empty() ? 0 : spread(motion.positions);
+        guard.restart(motion.positions);
+        instrument.reset();
         steps = 0;
         startTime = 0;
         failure.clear();
@@ -77,15 +57,23 @@ struct Simulation::Implementation {
 
     double time() const { return startTime + static_cast<double>(steps) * chosen.timeStep; }
 
-    /// Why a motion cannot be right; empty when it can.
-    std::string problemOf(const Motion& next) const {
-        if (next.positions.empty()) return {};
-        if (!isFinite(next.positions) || !isFinite(next.velocities))
-            return "the motion grew beyond all numbers";
-        if (size > 0 && spread(next.positions) > mostSpread * size)
-            return "the tissue flew apart, to more than a hundred times its size";
-        return {};
+    /// The instrument's way during the next step, if there is one.
+    std::optional<SphereMove> sweepTo(const std::optional<Sphere>& sphere) const {
+        if (!sphere) return std::nullopt;
+        return SphereMove{instrument.value_or(sphere->centre), sphere->centre, sphere->radius};
     }
+
+    /// Steps `next` on; says why it cannot be right.
+    std::string advance(Motion& next, const Loads& loads) {
+        const std::optional<SphereMove> sweep = sweepTo(loads.instrument);
+        stepper.step(next, loads, sweep);
+        std::optional<double> way;
+        if (sweep && instrument) way = (sweep->to - sweep->from).norm();
+        return guard.problemOf({stepper.system(), motion.positions, next.positions, next.velocities, loads,
+                                way, chosen.timeStep});
+    }
+
+    Energy energy() const { return esm::energy(stepper.system(), motion.positions, motion.velocities); }
 };
 
 Simulation::Simulation(const TissueModel& model, const SimulationSettings& settings,
@@ -115,8 +103,7 @@ const std::string& Simulation::failure() const {
 }
 
 Energy Simulation::energy() const {
-    const Motion& motion = m_implementation->motion;
-    return esm::energy(m_implementation->stepper.system(), motion.positions, motion.velocities);
+    return m_implementation->energy();
 }
 
 bool Simulation::step(const Loads& loads) {
@@ -124,15 +111,25 @@ bool Simulation::step(const Loads& loads) {
     self.failure = problemOf(loads, self.motion.positions.size());
     if (!self.failure.empty()) return false;
     Motion next = self.motion;
-    self.stepper.step(next, loads);
-    self.failure = self.problemOf(next);
+    try {
+        self.failure = self.advance(next, loads);
+    } catch (...) {
+        self.stepper.restart();
+        throw;
+    }
     if (!self.failure.empty()) {
         self.stepper.restart();
         return false;
     }
     self.motion = std::move(next);
+    self.instrument.reset();
+    if (loads.instrument) self.instrument = loads.instrument->centre;
     ++self.steps;
     return true;
+}
+
+void Simulation::placeInstrument(const Eigen::Vector3d& centre) {
+    m_implementation->instrument = centre;
 }
 
 void Simulation::setModel(const TissueModel& model) {
@@ -145,9 +142,11 @@ void Simulation::setModel(const TissueModel& model) {
     self.startTime = self.time();
     self.steps = 0;
     self.chosen = chosen;
+    const double energyBefore = self.energy().total();
     self.stepper = std::move(stepper);
     for (std::uint32_t node : model.fixedNodes)
         self.motion.velocities[node].setZero();
+    self.guard.allow(std::max(0.0, self.energy().total() - energyBefore));
 }
 
 void Simulation::reset() {

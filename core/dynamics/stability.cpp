@@ -15,7 +15,6 @@ namespace {
 
 constexpr double noLimit = std::numeric_limits<double>::infinity();
 constexpr double safetyFactor = 0.9;
-constexpr double shortestStep = 1e-9; // s
 
 using Matrix = Eigen::SparseMatrix<double>;
 
@@ -23,6 +22,8 @@ using Matrix = Eigen::SparseMatrix<double>;
 /// short of it by at most the tolerance, relative.
 double largestStep(double stable, double cap, double tolerance, const std::function<bool(double)>& holds) {
     if (stable >= cap || (std::isfinite(cap) && holds(cap))) return cap;
+    // In uniform tissue the first guess is the limit itself.
+    if (!holds((1 + tolerance) * stable)) return stable;
     double unstable = cap;
     for (int doubling = 0; doubling < 60 && 2 * stable < cap; ++doubling) {
         if (!holds(2 * stable)) {
@@ -62,16 +63,14 @@ Matrix massNormalised(const Matrix& matrix, const Matrix& mass) {
 /// whole range, or on a larger set, is safe even where K and D have no common eigenvectors.
 class StabilityRules {
 public:
-    StabilityRules(const SpringSystem& system, double tolerance)
-        : m_tolerance(tolerance), m_mass(laplacianMatrix(system, {1, 0, 0}, system.fixed)),
+    StabilityRules(const SpringSystem& system, StabilitySearch search)
+        : m_search(std::move(search)), m_mass(laplacianMatrix(system, {1, 0, 0}, system.fixed)),
           m_damping(laplacianMatrix(system, {0, 1, 0}, system.fixed)),
           m_stiffness(laplacianMatrix(system, {0, 0, 1}, system.fixed)),
           m_largestStiffness(largestEigenvalue(massNormalised(m_stiffness, m_mass))),
           m_ratio(leastDampingRatio(system)) {
         if (m_mass.rows() > 0) m_solver.analyzePattern(m_mass + m_damping + m_stiffness);
     }
-
-    double largestStiffness() const { return m_largestStiffness; }
 
     std::optional<double> largestStable(Integrator integrator, double cap) {
         switch (integrator) {
@@ -89,7 +88,7 @@ private:
     double euler(double cap) {
         const double damping = largestEigenvalue(massNormalised(m_damping, m_mass));
         const double safe = 4 / (damping + std::sqrt(damping * damping + 4 * m_largestStiffness));
-        return largestStep(safe, cap, m_tolerance,
+        return largestStep(safe, cap, m_search.tolerance,
                            [this](double h) { return isDefinite(4, -2 * h, -h * h); });
     }
 
@@ -97,7 +96,8 @@ private:
     double split(double cap) {
         if (m_largestStiffness == 0) return cap;
         const double safe = m_ratio + std::sqrt(m_ratio * m_ratio + 4 / m_largestStiffness);
-        return largestStep(safe, cap, m_tolerance, [this](double h) { return isDefinite(4, 2 * h, -h * h); });
+        return largestStep(safe, cap, m_search.tolerance,
+                           [this](double h) { return isDefinite(4, 2 * h, -h * h); });
     }
 
     std::optional<double> split2(double cap) {
@@ -107,7 +107,7 @@ private:
         // Where every mode is damped enough to leave the unit circle at −1, that half plane alone is the
         // rule.
         if (safe >= cap || !isDefinite(-8.0 / 7, safe, 0)) return safe;
-        return largestStep(safe, cap, m_tolerance,
+        return largestStep(safe, cap, m_search.tolerance,
                            [this](double h) { return isDefinite(16.0 / 3, 4.0 / 3 * h, -h * h); });
     }
 
@@ -126,11 +126,13 @@ private:
     /// Whether massFactor·M + dampingFactor·D + stiffnessFactor·K is positive definite.
     bool isDefinite(double massFactor, double dampingFactor, double stiffnessFactor) {
         if (m_mass.rows() == 0) return true;
+        reportProgress(m_search.progress, 1 - 1 / (1 + 0.1 * m_factorisations++));
         m_solver.factorize(massFactor * m_mass + dampingFactor * m_damping + stiffnessFactor * m_stiffness);
         return m_solver.info() == Eigen::Success;
     }
 
-    double m_tolerance;
+    StabilitySearch m_search;
+    int m_factorisations = 0;
     Matrix m_mass, m_damping, m_stiffness;
     double m_largestStiffness; ///< ω², mass-normalised
     double m_ratio;
@@ -173,25 +175,26 @@ double split2Limit(double stepDamping) {
     return u > 0 ? stepDamping * (1 / u + 2.5 + 1.5 * u) : 0;
 }
 
+std::optional<double> criticalStep(const TissueModel& model, Integrator integrator,
+                                   const StabilitySearch& search) {
+    return StabilityRules(makeSpringSystem(model), search).largestStable(integrator, noLimit);
+}
+
 CriticalSteps criticalSteps(const TissueModel& model) {
-    StabilityRules rules(makeSpringSystem(model), 1e-3);
-    CriticalSteps steps;
-    steps.omegaMax = std::sqrt(rules.largestStiffness());
-    steps.euler = rules.largestStable(Integrator::Euler, noLimit);
-    steps.split = rules.largestStable(Integrator::Split, noLimit);
-    steps.split2 = rules.largestStable(Integrator::Split2, noLimit);
-    return steps;
+    StabilityRules rules(makeSpringSystem(model), {});
+    return {rules.largestStable(Integrator::Euler, noLimit), rules.largestStable(Integrator::Split, noLimit),
+            rules.largestStable(Integrator::Split2, noLimit)};
 }
 
 ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings) {
     if (auto problems = validate(settings); !problems.empty()) throw InvalidModel(std::move(problems));
     const bool isAuto = settings.integrator == Integrator::Auto;
     if (settings.timeStep && !isAuto) return {settings.integrator, *settings.timeStep};
-    StabilityRules rules(makeSpringSystem(model), 0.05);
+    StabilityRules rules(makeSpringSystem(model), {0.05, {}});
     if (settings.timeStep)
         return {integratorFor(rules, settings.damping, *settings.timeStep), *settings.timeStep};
 
-    const double cap = settings.longestStep / safetyFactor;
+    const double cap = longestStep / safetyFactor;
     ChosenStep chosen{settings.integrator, 0};
     if (isAuto)
         chosen = bestChoice(rules, settings.damping, cap);
@@ -201,9 +204,8 @@ ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settin
         throw InvalidModel(
             "split2 has no stable step where a spring or tether has no viscosity: choose split or "
             "auto, or give all of the tissue some viscosity");
-    chosen.timeStep = std::min(settings.longestStep, chosen.timeStep * safetyFactor);
-    if (chosen.timeStep < std::min(shortestStep, settings.longestStep))
-        refuse(chosen.integrator, chosen.timeStep);
+    chosen.timeStep = std::min(longestStep, chosen.timeStep * safetyFactor);
+    if (chosen.timeStep < shortestStep) refuse(chosen.integrator, chosen.timeStep);
     return chosen;
 }
 

@@ -37,8 +37,8 @@ Stepper::Stepper(SpringSystem system, std::vector<Triangle> surface, const Chose
                  Damping damping)
     : m_system(std::move(system)), m_surface(std::move(surface)), m_integrator(chosen.integrator),
       m_timeStep(chosen.timeStep), m_damping(damping), m_prescribed(m_system.fixed) {
-    solverFor({m_timeStep, 1, nullptr, {}, {}}, false);
-    if (m_integrator == Integrator::Split2) solverFor({m_timeStep, 1, nullptr, {}, {}}, true);
+    solverFor(1, false);
+    if (m_integrator == Integrator::Split2) solverFor(1, true);
 }
 
 void Stepper::restart() {
@@ -46,25 +46,25 @@ void Stepper::restart() {
     m_previous.reset();
 }
 
-void Stepper::step(Motion& motion, const Loads& loads) {
+void Stepper::step(Motion& motion, const Loads& loads, const std::optional<SphereMove>& sphere) {
     if (!m_lastLoads || m_lastLoads->gravity != loads.gravity || m_lastLoads->forces != loads.forces)
         m_previous.reset();
-    for (const Piece& piece : piecesOf(motion, loads))
+    for (const Piece& piece : piecesOf(motion, loads, sphere))
         advance(motion, piece);
     m_lastLoads = loads;
 }
 
-std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads& loads) const {
+std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads& loads,
+                                              const std::optional<SphereMove>& sphere) const {
     const std::vector<HeldNode> held = movable(loads.held, m_system.fixed);
-    if (!loads.instrument || m_surface.empty()) return {{m_timeStep, 1, &loads, held, {}}};
-    const Eigen::Vector3d to = loads.instrument->centre;
-    const Eigen::Vector3d from =
-        m_lastLoads && m_lastLoads->instrument ? m_lastLoads->instrument->centre : to;
-    const double radius = loads.instrument->radius;
-    const int parts =
-        contactParts(m_surface, motion.positions, motion.velocities, {from, to, radius}, m_timeStep);
+    if (!sphere || m_surface.empty()) return {{m_timeStep, 1, &loads, held, {}}};
+    Vectors velocities = motion.velocities;
+    for (const HeldNode& node : held)
+        velocities[node.node] = (node.position - motion.positions[node.node]) / m_timeStep;
+    const int parts = contactParts(m_surface, motion.positions, velocities, *sphere, m_timeStep);
 
     std::vector<Piece> pieces;
+    const auto& [from, to, radius] = *sphere;
     Eigen::Vector3d reached = from;
     for (int part = 1; part <= parts; ++part) {
         const double fraction = static_cast<double>(part) / parts;
@@ -100,7 +100,7 @@ void Stepper::advance(Motion& motion, const Piece& piece) {
 }
 
 Stepper::Untouched Stepper::solve(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next) {
-    Solver& solver = solverFor(piece, secondOrder);
+    Solver& solver = solverFor(piece.parts, secondOrder);
     Untouched untouched;
     for (const HeldNode& held : piece.held) {
         next.velocities[held.node] = (held.position - motion.positions[held.node]) / piece.duration;
@@ -143,7 +143,7 @@ bool Stepper::isTouched(const Motion& motion, const Piece& piece, const Motion& 
 // Each round solves anew from the untouched step, with the contacts of the rounds before, turned to where the
 // surface came to lie, and those that were found since: nothing is pushed twice.
 void Stepper::makeWay(const Motion& motion, const Piece& piece, const Untouched& untouched, Motion& next) {
-    Solver& solver = solverFor(piece, false);
+    Solver& solver = solverFor(piece.parts, false);
     const SphereMove& sphere = *piece.sphere;
     const std::vector<char> stays = immovable(piece);
     const Vectors free = next.positions;
@@ -190,10 +190,10 @@ Vectors Stepper::momentum(const Motion& motion, const Piece& piece, bool secondO
     return forces;
 }
 
-Stepper::Solver& Stepper::solverFor(const Piece& piece, bool secondOrder) {
-    std::unique_ptr<Solver>& solver = m_solvers[{piece.parts, secondOrder}];
+Stepper::Solver& Stepper::solverFor(int parts, bool secondOrder) {
+    std::unique_ptr<Solver>& solver = m_solvers[{parts, secondOrder}];
     if (!solver) {
-        const double damping = m_integrator == Integrator::Euler ? 0 : piece.duration;
+        const double damping = m_integrator == Integrator::Euler ? 0 : m_timeStep / parts;
         solver =
             std::make_unique<Solver>(StepMatrix(m_system, secondOrder ? 1.5 : 1.0, damping, m_prescribed));
     }

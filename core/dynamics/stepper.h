@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/dynamics/contact.h"
+#include "core/dynamics/loads.h"
 #include "core/dynamics/node_impulses.h"
-#include "core/dynamics/simulation.h"
 #include "core/dynamics/stability.h"
 
 #include <map>
@@ -27,8 +27,8 @@ public:
 
     const SpringSystem& system() const { return m_system; }
 
-    /// Precondition: the loads name nodes of the system.
-    void step(Motion& motion, const Loads& loads);
+    /// Precondition: the loads name nodes of the system. `sphere` is the instrument's way, if there is one.
+    void step(Motion& motion, const Loads& loads, const std::optional<SphereMove>& sphere);
 
     /// Forgets what earlier steps left behind, as when the motion was changed from outside.
     void restart();
@@ -52,7 +52,8 @@ private:
         std::vector<std::uint32_t> led; ///< nodes led by impulses
     };
 
-    std::vector<Piece> piecesOf(const Motion& motion, const Loads& loads) const;
+    std::vector<Piece> piecesOf(const Motion& motion, const Loads& loads,
+                                const std::optional<SphereMove>& sphere) const;
     void advance(Motion& motion, const Piece& piece);
     Untouched solve(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next);
     void moveOn(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next) const;
@@ -60,7 +61,7 @@ private:
     void makeWay(const Motion& motion, const Piece& piece, const Untouched& untouched, Motion& next);
     std::vector<char> immovable(const Piece& piece) const;
     bool isTouched(const Motion& motion, const Piece& piece, const Motion& next) const;
-    Solver& solverFor(const Piece& piece, bool secondOrder);
+    Solver& solverFor(int parts, bool secondOrder);
     Vectors momentum(const Motion& motion, const Piece& piece, bool secondOrder) const;
     void prescribe(const std::vector<HeldNode>& held);
 

@@ -11,10 +11,7 @@ namespace {
 /// A drag edits many times a second: only where it rests is worth the work.
 constexpr std::chrono::milliseconds settleTime{300};
 
-std::optional<double> stepOf(const CriticalSteps& steps, Integrator integrator) {
-    if (integrator == Integrator::Split2) return steps.split2;
-    return integrator == Integrator::Split ? steps.split : steps.euler;
-}
+constexpr double tolerance = 0.05; ///< enough for a gauge
 
 } // namespace
 
@@ -57,10 +54,11 @@ void SafeStepFinder::work() {
         if (m_changed.wait_for(lock, settleTime, [this] { return m_stop || m_waiting; })) continue;
         lock.unlock();
         try {
-            const auto step = stepOf(criticalSteps(question.model), question.integrator);
+            const auto step = criticalStep(question.model, question.integrator,
+                                           {tolerance, [this](double) { return !isObsolete(); }});
             if (!isObsolete()) m_found(step);
         } catch (const std::exception&) {
-            // The simulation says itself what is wrong with a model.
+            // Superseded; or the simulation says itself what is wrong with the model.
         }
         lock.lock();
     }

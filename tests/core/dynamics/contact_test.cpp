@@ -143,6 +143,73 @@ TEST(Contact, ALeapOfThirtyRadiiTakesTheTissueAlong) {
     }
 }
 
+/// A sphere that stood above the middle of the membrane has leapt to below where it was.
+void expectTakenAlong(Simulation& simulation, const Tissue& tissue) {
+    Loads loads;
+    loads.instrument = Sphere{{0.003, 0.002, -0.04}, 0.01};
+    ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
+    EXPECT_LT(penetration(tissue.surface, simulation.positions(), *loads.instrument), 1e-6);
+    const auto lowest = std::min_element(simulation.positions().begin(), simulation.positions().end(),
+                                         [](const auto& a, const auto& b) { return a.z() < b.z(); });
+    EXPECT_LT(lowest->z(), -0.04);
+}
+
+TEST(Contact, ALeapRightAfterNewParametersTakesTheTissueAlong) {
+    for (const Integrator integrator : all) {
+        SCOPED_TRACE(integratorName(integrator));
+        Tissue tissue = membrane(21, soft, integrator);
+        Simulation simulation(tissue.model, tissue.settings, tissue.surface);
+        Loads loads;
+        loads.instrument = Sphere{{0.003, 0.002, 0.02}, 0.01};
+        ASSERT_TRUE(simulation.step(loads));
+        for (double& viscosity : tissue.model.viscosity)
+            viscosity *= 1.5;
+        simulation.setModel(tissue.model);
+        expectTakenAlong(simulation, tissue);
+    }
+}
+
+TEST(Contact, ALeapRightAfterAFailedStepTakesTheTissueAlong) {
+    const Tissue tissue = membrane(21, soft, Integrator::Split);
+    Simulation simulation(tissue.model, tissue.settings, tissue.surface);
+    Loads loads;
+    loads.instrument = Sphere{{0.003, 0.002, 0.02}, 0.01};
+    ASSERT_TRUE(simulation.step(loads));
+    loads.forces = {{220, {0, 0, 1e308}}};
+    ASSERT_FALSE(simulation.step(loads));
+    expectTakenAlong(simulation, tissue);
+}
+
+TEST(Contact, AnInstrumentThatWasPlacedSweepsFromThere) {
+    const Tissue tissue = membrane(21, soft, Integrator::Split);
+    Simulation simulation(tissue.model, tissue.settings, tissue.surface);
+    simulation.placeInstrument({0.003, 0.002, 0.02});
+    expectTakenAlong(simulation, tissue);
+}
+
+TEST(Contact, LedTissueIsNotDrawnThroughARestingSphere) {
+    for (const Integrator integrator : all) {
+        SCOPED_TRACE(integratorName(integrator));
+        Tissue tissue = membrane(21, soft, integrator);
+        tissue.model.fixedNodes.clear();
+        const auto& rest = tissue.model.network->restPositions;
+        // All but a square in the middle, drawn up past the sphere at once.
+        Loads loads;
+        loads.instrument = Sphere{{0.003, 0.002, 0.02}, 0.01};
+        for (std::uint32_t i = 0; i < rest.size(); ++i)
+            if (std::max(std::abs(rest[i].x()), std::abs(rest[i].y())) > 0.008)
+                loads.held.push_back({i, rest[i]});
+        Simulation simulation(tissue.model, tissue.settings, tissue.surface);
+        ASSERT_TRUE(simulation.step(loads));
+        for (HeldNode& held : loads.held)
+            held.position.z() += 0.05;
+        for (int i = 0; i < 5; ++i) {
+            ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
+            EXPECT_LT(simulation.positions()[220].z(), 0.0101) << i;
+        }
+    }
+}
+
 TEST(Contact, FixedTissueLetsTheSpherePass) {
     Tissue tissue = membrane(9, soft, Integrator::Auto);
     tissue.model.fixedNodes.clear();

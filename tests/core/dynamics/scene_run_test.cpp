@@ -33,7 +33,7 @@ TEST(SceneRun, RecordsAtTheFirstStepThatReachesTheTime) {
     scene.record.every = 0.03;
     Frames frames;
     const SceneOutcome outcome =
-        runScene(membrane(), {}, scene, withStep(Integrator::Split, 0.01), frames.sink());
+        runScene({membrane(), {}, scene, withStep(Integrator::Split, 0.01)}, frames.sink());
     ASSERT_EQ(frames.times.size(), 5);
     EXPECT_THAT(frames.times, testing::Pointwise(testing::DoubleNear(1e-12), {0.0, 0.03, 0.06, 0.09, 0.11}));
     EXPECT_EQ(outcome.steps, 11);
@@ -48,7 +48,7 @@ TEST(SceneRun, DoesNotDriftOverManySteps) {
     scene.record.every = 0.1;
     Frames frames;
     const SceneOutcome outcome =
-        runScene(tissue::oneSpring({10, 1, 1}), {}, scene, withStep(Integrator::Split, 0.1), frames.sink());
+        runScene({tissue::oneSpring({10, 1, 1}), {}, scene, withStep(Integrator::Split, 0.1)}, frames.sink());
     EXPECT_EQ(outcome.steps, 10000);
     EXPECT_EQ(frames.times.size(), 10001);
     EXPECT_NEAR(frames.times.back(), 1000, 1e-9);
@@ -59,7 +59,7 @@ TEST(SceneRun, PutsFramesOnStepsWhenItChoosesTheStep) {
     scene.duration = 0.5;
     scene.record.every = 0.025;
     Frames frames;
-    const SceneOutcome outcome = runScene(membrane(), {}, scene, {}, frames.sink());
+    const SceneOutcome outcome = runScene({membrane(), {}, scene, {}}, frames.sink());
     EXPECT_LE(outcome.timeStep, 0.01);
     ASSERT_EQ(frames.times.size(), 21);
     for (std::size_t i = 0; i < 21; ++i)
@@ -71,9 +71,59 @@ TEST(SceneRun, GivesEachFrameOnceWhenStepsAreLonger) {
     scene.duration = 0.1;
     scene.record.every = 0.001;
     Frames frames;
-    runScene(membrane(), {}, scene, withStep(Integrator::Split, 0.02), frames.sink());
+    runScene({membrane(), {}, scene, withStep(Integrator::Split, 0.02)}, frames.sink());
     EXPECT_THAT(frames.times,
                 testing::Pointwise(testing::DoubleNear(1e-12), {0.0, 0.02, 0.04, 0.06, 0.08, 0.1}));
+}
+
+TEST(SceneRun, RefusesMoreStepsThanCanBeRun) {
+    Scene scene;
+    scene.duration = 1e25;
+    EXPECT_THROW(runScene({membrane(), {}, scene, withStep(Integrator::Split, 0.01)}, {}), InvalidModel);
+    EXPECT_THROW(runScene({membrane(), {}, scene}, {}), InvalidModel);
+    scene.duration = 1;
+    EXPECT_THROW(runScene({membrane(), {}, scene, withStep(Integrator::Split, 1e-300)}, {}), InvalidModel);
+    EXPECT_THROW(runScene({membrane(), {}, scene, withStep(Integrator::Split, 5e-324)}, {}), InvalidModel);
+    scene.duration = 1e308;
+    EXPECT_THROW(runScene({membrane(), {}, scene, withStep(Integrator::Split, 1e-2)}, {}), InvalidModel);
+}
+
+TEST(SceneRun, TakesOneStepAtLeast) {
+    Scene scene;
+    scene.duration = 1e-9;
+    Frames frames;
+    const SceneOutcome outcome = runScene(
+        {tissue::oneSpring({10, 1, 1}), {}, scene, withStep(Integrator::Split, 0.01)}, frames.sink());
+    EXPECT_EQ(outcome.steps, 1);
+    EXPECT_THAT(frames.times, testing::ElementsAre(0, 0.01));
+}
+
+TEST(SceneRun, RecordsStartAndEndWhenFramesAreFartherApartThanTheRunIsLong) {
+    Scene scene;
+    scene.duration = 0.1;
+    for (const double every : {1.0, 1e25, 1e308}) {
+        scene.record.every = every;
+        for (const SimulationSettings& settings : {withStep(Integrator::Split, 0.01), SimulationSettings()}) {
+            Frames frames;
+            const SceneOutcome outcome = runScene({membrane(), {}, scene, settings}, frames.sink());
+            EXPECT_EQ(outcome.steps, 10) << every;
+            EXPECT_THAT(frames.times, testing::Pointwise(testing::DoubleNear(1e-9), {0.0, 0.1})) << every;
+        }
+    }
+}
+
+TEST(SceneRun, RecordsEveryStepWhenFramesAreCloserThanStepsCanBe) {
+    Scene scene;
+    scene.duration = 0.05;
+    for (const double every : {1e-10, 1e-300}) {
+        scene.record.every = every;
+        for (const SimulationSettings& settings : {withStep(Integrator::Split, 0.01), SimulationSettings()}) {
+            Frames frames;
+            const SceneOutcome outcome = runScene({membrane(), {}, scene, settings}, frames.sink());
+            EXPECT_EQ(outcome.timeStep, 0.01) << every;
+            EXPECT_EQ(frames.times.size(), 6) << every;
+        }
+    }
 }
 
 TEST(SceneRun, ForcesActFromTheirStartUpToTheirEnd) {
@@ -83,7 +133,7 @@ TEST(SceneRun, ForcesActFromTheirStartUpToTheirEnd) {
     scene.record.every = 1;
     scene.forces = {{0, {0, 2, 0}, 0.2, 0.5}};
     TissueModel model = tissue::oneSpring({0, 0, 4});
-    const SceneOutcome outcome = runScene(model, {}, scene, withStep(Integrator::Euler, 0.1), {});
+    const SceneOutcome outcome = runScene({model, {}, scene, withStep(Integrator::Euler, 0.1)}, {});
     EXPECT_NEAR(outcome.energy.kinetic, 0.5 * 4 * std::pow(2 * 0.3 / 4, 2), 1e-12);
 }
 
@@ -95,7 +145,7 @@ TEST(SceneRun, LeadsNodesAlongTheirPaths) {
     scene.moves = {{24, {{0.0, {0, 0, 0}}, {0.5, {0, 0, -0.01}}}}};
     const TissueModel model = membrane();
     Frames frames;
-    runScene(model, {}, scene, {}, frames.sink());
+    runScene({model, {}, scene, {}}, frames.sink());
     const Eigen::Vector3d rest = model.network->restPositions[24];
     ASSERT_EQ(frames.positions.size(), 11);
     ASSERT_EQ(frames.positions[3].size(), 2);
@@ -112,9 +162,22 @@ TEST(SceneRun, PushesTheSurfaceWithItsInstrument) {
     Scene scene;
     scene.instrument = InstrumentMotion{0.02, {{0.0, {0, 0, 0.04}}, {0.5, {0, 0, 0.0}}}};
     Frames frames;
-    runScene(model, mesh.triangles, scene, {}, frames.sink());
+    runScene({model, mesh.triangles, scene, {}}, frames.sink());
     EXPECT_EQ(frames.positions.front(), model.network->restPositions);
     EXPECT_LE(frames.positions.back()[112].z(), -0.02);
+}
+
+TEST(SceneRun, SweepsTheInstrumentFromItsPathsStart) {
+    const TriangleMesh mesh = tissue::gridMesh(15, 0.1);
+    TissueModel model = tissue::fromMesh(mesh, {10, 0.1, 0.001});
+    for (std::uint32_t i = 0; i < 15; ++i)
+        model.fixedNodes.push_back(i);
+    Scene scene;
+    scene.duration = 0.02;
+    scene.instrument = InstrumentMotion{0.01, {{0.0, {0, 0, 0.03}}, {0.005, {0, 0, -0.03}}}};
+    Frames frames;
+    runScene({model, mesh.triangles, scene, withStep(Integrator::Split, 0.01)}, frames.sink());
+    EXPECT_LE(frames.positions.back()[112].z(), -0.04 + 1e-9);
 }
 
 TEST(SceneRun, DivergingEndsWithItsLastGoodState) {
@@ -122,7 +185,8 @@ TEST(SceneRun, DivergingEndsWithItsLastGoodState) {
     scene.forces = {{24, {0, 0, 1}, 0, 1}};
     Frames frames;
     const TissueModel model = tissue::fromMesh(tissue::gridMesh(7, 0.1), {1e6, 0, 1e-4});
-    const SceneOutcome outcome = runScene(model, {}, scene, withStep(Integrator::Euler, 0.01), frames.sink());
+    const SceneOutcome outcome =
+        runScene({model, {}, scene, withStep(Integrator::Euler, 0.01)}, frames.sink());
     EXPECT_FALSE(outcome.stable);
     EXPECT_NE(outcome.outcome, "completed");
     EXPECT_LT(outcome.simulatedSeconds, 1);
@@ -140,8 +204,8 @@ TEST(SceneRun, IsTheSameEveryTime) {
     scene.moves = {{7, {{0.0, {0, 0, 0}}, {0.5, {0.01, 0, 0}}}}};
     scene.instrument = InstrumentMotion{0.02, {{0.0, {0, 0, 0.08}}, {0.5, {0, 0, 0.04}}}};
     Frames first, second;
-    runScene(model, mesh.triangles, scene, {}, first.sink());
-    runScene(model, mesh.triangles, scene, {}, second.sink());
+    runScene({model, mesh.triangles, scene, {}}, first.sink());
+    runScene({model, mesh.triangles, scene, {}}, second.sink());
     EXPECT_EQ(first.positions, second.positions);
 }
 
@@ -149,7 +213,7 @@ TEST(SceneRun, StopsWhenAsked) {
     Scene scene;
     scene.duration = 1e6;
     const auto stopAfterStart = [](double fraction) { return fraction == 0; };
-    EXPECT_THROW(runScene(membrane(), {}, scene, {}, {}, stopAfterStart), Cancelled);
+    EXPECT_THROW(runScene({membrane(), {}, scene, {}}, {}, stopAfterStart), Cancelled);
 }
 
 TEST(SceneRun, RefusesASceneForAnotherModel) {
@@ -157,7 +221,7 @@ TEST(SceneRun, RefusesASceneForAnotherModel) {
     scene.forces = {{900, {0, 0, 1}, 0, 1}};
     scene.moves = {{901, {{0.0, {0, 0, 0}}}}};
     try {
-        runScene(membrane(), {}, scene, {}, {});
+        runScene({membrane(), {}, scene, {}}, {});
         FAIL() << "accepted";
     } catch (const InvalidModel& problem) {
         EXPECT_EQ(problem.problems().size(), 2);

@@ -108,7 +108,6 @@ TEST(CriticalSteps, KnowWhereThereIsNoLimitAndNoStep) {
     EXPECT_EQ(criticalSteps(fixed).split, std::numeric_limits<double>::infinity());
     const CriticalSteps undamped = criticalSteps(tissue::oneSpring({10, 0, 1}));
     EXPECT_EQ(undamped.split2, std::nullopt);
-    EXPECT_NEAR(undamped.omegaMax, std::sqrt(20), 1e-3);
     EXPECT_NEAR(*undamped.euler, 2 / std::sqrt(20), 1e-3);
     EXPECT_NEAR(*undamped.split, 2 / std::sqrt(20), 1e-3);
 }
@@ -121,6 +120,35 @@ TEST(CriticalSteps, OfThePublishedTubeAllowEulerMicrosecondsAndTheSplitFormsTent
     EXPECT_LT(*steps.euler, 5e-6);
     EXPECT_GT(*steps.split, 0.3);
     EXPECT_GT(*steps.split2, 0.2);
+}
+
+TEST(CriticalStep, IsFoundCoarselyOnTheSafeSide) {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(8, 0.1), {50, 0.5, 0.001});
+    for (std::size_t i = 0; i < model.mass.size(); ++i)
+        model.viscosity[i] *= std::exp(2 * std::cos(2.9 * static_cast<double>(i)));
+    const CriticalSteps exact = criticalSteps(model);
+    for (const auto& [integrator, step] : {std::pair{Integrator::Euler, exact.euler},
+                                           {Integrator::Split, exact.split},
+                                           {Integrator::Split2, exact.split2}}) {
+        int fineCalls = 0, coarseCalls = 0;
+        const auto counting = [](int& calls) {
+            return [&calls](double fraction) {
+                EXPECT_TRUE(fraction >= 0 && fraction <= 1);
+                ++calls;
+                return true;
+            };
+        };
+        EXPECT_EQ(criticalStep(model, integrator, {1e-3, counting(fineCalls)}), step);
+        const double coarse = *criticalStep(model, integrator, {0.05, counting(coarseCalls)});
+        EXPECT_LE(coarse, 1.0011 * *step);
+        EXPECT_GT(coarse, 0.949 * *step);
+        EXPECT_LE(coarseCalls, fineCalls);
+    }
+}
+
+TEST(CriticalStep, StopsWhenAsked) {
+    const TissueModel model = tissue::fromMesh(tissue::gridMesh(8, 0.1), {50, 0.5, 0.001});
+    EXPECT_THROW(criticalStep(model, Integrator::Euler, {0.05, [](double) { return false; }}), Cancelled);
 }
 
 TEST(ChooseStep, TakesTheOverdampedTissueByItsSecondOrderForm) {
@@ -146,12 +174,11 @@ TEST(ChooseStep, RefusesWhatCannotWork) {
     const TissueModel model = tissue::oneSpring({10, 0, 1});
     SimulationSettings settings = withStep(Integrator::Split2, 0);
     settings.damping = Damping::Axial;
-    settings.longestStep = std::nan("");
     try {
         chooseStep(model, settings);
         FAIL() << "accepted";
     } catch (const InvalidModel& problem) {
-        EXPECT_EQ(problem.problems().size(), 3);
+        EXPECT_EQ(problem.problems().size(), 2);
     }
     settings = {};
     settings.integrator = Integrator::Split2;
@@ -162,13 +189,23 @@ TEST(ChooseStep, RefusesWhatCannotWork) {
     EXPECT_THROW(Simulation(broken, {}), InvalidModel);
 }
 
+// Built with the sanitizers a step takes tens of times longer: they get the outermost corners only.
+#ifdef ESM_SANITIZE
+const std::vector<double> springConstants{1e-6, 1e9}, viscosities{0.0, 1.0, 1e6}, masses{1e-9, 1e3};
+constexpr int stepsEach = 20;
+#else
+const std::vector<double> springConstants{1e-6, 1.0, 1e4, 1e9}, viscosities{0.0, 1e-6, 1.0, 1e3, 1e6},
+    masses{1e-9, 1e-3, 1e3};
+constexpr int stepsEach = 200;
+#endif
+
 // Every corner of what sliders and files can ask for: a run stays whole or is refused with a reason.
 TEST(Extremes, StayWholeOrAreRefused) {
     const TriangleMesh mesh = tissue::sphereMesh(1, 0.05);
     int ran = 0, refused = 0;
-    for (const double springConstant : {1e-6, 1.0, 1e4, 1e9})
-        for (const double viscosity : {0.0, 1e-6, 1.0, 1e3, 1e6})
-            for (const double mass : {1e-9, 1e-3, 1e3})
+    for (const double springConstant : springConstants)
+        for (const double viscosity : viscosities)
+            for (const double mass : masses)
                 for (const bool contrast : {false, true})
                     for (const bool tied : {false, true}) {
                         TissueModel model = tissue::fromMesh(mesh, {springConstant, viscosity, mass});
@@ -184,8 +221,8 @@ TEST(Extremes, StayWholeOrAreRefused) {
                             Simulation simulation(model, {}, mesh.triangles);
                             Loads loads;
                             loads.forces = {{30, {0, 0, 0.01 * springConstant}}};
-                            for (int i = 0; i < 200; ++i) {
-                                if (i == 100) loads = Loads{};
+                            for (int i = 0; i < stepsEach; ++i) {
+                                if (i == stepsEach / 2) loads = Loads{};
                                 ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
                             }
                             ++ran;

@@ -50,7 +50,7 @@ Poked poke(const TriangleMesh& mesh, double direction) {
     scene.moves = {{static_cast<std::uint32_t>(top - rest.begin()), {{0, {0, 0, 0}}, {0.5, way}}}};
     std::vector<Eigen::Vector3d> last;
     result.outcome =
-        runScene(evaluateModel(project), mesh.triangles, scene, {},
+        runScene({evaluateModel(project), mesh.triangles, scene},
                  [&](double, const std::vector<Eigen::Vector3d>& positions) { last = positions; });
     const std::vector<double> areas = areaPerVertex(mesh);
     double moved = 0;

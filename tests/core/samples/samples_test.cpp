@@ -49,7 +49,7 @@ TEST_P(AnySample, MovesInItsOwnSceneAndComesBack) {
             last = std::max(last, (positions[i] - rest[i]).norm());
         farthest = std::max(farthest, last);
     };
-    const SceneOutcome outcome = runScene(evaluateModel(project), project.mesh->triangles, scene, {}, sink);
+    const SceneOutcome outcome = runScene({evaluateModel(project), project.mesh->triangles, scene}, sink);
     EXPECT_TRUE(outcome.stable) << outcome.outcome;
     EXPECT_GT(farthest, 0.002);
     EXPECT_LT(farthest, 0.04);

@@ -1,0 +1,89 @@
+#include "core/dynamics/divergence.h"
+
+#include "core/dynamics/forces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace esm {
+
+namespace {
+
+constexpr double alwaysGood = 3;    ///< times the size or the reach
+constexpr double neverGood = 100;   ///< times the size
+constexpr double energyMargin = 4;  ///< steps near their critical length let the energy swing
+constexpr double fastestAnswer = 2; ///< times its speed, of what something heavy hits
+
+bool allFinite(const Vectors& vectors) {
+    return std::all_of(vectors.begin(), vectors.end(), [](const auto& v) { return v.allFinite(); });
+}
+
+Eigen::Vector3d middle(const Vectors& positions) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& position : positions)
+        sum += position;
+    return sum / static_cast<double>(positions.size());
+}
+
+/// Of the node farthest from the middle, m.
+double spread(const Vectors& positions, const Eigen::Vector3d& centre) {
+    double farthest = 0;
+    for (const Eigen::Vector3d& position : positions)
+        farthest = std::max(farthest, (position - centre).squaredNorm());
+    return std::sqrt(farthest);
+}
+
+double workOfForces(const DivergenceGuard::Step& step) {
+    double work = 0;
+    for (const auto& [node, force] : step.loads.forces)
+        work += force.dot(step.after[node] - step.before[node]);
+    if (!step.loads.gravity.isZero(0))
+        for (std::size_t i = 0; i < step.after.size(); ++i)
+            work += step.system.mass[i] * step.loads.gravity.dot(step.after[i] - step.before[i]);
+    return work;
+}
+
+} // namespace
+
+void DivergenceGuard::restart(const Vectors& rest) {
+    *this = {};
+    m_size = rest.empty() ? 0 : spread(rest, middle(rest));
+}
+
+void DivergenceGuard::take(const Step& step, const Eigen::Vector3d& centre, double size) {
+    m_work += workOfForces(step);
+    for (const HeldNode& held : step.loads.held) {
+        const double way = (held.position - step.before[held.node]).norm();
+        m_reach = std::max(m_reach, (held.position - centre).norm());
+        m_fastestLoad = std::max(m_fastestLoad, way / step.duration);
+    }
+    if (!step.loads.instrument) return;
+    const auto& [place, radius] = *step.loads.instrument;
+    const double distance = (place - centre).norm();
+    if (distance > size + radius) return;
+    m_reach = std::max(m_reach, distance + radius);
+    m_fastestLoad = std::max(m_fastestLoad, step.instrumentWay.value_or(radius) / step.duration);
+}
+
+std::string DivergenceGuard::problemOf(const Step& step) {
+    if (step.after.empty()) return {};
+    if (!allFinite(step.after) || !allFinite(step.velocities)) return "the motion grew beyond all numbers";
+    const Eigen::Vector3d centre = middle(step.after);
+    const double size = spread(step.after, centre);
+    DivergenceGuard next = *this;
+    next.take(step, centre, size);
+    if (m_size > 0 && size > neverGood * m_size)
+        return "the tissue flew apart, to more than a hundred times its size";
+    if (m_size > 0 && size > alwaysGood * std::max(m_size, next.m_reach)) {
+        const double mass = std::accumulate(step.system.mass.begin(), step.system.mass.end(), 0.0);
+        const double pushed = 0.5 * mass * std::pow(fastestAnswer * next.m_fastestLoad, 2);
+        const double given = std::max(0.0, next.m_work) + pushed;
+        if (energy(step.system, step.after, step.velocities).total() > energyMargin * given)
+            return "the tissue flew apart with more energy than anything gave it";
+    }
+    *this = next;
+    return {};
+}
+
+} // namespace esm

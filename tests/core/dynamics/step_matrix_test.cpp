@@ -1,0 +1,133 @@
+#include "core/dynamics/step_matrix.h"
+#include "core/support/errors.h"
+#include "tests/support/tissue_models.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+using namespace esm;
+using tissue::Vectors;
+
+namespace {
+
+SpringSystem unevenSystem() {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(6, 0.1), {10, 0.5, 0.001});
+    for (std::size_t i = 0; i < model.mass.size(); ++i) {
+        const auto n = static_cast<double>(i);
+        model.mass[i] *= std::exp(std::sin(n));
+        model.viscosity[i] *= std::exp(2 * std::cos(3 * n));
+    }
+    model.tethers = {{0, 1, 0.2}, {20, 1, 3}};
+    return makeSpringSystem(model);
+}
+
+/// massFactor·M + dampingFactor·D over all nodes, from the definition.
+Eigen::MatrixXd denseMatrix(const SpringSystem& system, double massFactor, double dampingFactor) {
+    const auto size = static_cast<Eigen::Index>(system.mass.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+    for (Eigen::Index i = 0; i < size; ++i)
+        matrix(i, i) = massFactor * system.mass[static_cast<std::size_t>(i)];
+    for (const auto& spring : system.springs) {
+        const double d = dampingFactor * spring.viscosity;
+        matrix(spring.first, spring.first) += d;
+        matrix(spring.second, spring.second) += d;
+        matrix(spring.first, spring.second) -= d;
+        matrix(spring.second, spring.first) -= d;
+    }
+    for (const Tether& tether : system.tethers)
+        matrix(tether.node, tether.node) += dampingFactor * tether.viscosity;
+    return matrix;
+}
+
+Vectors someVectors(std::size_t count) {
+    Vectors vectors;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto n = static_cast<double>(i);
+        vectors.emplace_back(std::sin(n), std::cos(2 * n), std::sin(5 * n + 1));
+    }
+    return vectors;
+}
+
+} // namespace
+
+TEST(StepMatrix, SolvesForTheVelocitiesThatAreNotPrescribed) {
+    const SpringSystem system = unevenSystem();
+    std::vector<char> prescribed(system.mass.size(), 0);
+    prescribed[3] = prescribed[14] = prescribed[35] = 1;
+    const StepMatrix matrix(system, 1.5, 0.02, prescribed);
+    const Vectors momentum = someVectors(system.mass.size());
+    Vectors velocities(momentum.size(), Eigen::Vector3d(1, -2, 3)), half;
+    matrix.solveLower(momentum, velocities, half);
+    matrix.solveUpper(half, velocities);
+
+    const Eigen::MatrixXd dense = denseMatrix(system, 1.5, 0.02);
+    for (std::size_t i = 0; i < momentum.size(); ++i) {
+        EXPECT_EQ(matrix.isPrescribed(static_cast<std::uint32_t>(i)), prescribed[i] != 0);
+        if (prescribed[i]) {
+            EXPECT_EQ(velocities[i], Eigen::Vector3d(1, -2, 3));
+            continue;
+        }
+        Eigen::Vector3d product = Eigen::Vector3d::Zero();
+        for (std::size_t j = 0; j < momentum.size(); ++j)
+            product += dense(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * velocities[j];
+        EXPECT_LT((product - momentum[i]).norm(), 1e-11) << i;
+    }
+}
+
+TEST(StepMatrix, GivesColumnsWhoseProductsAreItsInverse) {
+    const SpringSystem system = unevenSystem();
+    const StepMatrix matrix(system, 1, 0.02, std::vector<char>(system.mass.size(), 0));
+    const Eigen::MatrixXd inverse = denseMatrix(system, 1, 0.02).inverse();
+    for (const std::uint32_t a : {0U, 7U, 35U})
+        for (const std::uint32_t b : {0U, 8U, 21U}) {
+            const HalfColumn first = matrix.halfColumn(a), second = matrix.halfColumn(b);
+            double product = 0;
+            for (std::size_t i = 0; i < first.rows.size(); ++i)
+                for (std::size_t j = 0; j < second.rows.size(); ++j)
+                    if (first.rows[i] == second.rows[j]) product += first.values[i] * second.values[j];
+            EXPECT_NEAR(product, inverse(a, b), 1e-9 * inverse(a, a)) << a << " " << b;
+        }
+}
+
+TEST(StepMatrix, IsTheMassesAloneWithoutDamping) {
+    const SpringSystem system = unevenSystem();
+    const StepMatrix matrix(system, 1, 0, std::vector<char>(system.mass.size(), 0));
+    const Vectors momentum = someVectors(system.mass.size());
+    Vectors velocities(momentum.size()), half;
+    matrix.solveLower(momentum, velocities, half);
+    matrix.solveUpper(half, velocities);
+    for (std::size_t i = 0; i < momentum.size(); ++i)
+        EXPECT_LT((velocities[i] - momentum[i] / system.mass[i]).norm(), 1e-9);
+}
+
+TEST(StepMatrix, OfNothingButPrescribedNodesHasNothingToSolve) {
+    const SpringSystem system = unevenSystem();
+    const StepMatrix matrix(system, 1, 0.02, std::vector<char>(system.mass.size(), 1));
+    const Vectors given = someVectors(system.mass.size());
+    Vectors velocities = given, half;
+    matrix.solveLower(given, velocities, half);
+    matrix.solveUpper(half, velocities);
+    EXPECT_EQ(velocities, given);
+}
+
+TEST(StepMatrix, RefusesMassesThatViscositySwallows) {
+    const TissueModel model = tissue::fromMesh(tissue::gridMesh(6, 0.1), {10, 1e12, 1e-9});
+    EXPECT_THROW(StepMatrix(makeSpringSystem(model), 1, 0.01, std::vector<char>(model.mass.size(), 0)),
+                 InvalidModel);
+}
+
+TEST(LaplacianMatrix, LeavesPrescribedNodesOut) {
+    const SpringSystem system = unevenSystem();
+    std::vector<char> prescribed(system.mass.size(), 0);
+    prescribed[0] = 1;
+    const auto sparse = laplacianMatrix(system, {2, 3, 0}, prescribed);
+    const Eigen::MatrixXd lower = Eigen::MatrixXd(sparse);
+    const Eigen::MatrixXd dense = denseMatrix(system, 2, 3);
+    const Eigen::Index size = dense.rows() - 1;
+    ASSERT_EQ(lower.rows(), size);
+    const Eigen::MatrixXd expected = dense.bottomRightCorner(size, size);
+    EXPECT_LT((Eigen::MatrixXd(lower.triangularView<Eigen::Lower>()) -
+               Eigen::MatrixXd(expected.triangularView<Eigen::Lower>()))
+                  .norm(),
+              1e-12);
+}
