@@ -28,7 +28,7 @@ bool isTextured(const RenderScene& scene) {
 }
 
 /// Seen from outside, every triangle that faces away is hidden by others.
-bool hidesItsInside(const TriangleMesh& mesh) {
+bool isSolid(const TriangleMesh& mesh) {
     const EdgeCounts counts = countEdges(sidesByEdge(mesh.triangles));
     return counts.isClosed() && counts.nonManifold == 0 && enclosedVolume(mesh) > 0;
 }
@@ -103,7 +103,7 @@ void SurfaceDrawer::drawPages() const {
 void SurfaceDrawer::takeTriangles(const std::shared_ptr<const TriangleMesh>& mesh) {
     if (mesh == m_mesh) return;
     m_mesh = mesh;
-    m_closed = hidesItsInside(*mesh);
+    m_closed = isSolid(*mesh);
     m_atlas.reset();
     m_vertices.clear();
     m_plainArray.bind();

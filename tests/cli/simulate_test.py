@@ -27,7 +27,7 @@ class SimulateTest(Case):
         report, rows = self.simulated(self.sample("tube"), TUBE_POKE)
         self.assertKeys(report, {"integrator": str, "dt": float, "steps": int, "wall_s": float, "setup_s": float,
                                  "simulated_s": float, "real_time_factor": float, "stable": bool, "outcome": str,
-                                 "active_fraction": float, "energy": dict})
+                                 "active_fraction": float, "energy": dict, "warnings": list})
         self.assertTrue(report["stable"])
         self.assertIn(report["integrator"], ("split", "split2"))
         self.assertAlmostEqual(report["simulated_s"], 0.5)
@@ -100,11 +100,30 @@ class SimulateTest(Case):
         project = self.sample("tube")
         report = self.done("scene", project, "--scene", self.file("poke.json", {**TUBE_POKE, "fixed": [{"nodes": [0, 1]}]}),
                            "-o", project)
-        self.assertEqual(report, {"fixed": 2, "tethers": 57, "duration": 0.5})
+        self.assertEqual(report, {"fixed": 2, "tethers": 57, "duration": 0.5, "warnings": []})
         stored = self.done("simulate", project, "-o", self.file("a.csv"))
         self.assertAlmostEqual(stored["simulated_s"], 0.5)
         other, _ = self.simulated(project, STILL)
         self.assertAlmostEqual(other["simulated_s"], 0.05)
+
+    def test_warns_of_entries_without_effect(self):
+        project = self.sample("tube")
+        scene = {**STILL, "fixed": [{"nodes": [7]}, {"ellipsoid": {"centre": [9, 9, 9], "radii": [1, 1, 1]}}],
+                 "moves": [{"node": 7, "path": [[0, 0, 0, 0.01]]}]}
+        report, _ = self.simulated(project, scene)
+        stored = self.done("scene", project, "--scene", self.file("scene.json", scene), "-o", project)
+        for warnings in (report["warnings"], stored["warnings"]):
+            self.assertEqual([warning.split(":")[0] for warning in warnings], ["fixed[1]", "moves[0]"])
+
+    def test_refuses_more_steps_than_can_be_run_and_takes_any_time_between_frames(self):
+        project = self.sample("tube")
+        endless, out = self.file("endless.json", {"duration": 1e25}), self.file("no.csv")
+        self.fails(1, "simulate", project, "--scene", endless, "-o", out, naming="steps")
+        self.fails(1, "simulate", project, "--scene", self.file("still.json", STILL), "--dt", "1e-300", "-o", out,
+                   naming="steps")
+        self.assertFalse(out.exists())
+        _, rows = self.simulated(project, {**STILL, "record": {"every": 1e25}})
+        self.assertEqual(len(rows), 2 * 170)
 
     def test_a_package_moves_as_its_project(self):
         project, package = self.sample("tube"), self.file("tube.glb")
