@@ -52,6 +52,7 @@ struct RenderScene {
     /// quietly.
     std::shared_ptr<const std::vector<double>> springValues;
     double springValueMinimum = 0, springValueMaximum = 1;
+    std::vector<std::uint32_t> fixedNodes; ///< held in space: dots that are drawn with the springs
     std::vector<DrawnEllipsoid> ellipsoids;
     std::vector<DrawnProjector> projectors;
     std::optional<DrawnSphere> instrument;

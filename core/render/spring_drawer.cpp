@@ -9,6 +9,8 @@ namespace {
 
 constexpr float liftShare = 0.004F;                      // of the organ's size
 constexpr float colouredWidth = 1.5F, quietWidth = 1.0F; // pixels
+constexpr float markRadius = 3;                          // pixels
+const Eigen::Vector4f dotPaint(0.91F, 0.91F, 0.93F, 1);
 
 /// Over a surface its texture and shape stay to be seen.
 std::array<std::uint8_t, 4> springPaint(const Colour& colour, bool overSurface) {
@@ -17,7 +19,8 @@ std::array<std::uint8_t, 4> springPaint(const Colour& colour, bool overSurface) 
 
 } // namespace
 
-SpringDrawer::SpringDrawer(const GlFunctions& gl) : m_gl(gl), m_points(gl), m_quiet(gl), m_coloured(gl) {}
+SpringDrawer::SpringDrawer(const GlFunctions& gl)
+    : m_gl(gl), m_points(gl), m_marks(gl), m_quiet(gl), m_coloured(gl) {}
 
 void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& nodes,
                         const LineDrawer& lines, const Frame& frame) {
@@ -36,8 +39,20 @@ void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vecto
     const LineStyle style{1, overSurface ? liftShare * frame.size : 0, true};
     lines.draw(m_points, m_quiet, style, frame);
     lines.draw(m_points, m_coloured, {1, style.lift, false}, frame);
-    if (bare) lines.drawDots(m_points, {0.91F, 0.91F, 0.93F, 1}, 4.0F, frame);
+    if (bare) lines.drawDots(m_points, dotPaint, 4.0F, frame);
+    drawMarks(scene.fixedNodes, bare ? 2 * markRadius : markRadius, lines, frame);
     m_gl.DepthMask(GL_TRUE);
+}
+
+void SpringDrawer::drawMarks(const std::vector<std::uint32_t>& marked, float radius, const LineDrawer& lines,
+                             const Frame& frame) {
+    if (marked.empty()) return;
+    std::vector<Eigen::Vector3d> places;
+    places.reserve(marked.size());
+    for (const std::uint32_t node : marked)
+        places.push_back(m_nodes[node]);
+    m_marks.upload(places, frame);
+    lines.drawDots(m_marks, dotPaint, radius, frame);
 }
 
 void SpringDrawer::takeSprings(const RenderScene& scene, bool overSurface) {

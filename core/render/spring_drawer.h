@@ -17,9 +17,11 @@ public:
 
 private:
     void takeSprings(const RenderScene& scene, bool overSurface);
+    void drawMarks(const std::vector<std::uint32_t>& marked, float radius, const LineDrawer& lines,
+                   const Frame& frame);
 
     const GlFunctions& m_gl;
-    PointSet m_points;
+    PointSet m_points, m_marks;
     SegmentSet m_quiet, m_coloured;
     std::shared_ptr<const SpringNetwork> m_network;
     std::shared_ptr<const std::vector<double>> m_values;

@@ -4,6 +4,8 @@
 #include "widgets/inputs/quantity_formats.h"
 #include "widgets/texture/image_conversion.h"
 
+#include <QVariant>
+
 #include <QSignalBlocker>
 
 namespace esm {
@@ -31,6 +33,7 @@ PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent
 void PhotoPanel::layOut() {
     m_picture->setFixedHeight(pictureHeight);
     m_picture->setAlignment(Qt::AlignCenter);
+    m_picture->setProperty("quiet", true);
     m_picture->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_opacity->setRange(0, 100);
     m_opacity->setObjectName(QStringLiteral("opacitySlider"));

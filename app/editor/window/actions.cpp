@@ -91,8 +91,8 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
     a.redo->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     const auto explain = [undo = a.undo, redo = a.redo, undoStack] {
-        undo->setToolTip(undoStack->canUndo() ? withShortcut(undo->text(), undo) : tr("Nothing to undo"));
-        redo->setToolTip(undoStack->canRedo() ? withShortcut(redo->text(), redo) : tr("Nothing to redo"));
+        undo->setToolTip(undoStack->canUndo() ? withShortcut(undo->iconText(), undo) : tr("Nothing to undo"));
+        redo->setToolTip(undoStack->canRedo() ? withShortcut(redo->iconText(), redo) : tr("Nothing to redo"));
     };
     QObject::connect(undoStack, &QUndoStack::undoTextChanged, a.undo, explain);
     QObject::connect(undoStack, &QUndoStack::redoTextChanged, a.redo, explain);
@@ -116,8 +116,9 @@ void ActionMaker::makeModelActions() {
 
 void ActionMaker::makeViewActions() {
     Actions& a = m_actions;
-    a.showSprings =
-        makeSwitch(make(tr("Show &springs"), QKeySequence(Qt::Key_S), tr("Draw the spring network")), false);
+    a.showSprings = makeSwitch(make(tr("Show &springs"), QKeySequence(Qt::Key_S),
+                                    tr("Draw the spring network; dots are fixed nodes")),
+                               false);
     a.showRegions = makeSwitch(
         make(tr("Show &regions"), QKeySequence(Qt::Key_H), tr("Draw the regions' ellipsoids")), true);
     a.showLeft =

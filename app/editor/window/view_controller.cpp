@@ -8,11 +8,10 @@ namespace esm {
 
 namespace {
 
-std::shared_ptr<const std::vector<double>> springConstants(const Project& project) {
-    const TissueModel model = evaluateModel(project);
+std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& model) {
     auto values = std::make_shared<std::vector<double>>();
-    values->reserve(project.network->springs.size());
-    for (const Spring& spring : project.network->springs)
+    values->reserve(model.network->springs.size());
+    for (const Spring& spring : model.network->springs)
         values->push_back(springConstant(model, spring));
     return values;
 }
@@ -74,7 +73,7 @@ void ViewController::setTheme(Theme theme) {
 void ViewController::followDocument(const Change& change) {
     const Project& project = m_document.project();
     if (change.model()) m_preview.setProject(project);
-    if (change.model()) m_springConstants.reset();
+    if (change.model()) m_structure.reset();
     if (change.picture()) m_composer.compose(project);
     if (change.mesh) {
         const double diagonal = boundingBox(project.network->restPositions).diagonal().norm();
@@ -131,13 +130,18 @@ void ViewController::addSprings(RenderScene& scene) {
     scene.showSprings = (m_showSprings && !m_textureWorkspace) || onlySprings;
     m_view.setLegend(std::nullopt);
     if (!scene.showSprings || project.network->springs.empty()) return;
-    if (!m_springConstants) m_springConstants = springConstants(project);
-    const auto [least, most] = std::minmax_element(m_springConstants->begin(), m_springConstants->end());
+    if (!m_structure) {
+        const TissueModel model = evaluateModel(project);
+        m_structure = Structure{springConstants(model), model.fixedNodes};
+    }
+    const auto& values = *m_structure->springConstants;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
     scene.springValueMinimum = *least;
     // One constant everywhere still needs a range to colour by.
     scene.springValueMaximum = *most > *least ? *most : *least + std::max(1e-9, *least);
     m_view.setLegend(ViewLegend{tr("Spring constant"), QStringLiteral("N/m"), *least, *most});
-    scene.springValues = m_springConstants;
+    scene.springValues = m_structure->springConstants;
+    scene.fixedNodes = m_structure->fixedNodes;
 }
 
 void ViewController::showFrame() {

@@ -30,6 +30,12 @@ signals:
     void pictureFailed(const QString& reason);
 
 private:
+    /// What is drawn with the springs.
+    struct Structure {
+        std::shared_ptr<const std::vector<double>> springConstants; ///< N/m per spring
+        std::vector<std::uint32_t> fixedNodes;
+    };
+
     void connectView();
     void followDocument(const Change& change);
     void rebuildScene();
@@ -50,7 +56,7 @@ private:
     double m_instrumentRadius = 0.01; ///< m
     Theme m_theme = Theme::Dark;
     bool m_textureWorkspace = false, m_showSprings = false, m_showRegions = true;
-    std::shared_ptr<const std::vector<double>> m_springConstants; ///< N/m per spring, while they hold
+    std::optional<Structure> m_structure;    ///< evaluated for the model as it is
     std::vector<std::size_t> m_shownRegions; ///< the region of each ellipsoid that is drawn
 };
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <future>
 #include <limits>
@@ -39,6 +40,27 @@ TEST(Offscreen, PictureHasTheSizeAskedForAndIsOpaque) {
         ASSERT_EQ(picture.pixels[i], 255);
     EXPECT_TRUE(isRed(picture.at(48, 26)));
     EXPECT_FALSE(isRed(picture.at(2, 2)));
+}
+
+TEST(Offscreen, FixedNodesStandOutAmongTheSprings) {
+    RenderScene scene = sphere();
+    scene.network = edgeNetwork(*scene.mesh);
+    scene.showSprings = true;
+    const Camera camera = frontCamera(scene, 1);
+    const auto& nodes = scene.network->restPositions;
+    const auto nearest = std::max_element(nodes.begin(), nodes.end(),
+                                          [](const auto& a, const auto& b) { return a.z() < b.z(); });
+    const Eigen::Vector2d place = picturePoint(camera, *nearest, 1).value();
+    const auto brightness = [&] {
+        const Image picture = renderOffscreen(scene, camera, 300, 300);
+        const std::uint8_t* pixel = picture.at(int(place.x() * 300), int(place.y() * 300));
+        return pixel[1] + pixel[2];
+    };
+    const int plain = brightness();
+    scene.fixedNodes = {std::uint32_t(nearest - nodes.begin())};
+    EXPECT_GT(brightness(), plain + 60);
+    scene.showSprings = false;
+    EXPECT_LE(brightness(), plain + 60) << "only with the springs";
 }
 
 TEST(Offscreen, SameSceneSamePicture) {
