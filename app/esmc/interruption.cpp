@@ -33,7 +33,8 @@ Interruption::~Interruption() {
         m_disarmed = true;
     }
     m_disarming.notify_all();
-    pthread_kill(m_watcher.native_handle(), SIGTERM); // it may still wait for a signal
+    // It may still wait for a signal, which ends the waiting and not the thread.
+    pthread_kill(m_watcher.native_handle(), SIGTERM); // NOLINT(bugprone-bad-signal-to-kill-thread)
     m_watcher.join();
 }
 

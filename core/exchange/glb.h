@@ -10,6 +10,7 @@
 namespace esm {
 
 /// A binary glTF 2.0 file: its JSON and the bytes its buffer 0 means.
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann-json is not seen to move without throwing
 struct Glb {
     nlohmann::ordered_json json;
     Bytes binary;

@@ -96,18 +96,11 @@ std::vector<float> PackageBuilder::coordinates(const std::vector<Eigen::Vector3d
 }
 
 Json PackageBuilder::nodes() {
-    const std::vector<double>& mass = m_from.tissue.mass;
-    const auto tooLight = std::find_if(mass.begin(), mass.end(), [](double value) {
-        return value < static_cast<double>(std::numeric_limits<float>::min());
-    });
-    if (tooLight != mass.end())
-        m_problems.push_back("the mass of node " + std::to_string(tooLight - mass.begin()) +
-                             " is too small for a package's 32-bit numbers");
     m_shared.nodePositions = m_arrays.addFloats(coordinates(m_network.restPositions, "coordinate of a node"),
                                                 GltfType::Vec3, GltfTarget::Vertices);
     return {{"count", m_network.restPositions.size()},
             {"restPosition", m_shared.nodePositions},
-            {"mass", addScalars(mass, "mass of node")},
+            {"mass", addScalars(m_from.tissue.mass, "mass of node")},
             {"springConstant", addScalars(m_from.tissue.springConstant, "spring constant of node")},
             {"viscosity", addScalars(m_from.tissue.viscosity, "viscosity of node")}};
 }

@@ -25,6 +25,7 @@ constexpr std::array samples{Sample{"tube", makeTube}, Sample{"uterus", makeUter
 const std::vector<std::string>& sampleNames() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> list;
+        list.reserve(samples.size());
         for (const Sample& sample : samples)
             list.emplace_back(sample.name);
         return list;

@@ -44,7 +44,7 @@ fs::path checkedTarget(const fs::path& file) {
         throw FileError(file, "is not a regular file; name another file to write to");
     if (isWriteProtected(file))
         throw FileError(file, "is write-protected; allow writing to it or name another file");
-    const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
+    fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
     const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
     if (!fs::is_directory(folder, error))
         throw FileError(file, "cannot be written: the folder " + folder.string() +

@@ -41,9 +41,9 @@ std::vector<PageBand> pageBands(const Atlas& atlas) {
         const double bottom = std::max({c[0].y(), c[1].y(), c[2].y()}) + reach;
         const int first = std::max(0, static_cast<int>(top) / rowsPerBand);
         const int last = std::min(perPage - 1, static_cast<int>(bottom) / rowsPerBand);
+        const std::size_t page = static_cast<std::size_t>(atlas.page[i]) * static_cast<std::size_t>(perPage);
         for (int band = first; band <= last; ++band)
-            bands[static_cast<std::size_t>(atlas.page[i] * perPage + band)].triangles.push_back(
-                static_cast<std::uint32_t>(i));
+            bands[page + static_cast<std::size_t>(band)].triangles.push_back(static_cast<std::uint32_t>(i));
     }
     return bands;
 }

@@ -52,7 +52,7 @@ Image halved(const Image& image) {
             mean.add(image.at(right, below), 0.25F);
             const Eigen::Vector4f colour = mean.colour();
             for (int channel = 0; channel < 4; ++channel)
-                half.at(x, y)[channel] = static_cast<std::uint8_t>(colour[channel] + 0.5F);
+                half.at(x, y)[channel] = static_cast<std::uint8_t>(std::lround(colour[channel]));
         }
     }
     return half;

@@ -96,8 +96,8 @@ TEST_F(PanelsTest, FitTheirColumns) {
     const auto expectFit = [this](const char* state) {
         QTest::qWait(0);
         for (const auto* column : window->findChildren<QScrollArea*>("column")) {
-            if (column->isVisible())
-                EXPECT_LE(column->widget()->minimumSizeHint().width(), column->viewport()->width()) << state;
+            if (!column->isVisible()) continue;
+            EXPECT_LE(column->widget()->minimumSizeHint().width(), column->viewport()->width()) << state;
         }
     };
     expectFit("the whole organ");

@@ -38,7 +38,7 @@ Colour unusedColour(const std::vector<Region>& regions) {
 
 std::string unusedName(const std::vector<Region>& regions) {
     for (std::size_t number = 1;; ++number) {
-        const std::string name = "Region " + std::to_string(number);
+        std::string name = "Region " + std::to_string(number);
         if (std::none_of(regions.begin(), regions.end(), [&](const Region& r) { return r.name == name; }))
             return name;
     }

@@ -68,13 +68,11 @@ QAction* ActionMaker::makeWorkspace(QAction* action) {
 void ActionMaker::makeFileActions() {
     Actions& a = m_actions;
     a.open = make(tr("&Open…"), QKeySequence::Open, tr("Open a project"));
-    a.import =
-        make(tr("&Import organ surface…"), QKeySequence(Qt::CTRL | Qt::Key_I), tr("Import a mesh file"));
+    a.import = make(tr("&Import organ surface…"), QKeySequence("Ctrl+I"), tr("Import a mesh file"));
     a.save = make(tr("&Save"), QKeySequence::Save, tr("Save the project"));
-    a.saveAs =
-        make(tr("Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), tr("Save under another name"));
-    a.exportPackage = make(tr("&Export package…"), QKeySequence(Qt::CTRL | Qt::Key_E),
-                           tr("Write the model package for simulators"));
+    a.saveAs = make(tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), tr("Save under another name"));
+    a.exportPackage =
+        make(tr("&Export package…"), QKeySequence("Ctrl+E"), tr("Write the model package for simulators"));
     a.quit = make(tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
     for (const auto& name : sampleNames()) {
         QString title = QString::fromStdString(name);
@@ -88,8 +86,7 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
     a.undo = undoStack->createUndoAction(m_window, tr("&Undo"));
     a.redo = undoStack->createRedoAction(m_window, tr("&Redo"));
     a.undo->setShortcut(QKeySequence::Undo);
-    a.redo->setShortcuts(
-        {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    a.redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     const auto explain = [undo = a.undo, redo = a.redo, undoStack] {
         undo->setToolTip(undoStack->canUndo() ? withShortcut(undo->iconText(), undo) : tr("Nothing to undo"));
         redo->setToolTip(undoStack->canRedo() ? withShortcut(redo->iconText(), redo) : tr("Nothing to redo"));
@@ -104,12 +101,12 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
 
 void ActionMaker::makeModelActions() {
     Actions& a = m_actions;
-    a.addRegion = make(tr("Add &region"), QKeySequence(Qt::CTRL | Qt::Key_R), tr("Add an ellipsoid region"));
+    a.addRegion = make(tr("Add &region"), QKeySequence("Ctrl+R"), tr("Add an ellipsoid region"));
     a.fixRegion =
         make(tr("&Fix nodes in region"), {}, tr("Hold the nodes inside the selected region in space"));
     a.freeNodes = make(tr("Free &all fixed nodes"), {}, tr("Let every fixed node go"));
-    a.addPhoto = make(tr("Add &photo…"), QKeySequence(Qt::CTRL | Qt::Key_P),
-                      tr("Lay a photo on the organ, from the camera"));
+    a.addPhoto =
+        make(tr("Add &photo…"), QKeySequence("Ctrl+P"), tr("Lay a photo on the organ, from the camera"));
     a.fromCamera = make(tr("Photo from &camera"), QKeySequence(Qt::Key_C),
                         tr("Throw the selected photo from where you look"));
 }
@@ -161,17 +158,16 @@ void ActionMaker::makeTools() {
 void ActionMaker::makeWorkspaces() {
     Actions& a = m_actions;
     a.workspaces = new QActionGroup(m_window);
-    a.tissue = makeWorkspace(
-        make(tr("&Tissue"), QKeySequence(Qt::CTRL | Qt::Key_1), tr("How the organ's tissue behaves")));
-    a.texture =
-        makeWorkspace(make(tr("Te&xture"), QKeySequence(Qt::CTRL | Qt::Key_2), tr("Photos on the organ")));
+    a.tissue =
+        makeWorkspace(make(tr("&Tissue"), QKeySequence("Ctrl+1"), tr("How the organ's tissue behaves")));
+    a.texture = makeWorkspace(make(tr("Te&xture"), QKeySequence("Ctrl+2"), tr("Photos on the organ")));
     a.tissue->setChecked(true);
 }
 
 void ActionMaker::makePlayActions() {
     Actions& a = m_actions;
     a.play = make(tr("&Play"), QKeySequence(Qt::Key_Space), tr("Let the tissue move, or stop it"));
-    a.reset = make(tr("&Reset"), QKeySequence(Qt::CTRL | Qt::Key_0), tr("Back to the shape at rest"));
+    a.reset = make(tr("&Reset"), QKeySequence("Ctrl+0"), tr("Back to the shape at rest"));
     a.keys = make(tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), tr("What mouse and keys do"));
     a.about = make(tr("&About"), {}, tr("About this program"));
 }

@@ -196,15 +196,15 @@ TEST_F(ModelPackageFile, NumbersThatFloatsCannotHoldAreRefused) {
     Project project = bareProject();
     project.base.springConstant = 1e39;
     EXPECT_THAT(exportError(project),
-                testing::AllOf(HasSubstr("organ.glb: "), HasSubstr("spring constant of node")));
+                testing::AllOf(HasSubstr("organ.glb: "), HasSubstr("spring constant must be")));
     project = bareProject();
     project.base.mass = 1e-44;
-    EXPECT_THAT(exportError(project), HasSubstr("mass of node 0 is too small"));
-    project = bareProject();
-    auto network = std::make_shared<SpringNetwork>(*project.network);
-    network->restPositions[3].y() = 1e200;
-    project.network = network;
-    EXPECT_THAT(exportError(project), HasSubstr("coordinate of a node"));
+    EXPECT_THAT(exportError(project), HasSubstr("mass must be above 0"));
+    project = richProject();
+    auto mesh = std::make_shared<TriangleMesh>(*project.mesh);
+    mesh->vertices[3].y() = 1e200;
+    project.mesh = mesh;
+    EXPECT_THAT(exportError(project), HasSubstr("coordinate of a vertex"));
     EXPECT_FALSE(std::filesystem::exists(m_file));
 }
 
