@@ -67,6 +67,8 @@ public:
     void softenRegion() {
         press(Qt::Key_R, Qt::ControlModifier);
         ASSERT_EQ(project().regions.size(), 1U);
+        EXPECT_EQ(window->view().tool(), ViewTool::Region) << "the ellipsoid can be dragged at once";
+        EXPECT_GT(evaluateRegion(project(), project().regions[0]).nodes, 0U);
         auto* choice = child<QComboBox>("systemChoice");
         const auto first = project().regions[0].system;
         QTest::keyClick(choice, Qt::Key_Up);

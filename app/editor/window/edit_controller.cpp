@@ -7,6 +7,8 @@
 
 #include <QInputDialog>
 
+#include <algorithm>
+
 namespace esm {
 
 EditController::EditController(QWidget& window, Document& document, Selection& selection,
@@ -54,8 +56,16 @@ void EditController::renameOrgan() {
 
 void EditController::addRegion() {
     m_document.edit(tr("Add region"), [](Project& project) {
-        esm::addRegion(project, boundingBox(project.network->restPositions).center());
+        // Around a node, since the middle of a bent organ is empty.
+        const auto& nodes = project.network->restPositions;
+        const Eigen::Vector3d middle = boundingBox(nodes).center();
+        const auto nearest = std::min_element(
+            nodes.begin(), nodes.end(), [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                return (a - middle).squaredNorm() < (b - middle).squaredNorm();
+            });
+        esm::addRegion(project, *nearest);
     });
+    emit regionAdded();
 }
 
 void EditController::fixRegion() {

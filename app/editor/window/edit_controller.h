@@ -21,6 +21,9 @@ public:
     /// Throws the selected photo from where the user looks; keeps its size.
     void projectFromCamera();
 
+signals:
+    void regionAdded();
+
 private:
     void renameOrgan();
     void addRegion();

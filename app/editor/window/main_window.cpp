@@ -100,6 +100,8 @@ void MainWindow::connectParts() {
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::photoAdded, m_actions.texture, &QAction::trigger);
+    connect(m_edits, &EditController::regionAdded, m_actions.tissue, &QAction::trigger);
+    connect(m_edits, &EditController::regionAdded, m_actions.region, &QAction::trigger);
     const auto showStatus = [this] { m_status->showStatus(m_preview->status()); };
     connect(m_preview, &Preview::statusChanged, m_status, showStatus);
     auto* slow = new QTimer(this);
@@ -109,7 +111,7 @@ void MainWindow::connectParts() {
     connect(m_document, &Document::changed, this, [this](const Change& change) {
         if (change.name) showTitle();
         if (change.scene) noteWhatIsLeftOut();
-        if (change.mesh) m_play->showAlive();
+        if (change.mesh) m_play->endGentleMotion(); // an organ of the user's own rests until it is touched
     });
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions.lightTheme, &QAction::toggled, this, &MainWindow::setTheme);
