@@ -11,18 +11,21 @@ namespace esm {
 
 namespace {
 
-sigset_t stopSignals() {
+/// Ends the watcher's waiting when nothing came.
+constexpr int wakeSignal = SIGUSR1;
+
+sigset_t watchedSignals() {
     sigset_t signals;
     sigemptyset(&signals);
-    sigaddset(&signals, SIGINT);
-    sigaddset(&signals, SIGTERM);
+    for (const int signal : {SIGINT, SIGTERM, wakeSignal})
+        sigaddset(&signals, signal);
     return signals;
 }
 
 } // namespace
 
 Interruption::Interruption() {
-    const sigset_t signals = stopSignals();
+    const sigset_t signals = watchedSignals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     m_watcher = std::thread([this] { watch(); });
 }
@@ -33,8 +36,7 @@ Interruption::~Interruption() {
         m_disarmed = true;
     }
     m_disarming.notify_all();
-    // It may still wait for a signal, which ends the waiting and not the thread.
-    pthread_kill(m_watcher.native_handle(), SIGTERM); // NOLINT(bugprone-bad-signal-to-kill-thread)
+    pthread_kill(m_watcher.native_handle(), wakeSignal);
     m_watcher.join();
 }
 
@@ -50,10 +52,13 @@ void Interruption::disarm() {
 }
 
 void Interruption::watch() {
-    const sigset_t signals = stopSignals();
-    int received = 0;
-    sigwait(&signals, &received);
+    const sigset_t signals = watchedSignals();
     std::unique_lock<std::mutex> lock(m_mutex);
+    for (int received = wakeSignal; received == wakeSignal && !m_disarmed;) {
+        lock.unlock();
+        sigwait(&signals, &received);
+        lock.lock();
+    }
     if (m_disarmed) return;
     m_requested = true;
     if (m_disarming.wait_for(lock, std::chrono::milliseconds(500), [this] { return m_disarmed; })) return;

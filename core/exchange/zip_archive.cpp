@@ -71,7 +71,7 @@ Bytes makeZip(const std::vector<ZipEntry>& entries) {
 }
 
 struct ZipReader::Handle {
-    Archive archive;
+    std::unique_ptr<zip_t, decltype(&zip_discard)> archive{nullptr, &zip_discard};
 };
 
 ZipReader::ZipReader(const Bytes& archive) : m_handle(std::make_unique<Handle>()) {

@@ -16,6 +16,14 @@ void setMass(Document& document, double mass, const QString& mergeKey = {}) {
         "mass", [mass](Project& project) { project.base.mass = mass; }, mergeKey);
 }
 
+Project tubeWithThreeRegions() {
+    Project project = makeSample("tube");
+    project.regions.clear();
+    for (int i = 0; i < 3; ++i)
+        addRegion(project, Eigen::Vector3d::Zero());
+    return project;
+}
+
 } // namespace
 
 TEST(Document, MergesADragIntoOneStep) {
@@ -108,12 +116,7 @@ TEST(Selection, FollowsWhatIsAddedAndRemoved) {
 }
 
 TEST(Selection, FindsWhatUndoBringsBack) {
-    Document document(makeSample("tube"));
-    document.edit("clear", [](Project& p) {
-        p.regions.clear();
-        for (int i = 0; i < 3; ++i)
-            addRegion(p, Eigen::Vector3d::Zero());
-    });
+    Document document(tubeWithThreeRegions());
     Selection selection(document);
     document.edit("remove", [](Project& p) { p.regions.erase(p.regions.begin()); });
     selection.setRegion(1);
@@ -124,12 +127,7 @@ TEST(Selection, FindsWhatUndoBringsBack) {
 }
 
 TEST(Selection, StaysWithWhatIsReordered) {
-    Document document(makeSample("tube"));
-    document.edit("clear", [](Project& p) {
-        p.regions.clear();
-        for (int i = 0; i < 3; ++i)
-            addRegion(p, Eigen::Vector3d::Zero());
-    });
+    Document document(tubeWithThreeRegions());
     Selection selection(document);
     selection.setRegion(0);
     document.edit("move", [](Project& p) { moveRegion(p, 0, 1); });

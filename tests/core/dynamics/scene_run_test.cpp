@@ -21,6 +21,14 @@ struct Frames {
     }
 };
 
+/// @param side nodes along a side of the grid
+TissueModel heldAtOneSide(const TriangleMesh& grid, std::uint32_t side) {
+    TissueModel model = tissue::fromMesh(grid, {10, 0.1, 0.001});
+    for (std::uint32_t i = 0; i < side; ++i)
+        model.fixedNodes.push_back(i);
+    return model;
+}
+
 TissueModel membrane() {
     TissueModel model = tissue::fromMesh(tissue::gridMesh(7, 0.1), {10, 0.1, 0.001});
     model.fixedNodes = {0, 6, 42, 48};
@@ -156,9 +164,7 @@ TEST(SceneRun, LeadsNodesAlongTheirPaths) {
 
 TEST(SceneRun, PushesTheSurfaceWithItsInstrument) {
     const TriangleMesh mesh = tissue::gridMesh(15, 0.1);
-    TissueModel model = tissue::fromMesh(mesh, {10, 0.1, 0.001});
-    for (std::uint32_t i = 0; i < 15; ++i)
-        model.fixedNodes.push_back(i);
+    const TissueModel model = heldAtOneSide(mesh, 15);
     Scene scene;
     scene.instrument = InstrumentMotion{0.02, {{0.0, {0, 0, 0.04}}, {0.5, {0, 0, 0.0}}}};
     Frames frames;
@@ -169,9 +175,7 @@ TEST(SceneRun, PushesTheSurfaceWithItsInstrument) {
 
 TEST(SceneRun, SweepsTheInstrumentFromItsPathsStart) {
     const TriangleMesh mesh = tissue::gridMesh(15, 0.1);
-    TissueModel model = tissue::fromMesh(mesh, {10, 0.1, 0.001});
-    for (std::uint32_t i = 0; i < 15; ++i)
-        model.fixedNodes.push_back(i);
+    const TissueModel model = heldAtOneSide(mesh, 15);
     Scene scene;
     scene.duration = 0.02;
     scene.instrument = InstrumentMotion{0.01, {{0.0, {0, 0, 0.03}}, {0.005, {0, 0, -0.03}}}};
