@@ -18,29 +18,37 @@ std::string repairsInText(const RepairReport& repairs) {
            counted(repairs.unusedVertices, "unused vertex", "unused vertices") + " dropped";
 }
 
-void addRepairs(Report& report, const RepairReport& repairs) {
+void addSurface(Report& report, const RepairReport& repairs) {
     Json& json = report.json;
+    json["merged_vertices"] = repairs.mergedVertices;
+    json["removed_triangles"] = repairs.removedTriangles();
     json["components"] = repairs.components;
     json["boundary_edges"] = repairs.boundaryEdgesBefore;
     json["non_manifold_edges"] = repairs.nonManifoldEdgesBefore;
     json["boundary_edges_final"] = repairs.boundaryEdges;
     json["non_manifold_edges_final"] = repairs.nonManifoldEdges;
-    json["merged_vertices"] = repairs.mergedVertices;
-    json["removed_triangles"] = repairs.removedTriangles();
+    json["inconsistent_edges"] = repairs.inconsistentEdges;
+    report.text.push_back(counted(repairs.components, "part") + ", " +
+                          counted(repairs.boundaryEdges, "border edge") + ", " +
+                          counted(repairs.nonManifoldEdges, "edge") + " of more than two triangles");
+}
+
+void addRepairs(Report& report, const RepairReport& repairs) {
+    Json& json = report.json;
     json["degenerate_triangles"] = repairs.degenerateTriangles;
     json["duplicate_triangles"] = repairs.duplicateTriangles;
     json["split_polygons"] = repairs.splitPolygons;
     json["flipped_triangles"] = repairs.flippedTriangles;
     json["unused_vertices"] = repairs.unusedVertices;
     json["dropped_parts"] = repairs.droppedParts;
-    json["inconsistent_edges"] = repairs.inconsistentEdges;
-    report.text.push_back(counted(repairs.components, "part") + ", " +
-                          counted(repairs.boundaryEdges, "border edge") + ", " +
-                          counted(repairs.nonManifoldEdges, "edge") + " of more than two triangles");
     report.text.push_back(repairsInText(repairs));
 }
 
-Report reportOf(const TriangleMesh& mesh, const TissueModel& tissue, const RepairReport& repairs) {
+/// A package's surface was repaired before it was written: there is nothing to tell of it.
+enum class Repairs { Told, Left };
+
+Report reportOf(const TriangleMesh& mesh, const TissueModel& tissue, const RepairReport& repairs,
+                Repairs telling) {
     const SpringNetwork& network = *tissue.network;
     const Eigen::AlignedBox3d box = boundingBox(network.restPositions);
     const Eigen::Vector3d size = box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.sizes());
@@ -52,7 +60,8 @@ Report reportOf(const TriangleMesh& mesh, const TissueModel& tissue, const Repai
     report.text.push_back(counted(network.restPositions.size(), "node") + ", " +
                           counted(network.springs.size(), "spring") + ", " +
                           counted(mesh.triangles.size(), "triangle"));
-    addRepairs(report, repairs);
+    addSurface(report, repairs);
+    if (telling == Repairs::Told) addRepairs(report, repairs);
     report.json["size"] = inJson(size);
     report.json["centre"] = inJson(centre);
     report.json["mass"] = totalMass(tissue);
@@ -74,11 +83,11 @@ RepairReport countedAnew(const TriangleMesh& mesh) {
 } // namespace
 
 Report modelReport(const Project& project) {
-    return reportOf(*project.mesh, evaluateModel(project), *project.importReport);
+    return reportOf(*project.mesh, evaluateModel(project), *project.importReport, Repairs::Told);
 }
 
 Report modelReport(const ModelPackage& package) {
-    return reportOf(package.mesh, package.tissue, countedAnew(package.mesh));
+    return reportOf(package.mesh, package.tissue, countedAnew(package.mesh), Repairs::Left);
 }
 
 } // namespace esm

@@ -9,7 +9,7 @@ namespace esm {
 /// Counts, size, mass and repairs of a project, as `import` prints them.
 Report modelReport(const Project& project);
 
-/// The same of a model package, its surface counted anew.
+/// The same of a model package, without the repairs: its surface is counted anew.
 Report modelReport(const ModelPackage& package);
 
 } // namespace esm

@@ -12,7 +12,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from esmc import Case
+from esmc import Case, command
 from import_test import IMPORT_KEYS
 
 INFO_KEYS = {**IMPORT_KEYS, "regions": list, "photos": list, "textures": int, "fuzzy_systems": list,
@@ -103,6 +103,8 @@ class MainJobTest(Case):
         for key in ("nodes", "springs", "triangles", "textures", "fuzzy_systems"):
             self.assertEqual(ours[key], theirs[key], key)
         self.assertAlmostEqual(ours["mass"] / theirs["mass"], 1, places=5)
+        self.assertNotIn("flipped_triangles", theirs, "what import repaired is no matter of the package")
+        self.assertNotIn("repairs", command("info", package).stdout)
 
     def draw(self, project, name):
         kept = os.environ.get("ESM_PICTURES")
