@@ -68,11 +68,12 @@ Json toJson(const std::vector<FuzzyVariable>& variables) {
 FuzzySystem fuzzySystemFromJson(const Json& json) {
     std::vector<std::string> problems;
     const JsonReader reader(json, "", problems);
-    reader.allowOnly({"name", "note", "inputs", "outputs", "rules"});
+    reader.allowOnly({"name", "description", "note", "inputs", "outputs", "rules"});
     throwIfAny(problems);
 
     FuzzySystem system;
     if (reader.has("name")) system.name = reader.member("name").text();
+    if (reader.has("description")) system.description = reader.member("description").text();
     if (reader.has("note")) system.note = reader.member("note").text();
     system.inputs = variablesFromJson(reader.member("inputs"));
     system.outputs = variablesFromJson(reader.member("outputs"));
@@ -86,7 +87,9 @@ FuzzySystem fuzzySystemFromJson(const Json& json) {
 }
 
 Json toJson(const FuzzySystem& system) {
-    Json json{{"name", system.name}, {"note", system.note}};
+    Json json{{"name", system.name}};
+    if (!system.description.empty()) json["description"] = system.description;
+    json["note"] = system.note;
     json["inputs"] = toJson(system.inputs);
     json["outputs"] = toJson(system.outputs);
     json["rules"] = Json::array();

@@ -42,7 +42,8 @@ struct FuzzyRule {
 /// A Mamdani fuzzy system. The order of variables and terms is the order of sliders and partitions.
 struct FuzzySystem {
     std::string name;
-    std::string note; ///< where it comes from, for people
+    std::string description; ///< what it is for, a sentence or two in plain words; may be empty
+    std::string note;        ///< where it comes from, for people
     std::vector<FuzzyVariable> inputs;
     std::vector<FuzzyVariable> outputs;
     std::vector<FuzzyRule> rules;

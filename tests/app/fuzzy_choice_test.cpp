@@ -21,7 +21,7 @@ protected:
                          });
     }
     void activate(const QString& text) {
-        choice.setCurrentIndex(choice.findText(text));
+        choice.setCurrentIndex(choice.findText(text, Qt::MatchStartsWith));
         emit choice.activated(choice.currentIndex());
     }
 
@@ -38,7 +38,7 @@ TEST_F(FuzzyChoiceTest, ChoosesAPresetOnce) {
     ASSERT_TRUE(chosen);
     EXPECT_EQ(chosen->name, preset);
     choice.setSystem(chosen);
-    EXPECT_EQ(choice.currentText().toStdString(), preset);
+    EXPECT_EQ(choice.shownName().toStdString(), preset);
     activate(QString::fromStdString(preset));
     EXPECT_EQ(times, 1);
 }
@@ -47,10 +47,31 @@ TEST_F(FuzzyChoiceTest, AFilesSystemIsNotTakenForThePresetOfItsName) {
     FuzzySystem own = fuzzyPreset(preset);
     own.inputs[0].maximum += 1;
     choice.setSystem(std::make_shared<const FuzzySystem>(own));
-    EXPECT_EQ(choice.currentText(), QString::fromStdString(preset) + " (from file)");
+    EXPECT_EQ(choice.shownName(), QString::fromStdString(preset) + " (from file)");
     activate(QString::fromStdString(preset));
     ASSERT_TRUE(chosen) << "the preset can be chosen";
     EXPECT_EQ(chosen->inputs[0].maximum, own.inputs[0].maximum - 1);
+}
+
+TEST_F(FuzzyChoiceTest, SaysWhatThereIsToChoose) {
+    EXPECT_TRUE(choice.description().contains("words")) << "what a fuzzy system is";
+    const FuzzySystem system = fuzzyPreset(preset);
+    ASSERT_FALSE(system.description.empty());
+    const int row = choice.findText(QString::fromStdString(preset), Qt::MatchStartsWith);
+    EXPECT_TRUE(choice.itemText(row).contains(QString::fromStdString(system.inputs[0].name)));
+    EXPECT_TRUE(choice.itemData(row, Qt::ToolTipRole)
+                    .toString()
+                    .startsWith(QString::fromStdString(system.description)));
+    choice.setSystem(std::make_shared<const FuzzySystem>(system));
+    EXPECT_EQ(choice.description().toStdString(), system.description);
+}
+
+TEST_F(FuzzyChoiceTest, KnowsThePresetThatAnOlderProgramSaved) {
+    FuzzySystem old = fuzzyPreset(preset);
+    old.description.clear();
+    choice.setSystem(std::make_shared<const FuzzySystem>(old));
+    EXPECT_EQ(choice.shownName().toStdString(), preset);
+    EXPECT_EQ(choice.description().toStdString(), fuzzyPreset(preset).description);
 }
 
 TEST_F(FuzzyChoiceTest, TheWheelLeavesItAlone) {

@@ -2,9 +2,12 @@
 
 #include "app/editor/commands/attempt.h"
 #include "core/exchange/fuzzy_file.h"
+#include "widgets/fuzzy/term_scale.h"
 
 #include <nlohmann/json.hpp>
+#include <QAbstractItemView>
 #include <QFileDialog>
+#include <QStylePainter>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -13,7 +16,7 @@ namespace esm {
 
 namespace {
 
-enum Kind { NoSystem, Preset, FromFile, InUse };
+constexpr int nameRole = Qt::UserRole + 1;
 
 bool isPreset(const std::string& name) {
     const auto names = fuzzyPresetNames();
@@ -21,8 +24,21 @@ bool isPreset(const std::string& name) {
 }
 
 /// A file may name its system as a preset is named: only what it says tells them apart.
-bool isThePreset(const FuzzySystem& system) {
-    return isPreset(system.name) && toJson(system) == toJson(fuzzyPreset(system.name));
+bool isThePreset(FuzzySystem system) {
+    if (!isPreset(system.name)) return false;
+    const FuzzySystem preset = fuzzyPreset(system.name);
+    // A project may hold the preset as an older program described it.
+    system.description = preset.description;
+    system.note = preset.note;
+    return toJson(system) == toJson(preset);
+}
+
+/// "robo-sim: consistency, sensitiveness, shiftability": what the user will be asked for.
+QString withInputs(const QString& name, const FuzzySystem& system) {
+    QStringList inputs;
+    for (const FuzzyVariable& input : system.inputs)
+        inputs << readableName(input.name);
+    return QStringLiteral("%1: %2").arg(name, inputs.join(QStringLiteral(", ")));
 }
 
 } // namespace
@@ -30,8 +46,8 @@ bool isThePreset(const FuzzySystem& system) {
 FuzzyChoice::FuzzyChoice(QWidget* parent) : QComboBox(parent) {
     setObjectName(QStringLiteral("systemChoice"));
     setAccessibleName(tr("Fuzzy system"));
-    setToolTip(tr("The fuzzy system that turns words into tissue parameters"));
-    setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    setMinimumContentsLength(10);
     setFocusPolicy(Qt::StrongFocus);
     connect(this, qOverload<int>(&QComboBox::activated), this, &FuzzyChoice::choose);
     fill();
@@ -43,22 +59,59 @@ void FuzzyChoice::setSystem(const std::shared_ptr<const FuzzySystem>& system) {
     fill();
 }
 
+QString FuzzyChoice::whatItIs() {
+    return tr(
+        "A fuzzy system turns words such as “soft” or “wobbly” into numbers: its rules say which spring "
+        "constant and viscosity belong to which words.");
+}
+
+QString FuzzyChoice::description() const {
+    if (!m_system) return whatItIs();
+    if (isThePreset(*m_system)) return QString::fromStdString(fuzzyPreset(m_system->name).description);
+    return QString::fromStdString(m_system->description);
+}
+
+void FuzzyChoice::add(const QString& name, Kind kind, const FuzzySystem& system) {
+    addItem(withInputs(name, system), kind);
+    setItemData(count() - 1, name, nameRole);
+    setItemData(count() - 1, QString::fromStdString(system.description + "\n\n" + system.note).trimmed(),
+                Qt::ToolTipRole);
+}
+
 void FuzzyChoice::fill() {
     clear();
     addItem(tr("no fuzzy system"), NoSystem);
+    setItemData(0, currentText(), nameRole);
+    setItemData(0, tr("Numbers only"), Qt::ToolTipRole);
     for (const auto& name : fuzzyPresetNames())
-        addItem(QString::fromStdString(name), Preset);
+        add(QString::fromStdString(name), Preset, fuzzyPreset(name));
     if (m_system) {
         const QString name = QString::fromStdString(m_system->name);
         if (isThePreset(*m_system)) {
-            setCurrentIndex(findText(name));
+            setCurrentIndex(findData(name, nameRole));
         } else {
-            addItem(isPreset(m_system->name) ? tr("%1 (from file)").arg(name) : name, InUse);
+            add(isPreset(m_system->name) ? tr("%1 (from file)").arg(name) : name, InUse, *m_system);
             setCurrentIndex(count() - 1);
         }
     }
     insertSeparator(count());
     addItem(tr("From file…"), FromFile);
+    setToolTip(whatItIs());
+    view()->setMinimumWidth(view()->sizeHintForColumn(0) + 16);
+}
+
+QString FuzzyChoice::shownName() const {
+    return currentData(nameRole).toString();
+}
+
+/// What the inputs are is for choosing; afterwards they stand below.
+void FuzzyChoice::paintEvent(QPaintEvent*) {
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    option.currentText = shownName();
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
 void FuzzyChoice::wheelEvent(QWheelEvent* event) {
@@ -71,7 +124,7 @@ void FuzzyChoice::choose(int index) {
         if (m_system) emit systemChosen(nullptr);
         break;
     case Preset:
-        choosePreset(itemText(index).toStdString());
+        choosePreset(itemData(index, nameRole).toString().toStdString());
         break;
     case FromFile:
         chooseFile();

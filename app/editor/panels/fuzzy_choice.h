@@ -18,6 +18,11 @@ public:
 
     /// Shows the system in use without announcing it; null is none.
     void setSystem(const std::shared_ptr<const FuzzySystem>& system);
+    /// The name that is shown while the list is shut.
+    QString shownName() const;
+    /// What the system in use is for; without one, what a fuzzy system is.
+    QString description() const;
+    static QString whatItIs();
 
 signals:
     void systemChosen(const std::shared_ptr<const esm::FuzzySystem>& system);
@@ -25,9 +30,13 @@ signals:
 protected:
     /// The wheel scrolls the panel: turning through the systems would lose what was set for each.
     void wheelEvent(QWheelEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
+    enum Kind { NoSystem, Preset, FromFile, InUse };
+
     void fill();
+    void add(const QString& name, Kind kind, const FuzzySystem& system);
     void choose(int index);
     void choosePreset(const std::string& name);
     void chooseFile();

@@ -14,7 +14,7 @@ QWidget* emptyColumn(QVBoxLayout* into) {
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(14);
-    into->insertWidget(into->count() > 0 ? 1 : 0, column);
+    into->addWidget(column);
     return column;
 }
 
@@ -44,13 +44,20 @@ std::optional<double> inputValue(const Region& region, const std::string& variab
 TissuePanel::TissuePanel(Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection),
       m_tissue(new Section(tr("Tissue"), this)), m_results(new Section(tr("Results"), this)),
-      m_choice(new FuzzyChoice(this)), m_words(new QLabel(this)), m_warnings(new QLabel(this)) {
+      m_choice(new FuzzyChoice(this)), m_system(new QLabel(this)), m_words(new QLabel(this)),
+      m_warnings(new QLabel(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_tissue);
     column->addWidget(m_results);
-    m_tissue->addToHeader(m_choice);
+    auto* choiceRow = new ValueRows(this);
+    choiceRow->addField(tr("Fuzzy system"), m_choice);
+    m_tissue->body()->addWidget(choiceRow);
+    m_system->setObjectName(QStringLiteral("systemDescription"));
+    m_system->setProperty("quiet", true);
+    m_system->setWordWrap(true);
+    m_tissue->body()->addWidget(m_system);
     m_words->setObjectName(QStringLiteral("words"));
     m_words->setWordWrap(true);
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -81,6 +88,9 @@ void TissuePanel::show() {
     m_tissue->setTitle(
         tr("Tissue · %1").arg(shown ? QString::fromStdString(shown->name) : tr("Whole organ")));
     m_choice->setSystem(system);
+    m_system->setText(m_choice->description());
+    m_system->setToolTip(FuzzyChoice::whatItIs());
+    m_system->setVisible(!m_system->text().isEmpty());
     m_words->setText(words());
     const RegionTissue tissue = shown ? evaluate(*shown) : RegionTissue{};
     for (const auto& refresh : m_refreshers)

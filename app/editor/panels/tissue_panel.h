@@ -37,7 +37,7 @@ private:
     Selection& m_selection;
     Section *m_tissue, *m_results;
     FuzzyChoice* m_choice;
-    QLabel *m_words, *m_warnings;
+    QLabel *m_system, *m_words, *m_warnings;
     QWidget *m_inputs, *m_outputs;
     std::shared_ptr<const FuzzySystem> m_builtFor;
     bool m_builtForRegion = false, m_built = false;
