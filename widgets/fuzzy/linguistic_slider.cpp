@@ -61,6 +61,11 @@ void LinguisticSlider::setValue(std::optional<double> value) {
     m_terms->setValue(value);
 }
 
+void LinguisticSlider::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_terms->setInset(m_slider->handleWidth() / 2);
+}
+
 QToolButton* LinguisticSlider::addHoldButton() {
     auto* hold = new QToolButton(this);
     hold->setText(tr("hold"));

@@ -36,6 +36,9 @@ signals:
     /// The slider came to rest, or a value was typed: what follows is another edit.
     void editingFinished();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void takeSlider(int position);
     void takeOnce(double value);

@@ -1,5 +1,6 @@
 #include "widgets/fuzzy/term_scale.h"
 
+#include "widgets/fuzzy/term_layout.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QHelpEvent>
@@ -7,13 +8,20 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include <numeric>
+#include <algorithm>
+#include <cmath>
 
 namespace esm {
 
 namespace {
 
-constexpr int smallestGap = 5;
+constexpr int smallestGap = 6, tickHeight = 4, tickRoom = 5; // pixels
+/// How far a word may stand from its place before a second row is opened, pixels.
+constexpr double tolerableShift = 10;
+
+double coreMiddle(const FuzzyTerm& term) {
+    return (term.set.b + term.set.c) / 2;
+}
 
 } // namespace
 
@@ -30,7 +38,7 @@ TermScale::TermScale(QWidget* parent) : QWidget(parent) {
 
 void TermScale::setVariable(const FuzzyVariable& variable) {
     m_variable = variable;
-    update();
+    layOut();
 }
 
 void TermScale::setValue(std::optional<double> value) {
@@ -43,75 +51,119 @@ void TermScale::setNote(const QString& note) {
     update();
 }
 
+void TermScale::setInset(int pixels) {
+    if (pixels == m_inset) return;
+    m_inset = pixels;
+    layOut();
+}
+
 QSize TermScale::sizeHint() const {
-    return {100, fontMetrics().height() + 2};
+    return {100, tickRoom + m_rows * fontMetrics().height() + 1};
 }
 
-QFont TermScale::fittingFont() const {
-    const int gaps = smallestGap * qMax(0, static_cast<int>(m_variable.terms.size()) - 1);
-    int total = 0;
-    for (const auto& term : m_variable.terms)
-        total += fontMetrics().horizontalAdvance(readableName(term.name)) + 2;
-    QFont fitting = font();
-    if (total > width() - gaps)
-        fitting.setPointSizeF(fitting.pointSizeF() * qMax(0.75, double(width() - gaps) / total));
-    return fitting;
+void TermScale::resizeEvent(QResizeEvent*) {
+    layOut();
 }
 
-std::vector<QRect> TermScale::termRects() const {
-    const QFontMetrics metrics(fittingFont());
-    std::vector<int> widths;
-    for (const auto& term : m_variable.terms)
-        widths.push_back(metrics.horizontalAdvance(readableName(term.name)) + 2);
-    const int total = std::accumulate(widths.begin(), widths.end(), 0);
-    const int count = static_cast<int>(widths.size());
-    const int room = width() - smallestGap * qMax(0, count - 1);
-    const double shrink = total > room ? double(room) / total : 1;
-    const double gap = count > 1 ? (width() - total * shrink) / (count - 1) : 0;
-    std::vector<QRect> rects;
-    double x = 0;
-    for (const int termWidth : widths) {
-        rects.emplace_back(qRound(x), 0, qRound(termWidth * shrink), height());
-        x += termWidth * shrink + gap;
+double TermScale::wordWidth(std::size_t term) const {
+    return fontMetrics().horizontalAdvance(readableName(m_variable.terms[term].name)) + 2;
+}
+
+void TermScale::layOut() {
+    const auto shift = [](const Place& place) {
+        return std::abs(place.rect.x() + place.rect.width() / 2.0 - place.tick);
+    };
+    m_rows = 1;
+    m_places = inRows(1);
+    // At the ends a word cannot stand in the middle of its place.
+    const bool isCrowded = std::any_of(m_places.begin(), m_places.end(), [&](const Place& place) {
+        const double atEnd = place.rect.width() / 2.0 - std::min(place.tick, width() - place.tick);
+        return shift(place) > std::max(0.0, atEnd) + tolerableShift ||
+               place.rect.width() < std::floor(wordWidth(place.term));
+    });
+    if (isCrowded) {
+        m_rows = 2;
+        m_places = inRows(2);
     }
-    return rects;
+    updateGeometry();
+    update();
+}
+
+std::vector<TermScale::Place> TermScale::inRows(int rows) const {
+    std::vector<Place> places;
+    const double room = width() - 2 * m_inset, range = m_variable.maximum - m_variable.minimum;
+    for (std::size_t i = 0; i < m_variable.terms.size(); ++i) {
+        const double share = (coreMiddle(m_variable.terms[i]) - m_variable.minimum) / range;
+        places.push_back({i, m_inset + std::clamp(share, 0.0, 1.0) * room, {}});
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.tick < b.tick; });
+    for (int row = 0; row < rows; ++row) {
+        std::vector<Place*> members;
+        for (std::size_t i = static_cast<std::size_t>(row); i < places.size();
+             i += static_cast<std::size_t>(rows))
+            members.push_back(&places[i]);
+        placeRow(members, tickRoom + row * fontMetrics().height());
+    }
+    return places;
+}
+
+void TermScale::placeRow(std::vector<Place*>& row, int top) const {
+    double total = 0;
+    for (const Place* place : row)
+        total += wordWidth(place->term);
+    const double room = width() - smallestGap * (static_cast<double>(row.size()) - 1);
+    const double shrink = total > room ? std::max(0.0, room) / total : 1;
+    std::vector<PlacedWord> words;
+    for (const Place* place : row)
+        words.push_back({place->tick, shrink * wordWidth(place->term)});
+    const std::vector<double> lefts = spreadWords(words, width(), smallestGap);
+    for (std::size_t i = 0; i < row.size(); ++i)
+        row[i]->rect = QRect(qRound(lefts[i]), top, static_cast<int>(words[i].width), fontMetrics().height());
+}
+
+QColor TermScale::colourOf(const FuzzyTerm& term) const {
+    if (m_value && membership(term.set, *m_value) > 0) return palette().color(QPalette::Link);
+    return palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::PlaceholderText);
 }
 
 void TermScale::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    const QColor quiet =
-        palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::PlaceholderText);
     if (!m_note.isEmpty()) {
         painter.setPen(palette().color(QPalette::LinkVisited));
-        painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+        painter.drawText(rect().adjusted(0, tickRoom, 0, 0), Qt::AlignLeft | Qt::AlignTop,
                          fontMetrics().elidedText(m_note, Qt::ElideRight, width()));
         return;
     }
-    const auto rects = termRects();
-    painter.setFont(fittingFont());
-    for (std::size_t i = 0; i < rects.size(); ++i) {
-        const auto& term = m_variable.terms[i];
-        const bool active = m_value && membership(term.set, *m_value) > 0;
-        painter.setPen(active ? palette().color(QPalette::Link) : quiet);
+    for (const Place& place : m_places) {
+        const FuzzyTerm& term = m_variable.terms[place.term];
+        painter.setPen(colourOf(term));
+        painter.drawLine(QPointF(place.tick, 0), QPointF(place.tick, tickHeight - 1));
         const QString name =
-            painter.fontMetrics().elidedText(readableName(term.name), Qt::ElideRight, rects[i].width());
-        painter.drawText(rects[i], Qt::AlignLeft | Qt::AlignVCenter, name);
+            fontMetrics().elidedText(readableName(term.name), Qt::ElideRight, place.rect.width());
+        painter.drawText(place.rect, Qt::AlignHCenter | Qt::AlignVCenter, name);
     }
 }
 
 int TermScale::termAt(const QPoint& position) const {
     if (!m_note.isEmpty()) return -1;
-    const auto rects = termRects();
-    for (std::size_t i = 0; i < rects.size(); ++i)
-        if (rects[i].contains(position)) return static_cast<int>(i);
+    for (const Place& place : m_places)
+        if (place.rect.contains(position)) return static_cast<int>(place.term);
     return -1;
 }
 
 void TermScale::mousePressEvent(QMouseEvent* event) {
     const int index = termAt(event->pos());
     if (index < 0) return;
-    const Trapezoid& set = m_variable.terms[static_cast<std::size_t>(index)].set;
-    emit termPicked((set.b + set.c) / 2);
+    emit termPicked(coreMiddle(m_variable.terms[static_cast<std::size_t>(index)]));
+}
+
+QString TermScale::explained(const FuzzyTerm& term) const {
+    const Trapezoid& set = term.set;
+    const QString core = set.b == set.c ? tr("fully at %1").arg(numberText(set.b))
+                                        : tr("fully from %1 to %2").arg(numberText(set.b), numberText(set.c));
+    return tr("%1: %2, partly from %3 to %4. A click goes there.")
+        .arg(readableName(term.name), core, numberText(set.a), numberText(set.d));
 }
 
 bool TermScale::event(QEvent* event) {
@@ -120,11 +172,7 @@ bool TermScale::event(QEvent* event) {
     const int index = termAt(help->pos());
     if (!m_note.isEmpty()) QToolTip::showText(help->globalPos(), m_note, this);
     if (index < 0) return true;
-    const auto& term = m_variable.terms[static_cast<std::size_t>(index)];
-    const QStringList corners{numberText(term.set.a), numberText(term.set.b), numberText(term.set.c),
-                              numberText(term.set.d)};
-    QToolTip::showText(help->globalPos(), readableName(term.name) + ' ' + corners.join(QStringLiteral(" · ")),
-                       this);
+    QToolTip::showText(help->globalPos(), explained(m_variable.terms[static_cast<std::size_t>(index)]), this);
     return true;
 }
 

@@ -12,8 +12,9 @@ namespace esm {
 /// A name as people read it: "very_small" is "very small".
 QString readableName(const std::string& name);
 
-/// The terms of a variable in their order, spread over the width; those the value belongs to stand out. A
-/// click on a term asks for the middle of its core.
+/// The terms of a variable, each beneath the middle of its core on the slider above, in two rows where one is
+/// too narrow; a tick marks the place exactly. Terms the value belongs to stand out. A click on a term asks
+/// for the middle of its core.
 class TermScale : public QWidget {
     Q_OBJECT
 
@@ -22,6 +23,9 @@ public:
 
     void setVariable(const FuzzyVariable& variable);
     void setValue(std::optional<double> value);
+    /// How far from either end the variable's range begins, pixels: where the slider's handle stands at its
+    /// ends.
+    void setInset(int pixels);
     /// Shown in place of the terms, when there is no value; empty shows the terms.
     void setNote(const QString& note);
 
@@ -34,17 +38,30 @@ signals:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
-    /// Small enough for all terms, down to three quarters.
-    QFont fittingFont() const;
-    std::vector<QRect> termRects() const;
+    /// Where a word stands.
+    struct Place {
+        std::size_t term;
+        double tick; ///< x of the middle of its core
+        QRect rect;
+    };
+
+    void layOut();
+    std::vector<Place> inRows(int rows) const;
+    void placeRow(std::vector<Place*>& row, int top) const;
+    double wordWidth(std::size_t term) const;
     int termAt(const QPoint& position) const;
+    QString explained(const FuzzyTerm& term) const;
+    QColor colourOf(const FuzzyTerm& term) const;
 
     FuzzyVariable m_variable;
     std::optional<double> m_value;
     QString m_note;
+    int m_inset = 0, m_rows = 1;
+    std::vector<Place> m_places;
 };
 
 } // namespace esm

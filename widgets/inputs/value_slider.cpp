@@ -1,5 +1,8 @@
 #include "widgets/inputs/value_slider.h"
 
+#include <QMouseEvent>
+#include <QStyle>
+#include <QStyleOptionSlider>
 #include <QWheelEvent>
 
 #include <chrono>
@@ -23,6 +26,34 @@ ValueSlider::ValueSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
     connect(this, &QSlider::valueChanged, this, [this] {
         if (!isSliderDown()) m_pause.start();
     });
+}
+
+QRect ValueSlider::handleRect() const {
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    return style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+}
+
+void ValueSlider::bringHandleTo(int left) {
+    const int room = width() - handleWidth();
+    setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(), left, room));
+}
+
+void ValueSlider::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || isSliderDown()) return event->ignore();
+    const QRect handle = handleRect();
+    const bool onHandle = handle.contains(event->pos());
+    m_grabbedAt = onHandle ? event->x() - handle.left() : handle.width() / 2;
+    setSliderDown(true);
+    if (!onHandle) bringHandleTo(event->x() - m_grabbedAt);
+}
+
+void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
+    if (isSliderDown()) bringHandleTo(event->x() - m_grabbedAt);
+}
+
+void ValueSlider::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) setSliderDown(false);
 }
 
 void ValueSlider::wheelEvent(QWheelEvent* event) {

@@ -6,25 +6,35 @@
 namespace esm {
 
 /// A slider that says when a movement of its handle is over, by whatever it was moved: mouse, keys or wheel.
-/// The wheel moves it only while it has the focus, so that a panel scrolls beneath the mouse.
+/// A press beside the handle brings it there, and it follows the mouse until the button is let go. The wheel
+/// moves it only while it has the focus, so that a panel scrolls beneath the mouse.
 class ValueSlider : public QSlider {
     Q_OBJECT
 
 public:
     explicit ValueSlider(QWidget* parent = nullptr);
 
+    /// As it is drawn, pixels. Half of it is how far from either end the handle's middle stays.
+    int handleWidth() const { return handleRect().width(); }
+
 signals:
     /// The handle was let go, the focus left, or nothing moved for a moment: what follows is another edit.
     void gestureFinished();
 
 protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    QRect handleRect() const;
+    void bringHandleTo(int left);
     void finish();
 
     QTimer m_pause;
+    int m_grabbedAt = 0; ///< from the handle's left to where the mouse holds it, pixels
 };
 
 } // namespace esm

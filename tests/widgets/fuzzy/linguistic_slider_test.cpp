@@ -66,8 +66,23 @@ TEST_F(LinguisticSliderTest, NothingBeyondTheLimitsIsAnnounced) {
     EXPECT_EQ(edited.count(), 1);
     auto* terms = row.findChild<TermScale*>();
     terms->resize(300, terms->sizeHint().height());
-    QTest::mouseClick(terms, Qt::LeftButton, {}, {3, 5}); // "very soft", about −7
+    QTest::mouseClick(terms, Qt::LeftButton, {}, {21, terms->height() - 5}); // "very soft", −7
     EXPECT_EQ(row.field()->value(), 0.0);
+}
+
+TEST_F(LinguisticSliderTest, AWordStandsWhereTheHandleGoesForIt) {
+    row.resize(300, row.sizeHint().height());
+    row.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&row));
+    auto* terms = row.findChild<TermScale*>();
+    const double firm = 0.85 * row.slider()->maximum(); // the middle of its core, 75 of −10 to 90
+    const int half = row.slider()->handleWidth() / 2;
+    const int x = half + qRound(0.85 * (row.slider()->width() - 2 * half));
+    QTest::mouseClick(terms, Qt::LeftButton, {}, {x, terms->height() - 5});
+    EXPECT_NEAR(row.slider()->value(), firm, 1);
+    row.setValue(0);
+    QTest::mouseClick(row.slider(), Qt::LeftButton, {}, {x, row.slider()->height() / 2});
+    EXPECT_NEAR(row.field()->value().value_or(0), 75, 0.5);
 }
 
 TEST_F(LinguisticSliderTest, KeysOnTheSliderEndAsAnEdit) {

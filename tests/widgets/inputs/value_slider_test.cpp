@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <QApplication>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 #include <QVBoxLayout>
@@ -62,6 +63,29 @@ TEST_F(ValueSliderTest, LeavingItEndsTheGesture) {
     QTest::keyClick(slider, Qt::Key_Right);
     other->setFocus();
     EXPECT_EQ(finished.count(), 1);
+}
+
+TEST_F(ValueSliderTest, APressOnTheTrackBringsTheHandleThereAndItFollows) {
+    slider->resize(214, slider->height());
+    const int half = slider->handleWidth() / 2, length = slider->width() - slider->handleWidth();
+    const int y = slider->height() / 2;
+    QTest::mousePress(slider, Qt::LeftButton, {}, {half + length * 3 / 4, y});
+    EXPECT_NEAR(slider->value(), 75, 1);
+    QMouseEvent move(QEvent::MouseMove, QPoint(half + length / 4, y), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(slider, &move);
+    EXPECT_NEAR(slider->value(), 25, 1);
+    EXPECT_EQ(finished.count(), 0);
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, {half + length / 4, y});
+    EXPECT_EQ(finished.count(), 1) << "all of it is one edit";
+}
+
+TEST_F(ValueSliderTest, TheHandleStaysUnderTheMouseThatTookIt) {
+    slider->resize(214, slider->height());
+    slider->setValue(50);
+    const QPoint off(slider->width() / 2 + 3, slider->height() / 2);
+    QTest::mousePress(slider, Qt::LeftButton, {}, off);
+    EXPECT_EQ(slider->value(), 50);
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, off);
 }
 
 TEST_F(ValueSliderTest, LettingGoOfTheHandleEndsTheGesture) {
