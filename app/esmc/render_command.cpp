@@ -94,7 +94,10 @@ void addRegions(RenderScene& scene, const std::vector<Region>& regions) {
 void addPhotos(RenderScene& scene, const std::vector<PhotoLayer>& photos) {
     for (const PhotoLayer& layer : photos)
         if (layer.visible)
-            scene.projectors.push_back({layer.projector, {layer.photo, &layer.photo->image}, false});
+            scene.projectors.push_back({layer.projector,
+                                        {layer.photo, &layer.photo->image},
+                                        false,
+                                        scene.texturePages && layer.opacity > 0});
 }
 
 using Shown = std::vector<std::string>;

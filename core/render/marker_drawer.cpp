@@ -46,6 +46,14 @@ bool isDrawableShape(const Ellipsoid& ellipsoid) {
            ellipsoid.orientation.coeffs().allFinite();
 }
 
+/// Nothing where it cannot be drawn.
+std::optional<Ellipsoid> ballOf(const DrawnSphere& sphere) {
+    Ellipsoid ball;
+    ball.centre = sphere.centre;
+    ball.radii.setConstant(sphere.radius);
+    return isDrawableShape(ball) ? std::optional(ball) : std::nullopt;
+}
+
 bool isDrawableShape(const Projector& projector) {
     return projector.pose.matrix().allFinite() && isDrawable(projector.pose.translation()) &&
            isDrawable({projector.width, projector.height, 0});
@@ -58,6 +66,12 @@ std::array<std::uint8_t, 4> withAlpha(const Colour& colour, std::uint8_t alpha) 
 Vector4f withAlpha(const Colour& colour, float alpha) {
     const Vector3f rgb = toFloat(colour);
     return {rgb.x(), rgb.y(), rgb.z(), alpha};
+}
+
+/// Once the photo lies on the organ, the face is the slide it is thrown from: not the same picture once more.
+Vector4f facePaint(const DrawnProjector& drawn) {
+    if (drawn.isLaid) return {1, 0.86F, 0.62F, 0.24F};
+    return {1, 1, 1, drawn.selected ? 0.55F : 0.35F};
 }
 
 } // namespace
@@ -100,17 +114,30 @@ MarkerDrawer::MarkerDrawer(const GlFunctions& gl)
 }
 
 void MarkerDrawer::drawInstrument(const DrawnSphere& sphere, const Frame& frame) const {
-    Ellipsoid ball;
-    ball.centre = sphere.centre;
-    ball.radii.setConstant(sphere.radius);
-    if (!isDrawableShape(ball)) return;
+    const std::optional<Ellipsoid> ball = ballOf(sphere);
+    if (!ball) return;
     m_steel.use();
     m_steel.set("baseColour", toFloat(steel));
-    drawBall(m_steel, ball, frame);
+    drawBall(m_steel, *ball, frame);
+}
+
+/// It acts inside the organ too: what the surface hides of it stays in sight.
+void MarkerDrawer::drawHiddenInstrument(const DrawnSphere& sphere, const Frame& frame) const {
+    const std::optional<Ellipsoid> ball = ballOf(sphere);
+    if (!ball) return;
+    m_shell.use();
+    m_shell.set("baseColour", toFloat(steel));
+    m_shell.set("opacity", 0.55F);
+    m_gl.Enable(GL_CULL_FACE);
+    m_gl.DepthFunc(GL_GREATER);
+    drawBall(m_shell, *ball, frame);
+    m_gl.DepthFunc(GL_LEQUAL);
+    m_gl.Disable(GL_CULL_FACE);
 }
 
 void MarkerDrawer::drawTransparent(const RenderScene& scene, const Eigen::AlignedBox3d& shown,
                                    const LineDrawer& lines, const Frame& frame) {
+    if (scene.instrument) drawHiddenInstrument(*scene.instrument, frame);
     Curves curves, outlines;
     for (const DrawnProjector& drawn : scene.projectors) {
         if (!isDrawableShape(drawn.projector)) continue;
@@ -171,8 +198,8 @@ void MarkerDrawer::drawBoxFaces(const DrawnProjector& drawn, const Eigen::Aligne
         drawQuad({corners[i], corners[next], corners[i + 4], corners[next + 4]}, glass, nullptr, frame);
     }
     const GlTexture* photo = photoTexture(drawn.photo);
-    drawQuad({corners[0], corners[1], corners[3], corners[2]},
-             photo ? Vector4f(1, 1, 1, drawn.selected ? 0.55F : 0.35F) : glass, photo, frame);
+    drawQuad({corners[0], corners[1], corners[3], corners[2]}, photo ? facePaint(drawn) : glass, photo,
+             frame);
 }
 
 void MarkerDrawer::drawQuad(const std::array<Vector3d, 4>& corners, const Vector4f& paint,

@@ -22,6 +22,7 @@ public:
 private:
     struct Curves;
 
+    void drawHiddenInstrument(const DrawnSphere& sphere, const Frame& frame) const;
     void drawShell(const DrawnEllipsoid& ellipsoid, const Frame& frame) const;
     void drawBoxFaces(const DrawnProjector& projector, const Eigen::AlignedBox3d& shown, const Frame& frame);
     void drawQuad(const std::array<Eigen::Vector3d, 4>& corners, const Eigen::Vector4f& paint,

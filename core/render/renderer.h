@@ -29,6 +29,7 @@ struct DrawnProjector {
     Projector projector;
     std::shared_ptr<const Image> photo; ///< shown half-transparently on the box's face; may be null
     bool selected = false;
+    bool isLaid = false; ///< the scene's texture shows the photo on the organ
 };
 
 struct DrawnSphere {

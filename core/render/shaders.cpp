@@ -70,18 +70,25 @@ void main() {
 std::string surfaceVertex() {
     return std::string(version) + R"(
 layout(location = 0) in uint cornerVertex;
-layout(location = 1) in vec2 cornerPlace;
+layout(location = 1) in vec2 firstPlace;
+layout(location = 2) in vec2 secondPlace;
+layout(location = 3) in vec2 thirdPlace;
 uniform samplerBuffer vertices; // position, normal, position, normal
 uniform bool perCorner;
 uniform mat4 view, projection;
 out vec3 position, normal;
-out vec2 place;
+out vec3 shares;
+flat out vec2 first, second, third;
 void main() {
     int vertex = perCorner ? int(cornerVertex) : gl_VertexID;
     vec4 seen = view * vec4(texelFetch(vertices, 2 * vertex).xyz, 1.0);
     position = seen.xyz;
     normal = mat3(view) * texelFetch(vertices, 2 * vertex + 1).xyz;
-    place = cornerPlace;
+    int corner = gl_VertexID % 3;
+    shares = vec3(corner == 0, corner == 1, corner == 2);
+    first = firstPlace;
+    second = secondPlace;
+    third = thirdPlace;
     gl_Position = projection * seen;
 }
 )";
@@ -90,13 +97,23 @@ void main() {
 std::string surfaceFragment() {
     return std::string(version) + lighting + R"(
 in vec3 position, normal;
-in vec2 place;
+in vec3 shares;
+flat in vec2 first, second, third; // where the triangle's corners lie in the page
 uniform bool painted, unlit;
 uniform vec3 baseColour;
 uniform sampler2D page;
 out vec4 colour;
+
+// A pixel on a triangle's edge may have its middle outside the triangle. What lies beside the patch in the page does not
+// lie beside it on the surface, so the page is never read there.
+vec2 place() {
+    vec3 inside = max(shares, 0.0);
+    inside /= inside.x + inside.y + inside.z;
+    return inside.x * first + inside.y * second + inside.z * third;
+}
+
 void main() {
-    vec4 paint = painted ? texture(page, place) : vec4(0.0);
+    vec4 paint = painted ? texture(page, place()) : vec4(0.0);
     vec3 albedo = mix(baseColour, paint.rgb, paint.a);
     if (unlit) {
         colour = vec4(albedo, 1.0);

@@ -13,7 +13,7 @@ namespace {
 
 struct Corner {
     std::uint32_t vertex;
-    float u, v;
+    std::array<float, 6> patch; ///< u and v of the whole triangle's corners
 };
 
 /// Smaller copies of a page mix texels that lie a power of two apart: only as many as the patches' own
@@ -44,7 +44,8 @@ SurfaceDrawer::SurfaceDrawer(const GlFunctions& gl)
     m_cornerBuffer.bind(GL_ARRAY_BUFFER);
     gl.EnableVertexAttribArray(0);
     gl.VertexAttribIPointer(0, 1, GL_UNSIGNED_INT, sizeof(Corner), nullptr);
-    m_texturedArray.addFloats(1, 2, sizeof(Corner), offsetof(Corner, u));
+    for (GLuint i = 0; i < 3; ++i)
+        m_texturedArray.addFloats(1 + i, 2, sizeof(Corner), offsetof(Corner, patch) + 2 * i * sizeof(float));
 }
 
 void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices,
@@ -140,10 +141,12 @@ void SurfaceDrawer::takeAtlas(const std::shared_ptr<const Atlas>& atlas) {
         if (m_ranges.empty() || m_ranges.back().page != page)
             m_ranges.push_back({page, static_cast<GLint>(corners.size()), 0});
         m_ranges.back().count += 3;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Eigen::Vector2f place = (atlas->corners[triangle][i] / atlas->options.size).cast<float>();
-            corners.push_back({m_mesh->triangles[triangle][i], place.x(), place.y()});
-        }
+        std::array<float, 6> patch;
+        for (std::size_t i = 0; i < 6; ++i)
+            patch[i] = static_cast<float>(atlas->corners[triangle][i / 2][static_cast<Eigen::Index>(i % 2)] /
+                                          atlas->options.size);
+        for (const std::uint32_t vertex : m_mesh->triangles[triangle])
+            corners.push_back({vertex, patch});
     }
     m_cornerBuffer.upload(GL_ARRAY_BUFFER, corners.data(), corners.size() * sizeof(Corner), GL_STATIC_DRAW);
 }

@@ -69,6 +69,14 @@ void OrganView::setTool(ViewTool tool) {
     m_tool = tool;
     update();
     emit toolChanged(tool);
+    if (tool == ViewTool::Instrument && underMouse()) moveInstrument(mapFromGlobal(QCursor::pos()));
+}
+
+void OrganView::setInstrumentRadius(double metres) {
+    m_instrumentRadius = metres;
+    if (!m_instrument) return;
+    showInstrument();
+    emit instrumentMoved(*m_instrument);
 }
 
 void OrganView::letGo() {
@@ -167,7 +175,7 @@ void OrganView::paintOverlay() {
     if (m_tool == ViewTool::Projector)
         paintHandles(painter, projectorHandles(), style.palette.color(QPalette::LinkVisited));
     if (m_legend) paintLegend(painter, style, *m_legend);
-    paintHint(painter, style, m_hint.isEmpty() ? toolHint(m_tool) : m_hint, m_legend.has_value());
+    paintHint(painter, style, hint(), m_legend.has_value());
     paintAxisCube(painter, camera(), cubeSquare(size()), style.palette);
 }
 

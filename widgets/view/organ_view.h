@@ -40,12 +40,14 @@ public:
     void setLegend(std::optional<ViewLegend> legend);
     /// The line at the bottom; empty shows the tool's own.
     void setHint(const QString& hint);
+    QString hint() const { return m_hint.isEmpty() ? toolHint(m_tool) : m_hint; }
 
     ViewTool tool() const { return m_tool; }
     void setTool(ViewTool tool);
     /// Ends a drag and takes the instrument away, as Esc does.
     void letGo();
-    void setInstrumentRadius(double metres) { m_instrumentRadius = metres; }
+    void setInstrumentRadius(double metres);
+    double instrumentRadius() const { return m_instrumentRadius; }
 
     const Camera& camera() const { return m_cameraController.camera(); }
     void setCamera(const Camera& camera);

@@ -89,6 +89,7 @@ std::optional<Drag> OrganView::dragAt(const QPointF& place) {
     case ViewTool::Projector:
         return projectorDragAt(place, ray);
     case ViewTool::Instrument:
+        if (!m_instrument) moveInstrument(place);
         if (!m_instrument) return std::nullopt;
         return InstrumentSweep{picturePlane(camera(), *m_instrument)};
     case ViewTool::Pull:

@@ -3,6 +3,7 @@
 #include "app/editor/window/actions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace esm {
 
@@ -14,6 +15,13 @@ std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& mo
     for (const Spring& spring : model.network->springs)
         values->push_back(springConstant(model, spring));
     return values;
+}
+
+/// A twentieth of the organ's diagonal, to half a millimetre where that is fine enough.
+double fittingInstrument(const Project& project) {
+    constexpr double half = 0.0005; // m
+    const double twentieth = 0.05 * boundingBox(project.network->restPositions).diagonal().norm();
+    return twentieth > 10 * half ? half * std::round(twentieth / half) : twentieth;
 }
 
 } // namespace
@@ -75,13 +83,20 @@ void ViewController::followDocument(const Change& change) {
     if (change.model()) m_preview.setProject(project);
     if (change.model()) m_structure.reset();
     if (change.picture()) m_composer.compose(project);
-    if (change.mesh) {
-        const double diagonal = boundingBox(project.network->restPositions).diagonal().norm();
-        m_instrumentRadius = 0.05 * diagonal;
-        m_view.setInstrumentRadius(m_instrumentRadius);
-    }
+    if (change.mesh && !m_instrumentChosen) setInstrumentRadius(fittingInstrument(project));
     rebuildScene();
     if (change.mesh) m_view.frameOrgan();
+}
+
+void ViewController::chooseInstrumentRadius(double metres) {
+    m_instrumentChosen = true;
+    setInstrumentRadius(metres);
+}
+
+void ViewController::setInstrumentRadius(double metres) {
+    m_instrumentRadius = metres;
+    m_view.setInstrumentRadius(metres);
+    emit instrumentRadiusChanged(metres);
 }
 
 void ViewController::rebuildScene() {
@@ -121,7 +136,8 @@ void ViewController::addProjector(RenderScene& scene) {
     const PhotoLayer& layer = m_document.project().photos[*selected];
     // The picture is part of the photo: one owner for both.
     const std::shared_ptr<const Image> picture(layer.photo, &layer.photo->image);
-    scene.projectors.push_back({layer.projector, picture, true});
+    const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
+    scene.projectors.push_back({layer.projector, picture, true, isLaid});
 }
 
 void ViewController::addSprings(RenderScene& scene) {

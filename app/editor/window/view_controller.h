@@ -21,8 +21,12 @@ public:
 
     void connectActions(const Actions& actions);
     void setTheme(Theme theme);
+    double instrumentRadius() const { return m_instrumentRadius; } ///< m
+    /// The user's own size, kept for every organ from now on.
+    void chooseInstrumentRadius(double metres);
 
 signals:
+    void instrumentRadiusChanged(double metres);
     /// The user took the tissue in hand.
     void touched();
     void message(const QString& text);
@@ -37,6 +41,7 @@ private:
     };
 
     void connectView();
+    void setInstrumentRadius(double metres);
     void followDocument(const Change& change);
     void rebuildScene();
     void addEllipsoids(RenderScene& scene);
@@ -54,6 +59,7 @@ private:
     Preview& m_preview;
     TextureComposer m_composer;
     double m_instrumentRadius = 0.01; ///< m
+    bool m_instrumentChosen = false;  ///< by the user
     Theme m_theme = Theme::Dark;
     bool m_textureWorkspace = false, m_showSprings = false, m_showRegions = true;
     std::optional<Structure> m_structure;    ///< evaluated for the model as it is

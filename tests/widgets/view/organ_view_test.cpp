@@ -1,5 +1,6 @@
 #include "widgets/view/organ_view.h"
 
+#include "core/texture/patch_scan.h"
 #include "tests/core/render/subjects.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,7 @@ namespace {
 class OrganViewTest : public testing::Test {
 protected:
     void SetUp() override {
+        qRegisterMetaType<Vector3d>("Eigen::Vector3d");
         TriangleMesh mesh = ball(24, 36);
         for (Vector3d& vertex : mesh.vertices)
             vertex *= 0.1;
@@ -301,6 +303,68 @@ TEST_F(OrganViewTest, InstrumentTouchesTheSurfaceAndIsPushedIn) {
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_EQ(removed.count(), 1);
     EXPECT_FALSE(view.scene().instrument);
+}
+
+TEST_F(OrganViewTest, InstrumentComesWithAPressWhereNothingMovedBefore) {
+    QSignalSpy moved(&view, &OrganView::instrumentMoved);
+    view.setTool(ViewTool::Instrument);
+    view.letGo();
+    const Camera before = view.camera();
+    press(middle());
+    ASSERT_TRUE(view.scene().instrument);
+    EXPECT_GE(moved.count(), 1);
+    moveTo(middle() + QPoint(40, 0));
+    EXPECT_TRUE(view.scene().instrument);
+    EXPECT_GT(view.scene().instrument->centre.x(), 0.01);
+    EXPECT_EQ(view.camera().eye, before.eye) << "the view does not turn instead";
+    release(middle() + QPoint(40, 0));
+}
+
+TEST_F(OrganViewTest, InstrumentTakesAnotherSizeInTheHand) {
+    QSignalSpy moved(&view, &OrganView::instrumentMoved);
+    view.setTool(ViewTool::Instrument);
+    moveTo(middle(), Qt::NoButton);
+    const int before = moved.count();
+    view.setInstrumentRadius(0.03);
+    EXPECT_EQ(view.scene().instrument->radius, 0.03);
+    EXPECT_EQ(moved.count(), before + 1) << "what pushes the tissue grows with it";
+}
+
+TEST_F(OrganViewTest, InstrumentShowsThroughTheOrgan) {
+    view.setInstrumentRadius(0.03);
+    const QColor without = view.grabFramebuffer().pixelColor(middle());
+    view.setTool(ViewTool::Instrument);
+    moveTo(middle(), Qt::NoButton);
+    wheel(middle(), 60, Qt::ControlModifier);
+    ASSERT_LT(view.scene().instrument->centre.z(), 0.0) << "deep inside";
+    EXPECT_NE(view.grabFramebuffer().pixelColor(middle()), without);
+}
+
+TEST_F(OrganViewTest, TextureIsNotReadBeyondItsPatches) {
+    auto atlas = std::make_shared<Atlas>(packAtlas(*scene.mesh, {1024, 1, 2}));
+    Image page;
+    page.width = page.height = 1024;
+    page.pixels.assign(std::size_t{4} * 1024 * 1024, 255);
+    for (std::size_t i = 1; i < page.pixels.size(); i += 4)
+        page.pixels[i] = 0; // magenta between the patches
+    const PageBand whole{0, 0, 1024, {}};
+    for (const auto& corners : atlas->corners)
+        PatchScan(corners).forEachTexel(whole, 1024, 1.5, [&](const PatchTexel& texel) {
+            std::fill_n(page.at(texel.x, texel.y), 3, std::uint8_t{128});
+        });
+    scene.atlas = atlas;
+    scene.texturePages = std::make_shared<const std::vector<Image>>(std::vector<Image>{page});
+    scene.unlit = true;
+    scene.backgroundTop = scene.backgroundBottom = {128, 128, 128};
+    view.setScene(scene);
+    const QImage picture = view.grabFramebuffer();
+    int strays = 0;
+    for (int y = 0; y < 400; ++y)       // above the hint
+        for (int x = 0; x < 500; ++x) { // left of the cube
+            const QColor colour = picture.pixelColor(x, y);
+            strays += std::abs(colour.red() - colour.green()) > 4 ? 1 : 0;
+        }
+    EXPECT_EQ(strays, 0);
 }
 
 TEST_F(OrganViewTest, OverlaysArePainted) {
