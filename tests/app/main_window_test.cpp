@@ -2,6 +2,7 @@
 #include "app/editor/window/application.h"
 #include "app/editor/window/help.h"
 #include "app/editor/window/import_dialog.h"
+#include "app/editor/window/instrument_options.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 
@@ -138,9 +139,59 @@ TEST_F(MainWindowTest, SaysWhyTheTissueDoesNotMoveUntilItDoes) {
 TEST_F(MainWindowTest, SaysWhatThePreviewLeavesOut) {
     EXPECT_EQ(message(), "");
     edit([](Project& p) { p.scene.forces.push_back({0, Eigen::Vector3d(0, 0.1, 0), 0, 1}); });
-    EXPECT_TRUE(message().contains("forces"));
+    EXPECT_NE(message(), "");
+    EXPECT_TRUE(child<QLabel>("message")->toolTip().contains("forces"));
+    EXPECT_FALSE(child<QLabel>("message")->toolTip().contains("movements")) << "only what there is";
     press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(message(), "");
+}
+
+TEST_F(MainWindowTest, ExplainsTheStepInPlainWords) {
+    ESM_EVENTUALLY(!child<QLabel>("stepping")->text().isEmpty());
+    const QString shown = child<QLabel>("stepping")->text();
+    EXPECT_TRUE(shown.startsWith("step")) << shown.toStdString();
+    const std::string method = window->preview().status().integrator;
+    EXPECT_TRUE(child<QLabel>("stepping")->toolTip().contains(QString::fromStdString(method)));
+}
+
+TEST_F(MainWindowTest, SaysHowAPhotoIsAddedWhereThereIsNone) {
+    press(Qt::Key_2, Qt::ControlModifier);
+    EXPECT_TRUE(window->view().hint().contains("Ctrl+P")) << window->view().hint().toStdString();
+    EXPECT_EQ(window->view().tool(), ViewTool::Select) << "there is nothing to place";
+    press(Qt::Key_1, Qt::ControlModifier);
+    EXPECT_FALSE(window->view().hint().contains("Ctrl+P"));
+}
+
+TEST_F(MainWindowTest, TheInstrumentsSizeIsShownWhileItIsInHandAndKept) {
+    auto* options = window->findChild<InstrumentOptions*>();
+    ASSERT_NE(options, nullptr);
+    EXPECT_FALSE(options->isVisible());
+    window->view().setFocus();
+    press(Qt::Key_I);
+    ASSERT_TRUE(options->isVisible());
+    auto* radius = options->findChild<NumberField*>();
+    const double diagonal = boundingBox(project().network->restPositions).diagonal().norm();
+    EXPECT_NEAR(radius->value().value_or(0), 0.05 * diagonal, 0.001);
+    typeInto(radius, "7.5");
+    press(Qt::Key_Return);
+    EXPECT_DOUBLE_EQ(window->view().instrumentRadius(), 0.0075);
+    window->document().replace(makeSample("liver"), std::nullopt);
+    EXPECT_DOUBLE_EQ(radius->value().value_or(0), 0.0075) << "for the next organ too";
+    EXPECT_FALSE(window->document().isModified());
+    press(Qt::Key_P);
+}
+
+TEST_F(MainWindowTest, ThePhotosBoxStandsInItsWorkspaceAlone) {
+    edit([](Project& p) {
+        PhotoLayer layer;
+        layer.photo = makeSamplePhoto("serosa");
+        p.photos = {layer};
+    });
+    EXPECT_TRUE(window->view().scene().projectors.empty());
+    press(Qt::Key_2, Qt::ControlModifier);
+    EXPECT_EQ(window->view().scene().projectors.size(), 1U);
+    press(Qt::Key_1, Qt::ControlModifier);
+    EXPECT_TRUE(window->view().scene().projectors.empty());
 }
 
 TEST_F(MainWindowTest, TellsEveryKey) {
@@ -154,7 +205,12 @@ TEST_F(MainWindowTest, TellsEveryKey) {
             EXPECT_TRUE(text.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()))
                 << action->text().toStdString();
     }
-    EXPECT_TRUE(text.contains(toolHint(ViewTool::Instrument)));
+    for (const QString& part : toolUse(ViewTool::Instrument).split(" · "))
+        EXPECT_TRUE(text.contains(part, Qt::CaseInsensitive)) << part.toStdString();
+    EXPECT_EQ(text.count("Alt"), 1) << "what all tools share is told once";
+    for (const QAction* side : window->windowActions().standardViews)
+        EXPECT_TRUE(text.contains(QKeySequence::listToString(side->shortcuts()).replace("; ", ", ")))
+            << side->text().toStdString();
 }
 
 TEST_F(MainWindowTest, LivesOnWhenAnActionFails) {

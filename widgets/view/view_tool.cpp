@@ -4,27 +4,47 @@
 
 namespace esm {
 
-QString toolHint(ViewTool tool) {
+namespace {
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("esm::ViewTool", text);
+}
+
+QString toolHelp(ViewTool tool) {
     switch (tool) {
     case ViewTool::Select:
-        return QCoreApplication::translate(
-            "esm::ViewTool", "Drag to turn the view · wheel zooms · click picks · Home shows all");
+        return translated("wheel zooms · Home shows all");
     case ViewTool::Pull:
-        return QCoreApplication::translate("esm::ViewTool",
-                                           "Drag to pull the tissue · Alt to turn the view · Esc lets go");
+        return translated("Alt to turn the view · Esc lets go");
     case ViewTool::Instrument:
-        return QCoreApplication::translate(
-            "esm::ViewTool",
-            "Move to touch the surface · Ctrl and wheel push in and out · Esc takes it away");
+        return translated("Esc takes it away");
     case ViewTool::Region:
-        return QCoreApplication::translate(
-            "esm::ViewTool", "Drag the ellipsoid to move it · handles scale it · Alt to turn the view");
     case ViewTool::Projector:
-        return QCoreApplication::translate(
-            "esm::ViewTool",
-            "Drag the photo to place it · handles scale width and height · Alt to turn the view");
+        return translated("Alt to turn the view");
     }
     return {};
+}
+
+} // namespace
+
+QString toolUse(ViewTool tool) {
+    switch (tool) {
+    case ViewTool::Select:
+        return translated("Drag to turn the view · click picks");
+    case ViewTool::Pull:
+        return translated("Drag to pull the tissue");
+    case ViewTool::Instrument:
+        return translated("Move to touch the surface · Ctrl and wheel push in and out");
+    case ViewTool::Region:
+        return translated("Drag the ellipsoid to move it · handles scale it");
+    case ViewTool::Projector:
+        return translated("Drag the photo to place it · handles scale width and height");
+    }
+    return {};
+}
+
+QString toolHint(ViewTool tool) {
+    return toolUse(tool) + QStringLiteral(" · ") + toolHelp(tool);
 }
 
 } // namespace esm

@@ -13,7 +13,9 @@ enum class ViewTool {
     Projector   ///< moves and scales a photo's projector
 };
 
-/// One line on how to use the tool.
+/// What only this tool does, in one line.
+QString toolUse(ViewTool tool);
+/// The same with what else helps while the tool is in hand.
 QString toolHint(ViewTool tool);
 
 } // namespace esm

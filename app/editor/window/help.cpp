@@ -13,23 +13,32 @@ namespace esm {
 namespace {
 
 QString row(const QString& keys, const QString& does) {
-    return QStringLiteral("<tr><td style='padding:2px 20px 2px 0; white-space:nowrap'><b>%1</b></td>"
-                          "<td style='padding:2px 40px 2px 0; white-space:nowrap'>%2</td></tr>")
+    return QStringLiteral("<tr><td style='padding:2px 18px 2px 0; white-space:nowrap'><b>%1</b></td>"
+                          "<td style='padding:2px 14px 2px 0; white-space:nowrap'>%2</td></tr>")
         .arg(keys.toHtmlEscaped(), does.toHtmlEscaped());
 }
 
-QString actionRow(const QAction* action) {
-    const QString keys = QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
-    return row(QString(keys).replace(QStringLiteral("; "), QStringLiteral(", ")),
-               action->text().remove('&').remove(QChar(0x2026)));
+QString title(const QString& text) {
+    return QStringLiteral("<tr><td colspan='2' style='padding:10px 0 4px 0'><i>%1</i></td></tr>")
+        .arg(text.toHtmlEscaped());
 }
 
-QString viewRows() {
-    return row(QObject::tr("Right drag, Alt + left drag"), QObject::tr("turn the view")) +
-           row(QObject::tr("Middle drag, Shift + drag"), QObject::tr("shift the view")) +
-           row(QObject::tr("Wheel"), QObject::tr("come closer, go away")) +
-           row(QObject::tr("1 to 6; F, B, L, R, T"),
-               QObject::tr("look from the front, back, left, right, top, bottom"));
+QString keysOf(const QAction* action) {
+    return QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText)
+        .replace(QStringLiteral("; "), QStringLiteral(", "));
+}
+
+QString actionRow(const QAction* action) {
+    return row(keysOf(action), action->text().remove('&').remove(QChar(0x2026)));
+}
+
+QString viewRows(const Actions& a) {
+    QString rows = row(QObject::tr("Right drag, Alt + left drag"), QObject::tr("Turn the view")) +
+                   row(QObject::tr("Middle drag, Shift + either"), QObject::tr("Shift the view")) +
+                   row(QObject::tr("Wheel"), QObject::tr("Come closer, go away")) + actionRow(a.frame);
+    for (const QAction* side : a.standardViews)
+        rows += row(keysOf(side), QObject::tr("Look from the %1").arg(side->text().remove('&').toLower()));
+    return rows;
 }
 
 QString toolRows(const Actions& a) {
@@ -37,15 +46,18 @@ QString toolRows(const Actions& a) {
     for (const auto& [action, tool] :
          {std::pair(a.look, ViewTool::Select), std::pair(a.pull, ViewTool::Pull),
           std::pair(a.instrument, ViewTool::Instrument), std::pair(a.region, ViewTool::Region),
-          std::pair(a.projector, ViewTool::Projector)})
-        rows += row(action->shortcut().toString(QKeySequence::NativeText), toolHint(tool));
+          std::pair(a.projector, ViewTool::Projector)}) {
+        QString use = toolUse(tool);
+        use[0] = use[0].toLower();
+        rows += row(keysOf(action), action->text().remove('&') + QStringLiteral(": ") + use);
+    }
     return rows + actionRow(a.letGo);
 }
 
 QString fieldRows() {
-    return row(QObject::tr("Up, Down; with Shift"), QObject::tr("step a number; ten steps at once")) +
-           row(QObject::tr("Enter, Esc"), QObject::tr("take what is typed, or take it back")) +
-           row(QObject::tr("F2, Del"), QObject::tr("rename or remove the selected region or photo"));
+    return row(QObject::tr("Up, Down; with Shift"), QObject::tr("Step a number; ten steps at once")) +
+           row(QObject::tr("Enter, Esc"), QObject::tr("Take what is typed, or take it back")) +
+           row(QObject::tr("F2, Del"), QObject::tr("Rename or remove the selected region or photo"));
 }
 
 QString actionRows(std::initializer_list<const QAction*> actions) {
@@ -58,12 +70,16 @@ QString actionRows(std::initializer_list<const QAction*> actions) {
 } // namespace
 
 QString keysText(const Actions& a) {
-    return QStringLiteral("<table><tr><td><table>%1%2%3</table></td><td><table>%4</table></td></tr></table>")
-        .arg(viewRows(), toolRows(a), fieldRows(),
-             actionRows({a.open,     a.import,    a.save,      a.saveAs,   a.exportPackage, a.quit,
-                         a.undo,     a.redo,      a.addRegion, a.addPhoto, a.fromCamera,    a.play,
-                         a.reset,    a.tissue,    a.texture,   a.frame,    a.showSprings,   a.showRegions,
-                         a.showLeft, a.showRight, a.keys}));
+    const QString mouse = title(QObject::tr("View")) + viewRows(a) + title(QObject::tr("Tools")) +
+                          toolRows(a) + title(QObject::tr("Fields and lists")) + fieldRows();
+    const QString keys =
+        title(QObject::tr("Project")) +
+        actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit, a.undo, a.redo}) +
+        title(QObject::tr("Tissue and photos")) +
+        actionRows({a.addRegion, a.addPhoto, a.fromCamera, a.play, a.reset}) + title(QObject::tr("Window")) +
+        actionRows({a.tissue, a.texture, a.showSprings, a.showRegions, a.showLeft, a.showRight, a.keys});
+    return QStringLiteral("<table><tr><td><table>%1</table></td><td><table>%2</table></td></tr></table>")
+        .arg(mouse, keys);
 }
 
 void showKeys(QWidget* window, const Actions& actions) {

@@ -149,7 +149,7 @@ void buildToolStrip(QMainWindow& window, const Actions& a) {
     window.addToolBar(Qt::LeftToolBarArea, strip);
 }
 
-void buildTopBar(QMainWindow& window, const Actions& a) {
+void buildTopBar(QMainWindow& window, const Actions& a, QWidget* toolOptions) {
     auto* bar = new QToolBar(QObject::tr("Top bar"), &window);
     bar->setObjectName(QStringLiteral("topBar"));
     bar->setMovable(false);
@@ -162,6 +162,7 @@ void buildTopBar(QMainWindow& window, const Actions& a) {
     QHBoxLayout* left = addSide(row, content);
     left->addWidget(iconButton(a.undo, content));
     left->addWidget(iconButton(a.redo, content));
+    left->addWidget(toolOptions);
     left->addStretch();
     row->addWidget(workspaceSwitch(a, content));
     QHBoxLayout* right = addSide(row, content);

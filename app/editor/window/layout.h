@@ -14,8 +14,9 @@ namespace esm {
 void buildMenus(QMainWindow& window, const Actions& actions);
 void buildToolStrip(QMainWindow& window, const Actions& actions);
 
-/// Undo and redo at the left, workspaces in the middle, playing and handing over at the right.
-void buildTopBar(QMainWindow& window, const Actions& actions);
+/// Undo, redo and the options of the tool in hand at the left, workspaces in the middle, playing and handing
+/// over at the right.
+void buildTopBar(QMainWindow& window, const Actions& actions, QWidget* toolOptions);
 
 /// A scrolling column of panels at one side of the view.
 QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QString& title,

@@ -9,6 +9,7 @@
 #include "app/editor/panels/regions_panel.h"
 #include "app/editor/panels/tissue_panel.h"
 #include "app/editor/window/help.h"
+#include "app/editor/window/instrument_options.h"
 #include "app/editor/window/layout.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/icon.h"
@@ -47,7 +48,7 @@ MainWindow::MainWindow(Project project)
 
     setCentralWidget(m_view);
     buildMenus(*this, m_actions);
-    buildTopBar(*this, m_actions);
+    buildTopBar(*this, m_actions, new InstrumentOptions(*m_view, *m_viewController));
     buildToolStrip(*this, m_actions);
     buildPanels();
     connectParts();
@@ -123,7 +124,9 @@ void MainWindow::connectWorkspaces() {
     for (QAction* action : {m_actions.tissue, m_actions.texture, m_actions.showLeft, m_actions.showRight})
         connect(action, &QAction::toggled, this, &MainWindow::showWorkspace);
     connect(m_actions.tissue, &QAction::triggered, m_actions.pull, &QAction::trigger);
-    connect(m_actions.texture, &QAction::triggered, m_actions.projector, &QAction::trigger);
+    // An action that cannot be used can still be triggered from here.
+    connect(m_actions.texture, &QAction::triggered, this,
+            [this] { (m_actions.projector->isEnabled() ? m_actions.projector : m_actions.look)->trigger(); });
     showWorkspace();
 }
 
@@ -158,10 +161,17 @@ void MainWindow::showTitle() {
 
 void MainWindow::noteWhatIsLeftOut() {
     const Scene& scene = m_document->project().scene;
-    const bool leftOut = !scene.forces.empty() || !scene.moves.empty() || scene.instrument;
-    m_status->showNote(leftOut
-                           ? tr("The scene's forces, moves and instrument act in “esmc simulate”, not here.")
-                           : QString());
+    QStringList parts;
+    if (!scene.forces.empty()) parts << tr("forces");
+    if (!scene.moves.empty()) parts << tr("movements");
+    if (scene.instrument) parts << tr("an instrument's path");
+    if (parts.isEmpty()) return m_status->showNote({}, {});
+    const QString all = parts.join(tr(" and "));
+    m_status->showNote(tr("Not played here: the project's test run (%1)").arg(all),
+                       tr("The project holds a test run for the command line: %1, at set times. The window "
+                          "leaves it out and shows "
+                          "what you do yourself; “esmc simulate” plays it and writes the motion to a file.")
+                           .arg(all));
 }
 
 void MainWindow::setTheme(bool light) {

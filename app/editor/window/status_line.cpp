@@ -17,6 +17,14 @@ QString millisecondsText(double seconds) {
                            : QObject::tr("%1 µs").arg(numberText(seconds * 1e6, 2));
 }
 
+/// What a stepping method does, in plain words.
+QString methodText(const std::string& integrator) {
+    if (integrator == "split2")
+        return QObject::tr("a method of second order that stays calm however viscous the tissue is");
+    if (integrator == "split") return QObject::tr("a method that stays calm however viscous the tissue is");
+    return QObject::tr("the simplest method; it needs small steps");
+}
+
 QString safeText(const PreviewStatus& status) {
     if (!status.safeStep) return QString();
     if (std::isinf(*status.safeStep)) return QObject::tr("safe at any step");
@@ -60,19 +68,17 @@ StatusLine::StatusLine(QStatusBar& bar) : QObject(&bar), m_bar(bar) {
     m_rate = addLabel(QStringLiteral("frameRate"), tr("000 fps"), tr("Pictures drawn per second"));
     m_realTime = addLabel(QStringLiteral("realTime"), tr("0000× real time"),
                           tr("How much faster than real time the tissue can be computed"));
-    m_step = addLabel(QStringLiteral("stepping"), tr("split2, step 00.00 ms"), tr("How time is stepped"));
+    m_step = addLabel(QStringLiteral("stepping"), tr("step 00.00 ms"), {});
     m_message = new QLabel(&bar);
     m_message->setObjectName(QStringLiteral("message"));
     m_message->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     bar.addWidget(m_message, 1);
-    auto* caption = new QLabel(tr("Stability"), &bar);
+    m_stabilityCaption = new QLabel(tr("Stability"), &bar);
     m_gauge = new StabilityGauge(&bar);
     m_stability = new QLabel(&bar);
     m_stability->setMinimumWidth(m_stability->fontMetrics().horizontalAdvance(tr("safe up to 000 ms")) + 16);
-    for (QWidget* widget : std::initializer_list<QWidget*>{caption, m_gauge, m_stability}) {
-        widget->setToolTip(tr("The step in use, and the largest one that is stable"));
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_stabilityCaption, m_gauge, m_stability})
         bar.addPermanentWidget(widget);
-    }
     connect(&m_rateTimer, &QTimer::timeout, this, &StatusLine::showRate);
     m_rateTimer.start(1000);
     m_since.start();
@@ -99,15 +105,32 @@ void StatusLine::showStatus(const PreviewStatus& status) {
     const bool moves = status.playing && status.realTimeFactor > 0;
     m_realTime->setText(moves ? tr("%1× real time").arg(numberText(status.realTimeFactor, 2)) : tr("paused"));
     m_step->setText(status.integrator.empty() ? QString()
-                                              : tr("%1, step %2")
-                                                    .arg(QString::fromStdString(status.integrator),
-                                                         millisecondsText(status.timeStep)));
+                                              : tr("step %1").arg(millisecondsText(status.timeStep)));
     m_stability->setText(safeText(status));
+    explainStep(status);
     m_gauge->setShare(status.safeStep ? status.timeStep / *status.safeStep : -1);
     const QString failure = QString::fromStdString(status.failure).replace('\n', QStringLiteral("; "));
     if (failure == m_failure) return;
     m_failure = failure;
     showLasting();
+}
+
+void StatusLine::explainStep(const PreviewStatus& status) {
+    const QString step = millisecondsText(status.timeStep);
+    m_step->setToolTip(
+        status.integrator.empty()
+            ? QString()
+            : tr("The motion is computed in steps of time: where every point of the tissue is %1 "
+                 "later, and so on.\nMethod: %2, %3.")
+                  .arg(step, QString::fromStdString(status.integrator), methodText(status.integrator)));
+    QString gauge =
+        tr("How safely the motion is computed. The mark is the step of time in use, red begins at the "
+           "largest step that stays stable.\nBeyond it the tissue would swing ever wilder and fly apart; "
+           "stiff or light tissue needs smaller steps. The program keeps below by itself.");
+    if (status.safeStep && std::isinf(*status.safeStep))
+        gauge = tr("How safely the motion is computed: this tissue stays stable whatever the step of time.");
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_stabilityCaption, m_gauge, m_stability})
+        widget->setToolTip(gauge);
 }
 
 void StatusLine::showPictureFailure(const QString& reason) {
@@ -116,31 +139,35 @@ void StatusLine::showPictureFailure(const QString& reason) {
     showLasting();
 }
 
-void StatusLine::showNote(const QString& note) {
-    if (note == m_note) return;
+void StatusLine::showNote(const QString& note, const QString& explanation) {
+    if (note == m_note && explanation == m_noteExplained) return;
     m_note = note;
+    m_noteExplained = explanation;
     if (!m_messageTimer.isActive()) showLasting();
 }
 
 void StatusLine::showLasting() {
     m_messageTimer.stop();
     const QString problem = m_failure.isEmpty() ? m_pictureFailure : m_failure;
-    showText(problem.isEmpty() ? m_note : problem, !problem.isEmpty());
+    if (problem.isEmpty())
+        showText(m_note, m_noteExplained, false);
+    else
+        showText(problem, problem, true);
 }
 
 void StatusLine::showMessage(const QString& text) {
-    showText(text, false);
+    showText(text, text, false);
     m_messageTimer.start(6000);
 }
 
-void StatusLine::showText(const QString& text, bool warning) {
+void StatusLine::showText(const QString& text, const QString& toolTip, bool warning) {
     if (m_message->property("warning").toBool() != warning) {
         m_message->setProperty("warning", warning);
         m_message->style()->unpolish(m_message);
         m_message->style()->polish(m_message);
     }
     m_message->setText(text);
-    m_message->setToolTip(text);
+    m_message->setToolTip(toolTip);
 }
 
 } // namespace esm

@@ -38,22 +38,23 @@ public:
     void showMessage(const QString& text);
     /// Why the photos are not on the organ; stays until it is empty.
     void showPictureFailure(const QString& reason);
-    /// What the preview leaves out; stays while nothing else is to be said.
-    void showNote(const QString& note);
+    /// What the preview leaves out, and more of it for who asks; stays while nothing else is to be said.
+    void showNote(const QString& note, const QString& explanation);
 
 private:
     QLabel* addLabel(const QString& name, const QString& widestText, const QString& toolTip);
     void showRate();
     void showLasting();
-    void showText(const QString& text, bool warning);
+    void showText(const QString& text, const QString& toolTip, bool warning);
+    void explainStep(const PreviewStatus& status);
 
     QStatusBar& m_bar;
-    QLabel *m_rate, *m_realTime, *m_step, *m_message, *m_stability;
+    QLabel *m_rate, *m_realTime, *m_step, *m_message, *m_stabilityCaption, *m_stability;
     StabilityGauge* m_gauge;
     QTimer m_rateTimer, m_messageTimer;
     QElapsedTimer m_since;
     int m_pictures = 0;
-    QString m_failure, m_pictureFailure, m_note;
+    QString m_failure, m_pictureFailure, m_note, m_noteExplained;
 };
 
 } // namespace esm

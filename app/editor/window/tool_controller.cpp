@@ -49,6 +49,7 @@ void ToolController::updateTools() {
           !texture               ? tr("Photos are placed in the workspace Texture (Ctrl+2)")
           : !m_selection.photo() ? tr("There is no photo yet: Ctrl+P adds one")
                                  : QString());
+    updateHint();
 }
 
 void ToolController::allow(QAction* action, ViewTool tool, const QString& does, const QString& whyNot) {
@@ -61,6 +62,10 @@ void ToolController::allow(QAction* action, ViewTool tool, const QString& does, 
 void ToolController::updateHint() {
     const bool moves = m_view.tool() == ViewTool::Pull || m_view.tool() == ViewTool::Instrument;
     const PreviewStatus status = m_preview.status();
+    if (m_actions.texture->isChecked() && m_document.project().photos.empty())
+        return m_view.setHint(m_actions.addPhoto->isEnabled()
+                                  ? tr("No photo yet: Ctrl+P adds one, or drop a picture on the organ")
+                                  : m_actions.addPhoto->toolTip());
     if (!moves || status.playing)
         m_view.setHint({});
     else if (status.failure.empty())
