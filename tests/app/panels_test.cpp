@@ -4,7 +4,9 @@
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QScrollArea>
+#include <QSlider>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -49,6 +51,24 @@ TEST_F(PanelsTest, InputsKeepToTheirVariablesRange) {
     const std::string row = "input-" + variable.name;
     type(fieldOf(row.c_str()), QString::number(variable.maximum + 1));
     EXPECT_EQ(project().regions.back().inputs[0].second, before);
+}
+
+TEST_F(PanelsTest, APressOnASlidersTrackAndADragAreOneEdit) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    const auto& variable = project().regions.back().system->inputs[0];
+    const auto value = [this] { return project().regions.back().inputs[0].second; };
+    auto* slider = child<QWidget>(("input-" + variable.name).c_str())->findChild<QSlider*>();
+    const double before = value();
+    const int edits = window->document().undoStack()->index(), y = slider->height() / 2;
+    QTest::mousePress(slider, Qt::LeftButton, {}, {slider->width() - 20, y});
+    EXPECT_GT(value(), variable.minimum + 0.8 * (variable.maximum - variable.minimum));
+    QMouseEvent move(QEvent::MouseMove, QPoint(20, y), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(slider, &move);
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, {20, y});
+    EXPECT_LT(value(), variable.minimum + 0.2 * (variable.maximum - variable.minimum));
+    EXPECT_EQ(window->document().undoStack()->index(), edits + 1);
+    window->document().undoStack()->undo();
+    EXPECT_EQ(value(), before);
 }
 
 TEST_F(PanelsTest, ShowsTheMassThatTheRegionsMake) {
