@@ -5,7 +5,7 @@
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"
 
-#include <gmock/gmock.h>
+#include <fstream>
 
 using namespace esm;
 
@@ -67,13 +67,64 @@ TEST_F(AutosaveTest, FindsAndTakesOverWhatWasLeftBehind) {
     saveProject(document.project(), left);
     {
         Autosave autosave(document, folder / "copies");
-        EXPECT_THAT(autosave.leftBehind(), testing::ElementsAre(left));
-        autosave.takeOver(left);
+        const auto found = autosave.leftBehind();
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0].copy, left);
+        autosave.takeOver(found[0]);
         EXPECT_EQ(files().size(), 1U);
         EXPECT_FALSE(std::filesystem::exists(left));
         EXPECT_TRUE(autosave.leftBehind().empty());
     }
     EXPECT_TRUE(files().empty());
+}
+
+TEST_F(AutosaveTest, WritesTheCopyOnceTheEditsRest) {
+    using std::chrono::milliseconds;
+    Autosave autosave(document, folder / "copies", nullptr, {milliseconds(300), milliseconds(60000)});
+    setMass(0.5);
+    QTest::qWait(100);
+    EXPECT_FALSE(std::filesystem::exists(folder / "copies"));
+    setMass(0.75);
+    ESM_EVENTUALLY(std::filesystem::exists(folder / "copies") && !files().empty());
+    EXPECT_EQ(loadProject(files()[0]).base.mass, 0.75);
+}
+
+TEST_F(AutosaveTest, WritesTheCopyAmongEditsThatNeverRest) {
+    using std::chrono::milliseconds;
+    Autosave autosave(document, folder / "copies", nullptr, {milliseconds(60000), milliseconds(300)});
+    double mass = 0.5;
+    QTimer edits;
+    QObject::connect(&edits, &QTimer::timeout, &document, [&] { setMass(mass += 0.001); });
+    edits.start(10);
+    ESM_EVENTUALLY(std::filesystem::exists(folder / "copies") && !files().empty());
+}
+
+TEST_F(AutosaveTest, IsWrittenAFewSecondsAfterAnEdit) {
+    EXPECT_LE(AutosaveTimes{}.rest, std::chrono::seconds(3));
+    EXPECT_LE(AutosaveTimes{}.longest, std::chrono::seconds(10));
+}
+
+TEST_F(AutosaveTest, KnowsTheTitleAndTheTimeOfWhatWasLeftBehind) {
+    const auto left = folder / "copies" / "left.esm";
+    {
+        Autosave autosave(document, folder / "copies");
+        document.markSaved(folder / "my liver.esm", document.project());
+        setMass(0.5);
+        autosave.save();
+        autosave.finish();
+        // As if the program ended here: what is renamed stays.
+        auto title = files()[0];
+        std::filesystem::rename(title, left);
+        title.replace_extension(".title");
+        std::filesystem::rename(title, folder / "copies" / "left.title");
+    }
+    const Autosave next(document, folder / "copies");
+    const auto found = next.leftBehind();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].title, "my liver.esm");
+    EXPECT_LT(std::abs(found[0].written.secsTo(QDateTime::currentDateTime())), 60);
+    Autosave::discard(found[0]);
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "copies"));
 }
 
 class LeftBehindTest : public EditorTest {};
@@ -85,7 +136,11 @@ TEST_F(LeftBehindTest, IsBroughtBackUnsaved) {
     saveProject(lost, folder / "left.esm");
     open(makeSample("liver"));
     Autosave autosave(window->document(), folder / "");
-    dialogs.expectNamed("leftBehindBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_Return); });
+    std::ofstream(folder / "left.title") << "my liver.esm";
+    dialogs.expectNamed("leftBehindBox", [](QDialog* box) {
+        EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains("my liver.esm"));
+        QTest::keyClick(box, Qt::Key_Return);
+    });
     window->files().offerLeftBehind(autosave);
     EXPECT_TRUE(dialogs.isDone());
     EXPECT_EQ(project().base.mass, 0.75);

@@ -2,19 +2,44 @@
 
 #include "core/exchange/project_file.h"
 
+#include <QFile>
+#include <QFileInfo>
 #include <QStandardPaths>
 #include <QUuid>
 
-#include <chrono>
+#include <algorithm>
 
 namespace esm {
 
 namespace {
 
-constexpr std::chrono::minutes autosavePeriod{2};
+QString besideCopy(const std::filesystem::path& copy, const char* ending) {
+    return QString::fromStdString(std::filesystem::path(copy).replace_extension(ending).string());
+}
 
 QString lockOf(const std::filesystem::path& copy) {
-    return QString::fromStdString(std::filesystem::path(copy).replace_extension(".lock").string());
+    return besideCopy(copy, ".lock");
+}
+
+/// The file with the document's title; a project file knows the organ's name, but not its own.
+QString titleFileOf(const std::filesystem::path& copy) {
+    return besideCopy(copy, ".title");
+}
+
+void writeTitle(const std::filesystem::path& copy, const QString& title) {
+    QFile file(titleFileOf(copy));
+    if (file.open(QIODevice::WriteOnly)) file.write(title.toUtf8());
+}
+
+QString readTitle(const std::filesystem::path& copy) {
+    QFile file(titleFileOf(copy));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+void removeWithTitle(const std::filesystem::path& copy) {
+    std::error_code none;
+    std::filesystem::remove(copy, none);
+    QFile::remove(titleFileOf(copy));
 }
 
 } // namespace
@@ -24,45 +49,60 @@ std::filesystem::path recoveryFolder() {
     return std::filesystem::path(data.toStdString()) / "recovery";
 }
 
-Autosave::Autosave(Document& document, std::filesystem::path folder, QObject* parent)
+Autosave::Autosave(Document& document, std::filesystem::path folder, QObject* parent, AutosaveTimes times)
     : QObject(parent), m_document(document), m_folder(std::move(folder)),
       m_file(m_folder / (QUuid::createUuid().toString(QUuid::WithoutBraces) + ".esm").toStdString()) {
-    connect(&m_timer, &QTimer::timeout, this, &Autosave::save);
-    m_timer.start(autosavePeriod);
+    m_rest.setInterval(times.rest);
+    m_longest.setInterval(times.longest);
+    for (QTimer* timer : {&m_rest, &m_longest}) {
+        timer->setSingleShot(true);
+        connect(timer, &QTimer::timeout, this, &Autosave::save);
+    }
+    connect(&document, &Document::changed, this, &Autosave::noteChange);
+    connect(&document, &Document::titleChanged, this, &Autosave::noteChange);
 }
 
 Autosave::~Autosave() {
     removeCopy();
 }
 
+void Autosave::noteChange() {
+    m_rest.start();
+    if (!m_longest.isActive()) m_longest.start();
+}
+
 void Autosave::finish() {
     if (m_writing.valid()) m_writing.wait();
 }
 
+void Autosave::takeLock() {
+    m_lock = std::make_unique<QLockFile>(lockOf(m_file));
+    m_lock->setStaleLockTime(0);
+    m_lock->tryLock();
+}
+
 void Autosave::removeCopy() {
     finish();
-    std::error_code none;
-    std::filesystem::remove(m_file, none);
+    removeWithTitle(m_file);
     m_lock.reset();
     m_written.reset();
 }
 
 void Autosave::save() {
+    m_rest.stop();
+    m_longest.stop();
     if (!m_document.isModified()) return removeCopy();
     const Project& project = m_document.project();
-    const bool writing =
-        m_writing.valid() && m_writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
-    if (writing || (m_written && !difference(*m_written, project).any())) return;
+    if (m_written && !difference(*m_written, project).any()) return;
+    if (m_writing.valid() && m_writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return noteChange();
     std::error_code none;
     std::filesystem::create_directories(m_folder, none);
-    if (!m_lock) {
-        m_lock = std::make_unique<QLockFile>(lockOf(m_file));
-        m_lock->setStaleLockTime(0);
-        m_lock->tryLock();
-    }
+    if (!m_lock) takeLock();
     m_written = project;
-    m_writing = std::async(std::launch::async, [project, file = m_file] {
+    m_writing = std::async(std::launch::async, [project, title = m_document.title(), file = m_file] {
         try {
+            writeTitle(file, title);
             saveProject(project, file);
         } catch (const std::exception&) {
             // Nobody asked for this copy; the user's own save says what is wrong.
@@ -70,25 +110,33 @@ void Autosave::save() {
     });
 }
 
-std::vector<std::filesystem::path> Autosave::leftBehind() const {
-    std::vector<std::filesystem::path> copies;
+std::vector<LeftBehind> Autosave::leftBehind() const {
+    std::vector<LeftBehind> left;
     std::error_code none;
     for (const auto& entry : std::filesystem::directory_iterator(m_folder, none)) {
-        if (entry.path().extension() != ".esm" || entry.path() == m_file) continue;
-        QLockFile lock(lockOf(entry.path()));
+        const auto& copy = entry.path();
+        if (copy.extension() != ".esm" || copy == m_file) continue;
+        QLockFile lock(lockOf(copy));
         lock.setStaleLockTime(0);
-        if (lock.tryLock()) copies.push_back(entry.path());
+        if (lock.tryLock())
+            left.push_back(
+                {copy, readTitle(copy), QFileInfo(QString::fromStdString(copy.string())).lastModified()});
     }
-    return copies;
+    std::sort(left.begin(), left.end(),
+              [](const LeftBehind& a, const LeftBehind& b) { return a.written > b.written; });
+    return left;
 }
 
-void Autosave::takeOver(const std::filesystem::path& copy) {
+void Autosave::takeOver(const LeftBehind& left) {
     removeCopy();
-    m_lock = std::make_unique<QLockFile>(lockOf(m_file));
-    m_lock->setStaleLockTime(0);
-    m_lock->tryLock();
+    takeLock();
     std::error_code none;
-    std::filesystem::rename(copy, m_file, none);
+    std::filesystem::rename(left.copy, m_file, none);
+    QFile::rename(titleFileOf(left.copy), titleFileOf(m_file));
+}
+
+void Autosave::discard(const LeftBehind& left) {
+    removeWithTitle(left.copy);
 }
 
 } // namespace esm

@@ -2,13 +2,27 @@
 
 #include "app/editor/document/document.h"
 
+#include <QDateTime>
 #include <QLockFile>
 #include <QTimer>
 
+#include <chrono>
 #include <future>
 #include <memory>
 
 namespace esm {
+
+/// When the copy is written: once the edits rest, and while they do not, every now and then.
+struct AutosaveTimes {
+    std::chrono::milliseconds rest{3000}, longest{10000};
+};
+
+/// Unsaved work of a program that ended before it could remove its copy.
+struct LeftBehind {
+    std::filesystem::path copy;
+    QString title; ///< of the document; empty where it is not known
+    QDateTime written;
+};
 
 /// Keeps a copy of unsaved work in a folder, against the program's or the machine's sudden end. The copy goes
 /// when the work is saved and when the program ends as it should; what is left behind was not saved.
@@ -17,20 +31,24 @@ class Autosave : public QObject {
 
 public:
     /// @param folder made when it is first needed
-    Autosave(Document& document, std::filesystem::path folder, QObject* parent = nullptr);
+    Autosave(Document& document, std::filesystem::path folder, QObject* parent = nullptr,
+             AutosaveTimes times = {});
     ~Autosave() override;
 
-    /// Writes the copy on another thread where something changed since the last one; done by itself every
-    /// two minutes.
+    /// Writes the copy on another thread where something changed since the last one; done by itself a moment
+    /// after an edit.
     void save();
     /// Waits until the copy is written.
     void finish();
-    /// Copies by programs that ended before they could remove them.
-    std::vector<std::filesystem::path> leftBehind() const;
+    /// The latest first.
+    std::vector<LeftBehind> leftBehind() const;
     /// Makes another program's copy this one's own, to be kept until its work is saved.
-    void takeOver(const std::filesystem::path& copy);
+    void takeOver(const LeftBehind& left);
+    static void discard(const LeftBehind& left);
 
 private:
+    void noteChange();
+    void takeLock();
     void removeCopy();
 
     Document& m_document;
@@ -38,7 +56,7 @@ private:
     std::unique_ptr<QLockFile> m_lock; ///< says that the copy's program still runs
     std::optional<Project> m_written;
     std::future<void> m_writing;
-    QTimer m_timer;
+    QTimer m_rest, m_longest;
 };
 
 /// Where the user's copies lie.

@@ -11,7 +11,6 @@
 #include "core/exchange/project_file.h"
 #include "core/samples/samples.h"
 
-#include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -20,8 +19,6 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSettings>
-
-#include <algorithm>
 
 namespace esm {
 
@@ -215,28 +212,22 @@ void FileController::exportTo(const std::filesystem::path& file) {
 }
 
 void FileController::offerLeftBehind(Autosave& autosave) {
-    auto copies = autosave.leftBehind();
+    const auto copies = autosave.leftBehind();
     if (copies.empty()) return;
-    const auto age = [](const std::filesystem::path& copy) {
-        return QFileInfo(QString::fromStdString(copy.string())).lastModified();
-    };
-    const auto latest = *std::max_element(copies.begin(), copies.end(),
-                                          [&](const auto& a, const auto& b) { return age(a) < age(b); });
+    const LeftBehind& latest = copies.front();
+    const QString title = latest.title.isEmpty() ? tr("an organ") : latest.title;
     QMessageBox box(QMessageBox::Question, tr("Unsaved work"), tr("Bring back the unsaved work?"),
                     QMessageBox::Discard, &m_window);
     box.setObjectName(QStringLiteral("leftBehindBox"));
-    box.setInformativeText(tr("The program ended without saving it. It was kept on %1.")
-                               .arg(QLocale().toString(age(latest), QLocale::ShortFormat)));
+    box.setInformativeText(tr("The program ended without saving %1. This copy of it was written on %2.")
+                               .arg(title, QLocale().toString(latest.written, QLocale::ShortFormat)));
     QPushButton* restore = box.addButton(tr("&Bring back"), QMessageBox::AcceptRole);
     box.setDefaultButton(restore);
     box.exec();
-    if (box.clickedButton() == box.button(QMessageBox::Discard)) {
-        std::filesystem::remove(latest);
-        return;
-    }
+    if (box.clickedButton() == box.button(QMessageBox::Discard)) return Autosave::discard(latest);
     if (box.clickedButton() != restore) return;
     attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
-        m_document.replace(loadProject(latest), std::nullopt, Origin::Unsaved);
+        m_document.replace(loadProject(latest.copy), std::nullopt, Origin::Unsaved);
         autosave.takeOver(latest);
     });
 }
