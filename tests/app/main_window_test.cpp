@@ -229,10 +229,9 @@ TEST_F(MainWindowTest, LivesOnWhenAnActionFails) {
 }
 
 TEST(ImportDialog, ShowsTheSizeOfWhatIsKept) {
-    ImportedSurface all{{200, 100, 100}, {}}, largest{{50, 40, 30}, {}};
-    all.report.components = 3;
+    ImportedSurface all{{200, 100, 100}, {}, {{900, {50, 40, 30}}, {20, {10, 10, 5}}, {1, {1, 1, 0}}}},
+        largest{{50, 40, 30}, {}, {{900, {50, 40, 30}}}};
     all.report.warnings = {"three parts"};
-    largest.report.components = 1;
     ImportDialog dialog("organ.obj", all, largest);
     const auto* size = dialog.findChild<QLabel*>("importSize");
     EXPECT_EQ(size->text(), "200 × 100 × 100 mm");
@@ -241,4 +240,19 @@ TEST(ImportDialog, ShowsTheSizeOfWhatIsKept) {
     EXPECT_FALSE(dialog.findChild<QPlainTextEdit*>("importReport")->toPlainText().contains("three parts"));
     for (const auto* choice : dialog.findChildren<QComboBox*>())
         EXPECT_FALSE(choice->accessibleName().isEmpty());
+}
+
+TEST(ImportDialog, ListsThePartsWithTheirSizes) {
+    ImportedSurface all{{200, 100, 100}, {}, {{900, {50, 40, 30}}, {20, {10, 10, 5}}, {1, {1, 1, 0}}}},
+        largest{{50, 40, 30}, {}, {{900, {50, 40, 30}}}};
+    ImportDialog dialog("organ.obj", all, largest);
+    const auto* keep = dialog.findChild<QComboBox*>("importKeep");
+    EXPECT_EQ(keep->itemText(0), "all 3 parts");
+    EXPECT_EQ(keep->itemText(1), "the largest part: 900 triangles");
+    const auto* report = dialog.findChild<QPlainTextEdit*>("importReport");
+    EXPECT_TRUE(report->toPlainText().contains("1: 900 triangles, 50 × 40 × 30 mm"));
+    EXPECT_TRUE(report->toPlainText().contains("2: 20 triangles, 10 × 10 × 5.0 mm"));
+    EXPECT_TRUE(report->toPlainText().contains("3: 1 triangle,"));
+    dialog.findChild<QAbstractButton*>("unit1")->click();
+    EXPECT_TRUE(report->toPlainText().contains("1: 900 triangles, 500 × 400 × 300 mm"));
 }

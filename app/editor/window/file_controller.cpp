@@ -56,20 +56,6 @@ QString fileName(const std::filesystem::path& file) {
     return QString::fromStdString(file.filename().string());
 }
 
-ImportedSurface importedSurface(const PolygonSoup& soup, KeepParts keep) {
-    RepairOptions options;
-    options.keep = keep;
-    const RepairedMesh repaired = repair(soup, options);
-    return {boundingBox(repaired.mesh.vertices).sizes(), repaired.report};
-}
-
-/// With all parts, and with the largest alone where that is not the same.
-std::pair<ImportedSurface, std::optional<ImportedSurface>> waysToImport(const PolygonSoup& soup) {
-    const ImportedSurface all = importedSurface(soup, KeepParts::All);
-    if (all.report.components <= 1) return {all, std::nullopt};
-    return {all, importedSurface(soup, KeepParts::Largest)};
-}
-
 } // namespace
 
 FileController::FileController(QWidget& window, Document& document, std::function<Camera()> camera)

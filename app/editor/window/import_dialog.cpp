@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 
+#include <algorithm>
 #include <array>
 
 namespace esm {
@@ -34,13 +35,20 @@ void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice) {
     form->addRow(label, choice);
 }
 
-QString reportText(const RepairReport& report) {
+QStringList reportLines(const RepairReport& report) {
     QStringList lines;
     for (const auto& warning : report.warnings)
         lines << QString::fromStdString(warning);
-    return lines.isEmpty() ? QObject::tr("The surface is sound: nothing had to be repaired.")
-                           : lines.join('\n');
+    if (lines.isEmpty()) lines << QObject::tr("The surface is sound: nothing had to be repaired.");
+    return lines;
 }
+
+QString trianglesText(std::size_t count) {
+    return count == 1 ? QObject::tr("1 triangle") : QObject::tr("%1 triangles").arg(countText(count));
+}
+
+/// More parts than these are crumbs, or no organ.
+constexpr std::size_t mostPartsListed = 12;
 
 } // namespace
 
@@ -76,10 +84,12 @@ ImportDialog::ImportDialog(const QString& fileName, const ImportedSurface& all,
 }
 
 void ImportDialog::addParts() {
-    const std::size_t parts = m_all.report.components;
+    const std::size_t parts = m_all.parts.size();
     m_keep->setObjectName(QStringLiteral("importKeep"));
-    m_keep->addItem(parts == 1 ? tr("the one part") : tr("all %1 parts").arg(parts));
-    m_keep->addItem(tr("the largest part"));
+    m_keep->addItem(parts <= 1 ? tr("the one part") : tr("all %1 parts").arg(parts));
+    m_keep->addItem(parts <= 1
+                        ? tr("the largest part")
+                        : tr("the largest part: %1").arg(trianglesText(m_all.parts.front().triangles)));
     m_keep->setEnabled(parts > 1);
     if (parts <= 1) m_keep->setToolTip(tr("The surface is one part"));
     connect(m_keep, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showKept);
@@ -142,19 +152,34 @@ const ImportedSurface& ImportDialog::kept() const {
     return m_largest && choice().keep == KeepParts::Largest ? *m_largest : m_all;
 }
 
-void ImportDialog::showKept() {
-    m_report->setPlainText(reportText(kept().report));
-    const double scale = metresPer(choice().unit);
-    const Eigen::Vector3d size = kept().extent * scale;
+QString ImportDialog::sizeText(const Eigen::Vector3d& extent) const {
+    const Eigen::Vector3d size = extent * metresPer(choice().unit);
     const bool zUp = choice().up == UpAxis::Z;
     QStringList lengths;
     for (const double metres : {size.x(), zUp ? size.z() : size.y(), zUp ? size.y() : size.z()})
         lengths << lengthText(metres);
-    QString text = lengths.join(QStringLiteral(" × "));
+    const QString text = lengths.join(QStringLiteral(" × "));
     // One unit at the end is easier to read when all three share it.
-    if (text.count(QStringLiteral(" mm")) == 3)
-        text = text.remove(QStringLiteral(" mm")) + QStringLiteral(" mm");
-    m_size->setText(text);
+    return text.count(QStringLiteral(" mm")) == 3
+               ? QString(text).remove(QStringLiteral(" mm")) + QStringLiteral(" mm")
+               : text;
+}
+
+QStringList ImportDialog::partLines() const {
+    const auto& parts = m_all.parts;
+    if (parts.size() <= 1) return {};
+    QStringList lines{tr("Parts in the file:")};
+    const std::size_t listed = std::min(parts.size(), mostPartsListed);
+    for (std::size_t i = 0; i < listed; ++i)
+        lines
+            << tr("%1: %2, %3").arg(i + 1).arg(trianglesText(parts[i].triangles), sizeText(parts[i].extent));
+    if (listed < parts.size()) lines << tr("… and %1 smaller ones").arg(parts.size() - listed);
+    return lines;
+}
+
+void ImportDialog::showKept() {
+    m_report->setPlainText((reportLines(kept().report) + partLines()).join('\n'));
+    m_size->setText(sizeText(kept().extent));
 }
 
 ImportChoice ImportDialog::choice() const {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/editor/window/imported_surface.h"
 #include "core/exchange/mesh_file.h"
-#include "core/geometry/repair.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -19,12 +19,6 @@ struct ImportChoice {
     LengthUnit unit = LengthUnit::Millimetre;
     UpAxis up = UpAxis::Y;
     KeepParts keep = KeepParts::All;
-};
-
-/// A surface as it would be imported, in the file's unit and axes.
-struct ImportedSurface {
-    Eigen::Vector3d extent;
-    RepairReport report;
 };
 
 /// The unit in which an organ of this extent has the size of an organ; glTF files are in metres by their
@@ -49,6 +43,8 @@ private:
     void addReport(QVBoxLayout* column);
     void addButtons(QVBoxLayout* column);
     const ImportedSurface& kept() const;
+    QString sizeText(const Eigen::Vector3d& extent) const;
+    QStringList partLines() const;
     void showKept();
 
     ImportedSurface m_all;
