@@ -68,6 +68,7 @@ QAction* ActionMaker::makeWorkspace(QAction* action) {
 void ActionMaker::makeFileActions() {
     Actions& a = m_actions;
     a.open = make(tr("&Open…"), QKeySequence::Open, tr("Open a project"));
+    a.recent = new QMenu(tr("Open &recent"), m_window);
     a.import = make(tr("&Import organ surface…"), QKeySequence("Ctrl+I"), tr("Import a mesh file"));
     a.save = make(tr("&Save"), QKeySequence::Save, tr("Save the project"));
     a.saveAs = make(tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), tr("Save under another name"));

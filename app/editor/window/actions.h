@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QMenu>
 #include <QWidget>
 
 #include <string>
@@ -14,6 +15,7 @@ namespace esm {
 /// Everything the window can be asked to do. The window owns the actions; controllers connect to them.
 struct Actions {
     QAction *open, *save, *saveAs, *import, *exportPackage, *quit;
+    QMenu* recent;                                         ///< filled by who knows the files
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
     QAction *undo, *redo, *rename;
     QAction *showSprings, *showRegions, *showLeft, *showRight, *frame, *lightTheme;

@@ -5,6 +5,7 @@
 #include "app/editor/commands/photo_edits.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/import_dialog.h"
+#include "app/editor/window/recent_menu.h"
 #include "app/editor/window/save_dialog.h"
 #include "core/exchange/mesh_file.h"
 #include "core/exchange/model_package.h"
@@ -18,7 +19,6 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
-#include <QSettings>
 
 namespace esm {
 
@@ -44,14 +44,6 @@ std::filesystem::path toPath(const QString& file) {
     return std::filesystem::path(file.toStdString());
 }
 
-QString lastFolder() {
-    return QSettings().value(QStringLiteral("folder"), QDir::currentPath()).toString();
-}
-
-void rememberFolder(const QString& file) {
-    QSettings().setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath());
-}
-
 QString fileName(const std::filesystem::path& file) {
     return QString::fromStdString(file.filename().string());
 }
@@ -68,6 +60,8 @@ void FileController::connectActions(const Actions& actions) {
     connect(actions.saveAs, &QAction::triggered, this, &FileController::saveAs);
     connect(actions.exportPackage, &QAction::triggered, this, &FileController::chooseExport);
     connect(actions.addPhoto, &QAction::triggered, this, &FileController::choosePhoto);
+    m_recent = new RecentMenu(*actions.recent, this);
+    connect(m_recent, &RecentMenu::chosen, this, &FileController::openRecent);
     for (const auto& sample : actions.samples) {
         const std::string name = sample.first;
         connect(sample.second, &QAction::triggered, this, [this, name] { openSample(name); });
@@ -112,6 +106,19 @@ void FileController::openAll(const std::vector<std::filesystem::path>& files) {
         openAny(file);
 }
 
+void FileController::openRecent(const QString& file) {
+    if (QFileInfo::exists(file)) return openAny(toPath(file));
+    removeRecentFile(file);
+    m_recent->fill();
+    attempt(&m_window, tr("This file cannot be opened"),
+            [&] { throw FileError(toPath(file), tr("is no longer there").toStdString()); });
+}
+
+void FileController::noteOpened(const std::filesystem::path& file) {
+    addRecentFile(file);
+    if (m_recent) m_recent->fill();
+}
+
 void FileController::openProject(const std::filesystem::path& file) {
     // Asked first: the answer may change the very file that is to be opened.
     if (!mayLeaveProject()) return;
@@ -119,6 +126,7 @@ void FileController::openProject(const std::filesystem::path& file) {
         Project project = computeLong(&m_window, tr("Opening %1").arg(fileName(file)),
                                       [&](const Progress&) { return loadProject(file); });
         m_document.replace(std::move(project), file);
+        noteOpened(file);
         emit message(tr("Opened %1").arg(fileName(file)));
     });
 }
@@ -139,6 +147,7 @@ void FileController::importMesh(const std::filesystem::path& file) {
             return makeProject(file.stem().string(), repair(soup, options));
         });
         m_document.replace(std::move(project), std::nullopt, Origin::Unsaved);
+        noteOpened(file);
         emit message(tr("Imported %1").arg(fileName(file)));
     });
 }
@@ -182,6 +191,7 @@ bool FileController::saveTo(const std::filesystem::path& file) {
         runLongWork(&m_window, tr("Saving %1").arg(fileName(file)),
                     [&](const Progress&) { saveProject(project, file); });
         m_document.markSaved(file, project);
+        noteOpened(file);
         emit message(tr("Saved %1").arg(fileName(file)));
     });
 }
@@ -218,33 +228,34 @@ void FileController::offerLeftBehind(Autosave& autosave) {
     });
 }
 
-QString FileController::suggestedPath(const QString& ending) const {
-    const auto& path = m_document.path();
-    const QString folder = path ? QString::fromStdString(path->parent_path().string()) : lastFolder();
+QString FileController::suggestedPath(const QString& folder, const QString& ending) const {
     return QDir(folder).filePath(QFileInfo(m_document.title()).completeBaseName() + ending);
 }
 
-QString FileController::chooseFile(const QString& title, const QString& filter) {
-    QString file = QFileDialog::getOpenFileName(&m_window, title, lastFolder(), filter);
-    if (!file.isEmpty()) rememberFolder(file);
-    return file;
+std::optional<std::filesystem::path> FileController::chooseFile(FileKind kind, const QString& title,
+                                                                const QString& filter) {
+    const QString file =
+        QFileDialog::getOpenFileName(&m_window, title, startFolder(kind, m_document.path()), filter);
+    if (file.isEmpty()) return std::nullopt;
+    rememberFolder(kind, toPath(file));
+    return toPath(file);
 }
 
 void FileController::chooseProject() {
-    const QString file = chooseFile(tr("Open project"), tr("Projects (*.esm)"));
-    if (!file.isEmpty()) openProject(toPath(file));
+    const auto file = chooseFile(FileKind::Project, tr("Open project"), tr("Projects (*.esm)"));
+    if (file) openProject(*file);
 }
 
 void FileController::chooseMesh() {
-    const QString file =
-        chooseFile(tr("Import organ surface"), filter(tr("Surfaces"), meshEndings()) + tr(";;All files (*)"));
-    if (!file.isEmpty()) importMesh(toPath(file));
+    const auto file = chooseFile(FileKind::Mesh, tr("Import organ surface"),
+                                 filter(tr("Surfaces"), meshEndings()) + tr(";;All files (*)"));
+    if (file) importMesh(*file);
 }
 
 void FileController::choosePhoto() {
-    const QString file =
-        chooseFile(tr("Add photo"), filter(tr("Photos"), photoEndings()) + tr(";;All files (*)"));
-    if (!file.isEmpty()) addPhoto(toPath(file));
+    const auto file = chooseFile(FileKind::Photo, tr("Add photo"),
+                                 filter(tr("Photos"), photoEndings()) + tr(";;All files (*)"));
+    if (file) addPhoto(*file);
 }
 
 bool FileController::save() {
@@ -253,18 +264,25 @@ bool FileController::save() {
 
 bool FileController::saveAs() {
     const QString ending = QStringLiteral(".esm");
-    const auto file =
-        chooseNewFile(&m_window, {tr("Save project"), suggestedPath(ending), tr("Projects (*.esm)"), ending});
+    const auto& path = m_document.path();
+    // Another name for a project that has one: beside it.
+    const QString folder =
+        path ? QString::fromStdString(path->parent_path().string()) : startFolder(FileKind::Project, path);
+    const auto file = chooseNewFile(
+        &m_window, {tr("Save project"), suggestedPath(folder, ending), tr("Projects (*.esm)"), ending});
     if (!file) return false;
-    rememberFolder(QString::fromStdString(file->string()));
+    rememberFolder(FileKind::Project, *file);
     return saveTo(*file);
 }
 
 void FileController::chooseExport() {
     const QString ending = QStringLiteral(".glb");
-    const auto file = chooseNewFile(
-        &m_window, {tr("Export package"), suggestedPath(ending), tr("Model packages (*.glb)"), ending});
-    if (file) exportTo(*file);
+    const QString folder = startFolder(FileKind::Package, m_document.path());
+    const auto file = chooseNewFile(&m_window, {tr("Export package"), suggestedPath(folder, ending),
+                                                tr("Model packages (*.glb)"), ending});
+    if (!file) return;
+    rememberFolder(FileKind::Package, *file);
+    exportTo(*file);
 }
 
 } // namespace esm

@@ -2,6 +2,7 @@
 
 #include "app/editor/document/autosave.h"
 #include "app/editor/document/document.h"
+#include "app/editor/window/file_memory.h"
 #include "core/render/camera.h"
 
 #include <QObject>
@@ -10,6 +11,7 @@
 namespace esm {
 
 struct Actions;
+class RecentMenu;
 
 /// Opens, imports, saves, hands over and adds photos: what the window does with files.
 class FileController : public QObject {
@@ -49,13 +51,17 @@ private:
     bool saveAs();
     void chooseExport();
     void commitTyping();
-    QString chooseFile(const QString& title, const QString& filter);
-    QString suggestedPath(const QString& ending) const;
+    void openRecent(const QString& file);
+    void noteOpened(const std::filesystem::path& file);
+    std::optional<std::filesystem::path> chooseFile(FileKind kind, const QString& title,
+                                                    const QString& filter);
+    QString suggestedPath(const QString& folder, const QString& ending) const;
     std::shared_ptr<const Atlas> atlasForPhotos();
 
     QWidget& m_window;
     Document& m_document;
     std::function<Camera()> m_camera;
+    RecentMenu* m_recent = nullptr;
 };
 
 } // namespace esm

@@ -61,6 +61,7 @@ QWidget* workspaceSwitch(const Actions& actions, QWidget* parent) {
 
 void fillFileMenu(QMenu* file, const Actions& a) {
     file->addAction(a.open);
+    file->addMenu(a.recent);
     QMenu* samples = file->addMenu(QObject::tr("Open sa&mple"));
     for (const auto& sample : a.samples)
         samples->addAction(sample.second);
