@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <QTest>
 
+#include <atomic>
 #include <future>
 
 using namespace esm;
@@ -53,6 +54,22 @@ TEST(Preview, SaysWhyARefusedModelDoesNotPlay) {
     QTest::qWait(200);
     EXPECT_FALSE(preview.status().playing);
     EXPECT_NE(preview.status().failure, "");
+}
+
+TEST(Preview, SaysWhatWentWrongOutsideTheSimulationAndLivesOn) {
+    Preview preview;
+    std::atomic<bool> broken = true;
+    QObject::connect(&preview, &Preview::frameReady, [&broken] {
+        if (broken) throw std::runtime_error("no reason");
+    });
+    preview.setProject(makeSample("tube"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.status().failure == "no reason"; }, previewPatience));
+    EXPECT_FALSE(preview.status().playing);
+    broken = false;
+    preview.frame();
+    preview.togglePlaying();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return preview.status().playing; }, previewPatience));
+    EXPECT_EQ(preview.status().failure, "");
 }
 
 TEST(Preview, PlaysAfterAnOddNumberOfToggles) {

@@ -21,46 +21,26 @@ SafeStepFinder::SafeStepFinder(Found found)
 }
 
 SafeStepFinder::~SafeStepFinder() {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_stop = true;
-    }
-    m_changed.notify_one();
+    m_questions.stop();
     // Nobody is kept waiting for what idles.
     m_thread->setPriority(QThread::NormalPriority);
     m_thread->wait();
 }
 
 void SafeStepFinder::find(TissueModel model, Integrator integrator) {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_waiting = Question{std::move(model), integrator};
-    }
-    m_changed.notify_one();
-}
-
-bool SafeStepFinder::isObsolete() {
-    const std::lock_guard lock(m_mutex);
-    return m_stop || m_waiting;
+    m_questions.put({std::move(model), integrator});
 }
 
 void SafeStepFinder::work() {
-    std::unique_lock lock(m_mutex);
-    for (;;) {
-        m_changed.wait(lock, [this] { return m_stop || m_waiting; });
-        if (m_stop) return;
-        const Question question = std::move(*m_waiting);
-        m_waiting.reset();
-        if (m_changed.wait_for(lock, settleTime, [this] { return m_stop || m_waiting; })) continue;
-        lock.unlock();
+    while (const auto question = m_questions.take()) {
+        if (m_questions.becomesObsoleteWithin(settleTime)) continue;
         try {
-            const auto step = criticalStep(question.model, question.integrator,
-                                           {tolerance, [this](double) { return !isObsolete(); }});
-            if (!isObsolete()) m_found(step);
+            const auto step = criticalStep(question->model, question->integrator,
+                                           {tolerance, [this](double) { return !m_questions.isObsolete(); }});
+            if (!m_questions.isObsolete()) m_found(step);
         } catch (const std::exception&) {
             // Superseded; or the simulation says itself what is wrong with the model.
         }
-        lock.lock();
     }
 }
 

@@ -1,13 +1,12 @@
 #pragma once
 
+#include "app/editor/preview/latest_input.h"
 #include "core/dynamics/simulation.h"
 
 #include <QThread>
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 namespace esm {
@@ -32,13 +31,9 @@ private:
     };
 
     void work();
-    bool isObsolete();
 
     Found m_found;
-    std::mutex m_mutex;
-    std::condition_variable m_changed;
-    std::optional<Question> m_waiting;
-    bool m_stop = false;
+    LatestInput<Question> m_questions;
     std::unique_ptr<QThread> m_thread;
 };
 

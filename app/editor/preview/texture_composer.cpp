@@ -9,20 +9,12 @@ namespace esm {
 TextureComposer::TextureComposer(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
 
 TextureComposer::~TextureComposer() {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_stop = true;
-    }
-    m_changed.notify_one();
+    m_projects.stop();
     m_thread.join();
 }
 
 void TextureComposer::compose(const Project& project) {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_waiting = project;
-    }
-    m_changed.notify_one();
+    m_projects.put(project);
 }
 
 TextureComposer::Pages TextureComposer::pages() const {
@@ -46,16 +38,8 @@ std::string TextureComposer::failure() const {
 }
 
 void TextureComposer::work() {
-    std::unique_lock lock(m_mutex);
-    for (;;) {
-        m_changed.wait(lock, [this] { return m_stop || m_waiting; });
-        if (m_stop) return;
-        const Project project = std::move(*m_waiting);
-        m_waiting.reset();
-        lock.unlock();
-        composeOnce(project);
-        lock.lock();
-    }
+    while (const auto project = m_projects.take())
+        composeOnce(*project);
 }
 
 void TextureComposer::composeOnce(const Project& project) {
@@ -64,8 +48,7 @@ void TextureComposer::composeOnce(const Project& project) {
     std::string failure;
     try {
         const auto goOn = [&](double) {
-            const std::lock_guard lock(m_mutex);
-            return !m_stop && !(m_waiting && m_waiting->atlas != project.atlas);
+            return !m_projects.isObsolete([&](const Project& next) { return next.atlas != project.atlas; });
         };
         if (project.atlas && !project.photos.empty())
             pages = std::make_shared<const std::vector<Image>>(

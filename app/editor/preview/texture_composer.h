@@ -1,13 +1,12 @@
 #pragma once
 
+#include "app/editor/preview/latest_input.h"
 #include "core/model/project.h"
 
 #include <QObject>
 
-#include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -39,10 +38,8 @@ private:
     void work();
     void composeOnce(const Project& project);
 
-    mutable std::mutex m_mutex;
-    std::condition_variable m_changed;
-    std::optional<Project> m_waiting;
-    bool m_stop = false;
+    LatestInput<Project> m_projects;
+    mutable std::mutex m_mutex; ///< guards the result
     std::shared_ptr<const Atlas> m_atlas;
     Pages m_pages;
     double m_milliseconds = 0;
