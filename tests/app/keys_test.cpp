@@ -1,5 +1,6 @@
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
+#include "widgets/inputs/vector_field.h"
 
 #include <QAbstractButton>
 #include <QListWidget>
@@ -81,6 +82,39 @@ TEST_F(KeysTest, SliderKeysAfterAPauseAreAnotherStep) {
     EXPECT_EQ(steps->count(), before + 1);
     QTest::qWait(1000);
     type(inputSlider(), Qt::Key_Right);
+    EXPECT_EQ(steps->count(), before + 2);
+}
+
+TEST_F(KeysTest, ArrowsInANumberFieldAreOneStepUntilTheyRest) {
+    auto* steps = window->document().undoStack();
+    const double mass = project().base.mass;
+    const int before = steps->count();
+    type(massField(), Qt::Key_Up);
+    type(massField(), Qt::Key_Up);
+    EXPECT_EQ(steps->count(), before + 1);
+    QTest::qWait(1000);
+    type(massField(), Qt::Key_Up);
+    EXPECT_EQ(steps->count(), before + 2);
+    steps->setIndex(before);
+    EXPECT_EQ(project().base.mass, mass);
+}
+
+TEST_F(KeysTest, ArrowsInAVectorFieldAreOneStep) {
+    auto* steps = window->document().undoStack();
+    const int before = steps->count();
+    NumberField* x = child<VectorField>("ellipsoidCentre")->field(0);
+    for (int i = 0; i < 3; ++i)
+        type(x, Qt::Key_Up);
+    EXPECT_EQ(steps->count(), before + 1);
+}
+
+TEST_F(KeysTest, TypedValuesAreAStepEach) {
+    auto* steps = window->document().undoStack();
+    const int before = steps->count();
+    for (const char* mass : {"0.5", "0.75"}) {
+        typeInto(massField(), mass);
+        QTest::keyClick(massField(), Qt::Key_Return);
+    }
     EXPECT_EQ(steps->count(), before + 2);
 }
 

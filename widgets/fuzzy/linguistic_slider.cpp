@@ -46,8 +46,12 @@ LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString&
 
     connect(m_slider, &QSlider::valueChanged, this, &LinguisticSlider::takeSlider);
     connect(m_slider, &ValueSlider::gestureFinished, this, &LinguisticSlider::editingFinished);
-    connect(m_field, &NumberField::valueEdited, this, &LinguisticSlider::takeOnce);
-    connect(m_terms, &TermScale::termPicked, this, &LinguisticSlider::takeOnce);
+    connect(m_field, &NumberField::valueEdited, this, &LinguisticSlider::take);
+    connect(m_field, &NumberField::gestureFinished, this, &LinguisticSlider::editingFinished);
+    connect(m_terms, &TermScale::termPicked, this, [this](double value) {
+        take(value);
+        emit editingFinished();
+    });
 }
 
 void LinguisticSlider::setValue(std::optional<double> value) {
@@ -83,11 +87,10 @@ void LinguisticSlider::takeSlider(int position) {
     emit valueEdited(value);
 }
 
-void LinguisticSlider::takeOnce(double value) {
+void LinguisticSlider::take(double value) {
     const double taken = withinLimits(value);
     setValue(taken);
     emit valueEdited(taken);
-    emit editingFinished();
 }
 
 double LinguisticSlider::withinLimits(double value) const {

@@ -41,7 +41,7 @@ protected:
 
 private:
     void takeSlider(int position);
-    void takeOnce(double value);
+    void take(double value);
     double withinLimits(double value) const;
 
     FuzzyVariable m_variable;

@@ -1,11 +1,11 @@
 #include "widgets/inputs/number_field.h"
 
+#include "widgets/inputs/gesture.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QStyle>
-#include <QTimer>
 #include <QToolTip>
 #include <QVariant>
 
@@ -18,6 +18,9 @@ NumberField::NumberField(NumberFormat format, QWidget* parent)
     : QLineEdit(parent), m_format(std::move(format)) {
     setAlignment(Qt::AlignRight);
     setObjectName(QStringLiteral("numberField"));
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(pauseBetweenGestures);
+    connect(&m_pause, &QTimer::timeout, this, &NumberField::gestureFinished);
     connect(this, &QLineEdit::editingFinished, this, &NumberField::takeText);
     connect(this, &QLineEdit::textEdited, this, [this] { setRefusal({}); });
     showValue();
@@ -66,14 +69,26 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     const int direction = event->key() == Qt::Key_Up ? 1 : event->key() == Qt::Key_Down ? -1 : 0;
     if (direction == 0 || !m_value || isReadOnly()) return QLineEdit::keyPressEvent(event);
     const double step = m_format.step > 0 ? m_format.step : std::max(std::abs(*m_value) / 20, 1e-9);
+    m_pause.start();
     take(*m_value + direction * step * (event->modifiers() & Qt::ShiftModifier ? 10 : 1));
     selectAll();
+}
+
+void NumberField::finishSteps() {
+    if (!m_pause.isActive()) return;
+    m_pause.stop();
+    emit gestureFinished();
 }
 
 void NumberField::focusInEvent(QFocusEvent* event) {
     QLineEdit::focusInEvent(event);
     // After the mouse press that gave the focus has placed its cursor.
     QTimer::singleShot(0, this, &QLineEdit::selectAll);
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event) {
+    QLineEdit::focusOutEvent(event);
+    finishSteps();
 }
 
 void NumberField::takeText() {
@@ -86,7 +101,9 @@ void NumberField::takeText() {
     if (!ratio) return refuse(tr("“%1” is not understood: the unit is %2.").arg(typed->unit, m_format.unit));
     const double value = typed->number * *ratio / m_format.shownPerValue;
     if (value < m_format.minimum || value > m_format.maximum) return refuse(rangeText());
+    finishSteps();
     take(value);
+    emit gestureFinished();
 }
 
 void NumberField::take(double value) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QLineEdit>
+#include <QTimer>
 
 #include <limits>
 #include <optional>
@@ -40,14 +41,18 @@ public:
 
 signals:
     void valueEdited(double value);
+    /// What was typed is taken, or the arrow keys rest: what follows is another edit.
+    void gestureFinished();
 
 protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 
 private:
     void takeText();
+    void finishSteps();
     void take(double value);
     void refuse(const QString& reason);
     void setRefusal(const QString& reason);
@@ -57,6 +62,7 @@ private:
     NumberFormat m_format;
     std::optional<double> m_value;
     QString m_emptyText{QChar(0x2013)}, m_refusal;
+    QTimer m_pause; ///< runs since the last step by an arrow key
 };
 
 } // namespace esm

@@ -1,20 +1,13 @@
 #include "widgets/inputs/value_slider.h"
 
+#include "widgets/inputs/gesture.h"
+
 #include <QMouseEvent>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QWheelEvent>
 
-#include <chrono>
-
 namespace esm {
-
-namespace {
-
-/// Longer than keys and wheel rest within one movement.
-constexpr std::chrono::milliseconds pauseBetweenGestures{600};
-
-} // namespace
 
 ValueSlider::ValueSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
     // Not by the wheel: it would take the focus from where the user types.

@@ -19,6 +19,7 @@ VectorField::VectorField(const NumberFormat& format, QWidget* parent) : QWidget(
                 value[axis] = this->field(axis)->value().value_or(0);
             emit valueEdited(value);
         });
+        connect(field, &NumberField::gestureFinished, this, &VectorField::gestureFinished);
     }
     setFocusProxy(m_fields[0]);
 }

@@ -24,6 +24,8 @@ public:
 
 signals:
     void valueEdited(const Eigen::Vector3d& value);
+    /// As a number field's: what follows is another edit.
+    void gestureFinished();
 
 private:
     std::array<NumberField*, 3> m_fields;

@@ -34,13 +34,15 @@ public:
     /// An undoable edit. Edits that follow each other with the same, non-empty `mergeKey` become one step,
     /// until finishGesture(). Nothing happens when the edit changes nothing.
     void edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey = {});
-    /// The drag or slider move in progress is over: the next edit starts a step of its own.
-    void finishGesture() { ++m_gesture; }
-
     /// Another project takes the place of this one; nothing to undo remains.
     void replace(Project project, std::optional<std::filesystem::path> path, Origin origin = Origin::Stored);
     /// `written` lies in this file; the document is saved when it still is that project.
     void markSaved(const std::filesystem::path& path, const Project& written);
+
+public slots:
+    /// The drag, slider move or run of arrow keys in progress is over: the next edit starts a step of its
+    /// own.
+    void finishGesture() { ++m_gesture; }
 
 signals:
     void changed(const esm::Change& change);

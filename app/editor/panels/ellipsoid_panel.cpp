@@ -32,6 +32,8 @@ EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget
         edit(tr("Turn region"),
              [&](Ellipsoid& ellipsoid) { ellipsoid.orientation = Eigen::Quaterniond(rotationOf(degrees)); });
     });
+    for (VectorField* field : {m_centre, m_radii, m_turned})
+        connect(field, &VectorField::gestureFinished, &document, &Document::finishGesture);
     connect(&selection, &Selection::changed, this, &EllipsoidPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.mesh || change.regions) show();
@@ -72,7 +74,9 @@ void EllipsoidPanel::showInside() {
 void EllipsoidPanel::edit(const QString& text, const std::function<void(Ellipsoid&)>& change) {
     const auto selected = m_selection.region();
     if (!selected || !m_document.project().regions[*selected].ellipsoid) return;
-    m_document.edit(text, [&](Project& project) { change(*project.regions[*selected].ellipsoid); });
+    m_document.edit(
+        text, [&](Project& project) { change(*project.regions[*selected].ellipsoid); },
+        QStringLiteral("%1 %2").arg(text).arg(*selected));
 }
 
 } // namespace esm

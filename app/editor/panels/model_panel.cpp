@@ -38,9 +38,11 @@ ModelPanel::ModelPanel(Document& document, QWidget* parent)
     body()->addWidget(rows);
 
     connect(m_baseMass, &NumberField::valueEdited, this, [this](double mass) {
-        m_document.edit(tr("Set %1").arg(parameterName(Parameter::Mass, Extent::Base)),
-                        [mass](Project& project) { project.base.mass = mass; });
+        m_document.edit(
+            tr("Set %1").arg(parameterName(Parameter::Mass, Extent::Base)),
+            [mass](Project& project) { project.base.mass = mass; }, QStringLiteral("base mass"));
     });
+    connect(m_baseMass, &NumberField::gestureFinished, &document, &Document::finishGesture);
     connect(&document, &Document::changed, this, &ModelPanel::show);
     show(Change::everything());
 }

@@ -39,6 +39,7 @@ ParameterRow::ParameterRow(Parameter parameter, Extent extent, QWidget* parent)
     row->setSpacing(6);
     row->addWidget(name, 1);
     connect(m_field, &NumberField::valueEdited, this, &ParameterRow::valueEdited);
+    connect(m_field, &NumberField::gestureFinished, this, &ParameterRow::gestureFinished);
     if (extent == Extent::Region) {
         m_field->setEmptyText(tr("as beneath"));
         m_hold = new QToolButton(this);

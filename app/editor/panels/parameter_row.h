@@ -29,6 +29,8 @@ public:
 
 signals:
     void valueEdited(double value);
+    /// What follows is another edit.
+    void gestureFinished();
     void released();
 
 private:

@@ -52,13 +52,14 @@ void PhotoPanel::layOut() {
 
 void PhotoPanel::connectControls() {
     connect(m_opacity, &QSlider::valueChanged, this, [this](int percent) { setOpacity(percent / 100.0); });
-    connect(m_opacity, &ValueSlider::gestureFinished, this, [this] { m_document.finishGesture(); });
-    connect(m_opacityField, &NumberField::valueEdited, this, [this](double opacity) {
-        setOpacity(opacity);
-        m_document.finishGesture();
-    });
+    connect(m_opacity, &ValueSlider::gestureFinished, &m_document, &Document::finishGesture);
+    connect(m_opacityField, &NumberField::valueEdited, this, [this](double opacity) { setOpacity(opacity); });
+    for (NumberField* field : {m_opacityField, m_blend})
+        connect(field, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
     connect(m_blend, &NumberField::valueEdited, this, [this](double pixels) {
-        edit(tr("Set blending"), [=](PhotoLayer& layer) { layer.blendPixels = pixels; });
+        edit(
+            tr("Set blending"), [=](PhotoLayer& layer) { layer.blendPixels = pixels; },
+            QStringLiteral("blending"));
     });
     connect(m_visible, &QCheckBox::clicked, this, [this](bool on) {
         edit(on ? tr("Show photo") : tr("Hide photo"), [=](PhotoLayer& layer) { layer.visible = on; });
@@ -119,9 +120,13 @@ void PhotoPanel::setOpacity(double opacity) {
         QStringLiteral("opacity %1").arg(*selected));
 }
 
-void PhotoPanel::edit(const QString& text, const std::function<void(PhotoLayer&)>& change) {
+void PhotoPanel::edit(const QString& text, const std::function<void(PhotoLayer&)>& change,
+                      const QString& mergeKey) {
     const auto selected = m_selection.photo();
-    if (selected) m_document.edit(text, [&](Project& project) { change(project.photos[*selected]); });
+    if (!selected) return;
+    m_document.edit(
+        text, [&](Project& project) { change(project.photos[*selected]); },
+        mergeKey.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(mergeKey).arg(*selected));
 }
 
 } // namespace esm

@@ -23,7 +23,9 @@ private:
     void show();
     void showUse(bool hasPhoto);
     void setOpacity(double opacity);
-    void edit(const QString& text, const std::function<void(PhotoLayer&)>& change);
+    /// @param mergeKey of edits that become one step while a gesture lasts
+    void edit(const QString& text, const std::function<void(PhotoLayer&)>& change,
+              const QString& mergeKey = {});
     void showPicture(const std::shared_ptr<const Photo>& photo);
 
     Document& m_document;

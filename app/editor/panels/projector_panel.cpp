@@ -35,6 +35,10 @@ ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget
         edit(tr("Turn projector"),
              [&](Projector& projector) { projector.pose.linear() = rotationOf(degrees); });
     });
+    for (NumberField* field : {m_width, m_height})
+        connect(field, &NumberField::gestureFinished, &document, &Document::finishGesture);
+    for (VectorField* field : {m_position, m_turned})
+        connect(field, &VectorField::gestureFinished, &document, &Document::finishGesture);
     connect(&selection, &Selection::changed, this, &ProjectorPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.photos) show();
@@ -64,7 +68,9 @@ void ProjectorPanel::setFromCameraAction(QAction* action) {
 void ProjectorPanel::edit(const QString& text, const std::function<void(Projector&)>& change) {
     const auto selected = m_selection.photo();
     if (selected)
-        m_document.edit(text, [&](Project& project) { change(project.photos[*selected].projector); });
+        m_document.edit(
+            text, [&](Project& project) { change(project.photos[*selected].projector); },
+            QStringLiteral("%1 %2").arg(text).arg(*selected));
 }
 
 } // namespace esm

@@ -154,7 +154,7 @@ void TissuePanel::addInput(const FuzzyVariable& variable) {
             [&](Project& project) { setInput(project.regions[*selected], name, value); },
             QStringLiteral("input %1 %2").arg(*selected).arg(QString::fromStdString(name)));
     });
-    connect(row, &LinguisticSlider::editingFinished, this, [this] { m_document.finishGesture(); });
+    connect(row, &LinguisticSlider::editingFinished, &m_document, &Document::finishGesture);
     m_refreshers.emplace_back(
         [row, name](const Region* shown, const RegionTissue&) { row->setValue(inputValue(*shown, name)); });
 }
@@ -168,7 +168,7 @@ void TissuePanel::addOutput(Parameter parameter, std::size_t index) {
     QToolButton* hold = row->addHoldButton();
     connect(row, &LinguisticSlider::valueEdited, this,
             [this, parameter](double value) { setHeld(parameter, value, Merging::WhileMoved); });
-    connect(row, &LinguisticSlider::editingFinished, this, [this] { m_document.finishGesture(); });
+    connect(row, &LinguisticSlider::editingFinished, &m_document, &Document::finishGesture);
     connect(hold, &QToolButton::clicked, this, [this, row, hold, parameter](bool held) {
         if (held && !row->field()->value()) return hold->setChecked(false);
         setHeld(parameter, held ? row->field()->value() : std::nullopt);
@@ -188,7 +188,8 @@ void TissuePanel::addPlainParameter(Parameter parameter) {
     auto* row = new ParameterRow(parameter, Extent::Region, m_outputs);
     m_outputs->layout()->addWidget(row);
     connect(row, &ParameterRow::valueEdited, this,
-            [this, parameter](double value) { setHeld(parameter, value); });
+            [this, parameter](double value) { setHeld(parameter, value, Merging::WhileMoved); });
+    connect(row, &ParameterRow::gestureFinished, &m_document, &Document::finishGesture);
     connect(row, &ParameterRow::released, this, [this, parameter] { setHeld(parameter, std::nullopt); });
     m_refreshers.emplace_back([row, parameter](const Region* shown, const RegionTissue&) {
         row->setValue(valueOf(shown->held, parameter));
@@ -199,9 +200,12 @@ void TissuePanel::addBaseParameter(Parameter parameter) {
     auto* row = new ParameterRow(parameter, Extent::Base, m_outputs);
     m_outputs->layout()->addWidget(row);
     connect(row, &ParameterRow::valueEdited, this, [this, parameter](double value) {
-        m_document.edit(tr("Set %1").arg(parameterName(parameter, Extent::Base)),
-                        [&](Project& project) { valueOf(project.base, parameter) = value; });
+        const QString name = parameterName(parameter, Extent::Base);
+        m_document.edit(
+            tr("Set %1").arg(name), [&](Project& project) { valueOf(project.base, parameter) = value; },
+            QStringLiteral("base %1").arg(name));
     });
+    connect(row, &ParameterRow::gestureFinished, &m_document, &Document::finishGesture);
     m_refreshers.emplace_back([this, row, parameter](const Region*, const RegionTissue&) {
         BaseTissue base = m_document.project().base;
         row->setValue(valueOf(base, parameter));

@@ -86,6 +86,17 @@ TEST_F(NumberFieldTest, ArrowsStepWithinTheLimits) {
     EXPECT_EQ(field.value(), 0.0);
 }
 
+TEST_F(NumberFieldTest, SaysWhenTheArrowsRestAndWhenSomethingWasTyped) {
+    QSignalSpy finished(&field, &NumberField::gestureFinished);
+    QTest::keyClick(&field, Qt::Key_Up);
+    QTest::keyClick(&field, Qt::Key_Up);
+    EXPECT_EQ(finished.count(), 0);
+    QTest::qWait(1000);
+    EXPECT_EQ(finished.count(), 1);
+    type("25");
+    EXPECT_EQ(finished.count(), 2);
+}
+
 TEST_F(NumberFieldTest, MayLeaveItsUnitToTheCaption) {
     NumberField bare(withoutUnit(lengthFormat(0)));
     bare.setValue(0.01);
