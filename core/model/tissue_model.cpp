@@ -28,7 +28,8 @@ void checkNetwork(Problems& problems, const SpringNetwork& network) {
     const auto& nodes = network.restPositions;
     const auto& springs = network.springs;
     if (nodes.empty()) problems.emplace_back("the model has no nodes");
-    reportOffenders(problems, "node", "without a finite rest position",
+    reportOffenders(problems, "node",
+                    "with a coordinate that is no number or beyond " + numberText(largestNumber),
                     placesWhere(nodes.size(), [&](std::size_t i) {
                         return !(nodes[i].array().abs() <= largestNumber).all();
                     }));

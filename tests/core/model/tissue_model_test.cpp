@@ -74,7 +74,7 @@ TEST(TissueModel, ReportsEveryKindOfProblemOnce) {
     model.tethers = {{7, 1, 1}, {1, -1, 0}};
     model.fixedNodes = {3, 3, 9};
     EXPECT_THAT(validate(model),
-                ElementsAre(HasSubstr("node without a finite rest position (node 0)"),
+                ElementsAre(HasSubstr("node with a coordinate that is no number or beyond 1e+30 (node 0)"),
                             HasSubstr("does not exist (spring 1)"), HasSubstr("itself (spring 2)"),
                             HasSubstr("rest length that is not 0 to 1e+30 (spring 3)"),
                             HasSubstr("(mesh point 2)"), HasSubstr("viscosities has 3 entries for 4 nodes"),
