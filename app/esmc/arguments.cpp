@@ -4,8 +4,10 @@
 #include "core/support/angles.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 
@@ -120,6 +122,18 @@ CLI::Validator wholeNumber(int least, int most) {
 
 CLI::Validator wholeNumber() {
     return decimal(std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), "");
+}
+
+std::string endingProblem(const std::string& file, const std::string& ending) {
+    std::string given = std::filesystem::path(file).extension().string();
+    std::transform(given.begin(), given.end(), given.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    if (given.empty() || given == ending) return {};
+    return "'" + file + "' does not end in " + ending + ", the kind of file that is written";
+}
+
+CLI::Validator writtenAs(const std::string& ending) {
+    return CLI::Validator([ending](const std::string& file) { return endingProblem(file, ending); }, "");
 }
 
 CLI::Validator oneOf(const std::vector<std::string>& values) {

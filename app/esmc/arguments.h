@@ -41,6 +41,12 @@ CLI::Validator wholeNumber(int least, int most);
 /// The same of any number, for options whose range the work knows better.
 CLI::Validator wholeNumber();
 
+/// A check for a file to write: an ending that says another kind of file is refused, none at all is not.
+/// @param ending ".png"
+CLI::Validator writtenAs(const std::string& ending);
+/// What that check says; empty when the file may be written.
+std::string endingProblem(const std::string& file, const std::string& ending);
+
 /// A check for an option whose values are known; the message of any other value lists them.
 CLI::Validator oneOf(const std::vector<std::string>& values);
 

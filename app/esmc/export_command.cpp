@@ -1,3 +1,4 @@
+#include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/project_file.h"
@@ -12,7 +13,9 @@ struct ExportOptions {
 
 void declareExport(CLI::App& command, ExportOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
-    command.add_option("-o,--output", options.output, "File to write")->required();
+    command.add_option("-o,--output", options.output, "File to write (.glb)")
+        ->required()
+        ->check(writtenAs(".glb"));
     command.add_option("--to", options.format, "glb: the model package for simulators")->required();
 }
 

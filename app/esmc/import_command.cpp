@@ -2,7 +2,6 @@
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
 #include "core/exchange/mesh_file.h"
-#include "core/exchange/project_file.h"
 
 namespace esm {
 
@@ -23,7 +22,9 @@ const Words<LengthUnit> units{
 
 void declareImport(CLI::App& command, ImportOptions& options) {
     command.add_option("mesh", options.mesh, "Surface: " + joined(meshFileEndings()))->required();
-    command.add_option("-o,--output", options.output, "Project to write (.esm)")->required();
+    command.add_option("-o,--output", options.output, "Project to write (.esm)")
+        ->required()
+        ->check(writtenAs(".esm"));
     addChoice(command, "--unit", options.unit, units,
               "What a coordinate of the file means: mm, cm or m (the default)");
     command
@@ -68,10 +69,7 @@ Report runImport(const ImportOptions& options, Context& context) {
     if (!doubt.empty()) surface.report.warnings.push_back(doubt);
     const Project project =
         makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface), options.mass);
-    saveProject(project, options.output);
-    Report report = modelReport(project);
-    addWritten(report, options.output);
-    return report;
+    return saveAndReport(project, options.output);
 }
 
 } // namespace

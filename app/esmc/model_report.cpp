@@ -1,5 +1,7 @@
 #include "app/esmc/model_report.h"
 
+#include "core/exchange/project_file.h"
+
 #include <numeric>
 
 namespace esm {
@@ -88,6 +90,13 @@ Report modelReport(const Project& project) {
 
 Report modelReport(const ModelPackage& package) {
     return reportOf(package.mesh, package.tissue, countedAnew(package.mesh), Repairs::Left);
+}
+
+Report saveAndReport(const Project& project, const std::filesystem::path& file) {
+    saveProject(project, file);
+    Report report = modelReport(project);
+    addWritten(report, file);
+    return report;
 }
 
 } // namespace esm

@@ -12,4 +12,7 @@ Report modelReport(const Project& project);
 /// The same of a model package, without the repairs: its surface is counted anew.
 Report modelReport(const ModelPackage& package);
 
+/// Saves a project and reports it.
+Report saveAndReport(const Project& project, const std::filesystem::path& file);
+
 } // namespace esm

@@ -21,7 +21,9 @@ struct RenderOptions {
 
 void declareRender(CLI::App& command, RenderOptions& options) {
     command.add_option("project", options.project, "Project or model package")->required();
-    command.add_option("-o,--output", options.output, "Picture to write (.png)")->required();
+    command.add_option("-o,--output", options.output, "Picture to write (.png)")
+        ->required()
+        ->check(writtenAs(".png"));
     command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (1024x768)");
     CLI::Option* view = command.add_option(
         "--view", options.view,

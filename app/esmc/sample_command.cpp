@@ -1,7 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
-#include "core/exchange/project_file.h"
 #include "core/samples/samples.h"
 
 #include <algorithm>
@@ -41,16 +40,14 @@ Report writePhoto(const SampleOptions& options) {
 }
 
 Report writeOrgan(const SampleOptions& options) {
-    const Project project = makeSample(options.name);
-    saveProject(project, options.output);
-    Report report = modelReport(project);
-    addWritten(report, options.output);
-    return report;
+    return saveAndReport(makeSample(options.name), options.output);
 }
 
 Report runSample(const SampleOptions& options, Context&) {
     const auto& organs = sampleNames();
     const bool isOrgan = std::find(organs.begin(), organs.end(), options.name) != organs.end();
+    const std::string problem = endingProblem(options.output, isOrgan ? ".esm" : ".png");
+    if (!problem.empty()) throw UsageError("--output: " + problem);
     return isOrgan ? writeOrgan(options) : writePhoto(options);
 }
 

@@ -1,5 +1,6 @@
 #include "core/exchange/scene_file.h"
 
+#include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "core/exchange/project_file.h"
 #include "core/support/errors.h"
@@ -16,7 +17,8 @@ void declareScene(CLI::App& command, SceneOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     command.add_option("--scene", options.scene, "Scene to store (.json)")->required();
     command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
-        ->required();
+        ->required()
+        ->check(writtenAs(".esm"));
 }
 
 Report storeScene(const SceneOptions& options, Context& context) {

@@ -28,7 +28,8 @@ void declareSimulate(CLI::App& command, SimulateOptions& options) {
     command.add_option("--damping", options.damping, "isotropic (the default) or axial")
         ->check(oneOf({"isotropic", "axial"}));
     command.add_option("-o,--output", options.output, "Trajectory to write (.csv): time,node,x,y,z")
-        ->required();
+        ->required()
+        ->check(writtenAs(".csv"));
 }
 
 SimulationSettings requestedSettings(const SimulateOptions& options) {

@@ -23,7 +23,8 @@ struct PackOptions {
 void declarePack(CLI::App& command, PackOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
-        ->required();
+        ->required()
+        ->check(writtenAs(".esm"));
     // The packer says which of these the mesh can do with.
     command.add_option("--size", options.atlas.size, "Width and height of a page, pixels (2048)")
         ->transform(wholeNumber());
@@ -70,7 +71,8 @@ struct PhotoOptions {
 void declarePhoto(CLI::App& command, PhotoOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
-        ->required();
+        ->required()
+        ->check(writtenAs(".esm"));
     command.add_option("--photo", options.photo, "Photograph (PNG or JPEG)")->required();
     command.add_option("--projector", options.projector, "Where the photograph is thrown from (.json)")
         ->required();

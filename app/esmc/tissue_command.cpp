@@ -17,7 +17,8 @@ struct TissueOptions {
 void declareTissue(CLI::App& command, TissueOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
-        ->required();
+        ->required()
+        ->check(writtenAs(".esm"));
     command.add_option("--system", options.system, "Fuzzy system: a JSON file, or a preset's name");
     command
         .add_option("--set", options.values,

@@ -59,6 +59,20 @@ class HelpTest(Case):
                 self.fails(2, *line)
         self.assertFalse(out.exists())
 
+    def test_an_ending_that_says_another_kind_of_file_is_refused(self):
+        project = self.sample("tube")
+        for ending, line in [(".png", ["render", project, "-o", "x.jpg"]), (".png", ["sample", "vessels", "-o", "x.esm"]),
+                             (".esm", ["sample", "tube", "-o", "x.png"]), (".esm", ["import", "a.obj", "-o", "x.glb"]),
+                             (".esm", ["tissue", project, "-o", "x.json"]), (".esm", ["scene", project, "--scene", "s.json", "-o", "x.glb"]),
+                             (".esm", ["texture", "pack", project, "-o", "x.png"]),
+                             (".glb", ["export", project, "--to", "glb", "-o", "x.esm"]),
+                             (".csv", ["simulate", project, "-o", "x.json"])]:
+            with self.subTest(line):
+                name, out = line[-1], self.file(line[-1])
+                self.assertIn(f"does not end in {ending}", self.fails(2, *line[:-1], out, naming=name))
+                self.assertFalse(out.exists())
+        self.done("sample", "vessels", "-o", self.file("X.PNG"))
+
     def test_a_command_that_is_not_there_names_those_that_are(self):
         message = self.fails(2, "stability", "a.esm", "--scene", "b.json")
         for name in COMMANDS[:11]:
