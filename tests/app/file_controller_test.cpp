@@ -24,6 +24,10 @@ protected:
         std::ifstream in(folder / name);
         return {std::istreambuf_iterator<char>(in), {}};
     }
+    std::filesystem::path tetrahedron() {
+        return write("organ.obj",
+                     "v 0 0 0\nv 90 0 0\nv 0 90 0\nv 0 0 90\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    }
     void drop(const std::vector<std::filesystem::path>& files) {
         QMimeData data;
         QList<QUrl> urls;
@@ -93,9 +97,9 @@ TEST_F(FileControllerTest, OpensWhatItSavedAMomentBefore) {
 }
 
 TEST_F(FileControllerTest, AsksBeforeAnImportedOrganIsLost) {
-    write("organ.obj", "v 0 0 0\nv 90 0 0\nv 0 90 0\nv 0 0 90\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const auto file = tetrahedron();
     dialogs.expectNamed("importDialog", [](QDialog* dialog) { dialog->accept(); });
-    window->openFiles({folder / "organ.obj"});
+    window->openFiles({file});
     ASSERT_TRUE(dialogs.isDone());
     EXPECT_EQ(project().name, "organ");
     dialogs.expectButton("unsavedBox", QMessageBox::Cancel);
@@ -116,4 +120,53 @@ TEST_F(FileControllerTest, OpensDroppedFilesOneAfterTheOther) {
     ESM_EVENTUALLY(dialogs.isDone() && said.size() == 2);
     EXPECT_TRUE(said[0].contains("first.esm"));
     EXPECT_TRUE(said[1].contains("second.esm"));
+}
+
+TEST_F(FileControllerTest, TakesADroppedProjectMeshAndPhoto) {
+    Project stored = makeSample("ventricle");
+    stored.base.mass = 0.25;
+    saveProject(stored, folder / "stored.esm");
+    drop({folder / "stored.esm"});
+    ESM_EVENTUALLY(project().base.mass == 0.25);
+    EXPECT_EQ(window->document().path(), folder / "stored.esm");
+
+    const auto photo = makeSamplePhoto(samplePhotoNames().front());
+    const auto picture = folder / "view.PNG";
+    std::ofstream(picture, std::ios::binary)
+        .write(reinterpret_cast<const char*>(photo->encoded.data()),
+               static_cast<std::streamsize>(photo->encoded.size()));
+    drop({picture});
+    ESM_EVENTUALLY(project().photos.size() == 1);
+    EXPECT_TRUE(window->windowActions().texture->isChecked());
+
+    dialogs.expectNamed("importDialog", [](QDialog* dialog) { dialog->accept(); });
+    dialogs.expectButton("unsavedBox", QMessageBox::Discard);
+    drop({tetrahedron()});
+    ESM_EVENTUALLY(project().name == "organ");
+}
+
+TEST_F(FileControllerTest, RefusesADropThatIsNoFile) {
+    QMimeData text;
+    text.setText("not a file");
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
+    enter.ignore();
+    QApplication::sendEvent(window.get(), &enter);
+    EXPECT_FALSE(enter.isAccepted());
+    QMimeData page;
+    page.setUrls({QUrl("https://example.org/liver.obj")});
+    QDragEnterEvent far({10, 10}, Qt::CopyAction, &page, Qt::LeftButton, Qt::NoModifier);
+    far.ignore();
+    QApplication::sendEvent(window.get(), &far);
+    EXPECT_FALSE(far.isAccepted());
+}
+
+TEST_F(FileControllerTest, EscapeInTheImportDialogLeavesEverythingAsItWas) {
+    setMass(0.5);
+    const auto network = project().network;
+    dialogs.expectNamed("importDialog", [](QDialog* dialog) { QTest::keyClick(dialog, Qt::Key_Escape); });
+    window->openFiles({tetrahedron()});
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(project().network, network);
+    EXPECT_EQ(project().base.mass, 0.5);
+    EXPECT_TRUE(window->document().isModified());
 }

@@ -256,3 +256,16 @@ TEST(ImportDialog, ListsThePartsWithTheirSizes) {
     dialog.findChild<QAbstractButton*>("unit1")->click();
     EXPECT_TRUE(report->toPlainText().contains("1: 900 triangles, 500 × 400 × 300 mm"));
 }
+
+TEST_F(MainWindowTest, TakesAKeyBeforeItDrawsTheNextFrame) {
+    window->preview().setPlaying(false);
+    ESM_EVENTUALLY(!window->preview().status().playing);
+    QTest::qWait(300);
+    QStringList order;
+    QObject::connect(&window->view(), &OrganView::drawn, [&] { order << "drawn"; });
+    QObject::connect(window->windowActions().look, &QAction::triggered, [&] { order << "key"; });
+    QMetaObject::invokeMethod(&window->preview(), "frameReady", Qt::QueuedConnection);
+    qt_handleKeyEvent(window->windowHandle(), QEvent::KeyPress, Qt::Key_V, Qt::NoModifier, "v");
+    ESM_EVENTUALLY(order.contains("drawn") && order.contains("key"));
+    EXPECT_EQ(order.first(), "key");
+}

@@ -1,5 +1,7 @@
 #include "app/editor/preview/grasp.h"
 
+#include "core/support/angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,7 +49,7 @@ std::optional<GentlePull> gentlePull(const TissueModel& model) {
 }
 
 Eigen::Vector3d displacementAt(const GentlePull& pull, double time) {
-    return pull.furthest * (0.5 - 0.5 * std::cos(2 * 3.14159265358979323846 * time / pullPeriod));
+    return pull.furthest * (0.5 - 0.5 * std::cos(2 * pi * time / pullPeriod));
 }
 
 } // namespace esm

@@ -144,7 +144,7 @@ void ImportDialog::addReport(QVBoxLayout* column) {
     m_report->setObjectName(QStringLiteral("importReport"));
     m_report->setReadOnly(true);
     m_report->setTabChangesFocus(true);
-    m_report->setFixedHeight(120);
+    m_report->setFixedHeight(170);
     column->addWidget(m_report);
 }
 

@@ -28,6 +28,13 @@ namespace {
 constexpr QSize roomForFrame(0, 40);
 constexpr int leftWidth = 276, rightWidth = 340;
 
+std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
+    std::vector<std::filesystem::path> files;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
+    return files;
+}
+
 } // namespace
 
 MainWindow::MainWindow(Project project)
@@ -202,14 +209,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+    if (!localFiles(*event->mimeData()).empty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
-    std::vector<std::filesystem::path> files;
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
+    const auto files = localFiles(*event->mimeData());
     // After the drop is over, so that its source does not wait for a dialog.
     QTimer::singleShot(0, this, [this, files] { openFiles(files); });
 }
