@@ -14,6 +14,14 @@ QPushButton* visibleButton(QDialog* dialog) {
     return nullptr;
 }
 
+/// Half done, as long as nobody asks it to stop; a minute at most.
+void endless(const Progress& progress) {
+    for (int i = 0; i < 12000; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        reportProgress(progress, 0.5);
+    }
+}
+
 } // namespace
 
 TEST(LongWork, OffersCancelOnlyWhereItStops) {
@@ -34,11 +42,11 @@ TEST(LongWork, StopsWhenAsked) {
         ASSERT_NE(visibleButton(dialog), nullptr);
         visibleButton(dialog)->click();
     });
-    const auto endless = [](const Progress& progress) {
-        for (;;) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            reportProgress(progress, 0.5);
-        }
-    };
+    EXPECT_THROW(runLongWork(nullptr, "work", endless, Cancelling::Offered), Cancelled);
+}
+
+TEST(LongWork, StopsOnEscape) {
+    DialogScript dialogs;
+    dialogs.expectNamed("progressDialog", [](QDialog* dialog) { QTest::keyClick(dialog, Qt::Key_Escape); });
     EXPECT_THROW(runLongWork(nullptr, "work", endless, Cancelling::Offered), Cancelled);
 }

@@ -44,8 +44,12 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
             dialog.setMaximum(1000);
             dialog.setValue(permille);
         });
-        QObject::connect(&dialog, &QProgressDialog::canceled, &dialog,
-                         [&] { cancelled = cancelling == Cancelling::Offered; });
+        const auto cancel = [&] {
+            if (!isDone()) cancelled = cancelling == Cancelling::Offered;
+        };
+        QObject::connect(&dialog, &QProgressDialog::canceled, &dialog, cancel);
+        // Escape reaches the cancel button only while the dialog is the active window.
+        QObject::connect(&dialog, &QDialog::rejected, &dialog, cancel);
         poll.start(30);
         // Escape hides the dialog, but the work may take a moment to stop.
         while (!isDone())
