@@ -15,7 +15,6 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 FuzzyVariable variableFromJson(const std::string& name, const JsonReader& reader) {
-    reader.allowOnly({"range", "terms"});
     FuzzyVariable variable;
     variable.name = name;
     if (!reader.json().is_object()) return variable;
@@ -48,6 +47,15 @@ void readRules(FuzzySystem& system, const JsonReader& reader, std::vector<std::s
     }
 }
 
+void noteOtherKeys(const JsonReader& reader) {
+    reader.allowOnly({"name", "description", "note", "inputs", "outputs", "rules"});
+    for (const char* list : {"inputs", "outputs"}) {
+        if (!reader.has(list)) continue;
+        for (const auto& [name, variable] : reader.member(list).members())
+            variable.allowOnly({"range", "terms"});
+    }
+}
+
 void throwIfAny(const std::vector<std::string>& problems) {
     if (!problems.empty()) throw InvalidModel(problems);
 }
@@ -68,9 +76,6 @@ Json toJson(const std::vector<FuzzyVariable>& variables) {
 FuzzySystem fuzzySystemFromJson(const Json& json) {
     std::vector<std::string> problems;
     const JsonReader reader(json, "", problems);
-    reader.allowOnly({"name", "description", "note", "inputs", "outputs", "rules"});
-    throwIfAny(problems);
-
     FuzzySystem system;
     if (reader.has("name")) system.name = reader.member("name").text();
     if (reader.has("description")) system.description = reader.member("description").text();
@@ -103,6 +108,9 @@ FuzzySystem readFuzzyFile(const std::filesystem::path& file) {
         throw FileError(file, "FCL and FLL files are not read yet; give the system as JSON");
     const Json json = readJsonFile(file);
     try {
+        std::vector<std::string> problems;
+        noteOtherKeys(JsonReader(json, "", problems));
+        throwIfAny(problems);
         FuzzySystem system = fuzzySystemFromJson(json);
         if (system.name.empty()) system.name = file.stem().string();
         return system;
@@ -124,6 +132,15 @@ FuzzySystem fuzzyPreset(const std::string& name) {
             return fuzzySystemFromJson(parseJson(preset.json, preset.json + std::strlen(preset.json)));
     throw InvalidModel("there is no fuzzy system \"" + name + "\"; name a file or one of " +
                        joined(fuzzyPresetNames()));
+}
+
+bool isFuzzyPreset(const FuzzySystem& system) {
+    const std::vector<std::string> names = fuzzyPresetNames();
+    if (std::find(names.begin(), names.end(), system.name) == names.end()) return false;
+    FuzzySystem preset = fuzzyPreset(system.name);
+    preset.description = system.description;
+    preset.note = system.note;
+    return toJson(system) == toJson(preset);
 }
 
 FuzzySystem findFuzzySystem(const std::string& fileOrPreset) {

@@ -34,10 +34,18 @@ Json inputsToJson(const NamedValues& inputs) {
     return json;
 }
 
+/// A preset's description is left out: programs that know the preset know it, and older ones refuse the key.
+Json systemToJson(const FuzzySystem& system) {
+    Json json = esm::toJson(system);
+    if (isFuzzyPreset(system) && system.description == fuzzyPreset(system.name).description)
+        json.erase("description");
+    return json;
+}
+
 /// The place of a system in the list, added where it is not there yet. Compared by content, so that equal
 /// projects give equal files whether or not their regions share a system.
 std::size_t placeOf(const FuzzySystem& system, Json& systems) {
-    Json json = esm::toJson(system);
+    Json json = systemToJson(system);
     const auto found = std::find(systems.begin(), systems.end(), json);
     const auto place = static_cast<std::size_t>(found - systems.begin());
     if (found == systems.end()) systems.push_back(std::move(json));
@@ -64,7 +72,10 @@ Region regionFromJson(const JsonReader& reader,
 
 std::shared_ptr<const FuzzySystem> systemFromJson(const JsonReader& reader) {
     try {
-        return std::make_shared<FuzzySystem>(fuzzySystemFromJson(reader.json()));
+        FuzzySystem system = fuzzySystemFromJson(reader.json());
+        if (system.description.empty() && isFuzzyPreset(system))
+            system.description = fuzzyPreset(system.name).description;
+        return std::make_shared<const FuzzySystem>(std::move(system));
     } catch (const InvalidModel& error) {
         for (const std::string& problem : error.problems())
             reader.addProblem("is no usable fuzzy system: " + problem);

@@ -101,6 +101,8 @@ TEST(FuzzyFile, SaysWhatIsWrongAndWhere) {
     EXPECT_THAT(with("\"viscosity\"", "\"age\""), HasSubstr("outputs.age: the name is there twice"));
     EXPECT_THAT(with("\"old\"", "\"very old\""), HasSubstr("one word"));
     EXPECT_THAT(with("\"rules\"", "\"rulez\""), HasSubstr("rulez is not known here"));
+    EXPECT_THAT(with("\"range\": [0, 9]", "\"range\": [0, 9], \"unit\": \"years\""),
+                HasSubstr("inputs.age.unit is not known here"));
     EXPECT_THAT(with("[3, 4, 5, 5]", "[6, 7, 8, 9]"),
                 HasSubstr("outputs.viscosity.terms.thick: lies outside"));
     EXPECT_THAT(with("IS thick", "IS thin"), AllOf(HasSubstr("rules[0], column 50"), HasSubstr("thick")));

@@ -1,5 +1,6 @@
 #include "core/exchange/project_file.h"
 
+#include "core/exchange/fuzzy_file.h"
 #include "core/exchange/json_reader.h"
 #include "core/exchange/project_layout.h"
 #include "core/exchange/scene_file.h"
@@ -55,13 +56,18 @@ protected:
         overwrite(m_file, makeZip(entries));
     }
 
-    void saveWithManifest(const std::string& pointer, const Json& value) const {
+    /// The same with one value of the manifest changed.
+    template<typename Change> void changeManifest(const std::string& pointer, const Change& change) const {
         saveChanged(project_layout::manifest, [&](auto&, ZipEntry& entry) {
             Json manifest = Json::parse(entry.content.begin(), entry.content.end());
-            manifest.at(Json::json_pointer(pointer)) = value;
+            change(manifest.at(Json::json_pointer(pointer)));
             const std::string text = manifest.dump();
             entry.content.assign(text.begin(), text.end());
         });
+    }
+
+    void saveWithManifest(const std::string& pointer, const Json& value) const {
+        changeManifest(pointer, [&](Json& old) { old = value; });
     }
 
     TemporaryFolder m_folder;
@@ -85,6 +91,31 @@ TEST_F(ProjectFile, SharesWhatWasShared) {
     const Project loaded = loadProject(m_file);
     EXPECT_EQ(loaded.regions[0].system, loaded.regions[1].system);
     EXPECT_EQ(loaded.photos[0].photo, loaded.photos[2].photo);
+}
+
+TEST_F(ProjectFile, KeysThatAreNotKnownAreIgnored) {
+    for (const char* place : {"", "/fuzzySystems/0", "/fuzzySystems/0/inputs/zeal", "/regions/0", "/base"}) {
+        changeManifest(place, [](Json& object) { object["newer"] = "unheard-of"; });
+        EXPECT_EQ(loadingError(), "loaded") << place;
+    }
+}
+
+TEST_F(ProjectFile, HoldsAPresetWithoutTheDescriptionThatProgramsKnow) {
+    Project project = richProject();
+    const auto preset = std::make_shared<const FuzzySystem>(fuzzyPreset("susilap-g"));
+    FuzzySystem own = *preset;
+    own.rules.pop_back();
+    project.regions = {project.regions[0], project.regions[1]};
+    project.regions[0].system = preset;
+    project.regions[1].system = std::make_shared<const FuzzySystem>(own);
+    for (Region& region : project.regions)
+        region.inputs.clear();
+    saveProject(project, m_file);
+    const Bytes bytes = readFile(m_file), text = ZipReader(bytes).read(project_layout::manifest, 1 << 20);
+    const Json systems = Json::parse(text.begin(), text.end())["fuzzySystems"];
+    EXPECT_FALSE(systems[0].contains("description"));
+    EXPECT_EQ(systems[1]["description"], own.description);
+    expectSameProject(project, loadProject(m_file));
 }
 
 TEST_F(ProjectFile, TheSameProjectGivesTheSameBytes) {
