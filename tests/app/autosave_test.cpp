@@ -6,6 +6,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <fstream>
+#include <sys/stat.h>
 
 using namespace esm;
 
@@ -22,6 +23,8 @@ protected:
             if (entry.path().extension() == ".esm") found.push_back(entry.path());
         return found;
     }
+
+    bool hasCopy() const { return std::filesystem::is_directory(folder / "copies") && !files().empty(); }
 
     TemporaryFolder folder;
     Document document{makeSample("tube")};
@@ -80,13 +83,19 @@ TEST_F(AutosaveTest, FindsAndTakesOverWhatWasLeftBehind) {
 
 TEST_F(AutosaveTest, WritesTheCopyOnceTheEditsRest) {
     using std::chrono::milliseconds;
-    Autosave autosave(document, folder / "copies", nullptr, {milliseconds(300), milliseconds(60000)});
+    Autosave autosave(document, folder / "copies", nullptr, {milliseconds(50), milliseconds(60000)});
+    setMass(0.5);
+    setMass(0.75);
+    ESM_EVENTUALLY(hasCopy());
+    EXPECT_EQ(loadProject(files()[0]).base.mass, 0.75);
+}
+
+TEST_F(AutosaveTest, WritesNothingBeforeTheEditsRest) {
+    using std::chrono::milliseconds;
+    Autosave autosave(document, folder / "copies", nullptr, {milliseconds(60000), milliseconds(60000)});
     setMass(0.5);
     QTest::qWait(100);
     EXPECT_FALSE(std::filesystem::exists(folder / "copies"));
-    setMass(0.75);
-    ESM_EVENTUALLY(std::filesystem::exists(folder / "copies") && !files().empty());
-    EXPECT_EQ(loadProject(files()[0]).base.mass, 0.75);
 }
 
 TEST_F(AutosaveTest, WritesTheCopyAmongEditsThatNeverRest) {
@@ -96,12 +105,7 @@ TEST_F(AutosaveTest, WritesTheCopyAmongEditsThatNeverRest) {
     QTimer edits;
     QObject::connect(&edits, &QTimer::timeout, &document, [&] { setMass(mass += 0.001); });
     edits.start(10);
-    ESM_EVENTUALLY(std::filesystem::exists(folder / "copies") && !files().empty());
-}
-
-TEST_F(AutosaveTest, IsWrittenAFewSecondsAfterAnEdit) {
-    EXPECT_LE(AutosaveTimes{}.rest, std::chrono::seconds(3));
-    EXPECT_LE(AutosaveTimes{}.longest, std::chrono::seconds(10));
+    ESM_EVENTUALLY(hasCopy());
 }
 
 TEST_F(AutosaveTest, KnowsTheTitleAndTheTimeOfWhatWasLeftBehind) {
@@ -125,6 +129,46 @@ TEST_F(AutosaveTest, KnowsTheTitleAndTheTimeOfWhatWasLeftBehind) {
     EXPECT_LT(std::abs(found[0].written.secsTo(QDateTime::currentDateTime())), 60);
     Autosave::discard(found[0]);
     EXPECT_TRUE(std::filesystem::is_empty(folder / "copies"));
+}
+
+TEST_F(AutosaveTest, TriesAgainWhereTheCopyCouldNotBeWritten) {
+    using std::chrono::milliseconds;
+    Autosave autosave(document, folder / "copies", nullptr, {milliseconds(10), milliseconds(50)});
+    std::ofstream(folder / "copies") << "no folder";
+    setMass(0.5);
+    autosave.save();
+    autosave.finish();
+    std::filesystem::remove(folder / "copies");
+    ESM_EVENTUALLY(hasCopy());
+    EXPECT_EQ(loadProject(files()[0]).base.mass, 0.5);
+    Document other(makeSample("tube"));
+    EXPECT_TRUE(Autosave(other, folder / "copies").leftBehind().empty()) << "it is in use";
+}
+
+TEST_F(AutosaveTest, NeverLetsTheWindowWaitForADisk) {
+    using std::chrono::milliseconds;
+    Autosave autosave(document, folder / "copies", nullptr, {milliseconds(50), milliseconds(50)});
+    setMass(0.5);
+    autosave.save();
+    autosave.finish();
+    // Who writes into a pipe waits until somebody reads.
+    auto pipe = files()[0];
+    pipe.replace_extension(".title");
+    std::filesystem::remove(pipe);
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    setMass(0.75);
+    autosave.save();
+    document.markSaved(folder / "tube.esm", document.project());
+    std::promise<void> returned;
+    auto wasInTime = std::async(std::launch::async, [&pipe, done = returned.get_future()] {
+        const bool inTime = done.wait_for(std::chrono::seconds(20)) == std::future_status::ready;
+        std::ifstream(pipe).get();
+        return inTime;
+    });
+    autosave.save();
+    returned.set_value();
+    EXPECT_TRUE(wasInTime.get());
+    ESM_EVENTUALLY(!hasCopy());
 }
 
 class LeftBehindTest : public EditorTest {};

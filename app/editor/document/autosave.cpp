@@ -71,6 +71,15 @@ void Autosave::noteChange() {
     if (!m_longest.isActive()) m_longest.start();
 }
 
+void Autosave::noteFailure() {
+    m_written.reset();
+    if (!m_longest.isActive()) m_longest.start();
+}
+
+bool Autosave::isWriting() const {
+    return m_writing.valid() && m_writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+}
+
 void Autosave::finish() {
     if (m_writing.valid()) m_writing.wait();
 }
@@ -91,21 +100,21 @@ void Autosave::removeCopy() {
 void Autosave::save() {
     m_rest.stop();
     m_longest.stop();
+    if (isWriting()) return noteChange();
     if (!m_document.isModified()) return removeCopy();
     const Project& project = m_document.project();
     if (m_written && !difference(*m_written, project).any()) return;
-    if (m_writing.valid() && m_writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-        return noteChange();
     std::error_code none;
     std::filesystem::create_directories(m_folder, none);
-    if (!m_lock) takeLock();
+    if (!m_lock || !m_lock->isLocked()) takeLock();
     m_written = project;
-    m_writing = std::async(std::launch::async, [project, title = m_document.title(), file = m_file] {
+    m_writing = std::async(std::launch::async, [this, project, title = m_document.title(), file = m_file] {
         try {
             writeTitle(file, title);
             saveProject(project, file);
         } catch (const std::exception&) {
             // Nobody asked for this copy; the user's own save says what is wrong.
+            QMetaObject::invokeMethod(this, &Autosave::noteFailure, Qt::QueuedConnection);
         }
     });
 }

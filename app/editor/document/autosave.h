@@ -36,7 +36,7 @@ public:
     ~Autosave() override;
 
     /// Writes the copy on another thread where something changed since the last one; done by itself a moment
-    /// after an edit.
+    /// after an edit, and again after a while where the copy could not be written. Waits for nothing.
     void save();
     /// Waits until the copy is written.
     void finish();
@@ -48,6 +48,8 @@ public:
 
 private:
     void noteChange();
+    void noteFailure();
+    bool isWriting() const;
     void takeLock();
     void removeCopy();
 
