@@ -1,6 +1,7 @@
 #include "app/esmc/arguments.h"
 
 #include "app/esmc/report.h"
+#include "core/exchange/mesh_file.h"
 #include "core/support/angles.h"
 
 #include <algorithm>
@@ -36,6 +37,14 @@ CLI::Validator decimal(int least, int most, const std::string& range) {
         return "";
     };
     return CLI::Validator(transform, "");
+}
+
+bool isKnownEnding(const std::string& ending) {
+    static const std::vector<std::string> others{".esm",  ".png", ".csv", ".glb",  ".json", ".jpg",
+                                                 ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
+    const auto& meshes = meshFileEndings();
+    return std::find(others.begin(), others.end(), ending) != others.end() ||
+           std::find(meshes.begin(), meshes.end(), ending.substr(1)) != meshes.end();
 }
 
 } // namespace
@@ -128,7 +137,7 @@ std::string endingProblem(const std::string& file, const std::string& ending) {
     std::string given = std::filesystem::path(file).extension().string();
     std::transform(given.begin(), given.end(), given.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    if (given.empty() || given == ending) return {};
+    if (given.empty() || given == ending || !isKnownEnding(given)) return {};
     return "'" + file + "' does not end in " + ending + ", the kind of file that is written";
 }
 

@@ -41,7 +41,8 @@ CLI::Validator wholeNumber(int least, int most);
 /// The same of any number, for options whose range the work knows better.
 CLI::Validator wholeNumber();
 
-/// A check for a file to write: an ending that says another kind of file is refused, none at all is not.
+/// A check for a file to write: the ending of another kind of file that the program writes or reads is
+/// refused; none at all, or one that is part of the name, is not.
 /// @param ending ".png"
 CLI::Validator writtenAs(const std::string& ending);
 /// What that check says; empty when the file may be written.

@@ -73,6 +73,12 @@ class HelpTest(Case):
                 self.assertFalse(out.exists())
         self.done("sample", "vessels", "-o", self.file("X.PNG"))
 
+    def test_an_ending_that_says_no_kind_of_file_belongs_to_the_name(self):
+        for name in ["tube.v2", "tube.2026-11-21", "tube"]:
+            with self.subTest(name):
+                self.done("sample", "tube", "-o", self.file(name))
+                self.assertTrue(self.file(name).exists())
+
     def test_a_command_that_is_not_there_names_those_that_are(self):
         message = self.fails(2, "stability", "a.esm", "--scene", "b.json")
         for name in COMMANDS[:11]:
