@@ -49,6 +49,7 @@ LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString&
     connect(m_field, &NumberField::valueEdited, this, &LinguisticSlider::take);
     connect(m_field, &NumberField::gestureFinished, this, &LinguisticSlider::editingFinished);
     connect(m_terms, &TermScale::termPicked, this, [this](double value) {
+        emit editingFinished(); // of what the keys set a moment ago
         take(value);
         emit editingFinished();
     });

@@ -34,6 +34,8 @@ void ValueSlider::bringHandleTo(int left) {
 
 void ValueSlider::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || isSliderDown()) return event->ignore();
+    // What the keys or the wheel moved a moment ago is an edit of its own.
+    if (m_pause.isActive()) finish();
     const QRect handle = handleRect();
     const bool onHandle = handle.contains(event->pos());
     m_grabbedAt = onHandle ? event->x() - handle.left() : handle.width() / 2;

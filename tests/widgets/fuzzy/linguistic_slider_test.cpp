@@ -85,6 +85,19 @@ TEST_F(LinguisticSliderTest, AWordStandsWhereTheHandleGoesForIt) {
     EXPECT_NEAR(row.field()->value().value_or(0), 75, 0.5);
 }
 
+TEST_F(LinguisticSliderTest, AWordIsAnEditOfItsOwn) {
+    row.setValue(40);
+    QTest::keyClick(row.field(), Qt::Key_Up);
+    ASSERT_EQ(finished.count(), 0);
+    int finishedAtWord = -1;
+    QObject::connect(&row, &LinguisticSlider::valueEdited, &row, [&] { finishedAtWord = finished.count(); });
+    auto* terms = row.findChild<TermScale*>();
+    terms->resize(300, terms->sizeHint().height());
+    QTest::mouseClick(terms, Qt::LeftButton, {}, {21, terms->height() - 5});
+    EXPECT_EQ(finishedAtWord, 1);
+    EXPECT_EQ(finished.count(), 2);
+}
+
 TEST_F(LinguisticSliderTest, KeysOnTheSliderEndAsAnEdit) {
     QTest::keyClick(row.slider(), Qt::Key_Right);
     EXPECT_EQ(finished.count(), 0);

@@ -58,6 +58,17 @@ TEST_F(ValueSliderTest, KeysAndWheelEndTheirGestureAfterAPause) {
     EXPECT_EQ(finished.count(), 2);
 }
 
+TEST_F(ValueSliderTest, APressEndsWhatTheKeysBegan) {
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    int finishedAtPress = -1;
+    QObject::connect(slider, &QSlider::valueChanged, &window, [&] { finishedAtPress = finished.count(); });
+    QTest::mousePress(slider, Qt::LeftButton, {}, {slider->width() / 2, slider->height() / 2});
+    EXPECT_EQ(finishedAtPress, 1);
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, {slider->width() / 2, slider->height() / 2});
+    EXPECT_EQ(finished.count(), 2);
+}
+
 TEST_F(ValueSliderTest, LeavingItEndsTheGesture) {
     slider->setFocus();
     QTest::keyClick(slider, Qt::Key_Right);
