@@ -133,6 +133,7 @@ std::string ballVertex() {
 layout(location = 0) in vec3 unit;
 uniform mat4 model, view, projection;
 out vec3 position, normal;
+invariant gl_Position; // the shell of what is drawn solid already compares depths with it
 void main() {
     vec4 seen = view * model * vec4(unit, 1.0);
     position = seen.xyz;
