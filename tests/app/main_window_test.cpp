@@ -181,6 +181,31 @@ TEST_F(MainWindowTest, TheInstrumentsSizeIsShownWhileItIsInHandAndKept) {
     press(Qt::Key_P);
 }
 
+TEST_F(MainWindowTest, TheInstrumentLeavesTheHandWithItsOrgan) {
+    window->view().setFocus();
+    press(Qt::Key_I);
+    QMouseEvent move(QEvent::MouseMove, placeOf(nearestVertex()), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(&window->view(), &move);
+    ASSERT_TRUE(window->view().scene().instrument);
+    int moves = 0;
+    QObject::connect(&window->view(), &OrganView::instrumentMoved, window.get(), [&] { ++moves; });
+    window->document().replace(makeSample("liver"), std::nullopt);
+    EXPECT_FALSE(window->view().scene().instrument);
+    EXPECT_EQ(moves, 0);
+    press(Qt::Key_P);
+}
+
+TEST_F(MainWindowTest, SaysThatAPhotoNeedsASurface) {
+    press(Qt::Key_2, Qt::ControlModifier);
+    Project bare = makeSample("tube");
+    auto mesh = std::make_shared<TriangleMesh>(*bare.mesh);
+    mesh->triangles.clear();
+    bare.mesh = mesh;
+    window->document().replace(bare, std::nullopt);
+    EXPECT_TRUE(window->view().hint().contains("no surface")) << window->view().hint().toStdString();
+    press(Qt::Key_1, Qt::ControlModifier);
+}
+
 TEST_F(MainWindowTest, ThePhotosBoxStandsInItsWorkspaceAlone) {
     edit([](Project& p) {
         PhotoLayer layer;

@@ -23,6 +23,7 @@ void ToolController::connectActions(const Actions& actions) {
     connect(&m_selection, &Selection::changed, this, &ToolController::updateTools);
     connect(&m_preview, &Preview::statusChanged, this, &ToolController::updateHint);
     connect(&m_view, &OrganView::toolChanged, this, &ToolController::updateHint);
+    connect(actions.addPhoto, &QAction::changed, this, &ToolController::updateHint);
     updateTools();
 }
 

@@ -80,6 +80,8 @@ void ViewController::setTheme(Theme theme) {
 
 void ViewController::followDocument(const Change& change) {
     const Project& project = m_document.project();
+    // Where the hand is on one organ says nothing about the next.
+    if (change.mesh) m_view.letGo();
     if (change.model()) m_preview.setProject(project);
     if (change.model()) m_structure.reset();
     if (change.picture()) m_composer.compose(project);
