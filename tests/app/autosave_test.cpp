@@ -190,4 +190,16 @@ TEST_F(LeftBehindTest, IsBroughtBackUnsaved) {
     EXPECT_EQ(project().base.mass, 0.75);
     EXPECT_TRUE(window->document().isModified());
     EXPECT_FALSE(std::filesystem::exists(folder / "left.esm"));
+
+    EXPECT_EQ(window->document().title(), "my liver.esm");
+    window->document().edit("mass", [](Project& p) { p.base.mass = 0.5; });
+    autosave.save();
+    autosave.finish();
+    QStringList titles;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        if (entry.path().extension() == ".title") {
+            std::ifstream in(entry.path());
+            titles << QString::fromStdString({std::istreambuf_iterator<char>(in), {}});
+        }
+    EXPECT_EQ(titles, QStringList("my liver.esm")) << "lost twice, it still has its title";
 }

@@ -1,10 +1,11 @@
 #include "app/editor/panels/fuzzy_choice.h"
 
 #include "core/exchange/fuzzy_file.h"
+#include "core/support/file_io.h"
+#include "tests/app/editor_driver.h"
+#include "tests/support/temporary_folder.h"
 
-#include <gtest/gtest.h>
-#include <QApplication>
-#include <QTest>
+#include <nlohmann/json.hpp>
 #include <QWheelEvent>
 
 using namespace esm;
@@ -72,6 +73,24 @@ TEST_F(FuzzyChoiceTest, KnowsThePresetThatAnOlderProgramSaved) {
     choice.setSystem(std::make_shared<const FuzzySystem>(old));
     EXPECT_EQ(choice.shownName().toStdString(), preset);
     EXPECT_EQ(choice.description().toStdString(), fuzzyPreset(preset).description);
+}
+
+TEST_F(FuzzyChoiceTest, StartsWhereTheLastFuzzySystemWas) {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "own.json", toJson(fuzzyPreset(preset)).dump());
+    DialogScript dialogs;
+    dialogs.expectFile(folder / "own.json");
+    activate("From file");
+    ASSERT_TRUE(chosen);
+    dialogs.expect([](QWidget* dialog) { return qobject_cast<QFileDialog*>(dialog) != nullptr; },
+                   [&](QDialog* dialog) {
+                       EXPECT_EQ(qobject_cast<QFileDialog*>(dialog)->directory().path().toStdString(),
+                                 folder.path().string());
+                       dialog->reject();
+                   });
+    activate("From file");
+    EXPECT_TRUE(dialogs.isDone());
 }
 
 TEST_F(FuzzyChoiceTest, TheWheelLeavesItAlone) {

@@ -15,8 +15,8 @@ Document::~Document() {
 }
 
 QString Document::title() const {
-    return m_path ? QString::fromStdString(m_path->filename().string())
-                  : QString::fromStdString(m_project.name);
+    if (m_path) return QString::fromStdString(m_path->filename().string());
+    return m_givenTitle.isEmpty() ? QString::fromStdString(m_project.name) : m_givenTitle;
 }
 
 void Document::edit(const QString& text, const std::function<void(Project&)>& change,
@@ -28,8 +28,10 @@ void Document::edit(const QString& text, const std::function<void(Project&)>& ch
     m_undoStack.push(new ProjectCommand(*this, std::move(after), text, key));
 }
 
-void Document::replace(Project project, std::optional<std::filesystem::path> path, Origin origin) {
+void Document::replace(Project project, std::optional<std::filesystem::path> path, Origin origin,
+                       const QString& title) {
     m_path = std::move(path);
+    m_givenTitle = title;
     m_project = std::move(project);
     m_undoStack.clear();
     if (origin == Origin::Unsaved) m_undoStack.resetClean();

@@ -28,14 +28,16 @@ public:
     const std::optional<std::filesystem::path>& path() const { return m_path; }
     QUndoStack* undoStack() { return &m_undoStack; }
     bool isModified() const { return !m_undoStack.isClean(); }
-    /// The file's name, or the organ's while it was never saved.
+    /// The file's name; while it was never saved, what replace() was told, or the organ's name.
     QString title() const;
 
     /// An undoable edit. Edits that follow each other with the same, non-empty `mergeKey` become one step,
     /// until finishGesture(). Nothing happens when the edit changes nothing.
     void edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey = {});
     /// Another project takes the place of this one; nothing to undo remains.
-    void replace(Project project, std::optional<std::filesystem::path> path, Origin origin = Origin::Stored);
+    /// @param title of unsaved work that had one
+    void replace(Project project, std::optional<std::filesystem::path> path, Origin origin = Origin::Stored,
+                 const QString& title = {});
     /// `written` lies in this file; the document is saved when it still is that project.
     void markSaved(const std::filesystem::path& path, const Project& written);
 
@@ -55,6 +57,7 @@ private:
 
     Project m_project;
     std::optional<std::filesystem::path> m_path;
+    QString m_givenTitle;
     QUndoStack m_undoStack;
     int m_gesture = 0;
 };

@@ -1,10 +1,10 @@
 #include "app/editor/panels/fuzzy_choice.h"
 
 #include "app/editor/commands/attempt.h"
+#include "app/editor/document/file_memory.h"
 #include "core/exchange/fuzzy_file.h"
 #include "widgets/fuzzy/term_scale.h"
 
-#include <nlohmann/json.hpp>
 #include <QAbstractItemView>
 #include <QFileDialog>
 #include <QStylePainter>
@@ -21,16 +21,6 @@ constexpr int nameRole = Qt::UserRole + 1;
 bool isPreset(const std::string& name) {
     const auto names = fuzzyPresetNames();
     return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// A file may name its system as a preset is named: only what it says tells them apart.
-bool isThePreset(FuzzySystem system) {
-    if (!isPreset(system.name)) return false;
-    const FuzzySystem preset = fuzzyPreset(system.name);
-    // A project may hold the preset as an older program described it.
-    system.description = preset.description;
-    system.note = preset.note;
-    return toJson(system) == toJson(preset);
 }
 
 /// "robo-sim: consistency, sensitiveness, shiftability": what the user will be asked for.
@@ -50,12 +40,14 @@ FuzzyChoice::FuzzyChoice(QWidget* parent) : QComboBox(parent) {
     setMinimumContentsLength(10);
     setFocusPolicy(Qt::StrongFocus);
     connect(this, qOverload<int>(&QComboBox::activated), this, &FuzzyChoice::choose);
+    recognise();
     fill();
 }
 
 void FuzzyChoice::setSystem(const std::shared_ptr<const FuzzySystem>& system) {
     if (system == m_system) return;
     m_system = system;
+    recognise();
     fill();
 }
 
@@ -65,10 +57,13 @@ QString FuzzyChoice::whatItIs() {
         "constant and viscosity belong to which words.");
 }
 
-QString FuzzyChoice::description() const {
-    if (!m_system) return whatItIs();
-    if (isThePreset(*m_system)) return QString::fromStdString(fuzzyPreset(m_system->name).description);
-    return QString::fromStdString(m_system->description);
+void FuzzyChoice::recognise() {
+    m_isPreset = m_system && isFuzzyPreset(*m_system);
+    if (!m_system)
+        m_description = whatItIs();
+    else
+        m_description = QString::fromStdString(m_isPreset ? fuzzyPreset(m_system->name).description
+                                                          : m_system->description);
 }
 
 void FuzzyChoice::add(const QString& name, Kind kind, const FuzzySystem& system) {
@@ -87,7 +82,7 @@ void FuzzyChoice::fill() {
         add(QString::fromStdString(name), Preset, fuzzyPreset(name));
     if (m_system) {
         const QString name = QString::fromStdString(m_system->name);
-        if (isThePreset(*m_system)) {
+        if (m_isPreset) {
             setCurrentIndex(findData(name, nameRole));
         } else {
             add(isPreset(m_system->name) ? tr("%1 (from file)").arg(name) : name, InUse, *m_system);
@@ -136,16 +131,18 @@ void FuzzyChoice::choose(int index) {
 
 void FuzzyChoice::choosePreset(const std::string& name) {
     // The same system again would only put its sliders back.
-    if (m_system && m_system->name == name && isThePreset(*m_system)) return;
+    if (m_system && m_system->name == name && m_isPreset) return;
     attempt(window(), tr("The fuzzy system cannot be used"),
             [&] { emit systemChosen(std::make_shared<const FuzzySystem>(fuzzyPreset(name))); });
 }
 
 void FuzzyChoice::chooseFile() {
-    const QString file =
-        QFileDialog::getOpenFileName(window(), tr("Open fuzzy system"), {}, tr("Fuzzy systems (*.json)"));
+    const QString file = QFileDialog::getOpenFileName(window(), tr("Open fuzzy system"),
+                                                      startFolder(FileKind::FuzzySystem, std::nullopt),
+                                                      tr("Fuzzy systems (*.json)"));
     fill();
     if (file.isEmpty()) return;
+    rememberFolder(FileKind::FuzzySystem, file.toStdString());
     attempt(window(), tr("The fuzzy system cannot be opened"), [&] {
         emit systemChosen(std::make_shared<const FuzzySystem>(readFuzzyFile(file.toStdString())));
     });

@@ -21,7 +21,7 @@ public:
     /// The name that is shown while the list is shut.
     QString shownName() const;
     /// What the system in use is for; without one, what a fuzzy system is.
-    QString description() const;
+    const QString& description() const { return m_description; }
     static QString whatItIs();
 
 signals:
@@ -35,6 +35,7 @@ protected:
 private:
     enum Kind { NoSystem, Preset, FromFile, InUse };
 
+    void recognise();
     void fill();
     void add(const QString& name, Kind kind, const FuzzySystem& system);
     void choose(int index);
@@ -42,6 +43,8 @@ private:
     void chooseFile();
 
     std::shared_ptr<const FuzzySystem> m_system;
+    bool m_isPreset = false;
+    QString m_description;
 };
 
 } // namespace esm

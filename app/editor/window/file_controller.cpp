@@ -108,10 +108,11 @@ void FileController::openAll(const std::vector<std::filesystem::path>& files) {
 
 void FileController::openRecent(const QString& file) {
     if (QFileInfo::exists(file)) return openAny(toPath(file));
-    removeRecentFile(file);
-    m_recent->fill();
-    attempt(&m_window, tr("This file cannot be opened"),
-            [&] { throw FileError(toPath(file), tr("is no longer there").toStdString()); });
+    attempt(&m_window, tr("This file cannot be opened"), [&] {
+        throw FileError(
+            toPath(file),
+            tr("is not there; the disk, stick or network folder that holds it may be away").toStdString());
+    });
 }
 
 void FileController::noteOpened(const std::filesystem::path& file) {
@@ -223,7 +224,7 @@ void FileController::offerLeftBehind(Autosave& autosave) {
     if (box.clickedButton() == box.button(QMessageBox::Discard)) return Autosave::discard(latest);
     if (box.clickedButton() != restore) return;
     attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
-        m_document.replace(loadProject(latest.copy), std::nullopt, Origin::Unsaved);
+        m_document.replace(loadProject(latest.copy), std::nullopt, Origin::Unsaved, latest.title);
         autosave.takeOver(latest);
     });
 }

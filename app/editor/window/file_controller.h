@@ -2,7 +2,7 @@
 
 #include "app/editor/document/autosave.h"
 #include "app/editor/document/document.h"
-#include "app/editor/window/file_memory.h"
+#include "app/editor/document/file_memory.h"
 #include "core/render/camera.h"
 
 #include <QObject>

@@ -1,6 +1,6 @@
 #include "app/editor/window/recent_menu.h"
 
-#include "app/editor/window/file_memory.h"
+#include "app/editor/document/file_memory.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,4 +1,4 @@
-#include "app/editor/window/file_memory.h"
+#include "app/editor/document/file_memory.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -14,7 +14,7 @@ namespace {
 constexpr int mostRecentFiles = 8;
 
 QString folderKey(FileKind kind) {
-    constexpr std::array<const char*, 4> names{"project", "mesh", "photo", "package"};
+    constexpr std::array<const char*, 5> names{"project", "mesh", "photo", "package", "fuzzySystem"};
     return QStringLiteral("folders/") + QLatin1String(names[static_cast<std::size_t>(kind)]);
 }
 
@@ -51,12 +51,6 @@ void addRecentFile(const std::filesystem::path& file) {
     files.removeAll(path);
     files.prepend(path);
     QSettings().setValue(recentKey(), QStringList(files.mid(0, mostRecentFiles)));
-}
-
-void removeRecentFile(const QString& file) {
-    QStringList files = recentFiles();
-    files.removeAll(file);
-    QSettings().setValue(recentKey(), files);
 }
 
 void clearRecentFiles() {

@@ -8,7 +8,7 @@
 namespace esm {
 
 /// The kinds of files that the user keeps in folders of their own.
-enum class FileKind { Project, Mesh, Photo, Package };
+enum class FileKind { Project, Mesh, Photo, Package, FuzzySystem };
 
 /// Where the dialog for files of this kind starts: the folder last used for it, else the project's, else the
 /// user's documents.
@@ -18,7 +18,6 @@ void rememberFolder(FileKind kind, const std::filesystem::path& file);
 /// Full paths of the projects and meshes that were opened last, the latest first. Kept in the settings.
 QStringList recentFiles();
 void addRecentFile(const std::filesystem::path& file);
-void removeRecentFile(const QString& file);
 void clearRecentFiles();
 
 } // namespace esm
