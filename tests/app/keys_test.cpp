@@ -1,10 +1,11 @@
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
+#include "widgets/inputs/value_slider.h"
 #include "widgets/inputs/vector_field.h"
 
 #include <QAbstractButton>
 #include <QListWidget>
-#include <QSlider>
+#include <QSignalSpy>
 
 using namespace esm;
 
@@ -21,10 +22,24 @@ protected:
         control->setFocus();
         QTest::keyClick(control, key, modifiers);
     }
-    QSlider* inputSlider() const {
+    ValueSlider* inputSlider() const {
         const Region& region = project().regions.back();
         const auto name = "input-" + region.system->inputs[0].name;
-        return window->findChild<QWidget*>(QString::fromStdString(name))->findChild<QSlider*>();
+        return window->findChild<QWidget*>(QString::fromStdString(name))->findChild<ValueSlider*>();
+    }
+    /// Two keys in one movement, and one after a rest.
+    template<typename Control> void typeTwiceAndOnceMore(Control* control, Qt::Key key) {
+        auto* steps = window->document().undoStack();
+        const int before = steps->count();
+        control->setPause(std::chrono::hours(1));
+        type(control, key);
+        type(control, key);
+        EXPECT_EQ(steps->count(), before + 1);
+        QSignalSpy finished(control, &Control::gestureFinished);
+        control->setPause(std::chrono::milliseconds(0));
+        ASSERT_TRUE(finished.wait());
+        type(control, key);
+        EXPECT_EQ(steps->count(), before + 2);
     }
     Eigen::Vector3d viewDirection() const {
         const Camera& camera = window->view().camera();
@@ -75,26 +90,14 @@ TEST_F(KeysTest, SlidersOfTwoRegionsAreTwoSteps) {
 }
 
 TEST_F(KeysTest, SliderKeysAfterAPauseAreAnotherStep) {
-    auto* steps = window->document().undoStack();
-    const int before = steps->count();
-    type(inputSlider(), Qt::Key_Right);
-    type(inputSlider(), Qt::Key_Right);
-    EXPECT_EQ(steps->count(), before + 1);
-    QTest::qWait(1000);
-    type(inputSlider(), Qt::Key_Right);
-    EXPECT_EQ(steps->count(), before + 2);
+    typeTwiceAndOnceMore(inputSlider(), Qt::Key_Right);
 }
 
 TEST_F(KeysTest, ArrowsInANumberFieldAreOneStepUntilTheyRest) {
     auto* steps = window->document().undoStack();
     const double mass = project().base.mass;
     const int before = steps->count();
-    type(massField(), Qt::Key_Up);
-    type(massField(), Qt::Key_Up);
-    EXPECT_EQ(steps->count(), before + 1);
-    QTest::qWait(1000);
-    type(massField(), Qt::Key_Up);
-    EXPECT_EQ(steps->count(), before + 2);
+    typeTwiceAndOnceMore(massField(), Qt::Key_Up);
     steps->setIndex(before);
     EXPECT_EQ(project().base.mass, mass);
 }
@@ -103,6 +106,7 @@ TEST_F(KeysTest, ArrowsInAVectorFieldAreOneStep) {
     auto* steps = window->document().undoStack();
     const int before = steps->count();
     NumberField* x = child<VectorField>("ellipsoidCentre")->field(0);
+    x->setPause(std::chrono::hours(1));
     for (int i = 0; i < 3; ++i)
         type(x, Qt::Key_Up);
     EXPECT_EQ(steps->count(), before + 1);

@@ -1,12 +1,10 @@
 #include "app/editor/commands/region_edits.h"
 #include "app/editor/window/application.h"
 #include "app/editor/window/help.h"
-#include "app/editor/window/import_dialog.h"
 #include "app/editor/window/instrument_options.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 
-#include <QCheckBox>
 #include <QMenuBar>
 #include <QSignalSpy>
 
@@ -251,46 +249,4 @@ TEST_F(MainWindowTest, LivesOnWhenAnActionFails) {
     QTimer::singleShot(0, &failing, [&] { failing.trigger(); });
     ESM_EVENTUALLY(dialogs.isDone() && !said.isEmpty());
     EXPECT_EQ(said, "no more paper");
-}
-
-TEST(ImportDialog, ShowsTheSizeOfWhatIsKept) {
-    ImportedSurface all{{200, 100, 100}, {}, {{900, {50, 40, 30}}, {20, {10, 10, 5}}, {1, {1, 1, 0}}}},
-        largest{{50, 40, 30}, {}, {{900, {50, 40, 30}}}};
-    all.report.warnings = {"three parts"};
-    ImportDialog dialog("organ.obj", all, largest);
-    const auto* size = dialog.findChild<QLabel*>("importSize");
-    EXPECT_EQ(size->text(), "200 × 100 × 100 mm");
-    dialog.findChild<QComboBox*>("importKeep")->setCurrentIndex(1);
-    EXPECT_EQ(size->text(), "50 × 40 × 30 mm");
-    EXPECT_FALSE(dialog.findChild<QPlainTextEdit*>("importReport")->toPlainText().contains("three parts"));
-    for (const auto* choice : dialog.findChildren<QComboBox*>())
-        EXPECT_FALSE(choice->accessibleName().isEmpty());
-}
-
-TEST(ImportDialog, ListsThePartsWithTheirSizes) {
-    ImportedSurface all{{200, 100, 100}, {}, {{900, {50, 40, 30}}, {20, {10, 10, 5}}, {1, {1, 1, 0}}}},
-        largest{{50, 40, 30}, {}, {{900, {50, 40, 30}}}};
-    ImportDialog dialog("organ.obj", all, largest);
-    const auto* keep = dialog.findChild<QComboBox*>("importKeep");
-    EXPECT_EQ(keep->itemText(0), "all 3 parts");
-    EXPECT_EQ(keep->itemText(1), "the largest part: 900 triangles");
-    const auto* report = dialog.findChild<QPlainTextEdit*>("importReport");
-    EXPECT_TRUE(report->toPlainText().contains("1: 900 triangles, 50 × 40 × 30 mm"));
-    EXPECT_TRUE(report->toPlainText().contains("2: 20 triangles, 10 × 10 × 5.0 mm"));
-    EXPECT_TRUE(report->toPlainText().contains("3: 1 triangle,"));
-    dialog.findChild<QAbstractButton*>("unit1")->click();
-    EXPECT_TRUE(report->toPlainText().contains("1: 900 triangles, 500 × 400 × 300 mm"));
-}
-
-TEST_F(MainWindowTest, TakesAKeyBeforeItDrawsTheNextFrame) {
-    window->preview().setPlaying(false);
-    ESM_EVENTUALLY(!window->preview().status().playing);
-    QTest::qWait(300);
-    QStringList order;
-    QObject::connect(&window->view(), &OrganView::drawn, [&] { order << "drawn"; });
-    QObject::connect(window->windowActions().look, &QAction::triggered, [&] { order << "key"; });
-    QMetaObject::invokeMethod(&window->preview(), "frameReady", Qt::QueuedConnection);
-    qt_handleKeyEvent(window->windowHandle(), QEvent::KeyPress, Qt::Key_V, Qt::NoModifier, "v");
-    ESM_EVENTUALLY(order.contains("drawn") && order.contains("key"));
-    EXPECT_EQ(order.first(), "key");
 }

@@ -57,8 +57,8 @@ TEST(Preview, SaysWhyARefusedModelDoesNotPlay) {
 }
 
 TEST(Preview, SaysWhatWentWrongOutsideTheSimulationAndLivesOn) {
+    std::atomic<bool> broken = true; // outlives the thread that asks
     Preview preview;
-    std::atomic<bool> broken = true;
     QObject::connect(&preview, &Preview::frameReady, [&broken] {
         if (broken) throw std::runtime_error("no reason");
     });

@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <QTimer>
 
+#include <chrono>
 #include <limits>
 #include <optional>
 
@@ -36,6 +37,9 @@ public:
     const NumberFormat& format() const { return m_format; }
     /// Why what stands in the field was not taken; empty when it was.
     const QString& refusal() const { return m_refusal; }
+
+    /// How long the arrow keys rest before what follows is another edit.
+    void setPause(std::chrono::milliseconds pause) { m_pause.setInterval(pause); }
 
     QSize sizeHint() const override;
 

@@ -3,6 +3,8 @@
 #include <QSlider>
 #include <QTimer>
 
+#include <chrono>
+
 namespace esm {
 
 /// A slider that says when a movement of its handle is over, by whatever it was moved: mouse, keys or wheel.
@@ -16,6 +18,9 @@ public:
 
     /// As it is drawn, pixels. Half of it is how far from either end the handle's middle stays.
     int handleWidth() const { return handleRect().width(); }
+
+    /// How long keys and wheel rest before what follows is another edit.
+    void setPause(std::chrono::milliseconds pause) { m_pause.setInterval(pause); }
 
 signals:
     /// The handle was let go, the focus left, or nothing moved for a moment: what follows is another edit.

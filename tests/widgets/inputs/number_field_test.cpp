@@ -88,10 +88,12 @@ TEST_F(NumberFieldTest, ArrowsStepWithinTheLimits) {
 
 TEST_F(NumberFieldTest, SaysWhenTheArrowsRestAndWhenSomethingWasTyped) {
     QSignalSpy finished(&field, &NumberField::gestureFinished);
+    field.setPause(std::chrono::hours(1));
     QTest::keyClick(&field, Qt::Key_Up);
     QTest::keyClick(&field, Qt::Key_Up);
     EXPECT_EQ(finished.count(), 0);
-    QTest::qWait(1000);
+    field.setPause(std::chrono::milliseconds(0));
+    ASSERT_TRUE(finished.wait());
     EXPECT_EQ(finished.count(), 1);
     type("25");
     EXPECT_EQ(finished.count(), 2);

@@ -49,9 +49,11 @@ TEST_F(ValueSliderTest, TheWheelMovesItOnlyWithTheFocus) {
 
 TEST_F(ValueSliderTest, KeysAndWheelEndTheirGestureAfterAPause) {
     slider->setFocus();
+    slider->setPause(std::chrono::hours(1));
     QTest::keyClick(slider, Qt::Key_Right);
     QTest::keyClick(slider, Qt::Key_Right);
     EXPECT_EQ(finished.count(), 0);
+    slider->setPause(std::chrono::milliseconds(0));
     EXPECT_TRUE(finished.wait(5000));
     turnWheel();
     EXPECT_TRUE(finished.wait(5000));

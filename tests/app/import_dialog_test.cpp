@@ -1,0 +1,56 @@
+#include "app/editor/window/import_dialog.h"
+
+#include <gtest/gtest.h>
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+
+using namespace esm;
+
+namespace {
+
+ImportedSurface threeParts() {
+    ImportedSurface surface;
+    surface.extent = {200, 100, 100};
+    surface.parts = {{900, {50, 40, 30}}, {20, {10, 10, 5}}, {1, {1, 1, 0}}};
+    surface.report.warnings = {"three parts"};
+    return surface;
+}
+
+ImportedSurface largestOf(const ImportedSurface& surface) {
+    ImportedSurface largest;
+    largest.parts = {surface.parts.front()};
+    largest.extent = largest.parts.front().extent;
+    return largest;
+}
+
+class ImportDialogTest : public testing::Test {
+protected:
+    QString reported() const { return dialog.findChild<QPlainTextEdit*>("importReport")->toPlainText(); }
+
+    ImportDialog dialog{"organ.obj", threeParts(), largestOf(threeParts())};
+    QComboBox* keep = dialog.findChild<QComboBox*>("importKeep");
+};
+
+} // namespace
+
+TEST_F(ImportDialogTest, ShowsTheSizeOfWhatIsKept) {
+    const auto* size = dialog.findChild<QLabel*>("importSize");
+    EXPECT_EQ(size->text(), "200 × 100 × 100 mm");
+    keep->setCurrentIndex(1);
+    EXPECT_EQ(size->text(), "50 × 40 × 30 mm");
+    EXPECT_FALSE(reported().contains("three parts"));
+    for (const auto* choice : dialog.findChildren<QComboBox*>())
+        EXPECT_FALSE(choice->accessibleName().isEmpty());
+}
+
+TEST_F(ImportDialogTest, ListsThePartsWithTheirSizes) {
+    EXPECT_EQ(keep->itemText(0), "all 3 parts");
+    EXPECT_EQ(keep->itemText(1), "the largest part: 900 triangles");
+    EXPECT_TRUE(reported().contains("1: 900 triangles, 50 × 40 × 30 mm"));
+    EXPECT_TRUE(reported().contains("2: 20 triangles, 10 × 10 × 5.0 mm"));
+    EXPECT_TRUE(reported().contains("3: 1 triangle,"));
+    dialog.findChild<QAbstractButton*>("unit1")->click();
+    EXPECT_TRUE(reported().contains("1: 900 triangles, 500 × 400 × 300 mm"));
+}
