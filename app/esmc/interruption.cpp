@@ -54,11 +54,12 @@ void Interruption::disarm() {
 void Interruption::watch() {
     const sigset_t signals = watchedSignals();
     std::unique_lock<std::mutex> lock(m_mutex);
-    for (int received = wakeSignal; received == wakeSignal && !m_disarmed;) {
+    int received = wakeSignal;
+    do {
         lock.unlock();
         sigwait(&signals, &received);
         lock.lock();
-    }
+    } while (received == wakeSignal && !m_disarmed);
     if (m_disarmed) return;
     m_requested = true;
     if (m_disarming.wait_for(lock, std::chrono::milliseconds(500), [this] { return m_disarmed; })) return;

@@ -11,16 +11,13 @@ namespace esm {
 
 namespace {
 
-struct DiscardArchive {
-    void operator()(zip_t* archive) const { zip_discard(archive); }
-};
 struct FreeSource {
     void operator()(zip_source_t* source) const { zip_source_free(source); }
 };
 struct CloseFile {
     void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
-using Archive = std::unique_ptr<zip_t, DiscardArchive>;
+using Archive = std::unique_ptr<zip_t, decltype(&zip_discard)>;
 using Source = std::unique_ptr<zip_source_t, FreeSource>;
 using File = std::unique_ptr<zip_file_t, CloseFile>;
 
@@ -60,7 +57,7 @@ Bytes contentOf(zip_source_t* source) {
 Bytes makeZip(const std::vector<ZipEntry>& entries) {
     const Source memory(zip_source_buffer_create(nullptr, 0, 0, nullptr));
     require(memory != nullptr);
-    Archive archive(zip_open_from_source(memory.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr));
+    Archive archive(zip_open_from_source(memory.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr), &zip_discard);
     require(archive != nullptr);
     zip_source_keep(memory.get()); // the archive's own reference goes with zip_close()
     for (const ZipEntry& entry : entries)
@@ -71,7 +68,7 @@ Bytes makeZip(const std::vector<ZipEntry>& entries) {
 }
 
 struct ZipReader::Handle {
-    std::unique_ptr<zip_t, decltype(&zip_discard)> archive{nullptr, &zip_discard};
+    Archive archive{nullptr, &zip_discard};
 };
 
 ZipReader::ZipReader(const Bytes& archive) : m_handle(std::make_unique<Handle>()) {

@@ -104,8 +104,8 @@ uniform vec3 baseColour;
 uniform sampler2D page;
 out vec4 colour;
 
-// A pixel on a triangle's edge may have its middle outside the triangle. What lies beside the patch in the page does not
-// lie beside it on the surface, so the page is never read there.
+// A pixel on a triangle's edge may have its middle outside the triangle. What lies beside the patch in the page
+// does not lie beside it on the surface, so the page is never read there.
 vec2 place() {
     vec3 inside = max(shares, 0.0);
     inside /= inside.x + inside.y + inside.z;

@@ -139,7 +139,7 @@ TEST_F(MainWindowTest, SaysWhatThePreviewLeavesOut) {
     edit([](Project& p) { p.scene.forces.push_back({0, Eigen::Vector3d(0, 0.1, 0), 0, 1}); });
     EXPECT_NE(message(), "");
     EXPECT_TRUE(child<QLabel>("message")->toolTip().contains("forces"));
-    EXPECT_FALSE(child<QLabel>("message")->toolTip().contains("movements")) << "only what there is";
+    EXPECT_FALSE(child<QLabel>("message")->toolTip().contains("instrument")) << "only what there is";
     press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(message(), "");
 }
@@ -148,8 +148,9 @@ TEST_F(MainWindowTest, ExplainsTheStepInPlainWords) {
     ESM_EVENTUALLY(!child<QLabel>("stepping")->text().isEmpty());
     const QString shown = child<QLabel>("stepping")->text();
     EXPECT_TRUE(shown.startsWith("step")) << shown.toStdString();
-    const std::string method = window->preview().status().integrator;
-    EXPECT_TRUE(child<QLabel>("stepping")->toolTip().contains(QString::fromStdString(method)));
+    const QString method = integratorName(*window->preview().status().integrator);
+    EXPECT_TRUE(child<QLabel>("stepping")->toolTip().contains(method + ", "))
+        << "with a word on what it does";
 }
 
 TEST_F(MainWindowTest, SaysHowAPhotoIsAddedWhereThereIsNone) {

@@ -61,9 +61,11 @@ class HelpTest(Case):
 
     def test_an_ending_that_says_another_kind_of_file_is_refused(self):
         project = self.sample("tube")
-        for ending, line in [(".png", ["render", project, "-o", "x.jpg"]), (".png", ["sample", "vessels", "-o", "x.esm"]),
+        for ending, line in [(".png", ["render", project, "-o", "x.jpg"]),
+                             (".png", ["sample", "vessels", "-o", "x.esm"]),
                              (".esm", ["sample", "tube", "-o", "x.png"]), (".esm", ["import", "a.obj", "-o", "x.glb"]),
-                             (".esm", ["tissue", project, "-o", "x.json"]), (".esm", ["scene", project, "--scene", "s.json", "-o", "x.glb"]),
+                             (".esm", ["tissue", project, "-o", "x.json"]),
+                             (".esm", ["scene", project, "--scene", "s.json", "-o", "x.glb"]),
                              (".esm", ["texture", "pack", project, "-o", "x.png"]),
                              (".glb", ["export", project, "--to", "glb", "-o", "x.esm"]),
                              (".csv", ["simulate", project, "-o", "x.json"])]:

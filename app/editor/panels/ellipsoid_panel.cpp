@@ -23,14 +23,20 @@ EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget
     body()->addWidget(rows);
 
     connect(m_centre, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& centre) {
-        edit(tr("Move region"), [&](Ellipsoid& ellipsoid) { ellipsoid.centre = centre; });
+        edit(
+            tr("Move region"), [&](Ellipsoid& ellipsoid) { ellipsoid.centre = centre; },
+            QStringLiteral("ellipsoid centre"));
     });
     connect(m_radii, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& radii) {
-        edit(tr("Resize region"), [&](Ellipsoid& ellipsoid) { ellipsoid.radii = radii; });
+        edit(
+            tr("Resize region"), [&](Ellipsoid& ellipsoid) { ellipsoid.radii = radii; },
+            QStringLiteral("ellipsoid radii"));
     });
     connect(m_turned, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& degrees) {
-        edit(tr("Turn region"),
-             [&](Ellipsoid& ellipsoid) { ellipsoid.orientation = Eigen::Quaterniond(rotationOf(degrees)); });
+        edit(
+            tr("Turn region"),
+            [&](Ellipsoid& ellipsoid) { ellipsoid.orientation = Eigen::Quaterniond(rotationOf(degrees)); },
+            QStringLiteral("ellipsoid turn"));
     });
     for (VectorField* field : {m_centre, m_radii, m_turned})
         connect(field, &VectorField::gestureFinished, &document, &Document::finishGesture);
@@ -71,12 +77,13 @@ void EllipsoidPanel::showInside() {
     m_springsInside->setText(tr("%1 springs").arg(countText(inside.springs)));
 }
 
-void EllipsoidPanel::edit(const QString& text, const std::function<void(Ellipsoid&)>& change) {
+void EllipsoidPanel::edit(const QString& text, const std::function<void(Ellipsoid&)>& change,
+                          const QString& mergeKey) {
     const auto selected = m_selection.region();
     if (!selected || !m_document.project().regions[*selected].ellipsoid) return;
     m_document.edit(
         text, [&](Project& project) { change(*project.regions[*selected].ellipsoid); },
-        QStringLiteral("%1 %2").arg(text).arg(*selected));
+        QStringLiteral("%1 %2").arg(mergeKey).arg(*selected));
 }
 
 } // namespace esm

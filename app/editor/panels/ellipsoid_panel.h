@@ -22,7 +22,8 @@ private:
     void show();
     /// Counting takes a moment: only while it is seen.
     void showInside();
-    void edit(const QString& text, const std::function<void(Ellipsoid&)>& change);
+    /// @param mergeKey of edits that become one step while a gesture lasts
+    void edit(const QString& text, const std::function<void(Ellipsoid&)>& change, const QString& mergeKey);
 
     Document& m_document;
     Selection& m_selection;

@@ -113,11 +113,8 @@ void PhotoPanel::showPicture(const std::shared_ptr<const Photo>& photo) {
 }
 
 void PhotoPanel::setOpacity(double opacity) {
-    const auto selected = m_selection.photo();
-    if (!selected) return;
-    m_document.edit(
-        tr("Set opacity"), [&](Project& project) { project.photos[*selected].opacity = opacity; },
-        QStringLiteral("opacity %1").arg(*selected));
+    edit(
+        tr("Set opacity"), [=](PhotoLayer& layer) { layer.opacity = opacity; }, QStringLiteral("opacity"));
 }
 
 void PhotoPanel::edit(const QString& text, const std::function<void(PhotoLayer&)>& change,

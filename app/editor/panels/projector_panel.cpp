@@ -23,17 +23,25 @@ ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget
     body()->addWidget(m_fromCamera, 0, Qt::AlignLeft);
 
     connect(m_width, &NumberField::valueEdited, this, [this](double width) {
-        edit(tr("Resize projector"), [=](Projector& projector) { projector.width = width; });
+        edit(
+            tr("Resize projector"), [=](Projector& projector) { projector.width = width; },
+            QStringLiteral("projector size"));
     });
     connect(m_height, &NumberField::valueEdited, this, [this](double height) {
-        edit(tr("Resize projector"), [=](Projector& projector) { projector.height = height; });
+        edit(
+            tr("Resize projector"), [=](Projector& projector) { projector.height = height; },
+            QStringLiteral("projector size"));
     });
     connect(m_position, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& position) {
-        edit(tr("Move projector"), [&](Projector& projector) { projector.pose.translation() = position; });
+        edit(
+            tr("Move projector"), [&](Projector& projector) { projector.pose.translation() = position; },
+            QStringLiteral("projector position"));
     });
     connect(m_turned, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& degrees) {
-        edit(tr("Turn projector"),
-             [&](Projector& projector) { projector.pose.linear() = rotationOf(degrees); });
+        edit(
+            tr("Turn projector"),
+            [&](Projector& projector) { projector.pose.linear() = rotationOf(degrees); },
+            QStringLiteral("projector turn"));
     });
     for (NumberField* field : {m_width, m_height})
         connect(field, &NumberField::gestureFinished, &document, &Document::finishGesture);
@@ -65,12 +73,13 @@ void ProjectorPanel::setFromCameraAction(QAction* action) {
     follow(m_fromCamera, action);
 }
 
-void ProjectorPanel::edit(const QString& text, const std::function<void(Projector&)>& change) {
+void ProjectorPanel::edit(const QString& text, const std::function<void(Projector&)>& change,
+                          const QString& mergeKey) {
     const auto selected = m_selection.photo();
     if (selected)
         m_document.edit(
             text, [&](Project& project) { change(project.photos[*selected].projector); },
-            QStringLiteral("%1 %2").arg(text).arg(*selected));
+            QStringLiteral("%1 %2").arg(mergeKey).arg(*selected));
 }
 
 } // namespace esm

@@ -21,7 +21,8 @@ public:
 
 private:
     void show();
-    void edit(const QString& text, const std::function<void(Projector&)>& change);
+    /// @param mergeKey of edits that become one step while a gesture lasts
+    void edit(const QString& text, const std::function<void(Projector&)>& change, const QString& mergeKey);
 
     Document& m_document;
     Selection& m_selection;

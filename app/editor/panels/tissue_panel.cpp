@@ -203,7 +203,7 @@ void TissuePanel::addBaseParameter(Parameter parameter) {
         const QString name = parameterName(parameter, Extent::Base);
         m_document.edit(
             tr("Set %1").arg(name), [&](Project& project) { valueOf(project.base, parameter) = value; },
-            QStringLiteral("base %1").arg(name));
+            QStringLiteral("base %1").arg(static_cast<int>(parameter)));
     });
     connect(row, &ParameterRow::gestureFinished, &m_document, &Document::finishGesture);
     m_refreshers.emplace_back([this, row, parameter](const Region*, const RegionTissue&) {
@@ -218,8 +218,9 @@ void TissuePanel::setHeld(Parameter parameter, std::optional<double> value, Merg
     const QString name = parameterName(parameter, Extent::Region);
     m_document.edit((value ? tr("Hold %1") : tr("Let go of %1")).arg(name),
                     [&](Project& project) { valueOf(project.regions[*selected].held, parameter) = value; },
-                    merging == Merging::WhileMoved ? QStringLiteral("held %1 %2").arg(*selected).arg(name)
-                                                   : QString());
+                    merging == Merging::WhileMoved
+                        ? QStringLiteral("held %1 %2").arg(*selected).arg(static_cast<int>(parameter))
+                        : QString());
 }
 
 void TissuePanel::chooseSystem(const std::shared_ptr<const FuzzySystem>& system) {

@@ -111,7 +111,7 @@ void PreviewRun::measure(double simulated, double computing) {
 PreviewStatus PreviewRun::status() const {
     PreviewStatus status;
     if (m_simulation) {
-        status.integrator = integratorName(m_simulation->integrator());
+        status.integrator = m_simulation->integrator();
         status.timeStep = m_simulation->timeStep();
     }
     status.realTimeFactor = m_computing > 0 ? m_simulated / m_computing : 0;

@@ -26,8 +26,8 @@ struct PreviewLoads {
 /// How the run goes.
 struct PreviewStatus {
     bool playing = false;
-    std::string integrator;         ///< empty without a simulation
-    double timeStep = 0;            ///< s
+    std::optional<Integrator> integrator; ///< none without a simulation
+    double timeStep = 0;                  ///< s
     std::optional<double> safeStep; ///< s, largest stable step of the integrator; infinite without a limit
     double realTimeFactor = 0;      ///< simulated over computing time
     std::string failure;            ///< why the tissue cannot move; empty when all is well

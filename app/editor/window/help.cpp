@@ -36,8 +36,11 @@ QString viewRows(const Actions& a) {
     QString rows = row(QObject::tr("Right drag, Alt + left drag"), QObject::tr("Turn the view")) +
                    row(QObject::tr("Middle drag, Shift + either"), QObject::tr("Shift the view")) +
                    row(QObject::tr("Wheel"), QObject::tr("Come closer, go away")) + actionRow(a.frame);
-    for (const QAction* side : a.standardViews)
-        rows += row(keysOf(side), QObject::tr("Look from the %1").arg(side->text().remove('&').toLower()));
+    const QStringList sides{QObject::tr("Look from the front"), QObject::tr("Look from the back"),
+                            QObject::tr("Look from the left"),  QObject::tr("Look from the right"),
+                            QObject::tr("Look from the top"),   QObject::tr("Look from the bottom")};
+    for (int i = 0; i < sides.size(); ++i)
+        rows += row(keysOf(a.standardViews[static_cast<std::size_t>(i)]), sides[i]);
     return rows;
 }
 
@@ -46,11 +49,8 @@ QString toolRows(const Actions& a) {
     for (const auto& [action, tool] :
          {std::pair(a.look, ViewTool::Select), std::pair(a.pull, ViewTool::Pull),
           std::pair(a.instrument, ViewTool::Instrument), std::pair(a.region, ViewTool::Region),
-          std::pair(a.projector, ViewTool::Projector)}) {
-        QString use = toolUse(tool);
-        use[0] = use[0].toLower();
-        rows += row(keysOf(action), action->text().remove('&') + QStringLiteral(": ") + use);
-    }
+          std::pair(a.projector, ViewTool::Projector)})
+        rows += row(keysOf(action), QObject::tr("%1: %2").arg(action->text().remove('&'), toolUse(tool)));
     return rows + actionRow(a.letGo);
 }
 

@@ -169,16 +169,14 @@ void MainWindow::showTitle() {
 void MainWindow::noteWhatIsLeftOut() {
     const Scene& scene = m_document->project().scene;
     QStringList parts;
-    if (!scene.forces.empty()) parts << tr("forces");
-    if (!scene.moves.empty()) parts << tr("movements");
-    if (scene.instrument) parts << tr("an instrument's path");
+    if (!scene.forces.empty()) parts << tr("At set times, forces act on nodes.");
+    if (!scene.moves.empty()) parts << tr("At set times, nodes are moved.");
+    if (scene.instrument) parts << tr("An instrument follows a path.");
     if (parts.isEmpty()) return m_status->showNote({}, {});
-    const QString all = parts.join(tr(" and "));
-    m_status->showNote(tr("Not played here: the project's test run (%1)").arg(all),
-                       tr("The project holds a test run for the command line: %1, at set times. The window "
-                          "leaves it out and shows "
-                          "what you do yourself; “esmc simulate” plays it and writes the motion to a file.")
-                           .arg(all));
+    parts.prepend(
+        tr("The project holds a test run for the command line. The window leaves it out and shows what "
+           "you do yourself; “esmc simulate” plays it and writes the motion to a file."));
+    m_status->showNote(tr("Not played here: the project's test run"), parts.join('\n'));
 }
 
 void MainWindow::setTheme(bool light) {

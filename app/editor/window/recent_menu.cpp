@@ -28,6 +28,10 @@ RecentMenu::RecentMenu(QMenu& menu, QObject* parent) : QObject(parent), m_menu(m
 void RecentMenu::fill() {
     m_menu.clear();
     const QStringList files = recentFiles();
+    if (files.isEmpty()) {
+        m_menu.addAction(tr("No file was opened yet"))->setEnabled(false);
+        return;
+    }
     for (const QString& file : files)
         // Later: the menu may be filled anew while its entry is still at work.
         connect(
@@ -41,7 +45,6 @@ void RecentMenu::fill() {
             fill();
         },
         Qt::QueuedConnection);
-    m_menu.menuAction()->setEnabled(!files.isEmpty());
 }
 
 } // namespace esm

@@ -18,11 +18,17 @@ QString millisecondsText(double seconds) {
 }
 
 /// What a stepping method does, in plain words.
-QString methodText(const std::string& integrator) {
-    if (integrator == "split2")
-        return QObject::tr("a method of second order that stays calm however viscous the tissue is");
-    if (integrator == "split") return QObject::tr("a method that stays calm however viscous the tissue is");
-    return QObject::tr("the simplest method; it needs small steps");
+QString methodText(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::Euler:
+        return QObject::tr("euler, the simplest method; it needs small steps");
+    case Integrator::Split:
+        return QObject::tr("split, a method that stays calm however viscous the tissue is");
+    case Integrator::Split2:
+        return QObject::tr("split2, a method of second order that stays calm however viscous the tissue is");
+    default:
+        return QString::fromLatin1(integratorName(integrator));
+    }
 }
 
 QString safeText(const PreviewStatus& status) {
@@ -104,8 +110,7 @@ void StatusLine::showRate() {
 void StatusLine::showStatus(const PreviewStatus& status) {
     const bool moves = status.playing && status.realTimeFactor > 0;
     m_realTime->setText(moves ? tr("%1× real time").arg(numberText(status.realTimeFactor, 2)) : tr("paused"));
-    m_step->setText(status.integrator.empty() ? QString()
-                                              : tr("step %1").arg(millisecondsText(status.timeStep)));
+    m_step->setText(status.integrator ? tr("step %1").arg(millisecondsText(status.timeStep)) : QString());
     m_stability->setText(safeText(status));
     explainStep(status);
     m_gauge->setShare(status.safeStep ? status.timeStep / *status.safeStep : -1);
@@ -118,11 +123,11 @@ void StatusLine::showStatus(const PreviewStatus& status) {
 void StatusLine::explainStep(const PreviewStatus& status) {
     const QString step = millisecondsText(status.timeStep);
     m_step->setToolTip(
-        status.integrator.empty()
-            ? QString()
-            : tr("The motion is computed in steps of time: where every point of the tissue is %1 "
-                 "later, and so on.\nMethod: %2, %3.")
-                  .arg(step, QString::fromStdString(status.integrator), methodText(status.integrator)));
+        status.integrator
+            ? tr("The motion is computed in steps of time: where every point of the tissue is %1 "
+                 "later, and so on.\nMethod: %2.")
+                  .arg(step, methodText(*status.integrator))
+            : QString());
     QString gauge =
         tr("How safely the motion is computed. The mark is the step of time in use, red begins at the "
            "largest step that stays stable.\nBeyond it the tissue would swing ever wilder and fly apart; "
