@@ -123,7 +123,9 @@ TEST(FuzzyPreset, IsThePublishedSystem) {
     for (const std::string& name : fuzzyPresetNames()) {
         const std::filesystem::path file = sharedData("fuzzy/" + name + ".json");
         ESM_SKIP_WITHOUT(file);
-        EXPECT_EQ(toJson(fuzzyPreset(name)), toJson(readFuzzyFile(file))) << name;
+        FuzzySystem preset = fuzzyPreset(name);
+        preset.description.clear(); // our own words
+        EXPECT_EQ(toJson(preset), toJson(readFuzzyFile(file))) << name;
     }
 }
 
