@@ -28,6 +28,20 @@ double parseNumber(const std::string& text, const std::string& option) {
     return *value;
 }
 
+/// Of the term's core, where it holds fully.
+double middleOfTerm(const FuzzySystem& system, const std::string& input, const std::string& word,
+                    const std::string& option) {
+    for (const FuzzyVariable& variable : system.inputs) {
+        if (variable.name != input) continue;
+        for (const FuzzyTerm& term : variable.terms)
+            if (term.name == word) return (term.set.b + term.set.c) / 2;
+        throw UsageError(option + " " + input + ": '" + word +
+                         "' is neither a number nor one of its terms, " + joinedNames(variable.terms));
+    }
+    throw UsageError(option + ": '" + input + "' is not one of the system's inputs, " +
+                     joinedNames(system.inputs));
+}
+
 /// CLI11 itself would read leading zeros as octal. @param range " from 1 to 9", for the message
 CLI::Validator decimal(int least, int most, const std::string& range) {
     const auto transform = [least, most, range](std::string& text) -> std::string {
@@ -59,16 +73,32 @@ std::vector<double> parseNumbers(const std::string& text, const std::string& opt
     return numbers;
 }
 
-NamedValues parsePairs(const std::vector<std::string>& pairs, const std::string& option) {
-    NamedValues values;
+NamedWords parseNamedWords(const std::vector<std::string>& pairs, const std::string& option) {
+    NamedWords words;
     for (const std::string& pair : pairs) {
         const std::size_t equals = pair.find('=');
         if (equals == std::string::npos || equals == 0)
             throw UsageError(option + ": '" + pair + "' is not of the form NAME=VALUE");
         const std::string name = pair.substr(0, equals);
-        for (const auto& [other, value] : values)
+        for (const auto& [other, word] : words)
             if (other == name) throw UsageError(option + ": '" + name + "' is given twice");
-        values.emplace_back(name, parseNumber(pair.substr(equals + 1), option + " " + name));
+        words.emplace_back(name, pair.substr(equals + 1));
+    }
+    return words;
+}
+
+NamedValues parsePairs(const std::vector<std::string>& pairs, const std::string& option) {
+    NamedValues values;
+    for (const auto& [name, word] : parseNamedWords(pairs, option))
+        values.emplace_back(name, parseNumber(word, option + " " + name));
+    return values;
+}
+
+NamedValues inputsFor(const FuzzySystem& system, const NamedWords& words, const std::string& option) {
+    NamedValues values;
+    for (const auto& [name, word] : words) {
+        const std::optional<double> number = finiteNumber(word);
+        values.emplace_back(name, number ? *number : middleOfTerm(system, name, word, option));
     }
     return values;
 }

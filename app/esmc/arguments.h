@@ -19,6 +19,16 @@ std::vector<double> parseNumbers(const std::string& text, const std::string& opt
 /// NAME=V with a finite V. @throws UsageError
 NamedValues parsePairs(const std::vector<std::string>& pairs, const std::string& option);
 
+/// Values as they were typed, by name, in the order of the command line.
+using NamedWords = std::vector<std::pair<std::string, std::string>>;
+
+/// NAME=V with any V. @throws UsageError
+NamedWords parseNamedWords(const std::vector<std::string>& pairs, const std::string& option);
+
+/// Inputs of a fuzzy system: finite numbers, or terms, which stand for the middle of their cores.
+/// @throws UsageError listing the terms or the inputs there are
+NamedValues inputsFor(const FuzzySystem& system, const NamedWords& words, const std::string& option);
+
 /// "cx cy cz rx ry rz [ax ay az degrees]". @throws UsageError
 Ellipsoid parseEllipsoid(const std::string& text);
 

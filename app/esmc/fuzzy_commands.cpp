@@ -15,7 +15,8 @@ void declareEval(CLI::App& command, EvalOptions& options) {
     command.add_option("system", options.system, "Fuzzy system: a JSON file, or a preset's name")->required();
     command
         .add_option("--set", options.values,
-                    "NAME=VALUE of an input; repeat it for every input that is known")
+                    "NAME=VALUE of an input, a number or a term's name; repeat it for every input that is "
+                    "known")
         ->allow_extra_args(false);
 }
 
@@ -45,10 +46,10 @@ void addOutputs(Report& report, const FuzzySystem& system, const InferenceResult
 }
 
 Report runEval(const EvalOptions& options, Context& context) {
-    const NamedValues values = parsePairs(options.values, "--set");
+    const NamedWords words = parseNamedWords(options.values, "--set");
     context.subject = options.system;
     const FuzzySystem system = findFuzzySystem(options.system);
-    const auto inputs = orderedInputs(system, values);
+    const auto inputs = orderedInputs(system, inputsFor(system, words, "--set"));
     const InferenceResult result = infer(system, inputs);
     Report report;
     addOutputs(report, system, result);

@@ -21,8 +21,9 @@ void declareTissue(CLI::App& command, TissueOptions& options) {
         ->check(writtenAs(".esm"));
     command.add_option("--system", options.system, "Fuzzy system: a JSON file, or a preset's name");
     command
-        .add_option("--set", options.values,
-                    "NAME=VALUE of an input of the system; repeat it for every input")
+        .add_option(
+            "--set", options.values,
+            "NAME=VALUE of an input of the system, a number or a term's name; repeat it for every input")
         ->allow_extra_args(false);
     command.add_option("--ellipsoid", options.ellipsoid,
                        "The region, \"cx cy cz rx ry rz [ax ay az degrees]\", m (default: the whole organ)");
@@ -59,8 +60,7 @@ std::array<std::uint8_t, 3> colourOf(std::size_t region) {
 Region requestedRegion(const TissueOptions& options) {
     Region region;
     if (!options.ellipsoid.empty()) region.ellipsoid = parseEllipsoid(options.ellipsoid);
-    region.inputs = parsePairs(options.values, "--set");
-    if (!region.inputs.empty() && options.system.empty())
+    if (!options.values.empty() && options.system.empty())
         throw UsageError("--set speaks of a fuzzy system's inputs; name the system with --system");
     for (const auto& [name, value] : parsePairs(options.overrides, "--override"))
         hold(region.held, name, value);
@@ -89,10 +89,13 @@ Report describe(const Region& region, const RegionResult& result) {
 
 Report runTissue(const TissueOptions& options, Context& context) {
     Region region = requestedRegion(options);
+    const NamedWords inputs = parseNamedWords(options.values, "--set");
     context.subject = options.project;
     Project project = loadProject(options.project);
-    if (!options.system.empty())
+    if (!options.system.empty()) {
         region.system = std::make_shared<const FuzzySystem>(findFuzzySystem(options.system));
+        region.inputs = inputsFor(*region.system, inputs, "--set");
+    }
     region.colour = colourOf(project.regions.size());
     region.name = !options.name.empty() ? options.name
                   : region.ellipsoid    ? "region " + std::to_string(project.regions.size() + 1)

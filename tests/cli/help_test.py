@@ -34,7 +34,7 @@ class HelpTest(Case):
                      ["import", "a.obj", "-o", out, "--weld", "nan"], ["import", "a.obj", "-o", out, "--weld", "inf"],
                      ["texture", "photo", project, "--photo", "a.png", "--projector", "b.json", "--blend", "nan", "-o", out],
                      ["fuzzy", "eval", "susilap-g", "--set", "consistency"],
-                     ["fuzzy", "eval", "susilap-g", "--set", "consistency=soft"],
+                     ["fuzzy", "eval", "susilap-g", "--set", "consistency=tough"],
                      ["fuzzy", "eval", "susilap-g", "--set", "consistency=nan"],
                      ["tissue", project, "-o", out, "--ellipsoid", "1 2 3"],
                      ["tissue", project, "-o", out, "--ellipsoid", "0 0 0 1 0 1"],

@@ -1,4 +1,5 @@
 import csv
+import json
 import math
 import unittest
 
@@ -30,6 +31,17 @@ class FuzzyTest(Case):
                             self.assertIsNone(report["outputs"][output])
                         else:
                             self.assertAlmostEqual(report["outputs"][output] / row[output], 1, delta=1e-9)
+
+    def test_takes_a_term_for_the_middle_of_its_core(self):
+        system = json.loads(self.data("fuzzy/susilap-g.json").read_text())
+        terms = system["inputs"]["consistency"]["terms"]
+        for name, (_, b, c, _) in terms.items():
+            with self.subTest(name):
+                self.assertEqual(self.evaluated(f"consistency={name}"), self.evaluated(f"consistency={(b + c) / 2!r}"))
+        message = self.fails(2, "fuzzy", "eval", "susilap-g", "--set", "consistency=tough", naming="tough")
+        for name in terms:
+            self.assertIn(name, message)
+        self.fails(2, "fuzzy", "eval", "susilap-g", "--set", "colour=red", naming="consistency")
 
     def test_without_inputs_no_rule_fires(self):
         report = self.evaluated()
@@ -106,6 +118,12 @@ class TissueTest(Case):
         project = self.sample("tube")
         report = self.done("tissue", project, "--system", "susilap-g", "--set", "consistency=12.5", "-o", project)
         self.assertIn("consistency", " ".join(report["warnings"]))
+
+    def test_the_region_takes_a_word(self):
+        project = self.sample("tube")
+        said, typed = (self.done("tissue", project, "--system", "susilap-g", "--set", f"consistency={value}", "-o",
+                                 self.file("b.esm")) for value in ("flexible", "5.65"))
+        self.assertEqual(said, typed)
 
     def test_an_unknown_input_changes_nothing(self):
         project = self.sample("tube")
