@@ -21,7 +21,8 @@ Report runValidate(const ValidateOptions& options, Context& context) {
         isPackage ? validatePackage(options.file) : validateProjectFile(options.file);
     Report report;
     report.json = {{"valid", problems.empty()}, {"problems", problems}};
-    report.text = problems;
+    // The error line tells a single problem.
+    if (problems.size() > 1) report.text = problems;
     if (problems.empty()) report.text.push_back(options.file + ": all is well");
     if (problems.size() == 1) report.failure = problems.front();
     if (problems.size() > 1)

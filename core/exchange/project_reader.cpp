@@ -241,12 +241,19 @@ void requireKnownVersion(const JsonReader& manifest) {
     refuseNewerVersion(manifest, projectFileVersion);
 }
 
+/// What every zip archive begins with, an empty or a cut one too.
+bool beginsAsZip(const Bytes& content) {
+    return content.size() >= 2 && content[0] == 'P' && content[1] == 'K';
+}
+
 /// The project and every problem of its file. The project is of use only without problems.
 std::pair<Project, std::vector<std::string>> readProject(const std::filesystem::path& file) {
     const Bytes content = readFile(file);
     std::vector<std::string> problems;
     try {
         if (content.empty()) throw InvalidModel("is empty; choose another file");
+        if (!beginsAsZip(content))
+            throw InvalidModel("is not a project of this program, but another kind of file, or damaged");
         const ZipReader archive(content);
         const Json json = readManifest(archive);
         const JsonReader manifest(json, "", problems);

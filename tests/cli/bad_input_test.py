@@ -66,6 +66,10 @@ class BadProjectTest(Case):
                      ["render", bad, "-o", out]):
             with self.subTest(line):
                 self.fails(1, *line, naming=bad)
+        process = command("validate", bad)
+        self.assertEqual((process.returncode, process.stderr.count("\n")), (1, 1))
+        if process.stdout:
+            self.assertNotIn(process.stdout.strip(), process.stderr, "a problem is told once")
         process = command("validate", bad, "--json")
         self.assertEqual(process.returncode, 1)
         if process.stdout:

@@ -166,7 +166,7 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
     overwrite(m_file, std::string());
     EXPECT_THAT(loadingError(), HasSubstr("is empty"));
     overwrite(m_file, std::string("solid organ\nendsolid\n"));
-    EXPECT_THAT(loadingError(), HasSubstr("no zip archive"));
+    EXPECT_THAT(loadingError(), HasSubstr(": is not a project"));
     overwrite(m_file, makeZip({{"word/document.xml", {1, 2, 3}, true}}));
     EXPECT_THAT(loadingError(), HasSubstr("manifest.json is missing"));
 }
