@@ -44,12 +44,11 @@ void declareImport(CLI::App& command, ImportOptions& options) {
 
 /// Says which unit was probably meant; empty when the size (m) is one that organs and bodies have.
 std::string doubtfulSize(double size, LengthUnit unit) {
-    const auto isPlausible = [](double metres) { return metres >= 0.001 && metres <= 3; };
-    if (isPlausible(size)) return {};
+    if (isPlausibleSize(size)) return {};
     std::string advice;
     for (const auto& [name, other] : units) {
         const double meant = size / metresPer(unit) * metresPer(other);
-        if (!isPlausible(meant)) continue;
+        if (!isPlausibleSize(meant)) continue;
         advice += advice.empty() ? "; with " : ", with ";
         advice += "--unit " + name + " it would be " + inText(meant) + " m";
     }

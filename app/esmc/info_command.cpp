@@ -63,13 +63,29 @@ void addCriticalSteps(Report& report, const TissueModel& tissue) {
                           stepInText(steps.split) + ", split2 " + stepInText(steps.split2));
 }
 
+/// What holds the model, with the keys of `scene`.
+void addHolds(Report& report, const TissueModel& tissue, bool hasInstrument) {
+    report.json["fixed"] = tissue.fixedNodes.size();
+    report.json["tethers"] = tissue.tethers.size();
+    report.json["instrument"] = hasInstrument;
+    report.text.push_back(counted(tissue.fixedNodes.size(), "fixed node") + ", " +
+                          counted(tissue.tethers.size(), "tether") + ", " +
+                          (hasInstrument ? "an instrument" : "no instrument"));
+}
+
+void addTextures(Report& report, std::size_t pages) {
+    report.json["textures"] = pages;
+    report.text.push_back(counted(pages, "texture page"));
+}
+
 Report describePackage(const std::filesystem::path& file) {
     const ModelPackage package = loadPackage(file);
     Report report = modelReport(package);
     report.json["kind"] = "package";
     addRegions(report, package.regions);
     report.json["photos"] = Json::array();
-    report.json["textures"] = package.textures.size();
+    addTextures(report, package.textures.size());
+    addHolds(report, package.tissue, false);
     addCriticalSteps(report, package.tissue);
     return report;
 }
@@ -87,8 +103,10 @@ Report describeProject(const std::filesystem::path& file) {
         report.text.push_back("photo " + layer.name + ": " + layer.photo->fileName);
     }
     report.json["photos"] = std::move(photos);
-    report.json["textures"] = project.atlas ? project.texture.atlas.pages : 0;
-    addCriticalSteps(report, evaluateModel(project));
+    addTextures(report, project.atlas ? static_cast<std::size_t>(project.texture.atlas.pages) : 0);
+    const TissueModel tissue = evaluateModel(project);
+    addHolds(report, tissue, project.scene.instrument.has_value());
+    addCriticalSteps(report, tissue);
     return report;
 }
 

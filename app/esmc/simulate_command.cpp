@@ -128,6 +128,16 @@ Report describe(const SceneOutcome& outcome) {
     return report;
 }
 
+/// What of the scene had no effect on the run.
+std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutcome& outcome) {
+    std::vector<std::string> warnings = sceneWarnings(model.scene, model.tissue);
+    if (model.scene.instrument && outcome.stable && !outcome.touched)
+        warnings.emplace_back(model.tissue.fixedNodes.empty()
+                                  ? "the instrument never touches the organ"
+                                  : "the instrument never touches the organ where it can move");
+    return warnings;
+}
+
 Report runSimulate(const SimulateOptions& options, Context& context) {
     const SimulationSettings settings = requestedSettings(options);
     context.subject = options.scene.empty() ? options.model : options.scene;
@@ -145,7 +155,7 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
                                           progressOf(context, "simulating"));
     trajectory.commit();
     Report report = describe(outcome);
-    addWarnings(report, sceneWarnings(model.scene, model.tissue));
+    addWarnings(report, warningsOf(model, outcome));
     addWritten(report, options.output);
     return report;
 }

@@ -153,6 +153,7 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     outcome.wallSeconds = stepThrough(run, simulation, recorder, progress, outcome);
     outcome.simulatedSeconds = simulation.time();
     outcome.energy = simulation.energy();
+    outcome.touched = simulation.wasTouched();
     outcome.outcome = outcome.stable ? "completed" : simulation.failure();
     if (outcome.stable) outcome.wallSeconds = bestOfRepeats(run, simulation, outcome.wallSeconds);
     reportProgress(progress, 1);

@@ -37,6 +37,7 @@ struct Simulation::Implementation {
     std::optional<Eigen::Vector3d> instrument; ///< m, centre, where the last step left it
     DivergenceGuard guard;
     std::string failure;
+    bool touched = false; ///< by the instrument, since the start
 
     Implementation(const TissueModel& model, const SimulationSettings& given, std::vector<Triangle> triangles)
         : settings(given), surface(std::move(triangles)), chosen(chooseStep(model, given)),
@@ -52,6 +53,7 @@ struct Simulation::Implementation {
         steps = 0;
         startTime = 0;
         failure.clear();
+        touched = false;
         stepper.restart();
     }
 
@@ -102,6 +104,10 @@ const std::string& Simulation::failure() const {
     return m_implementation->failure;
 }
 
+bool Simulation::wasTouched() const {
+    return m_implementation->touched;
+}
+
 Energy Simulation::energy() const {
     return m_implementation->energy();
 }
@@ -122,6 +128,7 @@ bool Simulation::step(const Loads& loads) {
         return false;
     }
     self.motion = std::move(next);
+    self.touched = self.touched || self.stepper.isTouched();
     self.instrument.reset();
     if (loads.instrument) self.instrument = loads.instrument->centre;
     ++self.steps;

@@ -37,6 +37,8 @@ public:
     /// state before the step stays
     bool step(const Loads& loads);
     const std::string& failure() const;
+    /// Whether the instrument has touched what can move since the start.
+    bool wasTouched() const;
 
     /// Where the instrument stands before the next step, m.
     void placeInstrument(const Eigen::Vector3d& centre);

@@ -49,6 +49,7 @@ void Stepper::restart() {
 void Stepper::step(Motion& motion, const Loads& loads, const std::optional<SphereMove>& sphere) {
     if (!m_lastLoads || m_lastLoads->gravity != loads.gravity || m_lastLoads->forces != loads.forces)
         m_previous.reset();
+    m_touched = false;
     for (const Piece& piece : piecesOf(motion, loads, sphere))
         advance(motion, piece);
     m_lastLoads = loads;
@@ -87,7 +88,8 @@ void Stepper::advance(Motion& motion, const Piece& piece) {
         m_integrator == Integrator::Split2 && m_previous && piece.held.empty() && piece.parts == 1;
     Motion next = motion;
     Untouched untouched = solve(motion, piece, secondOrder, next);
-    const bool touched = isTouched(motion, piece, next);
+    const bool touched = touches(motion, piece, next);
+    m_touched = m_touched || touched;
     if (touched && secondOrder) {
         next = motion;
         untouched = solve(motion, piece, false, next);
@@ -134,7 +136,7 @@ std::vector<char> Stepper::immovable(const Piece& piece) const {
     return result;
 }
 
-bool Stepper::isTouched(const Motion& motion, const Piece& piece, const Motion& next) const {
+bool Stepper::touches(const Motion& motion, const Piece& piece, const Motion& next) const {
     return piece.sphere &&
            !findContacts(m_surface, immovable(piece), motion.positions, next.positions, *piece.sphere)
                 .empty();

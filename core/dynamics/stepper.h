@@ -30,6 +30,9 @@ public:
     /// Precondition: the loads name nodes of the system. `sphere` is the instrument's way, if there is one.
     void step(Motion& motion, const Loads& loads, const std::optional<SphereMove>& sphere);
 
+    /// Whether the sphere touched in the last step.
+    bool isTouched() const { return m_touched; }
+
     /// Forgets what earlier steps left behind, as when the motion was changed from outside.
     void restart();
 
@@ -60,7 +63,7 @@ private:
     /// Pushes the surface out of the sphere. Precondition: `next` came from the first-order form.
     void makeWay(const Motion& motion, const Piece& piece, const Untouched& untouched, Motion& next);
     std::vector<char> immovable(const Piece& piece) const;
-    bool isTouched(const Motion& motion, const Piece& piece, const Motion& next) const;
+    bool touches(const Motion& motion, const Piece& piece, const Motion& next) const;
     Solver& solverFor(int parts, bool secondOrder);
     Vectors momentum(const Motion& motion, const Piece& piece, bool secondOrder) const;
     void prescribe(const std::vector<HeldNode>& held);
@@ -70,6 +73,7 @@ private:
     Integrator m_integrator;
     double m_timeStep; ///< s
     Damping m_damping;
+    bool m_touched = false;
 
     std::vector<char> m_prescribed; ///< fixed nodes, and led ones when they are many
     std::map<std::pair<int, bool>, std::unique_ptr<Solver>> m_solvers; ///< by part and order

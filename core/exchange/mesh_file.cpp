@@ -107,6 +107,10 @@ void checkSurface(const fs::path& file, const PolygonSoup& soup) {
 
 } // namespace
 
+bool isPlausibleSize(double metres) {
+    return metres >= 0.001 && metres <= 3;
+}
+
 double metresPer(LengthUnit unit) {
     switch (unit) {
     case LengthUnit::Millimetre:

@@ -13,6 +13,9 @@ enum class UpAxis { Y, Z };
 
 double metresPer(LengthUnit unit);
 
+/// Whether organs and bodies have this size: 1 mm to 3 m.
+bool isPlausibleSize(double metres);
+
 /// Reads a surface: STL, PLY, OFF, glTF and GLB through assimp, OBJ and legacy VTK polydata by readers of our
 /// own. Node transforms are applied; lines and points are ignored. Coordinates and the order of the faces are
 /// the file's.

@@ -16,7 +16,7 @@ from esmc import Case, command
 from import_test import IMPORT_KEYS
 
 INFO_KEYS = {**IMPORT_KEYS, "regions": list, "photos": list, "textures": int, "fuzzy_systems": list,
-             "critical_dt": dict}
+             "critical_dt": dict, "fixed": int, "tethers": int, "instrument": bool}
 
 
 class MainJobTest(Case):
@@ -100,7 +100,7 @@ class MainJobTest(Case):
         reader = Path(__file__).with_name("read_package.py")
         subprocess.run([sys.executable, reader, package, "--project", project], check=True, stdout=subprocess.DEVNULL)
         ours, theirs = self.done("info", project), self.done("info", package)
-        for key in ("nodes", "springs", "triangles", "textures", "fuzzy_systems"):
+        for key in ("nodes", "springs", "triangles", "textures", "fuzzy_systems", "fixed", "tethers"):
             self.assertEqual(ours[key], theirs[key], key)
         self.assertAlmostEqual(ours["mass"] / theirs["mass"], 1, places=5)
         self.assertNotIn("flipped_triangles", theirs, "what import repaired is no matter of the package")

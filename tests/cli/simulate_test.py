@@ -101,6 +101,8 @@ class SimulateTest(Case):
         report = self.done("scene", project, "--scene", self.file("poke.json", {**TUBE_POKE, "fixed": [{"nodes": [0, 1]}]}),
                            "-o", project)
         self.assertEqual(report, {"fixed": 2, "tethers": 57, "duration": 0.5, "warnings": []})
+        info = self.done("info", project)
+        self.assertEqual((info["fixed"], info["tethers"], info["instrument"]), (2, 57, False))
         stored = self.done("simulate", project, "-o", self.file("a.csv"))
         self.assertAlmostEqual(stored["simulated_s"], 0.5)
         other, _ = self.simulated(project, STILL)
@@ -114,6 +116,16 @@ class SimulateTest(Case):
         stored = self.done("scene", project, "--scene", self.file("scene.json", scene), "-o", project)
         for warnings in (report["warnings"], stored["warnings"]):
             self.assertEqual([warning.split(":")[0] for warning in warnings], ["fixed[1]", "moves[0]"])
+
+    def test_says_when_the_instrument_never_touches(self):
+        project = self.sample("liver")
+        _, rest = self.simulated(project, {"duration": 1e-6}, "--dt", "1e-6")
+        front = max(rest, key=lambda row: float(row["z"]))
+        x, y, z = (float(front[key]) for key in "xyz")
+        for height, warned in ((0.03, True), (0.018, False)):
+            path = [[0, x, y, z + 0.05], [0.1, x, y, z + height]]
+            report, _ = self.simulated(project, {"duration": 0.1, "instrument": {"shape": "sphere", "radius": 0.02, "path": path}})
+            self.assertEqual(any("never touches" in warning for warning in report["warnings"]), warned, height)
 
     def test_refuses_more_steps_than_can_be_run_and_takes_any_time_between_frames(self):
         project = self.sample("tube")

@@ -168,9 +168,11 @@ TEST(SceneRun, PushesTheSurfaceWithItsInstrument) {
     Scene scene;
     scene.instrument = InstrumentMotion{0.02, {{0.0, {0, 0, 0.04}}, {0.5, {0, 0, 0.0}}}};
     Frames frames;
-    runScene({model, mesh.triangles, scene, {}}, frames.sink());
+    EXPECT_TRUE(runScene({model, mesh.triangles, scene, {}}, frames.sink()).touched);
     EXPECT_EQ(frames.positions.front(), model.network->restPositions);
     EXPECT_LE(frames.positions.back()[112].z(), -0.02);
+    scene.instrument->path = {{0.0, {0, 0, 0.04}}};
+    EXPECT_FALSE(runScene({model, mesh.triangles, scene, {}}, {}).touched);
 }
 
 TEST(SceneRun, SweepsTheInstrumentFromItsPathsStart) {
