@@ -144,7 +144,7 @@ void NumberField::showValue() {
 
 QString NumberField::rangeText() const {
     const auto bound = [this](double value) {
-        return QString::number(value * m_format.shownPerValue, 'g', 6).replace('-', QChar(0x2212));
+        return QString::number(value * m_format.shownPerValue, 'g', 10).replace('-', QChar(0x2212));
     };
     const QString unit = m_format.unit.isEmpty() ? QString() : ' ' + m_format.unit;
     if (m_format.maximum == std::numeric_limits<double>::max())

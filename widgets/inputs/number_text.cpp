@@ -57,7 +57,7 @@ QString numberText(double value, int significantDigits) {
     if (!std::isfinite(value)) return QString(QChar(0x2013));
     if (value == 0) return QStringLiteral("0");
     const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    if (exponent < -4 || exponent > 6)
+    if (exponent < -4 || exponent > 8)
         return withTrueMinus(QString::number(value, 'e', significantDigits - 1));
     return decimalText(value, std::clamp(significantDigits - 1 - exponent, 0, 8));
 }

@@ -78,12 +78,22 @@ QLabel* ValueRows::addText(const QString& caption, const QString& name) {
     return text;
 }
 
-void ValueRows::addField(const QString& caption, QWidget* field) {
+QLabel* ValueRows::captionOf(const QString& caption, QWidget* field) {
     auto* label = new QLabel(caption, this);
     label->setProperty("quiet", true);
     label->setBuddy(field);
+    return label;
+}
+
+void ValueRows::addField(const QString& caption, QWidget* field) {
+    QLabel* label = captionOf(caption, field);
     label->setMinimumHeight(field->minimumSizeHint().height());
     m_form->addRow(label, field);
+}
+
+void ValueRows::addWideField(const QString& caption, QWidget* field) {
+    m_form->addRow(captionOf(caption, field));
+    m_form->addRow(field);
 }
 
 } // namespace esm

@@ -48,8 +48,12 @@ public:
     /// A right-aligned text that can be selected and copied; `name` finds it in tests.
     QLabel* addText(const QString& caption, const QString& name);
     void addField(const QString& caption, QWidget* field);
+    /// A field that needs the whole width, beneath its caption.
+    void addWideField(const QString& caption, QWidget* field);
 
 private:
+    QLabel* captionOf(const QString& caption, QWidget* field);
+
     QFormLayout* m_form;
 };
 

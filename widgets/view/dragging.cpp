@@ -52,8 +52,8 @@ Projector dragged(const ProjectorMove& drag, const Ray& ray) {
     return moved;
 }
 
-Projector dragged(const ProjectorScale& drag, const Ray& ray) {
-    return scaled(drag.start, ray);
+Projector dragged(const ProjectorScale& drag, const Ray& ray, Proportions proportions) {
+    return scaled(drag.start, ray, proportions);
 }
 
 DragPlane picturePlane(const Camera& camera, const Vector3d& point) {

@@ -44,7 +44,7 @@ std::optional<Eigen::Vector3d> target(const PullDrag& drag, const Ray& ray);
 Ellipsoid dragged(const RegionMove& drag, const Ray& ray);
 Ellipsoid dragged(const RegionScale& drag, const Ray& ray);
 Projector dragged(const ProjectorMove& drag, const Ray& ray);
-Projector dragged(const ProjectorScale& drag, const Ray& ray);
+Projector dragged(const ProjectorScale& drag, const Ray& ray, Proportions proportions);
 
 /// A plane parallel to the picture.
 DragPlane picturePlane(const Camera& camera, const Eigen::Vector3d& point);

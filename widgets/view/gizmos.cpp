@@ -80,13 +80,20 @@ Ellipsoid scaled(const Ellipsoid& ellipsoid, std::size_t handle, const Ray& ray)
     return result;
 }
 
-Projector scaled(const Projector& projector, const Ray& ray) {
+Projector scaled(const Projector& projector, const Ray& ray, Proportions proportions) {
     const std::optional<Vector3d> point = meet(ray, photoPlane(projector));
     if (!point) return projector;
     const Vector3d local = projector.pose.inverse() * *point;
+    double wider = 2 * std::abs(local.x()) / projector.width,
+           higher = 2 * std::abs(local.y()) / projector.height;
+    if (proportions == Proportions::Kept) {
+        const double widthSquared = projector.width * projector.width;
+        const double heightSquared = projector.height * projector.height;
+        wider = higher = (wider * widthSquared + higher * heightSquared) / (widthSquared + heightSquared);
+    }
     Projector result = projector;
-    result.width = std::max(2 * std::abs(local.x()), smallestShare * projector.width);
-    result.height = std::max(2 * std::abs(local.y()), smallestShare * projector.height);
+    result.width *= std::max(wider, smallestShare);
+    result.height *= std::max(higher, smallestShare);
     return result;
 }
 

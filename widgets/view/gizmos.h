@@ -31,7 +31,10 @@ std::array<Eigen::Vector3d, 4> handles(const Projector& projector);
 /// The ellipsoid with one axis as long as the ray asks for; its centre stays. `handle` counts as in
 /// `handles`.
 Ellipsoid scaled(const Ellipsoid& ellipsoid, std::size_t handle, const Ray& ray);
-/// The projector with a corner drawn to the ray, width and height each on its own; its centre stays.
-Projector scaled(const Projector& projector, const Ray& ray);
+enum class Proportions { Kept, Free };
+
+/// The projector with a corner drawn to the ray; its centre stays. With its proportions kept, the corner goes
+/// along its diagonal to where it is nearest to the ray; else to the ray, width and height each on its own.
+Projector scaled(const Projector& projector, const Ray& ray, Proportions proportions);
 
 } // namespace esm

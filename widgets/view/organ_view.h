@@ -94,7 +94,9 @@ private:
     std::optional<Drag> dragAt(const QPointF& place);
     std::optional<Drag> regionDragAt(const QPointF& place, const Ray& ray) const;
     std::optional<Drag> projectorDragAt(const QPointF& place, const Ray& ray) const;
-    void followDrag(const QPointF& place);
+    std::optional<Drag> cornerDragAt(const QPointF& place) const;
+    bool drawsCornerFreely(const QMouseEvent& event) const;
+    void followDrag(const QPointF& place, Proportions proportions);
     void endDrag();
     void click(const QPointF& place);
     void moveInstrument(const QPointF& place);

@@ -33,7 +33,7 @@ void OrganView::mousePressEvent(QMouseEvent* event) {
         const auto face = viewAt(event->localPos(), camera(), cubeSquare(size()));
         if (face) return showView(*face);
     }
-    if (m_drag || m_cameraController.press(*event)) return;
+    if (m_drag || (!drawsCornerFreely(*event) && m_cameraController.press(*event))) return;
     if (event->button() != Qt::LeftButton) return;
     m_pressed = event->localPos();
     m_drag = dragAt(event->localPos());
@@ -44,7 +44,8 @@ void OrganView::mousePressEvent(QMouseEvent* event) {
 void OrganView::mouseMoveEvent(QMouseEvent* event) {
     if (m_pressed && distance(*m_pressed, event->localPos()) > clickReach) m_pressed.reset();
     if (m_drag) {
-        if (!m_pressed) followDrag(event->localPos());
+        const bool isFree = event->modifiers().testFlag(Qt::ShiftModifier);
+        if (!m_pressed) followDrag(event->localPos(), isFree ? Proportions::Free : Proportions::Kept);
     } else if (m_cameraController.isDragging()) {
         if (m_pressed) return;
         m_cameraController.move(*event, size());
@@ -119,15 +120,25 @@ std::optional<Drag> OrganView::regionDragAt(const QPointF& place, const Ray& ray
     return RegionMove{under, shape, picturePlane(camera(), grabbed)};
 }
 
-std::optional<Drag> OrganView::projectorDragAt(const QPointF& place, const Ray& ray) const {
+std::optional<Drag> OrganView::cornerDragAt(const QPointF& place) const {
     const int selected = selectedIndex(m_scene.projectors);
-    if (selected >= 0) {
-        const Projector& projector = m_scene.projectors[static_cast<std::size_t>(selected)].projector;
-        for (const Vector3d& corner : handles(projector)) {
-            const auto seen = placeOf(corner);
-            if (seen && distance(*seen, place) <= handleReach) return ProjectorScale{selected, projector};
-        }
+    if (m_tool != ViewTool::Projector || selected < 0) return std::nullopt;
+    const Projector& projector = m_scene.projectors[static_cast<std::size_t>(selected)].projector;
+    for (const Vector3d& corner : handles(projector)) {
+        const auto seen = placeOf(corner);
+        if (seen && distance(*seen, place) <= handleReach) return ProjectorScale{selected, projector};
     }
+    return std::nullopt;
+}
+
+/// Elsewhere, Shift and a drag shift the view.
+bool OrganView::drawsCornerFreely(const QMouseEvent& event) const {
+    return !m_cameraController.isDragging() && event.button() == Qt::LeftButton &&
+           event.modifiers() == Qt::ShiftModifier && cornerDragAt(event.localPos());
+}
+
+std::optional<Drag> OrganView::projectorDragAt(const QPointF& place, const Ray& ray) const {
+    if (const auto corner = cornerDragAt(place)) return corner;
     const int under = projectorUnder(m_scene, ray);
     if (under < 0) return std::nullopt;
     const Projector& projector = m_scene.projectors[static_cast<std::size_t>(under)].projector;
@@ -135,7 +146,7 @@ std::optional<Drag> OrganView::projectorDragAt(const QPointF& place, const Ray& 
     return ProjectorMove{under, projector, {grabbed, projector.pose.linear().col(2)}};
 }
 
-void OrganView::followDrag(const QPointF& place) {
+void OrganView::followDrag(const QPointF& place, Proportions proportions) {
     const Ray ray = rayAt(place);
     const Drag drag = *m_drag; // a slot may end the drag while it is told of it
     if (const auto* pull = std::get_if<PullDrag>(&drag)) {
@@ -147,7 +158,7 @@ void OrganView::followDrag(const QPointF& place) {
     } else if (const auto* shift = std::get_if<ProjectorMove>(&drag)) {
         emit projectorDragged(shift->index, dragged(*shift, ray));
     } else if (const auto* size = std::get_if<ProjectorScale>(&drag)) {
-        emit projectorDragged(size->index, dragged(*size, ray));
+        emit projectorDragged(size->index, dragged(*size, ray, proportions));
     } else if (const auto* sweep = std::get_if<InstrumentSweep>(&drag)) {
         m_instrument = meet(ray, sweep->plane);
         showInstrument();

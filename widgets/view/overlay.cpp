@@ -5,12 +5,13 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace esm {
 namespace {
 
 constexpr int margin = 14, padding = 11, legendWidth = 230, legendHeight = 66; // pixels
-constexpr int cubeSize = 78, handleSize = 9;
+constexpr int cubeSize = 78, handleSize = 9, hintPadding = 5;
 constexpr int backgroundAlpha = 225;
 
 QColor background(const QPalette& palette) {
@@ -70,16 +71,17 @@ void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint
     painter.setFont(sized(painter.font(), 12));
     const double left = besideLegend ? 2 * margin + legendWidth : margin;
     const double room = style.view.width() - margin - left;
-    const QFontMetricsF metrics(painter.font());
-    const QString shown = metrics.elidedText(hint, Qt::ElideRight, room - 2 * padding);
-    const double width = metrics.horizontalAdvance(shown) + 2 * padding;
+    const QRectF most(0, 0, room - 2 * padding, style.view.height() / 2.0);
+    const QRectF text = painter.boundingRect(most, Qt::AlignCenter | Qt::TextWordWrap, hint);
+    const double width = std::ceil(text.width()) + 2 * padding;
+    const double height = std::ceil(text.height()) + 2 * hintPadding;
     const double centred = (style.view.width() - width) / 2;
-    const QRectF pill(std::max(left, centred), style.view.height() - margin - 26, width, 26);
+    const QRectF pill(std::max(left, centred), style.view.height() - margin - height, width, height);
     painter.setPen(Qt::NoPen);
     painter.setBrush(background(style.palette));
     painter.drawRoundedRect(pill, 13, 13);
     painter.setPen(style.palette.color(QPalette::WindowText));
-    painter.drawText(pill, Qt::AlignCenter, shown);
+    painter.drawText(pill.adjusted(padding - 1, 0, 1 - padding, 0), Qt::AlignCenter | Qt::TextWordWrap, hint);
     painter.restore();
 }
 

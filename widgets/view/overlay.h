@@ -25,7 +25,7 @@ struct OverlayStyle {
 
 /// A box at the bottom left with the ramp of colours and its range.
 void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend);
-/// A pill with one line of text at the bottom, in the middle of what the legend leaves.
+/// A pill with a text at the bottom, in the middle of what the legend leaves; in lines where one is too long.
 void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint, bool besideLegend);
 /// Small white squares with a coloured rim.
 void paintHandles(QPainter& painter, const std::vector<QPointF>& places, const QColor& rim);

@@ -38,7 +38,7 @@ QString toolUse(ViewTool tool) {
     case ViewTool::Region:
         return translated("Drag the ellipsoid to move it · handles scale it");
     case ViewTool::Projector:
-        return translated("Drag the photo to place it · handles scale width and height");
+        return translated("Drag the photo to place it · corners scale it, with Shift width and height apart");
     }
     return {};
 }

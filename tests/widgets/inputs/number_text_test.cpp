@@ -28,6 +28,8 @@ TEST(NumberText, ReadsBackWhatItWrites) {
 
 TEST(NumberText, WritesFourDigits) {
     EXPECT_EQ(numberText(16.2606), "16.26");
+    EXPECT_EQ(numberText(123456789), "123456789");
+    EXPECT_EQ(numberText(2e9), "2.000e+09");
     EXPECT_EQ(numberText(-0.4), QString(QChar(0x2212)) + "0.4000");
     EXPECT_EQ(numberText(2.4e-7), QString("2.400e") + QChar(0x2212) + "07");
     EXPECT_EQ(numberText(std::numeric_limits<double>::quiet_NaN()), QString(QChar(0x2013)));

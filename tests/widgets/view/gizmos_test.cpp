@@ -74,10 +74,25 @@ TEST(Gizmos, AnAxisCannotBeDrawnShut) {
     EXPECT_TRUE(same.radii.isApprox(ellipsoid.radii));
 }
 
+TEST(Gizmos, ProjectorCornerKeepsTheProportions) {
+    const Projector projector = slanted();
+    const Vector3d corner(projector.width / 2, projector.height / 2, 0);
+    const Projector twice =
+        scaled(projector, towards(eye, projector.pose * Vector3d(2 * corner)), Proportions::Kept);
+    EXPECT_NEAR(twice.width, 2 * projector.width, 1e-9);
+    EXPECT_NEAR(twice.height, 2 * projector.height, 1e-9);
+    const Projector beside =
+        scaled(projector, towards(eye, projector.pose * Vector3d(0.06, -0.01, 0)), Proportions::Kept);
+    EXPECT_NEAR(beside.width / beside.height, projector.width / projector.height, 1e-9);
+    EXPECT_GT(beside.width, projector.width);
+    const Projector shut = scaled(projector, towards(eye, projector.pose.translation()), Proportions::Kept);
+    EXPECT_GT(shut.height, 0);
+}
+
 TEST(Gizmos, ProjectorCornerScalesWidthAndHeightApart) {
     const Projector projector = slanted();
     const Vector3d corner = projector.pose * Vector3d(0.06, -0.01, 0);
-    const Projector result = scaled(projector, towards(eye, corner));
+    const Projector result = scaled(projector, towards(eye, corner), Proportions::Free);
     EXPECT_NEAR(result.width, 0.12, 1e-9);
     EXPECT_NEAR(result.height, 0.02, 1e-9);
     EXPECT_TRUE(result.pose.isApprox(projector.pose));

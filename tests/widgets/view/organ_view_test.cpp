@@ -45,8 +45,9 @@ protected:
         QTest::mousePress(&view, button, keys, at);
     }
     /// QTest::mouseMove carries no button, so a drag sends its own events.
-    void moveTo(const QPoint& at, Qt::MouseButtons buttons = Qt::LeftButton) {
-        QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, buttons, Qt::NoModifier);
+    void moveTo(const QPoint& at, Qt::MouseButtons buttons = Qt::LeftButton,
+                Qt::KeyboardModifiers keys = Qt::NoModifier) {
+        QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, buttons, keys);
         QApplication::sendEvent(&view, &event);
     }
     void release(const QPoint& at, Qt::MouseButton button = Qt::LeftButton) {
@@ -278,9 +279,16 @@ TEST_F(OrganViewTest, ProjectorIsMovedAndScaled) {
     EXPECT_TRUE(projector->pose.translation().isApprox(Vector3d(0.03, 0.01, 0.15), 0.02));
     release({0, 0});
     press(placeOf({0.03, 0.02, 0.15}));
-    moveTo(placeOf({0.05, 0.02, 0.15}));
+    moveTo(placeOf({0.045, 0.03, 0.15}));
+    EXPECT_NEAR(projector->width, 0.09, 0.002);
+    EXPECT_NEAR(projector->height, 0.06, 0.002);
+    release({0, 0});
+    const Vector3d eye = view.camera().eye;
+    press(placeOf({0.03, 0.02, 0.15}), Qt::LeftButton, Qt::ShiftModifier);
+    moveTo(placeOf({0.05, 0.02, 0.15}), Qt::LeftButton, Qt::ShiftModifier);
     EXPECT_NEAR(projector->width, 0.10, 0.002);
     EXPECT_NEAR(projector->height, 0.04, 0.002);
+    EXPECT_EQ(view.camera().eye, eye) << "elsewhere Shift shifts the view";
 }
 
 TEST_F(OrganViewTest, InstrumentTouchesTheSurfaceAndIsPushedIn) {
