@@ -119,13 +119,16 @@ TEST_F(AutosaveTest, KnowsTheTitleAndTheTimeOfWhatWasLeftBehind) {
         // As if the program ended here: what is renamed stays.
         auto title = files()[0];
         std::filesystem::rename(title, left);
-        title.replace_extension(".title");
-        std::filesystem::rename(title, folder / "copies" / "left.title");
+        for (const std::string ending : {".title", ".path"}) {
+            title.replace_extension(ending);
+            std::filesystem::rename(title, folder / "copies" / ("left" + ending));
+        }
     }
     const Autosave next(document, folder / "copies");
     const auto found = next.leftBehind();
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].title, "my liver.esm");
+    EXPECT_EQ(found[0].former.title, "my liver.esm");
+    EXPECT_EQ(found[0].former.path, folder / "my liver.esm");
     EXPECT_LT(std::abs(found[0].written.secsTo(QDateTime::currentDateTime())), 60);
     Autosave::discard(found[0]);
     EXPECT_TRUE(std::filesystem::is_empty(folder / "copies"));
@@ -181,6 +184,7 @@ TEST_F(LeftBehindTest, IsBroughtBackUnsaved) {
     open(makeSample("liver"));
     Autosave autosave(window->document(), folder / "");
     std::ofstream(folder / "left.title") << "my liver.esm";
+    std::ofstream(folder / "left.path") << (folder / "my liver.esm").string();
     dialogs.expectNamed("leftBehindBox", [](QDialog* box) {
         EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains("my liver.esm"));
         QTest::keyClick(box, Qt::Key_Return);
@@ -202,4 +206,16 @@ TEST_F(LeftBehindTest, IsBroughtBackUnsaved) {
             titles << QString::fromStdString({std::istreambuf_iterator<char>(in), {}});
         }
     EXPECT_EQ(titles, QStringList("my liver.esm")) << "lost twice, it still has its title";
+
+    EXPECT_FALSE(window->document().path()) << "nothing is replaced unasked";
+    EXPECT_EQ(window->document().proposedPath(), folder / "my liver.esm");
+    dialogs.expect([](QWidget* dialog) { return qobject_cast<QFileDialog*>(dialog) != nullptr; },
+                   [&](QDialog* dialog) {
+                       EXPECT_EQ(dialog->findChild<QLineEdit*>("fileNameEdit")->text(), "my liver.esm");
+                       EXPECT_EQ(qobject_cast<QFileDialog*>(dialog)->directory(),
+                                 QDir(QString::fromStdString(folder.path().string())));
+                       dialog->reject();
+                   });
+    press(Qt::Key_S, Qt::ControlModifier);
+    EXPECT_TRUE(dialogs.isDone());
 }

@@ -36,6 +36,20 @@ TEST(LongWork, OffersCancelOnlyWhereItStops) {
     EXPECT_TRUE(looked);
 }
 
+TEST(LongWork, GivesTheKeysBack) {
+    QWidget window;
+    QLineEdit field(&window);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    field.setFocus();
+    runLongWork(&window, "work",
+                [](const Progress&) { std::this_thread::sleep_for(std::chrono::milliseconds(1500)); });
+    QTest::qWait(200);
+    ESM_EVENTUALLY(QApplication::focusWidget() == &field);
+}
+
 TEST(LongWork, StopsWhenAsked) {
     DialogScript dialogs;
     dialogs.expectNamed("progressDialog", [](QDialog* dialog) {

@@ -1,5 +1,6 @@
 #include "app/editor/commands/long_work.h"
 
+#include <QApplication>
 #include <QProgressDialog>
 #include <QTimer>
 
@@ -26,6 +27,7 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
             return !cancelled;
         });
     });
+    bool isInFront = window && window->isActiveWindow();
     const auto isDone = [&] { return done.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
     if (done.wait_for(patience) != std::future_status::ready) {
         QProgressDialog dialog(title, cancelling == Cancelling::Offered ? QObject::tr("Cancel") : QString(),
@@ -38,6 +40,7 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
         dialog.setAutoClose(false);
         QTimer poll;
         QObject::connect(&poll, &QTimer::timeout, &dialog, [&] {
+            isInFront = QApplication::activeWindow() != nullptr;
             if (isDone()) return dialog.done(0);
             if (cancelled) return dialog.setLabelText(QObject::tr("Stopping…"));
             if (permille < 0) return;
@@ -55,6 +58,9 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
         while (!isDone())
             dialog.exec();
     }
+    // Where a dialog goes, not every desktop gives the keys back; one who works elsewhere meanwhile keeps
+    // them.
+    if (window && isInFront) window->activateWindow();
     done.get();
     if (cancelled) throw Cancelled();
 }

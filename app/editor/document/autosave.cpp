@@ -21,25 +21,37 @@ QString lockOf(const std::filesystem::path& copy) {
     return besideCopy(copy, ".lock");
 }
 
-/// The file with the document's title; a project file knows the organ's name, but not its own.
-QString titleFileOf(const std::filesystem::path& copy) {
-    return besideCopy(copy, ".title");
+/// The files with the document's title and path; a project file knows the organ's name, but not its own.
+constexpr const char* titleEnding = ".title";
+constexpr const char* pathEnding = ".path";
+
+void writeNote(const std::filesystem::path& copy, const char* ending, const QString& text) {
+    QFile file(besideCopy(copy, ending));
+    if (file.open(QIODevice::WriteOnly)) file.write(text.toUtf8());
 }
 
-void writeTitle(const std::filesystem::path& copy, const QString& title) {
-    QFile file(titleFileOf(copy));
-    if (file.open(QIODevice::WriteOnly)) file.write(title.toUtf8());
-}
-
-QString readTitle(const std::filesystem::path& copy) {
-    QFile file(titleFileOf(copy));
+QString readNote(const std::filesystem::path& copy, const char* ending) {
+    QFile file(besideCopy(copy, ending));
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-void removeWithTitle(const std::filesystem::path& copy) {
+void writeFormer(const std::filesystem::path& copy, const Former& former) {
+    writeNote(copy, titleEnding, former.title);
+    writeNote(copy, pathEnding, former.path ? QString::fromStdString(former.path->string()) : QString());
+}
+
+Former readFormer(const std::filesystem::path& copy) {
+    const QString path = readNote(copy, pathEnding);
+    Former former{readNote(copy, titleEnding), std::nullopt};
+    if (!path.isEmpty()) former.path = path.toStdString();
+    return former;
+}
+
+void removeWithNotes(const std::filesystem::path& copy) {
     std::error_code none;
     std::filesystem::remove(copy, none);
-    QFile::remove(titleFileOf(copy));
+    for (const char* ending : {titleEnding, pathEnding})
+        QFile::remove(besideCopy(copy, ending));
 }
 
 } // namespace
@@ -92,7 +104,7 @@ void Autosave::takeLock() {
 
 void Autosave::removeCopy() {
     finish();
-    removeWithTitle(m_file);
+    removeWithNotes(m_file);
     m_lock.reset();
     m_written.reset();
 }
@@ -108,15 +120,17 @@ void Autosave::save() {
     std::filesystem::create_directories(m_folder, none);
     if (!m_lock || !m_lock->isLocked()) takeLock();
     m_written = project;
-    m_writing = std::async(std::launch::async, [this, project, title = m_document.title(), file = m_file] {
-        try {
-            writeTitle(file, title);
-            saveProject(project, file);
-        } catch (const std::exception&) {
-            // Nobody asked for this copy; the user's own save says what is wrong.
-            QMetaObject::invokeMethod(this, &Autosave::noteFailure, Qt::QueuedConnection);
-        }
-    });
+    m_writing = std::async(
+        std::launch::async,
+        [this, project, former = Former{m_document.title(), m_document.proposedPath()}, file = m_file] {
+            try {
+                writeFormer(file, former);
+                saveProject(project, file);
+            } catch (const std::exception&) {
+                // Nobody asked for this copy; the user's own save says what is wrong.
+                QMetaObject::invokeMethod(this, &Autosave::noteFailure, Qt::QueuedConnection);
+            }
+        });
 }
 
 std::vector<LeftBehind> Autosave::leftBehind() const {
@@ -129,7 +143,7 @@ std::vector<LeftBehind> Autosave::leftBehind() const {
         lock.setStaleLockTime(0);
         if (lock.tryLock())
             left.push_back(
-                {copy, readTitle(copy), QFileInfo(QString::fromStdString(copy.string())).lastModified()});
+                {copy, readFormer(copy), QFileInfo(QString::fromStdString(copy.string())).lastModified()});
     }
     std::sort(left.begin(), left.end(),
               [](const LeftBehind& a, const LeftBehind& b) { return a.written > b.written; });
@@ -141,11 +155,12 @@ void Autosave::takeOver(const LeftBehind& left) {
     takeLock();
     std::error_code none;
     std::filesystem::rename(left.copy, m_file, none);
-    QFile::rename(titleFileOf(left.copy), titleFileOf(m_file));
+    for (const char* ending : {titleEnding, pathEnding})
+        QFile::rename(besideCopy(left.copy, ending), besideCopy(m_file, ending));
 }
 
 void Autosave::discard(const LeftBehind& left) {
-    removeWithTitle(left.copy);
+    removeWithNotes(left.copy);
 }
 
 } // namespace esm

@@ -20,7 +20,7 @@ struct AutosaveTimes {
 /// Unsaved work of a program that ended before it could remove its copy.
 struct LeftBehind {
     std::filesystem::path copy;
-    QString title; ///< of the document; empty where it is not known
+    Former former; ///< of the document; empty where it is not known
     QDateTime written;
 };
 

@@ -16,7 +16,7 @@ Document::~Document() {
 
 QString Document::title() const {
     if (m_path) return QString::fromStdString(m_path->filename().string());
-    return m_givenTitle.isEmpty() ? QString::fromStdString(m_project.name) : m_givenTitle;
+    return m_former.title.isEmpty() ? QString::fromStdString(m_project.name) : m_former.title;
 }
 
 void Document::edit(const QString& text, const std::function<void(Project&)>& change,
@@ -29,9 +29,9 @@ void Document::edit(const QString& text, const std::function<void(Project&)>& ch
 }
 
 void Document::replace(Project project, std::optional<std::filesystem::path> path, Origin origin,
-                       const QString& title) {
+                       Former former) {
     m_path = std::move(path);
-    m_givenTitle = title;
+    m_former = std::move(former);
     m_project = std::move(project);
     m_undoStack.clear();
     if (origin == Origin::Unsaved) m_undoStack.resetClean();

@@ -15,6 +15,12 @@ namespace esm {
 /// Whether a project would be lost with the window: `Stored` lies in a file or can be made again.
 enum class Origin { Stored, Unsaved };
 
+/// What is known of unsaved work that had a file.
+struct Former {
+    QString title;
+    std::optional<std::filesystem::path> path;
+};
+
 /// The one project the window shows: a value, where it is saved, and the edits that led to it. Only commands
 /// change it; everyone else listens to changed().
 class Document : public QObject {
@@ -26,6 +32,11 @@ public:
 
     const Project& project() const { return m_project; }
     const std::optional<std::filesystem::path>& path() const { return m_path; }
+    /// The file to propose for saving: its own; while it has none, the one that replace() was told. Only who
+    /// is asked may write to the latter.
+    const std::optional<std::filesystem::path>& proposedPath() const {
+        return m_path ? m_path : m_former.path;
+    }
     QUndoStack* undoStack() { return &m_undoStack; }
     bool isModified() const { return !m_undoStack.isClean(); }
     /// The file's name; while it was never saved, what replace() was told, or the organ's name.
@@ -35,9 +46,8 @@ public:
     /// until finishGesture(). Nothing happens when the edit changes nothing.
     void edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey = {});
     /// Another project takes the place of this one; nothing to undo remains.
-    /// @param title of unsaved work that had one
     void replace(Project project, std::optional<std::filesystem::path> path, Origin origin = Origin::Stored,
-                 const QString& title = {});
+                 Former former = {});
     /// `written` lies in this file; the document is saved when it still is that project.
     void markSaved(const std::filesystem::path& path, const Project& written);
 
@@ -57,7 +67,7 @@ private:
 
     Project m_project;
     std::optional<std::filesystem::path> m_path;
-    QString m_givenTitle;
+    Former m_former;
     QUndoStack m_undoStack;
     int m_gesture = 0;
 };

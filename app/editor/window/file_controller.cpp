@@ -139,7 +139,9 @@ void FileController::importMesh(const std::filesystem::path& file) {
         const auto surfaces =
             computeLong(&m_window, title, [&](const Progress&) { return waysToImport(soup); });
         ImportDialog dialog(fileName(file), surfaces.first, surfaces.second, &m_window);
-        if (dialog.exec() != QDialog::Accepted || !mayLeaveProject()) return;
+        const bool accepted = dialog.exec() == QDialog::Accepted;
+        m_window.activateWindow();
+        if (!accepted || !mayLeaveProject()) return;
         const ImportChoice choice = dialog.choice();
         Project project = computeLong(&m_window, title, [&](const Progress&) {
             convertToMetres(soup, choice.unit, choice.up);
@@ -212,7 +214,7 @@ void FileController::offerLeftBehind(Autosave& autosave) {
     const auto copies = autosave.leftBehind();
     if (copies.empty()) return;
     const LeftBehind& latest = copies.front();
-    const QString title = latest.title.isEmpty() ? tr("an organ") : latest.title;
+    const QString title = latest.former.title.isEmpty() ? tr("an organ") : latest.former.title;
     QMessageBox box(QMessageBox::Question, tr("Unsaved work"), tr("Bring back the unsaved work?"),
                     QMessageBox::Discard, &m_window);
     box.setObjectName(QStringLiteral("leftBehindBox"));
@@ -224,7 +226,7 @@ void FileController::offerLeftBehind(Autosave& autosave) {
     if (box.clickedButton() == box.button(QMessageBox::Discard)) return Autosave::discard(latest);
     if (box.clickedButton() != restore) return;
     attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
-        m_document.replace(loadProject(latest.copy), std::nullopt, Origin::Unsaved, latest.title);
+        m_document.replace(loadProject(latest.copy), std::nullopt, Origin::Unsaved, latest.former);
         autosave.takeOver(latest);
     });
 }
@@ -265,12 +267,14 @@ bool FileController::save() {
 
 bool FileController::saveAs() {
     const QString ending = QStringLiteral(".esm");
-    const auto& path = m_document.path();
-    // Another name for a project that has one: beside it.
+    const auto& path = m_document.proposedPath();
+    const QString beside = path ? QString::fromStdString(path->parent_path().string()) : QString();
+    // Another name for a project that has one: beside it, unless its stick or share is gone.
     const QString folder =
-        path ? QString::fromStdString(path->parent_path().string()) : startFolder(FileKind::Project, path);
+        !beside.isEmpty() && QDir(beside).exists() ? beside : startFolder(FileKind::Project, std::nullopt);
     const auto file = chooseNewFile(
         &m_window, {tr("Save project"), suggestedPath(folder, ending), tr("Projects (*.esm)"), ending});
+    m_window.activateWindow();
     if (!file) return false;
     rememberFolder(FileKind::Project, *file);
     return saveTo(*file);
@@ -281,6 +285,7 @@ void FileController::chooseExport() {
     const QString folder = startFolder(FileKind::Package, m_document.path());
     const auto file = chooseNewFile(&m_window, {tr("Export package"), suggestedPath(folder, ending),
                                                 tr("Model packages (*.glb)"), ending});
+    m_window.activateWindow();
     if (!file) return;
     rememberFolder(FileKind::Package, *file);
     exportTo(*file);
