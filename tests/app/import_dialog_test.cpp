@@ -45,6 +45,24 @@ TEST_F(ImportDialogTest, ShowsTheSizeOfWhatIsKept) {
         EXPECT_FALSE(choice->accessibleName().isEmpty());
 }
 
+TEST_F(ImportDialogTest, DoubtsASizeNoOrganHasWithoutAJump) {
+    const auto* doubt = dialog.findChild<QLabel*>("importDoubt");
+    EXPECT_EQ(doubt->text(), "");
+    const int height = dialog.sizeHint().height();
+    dialog.findChild<QAbstractButton*>("unit2")->click();
+    EXPECT_TRUE(doubt->text().contains("with millimetre 200 mm")) << doubt->text().toStdString();
+    EXPECT_EQ(dialog.sizeHint().height(), height);
+    EXPECT_TRUE(doubtfulExtent(1e-9, LengthUnit::Metre).contains("no unit"));
+}
+
+TEST_F(ImportDialogTest, SaysWhatAnOpenBorderMeans) {
+    EXPECT_FALSE(reported().contains("3 mm"));
+    ImportedSurface open = largestOf(threeParts());
+    open.report.boundaryEdges = 240;
+    ImportDialog other("open.obj", open, std::nullopt);
+    EXPECT_TRUE(other.findChild<QPlainTextEdit*>("importReport")->toPlainText().contains("3 mm"));
+}
+
 TEST_F(ImportDialogTest, ListsThePartsWithTheirSizes) {
     EXPECT_EQ(keep->itemText(0), "all 3 parts");
     EXPECT_EQ(keep->itemText(1), "the largest part: 900 triangles");

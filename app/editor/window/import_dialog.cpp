@@ -35,10 +35,21 @@ void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice) {
     form->addRow(label, choice);
 }
 
+/// What an open surface means for the organ that is made of it; empty for a closed one.
+QString massOfWall(const RepairReport& report) {
+    if (report.isClosed()) return {};
+    return report.boundaryEdges > 0
+               ? QObject::tr(
+                     "The surface is open there: it weighs as a wall 3 mm thick, not as a filled organ.")
+               : QObject::tr("The surface has no clear inside: it weighs as a wall 3 mm thick.");
+}
+
 QStringList reportLines(const RepairReport& report) {
     QStringList lines;
     for (const auto& warning : report.warnings)
         lines << QString::fromStdString(warning);
+    const QString wall = massOfWall(report);
+    if (!wall.isEmpty()) lines << wall;
     if (lines.isEmpty()) lines << QObject::tr("The surface is sound: nothing had to be repaired.");
     return lines;
 }
@@ -61,11 +72,28 @@ LengthUnit likelyUnit(double largestExtent, const QString& fileEnding) {
     return LengthUnit::Millimetre;
 }
 
+QString doubtfulExtent(double largestExtent, LengthUnit unit) {
+    const double metres = largestExtent * metresPer(unit);
+    if (isPlausibleSize(metres)) return {};
+    const std::array<QString, 3> names{QObject::tr("millimetre"), QObject::tr("centimetre"),
+                                       QObject::tr("metre")};
+    QStringList fitting;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const double meant = largestExtent * metresPer(units[i]);
+        if (isPlausibleSize(meant)) fitting << QObject::tr("with %1 %2").arg(names[i], lengthText(meant));
+    }
+    if (fitting.isEmpty())
+        return QObject::tr("The organ would be %1 large, and no unit makes it an organ's size.")
+            .arg(lengthText(metres));
+    return QObject::tr("The organ would be %1 large; %2.")
+        .arg(lengthText(metres), fitting.join(QStringLiteral(", ")));
+}
+
 ImportDialog::ImportDialog(const QString& fileName, const ImportedSurface& all,
                            const std::optional<ImportedSurface>& largest, QWidget* parent)
     : QDialog(parent), m_all(all), m_largest(largest), m_units(new QButtonGroup(this)),
       m_up(new QComboBox(this)), m_keep(new QComboBox(this)), m_size(new QLabel(this)),
-      m_report(new QPlainTextEdit(this)) {
+      m_doubt(new QLabel(this)), m_report(new QPlainTextEdit(this)) {
     setWindowTitle(tr("Import organ surface"));
     setObjectName(QStringLiteral("importDialog"));
     setMinimumWidth(460);
@@ -132,6 +160,13 @@ void ImportDialog::addOrientation(QVBoxLayout* column) {
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(8);
     form->addRow(quietLabel(tr("Size of the organ"), this), m_size);
+    m_doubt->setObjectName(QStringLiteral("importDoubt"));
+    m_doubt->setProperty("warning", true);
+    m_doubt->setWordWrap(true);
+    // The room for it is kept, so that nothing moves.
+    m_doubt->setFixedHeight(2 * m_doubt->fontMetrics().lineSpacing());
+    m_doubt->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    form->addRow(m_doubt);
     addChoice(form, tr("&Upwards in the file"), m_up);
     addChoice(form, tr("&Keep"), m_keep);
     column->addLayout(form);
@@ -180,6 +215,7 @@ QStringList ImportDialog::partLines() const {
 void ImportDialog::showKept() {
     m_report->setPlainText((reportLines(kept().report) + partLines()).join('\n'));
     m_size->setText(sizeText(kept().extent));
+    m_doubt->setText(doubtfulExtent(kept().extent.maxCoeff(), choice().unit));
 }
 
 ImportChoice ImportDialog::choice() const {

@@ -25,6 +25,9 @@ struct ImportChoice {
 /// standard.
 LengthUnit likelyUnit(double largestExtent, const QString& fileEnding);
 
+/// Says that no organ has this extent, in a file's unit, and which unit would fit; empty where it may be.
+QString doubtfulExtent(double largestExtent, LengthUnit unit);
+
 /// Asks what a mesh file means, showing the size that follows and what was repaired.
 class ImportDialog : public QDialog {
     Q_OBJECT
@@ -51,7 +54,7 @@ private:
     std::optional<ImportedSurface> m_largest;
     QButtonGroup* m_units;
     QComboBox *m_up, *m_keep;
-    QLabel* m_size;
+    QLabel *m_size, *m_doubt;
     QPlainTextEdit* m_report;
 };
 
