@@ -93,6 +93,26 @@ TEST(Preview, LearnsHowFarTheStepMayGo) {
     EXPECT_GT(*preview.status().safeStep, preview.status().timeStep);
 }
 
+TEST(Preview, NeverSetsTheStepBesideTheLimitOfOtherParameters) {
+    Project project = makeSample("tube");
+    project.regions.clear(); // the base tissue is to be seen
+    Preview preview;
+    preview.setProject(project);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.status().safeStep.has_value(); }, previewPatience));
+    const PreviewStatus before = preview.status();
+    project.base.springConstant *= 1e4;
+    preview.setProject(project);
+    PreviewStatus after;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            after = preview.status();
+            return after.timeStep != before.timeStep;
+        },
+        previewPatience));
+    EXPECT_NE(after.safeStep, before.safeStep);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return preview.status().safeStep.has_value(); }, previewPatience));
+}
+
 TEST(SafeStepFinder, TellsOnlyTheLatestModelsStep) {
     const TissueModel tube = evaluateModel(makeSample("tube")),
                       ventricle = evaluateModel(makeSample("ventricle"));

@@ -119,10 +119,9 @@ bool Preview::workOnce(Worker& worker) {
 }
 
 void Preview::takeProject(PreviewRun& run, const Project& project) {
-    const auto network = run.network();
     if (run.setProject(project)) m_safeSteps.find(run.model(), run.integrator());
-    // Another organ's step says nothing; that of the same organ is near until the new one is known.
-    if (run.network() != network) takeSafeStep(std::nullopt);
+    // The step of other parameters says nothing of these.
+    takeSafeStep(std::nullopt);
 }
 
 void Preview::giveUp(PreviewRun& run, const std::string& reason) {

@@ -43,6 +43,7 @@ void TextureComposer::work() {
 }
 
 void TextureComposer::composeOnce(const Project& project) {
+    m_working = true;
     const auto start = std::chrono::steady_clock::now();
     Pages pages;
     std::string failure;
@@ -66,6 +67,7 @@ void TextureComposer::composeOnce(const Project& project) {
         m_milliseconds =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     }
+    m_working = false; // before anyone hears of it
     emit composed();
 }
 

@@ -5,6 +5,7 @@
 
 #include <QObject>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -26,6 +27,8 @@ public:
 
     void compose(const Project& project);
 
+    /// Whether a composition is under way or waits.
+    bool isWorking() const { return m_working || m_projects.isObsolete(); }
     Pages pages() const;                        ///< null while nothing is composed
     std::shared_ptr<const Atlas> atlas() const; ///< the one the pages belong to
     double milliseconds() const;                ///< the last composition took
@@ -44,6 +47,7 @@ private:
     Pages m_pages;
     double m_milliseconds = 0;
     std::string m_failure;
+    std::atomic<bool> m_working = false;
     std::thread m_thread;
 };
 

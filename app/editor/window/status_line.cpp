@@ -1,5 +1,6 @@
 #include "app/editor/window/status_line.h"
 
+#include "core/dynamics/stability.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QPainter>
@@ -29,6 +30,21 @@ QString methodText(Integrator integrator) {
     default:
         return QString::fromLatin1(integratorName(integrator));
     }
+}
+
+/// Below this share of real time the tissue seems to stand still, and so long it may: a moment is no harm.
+constexpr double slowestMotion = 0.1;
+constexpr qint64 slowPatience = 2000; // ms
+
+/// Why the motion is slow and what helps. A step that is as long as any may be is not short for stiffness,
+/// but takes long for the number of nodes.
+QString slownessText(const PreviewStatus& status) {
+    const QString factor = numberText(status.realTimeFactor, 1);
+    return status.timeStep < 0.99 * longestStep
+               ? QObject::tr("too stiff to play in real time: %1× real time; lower the spring constant or "
+                             "raise the viscosity")
+                     .arg(factor)
+               : QObject::tr("too many nodes to play in real time: %1× real time").arg(factor);
 }
 
 QString safeText(const PreviewStatus& status) {
@@ -114,10 +130,24 @@ void StatusLine::showStatus(const PreviewStatus& status) {
     m_stability->setText(safeText(status));
     explainStep(status);
     m_gauge->setShare(status.safeStep ? status.timeStep / *status.safeStep : -1);
+    watchSpeed(status);
     const QString failure = QString::fromStdString(status.failure).replace('\n', QStringLiteral("; "));
     if (failure == m_failure) return;
     m_failure = failure;
     showLasting();
+}
+
+void StatusLine::watchSpeed(const PreviewStatus& status) {
+    const bool isSlow = status.playing && status.realTimeFactor > 0 && status.realTimeFactor < slowestMotion;
+    if (!isSlow)
+        m_slowSince.invalidate();
+    else if (!m_slowSince.isValid())
+        m_slowSince.start();
+    const bool lasts = isSlow && m_slowSince.hasExpired(slowPatience);
+    const QString slowness = lasts ? slownessText(status) : QString();
+    if (slowness == m_slowness) return;
+    m_slowness = slowness;
+    if (!m_messageTimer.isActive()) showLasting();
 }
 
 void StatusLine::explainStep(const PreviewStatus& status) {
@@ -151,13 +181,18 @@ void StatusLine::showNote(const QString& note, const QString& explanation) {
     if (!m_messageTimer.isActive()) showLasting();
 }
 
+QString StatusLine::problem() const {
+    if (!m_failure.isEmpty()) return m_failure;
+    return m_pictureFailure.isEmpty() ? m_slowness : m_pictureFailure;
+}
+
 void StatusLine::showLasting() {
     m_messageTimer.stop();
-    const QString problem = m_failure.isEmpty() ? m_pictureFailure : m_failure;
-    if (problem.isEmpty())
+    const QString text = problem();
+    if (text.isEmpty())
         showText(m_note, m_noteExplained, false);
     else
-        showText(problem, problem, true);
+        showText(text, text, true);
 }
 
 void StatusLine::showMessage(const QString& text) {

@@ -47,14 +47,17 @@ private:
     void showLasting();
     void showText(const QString& text, const QString& toolTip, bool warning);
     void explainStep(const PreviewStatus& status);
+    void watchSpeed(const PreviewStatus& status);
+    QString problem() const;
 
     QStatusBar& m_bar;
     QLabel *m_rate, *m_realTime, *m_step, *m_message, *m_stabilityCaption, *m_stability;
     StabilityGauge* m_gauge;
     QTimer m_rateTimer, m_messageTimer;
     QElapsedTimer m_since;
+    QElapsedTimer m_slowSince; ///< valid while the motion is too slow
     int m_pictures = 0;
-    QString m_failure, m_pictureFailure, m_note, m_noteExplained;
+    QString m_failure, m_pictureFailure, m_slowness, m_note, m_noteExplained;
 };
 
 } // namespace esm

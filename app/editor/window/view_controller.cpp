@@ -1,8 +1,10 @@
 #include "app/editor/window/view_controller.h"
 
 #include "app/editor/window/actions.h"
+#include "widgets/inputs/number_text.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace esm {
@@ -16,6 +18,9 @@ std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& mo
         values->push_back(springConstant(model, spring));
     return values;
 }
+
+/// Quick work needs no announcement; long work is announced again before the line forgets it.
+constexpr std::chrono::milliseconds redrawingPatience{400};
 
 /// A twentieth of the organ's diagonal, to half a millimetre where that is fine enough.
 double fittingInstrument(const Project& project) {
@@ -31,6 +36,8 @@ ViewController::ViewController(OrganView& view, Document& document, Selection& s
     connect(&document, &Document::changed, this, &ViewController::followDocument);
     connect(&selection, &Selection::changed, this, &ViewController::rebuildScene);
     connect(&preview, &Preview::frameReady, this, &ViewController::showFrame);
+    m_redrawing.setInterval(redrawingPatience);
+    connect(&m_redrawing, &QTimer::timeout, this, [this] { emit message(tr("Redrawing the photos…")); });
     connect(&m_composer, &TextureComposer::composed, this, &ViewController::showTexture);
     connectView();
     followDocument(Change::everything());
@@ -84,10 +91,17 @@ void ViewController::followDocument(const Change& change) {
     if (change.mesh) m_view.letGo();
     if (change.model()) m_preview.setProject(project);
     if (change.model()) m_structure.reset();
-    if (change.picture()) m_composer.compose(project);
+    if (change.picture()) composePhotos();
     if (change.mesh && !m_instrumentChosen) setInstrumentRadius(fittingInstrument(project));
     rebuildScene();
     if (change.mesh) m_view.frameOrgan();
+}
+
+void ViewController::composePhotos() {
+    const Project& project = m_document.project();
+    m_composer.compose(project);
+    if (project.photos.empty() || !project.atlas) return m_redrawing.stop();
+    if (!m_redrawing.isActive()) m_redrawing.start();
 }
 
 void ViewController::chooseInstrumentRadius(double metres) {
@@ -169,10 +183,12 @@ void ViewController::showFrame() {
 }
 
 void ViewController::showTexture() {
+    if (!m_composer.isWorking()) m_redrawing.stop();
     rebuildScene();
     const QString failure = QString::fromStdString(m_composer.failure());
     emit pictureFailed(failure.isEmpty() ? QString() : tr("The photos cannot be composed: %1").arg(failure));
-    if (m_composer.pages()) emit message(tr("Recomposed in %1 ms").arg(qRound(m_composer.milliseconds())));
+    if (m_composer.pages())
+        emit message(tr("Photos redrawn in %1 s").arg(numberText(m_composer.milliseconds() / 1000, 2)));
 }
 
 void ViewController::pickRegion(int index) {

@@ -7,6 +7,8 @@
 #include "app/editor/window/theme.h"
 #include "widgets/view/organ_view.h"
 
+#include <QTimer>
+
 namespace esm {
 
 struct Actions;
@@ -43,6 +45,7 @@ private:
     void connectView();
     void setInstrumentRadius(double metres);
     void followDocument(const Change& change);
+    void composePhotos();
     void rebuildScene();
     void addEllipsoids(RenderScene& scene);
     void addProjector(RenderScene& scene);
@@ -61,6 +64,7 @@ private:
     double m_instrumentRadius = 0.01; ///< m
     bool m_instrumentChosen = false;  ///< by the user
     Theme m_theme = Theme::Dark;
+    QTimer m_redrawing; ///< runs while the photos are redrawn
     bool m_textureWorkspace = false, m_showSprings = false, m_showRegions = true;
     std::optional<Structure> m_structure;    ///< evaluated for the model as it is
     std::vector<std::size_t> m_shownRegions; ///< the region of each ellipsoid that is drawn

@@ -1,0 +1,48 @@
+#include "app/editor/window/status_line.h"
+
+#include <gtest/gtest.h>
+#include <QTest>
+
+using namespace esm;
+
+namespace {
+
+PreviewStatus playingAt(double realTimeFactor, double timeStep) {
+    PreviewStatus status;
+    status.playing = true;
+    status.integrator = Integrator::Split;
+    status.timeStep = timeStep;
+    status.realTimeFactor = realTimeFactor;
+    return status;
+}
+
+class StatusLineTest : public testing::Test {
+protected:
+    QString message() const { return bar.findChild<QLabel*>("message")->text(); }
+    void showForLong(const PreviewStatus& status) {
+        line->showStatus(status);
+        QTest::qWait(2200);
+        line->showStatus(status);
+    }
+
+    QStatusBar bar;
+    StatusLine* line = new StatusLine(bar);
+};
+
+} // namespace
+
+TEST_F(StatusLineTest, SaysThatTheTissueIsTooStiffWhileItIs) {
+    line->showStatus(playingAt(0.02, 1e-6));
+    EXPECT_EQ(message(), "") << "a moment is no harm";
+    showForLong(playingAt(0.02, 1e-6));
+    EXPECT_TRUE(message().contains("too stiff")) << message().toStdString();
+    EXPECT_TRUE(message().contains("0.02")) << message().toStdString();
+    line->showStatus(playingAt(3, 1e-3));
+    EXPECT_EQ(message(), "");
+}
+
+TEST_F(StatusLineTest, BlamesNoStiffnessForManyNodes) {
+    showForLong(playingAt(0.02, 0.01));
+    EXPECT_TRUE(message().contains("too many nodes")) << message().toStdString();
+    EXPECT_FALSE(message().contains("stiff"));
+}
