@@ -144,6 +144,52 @@ TEST_F(MainWindowTest, SaysWhatThePreviewLeavesOut) {
     EXPECT_EQ(message(), "");
 }
 
+TEST_F(MainWindowTest, TheMenusStayWhereTheyAreWhateverTheName) {
+    const auto placeOfMenus = [this] {
+        QTest::qWait(0);
+        return window->menuBar()->actionGeometry(window->menuBar()->actions().front());
+    };
+    const QRect before = placeOfMenus();
+    window->document().replace(makeSample("tube"), "/somewhere/" + std::string(200, 'n') + ".esm");
+    EXPECT_EQ(placeOfMenus(), before);
+    const auto* name = child<QLabel>("documentName");
+    EXPECT_LT(name->width(), 340);
+    EXPECT_LE(name->geometry().right(), window->menuBar()->width());
+    EXPECT_TRUE(name->toolTip().contains("/somewhere/"));
+    edit([](Project& p) { p.base.mass *= 2; });
+    EXPECT_EQ(placeOfMenus(), before);
+    EXPECT_TRUE(name->text().startsWith(QChar(0x2022)));
+    window->document().undoStack()->undo();
+}
+
+TEST_F(MainWindowTest, AsksNobodyToPlayTheGreetingOrgansTestRun) {
+    window.reset();
+    const Project greeting = makeSample("liver");
+    ASSERT_TRUE(greeting.scene.instrument);
+    open(greeting);
+    EXPECT_EQ(message(), "");
+    window->document().replace(makeSample("ventricle"), std::nullopt);
+    EXPECT_TRUE(message().contains("Not played here")) << message().toStdString();
+}
+
+TEST_F(MainWindowTest, RemovesWhatIsSelectedFromTheMenu) {
+    const Actions& actions = window->windowActions();
+    edit([](Project& p) { p.regions.clear(); });
+    EXPECT_FALSE(actions.removeRegion->isEnabled());
+    EXPECT_FALSE(actions.removePhoto->isEnabled());
+    press(Qt::Key_R, Qt::ControlModifier);
+    ASSERT_EQ(project().regions.size(), 1U);
+    actions.removeRegion->trigger();
+    EXPECT_TRUE(project().regions.empty());
+    edit([](Project& p) {
+        PhotoLayer layer;
+        layer.photo = makeSamplePhoto("serosa");
+        p.photos = {layer};
+    });
+    actions.removePhoto->trigger();
+    EXPECT_TRUE(project().photos.empty());
+}
+
 TEST_F(MainWindowTest, ExplainsTheStepInPlainWords) {
     ESM_EVENTUALLY(!child<QLabel>("stepping")->text().isEmpty());
     const QString shown = child<QLabel>("stepping")->text();

@@ -1,5 +1,6 @@
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
+#include "widgets/inputs/vector_field.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -7,6 +8,7 @@
 #include <QMouseEvent>
 #include <QScrollArea>
 #include <QSlider>
+#include <QStyleOptionFrame>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -80,6 +82,20 @@ TEST_F(PanelsTest, ShowsTheMassThatTheRegionsMake) {
     EXPECT_EQ(child<QLabel>("totalMass")->text(), before);
 }
 
+TEST_F(PanelsTest, SaysWhereNoNodeIsFixed) {
+    window->document().edit("free", [](Project& p) { p.scene.fixed.clear(); });
+    EXPECT_TRUE(child<QLabel>("fixing")->text().contains("Fix nodes in region"));
+    window->document().edit("fix", [](Project& p) { p.scene.fixed.push_back({{0, 1}, std::nullopt}); });
+    EXPECT_FALSE(child<QLabel>("fixing")->text().contains("Fix nodes in region"));
+}
+
+TEST_F(PanelsTest, TellsTheBaseMassOnce) {
+    int fields = 0;
+    for (const auto* field : window->findChildren<NumberField*>())
+        fields += field->accessibleName().compare("base mass", Qt::CaseInsensitive) == 0;
+    EXPECT_EQ(fields, 1);
+}
+
 TEST_F(PanelsTest, DisabledControlsSayWhy) {
     for (const char* name : {"opacitySlider", "projectorWidth"}) {
         EXPECT_FALSE(child<QWidget>(name)->isEnabled());
@@ -127,6 +143,18 @@ TEST_F(PanelsTest, FitTheirColumns) {
     expectFit("a region without");
     press(Qt::Key_2, Qt::ControlModifier);
     expectFit("photos");
+}
+
+TEST_F(PanelsTest, PlacesAreShownWithAllTheirDigits) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    QTest::qWait(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        NumberField* field = child<VectorField>("ellipsoidCentre")->field(axis);
+        QStyleOptionFrame option;
+        option.initFrom(field);
+        const QRect room = field->style()->subElementRect(QStyle::SE_LineEditContents, &option, field);
+        EXPECT_GE(room.width(), field->fontMetrics().horizontalAdvance(QString(QChar(0x2212)) + "999.99"));
+    }
 }
 
 TEST_F(PanelsTest, TheToolsStayWhereTheyAreInAnotherTheme) {

@@ -64,6 +64,10 @@ void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projec
     project.photos.push_back(std::move(layer));
 }
 
+void removePhoto(Project& project, std::size_t photo) {
+    project.photos.erase(project.photos.begin() + static_cast<std::ptrdiff_t>(photo));
+}
+
 bool canMovePhoto(const Project& project, std::size_t photo, int above) {
     if (photo >= project.photos.size()) return false;
     return above > 0 ? photo + 1 < project.photos.size() : photo > 0;

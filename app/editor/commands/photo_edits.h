@@ -20,6 +20,8 @@ Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options);
 void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projector& projector,
               std::shared_ptr<const Atlas> atlas);
 
+void removePhoto(Project& project, std::size_t photo);
+
 /// Exchanges a photo with its neighbour above (+1) or below (−1), where there is one.
 bool canMovePhoto(const Project& project, std::size_t photo, int above);
 void movePhoto(Project& project, std::size_t photo, int above);

@@ -103,6 +103,10 @@ void moveRegion(Project& project, std::size_t region, int above) {
     std::swap(project.regions[region], project.regions[above > 0 ? region + 1 : region - 1]);
 }
 
+void removeRegion(Project& project, std::size_t region) {
+    project.regions.erase(project.regions.begin() + static_cast<std::ptrdiff_t>(region));
+}
+
 void fixNodesInside(Project& project, std::size_t region) {
     NodeSelection selection;
     selection.ellipsoid = project.regions[region].ellipsoid;

@@ -28,6 +28,8 @@ void setInput(Region& region, const std::string& variable, double value);
 bool canMoveRegion(const Project& project, std::size_t region, int above);
 void moveRegion(Project& project, std::size_t region, int above);
 
+void removeRegion(Project& project, std::size_t region);
+
 /// Fixes the nodes inside a region's ellipsoid in space. Precondition: it has one.
 void fixNodesInside(Project& project, std::size_t region);
 

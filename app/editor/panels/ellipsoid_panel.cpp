@@ -13,9 +13,9 @@ EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget
     m_centre = new VectorField(withoutUnit(lengthFormat(-1000)), this);
     m_radii = new VectorField(withoutUnit(lengthFormat(smallestLength)), this);
     m_turned = new VectorField(withoutUnit(angleFormat()), this);
-    rows->addField(tr("Centre, mm"), m_centre);
-    rows->addField(tr("Radii, mm"), m_radii);
-    rows->addField(tr("Turned, °"), m_turned);
+    rows->addWideField(tr("Centre, mm"), m_centre);
+    rows->addWideField(tr("Radii, mm"), m_radii);
+    rows->addWideField(tr("Turned, °"), m_turned);
     m_nodesInside = rows->addText(tr("Inside"), QStringLiteral("nodesInside"));
     m_springsInside = rows->addText({}, QStringLiteral("springsInside"));
     m_centre->setObjectName(QStringLiteral("ellipsoidCentre"));

@@ -19,6 +19,14 @@ QString millimetres(const Eigen::Vector3d& metres, const QString& between) {
            decimalText(mm.z(), decimals) + QStringLiteral(" mm");
 }
 
+/// How nodes are fixed where none is, and freed where some are.
+QString fixingText(const TissueModel& model) {
+    if (!model.fixedNodes.empty()) return QObject::tr("Model → Free all fixed nodes lets them go.");
+    return (model.tethers.empty() ? QObject::tr("Nothing holds the organ.")
+                                  : QObject::tr("No node is fixed; tethers hold the organ.")) +
+           QObject::tr(" Select a region, then Model → Fix nodes in region.");
+}
+
 } // namespace
 
 ModelPanel::ModelPanel(Document& document, QWidget* parent)
@@ -36,6 +44,13 @@ ModelPanel::ModelPanel(Document& document, QWidget* parent)
     m_baseMass->setToolTip(tr("Spread evenly over the nodes, before the regions set theirs"));
     m_fixed->setToolTip(tr("Nodes held in space. Model → Fix nodes in region adds some."));
     body()->addWidget(rows);
+    m_fixing = new QLabel(this);
+    m_fixing->setObjectName(QStringLiteral("fixing"));
+    m_fixing->setProperty("quiet", true);
+    m_fixing->setWordWrap(true);
+    m_fixing->setFixedHeight(3 * m_fixing->fontMetrics().lineSpacing());
+    m_fixing->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    body()->addWidget(m_fixing);
 
     connect(m_baseMass, &NumberField::valueEdited, this, [this](double mass) {
         m_document.edit(
@@ -65,6 +80,7 @@ void ModelPanel::showEvaluated() {
     const double mass = std::accumulate(model.mass.begin(), model.mass.end(), 0.0);
     m_totalMass->setText(tr("%1 kg").arg(numberText(mass)));
     m_fixed->setText(countText(model.fixedNodes.size()));
+    m_fixing->setText(fixingText(model));
     m_evaluated = true;
 }
 

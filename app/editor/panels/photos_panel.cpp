@@ -60,9 +60,7 @@ void PhotosPanel::moveLayer(std::size_t layer, int above) {
 }
 
 void PhotosPanel::removeLayer(std::size_t layer) {
-    m_document.edit(tr("Remove photo"), [layer](Project& project) {
-        project.photos.erase(project.photos.begin() + static_cast<std::ptrdiff_t>(layer));
-    });
+    m_document.edit(tr("Remove photo"), [layer](Project& project) { removePhoto(project, layer); });
 }
 
 void PhotosPanel::renameLayer(std::size_t layer, const std::string& name) {

@@ -16,8 +16,8 @@ ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget
     auto* rows = new ValueRows(this);
     rows->addField(tr("Width"), m_width);
     rows->addField(tr("Height"), m_height);
-    rows->addField(tr("Position, mm"), m_position);
-    rows->addField(tr("Turned, °"), m_turned);
+    rows->addWideField(tr("Position, mm"), m_position);
+    rows->addWideField(tr("Turned, °"), m_turned);
     m_width->setObjectName(QStringLiteral("projectorWidth"));
     body()->addWidget(rows);
     body()->addWidget(m_fromCamera, 0, Qt::AlignLeft);

@@ -63,9 +63,7 @@ void RegionsPanel::moveLayer(std::size_t layer, int above) {
 }
 
 void RegionsPanel::removeLayer(std::size_t layer) {
-    m_document.edit(tr("Remove region"), [layer](Project& project) {
-        project.regions.erase(project.regions.begin() + static_cast<std::ptrdiff_t>(layer));
-    });
+    m_document.edit(tr("Remove region"), [layer](Project& project) { removeRegion(project, layer); });
 }
 
 void RegionsPanel::renameLayer(std::size_t layer, const std::string& name) {

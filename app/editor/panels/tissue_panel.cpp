@@ -133,9 +133,10 @@ void TissuePanel::rebuild() {
     m_inputs->setVisible(m_builtFor != nullptr);
     for (const Parameter parameter : parameters) {
         const auto output = m_builtFor ? outputFor(*m_builtFor, parameter) : std::nullopt;
-        if (!shown)
-            addBaseParameter(parameter);
-        else if (output)
+        if (!shown) {
+            // The organ's mass stands beside its size.
+            if (parameter != Parameter::Mass) addBaseParameter(parameter);
+        } else if (output)
             addOutput(parameter, *output);
         else
             addPlainParameter(parameter);

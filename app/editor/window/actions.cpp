@@ -98,6 +98,8 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
     a.undo->setIcon(icon(QStringLiteral("undo")));
     a.redo->setIcon(icon(QStringLiteral("redo")));
     a.rename = make(tr("Rename &organ…"), {}, tr("Give the organ another name"));
+    a.removeRegion = make(tr("Remove re&gion"), {}, tr("Remove the selected region"));
+    a.removePhoto = make(tr("Remove &photo"), {}, tr("Remove the selected photo"));
 }
 
 void ActionMaker::makeModelActions() {

@@ -17,7 +17,7 @@ struct Actions {
     QAction *open, *save, *saveAs, *import, *exportPackage, *quit;
     QMenu* recent;                                         ///< filled by who knows the files
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
-    QAction *undo, *redo, *rename;
+    QAction *undo, *redo, *rename, *removeRegion, *removePhoto;
     QAction *showSprings, *showRegions, *showLeft, *showRight, *frame, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes;

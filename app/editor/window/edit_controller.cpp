@@ -19,6 +19,8 @@ EditController::EditController(QWidget& window, Document& document, Selection& s
 void EditController::connectActions(const Actions& actions) {
     connect(actions.rename, &QAction::triggered, this, &EditController::renameOrgan);
     connect(actions.addRegion, &QAction::triggered, this, &EditController::addRegion);
+    connect(actions.removeRegion, &QAction::triggered, this, &EditController::removeRegion);
+    connect(actions.removePhoto, &QAction::triggered, this, &EditController::removePhoto);
     connect(actions.fixRegion, &QAction::triggered, this, &EditController::fixRegion);
     connect(actions.freeNodes, &QAction::triggered, this, &EditController::freeNodes);
     connect(actions.fromCamera, &QAction::triggered, this, &EditController::projectFromCamera);
@@ -34,6 +36,10 @@ void EditController::enable(const Actions& actions) {
     esm::enable(actions.fixRegion, region && project.regions[*region].ellipsoid,
                 tr("Hold the nodes inside the selected region in space"),
                 tr("Select a region with an ellipsoid first"));
+    esm::enable(actions.removeRegion, region.has_value(), tr("Remove the selected region"),
+                tr("The whole organ cannot be removed: select a region first"));
+    esm::enable(actions.removePhoto, m_selection.photo().has_value(), tr("Remove the selected photo"),
+                tr("No photo is selected"));
     esm::enable(actions.freeNodes, !project.scene.fixed.empty(), tr("Let every fixed node go"),
                 tr("No node is fixed"));
     esm::enable(actions.fromCamera, m_selection.photo().has_value(),
@@ -66,6 +72,18 @@ void EditController::addRegion() {
         esm::addRegion(project, *nearest);
     });
     emit regionAdded();
+}
+
+void EditController::removeRegion() {
+    const auto region = m_selection.region();
+    if (!region) return;
+    m_document.edit(tr("Remove region"), [&](Project& project) { esm::removeRegion(project, *region); });
+}
+
+void EditController::removePhoto() {
+    const auto photo = m_selection.photo();
+    if (!photo) return;
+    m_document.edit(tr("Remove photo"), [&](Project& project) { esm::removePhoto(project, *photo); });
 }
 
 void EditController::fixRegion() {

@@ -27,6 +27,8 @@ signals:
 private:
     void renameOrgan();
     void addRegion();
+    void removeRegion();
+    void removePhoto();
     void fixRegion();
     void freeNodes();
     void enable(const Actions& actions);

@@ -111,7 +111,10 @@ QPushButton* playButton(const Actions& actions, QWidget* parent) {
 void buildMenus(QMainWindow& window, const Actions& a) {
     QMenuBar* bar = window.menuBar();
     fillFileMenu(bar->addMenu(QObject::tr("&File")), a);
-    bar->addMenu(QObject::tr("&Edit"))->addActions({a.undo, a.redo, a.rename});
+    QMenu* edit = bar->addMenu(QObject::tr("&Edit"));
+    edit->addActions({a.undo, a.redo});
+    edit->addSeparator();
+    edit->addActions({a.removeRegion, a.removePhoto, a.rename});
     fillViewMenu(bar->addMenu(QObject::tr("&View")), a);
 
     QMenu* model = bar->addMenu(QObject::tr("&Model"));

@@ -27,6 +27,7 @@ namespace {
 
 constexpr QSize roomForFrame(0, 40);
 constexpr int leftWidth = 276, rightWidth = 340;
+constexpr int widestTitle = 300;
 
 std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
     std::vector<std::filesystem::path> files;
@@ -38,9 +39,9 @@ std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
 } // namespace
 
 MainWindow::MainWindow(Project project)
-    : m_document(new Document(std::move(project), this)), m_selection(new Selection(*m_document)),
-      m_preview(new Preview(this)), m_actions(createActions(this, m_document->undoStack())),
-      m_view(new OrganView(this)),
+    : m_document(new Document(std::move(project), this)), m_greeting(m_document->project()),
+      m_selection(new Selection(*m_document)), m_preview(new Preview(this)),
+      m_actions(createActions(this, m_document->undoStack())), m_view(new OrganView(this)),
       m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
       m_tools(new ToolController(*m_view, *m_document, *m_selection, *m_preview)) {
     const auto camera = [this] { return m_view->camera(); };
@@ -51,7 +52,7 @@ MainWindow::MainWindow(Project project)
     m_status = new StatusLine(*statusBar());
     m_title = new QLabel(menuBar());
     m_title->setObjectName(QStringLiteral("documentName"));
-    menuBar()->setCornerWidget(m_title, Qt::TopLeftCorner);
+    menuBar()->setCornerWidget(m_title, Qt::TopRightCorner);
 
     setCentralWidget(m_view);
     buildMenus(*this, m_actions);
@@ -153,22 +154,24 @@ void MainWindow::showWorkspace() {
 
 void MainWindow::showTitle() {
     const QString mark = m_document->isModified() ? QStringLiteral(" •") : QString();
-    m_title->setText(m_document->title() + mark);
-    // Room for the mark, so that the menus stay where they are.
-    const QFont bold = [font = m_title->font()]() mutable {
-        font.setBold(true);
-        return font;
-    }();
-    m_title->setMinimumWidth(
-        QFontMetrics(bold).horizontalAdvance(m_document->title() + QStringLiteral(" •")) + 16);
-    m_title->adjustSize();
-    menuBar()->setCornerWidget(m_title, Qt::TopLeftCorner);
+    m_title->ensurePolished();
+    // At the right end the menus stay where they are whatever the name; with the mark before it, so does the
+    // name.
+    const QString shown =
+        m_title->fontMetrics().elidedText(m_document->title(), Qt::ElideMiddle, widestTitle);
+    m_title->setText(m_document->isModified() ? QStringLiteral("• ") + shown : shown);
+    const auto& path = m_document->path();
+    m_title->setToolTip(path ? QString::fromStdString(path->string()) : m_document->title());
+    menuBar()->setCornerWidget(m_title, Qt::TopRightCorner);
     setWindowTitle(m_document->title() + mark + QStringLiteral(" – ") + tr("Elastodynamic Shape Modeler"));
 }
 
 void MainWindow::noteWhatIsLeftOut() {
-    const Scene& scene = m_document->project().scene;
+    const Project& project = m_document->project();
+    const Scene& scene = project.scene;
     QStringList parts;
+    // Who starts the program asked for no test run.
+    if (!difference(m_greeting, project).scene) return m_status->showNote({}, {});
     if (!scene.forces.empty()) parts << tr("At set times, forces act on nodes.");
     if (!scene.moves.empty()) parts << tr("At set times, nodes are moved.");
     if (scene.instrument) parts << tr("An instrument follows a path.");
