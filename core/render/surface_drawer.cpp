@@ -44,8 +44,9 @@ SurfaceDrawer::SurfaceDrawer(const GlFunctions& gl)
     m_cornerBuffer.bind(GL_ARRAY_BUFFER);
     gl.EnableVertexAttribArray(0);
     gl.VertexAttribIPointer(0, 1, GL_UNSIGNED_INT, sizeof(Corner), nullptr);
+    constexpr std::size_t textureCoordinates = 2 * sizeof(float);
     for (GLuint i = 0; i < 3; ++i)
-        m_texturedArray.addFloats(1 + i, 2, sizeof(Corner), offsetof(Corner, patch) + 2 * i * sizeof(float));
+        m_texturedArray.addFloats(1 + i, 2, sizeof(Corner), offsetof(Corner, patch) + i * textureCoordinates);
 }
 
 void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices,
