@@ -51,7 +51,6 @@ public:
     /// `written` lies in this file; the document is saved when it still is that project.
     void markSaved(const std::filesystem::path& path, const Project& written);
 
-public slots:
     /// The drag, slider move or run of arrow keys in progress is over: the next edit starts a step of its
     /// own.
     void finishGesture() { ++m_gesture; }

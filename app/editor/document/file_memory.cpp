@@ -29,7 +29,7 @@ QFileInfo infoOf(const std::filesystem::path& file) {
 } // namespace
 
 QString startFolder(FileKind kind, const std::optional<std::filesystem::path>& project) {
-    const QString remembered = QSettings().value(folderKey(kind)).toString();
+    QString remembered = QSettings().value(folderKey(kind)).toString();
     // A stick or a share may be gone.
     if (!remembered.isEmpty() && QDir(remembered).exists()) return remembered;
     if (project) return infoOf(*project).absolutePath();
