@@ -115,6 +115,7 @@ void TermScale::placeRow(std::vector<Place*>& row, int top) const {
     const double room = width() - smallestGap * (static_cast<double>(row.size()) - 1);
     const double shrink = total > room ? std::max(0.0, room) / total : 1;
     std::vector<PlacedWord> words;
+    words.reserve(row.size());
     for (const Place* place : row)
         words.push_back({place->tick, shrink * wordWidth(place->term)});
     const std::vector<double> lefts = spreadWords(words, width(), smallestGap);

@@ -138,7 +138,7 @@ bool OrganView::drawsCornerFreely(const QMouseEvent& event) const {
 }
 
 std::optional<Drag> OrganView::projectorDragAt(const QPointF& place, const Ray& ray) const {
-    if (const auto corner = cornerDragAt(place)) return corner;
+    if (auto corner = cornerDragAt(place)) return corner;
     const int under = projectorUnder(m_scene, ray);
     if (under < 0) return std::nullopt;
     const Projector& projector = m_scene.projectors[static_cast<std::size_t>(under)].projector;
