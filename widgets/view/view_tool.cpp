@@ -10,17 +10,28 @@ QString translated(const char* text) {
     return QCoreApplication::translate("esm::ViewTool", text);
 }
 
-QString toolHelp(ViewTool tool) {
+struct ToolWords {
+    QString use;   ///< what only this tool does
+    QString aside; ///< what else helps while it is in hand
+};
+
+ToolWords wordsOf(ViewTool tool) {
     switch (tool) {
     case ViewTool::Select:
-        return translated("wheel zooms · Home shows all");
+        return {translated("Drag to turn the view · click picks"),
+                translated("wheel zooms · Home shows all")};
     case ViewTool::Pull:
-        return translated("Alt to turn the view · Esc lets go");
+        return {translated("Drag to pull the tissue"), translated("Alt to turn the view · Esc lets go")};
     case ViewTool::Instrument:
-        return translated("Esc takes it away");
+        return {translated("Move to touch the surface · Ctrl and wheel push in and out"),
+                translated("Esc takes it away")};
     case ViewTool::Region:
+        return {translated("Drag the ellipsoid to move it · handles scale it"),
+                translated("Alt to turn the view")};
     case ViewTool::Projector:
-        return translated("Alt to turn the view");
+        return {
+            translated("Drag the photo to place it · corners scale it, with Shift width and height apart"),
+            translated("Alt to turn the view")};
     }
     return {};
 }
@@ -28,23 +39,12 @@ QString toolHelp(ViewTool tool) {
 } // namespace
 
 QString toolUse(ViewTool tool) {
-    switch (tool) {
-    case ViewTool::Select:
-        return translated("Drag to turn the view · click picks");
-    case ViewTool::Pull:
-        return translated("Drag to pull the tissue");
-    case ViewTool::Instrument:
-        return translated("Move to touch the surface · Ctrl and wheel push in and out");
-    case ViewTool::Region:
-        return translated("Drag the ellipsoid to move it · handles scale it");
-    case ViewTool::Projector:
-        return translated("Drag the photo to place it · corners scale it, with Shift width and height apart");
-    }
-    return {};
+    return wordsOf(tool).use;
 }
 
 QString toolHint(ViewTool tool) {
-    return toolUse(tool) + QStringLiteral(" · ") + toolHelp(tool);
+    const ToolWords words = wordsOf(tool);
+    return words.use + QStringLiteral(" · ") + words.aside;
 }
 
 } // namespace esm

@@ -48,6 +48,7 @@ ModelPanel::ModelPanel(Document& document, QWidget* parent)
     m_fixing->setObjectName(QStringLiteral("fixing"));
     m_fixing->setProperty("quiet", true);
     m_fixing->setWordWrap(true);
+    m_fixing->ensurePolished(); // the style's font is the one to be measured
     m_fixing->setFixedHeight(3 * m_fixing->fontMetrics().lineSpacing());
     m_fixing->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     body()->addWidget(m_fixing);

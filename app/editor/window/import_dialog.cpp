@@ -39,8 +39,7 @@ void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice) {
 QString massOfWall(const RepairReport& report) {
     if (report.isClosed()) return {};
     return report.boundaryEdges > 0
-               ? QObject::tr(
-                     "The surface is open there: it weighs as a wall 3 mm thick, not as a filled organ.")
+               ? QObject::tr("An open surface weighs as a wall 3 mm thick, not as a filled organ.")
                : QObject::tr("The surface has no clear inside: it weighs as a wall 3 mm thick.");
 }
 
