@@ -28,18 +28,20 @@ double parseNumber(const std::string& text, const std::string& option) {
     return *value;
 }
 
-/// Of the term's core, where it holds fully.
-double middleOfTerm(const FuzzySystem& system, const std::string& input, const std::string& word,
-                    const std::string& option) {
-    for (const FuzzyVariable& variable : system.inputs) {
-        if (variable.name != input) continue;
-        for (const FuzzyTerm& term : variable.terms)
-            if (term.name == word) return (term.set.b + term.set.c) / 2;
-        throw UsageError(option + " " + input + ": '" + word +
-                         "' is neither a number nor one of its terms, " + joinedNames(variable.terms));
-    }
-    throw UsageError(option + ": '" + input + "' is not one of the system's inputs, " +
+const FuzzyVariable& inputOf(const FuzzySystem& system, const std::string& name, const std::string& option) {
+    for (const FuzzyVariable& variable : system.inputs)
+        if (variable.name == name) return variable;
+    throw UsageError(option + ": '" + name + "' is not one of the system's inputs, " +
                      joinedNames(system.inputs));
+}
+
+/// A number, or the middle of a term's core, where it holds fully.
+double valueOf(const FuzzyVariable& input, const std::string& word, const std::string& option) {
+    if (const std::optional<double> number = finiteNumber(word)) return *number;
+    for (const FuzzyTerm& term : input.terms)
+        if (term.name == word) return (term.set.b + term.set.c) / 2;
+    throw UsageError(option + " " + input.name + ": '" + word +
+                     "' is neither a number nor one of its terms, " + joinedNames(input.terms));
 }
 
 /// CLI11 itself would read leading zeros as octal. @param range " from 1 to 9", for the message
@@ -96,10 +98,8 @@ NamedValues parsePairs(const std::vector<std::string>& pairs, const std::string&
 
 NamedValues inputsFor(const FuzzySystem& system, const NamedWords& words, const std::string& option) {
     NamedValues values;
-    for (const auto& [name, word] : words) {
-        const std::optional<double> number = finiteNumber(word);
-        values.emplace_back(name, number ? *number : middleOfTerm(system, name, word, option));
-    }
+    for (const auto& [name, word] : words)
+        values.emplace_back(name, valueOf(inputOf(system, name, option), word, option));
     return values;
 }
 

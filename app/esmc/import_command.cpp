@@ -46,12 +46,12 @@ void declareImport(CLI::App& command, ImportOptions& options) {
 std::string doubtfulSize(double size, LengthUnit unit) {
     if (isPlausibleSize(size)) return {};
     std::string advice;
-    for (const auto& [name, other] : units) {
-        const double meant = size / metresPer(unit) * metresPer(other);
-        if (!isPlausibleSize(meant)) continue;
-        advice += advice.empty() ? "; with " : ", with ";
-        advice += "--unit " + name + " it would be " + inText(meant) + " m";
-    }
+    for (const auto& [fitting, meant] : fittingUnits(size / metresPer(unit)))
+        for (const auto& [word, other] : units) {
+            if (other != fitting) continue;
+            advice += advice.empty() ? "; with " : ", with ";
+            advice += "--unit " + word + " it would be " + inText(meant) + " m";
+        }
     return "the model is " + inText(size) + " m large" +
            (advice.empty() ? ", and no unit makes it an organ's size" : advice);
 }

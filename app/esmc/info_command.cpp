@@ -63,14 +63,14 @@ void addCriticalSteps(Report& report, const TissueModel& tissue) {
                           stepInText(steps.split) + ", split2 " + stepInText(steps.split2));
 }
 
-/// What holds the model, with the keys of `scene`.
+/// What holds the model and what touches it.
 void addHolds(Report& report, const TissueModel& tissue, bool hasInstrument) {
     report.json["fixed"] = tissue.fixedNodes.size();
     report.json["tethers"] = tissue.tethers.size();
     report.json["instrument"] = hasInstrument;
     report.text.push_back(counted(tissue.fixedNodes.size(), "fixed node") + ", " +
-                          counted(tissue.tethers.size(), "tether") + ", " +
-                          (hasInstrument ? "an instrument" : "no instrument"));
+                          counted(tissue.tethers.size(), "tether") +
+                          (hasInstrument ? ", an instrument" : ""));
 }
 
 void addTextures(Report& report, std::size_t pages) {

@@ -111,6 +111,13 @@ bool isPlausibleSize(double metres) {
     return metres >= 0.001 && metres <= 3;
 }
 
+std::vector<FittingUnit> fittingUnits(double extent) {
+    std::vector<FittingUnit> fitting;
+    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre})
+        if (isPlausibleSize(extent * metresPer(unit))) fitting.push_back({unit, extent * metresPer(unit)});
+    return fitting;
+}
+
 double metresPer(LengthUnit unit) {
     switch (unit) {
     case LengthUnit::Millimetre:

@@ -16,6 +16,13 @@ double metresPer(LengthUnit unit);
 /// Whether organs and bodies have this size: 1 mm to 3 m.
 bool isPlausibleSize(double metres);
 
+struct FittingUnit {
+    LengthUnit unit;
+    double size; ///< m, with this unit
+};
+/// The units in which so many of a file's units are a plausible size, the smallest first.
+std::vector<FittingUnit> fittingUnits(double extent);
+
 /// Reads a surface: STL, PLY, OFF, glTF and GLB through assimp, OBJ and legacy VTK polydata by readers of our
 /// own. Node transforms are applied; lines and points are ignored. Coordinates and the order of the faces are
 /// the file's.

@@ -16,8 +16,7 @@ namespace {
 constexpr double defaultSpringConstant = 16.26; // N/m
 constexpr double defaultViscosity = 2.877;      // N·s/m
 
-constexpr double tissueDensity = 1000;  // kg/m³
-constexpr double wallThickness = 0.003; // m, of an open surface
+constexpr double tissueDensity = 1000; // kg/m³
 
 /// The part of the organ's size over which a poke fades.
 constexpr double pokeExtent = 0.15;

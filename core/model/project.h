@@ -41,6 +41,8 @@ struct Project {
     std::shared_ptr<const Atlas> atlas; ///< null until packed
 };
 
+inline constexpr double wallThickness = 0.003; ///< m, that an open surface weighs as
+
 /// A project around an imported or made mesh, with default tissue and tethers that are stable and behave like
 /// tissue at any size. Without a mass: closed surface, its volume × 1000 kg/m³; open, area × 3 mm × 1000
 /// kg/m³.
