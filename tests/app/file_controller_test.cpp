@@ -48,6 +48,13 @@ protected:
 
 } // namespace
 
+TEST_F(FileControllerTest, KnowsWhereAFileIsThatWasNamedFromAFolder) {
+    saveProject(makeSample("tube"), folder / "tube.esm");
+    window->openFiles({std::filesystem::relative(folder / "tube.esm")});
+    ASSERT_TRUE(window->document().path());
+    EXPECT_TRUE(window->document().path()->is_absolute());
+}
+
 TEST_F(FileControllerTest, SavesWhatIsTypedWhileTheCursorIsStillInTheField) {
     typeInto(massField(), "0.5");
     dialogs.expectFile(folder / "tube.esm");

@@ -50,7 +50,7 @@ TEST_F(ImportDialogTest, DoubtsASizeNoOrganHasWithoutAJump) {
     EXPECT_EQ(doubt->text(), "");
     const int height = dialog.sizeHint().height();
     dialog.findChild<QAbstractButton*>("unit2")->click();
-    EXPECT_TRUE(doubt->text().contains("with millimetre 200 mm")) << doubt->text().toStdString();
+    EXPECT_TRUE(doubt->text().contains("200 mm in millimetres")) << doubt->text().toStdString();
     EXPECT_EQ(dialog.sizeHint().height(), height);
     EXPECT_TRUE(doubtfulExtent(1e-9, LengthUnit::Metre).contains("no unit"));
 }

@@ -135,6 +135,11 @@ TEST_F(MainWindowTest, SaysWhyTheTissueDoesNotMoveUntilItDoes) {
 }
 
 TEST_F(MainWindowTest, SaysWhatThePreviewLeavesOut) {
+    Project still = makeSample("tube");
+    still.scene.instrument.reset();
+    still.scene.forces.clear();
+    still.scene.moves.clear();
+    window->document().replace(still, std::nullopt);
     EXPECT_EQ(message(), "");
     edit([](Project& p) { p.scene.forces.push_back({0, Eigen::Vector3d(0, 0.1, 0), 0, 1}); });
     EXPECT_NE(message(), "");
@@ -168,8 +173,11 @@ TEST_F(MainWindowTest, AsksNobodyToPlayTheGreetingOrgansTestRun) {
     ASSERT_TRUE(greeting.scene.instrument);
     open(greeting);
     EXPECT_EQ(message(), "");
-    window->document().replace(makeSample("ventricle"), std::nullopt);
-    EXPECT_TRUE(message().contains("Not played here")) << message().toStdString();
+    edit([](Project& p) { p.scene.fixed.clear(); });
+    edit([](Project& p) { p.scene.fixed.push_back({{0, 1}, std::nullopt}); });
+    EXPECT_EQ(message(), "") << "to fix nodes is no test run";
+    window->document().replace(greeting, std::nullopt);
+    EXPECT_TRUE(message().contains("Not played here")) << "who opens it has asked for it";
 }
 
 TEST_F(MainWindowTest, RemovesWhatIsSelectedFromTheMenu) {

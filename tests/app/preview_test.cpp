@@ -117,7 +117,9 @@ TEST(SafeStepFinder, TellsOnlyTheLatestModelsStep) {
     const TissueModel tube = evaluateModel(makeSample("tube")),
                       ventricle = evaluateModel(makeSample("ventricle"));
     std::promise<std::optional<double>> told;
-    SafeStepFinder finder([&](std::optional<double> step) { told.set_value(step); });
+    SafeStepFinder finder([&](std::optional<double> step) {
+        if (step) told.set_value(step);
+    });
     finder.find(ventricle, Integrator::Split);
     finder.find(tube, Integrator::Euler);
     auto step = told.get_future();

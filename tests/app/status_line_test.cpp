@@ -45,4 +45,6 @@ TEST_F(StatusLineTest, BlamesNoStiffnessForManyNodes) {
     showForLong(playingAt(0.02, 0.01));
     EXPECT_TRUE(message().contains("too many nodes")) << message().toStdString();
     EXPECT_FALSE(message().contains("stiff"));
+    showForLong(playingAt(0.02, 0.005));
+    EXPECT_TRUE(message().contains("too many nodes")) << "where the longest step would not help either";
 }

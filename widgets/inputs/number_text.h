@@ -10,7 +10,7 @@ namespace esm {
 /// "2 194": groups of three digits, so that large counts are read at a glance.
 QString countText(std::size_t count);
 
-/// A number with four significant digits and a true minus sign: "16.26", "−0.4000", "2.400e−07".
+/// A number with at least four significant digits and a true minus sign: "16.26", "−0.4000", "2.400e−07".
 QString numberText(double value, int significantDigits = 4);
 
 /// A fixed number of decimals, for columns that must line up.

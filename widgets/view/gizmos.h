@@ -34,7 +34,8 @@ Ellipsoid scaled(const Ellipsoid& ellipsoid, std::size_t handle, const Ray& ray)
 enum class Proportions { Kept, Free };
 
 /// The projector with a corner drawn to the ray; its centre stays. With its proportions kept, the corner goes
-/// along its diagonal to where it is nearest to the ray; else to the ray, width and height each on its own.
+/// along its diagonal to where it is nearest to the point that the ray points at; else to that point, width
+/// and height each on its own.
 Projector scaled(const Projector& projector, const Ray& ray, Proportions proportions);
 
 } // namespace esm

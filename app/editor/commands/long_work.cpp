@@ -27,7 +27,6 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
             return !cancelled;
         });
     });
-    bool isInFront = window && window->isActiveWindow();
     const auto isDone = [&] { return done.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
     if (done.wait_for(patience) != std::future_status::ready) {
         QProgressDialog dialog(title, cancelling == Cancelling::Offered ? QObject::tr("Cancel") : QString(),
@@ -38,6 +37,7 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
         dialog.setMinimumWidth(360);
         dialog.setAutoReset(false);
         dialog.setAutoClose(false);
+        bool isInFront = window && window->isActiveWindow();
         QTimer poll;
         QObject::connect(&poll, &QTimer::timeout, &dialog, [&] {
             isInFront = QApplication::activeWindow() != nullptr;
@@ -57,10 +57,10 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
         // Escape hides the dialog, but the work may take a moment to stop.
         while (!isDone())
             dialog.exec();
+        // Where a dialog goes, not every desktop gives the keys back; one who works elsewhere meanwhile keeps
+        // them.
+        if (window && isInFront) window->activateWindow();
     }
-    // Where a dialog goes, not every desktop gives the keys back; one who works elsewhere meanwhile keeps
-    // them.
-    if (window && isInFront) window->activateWindow();
     done.get();
     if (cancelled) throw Cancelled();
 }

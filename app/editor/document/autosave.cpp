@@ -124,8 +124,8 @@ void Autosave::save() {
         std::launch::async,
         [this, project, former = Former{m_document.title(), m_document.proposedPath()}, file = m_file] {
             try {
+                saveProject(project, file); // first: where it fails, copy and title stay of one project
                 writeFormer(file, former);
-                saveProject(project, file);
             } catch (const std::exception&) {
                 // Nobody asked for this copy; the user's own save says what is wrong.
                 QMetaObject::invokeMethod(this, &Autosave::noteFailure, Qt::QueuedConnection);

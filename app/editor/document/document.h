@@ -15,7 +15,7 @@ namespace esm {
 /// Whether a project would be lost with the window: `Stored` lies in a file or can be made again.
 enum class Origin { Stored, Unsaved };
 
-/// What is known of unsaved work that had a file.
+/// What is known of unsaved work from before: its title, and its file if it had one.
 struct Former {
     QString title;
     std::optional<std::filesystem::path> path;
@@ -32,8 +32,8 @@ public:
 
     const Project& project() const { return m_project; }
     const std::optional<std::filesystem::path>& path() const { return m_path; }
-    /// The file to propose for saving: its own; while it has none, the one that replace() was told. Only who
-    /// is asked may write to the latter.
+    /// The file to propose for saving: its own; while it has none, the one that replace() was told. Ask the
+    /// user before writing to that one.
     const std::optional<std::filesystem::path>& proposedPath() const {
         return m_path ? m_path : m_former.path;
     }

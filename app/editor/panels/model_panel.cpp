@@ -22,9 +22,11 @@ QString millimetres(const Eigen::Vector3d& metres, const QString& between) {
 /// How nodes are fixed where none is, and freed where some are.
 QString fixingText(const TissueModel& model) {
     if (!model.fixedNodes.empty()) return QObject::tr("Model → Free all fixed nodes lets them go.");
-    return (model.tethers.empty() ? QObject::tr("Nothing holds the organ.")
-                                  : QObject::tr("No node is fixed; tethers hold the organ.")) +
-           QObject::tr(" Select a region, then Model → Fix nodes in region.");
+    return model.tethers.empty()
+               ? QObject::tr("Nothing holds the organ. To fix nodes, select a region with an ellipsoid: "
+                             "Model → Fix nodes in region.")
+               : QObject::tr("Tethers hold the organ. To fix nodes, select a region with an ellipsoid: "
+                             "Model → Fix nodes in region.");
 }
 
 } // namespace
@@ -42,7 +44,7 @@ ModelPanel::ModelPanel(Document& document, QWidget* parent)
     m_totalMass->setToolTip(tr("Mass of all nodes, with what the regions set"));
     m_baseMass->setAccessibleName(tr("Base mass"));
     m_baseMass->setToolTip(tr("Spread evenly over the nodes, before the regions set theirs"));
-    m_fixed->setToolTip(tr("Nodes held in space. Model → Fix nodes in region adds some."));
+    m_fixed->setToolTip(tr("Nodes held in space"));
     body()->addWidget(rows);
     m_fixing = new QLabel(this);
     m_fixing->setObjectName(QStringLiteral("fixing"));

@@ -119,9 +119,11 @@ bool Preview::workOnce(Worker& worker) {
 }
 
 void Preview::takeProject(PreviewRun& run, const Project& project) {
-    if (run.setProject(project)) m_safeSteps.find(run.model(), run.integrator());
     // The step of other parameters says nothing of these.
-    takeSafeStep(std::nullopt);
+    if (run.setProject(project))
+        m_safeSteps.find(run.model(), run.integrator());
+    else
+        takeSafeStep(std::nullopt);
 }
 
 void Preview::giveUp(PreviewRun& run, const std::string& reason) {

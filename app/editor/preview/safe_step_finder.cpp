@@ -28,7 +28,9 @@ SafeStepFinder::~SafeStepFinder() {
 }
 
 void SafeStepFinder::find(TissueModel model, Integrator integrator) {
+    const std::lock_guard lock(m_telling);
     m_questions.put({std::move(model), integrator});
+    m_found(std::nullopt);
 }
 
 void SafeStepFinder::work() {
@@ -37,6 +39,7 @@ void SafeStepFinder::work() {
         try {
             const auto step = criticalStep(question->model, question->integrator,
                                            {tolerance, [this](double) { return !m_questions.isObsolete(); }});
+            const std::lock_guard lock(m_telling);
             if (!m_questions.isObsolete()) m_found(step);
         } catch (const std::exception&) {
             // Superseded; or the simulation says itself what is wrong with the model.

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 namespace esm {
@@ -15,10 +16,10 @@ namespace esm {
 /// A model that comes while it works replaces the one it works on; only the latest one's result is told.
 class SafeStepFinder {
 public:
-    /// s; infinite without a limit, none where no step is stable.
+    /// s; infinite without a limit, none where no step is stable or while it is being sought.
     using Found = std::function<void(std::optional<double> safeStep)>;
 
-    /// @param found called on the finder's thread
+    /// @param found called on the finder's thread, and by find()
     explicit SafeStepFinder(Found found);
     ~SafeStepFinder();
 
@@ -33,6 +34,7 @@ private:
     void work();
 
     Found m_found;
+    std::mutex m_telling; ///< so that no former model's step is told after a new question
     LatestInput<Question> m_questions;
     std::unique_ptr<QThread> m_thread;
 };

@@ -9,12 +9,12 @@ namespace esm {
 TextureComposer::TextureComposer(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
 
 TextureComposer::~TextureComposer() {
-    m_projects.stop();
+    m_requests.stop();
     m_thread.join();
 }
 
 void TextureComposer::compose(const Project& project) {
-    m_projects.put(project);
+    m_requests.put({project, ++m_asked});
 }
 
 TextureComposer::Pages TextureComposer::pages() const {
@@ -38,18 +38,19 @@ std::string TextureComposer::failure() const {
 }
 
 void TextureComposer::work() {
-    while (const auto project = m_projects.take())
-        composeOnce(*project);
+    while (const auto request = m_requests.take())
+        compose(*request);
 }
 
-void TextureComposer::composeOnce(const Project& project) {
-    m_working = true;
+void TextureComposer::compose(const Request& request) {
+    const Project& project = request.project;
     const auto start = std::chrono::steady_clock::now();
     Pages pages;
     std::string failure;
     try {
         const auto goOn = [&](double) {
-            return !m_projects.isObsolete([&](const Project& next) { return next.atlas != project.atlas; });
+            return !m_requests.isObsolete(
+                [&](const Request& next) { return next.project.atlas != project.atlas; });
         };
         if (project.atlas && !project.photos.empty())
             pages = std::make_shared<const std::vector<Image>>(
@@ -67,7 +68,7 @@ void TextureComposer::composeOnce(const Project& project) {
         m_milliseconds =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     }
-    m_working = false; // before anyone hears of it
+    m_finished = request.number; // before anyone hears of it
     emit composed();
 }
 

@@ -28,7 +28,7 @@ public:
     void compose(const Project& project);
 
     /// Whether a composition is under way or waits.
-    bool isWorking() const { return m_working || m_projects.isObsolete(); }
+    bool isWorking() const { return m_finished != m_asked; }
     Pages pages() const;                        ///< null while nothing is composed
     std::shared_ptr<const Atlas> atlas() const; ///< the one the pages belong to
     double milliseconds() const;                ///< the last composition took
@@ -38,16 +38,21 @@ signals:
     void composed();
 
 private:
-    void work();
-    void composeOnce(const Project& project);
+    struct Request {
+        Project project;
+        int number; ///< of the request, from 1
+    };
 
-    LatestInput<Project> m_projects;
+    void work();
+    void compose(const Request& request);
+
+    LatestInput<Request> m_requests;
     mutable std::mutex m_mutex; ///< guards the result
     std::shared_ptr<const Atlas> m_atlas;
     Pages m_pages;
     double m_milliseconds = 0;
     std::string m_failure;
-    std::atomic<bool> m_working = false;
+    std::atomic<int> m_asked = 0, m_finished = 0; ///< numbers of requests
     std::thread m_thread;
 };
 

@@ -1,5 +1,6 @@
 #include "app/editor/window/edit_controller.h"
 
+#include "app/editor/commands/ask.h"
 #include "app/editor/commands/photo_edits.h"
 #include "app/editor/commands/region_edits.h"
 #include "app/editor/window/actions.h"
@@ -52,9 +53,11 @@ void EditController::enable(const Actions& actions) {
 
 void EditController::renameOrgan() {
     bool accepted = false;
-    const QString name =
-        QInputDialog::getText(&m_window, tr("Rename organ"), tr("Name of the organ"), QLineEdit::Normal,
-                              QString::fromStdString(m_document.project().name), &accepted);
+    const QString name = ask(m_window, [&] {
+        return QInputDialog::getText(&m_window, tr("Rename organ"), tr("Name of the organ"),
+                                     QLineEdit::Normal, QString::fromStdString(m_document.project().name),
+                                     &accepted);
+    });
     if (!accepted || name.trimmed().isEmpty()) return;
     m_document.edit(tr("Rename organ"),
                     [&](Project& project) { project.name = name.trimmed().toStdString(); });

@@ -1,5 +1,6 @@
 #include "app/editor/window/file_controller.h"
 
+#include "app/editor/commands/ask.h"
 #include "app/editor/commands/attempt.h"
 #include "app/editor/commands/long_work.h"
 #include "app/editor/commands/photo_edits.h"
@@ -84,7 +85,7 @@ bool FileController::mayLeaveProject() {
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     box.setObjectName(QStringLiteral("unsavedBox"));
     box.setInformativeText(tr("Without saving they are lost."));
-    const int answer = box.exec();
+    const int answer = ask(m_window, [&] { return box.exec(); });
     return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
 }
 
@@ -103,7 +104,7 @@ void FileController::openAny(const std::filesystem::path& file) {
 
 void FileController::openAll(const std::vector<std::filesystem::path>& files) {
     for (const auto& file : files)
-        openAny(file);
+        openAny(std::filesystem::absolute(file));
 }
 
 void FileController::openRecent(const QString& file) {
@@ -139,9 +140,8 @@ void FileController::importMesh(const std::filesystem::path& file) {
         const auto surfaces =
             computeLong(&m_window, title, [&](const Progress&) { return waysToImport(soup); });
         ImportDialog dialog(fileName(file), surfaces.first, surfaces.second, &m_window);
-        const bool accepted = dialog.exec() == QDialog::Accepted;
-        m_window.activateWindow();
-        if (!accepted || !mayLeaveProject()) return;
+        const int answer = ask(m_window, [&] { return dialog.exec(); });
+        if (answer != QDialog::Accepted || !mayLeaveProject()) return;
         const ImportChoice choice = dialog.choice();
         Project project = computeLong(&m_window, title, [&](const Progress&) {
             convertToMetres(soup, choice.unit, choice.up);
@@ -222,7 +222,7 @@ void FileController::offerLeftBehind(Autosave& autosave) {
                                .arg(title, QLocale().toString(latest.written, QLocale::ShortFormat)));
     QPushButton* restore = box.addButton(tr("&Bring back"), QMessageBox::AcceptRole);
     box.setDefaultButton(restore);
-    box.exec();
+    ask(m_window, [&] { return box.exec(); });
     if (box.clickedButton() == box.button(QMessageBox::Discard)) return Autosave::discard(latest);
     if (box.clickedButton() != restore) return;
     attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
@@ -237,8 +237,9 @@ QString FileController::suggestedPath(const QString& folder, const QString& endi
 
 std::optional<std::filesystem::path> FileController::chooseFile(FileKind kind, const QString& title,
                                                                 const QString& filter) {
-    const QString file =
-        QFileDialog::getOpenFileName(&m_window, title, startFolder(kind, m_document.path()), filter);
+    const QString file = ask(m_window, [&] {
+        return QFileDialog::getOpenFileName(&m_window, title, startFolder(kind, m_document.path()), filter);
+    });
     if (file.isEmpty()) return std::nullopt;
     rememberFolder(kind, toPath(file));
     return toPath(file);
@@ -272,9 +273,8 @@ bool FileController::saveAs() {
     // Another name for a project that has one: beside it, unless its stick or share is gone.
     const QString folder =
         !beside.isEmpty() && QDir(beside).exists() ? beside : startFolder(FileKind::Project, std::nullopt);
-    const auto file = chooseNewFile(
-        &m_window, {tr("Save project"), suggestedPath(folder, ending), tr("Projects (*.esm)"), ending});
-    m_window.activateWindow();
+    const NewFile asked{tr("Save project"), suggestedPath(folder, ending), tr("Projects (*.esm)"), ending};
+    const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
     if (!file) return false;
     rememberFolder(FileKind::Project, *file);
     return saveTo(*file);
@@ -283,9 +283,9 @@ bool FileController::saveAs() {
 void FileController::chooseExport() {
     const QString ending = QStringLiteral(".glb");
     const QString folder = startFolder(FileKind::Package, m_document.path());
-    const auto file = chooseNewFile(&m_window, {tr("Export package"), suggestedPath(folder, ending),
-                                                tr("Model packages (*.glb)"), ending});
-    m_window.activateWindow();
+    const NewFile asked{tr("Export package"), suggestedPath(folder, ending), tr("Model packages (*.glb)"),
+                        ending};
+    const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
     if (!file) return;
     rememberFolder(FileKind::Package, *file);
     exportTo(*file);

@@ -1,5 +1,6 @@
 #include "app/editor/window/import_dialog.h"
 
+#include "core/model/project.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QDialogButtonBox>
@@ -38,9 +39,10 @@ void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice) {
 /// What an open surface means for the organ that is made of it; empty for a closed one.
 QString massOfWall(const RepairReport& report) {
     if (report.isClosed()) return {};
+    const QString wall = QObject::tr("%1 mm").arg(decimalText(wallThickness * 1000, 0));
     return report.boundaryEdges > 0
-               ? QObject::tr("An open surface weighs as a wall 3 mm thick, not as a filled organ.")
-               : QObject::tr("The surface has no clear inside: it weighs as a wall 3 mm thick.");
+               ? QObject::tr("An open surface weighs as a wall %1 thick, not as a filled organ.").arg(wall)
+               : QObject::tr("The surface has no clear inside: it weighs as a wall %1 thick.").arg(wall);
 }
 
 QStringList reportLines(const RepairReport& report) {
@@ -55,6 +57,18 @@ QStringList reportLines(const RepairReport& report) {
 
 QString trianglesText(std::size_t count) {
     return count == 1 ? QObject::tr("1 triangle") : QObject::tr("%1 triangles").arg(countText(count));
+}
+
+QString unitsName(LengthUnit unit) {
+    switch (unit) {
+    case LengthUnit::Millimetre:
+        return QObject::tr("millimetres");
+    case LengthUnit::Centimetre:
+        return QObject::tr("centimetres");
+    case LengthUnit::Metre:
+        break;
+    }
+    return QObject::tr("metres");
 }
 
 /// More parts than these are crumbs, or no organ.
@@ -74,17 +88,13 @@ LengthUnit likelyUnit(double largestExtent, const QString& fileEnding) {
 QString doubtfulExtent(double largestExtent, LengthUnit unit) {
     const double metres = largestExtent * metresPer(unit);
     if (isPlausibleSize(metres)) return {};
-    const std::array<QString, 3> names{QObject::tr("millimetre"), QObject::tr("centimetre"),
-                                       QObject::tr("metre")};
     QStringList fitting;
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        const double meant = largestExtent * metresPer(units[i]);
-        if (isPlausibleSize(meant)) fitting << QObject::tr("with %1 %2").arg(names[i], lengthText(meant));
-    }
+    for (const auto& [other, size] : fittingUnits(largestExtent))
+        fitting << QObject::tr("%1 in %2").arg(lengthText(size), unitsName(other));
     if (fitting.isEmpty())
         return QObject::tr("The organ would be %1 large, and no unit makes it an organ's size.")
             .arg(lengthText(metres));
-    return QObject::tr("The organ would be %1 large; %2.")
+    return QObject::tr("The organ would be %1 large. It would be %2.")
         .arg(lengthText(metres), fitting.join(QStringLiteral(", ")));
 }
 

@@ -39,9 +39,9 @@ std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
 } // namespace
 
 MainWindow::MainWindow(Project project)
-    : m_document(new Document(std::move(project), this)), m_greeting(m_document->project()),
-      m_selection(new Selection(*m_document)), m_preview(new Preview(this)),
-      m_actions(createActions(this, m_document->undoStack())), m_view(new OrganView(this)),
+    : m_document(new Document(std::move(project), this)), m_selection(new Selection(*m_document)),
+      m_preview(new Preview(this)), m_actions(createActions(this, m_document->undoStack())),
+      m_view(new OrganView(this)),
       m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
       m_tools(new ToolController(*m_view, *m_document, *m_selection, *m_preview)) {
     const auto camera = [this] { return m_view->camera(); };
@@ -119,6 +119,7 @@ void MainWindow::connectParts() {
     connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
     connect(m_document, &Document::changed, this, [this](const Change& change) {
         if (change.name) showTitle();
+        if (change.mesh) m_showsGreeting = false;
         if (change.scene) noteWhatIsLeftOut();
         if (change.mesh) m_play->endGentleMotion(); // an organ of the user's own rests until it is touched
     });
@@ -171,7 +172,7 @@ void MainWindow::noteWhatIsLeftOut() {
     const Scene& scene = project.scene;
     QStringList parts;
     // Who starts the program asked for no test run.
-    if (!difference(m_greeting, project).scene) return m_status->showNote({}, {});
+    if (m_showsGreeting) return m_status->showNote({}, {});
     if (!scene.forces.empty()) parts << tr("At set times, forces act on nodes.");
     if (!scene.moves.empty()) parts << tr("At set times, nodes are moved.");
     if (scene.instrument) parts << tr("An instrument follows a path.");

@@ -52,7 +52,7 @@ private:
     void setTheme(bool light);
 
     Document* m_document;
-    const Project m_greeting; ///< the organ that the window began with
+    bool m_showsGreeting = true; ///< the organ that the window began with
     Selection* m_selection;
     Preview* m_preview;
     Actions m_actions;

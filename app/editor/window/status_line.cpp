@@ -36,15 +36,17 @@ QString methodText(Integrator integrator) {
 constexpr double slowestMotion = 0.1;
 constexpr qint64 slowPatience = 2000; // ms
 
-/// Why the motion is slow and what helps. A step that is as long as any may be is not short for stiffness,
-/// but takes long for the number of nodes.
+/// Why the motion is slow and what helps. Where the longest step would not help, it is for the number of
+/// nodes.
 QString slownessText(const PreviewStatus& status) {
-    const QString factor = numberText(status.realTimeFactor, 1);
-    return status.timeStep < 0.99 * longestStep
-               ? QObject::tr("too stiff to play in real time: %1× real time; lower the spring constant or "
-                             "raise the viscosity")
-                     .arg(factor)
-               : QObject::tr("too many nodes to play in real time: %1× real time").arg(factor);
+    const QString speed = status.realTimeFactor < 0.01
+                              ? QObject::tr("less than 0.01× real time")
+                              : QObject::tr("%1× real time").arg(numberText(status.realTimeFactor, 1));
+    return status.realTimeFactor * longestStep / status.timeStep < slowestMotion
+               ? QObject::tr("%1: too many nodes").arg(speed)
+               : QObject::tr("%1: the tissue is too stiff or too light; lower the spring constant, or raise "
+                             "viscosity or mass")
+                     .arg(speed);
 }
 
 QString safeText(const PreviewStatus& status) {
@@ -196,6 +198,7 @@ void StatusLine::showLasting() {
 }
 
 void StatusLine::showMessage(const QString& text) {
+    if (text.isEmpty()) return showLasting();
     showText(text, text, false);
     m_messageTimer.start(6000);
 }

@@ -20,7 +20,7 @@ std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& mo
 }
 
 /// Quick work needs no announcement; long work is announced again before the line forgets it.
-constexpr std::chrono::milliseconds redrawingPatience{400};
+constexpr std::chrono::milliseconds redrawingPatience{400}, redrawingReminder{5000};
 
 /// A twentieth of the organ's diagonal, to half a millimetre where that is fine enough.
 double fittingInstrument(const Project& project) {
@@ -36,8 +36,7 @@ ViewController::ViewController(OrganView& view, Document& document, Selection& s
     connect(&document, &Document::changed, this, &ViewController::followDocument);
     connect(&selection, &Selection::changed, this, &ViewController::rebuildScene);
     connect(&preview, &Preview::frameReady, this, &ViewController::showFrame);
-    m_redrawing.setInterval(redrawingPatience);
-    connect(&m_redrawing, &QTimer::timeout, this, [this] { emit message(tr("Redrawing the photos…")); });
+    connect(&m_redrawing, &QTimer::timeout, this, &ViewController::announceRedrawing);
     connect(&m_composer, &TextureComposer::composed, this, &ViewController::showTexture);
     connectView();
     followDocument(Change::everything());
@@ -100,8 +99,21 @@ void ViewController::followDocument(const Change& change) {
 void ViewController::composePhotos() {
     const Project& project = m_document.project();
     m_composer.compose(project);
-    if (project.photos.empty() || !project.atlas) return m_redrawing.stop();
-    if (!m_redrawing.isActive()) m_redrawing.start();
+    if (project.photos.empty() || !project.atlas) return endRedrawing({});
+    if (!m_redrawing.isActive()) m_redrawing.start(redrawingPatience);
+}
+
+void ViewController::announceRedrawing() {
+    m_redrawingAnnounced = true;
+    m_redrawing.start(redrawingReminder);
+    emit message(tr("Redrawing the photos…"));
+}
+
+void ViewController::endRedrawing(const QString& result) {
+    m_redrawing.stop();
+    const bool wasAnnounced = std::exchange(m_redrawingAnnounced, false);
+    // Without a result the announcement alone is taken back.
+    if (wasAnnounced || !result.isEmpty()) emit message(result);
 }
 
 void ViewController::chooseInstrumentRadius(double metres) {
@@ -183,12 +195,14 @@ void ViewController::showFrame() {
 }
 
 void ViewController::showTexture() {
-    if (!m_composer.isWorking()) m_redrawing.stop();
     rebuildScene();
+    const QString redrawn =
+        m_composer.pages() ? tr("Photos redrawn in %1 s").arg(numberText(m_composer.milliseconds() / 1000, 2))
+                           : QString();
+    endRedrawing(redrawn);
+    if (m_composer.isWorking()) m_redrawing.start(redrawingPatience);
     const QString failure = QString::fromStdString(m_composer.failure());
     emit pictureFailed(failure.isEmpty() ? QString() : tr("The photos cannot be composed: %1").arg(failure));
-    if (m_composer.pages())
-        emit message(tr("Photos redrawn in %1 s").arg(numberText(m_composer.milliseconds() / 1000, 2)));
 }
 
 void ViewController::pickRegion(int index) {

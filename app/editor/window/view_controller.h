@@ -46,6 +46,9 @@ private:
     void setInstrumentRadius(double metres);
     void followDocument(const Change& change);
     void composePhotos();
+    void announceRedrawing();
+    /// @param result what became of it; empty when nothing is left to redraw
+    void endRedrawing(const QString& result);
     void rebuildScene();
     void addEllipsoids(RenderScene& scene);
     void addProjector(RenderScene& scene);
@@ -65,6 +68,7 @@ private:
     bool m_instrumentChosen = false;  ///< by the user
     Theme m_theme = Theme::Dark;
     QTimer m_redrawing; ///< runs while the photos are redrawn
+    bool m_redrawingAnnounced = false;
     bool m_textureWorkspace = false, m_showSprings = false, m_showRegions = true;
     std::optional<Structure> m_structure;    ///< evaluated for the model as it is
     std::vector<std::size_t> m_shownRegions; ///< the region of each ellipsoid that is drawn

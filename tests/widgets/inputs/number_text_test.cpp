@@ -26,7 +26,7 @@ TEST(NumberText, ReadsBackWhatItWrites) {
     }
 }
 
-TEST(NumberText, WritesFourDigits) {
+TEST(NumberText, WritesAtLeastFourDigits) {
     EXPECT_EQ(numberText(16.2606), "16.26");
     EXPECT_EQ(numberText(123456789), "123456789");
     EXPECT_EQ(numberText(2e9), "2.000e+09");

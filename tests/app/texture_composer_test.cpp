@@ -1,0 +1,31 @@
+#include "app/editor/preview/texture_composer.h"
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+TEST(TextureComposer, WorksUntilTheLastRequestIsDone) {
+    Project project = makeSample("ventricle");
+    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, {1024, 1, 2}));
+    PhotoLayer layer;
+    layer.photo = makeSamplePhoto("serosa");
+    project.photos = {layer};
+    TextureComposer composer;
+    EXPECT_FALSE(composer.isWorking());
+    int composed = 0;
+    bool pagesAreThere = false;
+    QObject::connect(&composer, &TextureComposer::composed, &composer, [&] {
+        ++composed;
+        pagesAreThere = composer.pages() != nullptr;
+    });
+    for (int request = 0; request < 5; ++request)
+        composer.compose(project);
+    ESM_EVENTUALLY(composed > 0 && !composer.isWorking());
+    EXPECT_TRUE(pagesAreThere);
+    project.photos.clear();
+    composer.compose(project);
+    ESM_EVENTUALLY(!composer.isWorking());
+    EXPECT_EQ(composer.pages(), nullptr) << "nothing is left to compose";
+}
