@@ -8,9 +8,10 @@ void elasticForces(const SpringSystem& system, const Vectors& positions, Vectors
         const Eigen::Vector3d between = positions[spring.first] - positions[spring.second];
         const double length = between.norm();
         if (!(length > 0)) continue;
-        const Eigen::Vector3d force = between * (spring.springConstant * (spring.restLength / length - 1));
-        forces[spring.first] += force;
-        forces[spring.second] -= force;
+        const Eigen::Vector3d force =
+            between * tensionPerLength(spring.springConstant, spring.stiffening, spring.restLength / length);
+        forces[spring.first] -= force;
+        forces[spring.second] += force;
     }
     const Vectors& rest = system.network->restPositions;
     for (const Tether& tether : system.tethers)
@@ -40,8 +41,7 @@ Energy energy(const SpringSystem& system, const Vectors& positions, const Vector
         result.kinetic += 0.5 * system.mass[i] * velocities[i].squaredNorm();
     for (const auto& spring : system.springs) {
         const double length = (positions[spring.first] - positions[spring.second]).norm();
-        const double stretch = length - spring.restLength;
-        result.elastic += 0.5 * spring.springConstant * stretch * stretch;
+        result.elastic += elasticEnergy(spring.springConstant, spring.stiffening, spring.restLength, length);
     }
     const Vectors& rest = system.network->restPositions;
     for (const Tether& tether : system.tethers)

@@ -6,8 +6,9 @@
 
 namespace esm {
 
-/// Elastic forces of springs, c·(p1−p2)·(l/|p1−p2| − 1) on the first node [R 2.21], and of tethers,
-/// −c·(p−p0); N, in place of what `forces` held. A spring of zero length has no direction and gives none.
+/// Elastic forces of springs, c·(p1−p2)·(l/|p1−p2| − 1) on the first node [R 2.21] while they are linear, and
+/// of tethers, −c·(p−p0); N, in place of what `forces` held. A spring of zero length has no direction and
+/// gives none.
 void elasticForces(const SpringSystem& system, const Vectors& positions, Vectors& forces);
 
 /// Adds the damping of springs, −d·(v1−v2) on the first node, and of tethers, −d·v. `Axial` takes only the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/spring_law.h"
 #include "core/model/tissue_model.h"
 
 #include <memory>
@@ -16,6 +17,7 @@ struct SpringSystem {
         double restLength;     ///< m
         double springConstant; ///< N/m
         double viscosity;      ///< N·s/m
+        Stiffening stiffening{};
     };
 
     std::shared_ptr<const SpringNetwork> network;

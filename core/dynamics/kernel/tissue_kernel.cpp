@@ -1,0 +1,211 @@
+#include "core/dynamics/kernel/tissue_kernel.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace esm {
+
+namespace {
+
+using kernel::sliceHeight;
+
+/// Columns of eight springs below which another thread costs more than it gains: a few microseconds.
+constexpr std::size_t fewestColumnsPerThread = 750;
+/// More parts than threads even out what else the machine does.
+constexpr std::size_t partsPerThread = 4;
+/// What a slice costs beside its springs, in columns.
+constexpr std::size_t columnsPerSlice = 2;
+
+template<class Real> const kernel::SliceFunctions<Real>& functionsOf(InstructionSet set);
+template<> const kernel::SliceFunctions<float>& functionsOf<float>(InstructionSet set) {
+    return set == InstructionSet::V3 ? kernel::v3::floatFunctions : kernel::v2::floatFunctions;
+}
+template<> const kernel::SliceFunctions<double>& functionsOf<double>(InstructionSet set) {
+    return set == InstructionSet::V3 ? kernel::v3::doubleFunctions : kernel::v2::doubleFunctions;
+}
+
+template<class Real>
+kernel::Passage<Real> passage(const LargeVector<kernel::NodeRecord<Real>>& from,
+                              LargeVector<kernel::NodeRecord<Real>>& to, double timeStep,
+                              const Eigen::Vector3d& gravity) {
+    assert(from.size() == to.size() && &from != &to);
+    const auto g = gravity.cast<Real>().eval();
+    return {from.data(), to.data(), {g.x(), g.y(), g.z()}, static_cast<Real>(timeStep)};
+}
+
+} // namespace
+
+InstructionSet bestInstructionSet() {
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? InstructionSet::V3
+                                                                           : InstructionSet::V2;
+}
+
+template<class Real>
+TissueKernel<Real>::TissueKernel(const SpringSystem& system, const KernelOptions& options)
+    : m_damping(options.damping), m_team(options.team), m_mostThreads(options.threads),
+      m_functions(&functionsOf<Real>(options.instructionSet.value_or(bestInstructionSet()))),
+      m_layout(makeSliceLayout(system, sizeof(kernel::NodeRecord<Real>))) {
+    setParameters(system);
+    partition();
+}
+
+template<class Real> void TissueKernel<Real>::setParameters(const SpringSystem& system) {
+    assert(system.mass.size() == nodeCount() && system.springs.size() == m_layout.entries.size());
+    setSprings(system);
+    setMasses(system);
+    setTethers(system);
+}
+
+template<class Real> void TissueKernel<Real>::setSprings(const SpringSystem& system) {
+    m_isBiphasic = std::any_of(system.springs.begin(), system.springs.end(),
+                               [](const auto& spring) { return !spring.stiffening.isLinear(); });
+    const std::size_t laneCount = m_isBiphasic ? kernel::biphasicLanes : kernel::linearLanes;
+    m_springs.assign(m_layout.neighbours.size() * laneCount, kernel::Lane<Real>{});
+    for (std::size_t i = 0; i < system.springs.size(); ++i) {
+        const auto& spring = system.springs[i];
+        const auto& [strain, stiffConstant] = spring.stiffening;
+        for (const std::size_t entry : {m_layout.entries[i].first, m_layout.entries[i].second}) {
+            kernel::Lane<Real>* const lanes = &m_springs[entry / sliceHeight * laneCount];
+            const auto set = [&](std::size_t lane, double value) {
+                lanes[lane].of[entry % sliceHeight] = static_cast<Real>(value);
+            };
+            set(kernel::lane::restLength, spring.restLength);
+            set(kernel::lane::springConstant, spring.springConstant);
+            set(kernel::lane::viscosity, spring.viscosity);
+            if (spring.stiffening.isLinear()) continue;
+            set(kernel::lane::stretchLimit, 1 + strain);
+            set(kernel::lane::stiffening, stiffConstant - spring.springConstant);
+        }
+    }
+}
+
+template<class Real> void TissueKernel<Real>::setMasses(const SpringSystem& system) {
+    m_inverseMass.assign(sliceCount(), kernel::Lane<Real>{});
+    for (std::size_t node = 0; node < nodeCount(); ++node)
+        if (!system.fixed[node])
+            m_inverseMass[sliceOf(node)].of[rowOf(node) % sliceHeight] =
+                static_cast<Real>(1 / system.mass[node]);
+}
+
+template<class Real> void TissueKernel<Real>::setTethers(const SpringSystem& system) {
+    m_tethers.assign(system.tethers.empty() ? 0 : sliceCount(), kernel::Tethers<Real>{});
+    for (const Tether& tether : system.tethers) {
+        kernel::Tethers<Real>& slice = m_tethers[sliceOf(tether.node)];
+        const std::size_t row = rowOf(tether.node) % sliceHeight;
+        slice.springConstant.of[row] += static_cast<Real>(tether.springConstant);
+        slice.viscosity.of[row] += static_cast<Real>(tether.viscosity);
+        const Eigen::Vector3d& rest = system.network->restPositions[tether.node];
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            slice.restPosition[axis].of[row] = static_cast<Real>(rest[axis]);
+    }
+}
+
+template<class Real> Real TissueKernel<Real>::inverseMass(std::size_t node) const {
+    return m_inverseMass[sliceOf(node)].of[rowOf(node) % sliceHeight];
+}
+
+template<class Real>
+typename TissueKernel<Real>::State TissueKernel<Real>::load(const Vectors& positions,
+                                                            const Vectors& velocities) const {
+    State state(m_layout.rowCount());
+    for (std::size_t node = 0; node < nodeCount(); ++node)
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            state[rowOf(node)].position[axis] = static_cast<Real>(positions[node][axis]);
+            state[rowOf(node)].velocity[axis] = static_cast<Real>(velocities[node][axis]);
+        }
+    return state;
+}
+
+template<class Real>
+void TissueKernel<Real>::store(const State& state, Vectors& positions, Vectors& velocities) const {
+    positions.resize(nodeCount());
+    velocities.resize(nodeCount());
+    for (std::size_t node = 0; node < nodeCount(); ++node)
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            positions[node][axis] = static_cast<double>(state[rowOf(node)].position[axis]);
+            velocities[node][axis] = static_cast<double>(state[rowOf(node)].velocity[axis]);
+        }
+}
+
+template<class Real>
+void TissueKernel<Real>::step(const State& from, State& to, double timeStep,
+                              const Eigen::Vector3d& gravity) const {
+    runAll(m_functions->step[m_isBiphasic][m_damping == Damping::Axial],
+           passage(from, to, timeStep, gravity));
+}
+
+template<class Real>
+void TissueKernel<Real>::step(const State& from, State& to, double timeStep, const Eigen::Vector3d& gravity,
+                              const SliceList& slices) const {
+    runList(m_functions->step[m_isBiphasic][m_damping == Damping::Axial],
+            passage(from, to, timeStep, gravity), slices);
+}
+
+template<class Real>
+void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravity, State& rates) const {
+    runAll(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial], passage(state, rates, 0, gravity));
+}
+
+template<class Real>
+void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravity, State& rates,
+                               const SliceList& slices) const {
+    runList(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial], passage(state, rates, 0, gravity),
+            slices);
+}
+
+template<class Real> std::size_t TissueKernel<Real>::threadsFor(std::size_t columns) const {
+    if (!m_team) return 1;
+    if (m_mostThreads > 0) return std::min(m_mostThreads, m_team->size());
+    return std::clamp<std::size_t>(columns / fewestColumnsPerThread, 1, m_team->size());
+}
+
+/// Parts that cost about the same.
+template<class Real> void TissueKernel<Real>::partition() {
+    const auto cost = [this](std::size_t slice) { return m_layout.starts[slice] + columnsPerSlice * slice; };
+    const std::size_t threads = threadsFor(m_layout.starts.back());
+    const std::size_t parts = threads > 1 ? partsPerThread * threads : 1;
+    m_parts = {0};
+    for (std::size_t part = 1; part < parts; ++part) {
+        const std::size_t wanted = cost(sliceCount()) * part / parts;
+        std::size_t slice = m_parts.back();
+        while (slice < sliceCount() && cost(slice) < wanted)
+            ++slice;
+        m_parts.push_back(slice);
+    }
+    m_parts.push_back(sliceCount());
+}
+
+template<class Real> kernel::Slices<Real> TissueKernel<Real>::slices() const {
+    return {m_layout.starts.data(), m_layout.neighbours.data(), m_springs.data(), m_inverseMass.data(),
+            m_tethers.empty() ? nullptr : m_tethers.data()};
+}
+
+template<class Real>
+void TissueKernel<Real>::runAll(Function function, const kernel::Passage<Real>& passage) const {
+    const kernel::Slices<Real> tissue = slices();
+    const auto compute = [&](std::size_t part) {
+        function(tissue, passage, {m_parts[part], m_parts[part + 1], nullptr});
+    };
+    if (m_parts.size() == 2) return compute(0);
+    m_team->run(m_parts.size() - 1, compute, m_parts.size() / partsPerThread);
+}
+
+template<class Real>
+void TissueKernel<Real>::runList(Function function, const kernel::Passage<Real>& passage,
+                                 const SliceList& list) const {
+    const kernel::Slices<Real> tissue = slices();
+    const std::size_t columns = m_layout.starts.back() * list.size() / std::max<std::size_t>(sliceCount(), 1);
+    const std::size_t threads = threadsFor(columns);
+    if (threads == 1) return function(tissue, passage, {0, list.size(), list.data()});
+    const std::size_t parts = partsPerThread * threads;
+    const auto compute = [&](std::size_t part) {
+        function(tissue, passage,
+                 {list.size() * part / parts, list.size() * (part + 1) / parts, list.data()});
+    };
+    m_team->run(parts, compute, threads);
+}
+
+template class TissueKernel<float>;
+template class TissueKernel<double>;
+
+} // namespace esm
