@@ -1,0 +1,53 @@
+#include "tests/benchmarks/ratios.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace benchmarks {
+
+bool RatioReporter::ReportContext(const Context&) {
+    return true;
+}
+
+void RatioReporter::ReportRuns(const std::vector<Run>& runs) {
+    for (const Run& run : runs) {
+        if (run.run_type != Run::RT_Iteration || run.iterations == 0) continue;
+        Repetitions& repetitions = m_repetitions[run.run_name.function_name];
+        const auto iterations = static_cast<double>(run.iterations);
+        repetitions.thread.push_back(run.cpu_accumulated_time / iterations);
+        repetitions.wall.push_back(run.real_accumulated_time / iterations);
+    }
+}
+
+RatioReporter::Times RatioReporter::timesOf(const std::string& name, Clock clock) const {
+    const auto found = m_repetitions.find(name);
+    if (found == m_repetitions.end()) return {0, 0};
+    std::vector<double> times = clock == Clock::Thread ? found->second.thread : found->second.wall;
+    std::sort(times.begin(), times.end());
+    return {times[times.size() / 2], times.front()};
+}
+
+void RatioReporter::print(const std::vector<Ratio>& ratios) const {
+    std::printf("%-46s %10s %10s\n", "µs that one step or pass takes", "median", "best");
+    for (const auto& entry : m_repetitions) {
+        const Times times = timesOf(entry.first, Clock::Wall);
+        std::printf("%-46s %10.2f %10.2f\n", entry.first.c_str(), 1e6 * times.median, 1e6 * times.best);
+    }
+    std::printf("\n%-45s %10s %10s   %s\n", "ratio", "median", "best", "aim");
+    for (const Ratio& ratio : ratios)
+        print(ratio);
+}
+
+void RatioReporter::print(const Ratio& ratio) const {
+    const Times numerator = timesOf(ratio.numerator, ratio.clock);
+    const Times denominator = timesOf(ratio.denominator, ratio.clock);
+    if (numerator.best == 0 || denominator.best == 0) return;
+    const double median = ratio.scale * numerator.median / denominator.median;
+    std::printf("%-45s %10.3f %10.3f   ", ratio.what.c_str(), median,
+                ratio.scale * numerator.best / denominator.best);
+    if (ratio.least > 0) std::printf("≥ %.2f%s", ratio.least, median < ratio.least ? "  missed" : "");
+    if (ratio.most > 0) std::printf("≤ %.2f%s", ratio.most, median > ratio.most ? "  missed" : "");
+    std::printf("\n");
+}
+
+} // namespace benchmarks
