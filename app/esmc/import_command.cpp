@@ -14,11 +14,19 @@ struct ImportOptions {
     KeepParts keep = KeepParts::All;
     std::optional<double> mass; // kg; from the surface without
     UpAxis up = UpAxis::Y;
-    std::string detail;
+    Detail detail;
 };
 
 const Words<LengthUnit> units{
     {"mm", LengthUnit::Millimetre}, {"cm", LengthUnit::Centimetre}, {"m", LengthUnit::Metre}};
+
+Detail requestedDetail(const std::string& given) {
+    if (given == "rigid") return {Detail::Kind::Rigid, 0};
+    const auto nodes = parseWholeNumber(given, fewestVertices, std::numeric_limits<int>::max());
+    if (!nodes)
+        throw UsageError("--detail: '" + given + "' is neither a number of nodes, 4 or more, nor rigid");
+    return {Detail::Kind::Nodes, static_cast<std::size_t>(*nodes)};
+}
 
 void declareImport(CLI::App& command, ImportOptions& options) {
     command.add_option("mesh", options.mesh, "Surface: " + joined(meshFileEndings()))->required();
@@ -39,7 +47,13 @@ void declareImport(CLI::App& command, ImportOptions& options) {
         ->check(positiveNumber());
     addChoice(command, "--up", options.up, Words<UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}},
               "The file's axis that points up: y (the default) or z");
-    command.add_option("--detail", options.detail)->group("");
+    command
+        .add_option_function<std::string>(
+            "--detail", [&options](const std::string& given) { options.detail = requestedDetail(given); },
+            "Nodes simulated under the full drawn surface, 4 or more; or rigid: a few springs that move it "
+            "as "
+            "one stiff piece (default: every vertex is a node)")
+        ->option_text("N|rigid");
 }
 
 /// Says which unit was probably meant; empty when the size (m) is one that organs and bodies have.
@@ -57,8 +71,6 @@ std::string doubtfulSize(double size, LengthUnit unit) {
 }
 
 Report runImport(const ImportOptions& options, Context& context) {
-    if (!options.detail.empty())
-        throw UsageError("--detail is not offered yet: the whole mesh is simulated; leave the option out");
     context.subject = options.mesh;
     PolygonSoup soup = readMeshFile(options.mesh);
     convertToMetres(soup, options.unit, options.up);
@@ -66,8 +78,8 @@ Report runImport(const ImportOptions& options, Context& context) {
     const double size = boundingBox(surface.mesh.vertices).sizes().maxCoeff();
     const std::string doubt = doubtfulSize(size, options.unit);
     if (!doubt.empty()) surface.report.warnings.push_back(doubt);
-    const Project project =
-        makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface), options.mass);
+    const Project project = makeProject(std::filesystem::path(options.mesh).stem().string(),
+                                        std::move(surface), options.mass, options.detail);
     return saveAndReport(project, options.output);
 }
 

@@ -1,6 +1,7 @@
 #include "app/esmc/model_report.h"
 
 #include "core/exchange/project_file.h"
+#include "core/model/detail.h"
 
 #include <numeric>
 
@@ -46,13 +47,31 @@ void addRepairs(Report& report, const RepairReport& repairs) {
     report.text.push_back(repairsInText(repairs));
 }
 
+/// How much of what is drawn is simulated.
+void addDetail(Report& report, const TriangleMesh& mesh, const SpringNetwork& network) {
+    const std::string drawn = counted(mesh.vertices.size(), "drawn vertex", "drawn vertices");
+    report.json["vertices"] = mesh.vertices.size();
+    switch (const Detail detail = detailOf(network); detail.kind) {
+    case Detail::Kind::EveryVertex:
+        report.json["detail"] = Json();
+        return;
+    case Detail::Kind::Nodes:
+        report.json["detail"] = detail.nodes;
+        report.text.push_back("detail: " + counted(detail.nodes, "node") + " carry " + drawn);
+        return;
+    case Detail::Kind::Rigid:
+        report.json["detail"] = "rigid";
+        report.text.push_back("detail: rigid, the springs move " + drawn + " as one piece");
+    }
+}
+
 /// A package's surface was repaired before it was written: there is nothing to tell of it.
 enum class Repairs { Told, Left };
 
 Report reportOf(const TriangleMesh& mesh, const TissueModel& tissue, const RepairReport& repairs,
                 Repairs telling) {
     const SpringNetwork& network = *tissue.network;
-    const Eigen::AlignedBox3d box = boundingBox(network.restPositions);
+    const Eigen::AlignedBox3d box = organBox(mesh, network);
     const Eigen::Vector3d size = box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.sizes());
     const Eigen::Vector3d centre = box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.center());
     Report report;
@@ -62,6 +81,7 @@ Report reportOf(const TriangleMesh& mesh, const TissueModel& tissue, const Repai
     report.text.push_back(counted(network.restPositions.size(), "node") + ", " +
                           counted(network.springs.size(), "spring") + ", " +
                           counted(mesh.triangles.size(), "triangle"));
+    addDetail(report, mesh, network);
     addSurface(report, repairs);
     if (telling == Repairs::Told) addRepairs(report, repairs);
     report.json["size"] = inJson(size);

@@ -2,6 +2,7 @@
 #include "app/esmc/camera_file.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
+#include "app/esmc/motion_frame.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/project_file.h"
 #include "core/offscreen/offscreen.h"
@@ -15,7 +16,8 @@ namespace esm {
 namespace {
 
 struct RenderOptions {
-    std::string project, output, size = "1024x768", view = "front", camera, show;
+    std::string project, output, size = "1024x768", view = "front", camera, show, motion;
+    std::optional<double> time; // s
     bool unlit = false;
 };
 
@@ -32,6 +34,11 @@ void declareRender(CLI::App& command, RenderOptions& options) {
         ->excludes(view);
     command.add_option("--show", options.show,
                        "Any of surface, springs, regions, projectors, separated by commas (surface)");
+    CLI::Option* motion = command.add_option(
+        "--motion", options.motion, "The organ as a trajectory of simulate has it (.csv), not at rest");
+    command.add_option("--at", options.time, "Time in the trajectory, s (its end)")
+        ->needs(motion)
+        ->check(nonNegativeNumber());
     command.add_flag("--unlit", options.unlit, "Colours of the texture without light");
 }
 
@@ -151,8 +158,11 @@ Report runRender(const RenderOptions& options, Context& context) {
     // A pure motion model has nothing but springs to show.
     scene.showSprings = shows(shown, "springs") || scene.mesh->triangles.empty();
     scene.unlit = options.unlit;
-    const Camera camera = cameraFor(view, boundingBox(scene.network->restPositions),
-                                    static_cast<double>(size.width) / size.height);
+    if (!options.motion.empty())
+        scene.nodePositions =
+            readMotionFrame(options.motion, scene.network->restPositions.size(), options.time);
+    const Camera camera =
+        cameraFor(view, organBox(*scene.mesh, *scene.network), static_cast<double>(size.width) / size.height);
     writePng(renderOffscreen(scene, camera, size.width, size.height), options.output);
     Report report;
     report.json["size"] = {size.width, size.height};

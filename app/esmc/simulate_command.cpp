@@ -71,7 +71,7 @@ void requireValid(const Scene& scene, const SpringNetwork& network) {
 
 RunnableModel fromProject(const std::filesystem::path& file, const std::optional<Scene>& scene) {
     const Project project = loadProject(file);
-    RunnableModel model{{}, project.mesh->triangles, scene.value_or(project.scene)};
+    RunnableModel model{{}, simulatedSurface(*project.mesh, *project.network), scene.value_or(project.scene)};
     requireValid(model.scene, *project.network);
     model.tissue = evaluateModel(project, model.scene);
     return model;
@@ -80,8 +80,8 @@ RunnableModel fromProject(const std::filesystem::path& file, const std::optional
 /// A package holds tethers and fixed nodes as numbers; those of a scene take their place.
 RunnableModel fromPackage(const std::filesystem::path& file, const std::optional<Scene>& scene) {
     ModelPackage package = loadPackage(file);
-    RunnableModel model{std::move(package.tissue), std::move(package.mesh.triangles),
-                        scene.value_or(Scene())};
+    RunnableModel model{std::move(package.tissue), {}, scene.value_or(Scene())};
+    model.surface = simulatedSurface(package.mesh, *model.tissue.network);
     if (!scene) return model;
     requireValid(*scene, *model.tissue.network);
     Project bare;

@@ -2,6 +2,8 @@
 
 #include "core/support/errors.h"
 
+#include <algorithm>
+
 namespace esm {
 
 using Json = nlohmann::ordered_json;
@@ -46,6 +48,28 @@ std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& corners) {
     for (std::size_t i = 0; i < corners.size(); i += 3)
         triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
     return triangles;
+}
+
+BindingNumbers numbersOf(const Binding& binding) {
+    BindingNumbers numbers;
+    for (const VertexBinding& vertex : binding.vertices) {
+        numbers.nodes.insert(numbers.nodes.end(), vertex.nodes.begin(), vertex.nodes.end());
+        numbers.shares.insert(numbers.shares.end(), vertex.shares.data(), vertex.shares.data() + 3);
+    }
+    for (const Edge& line : binding.lines)
+        numbers.lines.insert(numbers.lines.end(), {line.first, line.second});
+    return numbers;
+}
+
+Binding bindingOf(const BindingNumbers& numbers, std::vector<Triangle> surface) {
+    Binding binding{std::move(surface), {}, {}};
+    const std::vector<Triangle> nodes = trianglesOf(numbers.nodes);
+    const std::vector<Eigen::Vector3d> shares = pointsOf(numbers.shares);
+    for (std::size_t i = 0; i < std::min(nodes.size(), shares.size()); ++i)
+        binding.vertices.push_back({nodes[i], shares[i]});
+    for (std::size_t i = 0; i + 1 < numbers.lines.size(); i += 2)
+        binding.lines.emplace_back(numbers.lines[i], numbers.lines[i + 1]);
+    return binding;
 }
 
 } // namespace esm

@@ -29,4 +29,14 @@ template<typename Number> std::vector<Eigen::Vector3d> pointsOf(const std::vecto
 std::vector<std::uint32_t> cornersOf(const std::vector<Triangle>& triangles);
 std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& corners);
 
+/// A binding's vertices and lines as lists: three nodes and three shares per vertex, two nodes per line; and
+/// back, as many vertices as both lists give.
+struct BindingNumbers {
+    std::vector<std::uint32_t> nodes;
+    std::vector<double> shares;
+    std::vector<std::uint32_t> lines;
+};
+BindingNumbers numbersOf(const Binding& binding);
+Binding bindingOf(const BindingNumbers& numbers, std::vector<Triangle> surface);
+
 } // namespace esm

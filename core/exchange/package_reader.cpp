@@ -40,12 +40,14 @@ private:
     void readSprings(const JsonReader& group, SpringNetwork& network, const TissueModel& tissue) const;
     void readTethers(const JsonReader& group, TissueModel& tissue) const;
     void readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const;
+    void readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const;
     void checkMean(const JsonReader& spring, const char* key, const SpringNetwork& network,
                    const std::vector<double>& ofNodes) const;
 
     struct DrawnPart {
         JsonReader primitive;
         std::vector<std::uint32_t> triangles, indices, vertexNodes;
+        std::vector<std::uint32_t> vertices; ///< of the surface; empty where the file names none
         std::vector<Eigen::Vector3d> positions;
         std::vector<float> places; ///< in the texture; two per vertex, empty without texture
     };
@@ -147,6 +149,19 @@ void PackageReader::readSurface(const JsonReader& group, SpringNetwork& network,
         trianglesOf(m_arrays.indices(group.member("triangles"), 3 * triangles, mesh.vertices.size()));
 }
 
+void PackageReader::readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const {
+    const std::size_t nodes = network.restPositions.size();
+    const std::size_t triangles = countOf(group, "triangleCount"), lines = countOf(group, "lineCount");
+    BindingNumbers numbers;
+    numbers.nodes = m_arrays.indices(group.member("nodes"), 3 * vertices, nodes);
+    const std::vector<float> shares = m_arrays.floats(group.member("shares"), GltfType::Vec3, vertices);
+    numbers.shares.assign(shares.begin(), shares.end());
+    if (lines > 0) numbers.lines = m_arrays.indices(group.member("lines"), 2 * lines, nodes);
+    std::vector<std::uint32_t> corners;
+    if (triangles > 0) corners = m_arrays.indices(group.member("triangles"), 3 * triangles, nodes);
+    network.binding = bindingOf(numbers, trianglesOf(corners));
+}
+
 JsonReader PackageReader::imageOf(const JsonReader& primitive) const {
     const JsonReader material = m_arrays.element("materials", primitive.member("material"));
     const JsonReader colour = material.member("pbrMetallicRoughness").member("baseColorTexture");
@@ -197,9 +212,11 @@ PackageReader::DrawnPart PackageReader::readPart(const JsonReader& drawn, const 
     const JsonReader primitive = primitiveOf(drawn), attributes = primitive.member("attributes");
     const std::size_t vertices = m_arrays.count(attributes.member("POSITION"));
     const std::size_t triangles = m_arrays.count(drawn.member("triangles"));
-    DrawnPart part{primitive, {}, {}, {}, {}, {}};
+    DrawnPart part{primitive, {}, {}, {}, {}, {}, {}};
     part.positions = pointsOf(m_arrays.floats(attributes.member("POSITION"), GltfType::Vec3, vertices));
     part.vertexNodes = m_arrays.indices(drawn.member("vertexNodes"), vertices, nodes);
+    if (drawn.has("vertices"))
+        part.vertices = m_arrays.indices(drawn.member("vertices"), vertices, mesh.vertices.size());
     part.triangles = m_arrays.indices(drawn.member("triangles"), triangles, mesh.triangles.size());
     part.indices = m_arrays.indices(primitive.member("indices"), 3 * triangles, vertices);
     if (attributes.has("TEXCOORD_0"))
@@ -219,6 +236,8 @@ void PackageReader::checkPart(const JsonReader& drawn, const DrawnPart& part,
             return drawn.addProblem("shows " + corner + " elsewhere than the surface has it");
         if (part.vertexNodes[shown] != package.tissue.network->vertexNodes[vertex])
             return drawn.addProblem("ties " + corner + " to another node than the surface does");
+        if (!part.vertices.empty() && part.vertices[shown] != vertex)
+            return drawn.addProblem("takes " + corner + " for another vertex than the surface does");
     }
 }
 
@@ -298,6 +317,8 @@ ModelPackage PackageReader::read() {
         package.tissue.fixedNodes =
             m_arrays.indices(fixed.member("nodes"), count, network->restPositions.size());
     readSurface(extension.member("surface"), *network, package.mesh);
+    if (extension.has("binding"))
+        readBinding(extension.member("binding"), *network, package.mesh.vertices.size());
     package.base = baseTissueFromJson(extension.member("base"));
     package.regions = regionsFromJson(extension.member("fuzzySystems"), extension.member("regions"));
     package.baseColour = colourFromJson(extension.member("baseColour"));

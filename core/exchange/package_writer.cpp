@@ -51,14 +51,16 @@ private:
     Json tethers();
     Json fixedNodes();
     Json surface();
+    Json binding();
     Json texture() const;
     Json extension();
 
     struct PageVertices {
         std::vector<Eigen::Vector3d> positions, normals;
-        std::vector<float> places; ///< in the texture; two per vertex
-        std::vector<std::uint32_t> nodes;
+        std::vector<float> places;                  ///< in the texture; two per vertex
+        std::vector<std::uint32_t> nodes, vertices; ///< of the surface
     };
+    bool isBound() const { return m_network.binding && !m_mesh.vertices.empty(); }
     PageVertices pageVertices(const std::vector<std::uint32_t>& triangles) const;
     Json drawnPages(Json& drawn);
     Json drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, Json& drawn);
@@ -163,6 +165,18 @@ Json PackageBuilder::surface() {
     return json;
 }
 
+Json PackageBuilder::binding() {
+    const BindingNumbers numbers = numbersOf(*m_network.binding);
+    const std::vector<Triangle>& triangles = m_network.binding->surface;
+    Json json{{"nodes", m_arrays.addIndices(numbers.nodes)},
+              {"shares", m_arrays.addFloats(floats(numbers.shares, "share of a node"), GltfType::Vec3)},
+              {"triangleCount", triangles.size()}};
+    if (!triangles.empty()) json["triangles"] = m_arrays.addIndices(cornersOf(triangles));
+    json["lineCount"] = m_network.binding->lines.size();
+    if (!numbers.lines.empty()) json["lines"] = m_arrays.addIndices(numbers.lines);
+    return json;
+}
+
 Json PackageBuilder::texture() const {
     const Atlas& atlas = *m_from.atlas;
     return {{"size", atlas.options.size},
@@ -174,7 +188,7 @@ Json PackageBuilder::texture() const {
 Json PackageBuilder::extension() {
     const Project& project = m_from.project;
     RegionsJson regions = toJson(project.regions);
-    Json json{{"version", modelPackageVersion},
+    Json json{{"version", isBound() ? modelPackageVersion : package_layout::versionWithoutBinding},
               {"name", project.name},
               {"units", package_layout::units},
               {"damping", "isotropic"}};
@@ -183,6 +197,7 @@ Json PackageBuilder::extension() {
     json["tethers"] = tethers();
     json["fixedNodes"] = fixedNodes();
     json["surface"] = surface();
+    if (isBound()) json["binding"] = binding();
     json["base"] = toJson(project.base);
     json["fuzzySystems"] = std::move(regions.systems);
     json["regions"] = std::move(regions.regions);
@@ -214,6 +229,7 @@ PackageBuilder::PageVertices PackageBuilder::pageVertices(const std::vector<std:
             vertices.positions.push_back(m_mesh.vertices[vertex]);
             vertices.normals.push_back(m_normals[vertex]);
             vertices.nodes.push_back(m_network.vertexNodes[vertex]);
+            vertices.vertices.push_back(vertex);
             const Eigen::Vector2d place =
                 m_from.atlas->corners[triangle][corner] / m_from.atlas->options.size;
             for (const double value : {place.x(), place.y()})
@@ -239,6 +255,7 @@ Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t
                      {"primitive", drawn.size()},
                      {"vertexNodes", m_arrays.addIndices(vertices.nodes)},
                      {"triangles", m_arrays.addIndices(triangles)}});
+    if (isBound()) drawn.back()["vertices"] = m_arrays.addIndices(vertices.vertices);
     return {{"attributes", attributes}, {"indices", order}, {"material", m_glb.json["materials"].size() - 1}};
 }
 
@@ -276,6 +293,11 @@ Json PackageBuilder::drawnSurface(Json& drawn) {
                      {"primitive", 0},
                      {"vertexNodes", m_shared.vertexNodes},
                      {"triangles", m_arrays.addIndices(triangles)}});
+    if (isBound()) {
+        std::vector<std::uint32_t> vertices(m_mesh.vertices.size());
+        std::iota(vertices.begin(), vertices.end(), 0U);
+        drawn.back()["vertices"] = m_arrays.addIndices(vertices);
+    }
     Json primitive{{"attributes", attributes}, {"indices", m_shared.triangles}, {"material", 0}};
     return Json::array({std::move(primitive)});
 }

@@ -8,7 +8,8 @@ namespace esm {
 
 /// The project file `.esm`: a zip with a versioned JSON manifest, binary arrays and the photos' own files.
 /// Specified in `docs/project-file.md`.
-constexpr int projectFileVersion = 1;
+/// Programs of version 1 know no surface that is carried by fewer nodes; files without one are of version 1.
+constexpr int projectFileVersion = 2;
 
 /// Every number comes back as it was saved, bit by bit.
 /// @throws FileError: missing, not a project, damaged (which entry), or of a newer version

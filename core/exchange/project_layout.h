@@ -10,6 +10,7 @@
 namespace esm::project_layout {
 
 constexpr const char* format = "esm-project";
+constexpr int versionWithoutBinding = 1;
 constexpr const char* manifest = "manifest.json";
 constexpr const char* meshVertices = "mesh/vertices.f64";
 constexpr const char* meshTriangles = "mesh/triangles.u32";
@@ -17,6 +18,10 @@ constexpr const char* networkNodes = "network/nodes.f64";
 constexpr const char* networkSprings = "network/springs.u32";
 constexpr const char* networkRestLengths = "network/rest-lengths.f64";
 constexpr const char* networkVertexNodes = "network/vertex-nodes.u32";
+constexpr const char* bindingNodes = "binding/nodes.u32";
+constexpr const char* bindingShares = "binding/shares.f64";
+constexpr const char* bindingSurface = "binding/surface.u32";
+constexpr const char* bindingLines = "binding/lines.u32";
 constexpr const char* atlasCorners = "atlas/corners.f64";
 constexpr const char* atlasPages = "atlas/pages.u32";
 

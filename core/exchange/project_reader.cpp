@@ -117,6 +117,17 @@ std::shared_ptr<const TriangleMesh> readMesh(const JsonReader& arrays, Source& s
     return mesh;
 }
 
+Binding readBinding(const JsonReader& arrays, Source& source, std::size_t nodes) {
+    const BindingNumbers numbers{source.indices(arrays, layout::bindingNodes, 3, nodes),
+                                 source.numbers(arrays, layout::bindingShares, 3),
+                                 source.indices(arrays, layout::bindingLines, 2, nodes)};
+    if (numbers.nodes.size() != numbers.shares.size())
+        arrays.addProblem("give " + std::to_string(numbers.nodes.size()) +
+                          " nodes that carry vertices, but " + std::to_string(numbers.shares.size()) +
+                          " shares");
+    return bindingOf(numbers, trianglesOf(source.indices(arrays, layout::bindingSurface, 3, nodes)));
+}
+
 std::shared_ptr<const SpringNetwork> readNetwork(const JsonReader& arrays, Source& source) {
     auto network = std::make_shared<SpringNetwork>();
     network->restPositions = pointsOf(source.numbers(arrays, layout::networkNodes, 3));
@@ -129,6 +140,7 @@ std::shared_ptr<const SpringNetwork> readNetwork(const JsonReader& arrays, Sourc
     for (std::size_t i = 0; i < std::min(restLengths.size(), ends.size() / 2); ++i)
         network->springs.push_back({ends[2 * i], ends[2 * i + 1], restLengths[i]});
     network->vertexNodes = source.indices(arrays, layout::networkVertexNodes, 1, nodes);
+    if (arrays.has(layout::bindingNodes)) network->binding = readBinding(arrays, source, nodes);
     return network;
 }
 

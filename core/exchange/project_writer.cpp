@@ -55,6 +55,14 @@ void addNetwork(const SpringNetwork& network, Content& content) {
     content.add(layout::networkVertexNodes, network.vertexNodes);
 }
 
+void addBinding(const Binding& binding, Content& content) {
+    const BindingNumbers numbers = numbersOf(binding);
+    content.add(layout::bindingNodes, numbers.nodes);
+    content.add(layout::bindingShares, numbers.shares);
+    content.add(layout::bindingSurface, cornersOf(binding.surface));
+    content.add(layout::bindingLines, numbers.lines);
+}
+
 Json toJson(const AtlasOptions& options) {
     return {{"size", options.size}, {"pages", options.pages}, {"gap", options.gap}};
 }
@@ -121,11 +129,13 @@ Json toJson(const RepairReport& report) {
 Json manifestOf(const Project& project, Content& content) {
     addMesh(*project.mesh, content);
     addNetwork(*project.network, content);
+    const bool isBound = project.network->binding.has_value();
+    if (isBound) addBinding(*project.network->binding, content);
     RegionsJson regions = toJson(project.regions);
     Json texture = toJson(project.texture.atlas);
     texture["baseColour"] = colourToJson(project.texture.baseColour);
     Json manifest{{"format", layout::format},
-                  {"version", projectFileVersion},
+                  {"version", isBound ? projectFileVersion : layout::versionWithoutBinding},
                   {"program", ESM_VERSION},
                   {"name", project.name},
                   {"importReport", toJson(*project.importReport)},

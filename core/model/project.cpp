@@ -1,6 +1,7 @@
 #include "core/model/project.h"
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/model/motion_model.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
@@ -15,6 +16,10 @@ namespace {
 /// surface does not depend on the springs' length, so one constant suits every size and resolution.
 constexpr double defaultSpringConstant = 16.26; // N/m
 constexpr double defaultViscosity = 2.877;      // N·s/m
+
+/// The same system at consistency 10.1: the springs that move the uterus as a whole [R C.1].
+constexpr double rigidSpringConstant = 81.3091; // N/m
+constexpr double rigidViscosity = 6;            // N·s/m
 
 constexpr double tissueDensity = 1000; // kg/m³
 
@@ -74,6 +79,28 @@ TetherRule defaultTethers(const SpringNetwork& network, const BaseTissue& base, 
     return {every, every * share * base.springConstant, every * share * base.viscosity};
 }
 
+/// Tissue and tethers for a surface of springs. Precondition: the base has its mass.
+void tieToSurroundings(Project& project) {
+    const SpringNetwork& network = *project.network;
+    const double share = tetherShare(network);
+    project.base = defaultTissue(project.base.mass, static_cast<double>(network.restPositions.size()), share);
+    project.scene.tethers.push_back(defaultTethers(network, project.base, share));
+}
+
+/// What moves rigidly: held by its fixed nodes, firm as the uterus.
+void hangOnFixedNodes(Project& project) {
+    project.base.springConstant = rigidSpringConstant;
+    project.base.viscosity = rigidViscosity;
+    project.scene.fixed.push_back({{motionModelFixed.begin(), motionModelFixed.end()}, std::nullopt});
+}
+
+void noteCoarseness(RepairReport& report, const Detail& detail, std::size_t nodes) {
+    if (detail.kind != Detail::Kind::Nodes || nodes == detail.nodes) return;
+    report.warnings.push_back(std::to_string(detail.nodes) + " nodes were asked for, but the surface keeps " +
+                              std::to_string(nodes) +
+                              ": its parts and edges of more than two triangles can be made no coarser");
+}
+
 /// Overwrites the parameters of the nodes inside a region.
 void lay(TissueModel& model, const Region& region) {
     const TissueValues values = evaluate(region).values;
@@ -102,20 +129,20 @@ void fix(TissueModel& model, const NodeSelection& selection) {
 
 } // namespace
 
-Project makeProject(std::string name, RepairedMesh surface, std::optional<double> massKilograms) {
+Project makeProject(std::string name, RepairedMesh surface, std::optional<double> massKilograms,
+                    const Detail& detail) {
     if (massKilograms && !isMass(*massKilograms))
         throw InvalidModel("the mass must be above 0 kg, got " + numberText(*massKilograms));
     Project project;
     project.name = std::move(name);
     const double mass = massKilograms ? *massKilograms : defaultMass(surface.mesh, surface.report.isClosed());
-    const SpringNetwork network = networkFromMesh(surface.mesh);
+    project.network = std::make_shared<const SpringNetwork>(networkOf(surface.mesh, detail));
     project.base = {defaultSpringConstant, defaultViscosity, mass};
-    if (!network.springs.empty()) {
-        const double share = tetherShare(network);
-        project.base = defaultTissue(mass, static_cast<double>(network.restPositions.size()), share);
-        project.scene.tethers.push_back(defaultTethers(network, project.base, share));
-    }
-    project.network = std::make_shared<const SpringNetwork>(network);
+    if (detail.kind == Detail::Kind::Rigid)
+        hangOnFixedNodes(project);
+    else if (!project.network->springs.empty())
+        tieToSurroundings(project);
+    noteCoarseness(surface.report, detail, project.network->restPositions.size());
     project.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
     project.importReport = std::make_shared<const RepairReport>(std::move(surface.report));
     return project;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/repair.h"
+#include "core/model/detail.h"
 #include "core/model/region.h"
 #include "core/model/scene.h"
 #include "core/model/tissue_model.h"
@@ -45,10 +46,10 @@ inline constexpr double wallThickness = 0.003; ///< m, that an open surface weig
 
 /// A project around an imported or made mesh, with default tissue and tethers that are stable and behave like
 /// tissue at any size. Without a mass: closed surface, its volume × 1000 kg/m³; open, area × 3 mm × 1000
-/// kg/m³.
-/// @throws InvalidModel when the mass is not above zero
+/// kg/m³. What moves rigidly hangs on fixed nodes, with the published parameters of the uterus [R C.1].
+/// @throws InvalidModel when the mass is not above zero, or the surface has no such level of detail
 Project makeProject(std::string name, RepairedMesh surface,
-                    std::optional<double> massKilograms = std::nullopt);
+                    std::optional<double> massKilograms = std::nullopt, const Detail& detail = {});
 
 /// What one region came to.
 struct RegionResult {

@@ -95,6 +95,11 @@ Problems networkProblems(const Project& project) {
     if (project.network->vertexNodes.size() != project.mesh->vertices.size())
         problems.push_back(std::to_string(project.network->vertexNodes.size()) + " of the mesh's " +
                            std::to_string(project.mesh->vertices.size()) + " vertices are tied to nodes");
+    if (project.network->binding) {
+        const Problems found = validate(*project.network->binding, project.mesh->vertices.size(),
+                                        project.network->restPositions.size());
+        problems.insert(problems.end(), found.begin(), found.end());
+    }
     requireValue(problems, "the organ's spring constant", project.base.springConstant, true);
     requireValue(problems, "the organ's viscosity", project.base.viscosity, true);
     requireValue(problems, "the organ's mass", project.base.mass, false);

@@ -16,4 +16,33 @@ SpringNetwork networkFromMesh(const TriangleMesh& mesh) {
     return network;
 }
 
+std::vector<Eigen::Vector3d> drawnPositions(const TriangleMesh& mesh, const SpringNetwork& network,
+                                            const std::vector<Eigen::Vector3d>& nodePositions) {
+    if (network.binding)
+        return carried(mesh.vertices, *network.binding, network.restPositions, nodePositions);
+    std::vector<Eigen::Vector3d> positions = mesh.vertices;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const std::uint32_t node = network.vertexNodes[i];
+        positions[i] += nodePositions[node] - network.restPositions[node];
+    }
+    return positions;
+}
+
+Eigen::AlignedBox3d organBox(const TriangleMesh& mesh, const SpringNetwork& network) {
+    return boundingBox(mesh.triangles.empty() ? network.restPositions : mesh.vertices);
+}
+
+std::vector<Triangle> simulatedSurface(const TriangleMesh& mesh, const SpringNetwork& network) {
+    if (network.binding) return network.binding->surface;
+    std::vector<Triangle> surface;
+    surface.reserve(mesh.triangles.size());
+    for (const Triangle& triangle : mesh.triangles) {
+        const Triangle nodes{network.vertexNodes[triangle[0]], network.vertexNodes[triangle[1]],
+                             network.vertexNodes[triangle[2]]};
+        const bool hasArea = nodes[0] != nodes[1] && nodes[1] != nodes[2] && nodes[2] != nodes[0];
+        if (hasArea) surface.push_back(nodes);
+    }
+    return surface;
+}
+
 } // namespace esm

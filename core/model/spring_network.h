@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/geometry/triangle_mesh.h"
+#include "core/model/binding.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace esm {
@@ -16,10 +17,21 @@ struct Spring {
 struct SpringNetwork {
     std::vector<Eigen::Vector3d> restPositions; ///< m, one per node
     std::vector<Spring> springs;
-    std::vector<std::uint32_t> vertexNodes; ///< the node that carries each vertex of the drawn mesh
+    std::vector<std::uint32_t> vertexNodes; ///< the node that carries most of each vertex of the drawn mesh
+    std::optional<Binding> binding;         ///< none: each drawn vertex keeps its place at its node
 };
 
 /// Edges become springs, vertices nodes [R 2.3.7]; node i is vertex i.
 SpringNetwork networkFromMesh(const TriangleMesh& mesh);
+
+/// Where the nodes carry the vertices of the drawn mesh, m. Precondition: the network is this mesh's.
+std::vector<Eigen::Vector3d> drawnPositions(const TriangleMesh& mesh, const SpringNetwork& network,
+                                            const std::vector<Eigen::Vector3d>& nodePositions);
+
+/// The box that holds the drawn mesh at rest; where nothing is drawn, the nodes.
+Eigen::AlignedBox3d organBox(const TriangleMesh& mesh, const SpringNetwork& network);
+
+/// The triangles over the nodes that an instrument touches. Empty for what only its nodes show or carry.
+std::vector<Triangle> simulatedSurface(const TriangleMesh& mesh, const SpringNetwork& network);
 
 } // namespace esm

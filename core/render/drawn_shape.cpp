@@ -53,10 +53,7 @@ std::vector<Vector3d> drawnVertices(const RenderScene& scene, const std::vector<
     if (vertexNodes.size() != scene.mesh->vertices.size() ||
         !std::all_of(vertexNodes.begin(), vertexNodes.end(), isKnown))
         return scene.mesh->vertices;
-    std::vector<Vector3d> vertices(vertexNodes.size());
-    std::transform(vertexNodes.begin(), vertexNodes.end(), vertices.begin(),
-                   [&](std::uint32_t node) { return nodes[node]; });
-    return vertices;
+    return drawnPositions(*scene.mesh, *scene.network, nodes);
 }
 
 std::array<Vector3d, 8> projectorBox(const Projector& projector, const Eigen::AlignedBox3d& shown) {

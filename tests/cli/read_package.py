@@ -155,13 +155,88 @@ def check_gltf(gltf):
         check_png(gltf.file(image["bufferView"]), size, "texture page %d" % texture["source"])
 
 
+def threes(values, size=3):
+    return [values[i:i + size] for i in range(0, len(values), size)]
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def distance(a, b):
+    return math.hypot(*minus(a, b))
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def over(a, number):
+    return [x / number if number else 0 for x in a]
+
+
+def outer(a, b):
+    return [[x * y for y in b] for x in a]
+
+
+def sums(*matrices):
+    return [[sum(numbers) for numbers in zip(*rows)] for rows in zip(*matrices)]
+
+
+def times(matrix, vector):
+    return [sum(x * y for x, y in zip(row, vector)) for row in matrix]
+
+
+UNIT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+
+
+def smallest_rotation(first, second):
+    """Takes the direction of the one to that of the other."""
+    if not math.hypot(*first) or not math.hypot(*second):
+        return UNIT
+    a, b = over(first, math.hypot(*first)), over(second, math.hypot(*second))
+    axis, cosine = cross(a, b), sum(x * y for x, y in zip(a, b))
+    skew = [[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]]
+    squared = [times(skew, column) for column in zip(*skew)]
+    return sums(UNIT, skew, [over(row, 1 + cosine) for row in squared])
+
+
+def carried(package, rest, now, vertices):
+    """Where the nodes carry the vertices, by the section Motion of the specification."""
+    turns, weights = [[[0] * 3] * 3 for _ in rest], [0] * len(rest)
+    for nodes in package.simulated:
+        at_rest, there = [rest[node] for node in nodes], [now[node] for node in nodes]
+        a0, b0, a, b = (minus(three[i], three[0]) for three in (at_rest, there) for i in (1, 2))
+        area, area_now = math.hypot(*cross(a0, b0)), math.hypot(*cross(a, b))
+        if not area:
+            continue
+        n0, n = over(cross(a0, b0), area), over(cross(a, b), area_now)
+        part = sums(outer(a, cross(b0, n0)), outer(b, cross(n0, a0)), outer([area * x for x in n], n0))
+        for node in nodes:
+            turns[node], weights[node] = sums(turns[node], part), weights[node] + area
+    for first, second in package.lines:
+        turn = smallest_rotation(minus(rest[second], rest[first]), minus(now[second], now[first]))
+        for node in (first, second):
+            turns[node], weights[node] = sums(turns[node], turn), weights[node] + 1
+    means = [[over(row, weight) for row in turn] if weight else UNIT for turn, weight in zip(turns, weights)]
+    result = []
+    for vertex, nodes, shares in zip(vertices, package.carriers, package.shares):
+        place = list(vertex)
+        for node, share in zip(nodes, shares):
+            arm = minus(vertex, rest[node])
+            step = minus(minus(times(means[node], arm), arm), minus(rest[node], now[node]))
+            place = [x + share * y for x, y in zip(place, step)]
+        result.append(place)
+    return result
+
+
 class Package:
     """The arrays of ESM_spring_mass by the names of the specification."""
 
     def __init__(self, gltf):
         self.gltf = gltf
         self.json = gltf.json["extensions"]["ESM_spring_mass"]
-        check(self.json["version"] == 1, "another version of the extension")
+        check(self.json["version"] == (2 if "binding" in self.json else 1), "another version of the extension")
         check(self.json["damping"] == "isotropic", "another damping")
         self.nodes, self.springs = self.json["nodes"], self.json["springs"]
         self.node_count, self.spring_count = self.nodes["count"], self.springs["count"]
@@ -203,7 +278,38 @@ class Package:
         check(all(vertex < surface["vertexCount"] for vertex in self.triangles), "a triangle's vertex is out of range")
         for region in self.json["regions"]:
             check(region.get("fuzzySystem", -1) < len(self.json["fuzzySystems"]), "a region's fuzzy system is missing")
+        self.binding = self.json.get("binding")
+        if self.binding:
+            self.check_binding()
         self.check_drawn()
+
+    def check_binding(self):
+        group, count = self.binding, self.json["surface"]["vertexCount"]
+        nodes, shares = self.array(group, "nodes", count, 3), self.array(group, "shares", count, 3)
+        triangles = self.array(group, "triangles", group["triangleCount"], 3)
+        lines = self.array(group, "lines", group["lineCount"], 2)
+        check(all(node < self.node_count for node in nodes + triangles + lines), "a carrying node is out of range")
+        check(all(0 <= share <= 1 for share in shares), "a share is not of 0 to 1")
+        check(all(first != second for first, second in threes(lines, 2)), "a line has one end")
+        self.carriers, self.shares = threes(nodes), threes(shares)
+        self.simulated, self.lines = threes(triangles), threes(lines, 2)
+        for vertex, (three, parts) in enumerate(zip(self.carriers, self.shares)):
+            check(abs(sum(parts) - 1) <= 1e-6, "the shares in vertex %d are not one" % vertex)
+            most = [node for node, share in zip(three, parts) if share > max(parts) - 1e-6]
+            check(self.vertex_nodes[vertex] in most, "vertex %d has another main node" % vertex)
+        self.check_carried()
+
+    def check_carried(self):
+        """At rest every vertex is where it is drawn; a rigid motion of the nodes takes the vertices along."""
+        rest, vertices = threes(self.rest), threes(self.vertices)
+        size = max(max(abs(number) for number in self.rest + self.vertices), 1e-30)
+        turned = [[0.6 * x - 0.8 * z + size, y - 2 * size, 0.8 * x + 0.6 * z] for x, y, z in rest]
+        wanted = [[0.6 * x - 0.8 * z + size, y - 2 * size, 0.8 * x + 0.6 * z] for x, y, z in vertices]
+        for now, there in ((rest, vertices), (turned, wanted)):
+            if self.lines and now is turned:
+                continue  # a line's turn about itself is nothing that its nodes tell
+            off = max(distance(x, y) for x, y in zip(carried(self, rest, now, vertices), there))
+            check(off <= 1e-5 * size, "vertices are carried %g m away" % off)
 
     def check_drawn(self):
         shown = []
@@ -213,6 +319,8 @@ class Package:
             nodes = self.gltf.array(part["vertexNodes"])
             check(3 * len(nodes) == len(positions), "a drawn vertex has no node")
             check(all(node < self.node_count for node in nodes), "a drawn vertex's node is out of range")
+            vertices = self.gltf.array(part["vertices"]) if self.binding else None
+            check(not self.binding or len(vertices) == len(nodes), "a drawn vertex is no vertex of the surface")
             if "triangles" not in part:
                 continue
             triangles, indices = self.gltf.array(part["triangles"]), self.gltf.array(primitive["indices"])
@@ -223,6 +331,7 @@ class Package:
                 check(positions[3 * drawn:3 * drawn + 3] == self.vertices[3 * vertex:3 * vertex + 3],
                       "corner %d is drawn elsewhere" % i)
                 check(nodes[drawn] == self.vertex_nodes[vertex], "corner %d follows another node" % i)
+                check(not self.binding or vertices[drawn] == vertex, "corner %d is another vertex" % i)
         check(sorted(shown) == list(range(len(self.triangles) // 3)), "not every triangle is drawn once")
 
     def counts(self):
@@ -249,6 +358,11 @@ def compare_project(package, file):
                                 ("rest lengths", package.lengths, "network/rest-lengths.f64"),
                                 ("rest positions of vertices", package.vertices, "mesh/vertices.f64")):
         compare(name, values, float32(arrays[entry]))
+    if package.binding:
+        compare("carrying nodes", [n for three in package.carriers for n in three], arrays["binding/nodes.u32"])
+        compare("shares", [n for three in package.shares for n in three], float32(arrays["binding/shares.f64"]))
+        compare("simulated surface", [n for three in package.simulated for n in three], arrays["binding/surface.u32"])
+        compare("lines", [n for two in package.lines for n in two], arrays["binding/lines.u32"])
     for name, values, entry in (("springs", package.ends, "network/springs.u32"),
                                 ("node of vertex", package.vertex_nodes, "network/vertex-nodes.u32"),
                                 ("triangles", package.triangles, "mesh/triangles.u32")):

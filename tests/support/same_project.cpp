@@ -35,6 +35,16 @@ bool sameEllipsoid(const std::optional<Ellipsoid>& a, const std::optional<Ellips
                    sameMatrix(a->orientation.coeffs(), b->orientation.coeffs())));
 }
 
+void expectSameBinding(const std::optional<Binding>& a, const std::optional<Binding>& b) {
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) return;
+    EXPECT_EQ(a->surface, b->surface);
+    EXPECT_EQ(a->lines, b->lines);
+    EXPECT_TRUE(sameList(a->vertices, b->vertices, [](const VertexBinding& v, const VertexBinding& w) {
+        return v.nodes == w.nodes && sameMatrix(v.shares, w.shares);
+    }));
+}
+
 void expectSameMesh(const Project& a, const Project& b) {
     EXPECT_TRUE(sameList(a.mesh->vertices, b.mesh->vertices, sameMatrix<Eigen::Vector3d>));
     EXPECT_EQ(a.mesh->triangles, b.mesh->triangles);
@@ -43,6 +53,7 @@ void expectSameMesh(const Project& a, const Project& b) {
         return s.first == t.first && s.second == t.second && sameBits(s.restLength, t.restLength);
     }));
     EXPECT_EQ(a.network->vertexNodes, b.network->vertexNodes);
+    expectSameBinding(a.network->binding, b.network->binding);
     for (const auto& [key, count] : project_layout::reportCounts)
         EXPECT_EQ((*a.importReport).*count, (*b.importReport).*count) << key;
     EXPECT_EQ(a.importReport->warnings, b.importReport->warnings);

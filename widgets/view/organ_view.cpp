@@ -119,7 +119,9 @@ std::optional<QPointF> OrganView::placeOf(const Eigen::Vector3d& point) const {
 
 Eigen::AlignedBox3d OrganView::organBox() const {
     const std::vector<Eigen::Vector3d> nodes = drawnNodes(m_scene);
-    return boundingBox(drawnVertices(m_scene, nodes)).merged(boundingBox(nodes));
+    const Eigen::AlignedBox3d surface = boundingBox(drawnVertices(m_scene, nodes));
+    const bool showsNodes = m_scene.showSprings || surface.isEmpty();
+    return showsNodes ? surface.merged(boundingBox(nodes)) : surface;
 }
 
 void OrganView::initializeGL() {

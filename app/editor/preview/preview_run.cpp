@@ -21,7 +21,8 @@ bool PreviewRun::setProject(const Project& project) {
         if (sameNetwork)
             m_simulation->setModel(model);
         else
-            m_simulation.emplace(model, SimulationSettings{}, project.mesh->triangles);
+            m_simulation.emplace(model, SimulationSettings{},
+                                 simulatedSurface(*project.mesh, *project.network));
         m_model = std::move(model);
         m_gravity = project.scene.gravity;
         if (!sameNetwork) {

@@ -117,6 +117,12 @@ Project richProject(std::uint32_t rings) {
     return project;
 }
 
+Project boundProject(const Detail& detail) {
+    Project project = richProject();
+    project.network = std::make_shared<SpringNetwork>(networkOf(*project.mesh, detail));
+    return project;
+}
+
 Project bareProject() {
     Project project;
     project.name = "motion model";

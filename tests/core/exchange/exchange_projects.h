@@ -13,6 +13,9 @@ std::shared_ptr<const Photo> gradientPhoto(const std::string& fileName, int size
 /// The organ is a ring of `rings` · 12 triangles, 0.07 m in radius.
 Project richProject(std::uint32_t rings = 8);
 
+/// The same organ carried by fewer nodes than it has vertices, or moved rigidly.
+Project boundProject(const Detail& detail);
+
 /// Nodes and springs without a surface, as the uterus' motion model.
 Project bareProject();
 

@@ -167,6 +167,47 @@ TEST_F(ModelPackageFile, DrawnVerticesMayOutnumberTheNodes) {
     EXPECT_EQ(exported(project).tissue.network->vertexNodes, network->vertexNodes);
 }
 
+TEST_F(ModelPackageFile, HoldsHowFewerNodesCarryTheSurface) {
+    for (const Detail& detail : {Detail{Detail::Kind::Nodes, 20}, Detail{Detail::Kind::Rigid, 0}}) {
+        Project project = boundProject(detail);
+        expectReadIndependently(project);
+        expectSameTissue(exported(project).tissue, evaluateModel(project));
+        project.photos.clear();
+        project.atlas = nullptr;
+        expectReadIndependently(project);
+        expectSameTissue(exported(project).tissue, evaluateModel(project));
+    }
+}
+
+TEST_F(ModelPackageFile, IsOfTheVersionThatItsReadersNeed) {
+    const auto version = [&](const Project& project) {
+        exportPackage(project, m_file);
+        return parseGlb(readFile(m_file)).json["extensions"]["ESM_spring_mass"]["version"].get<int>();
+    };
+    EXPECT_EQ(version(richProject()), 1);
+    EXPECT_EQ(version(boundProject({Detail::Kind::Nodes, 20})), 2);
+    EXPECT_EQ(version(boundProject({Detail::Kind::Rigid, 0})), 2);
+}
+
+TEST_F(ModelPackageFile, ABindingThatCannotCarryTheSurfaceIsRefused) {
+    const auto refusal = [&](const char* key, const Json& value) {
+        exportPackage(boundProject({Detail::Kind::Nodes, 20}), m_file);
+        Glb glb = parseGlb(readFile(m_file));
+        glb.json["extensions"]["ESM_spring_mass"]["binding"][key] = value;
+        overwrite(m_file, writeGlb(glb));
+        return loadingError();
+    };
+    const Json extension = [&] {
+        exportPackage(boundProject({Detail::Kind::Nodes, 20}), m_file);
+        return parseGlb(readFile(m_file)).json["extensions"]["ESM_spring_mass"];
+    }();
+    EXPECT_THAT(refusal("nodes", extension["surface"]["triangles"]), HasSubstr("binding.nodes"));
+    EXPECT_THAT(refusal("shares", extension["surface"]["restPosition"]), HasSubstr("shares are not of one"));
+    EXPECT_THAT(refusal("triangleCount", 7), HasSubstr("binding.triangles"));
+    EXPECT_THAT(refusal("lineCount", 1), HasSubstr("binding.lines is missing"));
+    EXPECT_THAT(refusal("lineCount", -1), HasSubstr("binding.lineCount"));
+}
+
 TEST_F(ModelPackageFile, ModelsWithoutSurfaceShowTheirSprings) {
     const ModelPackage package = exported(bareProject());
     expectSameTissue(package.tissue, evaluateModel(bareProject()));
@@ -260,8 +301,8 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
     exportPackage(richProject(), m_file);
     const Glb whole = parseGlb(readFile(m_file));
     const std::vector<Damage> cases{
-        {"/version", 2,
-         "was made by a newer version (2) of the program; this one reads up to 1; update the program"},
+        {"/version", 3,
+         "was made by a newer version (3) of the program; this one reads up to 2; update the program"},
         {"/version", "one", "version"},
         {"/damping", "axial", "damping"},
         {"/nodes", nullptr, "nodes"},

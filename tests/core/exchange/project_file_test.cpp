@@ -81,6 +81,33 @@ TEST_F(ProjectFile, ComesBackBitByBit) {
     EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
 }
 
+TEST_F(ProjectFile, KeepsHowFewerNodesCarryTheSurface) {
+    for (const Detail& detail : {Detail{Detail::Kind::Nodes, 20}, Detail{Detail::Kind::Rigid, 0}}) {
+        const Project project = boundProject(detail);
+        saveProject(project, m_file);
+        expectSameProject(project, loadProject(m_file));
+        EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
+    }
+}
+
+TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
+    const auto version = [&](const Project& project) {
+        saveProject(project, m_file);
+        const Bytes bytes = readFile(m_file), text = ZipReader(bytes).read(project_layout::manifest, 1 << 20);
+        return Json::parse(text.begin(), text.end())["version"].get<int>();
+    };
+    EXPECT_EQ(version(richProject()), 1);
+    EXPECT_EQ(version(boundProject({Detail::Kind::Nodes, 20})), 2);
+}
+
+TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {
+    Project project = boundProject({Detail::Kind::Nodes, 20});
+    SpringNetwork network = *project.network;
+    network.binding->vertices.pop_back();
+    project.network = std::make_shared<SpringNetwork>(network);
+    EXPECT_THROW(saveProject(project, m_file), FileError);
+}
+
 TEST_F(ProjectFile, KeepsAModelWithoutSurfaceRegionsOrPhotos) {
     saveProject(bareProject(), m_file);
     expectSameProject(bareProject(), loadProject(m_file));
@@ -172,10 +199,10 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
 }
 
 TEST_F(ProjectFile, ANewerVersionSaysSo) {
-    saveWithManifest("/version", 2);
+    saveWithManifest("/version", 3);
     EXPECT_THAT(loadingError(),
-                HasSubstr("organ.esm: was made by a newer version (2) of the program; this one reads "
-                          "up to 1; update the program"));
+                HasSubstr("organ.esm: was made by a newer version (3) of the program; this one reads "
+                          "up to 2; update the program"));
 }
 
 /// A second file entry that names the first one's bytes again.

@@ -24,10 +24,22 @@ inline std::vector<Eigen::Vector3d> rounded(std::vector<Eigen::Vector3d> points)
     return points;
 }
 
+inline void expectSameBinding(const Binding& package, const Binding& project) {
+    EXPECT_EQ(package.surface, project.surface);
+    EXPECT_EQ(package.lines, project.lines);
+    ASSERT_EQ(package.vertices.size(), project.vertices.size());
+    for (std::size_t i = 0; i < package.vertices.size(); ++i) {
+        EXPECT_EQ(package.vertices[i].nodes, project.vertices[i].nodes);
+        EXPECT_EQ(package.vertices[i].shares, project.vertices[i].shares.cast<float>().cast<double>());
+    }
+}
+
 /// A package holds a project's tissue in 32-bit numbers.
 inline void expectSameTissue(const TissueModel& package, const TissueModel& project) {
     EXPECT_EQ(package.network->restPositions, rounded(project.network->restPositions));
     EXPECT_EQ(package.network->vertexNodes, project.network->vertexNodes);
+    ASSERT_EQ(package.network->binding.has_value(), project.network->binding.has_value());
+    if (project.network->binding) expectSameBinding(*package.network->binding, *project.network->binding);
     ASSERT_EQ(package.network->springs.size(), project.network->springs.size());
     for (std::size_t i = 0; i < package.network->springs.size(); ++i) {
         const Spring &a = package.network->springs[i], &b = project.network->springs[i];

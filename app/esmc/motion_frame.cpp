@@ -1,0 +1,78 @@
+#include "app/esmc/motion_frame.h"
+
+#include "core/support/errors.h"
+#include "core/support/file_io.h"
+#include "core/support/numbers.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace esm {
+
+namespace {
+
+struct Row {
+    double time;
+    std::uint32_t node;
+    Eigen::Vector3d position;
+};
+
+/// Takes a number and the comma behind it off the front; false where there is none.
+template<typename Number> bool take(std::string_view& text, Number& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc()) return false;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    if (!text.empty() && text.front() != ',') return false;
+    if (!text.empty()) text.remove_prefix(1);
+    return true;
+}
+
+std::optional<Row> rowOf(std::string_view line) {
+    Row row{};
+    const bool isWhole = take(line, row.time) && take(line, row.node) && take(line, row.position.x()) &&
+                         take(line, row.position.y()) && take(line, row.position.z());
+    if (!isWhole || !line.empty() || !std::isfinite(row.time) || !row.position.allFinite())
+        return std::nullopt;
+    return row;
+}
+
+std::string_view nextLine(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3d> readMotionFrame(const std::filesystem::path& file, std::size_t nodeCount,
+                                             std::optional<double> time) {
+    const Bytes content = readFile(file);
+    std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
+    if (nextLine(text) != "time,node,x,y,z")
+        throw FileError(file, "is no trajectory: its first line should be time,node,x,y,z");
+    std::vector<Eigen::Vector3d> positions(nodeCount, Eigen::Vector3d::Zero());
+    std::vector<double> seen(nodeCount, std::nan(""));
+    double frame = std::nan("");
+    for (std::size_t number = 2; !text.empty(); ++number) {
+        const std::optional<Row> row = rowOf(nextLine(text));
+        if (!row || row->node >= nodeCount)
+            throw FileError(file, "line " + std::to_string(number) + " is no place of one of the model's " +
+                                      std::to_string(nodeCount) + " nodes");
+        if (time && row->time > *time) break;
+        frame = seen[row->node] = row->time;
+        positions[row->node] = row->position;
+    }
+    if (std::isnan(frame)) throw FileError(file, "has no frame at that time or before it");
+    for (std::size_t node = 0; node < nodeCount; ++node)
+        if (seen[node] != frame)
+            throw FileError(file, "says nothing of node " + std::to_string(node) + " at " +
+                                      numberText(frame) + " s; record all nodes");
+    return positions;
+}
+
+} // namespace esm

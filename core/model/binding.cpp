@@ -1,0 +1,245 @@
+#include "core/model/binding.h"
+
+#include "core/geometry/nearest_weights.h"
+#include "core/support/offenders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace esm {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Points = std::vector<Vector3d>;
+
+constexpr double shareTolerance = 1e-6; ///< of their sum: 32-bit numbers of a package come to no more
+
+std::vector<std::vector<std::uint32_t>> neighboursOf(const std::vector<Triangle>& triangles,
+                                                     std::size_t vertexCount) {
+    std::vector<std::vector<std::uint32_t>> neighbours(vertexCount);
+    for (const Edge& edge : uniqueEdges(triangles)) {
+        neighbours[edge.first].push_back(edge.second);
+        neighbours[edge.second].push_back(edge.first);
+    }
+    return neighbours;
+}
+
+/// The node that is nearest to each vertex along the edges; noIndex where none can be reached.
+std::vector<std::uint32_t> nearestNodes(const TriangleMesh& mesh, const std::vector<std::uint32_t>& kept) {
+    const auto neighbours = neighboursOf(mesh.triangles, mesh.vertices.size());
+    std::vector<std::uint32_t> nodes(mesh.vertices.size(), noIndex);
+    std::vector<double> distances(mesh.vertices.size(), std::numeric_limits<double>::infinity());
+    using Reached = std::pair<double, std::uint32_t>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
+    for (std::uint32_t node = 0; node < kept.size(); ++node) {
+        nodes[kept[node]] = node;
+        distances[kept[node]] = 0;
+        front.emplace(0, kept[node]);
+    }
+    while (!front.empty()) {
+        const auto [distance, vertex] = front.top();
+        front.pop();
+        if (distance > distances[vertex]) continue;
+        for (const std::uint32_t next : neighbours[vertex]) {
+            const double farther = distance + (mesh.vertices[next] - mesh.vertices[vertex]).norm();
+            if (farther >= distances[next]) continue;
+            distances[next] = farther;
+            nodes[next] = nodes[vertex];
+            front.emplace(farther, next);
+        }
+    }
+    return nodes;
+}
+
+/// For every node the triangles at it and at its neighbours, ascending.
+std::vector<std::vector<std::uint32_t>> trianglesAround(const std::vector<Triangle>& triangles,
+                                                        std::size_t nodeCount) {
+    std::vector<std::vector<std::uint32_t>> at(nodeCount), around(nodeCount);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+        for (const std::uint32_t node : triangles[i])
+            at[node].push_back(i);
+    const auto neighbours = neighboursOf(triangles, nodeCount);
+    for (std::size_t node = 0; node < nodeCount; ++node) {
+        around[node] = at[node];
+        for (const std::uint32_t next : neighbours[node])
+            around[node].insert(around[node].end(), at[next].begin(), at[next].end());
+        std::sort(around[node].begin(), around[node].end());
+        around[node].erase(std::unique(around[node].begin(), around[node].end()), around[node].end());
+    }
+    return around;
+}
+
+VertexBinding onNode(std::uint32_t node) {
+    return {{node, node, node}, {1, 0, 0}};
+}
+
+/// A point of the drawn mesh and where it faces.
+struct FacingPoint {
+    const Vector3d& place;
+    const Vector3d& normal;
+};
+
+/// To the nearest of the candidates that face as the point does, the first where two are as near; to its node
+/// where none does.
+VertexBinding toNearest(const FacingPoint& point, const TriangleMesh& coarse,
+                        const std::vector<std::uint32_t>& candidates, std::uint32_t node) {
+    VertexBinding binding = onNode(node);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t candidate : candidates) {
+        const Triangle& nodes = coarse.triangles[candidate];
+        const Vector3d &a = coarse.vertices[nodes[0]], &b = coarse.vertices[nodes[1]],
+                       &c = coarse.vertices[nodes[2]];
+        if ((b - a).cross(c - a).dot(point.normal) < 0) continue;
+        Vector3d shares = nearestWeights(point.place, a, b, c).cwiseMax(0);
+        shares /= shares.sum();
+        const double distance = (shares[0] * a + shares[1] * b + shares[2] * c - point.place).squaredNorm();
+        if (!(distance < nearest)) continue;
+        nearest = distance;
+        binding = {nodes, shares};
+    }
+    return binding;
+}
+
+/// What turns and stretches with the nodes: sums over all that has a say in a node's surroundings.
+class Surroundings {
+public:
+    Surroundings(const Points& rest, const Points& now)
+        : m_rest(rest), m_now(now), m_sums(rest.size(), Matrix3d::Zero()), m_weights(rest.size(), 0.0) {}
+
+    void addTriangle(const Triangle& nodes) {
+        const Vector3d side = m_rest[nodes[1]] - m_rest[nodes[0]],
+                       other = m_rest[nodes[2]] - m_rest[nodes[0]];
+        const Vector3d areaNormal = side.cross(other);
+        const double area = areaNormal.norm();
+        if (!(area > 0)) return;
+        const Vector3d normal = areaNormal / area;
+        const Vector3d sideNow = m_now[nodes[1]] - m_now[nodes[0]],
+                       otherNow = m_now[nodes[2]] - m_now[nodes[0]];
+        Vector3d normalNow = sideNow.cross(otherNow);
+        const double areaNow = normalNow.norm();
+        // What has shrunk to a line faces nowhere.
+        normalNow = areaNow > 0 ? Vector3d(normalNow / areaNow) : Vector3d(Vector3d::Zero());
+        const Matrix3d deformation = sideNow * other.cross(normal).transpose() +
+                                     otherNow * normal.cross(side).transpose() +
+                                     area * normalNow * normal.transpose();
+        for (const std::uint32_t node : nodes)
+            add(node, deformation, area);
+    }
+
+    void addLine(const Edge& line) {
+        const Vector3d rest = m_rest[line.second] - m_rest[line.first],
+                       now = m_now[line.second] - m_now[line.first];
+        if (!(rest.norm() > 0) || !(now.norm() > 0)) return;
+        const Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(rest, now).toRotationMatrix();
+        for (const std::uint32_t node : {line.first, line.second})
+            add(node, turn, 1);
+    }
+
+    /// G − 1 for every node.
+    std::vector<Matrix3d> changes() const {
+        std::vector<Matrix3d> changes(m_sums.size(), Matrix3d::Zero());
+        for (std::size_t node = 0; node < changes.size(); ++node)
+            if (m_weights[node] > 0) changes[node] = m_sums[node] / m_weights[node] - Matrix3d::Identity();
+        return changes;
+    }
+
+private:
+    void add(std::uint32_t node, const Matrix3d& weighted, double weight) {
+        m_sums[node] += weighted;
+        m_weights[node] += weight;
+    }
+
+    const Points &m_rest, &m_now;
+    std::vector<Matrix3d> m_sums;
+    std::vector<double> m_weights;
+};
+
+bool isSound(const VertexBinding& vertex, std::size_t nodeCount) {
+    return *std::max_element(vertex.nodes.begin(), vertex.nodes.end()) < nodeCount &&
+           (vertex.shares.array() >= 0).all() && std::abs(vertex.shares.sum() - 1) <= shareTolerance;
+}
+
+} // namespace
+
+Binding bindToSurface(const TriangleMesh& drawn, const SimplifiedMesh& simulated) {
+    TriangleMesh coarse{{}, simulated.triangles};
+    for (const std::uint32_t vertex : simulated.vertices)
+        coarse.vertices.push_back(drawn.vertices[vertex]);
+    const std::vector<std::uint32_t> nodes = nearestNodes(drawn, simulated.vertices);
+    const auto candidates = trianglesAround(coarse.triangles, coarse.vertices.size());
+    const Points normals = vertexNormals(drawn.vertices, drawn.triangles);
+    Binding binding;
+    binding.surface = simulated.triangles;
+    binding.vertices.reserve(drawn.vertices.size());
+    for (std::uint32_t vertex = 0; vertex < drawn.vertices.size(); ++vertex) {
+        // A vertex of no triangle belongs to no part.
+        const std::uint32_t node = nodes[vertex] == noIndex ? 0 : nodes[vertex];
+        const bool isKept = simulated.vertices[node] == vertex;
+        binding.vertices.push_back(
+            isKept ? onNode(node)
+                   : toNearest({drawn.vertices[vertex], normals[vertex]}, coarse, candidates[node], node));
+    }
+    return binding;
+}
+
+Binding bindToLine(std::size_t vertexCount, const Edge& line) {
+    const VertexBinding middle{{line.first, line.second, line.second}, {0.5, 0.5, 0}};
+    return {{}, {line}, std::vector<VertexBinding>(vertexCount, middle)};
+}
+
+std::vector<std::uint32_t> mainNodes(const Binding& binding) {
+    std::vector<std::uint32_t> nodes;
+    nodes.reserve(binding.vertices.size());
+    for (const VertexBinding& vertex : binding.vertices) {
+        Eigen::Index largest = 0;
+        vertex.shares.maxCoeff(&largest);
+        nodes.push_back(vertex.nodes.at(static_cast<std::size_t>(largest)));
+    }
+    return nodes;
+}
+
+Points carried(const Points& restVertices, const Binding& binding, const Points& restPositions,
+               const Points& positions) {
+    Surroundings surroundings(restPositions, positions);
+    for (const Triangle& triangle : binding.surface)
+        surroundings.addTriangle(triangle);
+    for (const Edge& line : binding.lines)
+        surroundings.addLine(line);
+    const std::vector<Matrix3d> changes = surroundings.changes();
+    Points vertices = restVertices;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        for (std::size_t place = 0; place < 3; ++place) {
+            const std::uint32_t node = binding.vertices[i].nodes.at(place);
+            const double share = binding.vertices[i].shares[static_cast<Eigen::Index>(place)];
+            vertices[i] += share * (positions[node] - restPositions[node] +
+                                    changes[node] * (restVertices[i] - restPositions[node]));
+        }
+    return vertices;
+}
+
+std::vector<std::string> validate(const Binding& binding, std::size_t vertexCount, std::size_t nodeCount) {
+    std::vector<std::string> problems;
+    if (binding.vertices.size() != vertexCount)
+        problems.push_back(std::to_string(binding.vertices.size()) + " of " + std::to_string(vertexCount) +
+                           " drawn vertices are carried");
+    reportOffenders(problems, "drawn point", "whose nodes do not exist or whose shares are not of one",
+                    placesWhere(binding.vertices.size(),
+                                [&](std::size_t i) { return !isSound(binding.vertices[i], nodeCount); }));
+    reportOffenders(problems, "simulated triangle", "with a node that does not exist",
+                    placesWhere(binding.surface.size(), [&](std::size_t i) {
+                        const Triangle& nodes = binding.surface[i];
+                        return *std::max_element(nodes.begin(), nodes.end()) >= nodeCount;
+                    }));
+    reportOffenders(problems, "line", "without two nodes that exist",
+                    placesWhere(binding.lines.size(), [&](std::size_t i) {
+                        const Edge& line = binding.lines[i];
+                        return std::max(line.first, line.second) >= nodeCount || line.first == line.second;
+                    }));
+    return problems;
+}
+
+} // namespace esm

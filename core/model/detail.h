@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/model/spring_network.h"
+
+namespace esm {
+
+/// How much of a drawn surface is simulated.
+struct Detail {
+    enum class Kind {
+        EveryVertex, ///< a node for every vertex
+        Nodes,       ///< fewer nodes: a coarser surface that carries the drawn one
+        Rigid        ///< a few springs that move the whole as one stiff piece [R 5.1]
+    };
+    Kind kind = Kind::EveryVertex;
+    std::size_t nodes = 0; ///< wanted, where the kind is Nodes
+};
+
+/// The network of a surface at a level of detail. A surface that cannot be made as coarse as wanted has more
+/// nodes.
+/// @throws InvalidModel when fewer than 4 nodes or more than there are vertices are wanted
+SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail);
+
+/// The level of detail that a network has, with the number of its nodes.
+Detail detailOf(const SpringNetwork& network);
+
+} // namespace esm
