@@ -1,5 +1,7 @@
 #include "app/editor/window/import_dialog.h"
 
+#include "widgets/inputs/number_field.h"
+
 #include <gtest/gtest.h>
 #include <QAbstractButton>
 #include <QComboBox>
@@ -13,6 +15,7 @@ namespace {
 ImportedSurface threeParts() {
     ImportedSurface surface;
     surface.extent = {200, 100, 100};
+    surface.vertices = 6000;
     surface.parts = {{900, {50, 40, 30}}, {20, {10, 10, 5}}, {1, {1, 1, 0}}};
     surface.report.warnings = {"three parts"};
     return surface;
@@ -22,6 +25,7 @@ ImportedSurface largestOf(const ImportedSurface& surface) {
     ImportedSurface largest;
     largest.parts = {surface.parts.front()};
     largest.extent = largest.parts.front().extent;
+    largest.vertices = 900;
     return largest;
 }
 
@@ -71,4 +75,24 @@ TEST_F(ImportDialogTest, ListsThePartsWithTheirSizes) {
     EXPECT_TRUE(reported().contains("3: 1 triangle,"));
     dialog.findChild<QAbstractButton*>("unit1")->click();
     EXPECT_TRUE(reported().contains("1: 900 triangles, 500 × 400 × 300 mm"));
+}
+
+TEST_F(ImportDialogTest, AsksHowMuchIsSimulated) {
+    auto* detail = dialog.findChild<QComboBox*>("importDetail");
+    auto* nodes = dialog.findChild<NumberField*>("numberField");
+    EXPECT_EQ(dialog.choice().detail.kind, Detail::Kind::EveryVertex);
+    EXPECT_EQ(nodes->value(), 6000);
+    EXPECT_FALSE(nodes->isEnabled());
+    detail->setCurrentIndex(1);
+    EXPECT_TRUE(nodes->isEnabled());
+    EXPECT_EQ(dialog.choice().detail.kind, Detail::Kind::Nodes);
+    EXPECT_EQ(dialog.choice().detail.nodes, 2000U);
+    keep->setCurrentIndex(1); // there are not as many vertices
+    EXPECT_EQ(dialog.choice().detail.nodes, 900U);
+    keep->setCurrentIndex(0);
+    EXPECT_EQ(dialog.choice().detail.nodes, 2000U);
+    detail->setCurrentIndex(2);
+    EXPECT_EQ(dialog.choice().detail.kind, Detail::Kind::Rigid);
+    EXPECT_EQ(nodes->value(), 8);
+    EXPECT_FALSE(nodes->isEnabled());
 }

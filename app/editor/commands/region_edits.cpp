@@ -47,7 +47,7 @@ std::string unusedName(const std::vector<Region>& regions) {
 } // namespace
 
 void addRegion(Project& project, const Eigen::Vector3d& centre) {
-    const auto box = boundingBox(project.network->restPositions);
+    const auto box = organBox(*project.mesh, *project.network);
     // At least a tenth of the largest extent, so that a flat organ does not get a flat ellipsoid.
     const double smallest = 0.1 * box.sizes().maxCoeff();
     Region region;

@@ -19,6 +19,14 @@ QString millimetres(const Eigen::Vector3d& metres, const QString& between) {
            decimalText(mm.z(), decimals) + QStringLiteral(" mm");
 }
 
+/// How the simulated nodes move what is drawn.
+QString carryingText(Detail::Kind kind) {
+    if (kind == Detail::Kind::Nodes)
+        return QObject::tr("Fewer nodes are simulated and carry the full surface");
+    if (kind == Detail::Kind::Rigid) return QObject::tr("A few springs move the surface as one stiff piece");
+    return QObject::tr("Every vertex is a node");
+}
+
 /// How nodes are fixed where none is, and freed where some are.
 QString fixingText(const TissueModel& model) {
     if (!model.fixedNodes.empty()) return QObject::tr("Model → Free all fixed nodes lets them go.");
@@ -36,6 +44,7 @@ ModelPanel::ModelPanel(Document& document, QWidget* parent)
     auto* rows = new ValueRows(this);
     m_nodes = rows->addText(tr("Nodes"), QStringLiteral("nodeCount"));
     m_springs = rows->addText(tr("Springs"), QStringLiteral("springCount"));
+    m_vertices = rows->addText(tr("Vertices drawn"), QStringLiteral("vertexCount"));
     m_size = rows->addText(tr("Size"), QStringLiteral("modelSize"));
     m_centre = rows->addText(tr("Centre"), QStringLiteral("modelCentre"));
     m_fixed = rows->addText(tr("Fixed nodes"), QStringLiteral("fixedCount"));
@@ -89,9 +98,11 @@ void ModelPanel::showEvaluated() {
 
 void ModelPanel::showMesh() {
     const Project& project = m_document.project();
-    const auto box = boundingBox(project.network->restPositions);
+    const auto box = organBox(*project.mesh, *project.network);
     m_nodes->setText(countText(project.network->restPositions.size()));
     m_springs->setText(countText(project.network->springs.size()));
+    m_vertices->setText(countText(project.mesh->vertices.size()));
+    m_vertices->setToolTip(carryingText(detailOf(*project.network).kind));
     m_size->setText(millimetres(box.sizes(), QStringLiteral(" × ")));
     m_centre->setText(millimetres(box.center(), QStringLiteral(", ")));
     const QString warnings = [&] {

@@ -23,7 +23,7 @@ private:
     void showEvaluated();
 
     Document& m_document;
-    QLabel *m_nodes, *m_springs, *m_size, *m_centre, *m_fixed, *m_totalMass, *m_fixing;
+    QLabel *m_nodes, *m_springs, *m_vertices, *m_size, *m_centre, *m_fixed, *m_totalMass, *m_fixing;
     NumberField* m_baseMass;
     bool m_evaluated = false;
 };

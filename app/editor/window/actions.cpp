@@ -108,6 +108,7 @@ void ActionMaker::makeModelActions() {
     a.fixRegion =
         make(tr("&Fix nodes in region"), {}, tr("Hold the nodes inside the selected region in space"));
     a.freeNodes = make(tr("Free &all fixed nodes"), {}, tr("Let every fixed node go"));
+    a.chooseDetail = make(tr("&Nodes to simulate…"), {}, tr("Simulate fewer nodes under the full surface"));
     a.addPhoto =
         make(tr("Add &photo…"), QKeySequence("Ctrl+P"), tr("Lay a photo on the organ, from the camera"));
     a.fromCamera = make(tr("Photo from &camera"), QKeySequence(Qt::Key_C),

@@ -20,7 +20,7 @@ struct Actions {
     QAction *undo, *redo, *rename, *removeRegion, *removePhoto;
     QAction *showSprings, *showRegions, *showLeft, *showRight, *frame, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
-    QAction *addRegion, *fixRegion, *freeNodes;
+    QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;
     QAction *addPhoto, *fromCamera;
     QAction *play, *reset, *letGo;
     QAction *about, *keys;

@@ -1,10 +1,14 @@
 #include "app/editor/window/edit_controller.h"
 
 #include "app/editor/commands/ask.h"
+#include "app/editor/commands/attempt.h"
+#include "app/editor/commands/long_work.h"
 #include "app/editor/commands/photo_edits.h"
 #include "app/editor/commands/region_edits.h"
 #include "app/editor/window/actions.h"
+#include "core/model/detail_change.h"
 #include "widgets/inputs/enabling.h"
+#include "widgets/inputs/number_text.h"
 
 #include <QInputDialog>
 
@@ -24,6 +28,7 @@ void EditController::connectActions(const Actions& actions) {
     connect(actions.removePhoto, &QAction::triggered, this, &EditController::removePhoto);
     connect(actions.fixRegion, &QAction::triggered, this, &EditController::fixRegion);
     connect(actions.freeNodes, &QAction::triggered, this, &EditController::freeNodes);
+    connect(actions.chooseDetail, &QAction::triggered, this, &EditController::chooseDetail);
     connect(actions.fromCamera, &QAction::triggered, this, &EditController::projectFromCamera);
     const auto update = [this, actions] { enable(actions); };
     connect(&m_document, &Document::changed, this, update);
@@ -46,6 +51,9 @@ void EditController::enable(const Actions& actions) {
     esm::enable(actions.fromCamera, m_selection.photo().has_value(),
                 withShortcut(tr("Throw the selected photo from where you look"), actions.fromCamera),
                 tr("No photo is selected"));
+    esm::enable(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
+                tr("Simulate fewer nodes under the full surface, or every vertex"),
+                tr("This model has no surface that fewer nodes could carry"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
     esm::enable(actions.addPhoto, !project.mesh->triangles.empty(),
                 withShortcut(tr("Lay a photo on the organ, from the camera"), actions.addPhoto), noSurface);
@@ -97,6 +105,25 @@ void EditController::fixRegion() {
 
 void EditController::freeNodes() {
     m_document.edit(tr("Free fixed nodes"), [](Project& project) { project.scene.fixed.clear(); });
+}
+
+void EditController::chooseDetail() {
+    const Project project = m_document.project();
+    const std::size_t vertices = project.mesh->vertices.size();
+    bool accepted = false;
+    const int nodes =
+        QInputDialog::getInt(&m_window, tr("Nodes to simulate"),
+                             tr("Nodes that carry the surface of %1 vertices").arg(countText(vertices)),
+                             static_cast<int>(project.network->restPositions.size()), fewestVertices,
+                             static_cast<int>(vertices), 100, &accepted);
+    m_window.activateWindow();
+    if (!accepted) return;
+    attempt(&m_window, tr("The surface cannot be simulated so"), [&] {
+        const Detail detail{Detail::Kind::Nodes, static_cast<std::size_t>(nodes)};
+        const Project changed = computeLong(&m_window, tr("Binding the surface to its nodes"),
+                                            [&](const Progress&) { return withDetail(project, detail); });
+        m_document.edit(tr("Choose simulated nodes"), [&](Project& edited) { edited = changed; });
+    });
 }
 
 void EditController::projectFromCamera() {

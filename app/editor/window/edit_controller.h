@@ -31,6 +31,7 @@ private:
     void removePhoto();
     void fixRegion();
     void freeNodes();
+    void chooseDetail();
     void enable(const Actions& actions);
 
     QWidget& m_window;

@@ -147,7 +147,7 @@ void FileController::importMesh(const std::filesystem::path& file) {
             convertToMetres(soup, choice.unit, choice.up);
             RepairOptions options;
             options.keep = choice.keep;
-            return makeProject(file.stem().string(), repair(soup, options));
+            return makeProject(file.stem().string(), repair(soup, options), std::nullopt, choice.detail);
         });
         m_document.replace(std::move(project), std::nullopt, Origin::Unsaved);
         noteOpened(file);

@@ -1,10 +1,11 @@
 #include "app/editor/window/import_dialog.h"
 
+#include "core/model/motion_model.h"
 #include "core/model/project.h"
+#include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QDialogButtonBox>
-#include <QFormLayout>
 #include <QPushButton>
 #include <QRadioButton>
 
@@ -71,6 +72,18 @@ QString unitsName(LengthUnit unit) {
     return QObject::tr("metres");
 }
 
+/// So many move in real time on any machine.
+constexpr std::size_t suggestedNodes = 2000;
+
+/// From the fewest that make a surface to one for every vertex.
+NumberFormat nodesFormat(std::size_t vertices) {
+    NumberFormat format;
+    format.decimals = 0;
+    format.minimum = fewestVertices;
+    format.maximum = static_cast<double>(std::max(vertices, fewestVertices));
+    return format;
+}
+
 /// More parts than these are crumbs, or no organ.
 constexpr std::size_t mostPartsListed = 12;
 
@@ -101,7 +114,9 @@ QString doubtfulExtent(double largestExtent, LengthUnit unit) {
 ImportDialog::ImportDialog(const QString& fileName, const ImportedSurface& all,
                            const std::optional<ImportedSurface>& largest, QWidget* parent)
     : QDialog(parent), m_all(all), m_largest(largest), m_units(new QButtonGroup(this)),
-      m_up(new QComboBox(this)), m_keep(new QComboBox(this)), m_size(new QLabel(this)),
+      m_up(new QComboBox(this)), m_keep(new QComboBox(this)), m_detail(new QComboBox(this)),
+      m_nodes(new NumberField(nodesFormat(all.vertices), this)),
+      m_fewerNodes(static_cast<double>(std::min(suggestedNodes, all.vertices))), m_size(new QLabel(this)),
       m_doubt(new QLabel(this)), m_report(new QPlainTextEdit(this)) {
     setWindowTitle(tr("Import organ surface"));
     setObjectName(QStringLiteral("importDialog"));
@@ -178,7 +193,30 @@ void ImportDialog::addOrientation(QVBoxLayout* column) {
     form->addRow(m_doubt);
     addChoice(form, tr("&Upwards in the file"), m_up);
     addChoice(form, tr("&Keep"), m_keep);
+    addDetail(form);
     column->addLayout(form);
+}
+
+void ImportDialog::addDetail(QFormLayout* form) {
+    m_detail->setObjectName(QStringLiteral("importDetail"));
+    m_detail->addItems({tr("every vertex"), tr("fewer nodes under the full surface"), tr("one stiff piece")});
+    addChoice(form, tr("&Simulate"), m_detail);
+    m_nodes->setAccessibleName(tr("Nodes"));
+    QLabel* caption = quietLabel(tr("&Nodes"), this);
+    caption->setBuddy(m_nodes);
+    form->addRow(caption, m_nodes);
+    connect(m_detail, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showDetail);
+    connect(m_nodes, &NumberField::valueEdited, this, [this](double nodes) { m_fewerNodes = nodes; });
+}
+
+void ImportDialog::showDetail() {
+    const Detail::Kind kind = detailKind();
+    enable(m_nodes, kind == Detail::Kind::Nodes, tr("More nodes follow a deformation closer and take longer"),
+           tr("Choose fewer nodes to say how many"));
+    const double all = static_cast<double>(kept().vertices);
+    m_nodes->setValue(kind == Detail::Kind::Nodes   ? std::min(m_fewerNodes, all)
+                      : kind == Detail::Kind::Rigid ? double(motionModelNodes)
+                                                    : all);
 }
 
 void ImportDialog::addReport(QVBoxLayout* column) {
@@ -193,7 +231,7 @@ void ImportDialog::addReport(QVBoxLayout* column) {
 }
 
 const ImportedSurface& ImportDialog::kept() const {
-    return m_largest && choice().keep == KeepParts::Largest ? *m_largest : m_all;
+    return m_largest && keptParts() == KeepParts::Largest ? *m_largest : m_all;
 }
 
 QString ImportDialog::sizeText(const Eigen::Vector3d& extent) const {
@@ -225,13 +263,17 @@ void ImportDialog::showKept() {
     m_report->setPlainText((reportLines(kept().report) + partLines()).join('\n'));
     m_size->setText(sizeText(kept().extent));
     m_doubt->setText(doubtfulExtent(kept().extent.maxCoeff(), choice().unit));
+    showDetail();
 }
 
 ImportChoice ImportDialog::choice() const {
     ImportChoice choice;
     choice.unit = units[static_cast<std::size_t>(qMax(0, m_units->checkedId()))];
     choice.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
-    choice.keep = m_keep->currentIndex() == 1 ? KeepParts::Largest : KeepParts::All;
+    choice.keep = keptParts();
+    choice.detail = {detailKind(), static_cast<std::size_t>(m_nodes->value().value_or(0))};
+    if (choice.detail.nodes >= kept().vertices && choice.detail.kind == Detail::Kind::Nodes)
+        choice.detail.kind = Detail::Kind::EveryVertex;
     return choice;
 }
 

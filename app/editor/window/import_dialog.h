@@ -2,10 +2,13 @@
 
 #include "app/editor/window/imported_surface.h"
 #include "core/exchange/mesh_file.h"
+#include "core/model/detail.h"
+#include "widgets/inputs/number_field.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QDialog>
+#include <QFormLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
@@ -19,6 +22,7 @@ struct ImportChoice {
     LengthUnit unit = LengthUnit::Millimetre;
     UpAxis up = UpAxis::Y;
     KeepParts keep = KeepParts::All;
+    Detail detail;
 };
 
 /// The unit in which an organ of this extent has the size of an organ; glTF files are in metres by their
@@ -43,8 +47,12 @@ private:
     void addUnits(QVBoxLayout* column, LengthUnit likely);
     void addOrientation(QVBoxLayout* column);
     void addParts();
+    void addDetail(QFormLayout* form);
+    void showDetail();
+    Detail::Kind detailKind() const { return static_cast<Detail::Kind>(m_detail->currentIndex()); }
     void addReport(QVBoxLayout* column);
     void addButtons(QVBoxLayout* column);
+    KeepParts keptParts() const { return m_keep->currentIndex() == 1 ? KeepParts::Largest : KeepParts::All; }
     const ImportedSurface& kept() const;
     QString sizeText(const Eigen::Vector3d& extent) const;
     QStringList partLines() const;
@@ -53,7 +61,9 @@ private:
     ImportedSurface m_all;
     std::optional<ImportedSurface> m_largest;
     QButtonGroup* m_units;
-    QComboBox *m_up, *m_keep;
+    QComboBox *m_up, *m_keep, *m_detail;
+    NumberField* m_nodes;
+    double m_fewerNodes; ///< as last asked for
     QLabel *m_size, *m_doubt;
     QPlainTextEdit* m_report;
 };

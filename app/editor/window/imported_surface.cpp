@@ -29,7 +29,8 @@ ImportedSurface importedSurface(const PolygonSoup& soup, KeepParts keep) {
     RepairOptions options;
     options.keep = keep;
     const RepairedMesh repaired = repair(soup, options);
-    return {boundingBox(repaired.mesh.vertices).sizes(), repaired.report, partsOf(repaired.mesh)};
+    return {boundingBox(repaired.mesh.vertices).sizes(), repaired.mesh.vertices.size(), repaired.report,
+            partsOf(repaired.mesh)};
 }
 
 } // namespace

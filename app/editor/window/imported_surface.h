@@ -17,6 +17,7 @@ struct SurfacePart {
 /// A surface as it would be imported, in the file's unit and axes.
 struct ImportedSurface {
     Eigen::Vector3d extent;
+    std::size_t vertices = 0;
     RepairReport report;
     std::vector<SurfacePart> parts; ///< the one with the most triangles first
 };

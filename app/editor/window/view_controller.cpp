@@ -25,7 +25,7 @@ constexpr std::chrono::milliseconds redrawingPatience{400}, redrawingReminder{50
 /// A twentieth of the organ's diagonal, to half a millimetre where that is fine enough.
 double fittingInstrument(const Project& project) {
     constexpr double half = 0.0005; // m
-    const double twentieth = 0.05 * boundingBox(project.network->restPositions).diagonal().norm();
+    const double twentieth = 0.05 * organBox(*project.mesh, *project.network).diagonal().norm();
     return twentieth > 10 * half ? half * std::round(twentieth / half) : twentieth;
 }
 

@@ -1,0 +1,66 @@
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+
+#include <QInputDialog>
+#include <QLabel>
+#include <QUndoStack>
+
+using namespace esm;
+
+namespace {
+
+class SimulatedNodesTest : public EditorTest {
+protected:
+    void SetUp() override { open(makeSample("tube")); }
+
+    void choose(int nodes) {
+        script.expect([](QWidget* dialog) { return qobject_cast<QInputDialog*>(dialog) != nullptr; },
+                      [nodes](QDialog* dialog) {
+                          qobject_cast<QInputDialog*>(dialog)->setIntValue(nodes);
+                          dialog->accept();
+                      });
+        window->windowActions().chooseDetail->trigger();
+    }
+
+    DialogScript script;
+};
+
+} // namespace
+
+TEST_F(SimulatedNodesTest, CarryTheWholeSurfaceAndCanBeTakenBack) {
+    ESM_EVENTUALLY(window->preview().status().playing);
+    choose(60);
+    EXPECT_EQ(project().network->restPositions.size(), 60U);
+    EXPECT_EQ(child<QLabel>("nodeCount")->text(), "60");
+    EXPECT_EQ(child<QLabel>("vertexCount")->text(), "170");
+    EXPECT_EQ(window->view().scene().mesh->vertices.size(), 170U);
+    ESM_EVENTUALLY(window->view().scene().nodePositions.size() == 60);
+    EXPECT_TRUE(validate(project()).empty());
+    window->document().undoStack()->undo();
+    EXPECT_EQ(project().network->restPositions.size(), 170U);
+    EXPECT_EQ(project().network->springs.size(), 340U);
+    ESM_EVENTUALLY(window->view().scene().nodePositions.size() == 170);
+}
+
+TEST_F(SimulatedNodesTest, AreWhatAPullTakes) {
+    choose(60);
+    window->windowActions().pull->trigger();
+    std::optional<quint32> pulled;
+    QObject context;
+    QObject::connect(&window->view(), &OrganView::pullStarted, &context,
+                     [&](quint32 node) { pulled = node; });
+    const auto& vertices = project().mesh->vertices;
+    for (std::size_t i = 80; i < 90 && !pulled; ++i) {
+        QTest::mousePress(&window->view(), Qt::LeftButton, {}, placeOf(vertices[i]));
+        QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, placeOf(vertices[i]));
+    }
+    ASSERT_TRUE(pulled);
+    EXPECT_LT(*pulled, 60U);
+}
+
+TEST_F(SimulatedNodesTest, AreOfferedOnlyWhereThereIsASurface) {
+    EXPECT_TRUE(window->windowActions().chooseDetail->isEnabled());
+    window->document().replace(makeSample("uterus"), std::nullopt);
+    EXPECT_FALSE(window->windowActions().chooseDetail->isEnabled());
+    EXPECT_TRUE(window->windowActions().chooseDetail->toolTip().contains("no surface"));
+}
