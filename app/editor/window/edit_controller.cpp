@@ -111,12 +111,13 @@ void EditController::chooseDetail() {
     const Project project = m_document.project();
     const std::size_t vertices = project.mesh->vertices.size();
     bool accepted = false;
-    const int nodes =
-        QInputDialog::getInt(&m_window, tr("Nodes to simulate"),
-                             tr("Nodes that carry the surface of %1 vertices").arg(countText(vertices)),
-                             static_cast<int>(project.network->restPositions.size()), fewestVertices,
-                             static_cast<int>(vertices), 100, &accepted);
-    m_window.activateWindow();
+    const int nodes = ask(m_window, [&] {
+        return QInputDialog::getInt(
+            &m_window, tr("Nodes to simulate"),
+            tr("Nodes that carry the surface of %1 vertices").arg(countText(vertices)),
+            static_cast<int>(project.network->restPositions.size()), fewestVertices,
+            static_cast<int>(vertices), 100, &accepted);
+    });
     if (!accepted) return;
     attempt(&m_window, tr("The surface cannot be simulated so"), [&] {
         const Detail detail{Detail::Kind::Nodes, static_cast<std::size_t>(nodes)};
