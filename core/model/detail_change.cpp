@@ -45,7 +45,8 @@ Nodes stillFixed(const Points& before, const Points& after, const Nodes& fixed) 
 
 TetherRule asStrong(TetherRule rule, std::size_t nodesBefore, std::size_t nodesAfter) {
     const auto tethers = [&rule](std::size_t nodes) {
-        return static_cast<double>((nodes + rule.every - 1) / rule.every);
+        const std::size_t count = (nodes + rule.every - 1) / rule.every;
+        return static_cast<double>(count);
     };
     const double factor = tethers(nodesBefore) / tethers(nodesAfter);
     rule.springConstant *= factor;

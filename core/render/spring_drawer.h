@@ -27,6 +27,7 @@ private:
     std::shared_ptr<const std::vector<double>> m_values;
     double m_minimum = 0, m_maximum = 0;
     bool m_overSurface = false;
+    float m_cover = 0;                    ///< m, between the springs and the surface over them
     std::vector<Eigen::Vector3d> m_nodes; ///< as last uploaded
 };
 
