@@ -183,4 +183,9 @@ CLI::Validator oneOf(const std::vector<std::string>& values) {
     return CLI::Validator(check, "");
 }
 
+void addDampingOption(CLI::App& command, Damping& damping) {
+    addChoice(command, "--damping", damping, {{"isotropic", Damping::Isotropic}, {"axial", Damping::Axial}},
+              "Motion that viscosity damps: isotropic (all of it, the default) or axial (along the springs)");
+}
+
 } // namespace esm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/settings.h"
 #include "core/fuzzy/inference.h"
 #include "core/geometry/ellipsoid.h"
 #include "core/support/joined.h"
@@ -79,5 +80,8 @@ void addChoice(CLI::App& command, const std::string& name, Value& chosen, const 
         ->check(oneOf(known))
         ->option_text(joined(known, "|"));
 }
+
+/// --damping: what the springs' viscosity damps.
+void addDampingOption(CLI::App& command, Damping& damping);
 
 } // namespace esm

@@ -33,6 +33,7 @@ void describe(CLI::App& app, Context& context) {
     addTissueCommand(app, context);
     addSceneCommand(app, context);
     addSimulateCommand(app, context);
+    addStabilityCommand(app, context);
     addTextureCommands(app, context);
     addExportCommand(app, context);
     addValidateCommand(app, context);

@@ -13,6 +13,7 @@ void addFuzzyCommands(CLI::App& app, Context& context);
 void addTissueCommand(CLI::App& app, Context& context);
 void addSceneCommand(CLI::App& app, Context& context);
 void addSimulateCommand(CLI::App& app, Context& context);
+void addStabilityCommand(CLI::App& app, Context& context);
 void addTextureCommands(CLI::App& app, Context& context);
 void addExportCommand(CLI::App& app, Context& context);
 void addValidateCommand(CLI::App& app, Context& context);

@@ -1,10 +1,9 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/critical_steps.h"
 #include "app/esmc/model_report.h"
-#include "core/dynamics/stability.h"
 #include "core/exchange/project_file.h"
 
-#include <cmath>
 #include <set>
 
 namespace esm {
@@ -50,17 +49,14 @@ void addRegions(Report& report, const std::vector<Region>& regions) {
     report.json["fuzzy_systems"] = systems;
 }
 
-std::string stepInText(const std::optional<double>& step) {
-    if (!step) return "none is stable";
-    return std::isfinite(*step) ? inText(*step) + " s" : "no limit";
-}
-
 void addCriticalSteps(Report& report, const TissueModel& tissue) {
     const CriticalSteps steps = criticalSteps(tissue);
-    report.json["critical_dt"] = {
-        {"euler", inJson(steps.euler)}, {"split", inJson(steps.split)}, {"split2", inJson(steps.split2)}};
-    report.text.push_back("largest stable step: euler " + stepInText(steps.euler) + ", split " +
-                          stepInText(steps.split) + ", split2 " + stepInText(steps.split2));
+    report.json["critical_dt"] = stepsInJson(steps);
+    std::vector<std::string> limits;
+    limits.reserve(steps.size());
+    for (const auto& [integrator, step] : steps)
+        limits.push_back(std::string(integratorName(integrator)) + " " + stepInText(step));
+    report.text.push_back("largest stable step at any deformation: " + joined(limits));
 }
 
 /// What holds the model and what touches it.

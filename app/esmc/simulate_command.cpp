@@ -1,10 +1,10 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
+#include "app/esmc/runnable_model.h"
 #include "app/esmc/trajectory_file.h"
 #include "core/dynamics/scene_run.h"
-#include "core/exchange/project_file.h"
-#include "core/exchange/scene_file.h"
+#include "core/support/joined.h"
 
 #include <cmath>
 #include <numeric>
@@ -15,18 +15,21 @@ namespace {
 
 struct SimulateOptions {
     std::string model, scene, output;
-    std::string integrator = "auto", timeStep = "auto", precision = "double", damping = "isotropic";
+    std::string integrator = "auto", timeStep = "auto";
+    Precision precision = Precision::Double;
+    Damping damping = Damping::Isotropic;
 };
 
 void declareSimulate(CLI::App& command, SimulateOptions& options) {
     command.add_option("model", options.model, "Project or model package")->required();
     command.add_option("--scene", options.scene, "Scene in place of the project's own (.json)");
-    command.add_option("--integrator", options.integrator, "auto (the default), euler, split or split2");
+    command.add_option("--integrator", options.integrator, "One of " + integratorNames() + "; auto without");
     command.add_option("--dt", options.timeStep,
                        "Time step, s, taken as given; auto (the default) chooses a safe one");
-    command.add_option("--precision", options.precision, "double");
-    command.add_option("--damping", options.damping, "isotropic (the default) or axial")
-        ->check(oneOf({"isotropic", "axial"}));
+    addChoice(command, "--precision", options.precision,
+              {{"double", Precision::Double}, {"float", Precision::Float}},
+              "Numbers that are computed with: double (the default) or, with an explicit integrator, float");
+    addDampingOption(command, options.damping);
     command.add_option("-o,--output", options.output, "Trajectory to write (.csv): time,node,x,y,z")
         ->required()
         ->check(writtenAs(".csv"));
@@ -37,59 +40,18 @@ SimulationSettings requestedSettings(const SimulateOptions& options) {
     const auto integrator = integratorFromName(options.integrator);
     if (!integrator)
         throw UsageError("--integrator: '" + options.integrator +
-                         "' is not one of those there are: auto, euler, split, split2");
+                         "' is not one of those there are: " + integratorNames());
     settings.integrator = *integrator;
-    if (options.precision != "double")
-        throw UsageError("--precision: '" + options.precision + "' is not offered; there is double");
     if (options.timeStep != "auto") {
         const std::vector<double> step = parseNumbers(options.timeStep, "--dt");
         if (step.size() != 1 || !(step[0] > 0))
             throw UsageError("--dt: give one number of seconds above zero, or auto");
         settings.timeStep = step[0];
     }
-    settings.damping = options.damping == "axial" ? Damping::Axial : Damping::Isotropic;
-    const bool isSplit =
-        settings.integrator == Integrator::Split || settings.integrator == Integrator::Split2;
-    if (isSplit && settings.damping == Damping::Axial)
-        throw UsageError("--damping axial: " + options.integrator +
-                         " needs isotropic damping; take --integrator euler");
+    settings.damping = options.damping;
+    settings.precision = options.precision;
+    if (const auto problems = validate(settings); !problems.empty()) throw UsageError(joined(problems, "; "));
     return settings;
-}
-
-/// What a run needs of a project or a package.
-struct RunnableModel {
-    TissueModel tissue;
-    std::vector<Triangle> surface;
-    Scene scene;
-};
-
-/// @throws InvalidModel
-void requireValid(const Scene& scene, const SpringNetwork& network) {
-    if (auto problems = validate(scene, network.restPositions.size()); !problems.empty())
-        throw InvalidModel(std::move(problems));
-}
-
-RunnableModel fromProject(const std::filesystem::path& file, const std::optional<Scene>& scene) {
-    const Project project = loadProject(file);
-    RunnableModel model{{}, simulatedSurface(*project.mesh, *project.network), scene.value_or(project.scene)};
-    requireValid(model.scene, *project.network);
-    model.tissue = evaluateModel(project, model.scene);
-    return model;
-}
-
-/// A package holds tethers and fixed nodes as numbers; those of a scene take their place.
-RunnableModel fromPackage(const std::filesystem::path& file, const std::optional<Scene>& scene) {
-    ModelPackage package = loadPackage(file);
-    RunnableModel model{std::move(package.tissue), {}, scene.value_or(Scene())};
-    model.surface = simulatedSurface(package.mesh, *model.tissue.network);
-    if (!scene) return model;
-    requireValid(*scene, *model.tissue.network);
-    Project bare;
-    bare.network = model.tissue.network;
-    const TissueModel held = evaluateModel(bare, *scene);
-    model.tissue.tethers = held.tethers;
-    model.tissue.fixedNodes = held.fixedNodes;
-    return model;
 }
 
 std::vector<std::uint32_t> recordedNodes(const Scene& scene, std::size_t nodeCount) {
@@ -139,14 +101,9 @@ std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutco
 }
 
 Report runSimulate(const SimulateOptions& options, Context& context) {
-    const SimulationSettings settings = requestedSettings(options);
-    context.subject = options.scene.empty() ? options.model : options.scene;
-    const bool isPackage = isModelPackage(options.model);
-    std::optional<Scene> scene;
-    if (!options.scene.empty()) scene = readSceneFile(options.scene);
-    const RunnableModel model =
-        isPackage ? fromPackage(options.model, scene) : fromProject(options.model, scene);
-    context.subject = options.model;
+    SimulationSettings settings = requestedSettings(options);
+    settings.threads = static_cast<std::size_t>(context.threads);
+    const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
     TrajectoryFile trajectory(options.output, recordedNodes(model.scene, model.tissue.mass.size()));
     const auto sink = [&trajectory](double time, const std::vector<Eigen::Vector3d>& positions) {
         trajectory.add(time, positions);

@@ -17,6 +17,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double tooShortToTime = 0.01; // s
 constexpr int mostRepeats = 5;
 constexpr double progressInterval = 0.1; // s
+constexpr std::size_t mostAtOnce = 16;   ///< so that a run can be stopped within a second
 constexpr double mostSteps = 1e12;       // at a microsecond each, eleven days
 
 double secondsSince(Clock::time_point start) {
@@ -54,6 +55,12 @@ public:
         if (isDue) m_next = dueAfter(step);
     }
 
+    /// How many more steps until something is to be handed out.
+    std::size_t stepsUntilDue(std::size_t step) const {
+        const double due = std::min(m_next, static_cast<double>(m_last));
+        return static_cast<std::size_t>(std::max(1.0, due - static_cast<double>(step)));
+    }
+
 private:
     /// The step at which the next frame is due: each one when frames follow faster than steps.
     double dueAfter(std::size_t step) {
@@ -76,6 +83,18 @@ private:
     FrameSink m_sink;
 };
 
+/// For how many steps the loads stay as they are, up to `most`. Only explicit steps are short enough to be
+/// worth taking together.
+std::size_t steadySteps(const Scene& scene, const Simulation& simulation, std::size_t most) {
+    if (!isExplicit(simulation.integrator()) || !scene.moves.empty() || scene.instrument) return 1;
+    double until = noStepLimit;
+    for (const NodeForce& force : scene.forces)
+        for (const double change : {force.from, force.to})
+            if (change > simulation.time()) until = std::min(until, change);
+    const double steps = std::floor((until - simulation.time()) / simulation.timeStep());
+    return steps >= static_cast<double>(most) ? most : static_cast<std::size_t>(std::max(1.0, steps));
+}
+
 /// Runs the scene from rest, its instrument standing at its path's start; returns the seconds spent stepping.
 double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& recorder, const Progress& progress,
                    SceneOutcome& outcome) {
@@ -87,10 +106,14 @@ double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& record
         const Loads loads =
             loadsAt(run.scene, run.model.network->restPositions, simulation.time(), simulation.timeStep());
         const Clock::time_point start = Clock::now();
-        outcome.stable = simulation.step(loads);
+        const std::size_t wanted =
+            steadySteps(run.scene, simulation, std::min(mostAtOnce, recorder.stepsUntilDue(outcome.steps)));
+        const std::size_t taken = simulation.advance(loads, wanted);
         stepping += secondsSince(start);
+        outcome.steps += taken;
+        outcome.stable = taken == wanted;
         if (!outcome.stable) break;
-        recorder.offer(++outcome.steps, simulation, false);
+        recorder.offer(outcome.steps, simulation, false);
         if (secondsSince(lastReport) < progressInterval) continue;
         lastReport = Clock::now();
         reportProgress(progress,

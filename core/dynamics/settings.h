@@ -1,24 +1,23 @@
 #pragma once
 
-#include <optional>
-#include <string>
+#include "core/dynamics/integrators.h"
+
 #include <vector>
 
 namespace esm {
 
-/// How time is stepped. `Auto` becomes one of the others when a simulation is made.
-enum class Integrator { Auto, Euler, Split, Split2 };
-
-/// The command line's name: auto, euler, split, split2.
-const char* integratorName(Integrator integrator);
-std::optional<Integrator> integratorFromName(const std::string& name);
-
+/// What of two nodes' relative velocity a spring damps: all of it, or the part along the spring.
 enum class Damping { Isotropic, Axial };
+
+/// Of the numbers that explicit integrators compute with; the others take double.
+enum class Precision { Double, Float };
 
 struct SimulationSettings {
     Integrator integrator = Integrator::Auto;
     std::optional<double> timeStep;       ///< s; chosen safely without
-    Damping damping = Damping::Isotropic; ///< split and split2 refuse axial
+    Damping damping = Damping::Isotropic; ///< those with a constant matrix refuse axial
+    Precision precision = Precision::Double;
+    std::size_t threads = 0; ///< at most; 0: as many as the tissue's size is worth
 };
 
 /// Every problem of the settings. Empty when they can be used.

@@ -24,11 +24,24 @@ std::string problemOf(const Loads& loads, std::size_t nodeCount) {
     return {};
 }
 
+/// Looking at where an explicit step led costs as much as the step.
+constexpr std::size_t judgedTogether = 16;
+
+/// Fewer nodes are faster on one thread.
+constexpr std::size_t leastForThreads = 2000;
+
+std::unique_ptr<ThreadTeam> makeTeam(const TissueModel& model, const SimulationSettings& settings) {
+    const bool usesTeam = isExplicit(settings.integrator) || settings.integrator == Integrator::Auto;
+    if (!usesTeam || settings.threads == 1 || model.mass.size() < leastForThreads) return nullptr;
+    return std::make_unique<ThreadTeam>(settings.threads);
+}
+
 } // namespace
 
 struct Simulation::Implementation {
     SimulationSettings settings;
     std::vector<Triangle> surface;
+    std::unique_ptr<ThreadTeam> team; ///< null when one thread is enough
     ChosenStep chosen;
     Stepper stepper;
     Motion motion;
@@ -40,8 +53,9 @@ struct Simulation::Implementation {
     bool touched = false; ///< by the instrument, since the start
 
     Implementation(const TissueModel& model, const SimulationSettings& given, std::vector<Triangle> triangles)
-        : settings(given), surface(std::move(triangles)), chosen(chooseStep(model, given)),
-          stepper(makeSpringSystem(model), surface, chosen, given.damping) {
+        : settings(given), surface(std::move(triangles)), team(makeTeam(model, given)),
+          chosen(chooseStep(model, given)),
+          stepper(makeSpringSystem(model), surface, chosen, given, team.get()) {
         reset();
     }
 
@@ -65,14 +79,35 @@ struct Simulation::Implementation {
         return SphereMove{instrument.value_or(sphere->centre), sphere->centre, sphere->radius};
     }
 
-    /// Steps `next` on; says why it cannot be right.
-    std::string advance(Motion& next, const Loads& loads) {
+    /// Steps `next` on so many times; says why it cannot be right.
+    std::string advance(Motion& next, const Loads& loads, std::size_t count) {
         const std::optional<SphereMove> sweep = sweepTo(loads.instrument);
-        stepper.step(next, loads, sweep);
+        stepper.steps(next, loads, sweep, count);
         std::optional<double> way;
         if (sweep && instrument) way = (sweep->to - sweep->from).norm();
         return guard.problemOf({stepper.system(), motion.positions, next.positions, next.velocities, loads,
-                                way, chosen.timeStep});
+                                way, static_cast<double>(count) * chosen.timeStep});
+    }
+
+    /// False, with the reason, when the state stays as it was.
+    bool take(const Loads& loads, std::size_t count) {
+        Motion next = motion;
+        try {
+            failure = advance(next, loads, count);
+        } catch (...) {
+            stepper.restart();
+            throw;
+        }
+        if (!failure.empty()) {
+            stepper.restart();
+            return false;
+        }
+        motion = std::move(next);
+        touched = touched || stepper.isTouched();
+        instrument.reset();
+        if (loads.instrument) instrument = loads.instrument->centre;
+        steps += count;
+        return true;
     }
 
     Energy energy() const { return esm::energy(stepper.system(), motion.positions, motion.velocities); }
@@ -113,26 +148,19 @@ Energy Simulation::energy() const {
 }
 
 bool Simulation::step(const Loads& loads) {
+    return advance(loads, 1) == 1;
+}
+
+std::size_t Simulation::advance(const Loads& loads, std::size_t count) {
     Implementation& self = *m_implementation;
     self.failure = problemOf(loads, self.motion.positions.size());
-    if (!self.failure.empty()) return false;
-    Motion next = self.motion;
-    try {
-        self.failure = self.advance(next, loads);
-    } catch (...) {
-        self.stepper.restart();
-        throw;
+    const std::size_t most = self.stepper.touchesNothing(loads) ? judgedTogether : 1;
+    for (std::size_t taken = 0; taken < count && self.failure.empty();) {
+        const std::size_t steps = std::min(most, count - taken);
+        if (!self.take(loads, steps)) return taken;
+        taken += steps;
     }
-    if (!self.failure.empty()) {
-        self.stepper.restart();
-        return false;
-    }
-    self.motion = std::move(next);
-    self.touched = self.touched || self.stepper.isTouched();
-    self.instrument.reset();
-    if (loads.instrument) self.instrument = loads.instrument->centre;
-    ++self.steps;
-    return true;
+    return self.failure.empty() ? count : 0;
 }
 
 void Simulation::placeInstrument(const Eigen::Vector3d& centre) {
@@ -145,7 +173,7 @@ void Simulation::setModel(const TissueModel& model) {
     if (system.mass.size() != self.motion.positions.size())
         throw InvalidModel("new parameters are for another number of nodes than the running model has");
     const ChosenStep chosen = chooseStep(model, self.settings);
-    Stepper stepper(std::move(system), self.surface, chosen, self.settings.damping);
+    Stepper stepper(std::move(system), self.surface, chosen, self.settings, self.team.get());
     self.startTime = self.time();
     self.steps = 0;
     self.chosen = chosen;

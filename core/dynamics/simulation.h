@@ -40,6 +40,10 @@ public:
     /// Whether the instrument has touched what can move since the start.
     bool wasTouched() const;
 
+    /// Advances by up to `count` steps under the same loads; how many were taken. They are judged some at a
+    /// time, so that after a failure the state is one of a few steps before. @throws InvalidModel as step()
+    std::size_t advance(const Loads& loads, std::size_t count);
+
     /// Where the instrument stands before the next step, m.
     void placeInstrument(const Eigen::Vector3d& centre);
 

@@ -23,6 +23,17 @@ inline double tensionPerLength(double springConstant, const Stiffening& stiffeni
                         std::max(0.0, 1 - (1 + stiffening.strain) * restRatio);
 }
 
+/// N/m, where the spring is stiffest.
+inline double largestSpringConstant(double springConstant, const Stiffening& stiffening) {
+    return stiffening.isLinear() ? springConstant : std::max(springConstant, stiffening.springConstant);
+}
+
+/// N/m, what the force grows by with the length.
+inline double slope(double springConstant, const Stiffening& stiffening, double restRatio) {
+    const bool isBeyond = !stiffening.isLinear() && (1 + stiffening.strain) * restRatio < 1;
+    return isBeyond ? stiffening.springConstant : springConstant;
+}
+
 /// J. With s and s₂ the lengthening from rest and from where the strain ε is reached:
 ///   c/2·s² + (c₂ − c)/2·max(0, s₂)²
 inline double elasticEnergy(double springConstant, const Stiffening& stiffening, double restLength,

@@ -27,6 +27,14 @@ struct SpringSystem {
     std::vector<char> fixed; ///< per node
 };
 
+/// N/m, where the spring is stiffest; tethers are linear.
+inline double largestSpringConstant(const SpringSystem::Element& spring) {
+    return largestSpringConstant(spring.springConstant, spring.stiffening);
+}
+inline double largestSpringConstant(const Tether& tether) {
+    return tether.springConstant;
+}
+
 /// @throws InvalidModel with every problem of the model
 SpringSystem makeSpringSystem(const TissueModel& model);
 

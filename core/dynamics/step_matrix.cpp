@@ -16,6 +16,11 @@ std::vector<int> freeIndices(const std::vector<char>& prescribed) {
     return index;
 }
 
+/// What a spring or tether adds to the diagonal, and takes away beside it.
+template<class Element> double coupling(const MatrixFactors& factors, const Element& element) {
+    return factors.damping * element.viscosity + factors.stiffness * largestSpringConstant(element);
+}
+
 Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFactors& factors,
                                      const std::vector<int>& index) {
     std::vector<double> diagonal(index.size());
@@ -24,7 +29,7 @@ Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFac
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(index.size() + system.springs.size());
     for (const auto& spring : system.springs) {
-        const double value = factors.damping * spring.viscosity + factors.stiffness * spring.springConstant;
+        const double value = coupling(factors, spring);
         if (value == 0) continue;
         diagonal[spring.first] += value;
         diagonal[spring.second] += value;
@@ -32,8 +37,7 @@ Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFac
         if (low >= 0) entries.emplace_back(high, low, -value);
     }
     for (const Tether& tether : system.tethers)
-        diagonal[tether.node] +=
-            factors.damping * tether.viscosity + factors.stiffness * tether.springConstant;
+        diagonal[tether.node] += coupling(factors, tether);
     int size = 0;
     for (std::size_t i = 0; i < index.size(); ++i)
         if (index[i] >= 0) entries.emplace_back(index[i], index[i], diagonal[i]), ++size;
@@ -44,8 +48,8 @@ Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFac
 
 [[noreturn]] void refuseIllConditioned() {
     throw InvalidModel(
-        "viscosity outweighs mass by more than can be computed with: raise the mass, lower the "
-        "viscosity or tie more of the tissue with tethers");
+        "viscosity or stiffness outweighs mass by more than can be computed with: raise the mass, lower the "
+        "viscosity or the spring constant, or tie more of the tissue with tethers");
 }
 
 } // namespace
@@ -55,10 +59,10 @@ Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const Ma
     return assemble(system, factors, freeIndices(prescribed));
 }
 
-StepMatrix::StepMatrix(const SpringSystem& system, double massFactor, double dampingFactor,
+StepMatrix::StepMatrix(const SpringSystem& system, const MatrixFactors& factors,
                        const std::vector<char>& prescribed)
     : m_row(freeIndices(prescribed)) {
-    const Matrix matrix = assemble(system, {massFactor, dampingFactor, 0}, m_row);
+    const Matrix matrix = assemble(system, factors, m_row);
     if (matrix.rows() > 0) {
         const Eigen::SimplicialLLT<Matrix> factorisation(matrix);
         if (factorisation.info() != Eigen::Success) refuseIllConditioned();
@@ -67,13 +71,13 @@ StepMatrix::StepMatrix(const SpringSystem& system, double massFactor, double dam
             if (row >= 0) row = factorisation.permutationP().indices()[row];
     }
     for (const auto& spring : system.springs) {
-        const double factor = dampingFactor * spring.viscosity;
+        const double factor = coupling(factors, spring);
         if (factor == 0) continue;
         const int first = m_row[spring.first], second = m_row[spring.second];
         if (first >= 0 && second < 0) m_couplings.push_back({first, spring.second, factor});
         if (second >= 0 && first < 0) m_couplings.push_back({second, spring.first, factor});
     }
-    if (dampingFactor != 0) checkAccuracy(system, massFactor, dampingFactor);
+    if (factors.damping != 0 || factors.stiffness != 0) checkAccuracy(system, factors);
 }
 
 void StepMatrix::solveLower(const Vectors& momentum, const Vectors& velocities, Vectors& half) const {
@@ -110,6 +114,17 @@ void StepMatrix::solveUpper(Vectors half, Vectors& velocities) const {
         if (m_row[i] >= 0) velocities[i] = half[static_cast<std::size_t>(m_row[i])];
 }
 
+void StepMatrix::multiplyUpper(const Vectors& velocities, Vectors& half) const {
+    Vectors ordered(static_cast<std::size_t>(m_lower.cols()));
+    for (std::size_t i = 0; i < m_row.size(); ++i)
+        if (m_row[i] >= 0) ordered[static_cast<std::size_t>(m_row[i])] = velocities[i];
+    half.assign(ordered.size(), Eigen::Vector3d::Zero());
+    for (int column = 0; column < m_lower.outerSize(); ++column)
+        for (Matrix::InnerIterator it(m_lower, column); it; ++it)
+            half[static_cast<std::size_t>(column)] +=
+                it.value() * ordered[static_cast<std::size_t>(it.row())];
+}
+
 HalfColumn StepMatrix::halfColumn(std::uint32_t node) const {
     const int* start = m_lower.outerIndexPtr();
     const int* row = m_lower.innerIndexPtr();
@@ -140,12 +155,12 @@ HalfColumn StepMatrix::halfColumn(std::uint32_t node) const {
 
 // The mode that rounding spoils first is all nodes moving as one: only mass, tethers and prescribed nodes
 // resist it.
-void StepMatrix::checkAccuracy(const SpringSystem& system, double massFactor, double dampingFactor) const {
+void StepMatrix::checkAccuracy(const SpringSystem& system, const MatrixFactors& factors) const {
     Vectors momentum(system.mass.size()), velocities(system.mass.size(), Eigen::Vector3d::Ones()), half;
     for (std::size_t i = 0; i < momentum.size(); ++i)
-        momentum[i].setConstant(massFactor * system.mass[i]);
+        momentum[i].setConstant(factors.mass * system.mass[i]);
     for (const Tether& tether : system.tethers)
-        momentum[tether.node].array() += dampingFactor * tether.viscosity;
+        momentum[tether.node].array() += coupling(factors, tether);
     solveLower(momentum, velocities, half);
     solveUpper(std::move(half), velocities);
     for (const Eigen::Vector3d& velocity : velocities)

@@ -7,8 +7,8 @@
 namespace esm {
 
 /// massFactor·M + dampingFactor·D + stiffnessFactor·K over the nodes that are not prescribed, in the order of
-/// the nodes; lower half. D and K are the graph Laplacians of viscosities and spring constants, with the
-/// tethers' on the diagonal: the same for x, y and z.
+/// the nodes; lower half. D and K are the graph Laplacians of viscosities and largest spring constants, with
+/// the tethers' on the diagonal: the same for x, y and z.
 struct MatrixFactors {
     double mass, damping, stiffness;
 };
@@ -22,22 +22,23 @@ struct HalfColumn {
     std::vector<double> values;
 };
 
-/// A = massFactor·M + dampingFactor·D, factorised as L·Lᵀ once and solved for three right-hand sides at a
-/// time. Velocities of prescribed nodes are given, not solved for. With a dampingFactor of 0 both are
-/// diagonal.
+/// A = massFactor·M + dampingFactor·D + stiffnessFactor·K, factorised as L·Lᵀ once and solved for three
+/// right-hand sides at a time. Velocities of prescribed nodes are given, not solved for. With masses alone
+/// both are diagonal.
 ///
 /// A solve is two halves so that impulses can be laid on single nodes between them: A⁻¹ between two nodes is
 /// the product of their half columns.
 class StepMatrix {
 public:
-    /// @throws InvalidModel when masses are too small beside the damping for the arithmetic
-    StepMatrix(const SpringSystem& system, double massFactor, double dampingFactor,
-               const std::vector<char>& prescribed);
+    /// @throws InvalidModel when masses are too small beside damping or stiffness for the arithmetic
+    StepMatrix(const SpringSystem& system, const MatrixFactors& factors, const std::vector<char>& prescribed);
 
     bool isPrescribed(std::uint32_t node) const { return m_row[node] < 0; }
 
     /// L⁻¹·(momentum − what the prescribed nodes' velocities take from it), in the factor's own order.
     void solveLower(const Vectors& momentum, const Vectors& velocities, Vectors& half) const;
+    /// Lᵀ·velocities: what solveUpper() makes velocities of.
+    void multiplyUpper(const Vectors& velocities, Vectors& half) const;
     /// Velocities of all that are not prescribed.
     void solveUpper(Vectors half, Vectors& velocities) const;
 
@@ -51,7 +52,7 @@ private:
         double factor;
     };
 
-    void checkAccuracy(const SpringSystem& system, double massFactor, double dampingFactor) const;
+    void checkAccuracy(const SpringSystem& system, const MatrixFactors& factors) const;
 
     using Matrix = Eigen::SparseMatrix<double>;
     Matrix m_lower;                    ///< L: each column starts with its diagonal, rows increasing

@@ -31,37 +31,66 @@ std::vector<HeldNode> movable(std::vector<HeldNode> held, const std::vector<char
     return result;
 }
 
+/// To the last bit.
+void place(const std::vector<HeldNode>& held, Vectors& positions) {
+    for (const HeldNode& node : held)
+        positions[node.node] = node.position;
+}
+
 } // namespace
 
 Stepper::Stepper(SpringSystem system, std::vector<Triangle> surface, const ChosenStep& chosen,
-                 Damping damping)
+                 const SimulationSettings& settings, ThreadTeam* team)
     : m_system(std::move(system)), m_surface(std::move(surface)), m_integrator(chosen.integrator),
-      m_timeStep(chosen.timeStep), m_damping(damping), m_prescribed(m_system.fixed) {
-    solverFor(1, false);
-    if (m_integrator == Integrator::Split2) solverFor(1, true);
+      m_timeStep(chosen.timeStep), m_prescribed(m_system.fixed),
+      m_scheme(MatrixScheme(chosen.integrator, settings.damping)) {
+    const KernelOptions options{settings.damping, {}, team, settings.threads};
+    if (m_integrator == Integrator::Propagation)
+        m_scheme.emplace<PropagationScheme>(m_system, settings.damping);
+    else if (isExplicit(m_integrator) && settings.precision == Precision::Float)
+        m_scheme.emplace<ExplicitScheme<float>>(m_system, m_integrator, options);
+    else if (isExplicit(m_integrator))
+        m_scheme.emplace<ExplicitScheme<double>>(m_system, m_integrator, options);
+    else
+        solverFor(1, false);
+    if (hasSecondOrderForm(m_integrator)) solverFor(1, true);
 }
 
 void Stepper::restart() {
     m_lastLoads.reset();
-    m_previous.reset();
+    forgetSteps();
 }
 
-void Stepper::step(Motion& motion, const Loads& loads, const std::optional<SphereMove>& sphere) {
+void Stepper::forgetSteps() {
+    if (auto* scheme = std::get_if<MatrixScheme>(&m_scheme)) scheme->restart();
+    if (auto* scheme = std::get_if<ExplicitScheme<double>>(&m_scheme)) scheme->restart();
+    if (auto* scheme = std::get_if<ExplicitScheme<float>>(&m_scheme)) scheme->restart();
+}
+
+bool Stepper::touchesNothing(const Loads& loads) const {
+    return isExplicit(m_integrator) && loads.held.empty() && (!loads.instrument || m_surface.empty());
+}
+
+void Stepper::steps(Motion& motion, const Loads& loads, const std::optional<SphereMove>& sphere,
+                    std::size_t count) {
     if (!m_lastLoads || m_lastLoads->gravity != loads.gravity || m_lastLoads->forces != loads.forces)
-        m_previous.reset();
+        forgetSteps();
     m_touched = false;
-    for (const Piece& piece : piecesOf(motion, loads, sphere))
-        advance(motion, piece);
+    if (touchesNothing(loads)) {
+        explicitSteps({m_timeStep, &loads, {}}, count, motion, motion);
+    } else {
+        for (const Piece& piece : piecesOf(motion, loads, sphere))
+            advance(motion, piece);
+    }
     m_lastLoads = loads;
 }
 
 std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads& loads,
                                               const std::optional<SphereMove>& sphere) const {
     const std::vector<HeldNode> held = movable(loads.held, m_system.fixed);
-    if (!sphere || m_surface.empty()) return {{m_timeStep, 1, &loads, held, {}}};
+    if (!sphere || m_surface.empty()) return {{{m_timeStep, &loads, held}, 1, {}}};
     Vectors velocities = motion.velocities;
-    for (const HeldNode& node : held)
-        velocities[node.node] = (node.position - motion.positions[node.node]) / m_timeStep;
+    leadHeldNodes({m_timeStep, &loads, held}, motion.positions, velocities);
     const int parts = contactParts(m_surface, motion.positions, velocities, *sphere, m_timeStep);
 
     std::vector<Piece> pieces;
@@ -69,8 +98,8 @@ std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads&
     Eigen::Vector3d reached = from;
     for (int part = 1; part <= parts; ++part) {
         const double fraction = static_cast<double>(part) / parts;
-        Piece piece{m_timeStep / parts, parts, &loads, held, {}};
-        for (HeldNode& node : piece.held) {
+        Piece piece{{m_timeStep / parts, &loads, held}, parts, {}};
+        for (HeldNode& node : piece.input.held) {
             const Eigen::Vector3d& start = motion.positions[node.node];
             if (part < parts) node.position = start + fraction * (node.position - start);
         }
@@ -82,73 +111,77 @@ std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads&
 }
 
 void Stepper::advance(Motion& motion, const Piece& piece) {
-    prescribe(piece.held);
-    elasticForces(m_system, motion.positions, m_forces);
-    const bool secondOrder =
-        m_integrator == Integrator::Split2 && m_previous && piece.held.empty() && piece.parts == 1;
-    Motion next = motion;
-    Untouched untouched = solve(motion, piece, secondOrder, next);
-    const bool touched = touches(motion, piece, next);
+    prescribe(piece.input.held);
+    const bool startsAnew = !piece.input.held.empty() || piece.parts > 1;
+    if (startsAnew) forgetSteps();
+    UntouchedStep untouched = untouchedStep(motion, piece);
+    const bool touched = touches(motion, piece, untouched.motion.positions);
     m_touched = m_touched || touched;
-    if (touched && secondOrder) {
-        next = motion;
-        untouched = solve(motion, piece, false, next);
-    }
-    if (touched) makeWay(motion, piece, untouched, next);
+    auto* const scheme = std::get_if<MatrixScheme>(&m_scheme);
+    if (touched && scheme && scheme->canBuild()) untouched = firstOrderStep(motion, piece);
+    Motion next = touched ? madeWay(motion, piece, std::move(untouched)) : std::move(untouched.motion);
 
-    m_previous = std::exchange(motion, std::move(next));
-    m_previousForces.swap(m_forces);
-    if (touched || !piece.held.empty() || piece.parts > 1) m_previous.reset();
+    std::swap(motion, next);
+    if (touched || startsAnew)
+        forgetSteps();
+    else if (hasSecondOrderForm(m_integrator))
+        scheme->remember(std::move(next));
 }
 
-Stepper::Untouched Stepper::solve(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next) {
-    Solver& solver = solverFor(piece.parts, secondOrder);
-    Untouched untouched;
-    for (const HeldNode& held : piece.held) {
-        next.velocities[held.node] = (held.position - motion.positions[held.node]) / piece.duration;
-        if (!solver.matrix.isPrescribed(held.node)) untouched.led.push_back(held.node);
+bool Stepper::explicitSteps(const StepInput& input, std::size_t count, const Motion& before, Motion& after) {
+    if (auto* inDouble = std::get_if<ExplicitScheme<double>>(&m_scheme))
+        inDouble->steps(input, count, before, after);
+    else if (auto* inFloat = std::get_if<ExplicitScheme<float>>(&m_scheme))
+        inFloat->steps(input, count, before, after);
+    else
+        return false;
+    return true;
+}
+
+UntouchedStep Stepper::untouchedStep(const Motion& motion, const Piece& piece) {
+    UntouchedStep untouched;
+    if (auto* scheme = std::get_if<MatrixScheme>(&m_scheme)) {
+        if (scheme->canBuild())
+            if (auto step = scheme->step(m_system, piece.input, motion, solverFor(1, true), true))
+                return std::move(*step);
+        return firstOrderStep(motion, piece);
     }
-    solver.matrix.solveLower(momentum(motion, piece, secondOrder), next.velocities, untouched.half);
-    if (!untouched.led.empty()) solver.impulses.lead(untouched.led, next.velocities, untouched.half);
-    solver.matrix.solveUpper(untouched.half, next.velocities);
-    moveOn(motion, piece, secondOrder, next);
+    if (!explicitSteps(piece.input, 1, motion, untouched.motion))
+        std::get<PropagationScheme>(m_scheme).step(m_system, piece.input, motion, untouched.motion);
+    place(piece.input.held, untouched.motion.positions);
     return untouched;
 }
 
-void Stepper::moveOn(const Motion& motion, const Piece& piece, bool secondOrder, Motion& next) const {
-    for (std::size_t i = 0; i < next.positions.size(); ++i) {
-        // Written as a change, so that what rests stays where it is to the last bit.
-        const Eigen::Vector3d change = piece.duration * next.velocities[i];
-        next.positions[i] =
-            motion.positions[i] +
-            (secondOrder
-                 ? Eigen::Vector3d(((motion.positions[i] - m_previous->positions[i]) + 2 * change) / 3)
-                 : change);
-    }
-    for (const HeldNode& held : piece.held)
-        next.positions[held.node] = held.position;
+UntouchedStep Stepper::firstOrderStep(const Motion& motion, const Piece& piece) {
+    UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(m_system, piece.input, motion,
+                                                                solverFor(piece.parts, false), false);
+    place(piece.input.held, step.motion.positions);
+    return step;
 }
 
 std::vector<char> Stepper::immovable(const Piece& piece) const {
     std::vector<char> result = m_prescribed;
-    for (const HeldNode& held : piece.held)
+    for (const HeldNode& held : piece.input.held)
         result[held.node] = 1;
     return result;
 }
 
-bool Stepper::touches(const Motion& motion, const Piece& piece, const Motion& next) const {
+bool Stepper::touches(const Motion& motion, const Piece& piece, const Vectors& next) const {
     return piece.sphere &&
-           !findContacts(m_surface, immovable(piece), motion.positions, next.positions, *piece.sphere)
-                .empty();
+           !findContacts(m_surface, immovable(piece), motion.positions, next, *piece.sphere).empty();
 }
 
 // Each round solves anew from the untouched step, with the contacts of the rounds before, turned to where the
 // surface came to lie, and those that were found since: nothing is pushed twice.
-void Stepper::makeWay(const Motion& motion, const Piece& piece, const Untouched& untouched, Motion& next) {
-    Solver& solver = solverFor(piece.parts, false);
+Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched) {
+    const double h = piece.input.duration;
+    StepSolver& solver = solverFor(piece.parts, false);
+    if (untouched.half.empty()) solver.matrix.multiplyUpper(untouched.motion.velocities, untouched.half);
     const SphereMove& sphere = *piece.sphere;
     const std::vector<char> stays = immovable(piece);
-    const Vectors free = next.positions;
+    const std::vector<std::uint32_t> led = ledByImpulses(solver.matrix, piece.input.held);
+    const Motion& free = untouched.motion;
+    Motion next = free;
     std::vector<Contact> contacts;
     Eigen::VectorXd impulses;
     for (int round = 0; round < mostContactRounds; ++round) {
@@ -158,47 +191,29 @@ void Stepper::makeWay(const Motion& motion, const Piece& piece, const Untouched&
         Eigen::VectorXd needed(contacts.size());
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             turnOutward(contacts[i], motion.positions, next.positions, sphere);
-            needed[static_cast<Eigen::Index>(i)] = depth(contacts[i], free, sphere) / piece.duration;
+            needed[static_cast<Eigen::Index>(i)] = depth(contacts[i], free.positions, sphere) / h;
         }
         impulses.conservativeResizeLike(Eigen::VectorXd::Zero(needed.size()));
         Vectors half = untouched.half;
-        const double tolerance = impulseTolerance * sphere.radius / piece.duration;
-        pushContacts({contacts, needed, untouched.led, stays, tolerance}, solver.impulses, impulses, half);
+        const double tolerance = impulseTolerance * sphere.radius / h;
+        pushContacts({contacts, needed, led, stays, tolerance}, solver.impulses, impulses, half);
         solver.matrix.solveUpper(std::move(half), next.velocities);
-        moveOn(motion, piece, false, next);
+        for (std::size_t i = 0; i < next.positions.size(); ++i)
+            if (!stays[i])
+                next.positions[i] = free.positions[i] + h * (next.velocities[i] - free.velocities[i]);
     }
     const Vectors solved = next.positions;
     projectOut(m_surface, stays, motion.positions, sphere, next.positions);
     for (std::size_t i = 0; i < solved.size(); ++i)
-        next.velocities[i] += (next.positions[i] - solved[i]) / piece.duration;
+        next.velocities[i] += (next.positions[i] - solved[i]) / h;
+    return next;
 }
 
-Vectors Stepper::momentum(const Motion& motion, const Piece& piece, bool secondOrder) const {
-    const double h = piece.duration;
-    Vectors forces = m_forces;
-    if (secondOrder)
-        for (std::size_t i = 0; i < forces.size(); ++i)
-            forces[i] = 2 * forces[i] - m_previousForces[i];
-    if (m_integrator == Integrator::Euler)
-        addDampingForces(m_system, m_damping, motion.positions, motion.velocities, forces);
-    for (const auto& [node, force] : piece.loads->forces)
-        forces[node] += force;
-
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-        const Eigen::Vector3d velocity =
-            secondOrder ? 2 * motion.velocities[i] - 0.5 * m_previous->velocities[i] : motion.velocities[i];
-        forces[i] = m_system.mass[i] * (velocity + h * piece.loads->gravity) + h * forces[i];
-    }
-    return forces;
-}
-
-Stepper::Solver& Stepper::solverFor(int parts, bool secondOrder) {
-    std::unique_ptr<Solver>& solver = m_solvers[{parts, secondOrder}];
-    if (!solver) {
-        const double damping = m_integrator == Integrator::Euler ? 0 : m_timeStep / parts;
-        solver =
-            std::make_unique<Solver>(StepMatrix(m_system, secondOrder ? 1.5 : 1.0, damping, m_prescribed));
-    }
+StepSolver& Stepper::solverFor(int parts, bool builds) {
+    std::unique_ptr<StepSolver>& solver = m_solvers[{parts, builds}];
+    if (!solver)
+        solver = std::make_unique<StepSolver>(
+            StepMatrix(m_system, stepFactors(m_integrator, m_timeStep / parts, builds), m_prescribed));
     return *solver;
 }
 

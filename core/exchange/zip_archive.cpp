@@ -18,7 +18,7 @@ struct CloseFile {
     void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
 using Archive = std::unique_ptr<zip_t, decltype(&zip_discard)>;
-using Source = std::unique_ptr<zip_source_t, FreeSource>;
+using ZipSource = std::unique_ptr<zip_source_t, FreeSource>;
 using File = std::unique_ptr<zip_file_t, CloseFile>;
 
 /// Writing to memory fails only where memory does.
@@ -30,7 +30,7 @@ void addEntry(zip_t* archive, const ZipEntry& entry) {
     constexpr std::uint16_t midnight = 0, firstOf1980 = (1 << 5) | 1;
     // Deflate's higher levels save 2 % of binary arrays and cost thrice the time.
     constexpr std::uint32_t fastest = 1;
-    Source source(zip_source_buffer(archive, entry.content.data(), entry.content.size(), 0));
+    ZipSource source(zip_source_buffer(archive, entry.content.data(), entry.content.size(), 0));
     require(source != nullptr);
     const zip_int64_t added = zip_file_add(archive, entry.name.c_str(), source.get(), ZIP_FL_ENC_UTF_8);
     require(added >= 0);
@@ -55,7 +55,7 @@ Bytes contentOf(zip_source_t* source) {
 } // namespace
 
 Bytes makeZip(const std::vector<ZipEntry>& entries) {
-    const Source memory(zip_source_buffer_create(nullptr, 0, 0, nullptr));
+    const ZipSource memory(zip_source_buffer_create(nullptr, 0, 0, nullptr));
     require(memory != nullptr);
     Archive archive(zip_open_from_source(memory.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr), &zip_discard);
     require(archive != nullptr);
@@ -72,7 +72,7 @@ struct ZipReader::Handle {
 };
 
 ZipReader::ZipReader(const Bytes& archive) : m_handle(std::make_unique<Handle>()) {
-    Source source(zip_source_buffer_create(archive.data(), archive.size(), 0, nullptr));
+    ZipSource source(zip_source_buffer_create(archive.data(), archive.size(), 0, nullptr));
     require(source != nullptr);
     m_handle->archive.reset(zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, nullptr));
     if (!m_handle->archive) throw InvalidModel("is damaged or cut off, or no zip archive");

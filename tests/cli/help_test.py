@@ -4,8 +4,8 @@ import unittest
 
 from esmc import ESMC, Case, command
 
-COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "texture", "export", "validate",
-            "render", "fuzzy eval", "texture pack", "texture photo", "texture bake"]
+COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "stability", "texture", "export",
+            "validate", "render", "fuzzy eval", "texture pack", "texture photo", "texture bake"]
 
 
 class HelpTest(Case):
@@ -22,7 +22,7 @@ class HelpTest(Case):
     def test_wrong_usage_ends_with_two_and_one_line(self):
         project = self.sample("uterus")
         out = self.file("out")
-        for line in [[], ["frobnicate"], ["stability", project], ["texture"], ["texture", "fit", project],
+        for line in [[], ["frobnicate"], ["learn", project], ["texture"], ["texture", "fit", project],
                      ["fuzzy", "convert", "a", "b"], ["info"], ["info", project, "more"], ["info", "--frob", project],
                      ["-j", "0", "info", project], ["-j", "two", "info", project], ["sample", "spleen", "-o", out],
                      ["import", "a.obj"], ["import", "a.obj", "-o", out, "--unit", "inch"],
@@ -41,10 +41,13 @@ class HelpTest(Case):
                      ["tissue", project, "-o", out, "--override", "colour=1"],
                      ["tissue", project, "-o", out, "--override", "mass=-1"],
                      ["tissue", project, "-o", out, "--set", "consistency=3"],
-                     ["simulate", project, "-o", out, "--integrator", "heun"],
+                     ["simulate", project, "-o", out, "--integrator", "leapfrog"],
+                     ["simulate", project, "-o", out, "--dt", "nan"], ["simulate", project, "-o", out, "--dt", "-1"],
+                     ["stability", project, "--damping", "none"],
                      ["simulate", project, "-o", out, "--integrator", "split", "--damping", "axial"],
                      ["simulate", project, "-o", out, "--dt", "0"], ["simulate", project, "-o", out, "--dt", "fast"],
-                     ["simulate", project, "-o", out, "--precision", "float"],
+                     ["simulate", project, "-o", out, "--precision", "half"],
+                     ["simulate", project, "-o", out, "--integrator", "split", "--precision", "float"],
                      ["export", project, "-o", out, "--to", "sofa"],
                      ["render", project, "-o", out, "--size", "0x10"], ["render", project, "-o", out, "--size", "10"],
                      ["render", project, "-o", out, "--size", "10x99999"],
@@ -82,8 +85,8 @@ class HelpTest(Case):
                 self.assertTrue(self.file(name).exists())
 
     def test_a_command_that_is_not_there_names_those_that_are(self):
-        message = self.fails(2, "stability", "a.esm", "--scene", "b.json")
-        for name in COMMANDS[:11]:
+        message = self.fails(2, "learn", "a.esm", "--scene", "b.json")
+        for name in COMMANDS[:12]:
             self.assertIn(name, message)
         self.assertIn("pack, photo, bake", self.fails(2, "texture", "fit", "a.esm"))
 

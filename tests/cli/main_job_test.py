@@ -51,8 +51,8 @@ class MainJobTest(Case):
         self.assertGreater(report["spring_constant"], 0)
         info = self.done("info", project)
         self.assertKeys(info, INFO_KEYS)
-        for step in info["critical_dt"].values():
-            self.assertTrue(step is None or step > 0)
+        self.assertTrue(all(step is None or step > 0 for integrator, step in info["critical_dt"].items()
+                            if integrator != "note"))
 
     def poke(self, project, front, size):
         """A sphere dips into the front; the tissue there yields and nothing is ever not a number."""

@@ -50,15 +50,41 @@ class SimulateTest(Case):
         self.assertEqual((process.returncode, process.stderr), (0, ""))
         self.assertNotIn("nan", process.stdout)
 
+    def test_float_follows_double(self):
+        scene = {**TUBE_POKE, "duration": 0.01, "record": {"every": 0.01}}
+        ends = [self.simulated(self.sample("tube"), scene, "--integrator", "rk4", "--precision", precision)[1][-170:]
+                for precision in ("double", "float")]
+        for one, other in zip(*ends):
+            for axis in "xyz":
+                self.assertAlmostEqual(float(one[axis]), float(other[axis]), delta=1e-5)
+
+    def test_predicts_stable_steps(self):
+        project = self.sample("tube")
+        scene = self.file("scene.json", TUBE_POKE)
+        report = self.done("stability", project, "--scene", scene)
+        self.assertKeys(report, {"omega_max": float, "critical_dt": dict, "critical_dt_any_deformation": dict})
+        self.assertIsNone(report["critical_dt"]["implicit"])
+        self.assertIn("implicit: no limit", report["critical_dt"]["note"])
+        for integrator, step in report["critical_dt"].items():
+            if integrator == "note" or step is None:
+                continue
+            self.assertLessEqual(report["critical_dt_any_deformation"][integrator], 1.002 * step, integrator)
+        for factor, stable in ((0.95, True), (1.05, False)):
+            process = command("simulate", project, "--scene", scene, "--integrator", "euler", "--dt",
+                              factor * report["critical_dt"]["euler"], "-o", self.file("out.csv"))
+            self.assertEqual(process.returncode == 0, stable, process.stderr)
+
     def test_integrators_agree(self):
         project = self.sample("tube")
         ends = {}
-        for integrator, step in {"split": "0.001", "split2": "0.005", "euler": "auto"}.items():
+        for integrator, step in {"split": "0.001", "split2": "0.005", "euler": "auto", "verlet": "auto", "heun": "auto",
+                                 "rk4": "auto", "adams-moulton": "auto", "propagation": "auto", "implicit": "0.0001",
+                                 "bdf2": "0.0005", "projective": "0.0001"}.items():
             scene = {**TUBE_POKE, "duration": 0.02, "record": {"every": 0.02, "nodes": [85]}}
             report, rows = self.simulated(project, scene, "--integrator", integrator, "--dt", step)
             self.assertEqual(report["integrator"], integrator)
             ends[integrator] = float(rows[-1]["z"]) - float(rows[0]["z"])
-        for integrator in ("split", "split2"):
+        for integrator in ends:
             self.assertAlmostEqual(ends[integrator] / ends["euler"], 1, delta=0.05)
 
     def test_does_not_depend_on_the_threads(self):

@@ -37,8 +37,9 @@ void SafeStepFinder::work() {
     while (const auto question = m_questions.take()) {
         if (m_questions.becomesObsoleteWithin(settleTime)) continue;
         try {
-            const auto step = criticalStep(question->model, question->integrator,
-                                           {tolerance, [this](double) { return !m_questions.isObsolete(); }});
+            const auto step = criticalStep(
+                question->model, question->integrator,
+                {tolerance, Deformation::Any, [this](double) { return !m_questions.isObsolete(); }});
             const std::lock_guard lock(m_telling);
             if (!m_questions.isObsolete()) m_found(step);
         } catch (const std::exception&) {

@@ -23,13 +23,32 @@ QString methodText(Integrator integrator) {
     switch (integrator) {
     case Integrator::Euler:
         return QObject::tr("euler, the simplest method; it needs small steps");
+    case Integrator::Verlet:
+        return QObject::tr("verlet, a simple method of second order; it needs small steps");
+    case Integrator::Heun:
+        return QObject::tr("heun, a method of second order; it needs small steps and some viscosity");
+    case Integrator::Rk4:
+        return QObject::tr("rk4, a very accurate method; it needs small steps");
+    case Integrator::AdamsMoulton:
+        return QObject::tr("adams-moulton, a very accurate method; it needs very small steps");
+    case Integrator::Propagation:
+        return QObject::tr("propagation, where forces settle node by node before the tissue moves on");
+    case Integrator::Implicit:
+        return QObject::tr(
+            "implicit, a method that stays calm however stiff the tissue is, and calms its motion");
+    case Integrator::Bdf2:
+        return QObject::tr("bdf2, a method of second order that stays calm however stiff the tissue is");
+    case Integrator::Projective:
+        return QObject::tr(
+            "projective, a fast method that stays calm however stiff the tissue is; it is coarse");
     case Integrator::Split:
         return QObject::tr("split, a method that stays calm however viscous the tissue is");
     case Integrator::Split2:
         return QObject::tr("split2, a method of second order that stays calm however viscous the tissue is");
-    default:
-        return QString::fromLatin1(integratorName(integrator));
+    case Integrator::Auto:
+        break;
     }
+    return QString();
 }
 
 /// Below this share of real time the tissue seems to stand still, and so long it may: a moment is no harm.

@@ -21,9 +21,12 @@ double error(const Simulation& simulation, const Vectors& reference, const Vecto
 }
 
 class EveryIntegrator : public testing::TestWithParam<Integrator> {};
-INSTANTIATE_TEST_SUITE_P(Dynamics, EveryIntegrator,
-                         testing::Values(Integrator::Euler, Integrator::Split, Integrator::Split2),
-                         [](const auto& tested) { return std::string(integratorName(tested.param)); });
+INSTANTIATE_TEST_SUITE_P(Dynamics, EveryIntegrator, testing::ValuesIn(allIntegrators),
+                         [](const auto& tested) {
+                             std::string name = integratorName(tested.param);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
 
 /// Displacement at time t of a mass on a spring to a fixed point after a constant force begins to act.
 double analytic(double mass, double stiffness, double damping, double force, double t) {
@@ -46,13 +49,30 @@ double oscillatorError(Integrator integrator, double damping, int steps) {
     return std::abs(simulation.positions()[1].x() - 1 - analytic(1, 20, damping, 1, 1));
 }
 
+int orderOf(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::Rk4:
+    case Integrator::AdamsMoulton:
+        return 4;
+    case Integrator::Verlet:
+    case Integrator::Heun:
+    case Integrator::Bdf2:
+    case Integrator::Split2:
+        return 2;
+    default:
+        return 1;
+    }
+}
+
 TEST_P(EveryIntegrator, ConvergesToTheAnalyticOscillatorAtItsOrder) {
-    const int order = GetParam() == Integrator::Split2 ? 2 : 1;
+    const int order = orderOf(GetParam());
     for (const double damping : {1.0, 2 * std::sqrt(20.0) * 1.0001, 30.0}) {
-        const double coarse = oscillatorError(GetParam(), damping, 1600);
-        const double fine = oscillatorError(GetParam(), damping, 3200);
-        EXPECT_LT(fine, order == 2 ? 1e-6 : 5e-4) << "damping " << damping;
-        EXPECT_NEAR(std::log2(coarse / fine), order, 0.15) << "damping " << damping;
+        // Strongly damped, a fourth-order error soon drowns in rounding.
+        const int steps = order < 4 ? 1600 : damping < 20 ? 200 : 60;
+        const double coarse = oscillatorError(GetParam(), damping, steps);
+        const double fine = oscillatorError(GetParam(), damping, 2 * steps);
+        EXPECT_LT(fine, order == 1 ? 5e-4 : 1e-6) << "damping " << damping;
+        EXPECT_NEAR(std::log2(coarse / fine), order, order == 4 ? 0.25 : 0.15) << "damping " << damping;
     }
 }
 
@@ -85,10 +105,12 @@ TEST_P(EveryIntegrator, KeepsMomentum) {
             sum += 0.001 * velocity;
         return sum;
     };
-    EXPECT_LT((momentum() - given).norm(), 1e-10 * given.norm());
+    // Forces settle to a part of them only.
+    const double tolerance = GetParam() == Integrator::Propagation ? 1e-6 : 1e-10;
+    EXPECT_LT((momentum() - given).norm(), tolerance * given.norm());
     for (int i = 0; i < 400; ++i)
         ASSERT_TRUE(simulation.step({}));
-    EXPECT_LT((momentum() - given).norm(), 1e-10 * given.norm());
+    EXPECT_LT((momentum() - given).norm(), tolerance * given.norm());
 }
 
 TEST_P(EveryIntegrator, LeavesWhatRestsAtRest) {
@@ -165,7 +187,7 @@ TEST_P(EveryIntegrator, LedNodesReachTheirPlaceAndDragTheOthers) {
     TissueModel model = tissue::fromMesh(tissue::gridMesh(15, 0.1), {10, 5, 0.001});
     for (std::uint32_t i = 0; i < 15; ++i)
         model.fixedNodes.push_back(i);
-    const double step = GetParam() == Integrator::Euler ? 1e-5 : 1e-3;
+    const double step = isExplicit(GetParam()) ? 1e-5 : GetParam() == Integrator::Propagation ? 2e-5 : 1e-3;
     for (const std::size_t ledCount : {std::size_t{1}, std::size_t{3}, std::size_t{70}}) {
         Simulation simulation(model, withStep(GetParam(), step));
         Loads loads;
@@ -175,10 +197,10 @@ TEST_P(EveryIntegrator, LedNodesReachTheirPlaceAndDragTheOthers) {
         ASSERT_TRUE(simulation.step(loads));
         for (const HeldNode& held : loads.held)
             EXPECT_EQ(simulation.positions()[held.node], held.position);
-        if (GetParam() != Integrator::Euler) {
+        if (step == 1e-3) {
             EXPECT_GT(simulation.positions()[224 - ledCount].z(), 0.0002) << ledCount;
         }
-        for (int i = 0; i < 3000; ++i)
+        for (int i = 0; i < 3000 && simulation.positions()[112].z() <= 1e-5; ++i)
             ASSERT_TRUE(simulation.step(loads));
         EXPECT_EQ(simulation.positions()[224], loads.held[0].position);
         EXPECT_GT(simulation.positions()[112].z(), 1e-5);
@@ -222,6 +244,8 @@ TEST_P(EveryIntegrator, SpringsOfNoLengthGiveNoForceAndNoNan) {
 }
 
 TEST_P(EveryIntegrator, ReportsDivergenceAndKeepsTheLastGoodState) {
+    if (!isExplicit(GetParam()) && GetParam() != Integrator::Split && GetParam() != Integrator::Split2)
+        GTEST_SKIP() << "stable at any step";
     const TissueModel model = tissue::fromMesh(tissue::gridMesh(9, 0.1), {1e6, 0.001, 1e-4});
     Simulation simulation(model, withStep(GetParam(), 0.01));
     Loads loads;
@@ -298,9 +322,12 @@ TEST_P(EveryIntegrator, TakesNewParametersWhileMoving) {
     EXPECT_EQ(simulation.velocities(), velocities);
     EXPECT_DOUBLE_EQ(simulation.time(), time);
     const double low = simulation.positions()[40].z();
-    for (int i = 0; i < 5000; ++i)
+    double highest = low;
+    while (simulation.time() < time + 1) {
         ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
-    EXPECT_GT(simulation.positions()[40].z(), low);
+        highest = std::max(highest, simulation.positions()[40].z());
+    }
+    EXPECT_GT(highest, low + 1e-4);
 }
 
 TEST(Damping, AxialLeavesARotationAlone) {

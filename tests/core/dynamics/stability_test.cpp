@@ -1,3 +1,4 @@
+#include "core/dynamics/oscillator.h"
 #include "core/dynamics/stability.h"
 #include "core/support/errors.h"
 #include "tests/support/simulation_settings.h"
@@ -49,10 +50,9 @@ bool blowsUp(const TissueModel& model, Integrator integrator, double step) {
     const auto total = [&] { return simulation.energy().kinetic + simulation.energy().elastic; };
     EXPECT_TRUE(simulation.step(kick));
     const double given = total();
-    for (int i = 1; i < 40000; ++i) {
-        if (!simulation.step({})) return true;
-        if (i % 100 == 0 && total() > 1e6 * given) return true;
-    }
+    constexpr std::size_t together = 100;
+    for (int i = 0; i < 400; ++i)
+        if (simulation.advance({}, together) < together || total() > 1e6 * given) return true;
     return false;
 }
 
@@ -66,17 +66,24 @@ TissueModel chain(const tissue::Parameters& parameters) {
     return tissue::model(std::move(network), parameters);
 }
 
+// Built with the sanitizers a step takes tens of times longer.
+#ifdef ESM_SANITIZE
+const std::vector<double> chainViscosities{0.2};
+#else
+const std::vector<double> chainViscosities{0.03, 0.2, 2, 50};
+#endif
+
 TEST(CriticalSteps, AreWhereUniformTissueBlowsUp) {
-    for (const tissue::Parameters& parameters :
-         {tissue::Parameters{100, 0.03, 0.01}, {100, 0.2, 0.01}, {100, 2, 0.01}, {100, 50, 0.01}}) {
+    for (const double viscosity : chainViscosities) {
+        const tissue::Parameters parameters{100, viscosity, 0.01};
         const TissueModel model = chain(parameters);
         const CriticalSteps steps = criticalSteps(model);
-        for (const auto& [integrator, step] : {std::pair{Integrator::Euler, steps.euler},
-                                               {Integrator::Split, steps.split},
-                                               {Integrator::Split2, steps.split2}}) {
+        for (const auto& [integrator, step] : steps) {
             SCOPED_TRACE(std::string(integratorName(integrator)) + ", viscosity " +
                          std::to_string(parameters.viscosity));
             ASSERT_TRUE(step);
+            // That of the propagation bounds how long its forces take to settle.
+            if (std::isinf(*step) || integrator == Integrator::Propagation) continue;
             EXPECT_FALSE(blowsUp(model, integrator, 0.95 * *step)) << *step;
             EXPECT_TRUE(blowsUp(model, integrator, 1.05 * *step)) << *step;
         }
@@ -92,34 +99,36 @@ TEST(CriticalSteps, HoldWhereElasticityAndViscosityDoNotCommute) {
     }
     model.tethers = {{3, 500, 0.01}, {40, 1, 30}};
     const CriticalSteps steps = criticalSteps(model);
-    EXPECT_FALSE(blowsUp(model, Integrator::Euler, 0.99 * *steps.euler));
-    EXPECT_FALSE(blowsUp(model, Integrator::Split, 0.99 * *steps.split));
-    EXPECT_FALSE(blowsUp(model, Integrator::Split2, 0.99 * *steps.split2));
+    EXPECT_FALSE(blowsUp(model, Integrator::Euler, 0.99 * *steps.at(Integrator::Euler)));
+    EXPECT_FALSE(blowsUp(model, Integrator::Split, 0.99 * *steps.at(Integrator::Split)));
+    EXPECT_FALSE(blowsUp(model, Integrator::Split2, 0.99 * *steps.at(Integrator::Split2)));
     // Rest shape and direction matter only a little: the bound is not needlessly short either.
-    EXPECT_TRUE(blowsUp(model, Integrator::Euler, 2 * *steps.euler));
-    EXPECT_TRUE(blowsUp(model, Integrator::Split, 2 * *steps.split));
+    EXPECT_TRUE(blowsUp(model, Integrator::Euler, 2 * *steps.at(Integrator::Euler)));
+    EXPECT_TRUE(blowsUp(model, Integrator::Split, 2 * *steps.at(Integrator::Split)));
 }
 
 TEST(CriticalSteps, KnowWhereThereIsNoLimitAndNoStep) {
-    EXPECT_EQ(criticalSteps(tissue::oneSpring({0, 0, 1})).euler, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(criticalSteps(tissue::oneSpring({0, 1, 1})).split2, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(criticalSteps(tissue::oneSpring({0, 0, 1})).at(Integrator::Euler),
+              std::numeric_limits<double>::infinity());
+    EXPECT_EQ(criticalSteps(tissue::oneSpring({0, 1, 1})).at(Integrator::Split2),
+              std::numeric_limits<double>::infinity());
     TissueModel fixed = tissue::oneSpring({10, 1, 1});
     fixed.fixedNodes = {0, 1};
-    EXPECT_EQ(criticalSteps(fixed).split, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(criticalSteps(fixed).at(Integrator::Split), std::numeric_limits<double>::infinity());
     const CriticalSteps undamped = criticalSteps(tissue::oneSpring({10, 0, 1}));
-    EXPECT_EQ(undamped.split2, std::nullopt);
-    EXPECT_NEAR(*undamped.euler, 2 / std::sqrt(20), 1e-3);
-    EXPECT_NEAR(*undamped.split, 2 / std::sqrt(20), 1e-3);
+    EXPECT_EQ(undamped.at(Integrator::Split2), std::nullopt);
+    EXPECT_NEAR(*undamped.at(Integrator::Euler), 2 / std::sqrt(20), 1e-3);
+    EXPECT_NEAR(*undamped.at(Integrator::Split), 2 / std::sqrt(20), 1e-3);
 }
 
 TEST(CriticalSteps, OfThePublishedTubeAllowEulerMicrosecondsAndTheSplitFormsTenthsOfASecond) {
     const TissueModel tube = tissue::fallopianTube();
     const CriticalSteps steps = criticalSteps(tube);
-    EXPECT_FALSE(blowsUp(tube, Integrator::Euler, 0.95 * *steps.euler));
-    EXPECT_TRUE(blowsUp(tube, Integrator::Euler, 1.05 * *steps.euler));
-    EXPECT_LT(*steps.euler, 5e-6);
-    EXPECT_GT(*steps.split, 0.3);
-    EXPECT_GT(*steps.split2, 0.2);
+    EXPECT_FALSE(blowsUp(tube, Integrator::Euler, 0.95 * *steps.at(Integrator::Euler)));
+    EXPECT_TRUE(blowsUp(tube, Integrator::Euler, 1.05 * *steps.at(Integrator::Euler)));
+    EXPECT_LT(*steps.at(Integrator::Euler), 5e-6);
+    EXPECT_GT(*steps.at(Integrator::Split), 0.3);
+    EXPECT_GT(*steps.at(Integrator::Split2), 0.2);
 }
 
 TEST(CriticalStep, IsFoundCoarselyOnTheSafeSide) {
@@ -127,9 +136,9 @@ TEST(CriticalStep, IsFoundCoarselyOnTheSafeSide) {
     for (std::size_t i = 0; i < model.mass.size(); ++i)
         model.viscosity[i] *= std::exp(2 * std::cos(2.9 * static_cast<double>(i)));
     const CriticalSteps exact = criticalSteps(model);
-    for (const auto& [integrator, step] : {std::pair{Integrator::Euler, exact.euler},
-                                           {Integrator::Split, exact.split},
-                                           {Integrator::Split2, exact.split2}}) {
+    for (const auto& [integrator, step] : {std::pair{Integrator::Euler, exact.at(Integrator::Euler)},
+                                           {Integrator::Split, exact.at(Integrator::Split)},
+                                           {Integrator::Split2, exact.at(Integrator::Split2)}}) {
         int fineCalls = 0, coarseCalls = 0;
         const auto counting = [](int& calls) {
             return [&calls](double fraction) {
@@ -138,17 +147,30 @@ TEST(CriticalStep, IsFoundCoarselyOnTheSafeSide) {
                 return true;
             };
         };
-        EXPECT_EQ(criticalStep(model, integrator, {1e-3, counting(fineCalls)}), step);
-        const double coarse = *criticalStep(model, integrator, {0.05, counting(coarseCalls)});
+        EXPECT_EQ(criticalStep(model, integrator, {1e-3, Deformation::Any, counting(fineCalls)}), step);
+        const double coarse =
+            *criticalStep(model, integrator, {0.05, Deformation::Any, counting(coarseCalls)});
         EXPECT_LE(coarse, 1.0011 * *step);
         EXPECT_GT(coarse, 0.949 * *step);
         EXPECT_LE(coarseCalls, fineCalls);
     }
 }
 
+TEST(ChooseStep, TakesElasticityImplicitlyWhereOtherStepsFallBehindRealTime) {
+    TissueModel model = tissue::fromMesh(tissue::sphereMesh(3, 0.05), {1e9, 1e-6, 1e-9});
+    for (const Damping damping : {Damping::Isotropic, Damping::Axial}) {
+        SimulationSettings settings;
+        settings.damping = damping;
+        EXPECT_EQ(chooseStep(model, settings).integrator, Integrator::Bdf2);
+        EXPECT_GT(chooseStep(model, settings).timeStep, 1e-3);
+    }
+}
+
 TEST(CriticalStep, StopsWhenAsked) {
     const TissueModel model = tissue::fromMesh(tissue::gridMesh(8, 0.1), {50, 0.5, 0.001});
-    EXPECT_THROW(criticalStep(model, Integrator::Euler, {0.05, [](double) { return false; }}), Cancelled);
+    EXPECT_THROW(
+        criticalStep(model, Integrator::Euler, {0.05, Deformation::Any, [](double) { return false; }}),
+        Cancelled);
 }
 
 TEST(ChooseStep, TakesTheOverdampedTissueByItsSecondOrderForm) {
@@ -187,51 +209,6 @@ TEST(ChooseStep, RefusesWhatCannotWork) {
     broken.mass[0] = 0;
     EXPECT_THROW(chooseStep(broken, {}), InvalidModel);
     EXPECT_THROW(Simulation(broken, {}), InvalidModel);
-}
-
-// Built with the sanitizers a step takes tens of times longer: they get the outermost corners only.
-#ifdef ESM_SANITIZE
-const std::vector<double> springConstants{1e-6, 1e9}, viscosities{0.0, 1.0, 1e6}, masses{1e-9, 1e3};
-constexpr int stepsEach = 20;
-#else
-const std::vector<double> springConstants{1e-6, 1.0, 1e4, 1e9}, viscosities{0.0, 1e-6, 1.0, 1e3, 1e6},
-    masses{1e-9, 1e-3, 1e3};
-constexpr int stepsEach = 200;
-#endif
-
-// Every corner of what sliders and files can ask for: a run stays whole or is refused with a reason.
-TEST(Extremes, StayWholeOrAreRefused) {
-    const TriangleMesh mesh = tissue::sphereMesh(1, 0.05);
-    int ran = 0, refused = 0;
-    for (const double springConstant : springConstants)
-        for (const double viscosity : viscosities)
-            for (const double mass : masses)
-                for (const bool contrast : {false, true})
-                    for (const bool tied : {false, true}) {
-                        TissueModel model = tissue::fromMesh(mesh, {springConstant, viscosity, mass});
-                        if (contrast)
-                            for (std::size_t i = 0; i < 20; ++i) {
-                                model.springConstant[i] *= 1e-6;
-                                model.viscosity[2 * i] *= 1e-6;
-                            }
-                        if (tied) model.fixedNodes = {0, 1, 2};
-                        SCOPED_TRACE(testing::Message() << springConstant << " " << viscosity << " " << mass
-                                                        << " " << contrast << tied);
-                        try {
-                            Simulation simulation(model, {}, mesh.triangles);
-                            Loads loads;
-                            loads.forces = {{30, {0, 0, 0.01 * springConstant}}};
-                            for (int i = 0; i < stepsEach; ++i) {
-                                if (i == stepsEach / 2) loads = Loads{};
-                                ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
-                            }
-                            ++ran;
-                        } catch (const InvalidModel& reason) {
-                            EXPECT_FALSE(reason.problems().empty());
-                            ++refused;
-                        }
-                    }
-    EXPECT_GE(ran, 5 * refused) << ran << " ran, " << refused << " refused";
 }
 
 } // namespace

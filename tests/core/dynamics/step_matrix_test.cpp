@@ -54,7 +54,7 @@ TEST(StepMatrix, SolvesForTheVelocitiesThatAreNotPrescribed) {
     const SpringSystem system = unevenSystem();
     std::vector<char> prescribed(system.mass.size(), 0);
     prescribed[3] = prescribed[14] = prescribed[35] = 1;
-    const StepMatrix matrix(system, 1.5, 0.02, prescribed);
+    const StepMatrix matrix(system, {1.5, 0.02, 0}, prescribed);
     const Vectors momentum = someVectors(system.mass.size());
     Vectors velocities(momentum.size(), Eigen::Vector3d(1, -2, 3)), half;
     matrix.solveLower(momentum, velocities, half);
@@ -76,7 +76,7 @@ TEST(StepMatrix, SolvesForTheVelocitiesThatAreNotPrescribed) {
 
 TEST(StepMatrix, GivesColumnsWhoseProductsAreItsInverse) {
     const SpringSystem system = unevenSystem();
-    const StepMatrix matrix(system, 1, 0.02, std::vector<char>(system.mass.size(), 0));
+    const StepMatrix matrix(system, {1, 0.02, 0}, std::vector<char>(system.mass.size(), 0));
     const Eigen::MatrixXd inverse = denseMatrix(system, 1, 0.02).inverse();
     for (const std::uint32_t a : {0U, 7U, 35U})
         for (const std::uint32_t b : {0U, 8U, 21U}) {
@@ -91,7 +91,7 @@ TEST(StepMatrix, GivesColumnsWhoseProductsAreItsInverse) {
 
 TEST(StepMatrix, IsTheMassesAloneWithoutDamping) {
     const SpringSystem system = unevenSystem();
-    const StepMatrix matrix(system, 1, 0, std::vector<char>(system.mass.size(), 0));
+    const StepMatrix matrix(system, {1, 0, 0}, std::vector<char>(system.mass.size(), 0));
     const Vectors momentum = someVectors(system.mass.size());
     Vectors velocities(momentum.size()), half;
     matrix.solveLower(momentum, velocities, half);
@@ -102,7 +102,7 @@ TEST(StepMatrix, IsTheMassesAloneWithoutDamping) {
 
 TEST(StepMatrix, OfNothingButPrescribedNodesHasNothingToSolve) {
     const SpringSystem system = unevenSystem();
-    const StepMatrix matrix(system, 1, 0.02, std::vector<char>(system.mass.size(), 1));
+    const StepMatrix matrix(system, {1, 0.02, 0}, std::vector<char>(system.mass.size(), 1));
     const Vectors given = someVectors(system.mass.size());
     Vectors velocities = given, half;
     matrix.solveLower(given, velocities, half);
@@ -112,7 +112,7 @@ TEST(StepMatrix, OfNothingButPrescribedNodesHasNothingToSolve) {
 
 TEST(StepMatrix, RefusesMassesThatViscositySwallows) {
     const TissueModel model = tissue::fromMesh(tissue::gridMesh(6, 0.1), {10, 1e12, 1e-9});
-    EXPECT_THROW(StepMatrix(makeSpringSystem(model), 1, 0.01, std::vector<char>(model.mass.size(), 0)),
+    EXPECT_THROW(StepMatrix(makeSpringSystem(model), {1, 0.01, 0}, std::vector<char>(model.mass.size(), 0)),
                  InvalidModel);
 }
 

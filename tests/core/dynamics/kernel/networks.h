@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/spring_system.h"
+#include "core/dynamics/motion.h"
 #include "tests/support/tissue_models.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace network {
 
 using Eigen::Vector3d;
-using esm::SpringSystem;
+using esm::Motion, esm::SpringSystem;
 
 /// Nodes of a gram at random places within 10 cm, without springs.
 inline SpringSystem withNodes(std::size_t nodes) {
@@ -69,10 +69,6 @@ inline SpringSystem random(const Contents& contents, unsigned seed) {
         if (contents.fixedNodes) system.fixed[i] = 1;
     return system;
 }
-
-struct Motion {
-    esm::Vectors positions, velocities;
-};
 
 /// Away from rest; `zeroLength` puts the ends of every eleventh spring in one place.
 inline Motion randomMotion(const SpringSystem& system, bool zeroLength, unsigned seed) {

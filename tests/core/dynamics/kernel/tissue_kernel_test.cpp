@@ -8,7 +8,6 @@
 using namespace esm;
 using Eigen::Vector3d;
 using network::Contents;
-using network::Motion;
 
 namespace {
 

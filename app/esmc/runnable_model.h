@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/esmc/context.h"
+#include "core/model/project.h"
+
+namespace esm {
+
+/// What a run needs of a project or a package.
+struct RunnableModel {
+    TissueModel tissue;
+    std::vector<Triangle> surface;
+    Scene scene;
+};
+
+/// Reads a project or a package, and the scene file that takes the place of what is stored, if one is named.
+/// Afterwards the context speaks of the model.
+/// @throws FileError, InvalidModel
+RunnableModel loadRunnableModel(const std::filesystem::path& model, const std::filesystem::path& scene,
+                                Context& context);
+
+} // namespace esm

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/dynamics/motion.h"
+#include "core/dynamics/settings.h"
+#include "core/dynamics/step_matrix.h"
+
+namespace esm {
+
+/// A = massFactor·M + dampingFactor·D + stiffnessFactor·K at one place of the tissue: K is the tangent
+/// stiffness, −∂f/∂x, and D may damp along the springs alone. Never factorised.
+class TangentMatrix {
+public:
+    TangentMatrix(const SpringSystem& system, Damping damping, const MatrixFactors& factors,
+                  const Vectors& positions);
+
+    /// A·velocities
+    void multiply(const Vectors& velocities, Vectors& product) const;
+    /// K·displacements, N
+    Vectors stiffnessTimes(const Vectors& displacements) const;
+
+    /// Leaves out of K what pressed springs take away, so that A is positive definite.
+    void omitBuckling();
+
+private:
+    /// K of one spring is axial·n·nᵀ + lateral·(I − n·nᵀ).
+    struct Tangent {
+        Eigen::Vector3d direction;
+        double axial, lateral; ///< N/m
+    };
+
+    void addSprings(const MatrixFactors& factors, const Vectors& velocities, Vectors& product) const;
+
+    const SpringSystem& m_system;
+    Damping m_damping;
+    MatrixFactors m_factors;
+    std::vector<Tangent> m_tangents; ///< by spring
+};
+
+/// Solves A·v = momentum for the nodes that are neither prescribed nor led, whose velocities are given, by
+/// conjugate gradients preconditioned with the factorised matrix, in which the weighted Laplacian stands for
+/// K. Starts from that matrix's own solution, which has the momentum of the whole already.
+/// @throws InvalidModel when it does not converge
+void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner, const std::vector<HeldNode>& led,
+                   const Vectors& momentum, Vectors& velocities);
+
+} // namespace esm

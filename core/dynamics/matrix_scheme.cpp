@@ -1,0 +1,138 @@
+#include "core/dynamics/matrix_scheme.h"
+
+#include "core/dynamics/forces.h"
+#include "core/dynamics/implicit_system.h"
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr double roundingShare = 1e-9; ///< of potentials; differences below it say nothing
+
+} // namespace
+
+struct MatrixScheme::Start {
+    const SpringSystem& system;
+    const StepInput& input;
+    const Motion& before;
+};
+
+/// M·(massFactor·v⁺ − drive) = h·(f(x⁺) − D·v⁺ + g), x⁺ = x + drift + reach·v⁺: both orders have this form.
+struct MatrixScheme::Form {
+    MatrixFactors factors;
+    Vectors drive; ///< m/s
+    Vectors drift; ///< m; empty: none
+    double reach;  ///< s
+};
+
+MatrixScheme::Form MatrixScheme::formOf(const StepInput& input, const Motion& before, bool builds) const {
+    const double h = input.duration;
+    Form form{stepFactors(m_integrator, h, builds), before.velocities, {}, h};
+    if (!builds) return form;
+    form.reach = 2 * h / 3;
+    form.drift.resize(before.positions.size());
+    for (std::size_t i = 0; i < form.drift.size(); ++i) {
+        form.drive[i] = 2 * before.velocities[i] - 0.5 * m_previous->velocities[i];
+        form.drift[i] = (before.positions[i] - m_previous->positions[i]) / 3;
+    }
+    return form;
+}
+
+void MatrixScheme::remember(Motion before) {
+    m_previous = std::move(before);
+    m_previousForces.swap(m_forces);
+}
+
+std::optional<UntouchedStep> MatrixScheme::step(const SpringSystem& system, const StepInput& input,
+                                                const Motion& before, StepSolver& solver, bool builds) {
+    elasticForces(system, before.positions, m_forces);
+    const Start start{system, input, before};
+    const Form form = formOf(input, before, builds);
+    UntouchedStep step{before, {}};
+    leadHeldNodes(input, before.positions, step.motion.velocities);
+    if (hasConstantMatrix(m_integrator))
+        solveConstant(start, form, solver, step);
+    else if (!solveTangent(start, form, solver, step))
+        return std::nullopt;
+    for (std::size_t i = 0; i < before.positions.size(); ++i) {
+        // Written as a change, so that what rests stays where it is to the last bit.
+        step.motion.positions[i] += form.reach * step.motion.velocities[i];
+        if (builds) step.motion.positions[i] += form.drift[i];
+    }
+    return step;
+}
+
+void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolver& solver,
+                                 UntouchedStep& step) const {
+    Vectors& velocities = step.motion.velocities;
+    Vectors extrapolated;
+    if (!form.drift.empty()) {
+        extrapolated = m_previousForces;
+        for (std::size_t i = 0; i < extrapolated.size(); ++i)
+            extrapolated[i] -= m_forces[i];
+    }
+    solver.matrix.solveLower(momentum(start, form, extrapolated), velocities, step.half);
+    const auto led = ledByImpulses(solver.matrix, start.input.held);
+    if (!led.empty()) solver.impulses.lead(led, velocities, step.half);
+    solver.matrix.solveUpper(step.half, velocities);
+}
+
+// A long Newton step may overshoot, as where tissue lies in a plane and resists no force across it. The step
+// of the constant matrix never does.
+bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver& solver,
+                                UntouchedStep& step) const {
+    TangentMatrix tangent(start.system, m_damping, form.factors, start.before.positions);
+    // The first order needs no exact tangent.
+    if (form.drift.empty()) tangent.omitBuckling();
+    const Vectors stiffened = form.drift.empty() ? Vectors{} : tangent.stiffnessTimes(form.drift);
+    const Vectors asked = momentum(start, form, stiffened);
+
+    Vectors& velocities = step.motion.velocities;
+    Vectors safe = velocities, half;
+    if (form.drift.empty()) {
+        solver.matrix.solveLower(asked, safe, half);
+        const auto led = ledByImpulses(solver.matrix, start.input.held);
+        if (!led.empty()) solver.impulses.lead(led, safe, half);
+        solver.matrix.solveUpper(std::move(half), safe);
+    }
+    solveImplicit(tangent, solver.matrix, start.input.held, asked, velocities);
+    const double reached = potential(start, form, velocities), known = potential(start, form, safe);
+    if (reached - known <= roundingShare * (std::abs(reached) + std::abs(known))) return true;
+    if (!form.drift.empty()) return false;
+    velocities = std::move(safe);
+    return true;
+}
+
+/// @param stiffened what is taken from the forces, N; empty: nothing
+Vectors MatrixScheme::momentum(const Start& start, const Form& form, const Vectors& stiffened) const {
+    const double h = start.input.duration;
+    Vectors forces = m_forces;
+    for (std::size_t i = 0; i < stiffened.size(); ++i)
+        forces[i] -= stiffened[i];
+    addExternalForces(start.system, *start.input.loads, forces);
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        forces[i] = start.system.mass[i] * form.drive[i] + h * forces[i];
+    return forces;
+}
+
+/// J, what an exact step has the least of: the form above is where its gradient vanishes.
+double MatrixScheme::potential(const Start& start, const Form& form, const Vectors& velocities) const {
+    const double h = start.input.duration;
+    Vectors reached = start.before.positions, damping(velocities.size(), Eigen::Vector3d::Zero()),
+            external = damping;
+    addDampingForces(start.system, m_damping, start.before.positions, velocities, damping);
+    addExternalForces(start.system, *start.input.loads, external);
+    double result = 0;
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+        const Eigen::Vector3d& v = velocities[i];
+        reached[i] += form.reach * v;
+        if (!form.drift.empty()) reached[i] += form.drift[i];
+        result += start.system.mass[i] * v.dot(0.5 * form.factors.mass * v - form.drive[i]) -
+                  h * v.dot(external[i] + 0.5 * damping[i]);
+    }
+    return result + h / form.reach * energy(start.system, reached, {}).elastic;
+}
+
+} // namespace esm

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/dynamics/motion.h"
+#include "core/dynamics/settings.h"
+#include "core/dynamics/step_matrix.h"
+
+namespace esm {
+
+/// The two-phase propagation of the source [R 2.3.4]. Within a step the local propagation lets each node take
+/// the velocity that its springs' present forces ask of it, pass after pass, until no node's force changes
+/// any more; then all nodes move on. The first pass starts at the node with the largest force, later ones
+/// where the force changed most, and go on outwards along the springs. What the node's own motion changes in
+/// its force is taken into account at once, so that stiff tissue settles as well.
+class PropagationScheme {
+public:
+    PropagationScheme(const SpringSystem& system, Damping damping);
+
+    /// One step, as if nothing touched the tissue.
+    /// @throws InvalidModel when the forces do not settle
+    void step(const SpringSystem& system, const StepInput& input, const Motion& before, Motion& after) const;
+
+private:
+    class LocalPropagation;
+    struct Neighbour {
+        std::uint32_t node, spring;
+    };
+
+    std::vector<std::uint32_t> outwardsFrom(std::uint32_t node) const;
+    /// The node's entry on the diagonal of massFactor·M + dampingFactor·D + stiffnessFactor·K, as if springs
+    /// were stiff every way.
+    double diagonalOf(std::uint32_t node, const SpringSystem& system, const MatrixFactors& factors) const;
+    Eigen::Vector3d forceOn(std::uint32_t node, const SpringSystem& system, const Motion& motion) const;
+
+    Damping m_damping;
+    std::vector<std::size_t> m_start; ///< per node and one more: where its neighbours begin
+    std::vector<Neighbour> m_neighbours;
+    std::vector<std::vector<Tether>> m_tethers; ///< per node
+};
+
+} // namespace esm

@@ -1,0 +1,232 @@
+#include "core/dynamics/stability_rules.h"
+
+#include "core/dynamics/largest_eigenvalue.h"
+#include "core/dynamics/oscillator.h"
+#include "core/dynamics/rest_matrix.h"
+#include "core/dynamics/step_matrix.h"
+
+#include <cmath>
+#include <functional>
+
+namespace esm {
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// Largest h ≥ `stable`, up to `cap`, for which `holds`, which is true below some step and false above it;
+/// short of it by at most the tolerance, relative.
+double largestStep(double stable, double cap, double tolerance, const std::function<bool(double)>& holds) {
+    if (stable >= cap || (std::isfinite(cap) && holds(cap))) return cap;
+    // In uniform tissue the first guess is the limit itself.
+    if (!holds((1 + tolerance) * stable)) return stable;
+    double unstable = cap;
+    for (int doubling = 0; doubling < 60 && 2 * stable < cap; ++doubling) {
+        if (!holds(2 * stable)) {
+            unstable = 2 * stable;
+            break;
+        }
+        stable *= 2;
+    }
+    if (!std::isfinite(unstable)) return noStepLimit;
+    while (unstable > (1 + tolerance) * stable) {
+        const double middle = std::sqrt(stable * unstable);
+        (holds(middle) ? stable : unstable) = middle;
+    }
+    return stable;
+}
+
+/// Smallest d/c of everything elastic that can move: d ≥ ratio·k then holds for every motion, since each
+/// spring and tether gives its share of both. Infinite when nothing is elastic.
+double leastDampingRatio(const SpringSystem& system) {
+    double ratio = noStepLimit;
+    for (const auto& spring : system.springs)
+        if (largestSpringConstant(spring) > 0 && !(system.fixed[spring.first] && system.fixed[spring.second]))
+            ratio = std::min(ratio, spring.viscosity / largestSpringConstant(spring));
+    for (const Tether& tether : system.tethers)
+        if (tether.springConstant > 0 && !system.fixed[tether.node])
+            ratio = std::min(ratio, tether.viscosity / tether.springConstant);
+    return ratio;
+}
+
+Matrix massNormalised(const Matrix& matrix, const Matrix& mass) {
+    const Eigen::VectorXd scale = mass.diagonal().cwiseSqrt().cwiseInverse();
+    return Matrix(scale.asDiagonal() * matrix * scale.asDiagonal());
+}
+
+/// Whether every oscillator with the given bounds, in units of the step, stays below the limit: no stiffer
+/// than stepDamping/ratio, which is how little damping there is.
+struct StepBounds {
+    double stiffness, damping, ratio;
+};
+
+/// stiffnessLimit() at some dampings, increasing.
+using LimitCurve = std::vector<std::pair<double, double>>;
+
+LimitCurve limitCurve(Integrator integrator) {
+    constexpr int points = 96;
+    constexpr double least = 1e-9;
+    const double most = decayLimit(integrator);
+    LimitCurve curve{{0, stiffnessLimit(integrator, 0)}};
+    for (int i = 0; i < points; ++i) {
+        const double damping = least * std::pow(most / least, i / (points - 1.0));
+        curve.emplace_back(damping, stiffnessLimit(integrator, 0.999999 * damping));
+    }
+    return curve;
+}
+
+/// Worked out once: they depend on nothing.
+const LimitCurve& curveOf(Integrator integrator) {
+    static const LimitCurve heun = limitCurve(Integrator::Heun), rk4 = limitCurve(Integrator::Rk4),
+                            adamsMoulton = limitCurve(Integrator::AdamsMoulton);
+    return integrator == Integrator::Heun ? heun : integrator == Integrator::Rk4 ? rk4 : adamsMoulton;
+}
+
+bool staysBelow(const LimitCurve& curve, const StepBounds& bounds) {
+    const auto stiffest = [&](double damping) {
+        return bounds.ratio > 0 ? std::min(bounds.stiffness, damping / bounds.ratio) : bounds.stiffness;
+    };
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+        const auto& [damping, limit] = curve[i];
+        const double here = stiffest(damping);
+        if (here > 0 && !(here < limit)) return false;
+        const auto& [nextDamping, nextLimit] = curve[i + 1];
+        if (bounds.damping > nextDamping) continue;
+        const double part = (bounds.damping - damping) / (nextDamping - damping);
+        return stiffest(bounds.damping) < limit + part * (nextLimit - limit);
+    }
+    return stiffest(curve.back().first) < curve.back().second;
+}
+
+} // namespace
+
+StabilityRules::StabilityRules(const SpringSystem& system, Damping damping, StabilitySearch search)
+    : m_search(std::move(search)) {
+    const bool isAtRest = m_search.deformation == Deformation::AtRest;
+    const auto matrix = [&](const MatrixFactors& factors) {
+        return isAtRest ? restMatrix(system, damping, factors)
+                        : laplacianMatrix(system, factors, system.fixed);
+    };
+    m_mass = matrix({1, 0, 0});
+    m_damping = matrix({0, 1, 0});
+    m_stiffness = matrix({0, 0, 1});
+    m_largestStiffness = largestEigenvalue(massNormalised(m_stiffness, m_mass));
+    // Moved across their axes, springs that damp along them alone have no damping.
+    m_ratio = isAtRest || damping == Damping::Isotropic ? leastDampingRatio(system) : 0;
+    if (m_mass.rows() > 0) m_solver.analyzePattern(m_mass + m_damping + m_stiffness);
+}
+
+std::optional<double> StabilityRules::largestStable(Integrator integrator, double cap) {
+    switch (integrator) {
+    case Integrator::Euler:
+        return euler(cap);
+    case Integrator::Verlet:
+        return verlet(cap);
+    case Integrator::Heun:
+    case Integrator::Rk4:
+    case Integrator::AdamsMoulton:
+        return multistage(integrator, cap);
+    case Integrator::Propagation:
+        return propagation(cap);
+    case Integrator::Split:
+        return split(cap);
+    case Integrator::Split2:
+        return split2(cap);
+    default:
+        return cap;
+    }
+}
+
+double StabilityRules::largestAngularFrequency() const {
+    return std::sqrt(m_largestStiffness);
+}
+
+// λmax(h²K + 2hD) < 4
+double StabilityRules::euler(double cap) {
+    const double d = largestDamping();
+    const double safe = 4 / (d + std::sqrt(d * d + 4 * m_largestStiffness));
+    return largestStep(safe, cap, m_search.tolerance,
+                       [this](double h) { return isDefinite(4, -2 * h, -h * h); });
+}
+
+// λmax(h²K + 4hD) < 4
+double StabilityRules::verlet(double cap) {
+    const double d = largestDamping();
+    const double safe = 2 / (d + std::sqrt(d * d + m_largestStiffness));
+    return largestStep(safe, cap, m_search.tolerance,
+                       [this](double h) { return isDefinite(4, -4 * h, -h * h); });
+}
+
+// Two sides: pure decay at the rate r of the limit, which happens where r²M − r·hD + h²K becomes singular,
+// and the growing oscillations, bounded by the largest stiffness and damping and their least ratio.
+std::optional<double> StabilityRules::multistage(Integrator integrator, double cap) {
+    const double decay = decayLimit(integrator), d = largestDamping();
+    if (m_largestStiffness == 0) return std::min(cap, d > 0 ? decay / d : noStepLimit);
+    const LimitCurve& curve = curveOf(integrator);
+    // Without damping heun and adams-moulton let every oscillation grow, however slowly.
+    if (m_ratio == 0 && curve.front().second < 0.01) return std::nullopt;
+    // Deformed, a motion may be damped and meet no stiffness at all.
+    const bool isAtRest = m_search.deformation == Deformation::AtRest;
+    const auto holds = [&](double h) {
+        const StepBounds bounds{h * h * m_largestStiffness, std::min(h * d, decay), m_ratio / h};
+        return staysBelow(curve, bounds) && isDefinite(decay * decay, -decay * h, isAtRest ? h * h : 0);
+    };
+    double safe = std::min(1 / std::sqrt(m_largestStiffness), d > 0 ? decay / d : noStepLimit);
+    while (safe > 0 && !holds(safe))
+        safe /= 2;
+    if (!(safe > 0)) return std::nullopt;
+    return largestStep(safe, cap, m_search.tolerance, holds);
+}
+
+// Always stable; but forces settle the slower the more a node's springs outweigh its mass: h·D + h²·K <
+// 100·M.
+double StabilityRules::propagation(double cap) {
+    constexpr double most = 100;
+    const double d = largestDamping();
+    return std::min(cap, 2 * most / (d + std::sqrt(d * d + 4 * most * m_largestStiffness)));
+}
+
+// λmax(h²K − 2hD) < 4; on the line d = ratio·k that is h² − 2h·ratio < 4/k.
+double StabilityRules::split(double cap) {
+    if (m_largestStiffness == 0) return cap;
+    const double safe = m_ratio + std::sqrt(m_ratio * m_ratio + 4 / m_largestStiffness);
+    return largestStep(safe, cap, m_search.tolerance,
+                       [this](double h) { return isDefinite(4, 2 * h, -h * h); });
+}
+
+std::optional<double> StabilityRules::split2(double cap) {
+    if (m_largestStiffness == 0) return cap;
+    if (m_ratio == 0) return std::nullopt;
+    const double safe = split2OnLine(cap);
+    // Where every mode is damped enough to leave the unit circle at −1, that half plane alone is the
+    // rule.
+    if (safe >= cap || !isDefinite(-8.0 / 7, safe, 0)) return safe;
+    return largestStep(safe, cap, m_search.tolerance,
+                       [this](double h) { return isDefinite(16.0 / 3, 4.0 / 3 * h, -h * h); });
+}
+
+// On the line d = ratio·k up to the largest k: h/ratio must stay below split2Limit(x)/x for every
+// x ≤ h·ratio·k. That quotient falls to 5/2 + √6 at x = 0.3866, rises a little and falls again.
+double StabilityRules::split2OnLine(double cap) const {
+    const auto holds = [this](double h) {
+        const double damping = h * m_ratio * m_largestStiffness;
+        const double quotient = split2Limit(damping) / damping;
+        return h / m_ratio < (damping < 0.3866 ? quotient : std::min(quotient, 2.5 + std::sqrt(6.0)));
+    };
+    const double strong = 4.0 / 3 * m_ratio, weak = std::cbrt(2 * m_ratio / m_largestStiffness);
+    return largestStep(holds(weak) ? std::max(weak, strong) : strong, cap, 1e-3, holds);
+}
+
+bool StabilityRules::isDefinite(double massFactor, double dampingFactor, double stiffnessFactor) {
+    if (m_mass.rows() == 0) return true;
+    reportProgress(m_search.progress, 1 - 1 / (1 + 0.1 * m_factorisations++));
+    m_solver.factorize(massFactor * m_mass + dampingFactor * m_damping + stiffnessFactor * m_stiffness);
+    return m_solver.info() == Eigen::Success;
+}
+
+double StabilityRules::largestDamping() {
+    if (!m_largestDamping) m_largestDamping = largestEigenvalue(massNormalised(m_damping, m_mass));
+    return *m_largestDamping;
+}
+
+} // namespace esm

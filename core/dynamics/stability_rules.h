@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/dynamics/spring_system.h"
+#include "core/dynamics/stability.h"
+
+#include <Eigen/SparseCholesky>
+
+namespace esm {
+
+/// The stability rules of one model. Any growth factor of a step is a root of the one-oscillator polynomial
+/// at some (k, d) of the joint numerical range of K and D (mass-normalised), so a rule that holds on the
+/// whole range, or on a larger set, is safe even where K and D have no common eigenvectors.
+class StabilityRules {
+public:
+    StabilityRules(const SpringSystem& system, Damping damping, StabilitySearch search);
+
+    /// Largest stable step up to `cap`, s; empty where there is none. Precondition: not `Auto`.
+    std::optional<double> largestStable(Integrator integrator, double cap);
+
+    double largestAngularFrequency() const; ///< rad/s, without damping
+
+private:
+    double euler(double cap);
+    double verlet(double cap);
+    std::optional<double> multistage(Integrator integrator, double cap);
+    double propagation(double cap);
+    double split(double cap);
+    std::optional<double> split2(double cap);
+    double split2OnLine(double cap) const;
+
+    /// Whether massFactor·M + dampingFactor·D + stiffnessFactor·K is positive definite.
+    bool isDefinite(double massFactor, double dampingFactor, double stiffnessFactor);
+    double largestDamping();
+
+    using Matrix = Eigen::SparseMatrix<double>;
+    StabilitySearch m_search;
+    int m_factorisations = 0;
+    Matrix m_mass, m_damping, m_stiffness;
+    double m_largestStiffness;              ///< ω², mass-normalised
+    std::optional<double> m_largestDamping; ///< 1/s, mass-normalised
+    double m_ratio;                         ///< s, smallest d/c
+    Eigen::SimplicialLLT<Matrix> m_solver;
+};
+
+} // namespace esm

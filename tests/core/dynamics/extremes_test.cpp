@@ -1,0 +1,59 @@
+#include "core/dynamics/simulation.h"
+#include "core/support/errors.h"
+#include "tests/support/tissue_models.h"
+
+#include <gmock/gmock.h>
+
+using namespace esm;
+
+namespace {
+
+// Built with the sanitizers a step takes tens of times longer: they get the outermost corners only.
+#ifdef ESM_SANITIZE
+const std::vector<double> springConstants{1e-6, 1e9}, viscosities{0.0, 1.0, 1e6}, masses{1e-9, 1e3};
+constexpr int stepsEach = 20;
+#else
+const std::vector<double> springConstants{1e-6, 1.0, 1e4, 1e9}, viscosities{0.0, 1e-6, 1.0, 1e3, 1e6},
+    masses{1e-9, 1e-3, 1e3};
+constexpr int stepsEach = 200;
+#endif
+
+// Every corner of what sliders and files can ask for: a run stays whole or is refused with a reason.
+TEST(Extremes, StayWholeOrAreRefused) {
+    const TriangleMesh mesh = tissue::sphereMesh(1, 0.05);
+    int ran = 0, refused = 0;
+    for (const double springConstant : springConstants)
+        for (const double viscosity : viscosities)
+            for (const double mass : masses)
+                for (const bool contrast : {false, true})
+                    for (const bool tied : {false, true}) {
+                        TissueModel model = tissue::fromMesh(mesh, {springConstant, viscosity, mass});
+                        if (contrast)
+                            for (std::size_t i = 0; i < 20; ++i) {
+                                model.springConstant[i] *= 1e-6;
+                                model.viscosity[2 * i] *= 1e-6;
+                            }
+                        if (tied) model.fixedNodes = {0, 1, 2};
+                        SCOPED_TRACE(testing::Message() << springConstant << " " << viscosity << " " << mass
+                                                        << " " << contrast << tied);
+                        try {
+                            Simulation simulation(model, {}, mesh.triangles);
+                            // What is tied to nothing drags its softest part behind it.
+                            const double softest =
+                                *std::min_element(model.springConstant.begin(), model.springConstant.end());
+                            Loads loads;
+                            loads.forces = {{30, {0, 0, 0.01 * (tied ? springConstant : softest)}}};
+                            for (int i = 0; i < stepsEach; ++i) {
+                                if (i == stepsEach / 2) loads = Loads{};
+                                ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
+                            }
+                            ++ran;
+                        } catch (const InvalidModel& reason) {
+                            EXPECT_FALSE(reason.problems().empty());
+                            ++refused;
+                        }
+                    }
+    EXPECT_GE(ran, 5 * refused) << ran << " ran, " << refused << " refused";
+}
+
+} // namespace
