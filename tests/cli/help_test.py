@@ -4,8 +4,8 @@ import unittest
 
 from esmc import ESMC, Case, command
 
-COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "stability", "texture", "export",
-            "validate", "render", "fuzzy eval", "texture pack", "texture photo", "texture bake"]
+COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "stability", "extremes", "texture",
+            "export", "validate", "render", "fuzzy eval", "texture pack", "texture photo", "texture bake"]
 
 
 class HelpTest(Case):
@@ -86,7 +86,7 @@ class HelpTest(Case):
 
     def test_a_command_that_is_not_there_names_those_that_are(self):
         message = self.fails(2, "learn", "a.esm", "--scene", "b.json")
-        for name in COMMANDS[:12]:
+        for name in COMMANDS[:13]:
             self.assertIn(name, message)
         self.assertIn("pack, photo, bake", self.fails(2, "texture", "fit", "a.esm"))
 

@@ -1,3 +1,4 @@
+#include "core/dynamics/extremes.h"
 #include "core/dynamics/simulation.h"
 #include "core/support/errors.h"
 #include "tests/support/tissue_models.h"
@@ -12,10 +13,12 @@ namespace {
 #ifdef ESM_SANITIZE
 const std::vector<double> springConstants{1e-6, 1e9}, viscosities{0.0, 1.0, 1e6}, masses{1e-9, 1e3};
 constexpr int stepsEach = 20;
+constexpr std::size_t everyCase = 19;
 #else
 const std::vector<double> springConstants{1e-6, 1.0, 1e4, 1e9}, viscosities{0.0, 1e-6, 1.0, 1e3, 1e6},
     masses{1e-9, 1e-3, 1e3};
 constexpr int stepsEach = 200;
+constexpr std::size_t everyCase = 7; // meets every value of every parameter
 #endif
 
 // Every corner of what sliders and files can ask for: a run stays whole or is refused with a reason.
@@ -54,6 +57,36 @@ TEST(Extremes, StayWholeOrAreRefused) {
                         }
                     }
     EXPECT_GE(ran, 5 * refused) << ran << " ran, " << refused << " refused";
+}
+
+std::vector<Integrator> integratorsAndAuto() {
+    std::vector<Integrator> integrators{Integrator::Auto};
+    integrators.insert(integrators.end(), allIntegrators.begin(), allIntegrators.end());
+    return integrators;
+}
+
+class ExtremesOf : public testing::TestWithParam<Integrator> {};
+INSTANTIATE_TEST_SUITE_P(Dynamics, ExtremesOf, testing::ValuesIn(integratorsAndAuto()),
+                         [](const auto& tested) {
+                             std::string name = integratorName(tested.param);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+// `esmc extremes` runs all of them, for longer.
+TEST_P(ExtremesOf, RunOrEndWithAReason) {
+    const std::vector<ExtremeCase> cases = extremeCases();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const bool isOneOfMany = cases[i].timeStep || cases[i].family == cases.front().family;
+        if (isOneOfMany && i % everyCase != 0) continue;
+        SCOPED_TRACE(cases[i].family + ": " + cases[i].name);
+        const ExtremeOutcome outcome = runExtreme(cases[i], GetParam(), stepsEach / 4);
+        EXPECT_EQ(outcome.reason.empty(), outcome.end == ExtremeEnd::Ran) << outcome.reason;
+        // A step that was chosen safely must hold.
+        if (!cases[i].timeStep) {
+            EXPECT_NE(outcome.end, ExtremeEnd::Stopped) << outcome.reason;
+        }
+    }
 }
 
 } // namespace
