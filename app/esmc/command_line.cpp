@@ -34,6 +34,7 @@ void describe(CLI::App& app, Context& context) {
     addSceneCommand(app, context);
     addSimulateCommand(app, context);
     addStabilityCommand(app, context);
+    addTradeoffCommand(app, context);
     addExtremesCommand(app, context);
     addTextureCommands(app, context);
     addExportCommand(app, context);

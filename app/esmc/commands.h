@@ -14,6 +14,7 @@ void addTissueCommand(CLI::App& app, Context& context);
 void addSceneCommand(CLI::App& app, Context& context);
 void addSimulateCommand(CLI::App& app, Context& context);
 void addStabilityCommand(CLI::App& app, Context& context);
+void addTradeoffCommand(CLI::App& app, Context& context);
 void addExtremesCommand(CLI::App& app, Context& context);
 void addTextureCommands(CLI::App& app, Context& context);
 void addExportCommand(CLI::App& app, Context& context);

@@ -4,8 +4,8 @@ import unittest
 
 from esmc import ESMC, Case, command
 
-COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "stability", "extremes", "texture",
-            "export", "validate", "render", "fuzzy eval", "texture pack", "texture photo", "texture bake"]
+COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "stability", "extremes", "tradeoff",
+            "texture", "export", "validate", "render", "fuzzy eval", "texture pack", "texture photo", "texture bake"]
 
 
 class HelpTest(Case):
@@ -43,7 +43,8 @@ class HelpTest(Case):
                      ["tissue", project, "-o", out, "--set", "consistency=3"],
                      ["simulate", project, "-o", out, "--integrator", "leapfrog"],
                      ["simulate", project, "-o", out, "--dt", "nan"], ["simulate", project, "-o", out, "--dt", "-1"],
-                     ["stability", project, "--damping", "none"],
+                     ["stability", project, "--damping", "none"], ["tradeoff", project, "--max-error", "0"],
+                     ["tradeoff", project, "--real-time", "nan"], ["tradeoff", project, "--max-seconds", "-1"],
                      ["simulate", project, "-o", out, "--integrator", "split", "--damping", "axial"],
                      ["simulate", project, "-o", out, "--dt", "0"], ["simulate", project, "-o", out, "--dt", "fast"],
                      ["simulate", project, "-o", out, "--precision", "half"],
@@ -86,7 +87,7 @@ class HelpTest(Case):
 
     def test_a_command_that_is_not_there_names_those_that_are(self):
         message = self.fails(2, "learn", "a.esm", "--scene", "b.json")
-        for name in COMMANDS[:13]:
+        for name in COMMANDS[:14]:
             self.assertIn(name, message)
         self.assertIn("pack, photo, bake", self.fails(2, "texture", "fit", "a.esm"))
 

@@ -74,6 +74,20 @@ class SimulateTest(Case):
                               factor * report["critical_dt"]["euler"], "-o", self.file("out.csv"))
             self.assertEqual(process.returncode == 0, stable, process.stderr)
 
+    def test_measures_error_against_cost(self):
+        scene = self.file("scene.json", {**TUBE_POKE, "record": {"every": 0.05, "nodes": "all"}})
+        report = self.done("tradeoff", self.sample("tube"), "--scene", scene, "--max-error", "0.02", "--max-seconds", "1")
+        self.assertKeys(report, {"reference": dict, "runs": list, "pareto": list, "recommended": dict, "left_out": list})
+        for run in report["runs"]:
+            if not run["stable"]:
+                continue
+            self.assertKeys(run, {"integrator": str, "dt": float, "precision": str, "detail": int, "stable": bool, "error": float,
+                                  "wall_per_simulated_s": float, "real_time_factor": float})
+            self.assertGreaterEqual(run["error"], 10 * report["reference"]["estimated_error"])
+        self.assertLessEqual(report["recommended"]["max_error"]["error"], 0.02)
+        errors = [run["error"] for run in report["pareto"]]
+        self.assertEqual(errors, sorted(errors, reverse=True))
+
     def test_integrators_agree(self):
         project = self.sample("tube")
         ends = {}

@@ -1,0 +1,116 @@
+#include "app/esmc/arguments.h"
+#include "app/esmc/commands.h"
+#include "app/esmc/runnable_model.h"
+#include "core/dynamics/tradeoff.h"
+
+namespace esm {
+
+namespace {
+
+struct TradeoffCommandOptions {
+    std::string model, scene;
+    double mostError = 0.01, realTimeFactor = 1, mostSeconds = 10;
+    Damping damping = Damping::Isotropic;
+};
+
+void declareTradeoff(CLI::App& command, TradeoffCommandOptions& options) {
+    command.add_option("model", options.model, "Project or model package")->required();
+    command.add_option("--scene", options.scene, "Scene in place of the project's own (.json)");
+    command
+        .add_option("--max-error", options.mostError, "Error wanted at most, relative to the motion (0.01)")
+        ->check(positiveNumber());
+    command.add_option("--real-time", options.realTimeFactor, "Times real time wanted at least (1)")
+        ->check(positiveNumber());
+    command
+        .add_option("--max-seconds", options.mostSeconds, "What would compute for longer is left out, s (10)")
+        ->check(positiveNumber());
+    addDampingOption(command, options.damping);
+}
+
+const char* precisionName(Precision precision) {
+    return precision == Precision::Float ? "float" : "double";
+}
+
+/// `detail` is the number of simulated nodes.
+Json steppingInJson(const Stepping& stepping, std::size_t detail) {
+    return {{"integrator", integratorName(stepping.integrator)},
+            {"dt", stepping.timeStep},
+            {"precision", precisionName(stepping.precision)},
+            {"detail", detail}};
+}
+
+Json runInJson(const TradeoffRun& run, std::size_t detail) {
+    Json json = steppingInJson(run.stepping, detail);
+    json["stable"] = run.stable;
+    json["error"] = run.stable ? inJson(run.error) : Json();
+    json["wall_per_simulated_s"] = inJson(run.wallPerSimulatedSecond);
+    json["real_time_factor"] = inJson(run.realTimeFactor());
+    return json;
+}
+
+std::string runInText(const TradeoffRun& run) {
+    return std::string(integratorName(run.stepping.integrator)) + " in " +
+           precisionName(run.stepping.precision) + ", step " + inText(run.stepping.timeStep) + " s: error " +
+           inText(100 * run.error) + " % of the motion, " + inText(run.realTimeFactor()) + " times real time";
+}
+
+Json tradeoffInJson(const Tradeoff& tradeoff, std::size_t detail) {
+    const auto chosen = [&](const std::optional<std::size_t>& run) {
+        return run ? runInJson(tradeoff.runs[*run], detail) : Json();
+    };
+    Json json;
+    json["reference"] = steppingInJson(tradeoff.reference.stepping, detail);
+    json["reference"]["estimated_error"] = tradeoff.reference.estimatedError;
+    json["runs"] = json["pareto"] = Json::array();
+    for (const TradeoffRun& run : tradeoff.runs)
+        json["runs"].push_back(runInJson(run, detail));
+    for (const std::size_t i : tradeoff.pareto)
+        json["pareto"].push_back(runInJson(tradeoff.runs[i], detail));
+    json["recommended"] = {{"real_time", chosen(tradeoff.bestInRealTime)},
+                           {"max_error", chosen(tradeoff.fastestToError)}};
+    json["left_out"] = tradeoff.leftOut;
+    return json;
+}
+
+std::vector<std::string> tradeoffInText(const Tradeoff& tradeoff, const TradeoffCommandOptions& options) {
+    std::vector<std::string> text;
+    text.reserve(tradeoff.pareto.size());
+    for (const std::size_t i : tradeoff.pareto)
+        text.push_back(runInText(tradeoff.runs[i]));
+    const auto recommend = [&](const std::string& wish, const std::optional<std::size_t>& run) {
+        text.push_back(wish + ": " + (run ? runInText(tradeoff.runs[*run]) : "nothing reaches it"));
+    };
+    recommend("least error in " + inText(options.realTimeFactor) + " times real time",
+              tradeoff.bestInRealTime);
+    recommend("least time to an error of " + inText(100 * options.mostError) + " %", tradeoff.fastestToError);
+    for (const std::string& leftOut : tradeoff.leftOut)
+        text.push_back("left out: " + leftOut);
+    return text;
+}
+
+Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
+    const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
+    TradeoffOptions wanted;
+    wanted.mostError = options.mostError;
+    wanted.realTimeFactor = options.realTimeFactor;
+    wanted.mostSecondsPerRun = options.mostSeconds;
+    wanted.damping = options.damping;
+    wanted.threads = static_cast<std::size_t>(context.threads);
+    const Tradeoff tradeoff = measureTradeoff({model.tissue, model.surface, model.scene}, wanted,
+                                              progressOf(context, "measuring error and cost"));
+    Report report;
+    report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
+    report.text = tradeoffInText(tradeoff, options);
+    return report;
+}
+
+} // namespace
+
+void addTradeoffCommand(CLI::App& app, Context& context) {
+    addCommand(app, context,
+               Command<TradeoffCommandOptions>{"tradeoff",
+                                               "Measure error and cost of every way to step a scene",
+                                               declareTradeoff, runTradeoff});
+}
+
+} // namespace esm

@@ -1,0 +1,239 @@
+#include "core/dynamics/tradeoff.h"
+
+#include "core/dynamics/spring_system.h"
+#include "core/dynamics/stability.h"
+#include "core/support/joined.h"
+#include "core/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace esm {
+
+namespace {
+
+constexpr double stabilityMargin = 0.95;
+constexpr double longestShare = 0.25; ///< a step is at most this part of the scene
+constexpr double mostFrames = 50;     ///< compared
+constexpr int mostHalvings = 8;
+constexpr int mostReferenceRuns = 17;
+constexpr double referenceShare = 0.3;   ///< of the whole work
+constexpr double referencePatience = 10; ///< times what another run may take
+constexpr double referenceMargin = 10;   ///< between the smallest error reported and the reference's own
+constexpr double finestError = 1e-5;     ///< relative; what is asked of the smallest errors
+
+/// Recorded positions by their time's number, in intervals.
+using Trajectory = std::map<long, Vectors>;
+
+struct Measured {
+    SceneOutcome outcome;
+    Trajectory trajectory;
+};
+
+double squaredDifference(const Vectors& a, const Vectors& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += (a[i] - b[i]).squaredNorm();
+    return sum;
+}
+
+/// Relative to the motion of `reference`, over the times both have; infinite when they share none but the
+/// start.
+double relativeError(const Trajectory& trajectory, const Trajectory& reference) {
+    double difference = 0, motion = 0;
+    const Vectors& start = reference.at(0);
+    for (const auto& [time, positions] : trajectory) {
+        const auto found = reference.find(time);
+        if (found == reference.end()) continue;
+        difference += squaredDifference(positions, found->second);
+        motion += squaredDifference(found->second, start);
+    }
+    return motion > 0 ? std::sqrt(difference / motion) : std::numeric_limits<double>::infinity();
+}
+
+class Measurement {
+public:
+    Measurement(const SceneRun& run, const TradeoffOptions& options, const Progress& progress)
+        : m_run(run), m_options(options), m_progress(progress),
+          m_limits(criticalSteps(run.model, options.damping,
+                                 {1e-3, Deformation::Any, [this](double) { return isWanted(); }})) {
+        const double frames = std::max(1.0, run.scene.duration / run.scene.record.every);
+        m_interval = run.scene.record.every * std::ceil(frames / mostFrames);
+    }
+
+    Tradeoff measure() {
+        findReference();
+        const auto ways = waysToStep();
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            m_fraction = referenceShare +
+                         (1 - referenceShare) * static_cast<double>(i) / static_cast<double>(ways.size());
+            refine(ways[i]);
+        }
+        recommend();
+        return std::move(m_result);
+    }
+
+private:
+    bool isWanted() const { return !m_progress || m_progress(m_fraction); }
+
+    /// The longest step that is stable and, itself or halved, meets the times that are compared.
+    double longestStep(Integrator integrator) const {
+        const auto limit = m_limits.find(integrator);
+        if (limit == m_limits.end() || !limit->second) return 0;
+        const double longest =
+            std::min(stabilityMargin * *limit->second, longestShare * m_run.scene.duration);
+        const double intervals = longest / m_interval;
+        return m_interval *
+               (intervals >= 1 ? std::exp2(std::floor(std::log2(intervals))) : 1 / std::ceil(1 / intervals));
+    }
+
+    std::vector<Stepping> waysToStep() const {
+        std::vector<Stepping> ways;
+        for (const Integrator integrator : allIntegrators) {
+            const double step = longestStep(integrator);
+            if (!(step >= shortestStep)) continue;
+            ways.push_back({integrator, step, Precision::Double});
+            if (isExplicit(integrator)) ways.push_back({integrator, step, Precision::Float});
+        }
+        return ways;
+    }
+
+    Measured run(const Stepping& stepping, double duration) const {
+        Scene scene = m_run.scene;
+        scene.duration = duration;
+        scene.record.every = std::max(m_interval, stepping.timeStep);
+        SimulationSettings settings;
+        settings.integrator = stepping.integrator;
+        settings.timeStep = stepping.timeStep;
+        settings.precision = stepping.precision;
+        settings.damping = m_options.damping;
+        settings.threads = m_options.threads;
+        Measured measured;
+        const auto keep = [&](double time, const Vectors& positions) {
+            const double number = std::round(time / m_interval);
+            if (std::abs(time - number * m_interval) < 1e-6 * m_interval)
+                measured.trajectory[static_cast<long>(number)] = positions;
+        };
+        measured.outcome = runScene({m_run.model, m_run.surface, scene, settings}, keep,
+                                    [this](double) { return isWanted(); });
+        return measured;
+    }
+
+    /// From some steps at the scene's start, s of wall time for the whole of it.
+    double predictedSeconds(const Stepping& stepping) const {
+        constexpr double steps = 4;
+        const SceneOutcome outcome = run(stepping, steps * stepping.timeStep).outcome;
+        return outcome.wallSeconds / steps * m_run.scene.duration / stepping.timeStep;
+    }
+
+    void findReference() {
+        const bool isSplit = longestStep(Integrator::Split2) >= shortestStep;
+        Stepping stepping{isSplit ? Integrator::Split2 : Integrator::Rk4, 0, Precision::Double};
+        stepping.timeStep = std::min(m_interval, longestStep(stepping.integrator));
+        const double wanted = std::min(finestError, m_options.mostError / 100) / referenceMargin;
+        double lastChange = std::numeric_limits<double>::infinity(), error = lastChange;
+        for (int runs = 0; runs < mostReferenceRuns && error > wanted; ++runs, stepping.timeStep /= 2) {
+            m_fraction = referenceShare * runs / mostReferenceRuns;
+            if (predictedSeconds(stepping) > referencePatience * m_options.mostSecondsPerRun) break;
+            Measured finer = run(stepping, m_run.scene.duration);
+            if (!finer.outcome.stable) break;
+            if (runs > 0) {
+                const double change = changeTo(finer.trajectory);
+                // Each halving takes away at least half of what is left; how much, two of them tell.
+                const double ratio = std::min(0.5, change / lastChange);
+                error = change * (runs > 1 ? ratio / (1 - ratio) : 1);
+                lastChange = change;
+                m_result.reference = {stepping, error};
+            }
+            m_reference = std::move(finer.trajectory);
+        }
+        if (std::isinf(error))
+            throw InvalidModel("no reference can be computed in the time that is allowed: allow more of it, "
+                               "or shorten the scene");
+    }
+
+    /// From the reference there was, relative to the motion.
+    double changeTo(const Trajectory& finer) const {
+        const double change = relativeError(m_reference, finer);
+        if (std::isinf(change))
+            throw InvalidModel(
+                "nothing in the scene moves the tissue: give it a force, a move or an instrument");
+        return change;
+    }
+
+    void leaveOut(const Stepping& stepping, const std::string& reason) {
+        m_result.leftOut.push_back(std::string(integratorName(stepping.integrator)) +
+                                   (stepping.precision == Precision::Float ? " in float" : "") + " at " +
+                                   numberText(stepping.timeStep) + " s: " + reason);
+    }
+
+    /// Halves the step until the error cannot be told from the reference's, or time runs out.
+    void refine(Stepping stepping) {
+        double lastError = std::numeric_limits<double>::infinity();
+        for (int halving = 0; halving < mostHalvings; ++halving, stepping.timeStep /= 2) {
+            try {
+                const double seconds = predictedSeconds(stepping);
+                if (seconds > m_options.mostSecondsPerRun)
+                    return leaveOut(stepping, "would take " + numberText(seconds) + " s");
+                const TradeoffRun result = resultOf(stepping);
+                const bool isTold = result.error >= referenceMargin * m_result.reference.estimatedError;
+                if (result.stable && !isTold) return;
+                m_result.runs.push_back(result);
+                if (!result.stable) continue;
+                // What rounding spoils does not get better.
+                if (result.error > 0.9 * lastError) return;
+                lastError = result.error;
+            } catch (const InvalidModel& reason) {
+                leaveOut(stepping, joined(reason.problems(), "; "));
+            }
+        }
+    }
+
+    TradeoffRun resultOf(const Stepping& stepping) const {
+        const auto [outcome, trajectory] = run(stepping, m_run.scene.duration);
+        return {stepping, outcome.stable, relativeError(trajectory, m_reference),
+                outcome.wallSeconds / outcome.simulatedSeconds};
+    }
+
+    void recommend() {
+        const std::vector<TradeoffRun>& runs = m_result.runs;
+        std::vector<std::size_t>& pareto = m_result.pareto;
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            if (runs[i].stable) pareto.push_back(i);
+        std::sort(pareto.begin(), pareto.end(), [&](std::size_t a, std::size_t b) {
+            return runs[a].wallPerSimulatedSecond < runs[b].wallPerSimulatedSecond;
+        });
+        double least = std::numeric_limits<double>::infinity();
+        pareto.erase(std::remove_if(pareto.begin(), pareto.end(),
+                                    [&](std::size_t i) {
+                                        if (!(runs[i].error < least)) return true;
+                                        least = runs[i].error;
+                                        return false;
+                                    }),
+                     pareto.end());
+        for (const std::size_t i : pareto) {
+            if (runs[i].realTimeFactor() >= m_options.realTimeFactor) m_result.bestInRealTime = i;
+            if (!m_result.fastestToError && runs[i].error <= m_options.mostError) m_result.fastestToError = i;
+        }
+    }
+
+    const SceneRun& m_run;
+    const TradeoffOptions& m_options;
+    const Progress& m_progress;
+    double m_fraction = 0; ///< done
+    CriticalSteps m_limits;
+    double m_interval; ///< s, between the times that are compared
+    Trajectory m_reference;
+    Tradeoff m_result;
+};
+
+} // namespace
+
+Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress) {
+    if (auto problems = validate(run.scene, run.model.mass.size()); !problems.empty())
+        throw InvalidModel(std::move(problems));
+    return Measurement(run, options, progress).measure();
+}
+
+} // namespace esm

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/dynamics/scene_run.h"
+
+namespace esm {
+
+/// One way to step the tissue.
+struct Stepping {
+    Integrator integrator = Integrator::Auto;
+    double timeStep = 0; ///< s
+    Precision precision = Precision::Double;
+};
+
+/// What one way to step came to on a scene.
+struct TradeoffRun {
+    Stepping stepping;
+    bool stable = false;
+    double error = 0;                  ///< relative to the motion itself; without meaning when not stable
+    double wallPerSimulatedSecond = 0; ///< on this machine
+
+    double realTimeFactor() const { return 1 / wallPerSimulatedSecond; }
+};
+
+struct TradeoffReference {
+    Stepping stepping;
+    double estimatedError = 0; ///< relative to the motion
+};
+
+struct Tradeoff {
+    TradeoffReference reference;
+    std::vector<TradeoffRun> runs;
+    std::vector<std::size_t> pareto;           ///< runs that none beats in error and cost, the fastest first
+    std::optional<std::size_t> bestInRealTime; ///< least error
+    std::optional<std::size_t> fastestToError; ///< least cost
+    std::vector<std::string> leftOut;          ///< what was not run, and why
+};
+
+struct TradeoffOptions {
+    double realTimeFactor = 1;     ///< wanted: simulated over wall time
+    double mostError = 0.01;       ///< wanted, relative to the motion
+    double mostSecondsPerRun = 10; ///< wall time; what would take longer is left out
+    Damping damping = Damping::Isotropic;
+    std::size_t threads = 0; ///< at most; 0: as many as the tissue's size is worth
+};
+
+/// Runs a scene with every integrator, from its longest stable step to ever shorter ones, in every precision,
+/// and compares each trajectory with a reference whose step is halved until its own error is a tenth of the
+/// smallest that is reported. The error of a trajectory x is √(Σ|x − x_ref|² / Σ|x_ref − x_0|²) over the
+/// recorded nodes and times that its steps reach; none is reported below ten times the reference's own.
+/// @throws InvalidModel when the scene is not for the model, or nothing in it moves; Cancelled
+Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress = {});
+
+} // namespace esm
