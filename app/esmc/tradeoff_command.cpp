@@ -1,17 +1,26 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/runnable_model.h"
-#include "core/dynamics/tradeoff.h"
+#include "app/esmc/tradeoff_chart.h"
+#include "core/exchange/image_file.h"
 
 namespace esm {
 
 namespace {
 
 struct TradeoffCommandOptions {
-    std::string model, scene;
+    std::string model, scene, plot;
     double mostError = 0.01, realTimeFactor = 1, mostSeconds = 10;
     Damping damping = Damping::Isotropic;
 };
+
+CLI::Validator chartEnding() {
+    const auto check = [](const std::string& file) -> std::string {
+        const std::string ending = std::filesystem::path(file).extension().string();
+        return ending == ".svg" || ending == ".png" ? "" : "'" + file + "' ends neither in .svg nor in .png";
+    };
+    return CLI::Validator(check, "");
+}
 
 void declareTradeoff(CLI::App& command, TradeoffCommandOptions& options) {
     command.add_option("model", options.model, "Project or model package")->required();
@@ -24,6 +33,7 @@ void declareTradeoff(CLI::App& command, TradeoffCommandOptions& options) {
     command
         .add_option("--max-seconds", options.mostSeconds, "What would compute for longer is left out, s (10)")
         ->check(positiveNumber());
+    command.add_option("--plot", options.plot, "Chart to draw (.svg or .png)")->check(chartEnding());
     addDampingOption(command, options.damping);
 }
 
@@ -88,6 +98,14 @@ std::vector<std::string> tradeoffInText(const Tradeoff& tradeoff, const Tradeoff
     return text;
 }
 
+void drawChart(const Drawing& chart, const std::string& file, Report& report) {
+    if (std::filesystem::path(file).extension() == ".png")
+        writePng(toImage(chart), file);
+    else
+        writeFileAtomically(file, toSvg(chart));
+    addWritten(report, file);
+}
+
 Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
     TradeoffOptions wanted;
@@ -101,6 +119,7 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     Report report;
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);
+    if (!options.plot.empty()) drawChart(tradeoffChart(tradeoff, wanted), options.plot, report);
     return report;
 }
 

@@ -3,6 +3,7 @@ import json
 import math
 import unittest
 from decimal import Decimal
+from xml.etree import ElementTree
 
 from esmc import Case, command
 
@@ -76,7 +77,8 @@ class SimulateTest(Case):
 
     def test_measures_error_against_cost(self):
         scene = self.file("scene.json", {**TUBE_POKE, "record": {"every": 0.05, "nodes": "all"}})
-        report = self.done("tradeoff", self.sample("tube"), "--scene", scene, "--max-error", "0.02", "--max-seconds", "1")
+        report = self.done("tradeoff", self.sample("tube"), "--scene", scene, "--max-error", "0.02", "--max-seconds", "1",
+                           "--plot", self.file("chart.svg"))
         self.assertKeys(report, {"reference": dict, "runs": list, "pareto": list, "recommended": dict, "left_out": list})
         for run in report["runs"]:
             if not run["stable"]:
@@ -85,8 +87,16 @@ class SimulateTest(Case):
                                   "wall_per_simulated_s": float, "real_time_factor": float})
             self.assertGreaterEqual(run["error"], 10 * report["reference"]["estimated_error"])
         self.assertLessEqual(report["recommended"]["max_error"]["error"], 0.02)
+        chart = ElementTree.parse(self.file("chart.svg")).getroot()
+        self.assertGreaterEqual(len(chart.findall("{*}circle")), len(report["runs"]))
         errors = [run["error"] for run in report["pareto"]]
         self.assertEqual(errors, sorted(errors, reverse=True))
+
+    def test_draws_error_over_cost_as_a_picture(self):
+        scene = self.file("scene.json", {**TUBE_POKE, "duration": 0.05, "record": {"every": 0.025}})
+        chart = self.file("chart.png")
+        self.done("tradeoff", self.sample("tube"), "--scene", scene, "--max-seconds", "0.02", "--plot", chart)
+        self.assertEqual(chart.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
     def test_integrators_agree(self):
         project = self.sample("tube")

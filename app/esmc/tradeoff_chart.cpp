@@ -1,0 +1,165 @@
+#include "app/esmc/tradeoff_chart.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+using Place = Drawing::Place;
+
+constexpr int pictureWidth = 900, pictureHeight = 600;
+constexpr double left = 80, right = 740, top = 30, bottom = 540;
+constexpr double dotRadius = 4, ringRadius = 8, lineHeight = 18;
+constexpr Drawing::Colour gridColour{225, 225, 225}, frontColour{60, 60, 60}, wishColour{200, 60, 60};
+
+/// By integrator, in their order: told apart by people who see few colours as well.
+constexpr std::array<Drawing::Colour, 12> colours{{{0, 0, 0},
+                                                   {230, 159, 0},
+                                                   {86, 180, 233},
+                                                   {0, 158, 115},
+                                                   {240, 228, 66},
+                                                   {0, 114, 178},
+                                                   {213, 94, 0},
+                                                   {204, 121, 167},
+                                                   {120, 120, 120},
+                                                   {130, 60, 20},
+                                                   {90, 60, 180},
+                                                   {20, 90, 40}}};
+
+const Drawing::Colour& colourOf(Integrator integrator) {
+    return colours.at(static_cast<std::size_t>(integrator));
+}
+
+/// Whole decades from the lowest value to the highest.
+class LogAxis {
+public:
+    LogAxis(double start, double end) : m_start(start), m_end(end) {}
+
+    void include(double value) {
+        m_low = std::min(m_low, static_cast<int>(std::floor(std::log10(value))));
+        m_high = std::max(m_high, static_cast<int>(std::ceil(std::log10(value))));
+    }
+
+    int low() const { return m_low; }
+    int high() const { return std::max(m_high, m_low + 1); }
+
+    /// In pixels.
+    double operator()(double value) const {
+        return m_start + (m_end - m_start) * (std::log10(value) - low()) / (high() - low());
+    }
+
+private:
+    double m_start, m_end;
+    int m_low = 300, m_high = -300;
+};
+
+class Chart {
+public:
+    Chart(const Tradeoff& tradeoff, const TradeoffOptions& wishes) : m_tradeoff(tradeoff), m_wishes(wishes) {
+        include(1 / wishes.realTimeFactor, wishes.mostError);
+        for (const TradeoffRun& run : tradeoff.runs)
+            if (isShown(run)) include(run.wallPerSimulatedSecond, run.error);
+    }
+
+    Drawing draw() {
+        drawGrid();
+        drawWishes();
+        drawFront();
+        drawRuns();
+        drawLegend();
+        return std::move(m_drawing);
+    }
+
+private:
+    /// What has no place on a logarithmic axis is left out.
+    static bool isShown(const TradeoffRun& run) {
+        const double cost = run.wallPerSimulatedSecond;
+        return run.stable && run.error > 0 && std::isfinite(run.error) && cost > 0 && std::isfinite(cost);
+    }
+
+    void include(double cost, double error) {
+        m_cost.include(cost);
+        m_error.include(error);
+    }
+
+    Place placeOf(const TradeoffRun& run) const {
+        return {m_cost(run.wallPerSimulatedSecond), m_error(run.error)};
+    }
+
+    void drawGrid() {
+        for (int decade = m_cost.low(); decade <= m_cost.high(); ++decade) {
+            const double x = m_cost(std::pow(10, decade));
+            m_drawing.lines.push_back({{x, top}, {x, bottom}, gridColour});
+            m_drawing.labels.push_back({{x, bottom + lineHeight}, nameOf(decade), Drawing::Anchor::Middle});
+        }
+        for (int decade = m_error.low(); decade <= m_error.high(); ++decade) {
+            const double y = m_error(std::pow(10, decade));
+            m_drawing.lines.push_back({{left, y}, {right, y}, gridColour});
+            m_drawing.labels.push_back({{left - 6, y + 4}, nameOf(decade), Drawing::Anchor::End});
+        }
+        m_drawing.labels.push_back({{(left + right) / 2, bottom + 2.3 * lineHeight},
+                                    "wall time per simulated second, s",
+                                    Drawing::Anchor::Middle});
+        m_drawing.labels.push_back({{left - 60, top - 12}, "error, relative to the motion"});
+    }
+
+    static std::string nameOf(int decade) { return "1e" + std::to_string(decade); }
+
+    void drawWishes() {
+        const double x = m_cost(1 / m_wishes.realTimeFactor), y = m_error(m_wishes.mostError);
+        m_drawing.lines.push_back({{x, top}, {x, bottom}, wishColour});
+        m_drawing.lines.push_back({{left, y}, {right, y}, wishColour});
+    }
+
+    void drawFront() {
+        const TradeoffRun* last = nullptr;
+        for (const std::size_t i : m_tradeoff.pareto) {
+            const TradeoffRun& run = m_tradeoff.runs[i];
+            if (!isShown(run)) continue;
+            if (last) m_drawing.lines.push_back({placeOf(*last), placeOf(run), frontColour, 2});
+            last = &run;
+        }
+    }
+
+    void drawRuns() {
+        for (const TradeoffRun& run : m_tradeoff.runs)
+            if (isShown(run))
+                m_drawing.dots.push_back({placeOf(run), dotRadius, colourOf(run.stepping.integrator),
+                                          run.stepping.precision == Precision::Double});
+        for (const auto& recommended : {m_tradeoff.bestInRealTime, m_tradeoff.fastestToError})
+            if (recommended && isShown(m_tradeoff.runs[*recommended]))
+                m_drawing.dots.push_back(
+                    {placeOf(m_tradeoff.runs[*recommended]), ringRadius, wishColour, false});
+    }
+
+    void drawLegend() {
+        double y = top + lineHeight;
+        const auto explain = [&](const Drawing::Dot& dot, const std::string& text) {
+            m_drawing.dots.push_back({{right + 20, y - 4}, dot.radius, dot.colour, dot.filled});
+            m_drawing.labels.push_back({{right + 34, y}, text});
+            y += lineHeight;
+        };
+        for (const Integrator integrator : allIntegrators) {
+            const auto isOf = [&](const TradeoffRun& run) { return run.stepping.integrator == integrator; };
+            if (std::any_of(m_tradeoff.runs.begin(), m_tradeoff.runs.end(), isOf))
+                explain({{}, dotRadius, colourOf(integrator)}, integratorName(integrator));
+        }
+        explain({{}, dotRadius, frontColour, false}, "in float");
+        explain({{}, ringRadius, wishColour, false}, "recommended");
+    }
+
+    const Tradeoff& m_tradeoff;
+    const TradeoffOptions& m_wishes;
+    LogAxis m_cost{left, right}, m_error{bottom, top};
+    Drawing m_drawing{pictureWidth, pictureHeight, {}, {}, {}};
+};
+
+} // namespace
+
+Drawing tradeoffChart(const Tradeoff& tradeoff, const TradeoffOptions& wishes) {
+    return Chart(tradeoff, wishes).draw();
+}
+
+} // namespace esm

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/esmc/drawing.h"
+#include "core/dynamics/tradeoff.h"
+
+namespace esm {
+
+/// Error over wall time per simulated second, both logarithmic: one dot for each stable run, filled for
+/// double precision, a line through those that none beats, rings around the recommended ones, lines at the
+/// wishes.
+Drawing tradeoffChart(const Tradeoff& tradeoff, const TradeoffOptions& wishes);
+
+} // namespace esm
