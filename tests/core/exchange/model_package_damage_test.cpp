@@ -1,0 +1,173 @@
+#include "tests/core/exchange/model_package_fixture.h"
+
+#include "core/exchange/glb.h"
+#include "tests/core/exchange/exchange_projects.h"
+#include "tests/core/exchange/overwrite.h"
+
+namespace esm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+TEST_F(ModelPackageFile, ABindingThatCannotCarryTheSurfaceIsRefused) {
+    const auto refusal = [&](const char* key, const Json& value) {
+        exportPackage(boundProject({Detail::Kind::Nodes, 20}), m_file);
+        Glb glb = parseGlb(readFile(m_file));
+        glb.json["extensions"]["ESM_spring_mass"]["binding"][key] = value;
+        overwrite(m_file, writeGlb(glb));
+        return loadingError();
+    };
+    const Json extension = [&] {
+        exportPackage(boundProject({Detail::Kind::Nodes, 20}), m_file);
+        return parseGlb(readFile(m_file)).json["extensions"]["ESM_spring_mass"];
+    }();
+    EXPECT_THAT(refusal("nodes", extension["surface"]["triangles"]), HasSubstr("binding.nodes"));
+    EXPECT_THAT(refusal("shares", extension["surface"]["restPosition"]), HasSubstr("shares are not of one"));
+    EXPECT_THAT(refusal("triangleCount", 7), HasSubstr("binding.triangles"));
+    EXPECT_THAT(refusal("lineCount", 1), HasSubstr("binding.lines is missing"));
+    EXPECT_THAT(refusal("lineCount", -1), HasSubstr("binding.lineCount"));
+}
+
+TEST_F(ModelPackageFile, AFileCutOffAnywhereIsRefused) {
+    exportPackage(richProject(), m_file);
+    const Bytes whole = readFile(m_file);
+    for (std::size_t size = 0; size < whole.size(); size += size < 64 ? 1 : 101) {
+        overwrite(m_file, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
+        ASSERT_THAT(loadingError(), HasSubstr("organ.glb: ")) << size;
+    }
+}
+
+/// A GLB has no checksums: what loads must at least be a model that runs.
+TEST_F(ModelPackageFile, AFlippedByteIsRefusedOrLeavesASoundModel) {
+    exportPackage(richProject(), m_file);
+    const Bytes whole = readFile(m_file);
+    for (std::size_t place = 0; place < whole.size(); place += place < 12000 ? 11 : 97) {
+        Bytes damaged = whole;
+        damaged[place] = static_cast<std::uint8_t>(damaged[place] ^ (1U << (place % 8)));
+        overwrite(m_file, damaged);
+        try {
+            const ModelPackage package = loadPackage(m_file);
+            ASSERT_THAT(validate(package.tissue), testing::IsEmpty()) << "byte " << place;
+        } catch (const FileError&) {
+            continue;
+        }
+    }
+}
+
+struct Damage {
+    const char* pointer; ///< from the extension, or from the root where it starts with "//"
+    Json value;
+    const char* named; ///< what the message must name
+};
+
+TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
+    exportPackage(richProject(), m_file);
+    const Glb whole = parseGlb(readFile(m_file));
+    const std::vector<Damage> cases{
+        {"/version", 3,
+         "was made by a newer version (3) of the program; this one reads up to 2; update the program"},
+        {"/version", "one", "version"},
+        {"/damping", "axial", "damping"},
+        {"/nodes", nullptr, "nodes"},
+        {"/nodes/count", 47, "should have 47 elements"},
+        {"/nodes/count", 4000000000U, "count"},
+        {"/nodes/restPosition", 999, "restPosition"},
+        {"/nodes/restPosition", "first", "restPosition"},
+        {"/nodes/mass", 0, "accessors"},
+        {"/springs/nodes", 1, "accessors"},
+        {"/springs/springConstant", 1, "accessors"},
+        {"/tethers/count", -1, "count"},
+        {"/fixedNodes/nodes", nullptr, "fixedNodes"},
+        {"/surface/triangles", nullptr, "triangles"},
+        {"/surface/vertexCount", 1, "surface"},
+        {"/regions", 5, "regions"},
+        {"/regions/0/fuzzySystem", 44, "fuzzySystem"},
+        {"/regions/2/held/mass", -1, "region 3"},
+        {"/texture/size", 64, "64 by 64"},
+        {"/texture/gap", 1e30, "gap"},
+        {"/drawn", Json::array(), "drawn"},
+        {"/drawn/0/primitive", 3, "primitive"},
+        {"/drawn/0/mesh", 3, "mesh"},
+        {"/drawn/0/vertexNodes", nullptr, "vertexNodes"},
+        {"//asset/version", "1.0", "asset"},
+        {"//extensionsUsed", Json::array(), "extensionsUsed"},
+        {"//extensionsRequired", {"ESM_spring_mass"}, "extensionsRequired"},
+        {"//extensions", Json::object(), "no model package"},
+        {"//accessors", nullptr, "accessors"},
+        {"//accessors/0/count", 18446744073709551615U, "accessors"},
+        {"//accessors/0/byteOffset", 18446744073709551612U, "byteOffset"},
+        {"//accessors/0/byteOffset", 1, "accessors"},
+        {"//accessors/0/type", "VEC2", "VEC3"},
+        {"//accessors/0/componentType", 5125, "componentType"},
+        {"//accessors/0/sparse", Json::object(), "sparse"},
+        {"//bufferViews/0/byteLength", 1U << 31, "byteLength"},
+        {"//bufferViews/0/byteOffset", 18446744073709551615U, "byteOffset"},
+        {"//bufferViews/0/byteStride", 16, "byteStride"},
+        {"//bufferViews/0/buffer", 1, "buffer"},
+        {"//materials/0/pbrMetallicRoughness/baseColorTexture/index", 4, "textures"},
+        {"//textures/0/source", nullptr, "source"},
+        {"//images/0/bufferView", 0, "images"},
+        {"//meshes/0/primitives/0/attributes/TEXCOORD_0", 0, "accessors"},
+    };
+    for (const Damage& damage : cases) {
+        Glb glb = whole;
+        const std::string pointer = damage.pointer;
+        Json& target = pointer[1] == '/' ? glb.json : glb.json["extensions"]["ESM_spring_mass"];
+        target[Json::json_pointer(pointer[1] == '/' ? pointer.substr(1) : pointer)] = damage.value;
+        overwrite(m_file, writeGlb(glb));
+        const std::string message = loadingError();
+        EXPECT_THAT(message, testing::AllOf(HasSubstr("organ.glb: "), HasSubstr(damage.named)))
+            << damage.pointer << " = " << damage.value;
+        EXPECT_EQ(message.find('\n'), std::string::npos);
+    }
+}
+
+/// One picture for many pages would be decoded for each.
+TEST_F(ModelPackageFile, PagesHaveAPictureEach) {
+    Project project = richProject(24);
+    project.texture.atlas = {96, 3, 2};
+    project.atlas = std::make_shared<Atlas>(packAtlas(*project.mesh, project.texture.atlas));
+    exportPackage(project, m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    glb.json["textures"][2]["source"] = 1;
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("images/1 is the picture of two pages"));
+}
+
+TEST_F(ModelPackageFile, PagesThatDrawATriangleTwiceAreNotDecoded) {
+    exportPackage(richProject(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    Json& drawn = glb.json["extensions"]["ESM_spring_mass"]["drawn"];
+    drawn.push_back(drawn[0]);
+    glb.json["images"][0]["bufferView"] = 0; // no picture
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(validatePackage(m_file),
+                testing::ElementsAre(HasSubstr("every triangle of the surface once")));
+}
+
+TEST_F(ModelPackageFile, ValidationFindsAllProblemsAtOnce) {
+    exportPackage(richProject(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    Json& extension = glb.json["extensions"]["ESM_spring_mass"];
+    extension["damping"] = "none";
+    extension["springs"]["restLength"] = 9999;
+    extension["base"]["mass"] = "heavy";
+    overwrite(m_file, writeGlb(glb));
+    const std::string problems = testing::PrintToString(validatePackage(m_file));
+    for (const char* named : {"damping", "restLength", "mass"})
+        EXPECT_THAT(problems, HasSubstr(named));
+}
+
+TEST_F(ModelPackageFile, WhatIsNoPackageIsRefused) {
+    EXPECT_THAT(loadingError(), HasSubstr("does not exist"));
+    overwrite(m_file, std::string());
+    EXPECT_THAT(loadingError(), HasSubstr("is empty"));
+    overwrite(m_file, std::string("PK and more than twelve bytes"));
+    EXPECT_THAT(loadingError(), HasSubstr("is not a binary glTF file"));
+    overwrite(m_file, writeGlb({Json{{"asset", {{"version", "2.0"}}}}, {0, 0, 0, 0}}));
+    EXPECT_THAT(loadingError(), HasSubstr("no model package"));
+}
+
+} // namespace
+} // namespace esm

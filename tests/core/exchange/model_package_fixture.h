@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/exchange/model_package.h"
+#include "core/support/errors.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+
+namespace esm {
+
+class ModelPackageFile : public testing::Test {
+protected:
+    ModelPackage exported(const Project& project) const {
+        exportPackage(project, m_file);
+        EXPECT_THAT(validatePackage(m_file), testing::IsEmpty());
+        return loadPackage(m_file);
+    }
+
+    std::string loadingError() const {
+        try {
+            loadPackage(m_file);
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "loaded";
+    }
+
+    std::string exportError(const Project& project) const {
+        try {
+            exportPackage(project, m_file);
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "exported";
+    }
+
+    TemporaryFolder m_folder;
+    std::filesystem::path m_file = m_folder / "organ.glb";
+};
+
+} // namespace esm
