@@ -18,6 +18,7 @@ struct SimulateOptions {
     std::string integrator = "auto", timeStep = "auto";
     Precision precision = Precision::Double;
     Damping damping = Damping::Isotropic;
+    double restTolerance = 0; // m
 };
 
 void declareSimulate(CLI::App& command, SimulateOptions& options) {
@@ -30,6 +31,11 @@ void declareSimulate(CLI::App& command, SimulateOptions& options) {
               {{"double", Precision::Double}, {"float", Precision::Float}},
               "Numbers that are computed with: double (the default) or, with an explicit integrator, float");
     addDampingOption(command, options.damping);
+    command
+        .add_option("--rest-tolerance", options.restTolerance,
+                    "With an explicit integrator, leave out what rests, up to this far off the whole motion, "
+                    "m (0: nothing)")
+        ->check(nonNegativeNumber());
     command.add_option("-o,--output", options.output, "Trajectory to write (.csv): time,node,x,y,z")
         ->required()
         ->check(writtenAs(".csv"));
@@ -49,6 +55,7 @@ SimulationSettings requestedSettings(const SimulateOptions& options) {
         settings.timeStep = step[0];
     }
     settings.damping = options.damping;
+    settings.restTolerance = options.restTolerance;
     settings.precision = options.precision;
     if (const auto problems = validate(settings); !problems.empty()) throw UsageError(joined(problems, "; "));
     return settings;
@@ -78,7 +85,7 @@ Report describe(const SceneOutcome& outcome) {
                    {"real_time_factor", inJson(realTimeFactor)},
                    {"stable", outcome.stable},
                    {"outcome", outcome.outcome},
-                   {"active_fraction", 1.0},
+                   {"active_fraction", outcome.activeFraction},
                    {"energy", {{"kinetic", outcome.energy.kinetic}, {"elastic", outcome.energy.elastic}}}};
     report.text = {outcome.outcome + ": " + inText(outcome.simulatedSeconds) + " s in " +
                        counted(outcome.steps, "step") + " of " + inText(outcome.timeStep) + " s, " +

@@ -1,10 +1,14 @@
 #include "core/dynamics/explicit_scheme.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace esm {
 
 namespace {
+
+/// Steps between two looks at what has come to rest. Where motion spreads is looked at every step.
+constexpr std::size_t stepsBetweenReleases = 64;
 
 template<class Real> void addTo(Real (&components)[4], const Eigen::Vector3d& change) {
     for (int axis = 0; axis < 3; ++axis)
@@ -16,37 +20,68 @@ template<class Real> void set(Real (&components)[4], const Eigen::Vector3d& valu
         components[axis] = static_cast<Real>(value[axis]);
 }
 
+/// Evaluations within a step that must be kept until its end; Adams-Moulton starts as Rk4.
+std::size_t stageRatesOf(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::Heun:
+        return 2;
+    case Integrator::Rk4:
+    case Integrator::AdamsMoulton:
+        return 4;
+    default:
+        return 0;
+    }
+}
+
+/// Evaluations that outlive their step.
+std::size_t keptRatesOf(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::Verlet:
+        return 2;
+    case Integrator::AdamsMoulton:
+        return 4;
+    default:
+        return 0;
+    }
+}
+
 } // namespace
 
 template<class Real>
 ExplicitScheme<Real>::ExplicitScheme(const SpringSystem& system, Integrator integrator,
-                                     const KernelOptions& options)
-    : m_kernel(system, options), m_integrator(integrator) {}
+                                     const KernelOptions& options, double restTolerance)
+    : m_kernel(system, options), m_integrator(integrator), m_active(system, m_kernel, restTolerance),
+      m_stageRates(stageRatesOf(integrator)), m_rates(keptRatesOf(integrator)) {}
 
 template<class Real> void ExplicitScheme<Real>::restart() {
-    m_state.clear();
-    m_rates.clear();
+    m_isLoaded = false;
 }
 
 template<class Real>
 void ExplicitScheme<Real>::steps(const StepInput& input, std::size_t count, const Motion& before,
                                  Motion& after) {
     load(input, before);
-    for (std::size_t step = 0; step < count; ++step)
-        m_spare = std::exchange(m_state, next(input));
-    after.positions.resize(before.positions.size());
-    after.velocities.resize(before.velocities.size());
+    double fractions = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        step(input);
+        std::swap(m_state, m_next);
+        fractions += m_active.fraction();
+        ++m_stepsSinceLoad;
+        followMotion(input.duration);
+    }
+    m_activeFraction = count > 0 ? fractions / static_cast<double>(count) : m_activeFraction;
     m_kernel.store(m_state, after.positions, after.velocities);
 }
 
-template<class Real> typename ExplicitScheme<Real>::State ExplicitScheme<Real>::next(const StepInput& input) {
+template<class Real> void ExplicitScheme<Real>::step(const StepInput& input) {
     switch (m_integrator) {
     case Integrator::Verlet:
         return verlet(input);
     case Integrator::Heun:
         return heun(input);
     case Integrator::Rk4:
-        return rungeKutta(input, rates(input, m_state));
+        computeRates(input, m_state, m_stageRates[0]);
+        return rungeKutta(input, m_stageRates[0]);
     case Integrator::AdamsMoulton:
         return adamsMoulton(input);
     default:
@@ -55,114 +90,167 @@ template<class Real> typename ExplicitScheme<Real>::State ExplicitScheme<Real>::
 }
 
 template<class Real> void ExplicitScheme<Real>::load(const StepInput& input, const Motion& before) {
-    if (m_state.empty()) m_state = m_kernel.load(before.positions, before.velocities);
+    if (!m_isLoaded) {
+        m_state = m_kernel.load(before.positions, before.velocities);
+        for (State* buffer : {&m_next, &m_stage})
+            buffer->resize(m_state.size());
+        for (State& rates : m_stageRates)
+            rates.resize(m_state.size());
+        for (State& rates : m_rates)
+            rates.resize(m_state.size());
+        m_ratesKnown = 0;
+        m_stepsSinceLoad = 0;
+        m_active.activateAll();
+        m_isLoaded = true;
+    }
     for (const HeldNode& held : input.held)
         set(m_state[m_kernel.rowOf(held.node)].velocity,
             (held.position - before.positions[held.node]) / input.duration);
 }
 
-template<class Real>
-typename ExplicitScheme<Real>::State ExplicitScheme<Real>::rates(const StepInput& input,
-                                                                 const State& state) const {
-    State result(state.size());
-    m_kernel.rates(state, input.loads->gravity, result);
-    for (const auto& [node, force] : input.loads->forces)
-        addTo(result[m_kernel.rowOf(node)].velocity, double(m_kernel.inverseMass(node)) * force);
-    for (const HeldNode& held : input.held)
-        set(result[m_kernel.rowOf(held.node)].velocity, Eigen::Vector3d::Zero());
-    return result;
+template<class Real> void ExplicitScheme<Real>::followMotion(double timeStep) {
+    if (m_stepsSinceLoad % stepsBetweenReleases == 1)
+        rest(m_active.release(m_next, m_state, timeStep));
+    else
+        m_active.follow(m_next, m_state, timeStep);
 }
 
-/// start + Σ factor·rates
+template<class Real> void ExplicitScheme<Real>::rest(const typename TissueKernel<Real>::SliceList& slices) {
+    const auto forget = [](std::vector<State>& states, std::size_t row) {
+        for (State& rates : states)
+            rates[row] = {};
+    };
+    for (const std::size_t slice : slices)
+        for (std::size_t row = slice * kernel::sliceHeight; row < (slice + 1) * kernel::sliceHeight; ++row) {
+            std::fill_n(m_state[row].velocity, 4, Real{0});
+            m_next[row] = m_stage[row] = m_state[row];
+            forget(m_stageRates, row);
+            forget(m_rates, row);
+        }
+}
+
 template<class Real>
-typename ExplicitScheme<Real>::State ExplicitScheme<Real>::advanced(const State& start,
-                                                                    std::initializer_list<Term> terms) {
-    State result = start;
-    for (const auto& [seconds, rates] : terms) {
-        const auto factor = static_cast<Real>(seconds);
-        for (std::size_t row = 0; row < result.size(); ++row)
-            for (int axis = 0; axis < 4; ++axis) {
-                result[row].position[axis] += factor * (*rates)[row].position[axis];
-                result[row].velocity[axis] += factor * (*rates)[row].velocity[axis];
-            }
+template<class Visit>
+void ExplicitScheme<Real>::forActiveRows(const Visit& visit) const {
+    if (m_active.areAll()) {
+        for (std::size_t row = 0; row < m_state.size(); ++row)
+            visit(row);
+        return;
     }
-    return result;
+    for (const std::size_t slice : m_active.list())
+        for (std::size_t row = slice * kernel::sliceHeight; row < (slice + 1) * kernel::sliceHeight; ++row)
+            visit(row);
 }
 
 template<class Real>
-typename ExplicitScheme<Real>::State ExplicitScheme<Real>::euler(const StepInput& input) {
+void ExplicitScheme<Real>::computeRates(const StepInput& input, const State& state, State& rates) {
+    const Loads& loads = *input.loads;
+    if (m_active.areAll())
+        m_kernel.rates(state, loads.gravity, rates);
+    else
+        m_kernel.rates(state, loads.gravity, rates, m_active.list());
+    for (const auto& [node, force] : loads.forces)
+        if (m_active.contains(m_kernel.sliceOf(node)))
+            addTo(rates[m_kernel.rowOf(node)].velocity, double(m_kernel.inverseMass(node)) * force);
+    for (const HeldNode& held : input.held)
+        set(rates[m_kernel.rowOf(held.node)].velocity, Eigen::Vector3d::Zero());
+}
+
+/// to = m_state + Σ factor·rates
+template<class Real> void ExplicitScheme<Real>::advance(State& to, std::initializer_list<Term> terms) const {
+    forActiveRows([&, first = terms.begin(), last = terms.end()](std::size_t row) {
+        auto record = m_state[row];
+        for (const Term* term = first; term != last; ++term) {
+            const auto factor = static_cast<Real>(term->factor);
+            const auto& rate = (*term->rates)[row];
+            for (int axis = 0; axis < 4; ++axis) {
+                record.position[axis] += factor * rate.position[axis];
+                record.velocity[axis] += factor * rate.velocity[axis];
+            }
+        }
+        to[row] = record;
+    });
+}
+
+template<class Real>
+const typename ExplicitScheme<Real>::State& ExplicitScheme<Real>::stage(std::initializer_list<Term> terms) {
+    advance(m_stage, terms);
+    return m_stage;
+}
+
+template<class Real> void ExplicitScheme<Real>::euler(const StepInput& input) {
     const double h = input.duration;
-    State next = std::move(m_spare);
-    next.resize(m_state.size());
-    m_kernel.step(m_state, next, h, input.loads->gravity);
-    for (const auto& [node, force] : input.loads->forces) {
+    const Loads& loads = *input.loads;
+    if (m_active.areAll())
+        m_kernel.step(m_state, m_next, h, loads.gravity);
+    else
+        m_kernel.step(m_state, m_next, h, loads.gravity, m_active.list());
+    for (const auto& [node, force] : loads.forces) {
+        if (!m_active.contains(m_kernel.sliceOf(node))) continue;
         const Eigen::Vector3d change = h * double(m_kernel.inverseMass(node)) * force;
-        auto& record = next[m_kernel.rowOf(node)];
+        auto& record = m_next[m_kernel.rowOf(node)];
         addTo(record.velocity, change);
         addTo(record.position, h * change);
     }
     for (const HeldNode& held : input.held) {
         const std::size_t row = m_kernel.rowOf(held.node);
-        set(next[row].position, held.position);
-        std::copy_n(m_state[row].velocity, 4, next[row].velocity);
+        set(m_next[row].position, held.position);
+        std::copy_n(m_state[row].velocity, 4, m_next[row].velocity);
     }
-    return next;
 }
 
-template<class Real>
-typename ExplicitScheme<Real>::State ExplicitScheme<Real>::verlet(const StepInput& input) {
+template<class Real> void ExplicitScheme<Real>::verlet(const StepInput& input) {
     const double h = input.duration;
-    if (m_rates.empty()) m_rates.insert(m_rates.begin(), rates(input, m_state));
-    const State& last = m_rates.front();
+    State &last = m_rates[0], &now = m_rates[1];
+    if (m_ratesKnown == 0) computeRates(input, m_state, last);
     // Both halves of the state moved by h·(v, a): the velocity is then the one that forces are asked at, and
     // the position lacks h²/2·a.
-    State predicted = advanced(m_state, {{h, &last}});
+    advance(m_stage, {{h, &last}});
     const auto half = static_cast<Real>(h * h / 2);
-    for (std::size_t row = 0; row < predicted.size(); ++row)
+    forActiveRows([&](std::size_t row) {
         for (int axis = 0; axis < 3; ++axis)
-            predicted[row].position[axis] += half * last[row].velocity[axis];
-    State now = rates(input, predicted);
-    State next = advanced(m_state, {{h / 2, &last}, {h / 2, &now}});
-    for (std::size_t row = 0; row < next.size(); ++row)
-        std::copy_n(predicted[row].position, 4, next[row].position);
-    // The next step starts from this step's velocity, not from the predicted one.
-    for (std::size_t row = 0; row < next.size(); ++row)
-        std::copy_n(next[row].velocity, 4, now[row].position);
-    m_rates.front() = std::move(now);
-    return next;
+            m_stage[row].position[axis] += half * last[row].velocity[axis];
+    });
+    computeRates(input, m_stage, now);
+    advance(m_next, {{h / 2, &last}, {h / 2, &now}});
+    forActiveRows([&](std::size_t row) {
+        std::copy_n(m_stage[row].position, 4, m_next[row].position);
+        // The next step starts from this step's velocity, not from the predicted one.
+        std::copy_n(m_next[row].velocity, 4, now[row].position);
+    });
+    std::swap(last, now);
+    m_ratesKnown = 1;
 }
 
-template<class Real>
-typename ExplicitScheme<Real>::State ExplicitScheme<Real>::heun(const StepInput& input) const {
+template<class Real> void ExplicitScheme<Real>::heun(const StepInput& input) {
     const double h = input.duration;
-    const State first = rates(input, m_state), second = rates(input, advanced(m_state, {{h, &first}}));
-    return advanced(m_state, {{h / 2, &first}, {h / 2, &second}});
+    State &first = m_stageRates[0], &second = m_stageRates[1];
+    computeRates(input, m_state, first);
+    computeRates(input, stage({{h, &first}}), second);
+    advance(m_next, {{h / 2, &first}, {h / 2, &second}});
 }
 
-template<class Real>
-typename ExplicitScheme<Real>::State ExplicitScheme<Real>::rungeKutta(const StepInput& input,
-                                                                      const State& first) const {
+template<class Real> void ExplicitScheme<Real>::rungeKutta(const StepInput& input, const State& first) {
     const double h = input.duration;
-    const State second = rates(input, advanced(m_state, {{h / 2, &first}})),
-                third = rates(input, advanced(m_state, {{h / 2, &second}})),
-                fourth = rates(input, advanced(m_state, {{h, &third}}));
-    return advanced(m_state, {{h / 6, &first}, {h / 3, &second}, {h / 3, &third}, {h / 6, &fourth}});
+    State &second = m_stageRates[1], &third = m_stageRates[2], &fourth = m_stageRates[3];
+    computeRates(input, stage({{h / 2, &first}}), second);
+    computeRates(input, stage({{h / 2, &second}}), third);
+    computeRates(input, stage({{h, &third}}), fourth);
+    advance(m_next, {{h / 6, &first}, {h / 3, &second}, {h / 3, &third}, {h / 6, &fourth}});
 }
 
-template<class Real>
-typename ExplicitScheme<Real>::State ExplicitScheme<Real>::adamsMoulton(const StepInput& input) {
-    constexpr std::size_t needed = 4;
-    m_rates.insert(m_rates.begin(), rates(input, m_state));
-    if (m_rates.size() < needed) return rungeKutta(input, m_rates.front());
+template<class Real> void ExplicitScheme<Real>::adamsMoulton(const StepInput& input) {
+    std::rotate(m_rates.begin(), m_rates.end() - 1, m_rates.end());
+    computeRates(input, m_state, m_rates[0]);
+    m_ratesKnown = std::min(m_ratesKnown + 1, m_rates.size());
+    if (m_ratesKnown < m_rates.size()) return rungeKutta(input, m_rates[0]);
     const double part = input.duration / 24;
     const State &now = m_rates[0], &last = m_rates[1], &second = m_rates[2], &third = m_rates[3];
-    const State predicted = rates(
-        input, advanced(m_state,
-                        {{55 * part, &now}, {-59 * part, &last}, {37 * part, &second}, {-9 * part, &third}}));
-    State next =
-        advanced(m_state, {{9 * part, &predicted}, {19 * part, &now}, {-5 * part, &last}, {part, &second}});
-    m_rates.resize(needed - 1);
-    return next;
+    State& predicted = m_stageRates[0];
+    computeRates(input,
+                 stage({{55 * part, &now}, {-59 * part, &last}, {37 * part, &second}, {-9 * part, &third}}),
+                 predicted);
+    advance(m_next, {{9 * part, &predicted}, {19 * part, &now}, {-5 * part, &last}, {part, &second}});
 }
 
 template class ExplicitScheme<float>;

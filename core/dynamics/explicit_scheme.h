@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/kernel/tissue_kernel.h"
+#include "core/dynamics/active_slices.h"
 #include "core/dynamics/motion.h"
 
 #include <vector>
@@ -10,8 +10,11 @@ namespace esm {
 /// The integrators that need nothing but accelerations, on the kernel, and what they carry from step to step.
 template<class Real> class ExplicitScheme {
 public:
-    /// Precondition: isExplicit(integrator). @throws InvalidModel when there are too many nodes
-    ExplicitScheme(const SpringSystem& system, Integrator integrator, const KernelOptions& options);
+    /// Precondition: isExplicit(integrator).
+    /// @param restTolerance as in SimulationSettings
+    /// @throws InvalidModel when there are too many nodes
+    ExplicitScheme(const SpringSystem& system, Integrator integrator, const KernelOptions& options,
+                   double restTolerance);
 
     /// So many steps, as if nothing touched the tissue. Led nodes move evenly, in one step. `after` may be
     /// `before`. Precondition: since the last step nothing changed the motion, or restart() was called.
@@ -19,6 +22,9 @@ public:
 
     /// Forgets what earlier steps left behind.
     void restart();
+
+    /// Share of the nodes that the last steps were computed for.
+    double activeFraction() const { return m_activeFraction; }
 
 private:
     using State = typename TissueKernel<Real>::State;
@@ -28,20 +34,35 @@ private:
     };
 
     void load(const StepInput& input, const Motion& before);
-    State next(const StepInput& input);
-    State rates(const StepInput& input, const State& state) const;
-    static State advanced(const State& start, std::initializer_list<Term> terms);
-    State euler(const StepInput& input);
-    State verlet(const StepInput& input);
-    State heun(const StepInput& input) const;
-    State rungeKutta(const StepInput& input, const State& first) const;
-    State adamsMoulton(const StepInput& input);
+    /// From m_state into m_next.
+    void step(const StepInput& input);
+    void euler(const StepInput& input);
+    void verlet(const StepInput& input);
+    void heun(const StepInput& input);
+    void rungeKutta(const StepInput& input, const State& first);
+    void adamsMoulton(const StepInput& input);
+
+    void computeRates(const StepInput& input, const State& state, State& rates);
+    const State& stage(std::initializer_list<Term> terms);
+    void advance(State& to, std::initializer_list<Term> terms) const;
+    template<class Visit> void forActiveRows(const Visit& visit) const;
+    void followMotion(double timeStep);
+    void rest(const typename TissueKernel<Real>::SliceList& slices);
 
     TissueKernel<Real> m_kernel;
     Integrator m_integrator;
-    State m_spare;              ///< before the last step; its memory serves the next one
-    State m_state;              ///< after the last step; empty after a restart
-    std::vector<State> m_rates; ///< of the last steps, the newest first
+    ActiveSlices<Real> m_active;
+    std::size_t m_stepsSinceLoad = 0;
+    double m_activeFraction = 1;
+
+    // Slices at rest have the same content in all of these, and none in the rates.
+    State m_state; ///< after the last step
+    State m_next;  ///< being computed; else before the last step
+    State m_stage; ///< on the way to the next
+    std::vector<State> m_stageRates;
+    std::vector<State> m_rates;   ///< of the last steps, the newest first
+    std::size_t m_ratesKnown = 0; ///< of these, since the last restart
+    bool m_isLoaded = false;
 };
 
 extern template class ExplicitScheme<float>;

@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double tooShortToTime = 0.01; // s
 constexpr int mostRepeats = 5;
 constexpr double progressInterval = 0.1; // s
-constexpr std::size_t mostAtOnce = 16;   ///< so that a run can be stopped within a second
+constexpr double mostAtOnce = 16;        ///< on a whole tissue, so that a run can be stopped within a second
 constexpr double mostSteps = 1e12;       // at a microsecond each, eleven days
 
 double secondsSince(Clock::time_point start) {
@@ -106,8 +106,9 @@ double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& record
         const Loads loads =
             loadsAt(run.scene, run.model.network->restPositions, simulation.time(), simulation.timeStep());
         const Clock::time_point start = Clock::now();
+        const auto most = static_cast<std::size_t>(mostAtOnce / std::max(simulation.activeFraction(), 1e-3));
         const std::size_t wanted =
-            steadySteps(run.scene, simulation, std::min(mostAtOnce, recorder.stepsUntilDue(outcome.steps)));
+            steadySteps(run.scene, simulation, std::min(most, recorder.stepsUntilDue(outcome.steps)));
         const std::size_t taken = simulation.advance(loads, wanted);
         stepping += secondsSince(start);
         outcome.steps += taken;
@@ -176,6 +177,7 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     outcome.wallSeconds = stepThrough(run, simulation, recorder, progress, outcome);
     outcome.simulatedSeconds = simulation.time();
     outcome.energy = simulation.energy();
+    outcome.activeFraction = simulation.activeFraction();
     outcome.touched = simulation.wasTouched();
     outcome.outcome = outcome.stable ? "completed" : simulation.failure();
     if (outcome.stable) outcome.wallSeconds = bestOfRepeats(run, simulation, outcome.wallSeconds);

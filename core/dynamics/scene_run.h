@@ -21,9 +21,10 @@ struct SceneOutcome {
     std::size_t steps = 0;
     double setupSeconds = 0, wallSeconds = 0, simulatedSeconds = 0;
     bool stable = true;
-    std::string outcome;  ///< "completed", or why the run stopped
-    Energy energy;        ///< at the end
-    bool touched = false; ///< the instrument touched what can move
+    std::string outcome;       ///< "completed", or why the run stopped
+    Energy energy;             ///< at the end
+    double activeFraction = 1; ///< share of the nodes that were computed, on the mean of all steps
+    bool touched = false;      ///< the instrument touched what can move
 };
 
 /// What is run, and how.

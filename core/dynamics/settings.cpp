@@ -8,6 +8,8 @@ std::vector<std::string> validate(const SimulationSettings& settings) {
     std::vector<std::string> problems;
     if (settings.timeStep && !isPositive(*settings.timeStep))
         problems.emplace_back("the time step must be a number of seconds above zero");
+    if (!isAmount(settings.restTolerance))
+        problems.emplace_back("the rest tolerance must be a number of metres, zero or more");
     if (hasConstantMatrix(settings.integrator) && settings.damping == Damping::Axial)
         problems.push_back(
             std::string(integratorName(settings.integrator)) +

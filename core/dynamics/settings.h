@@ -17,6 +17,9 @@ struct SimulationSettings {
     std::optional<double> timeStep;       ///< s; chosen safely without
     Damping damping = Damping::Isotropic; ///< those with a constant matrix refuse axial
     Precision precision = Precision::Double;
+    /// m; explicit integrators leave out what rests until motion reaches it, so that the trajectory stays
+    /// within this of the whole tissue's. 0: nothing is left out.
+    double restTolerance = 0;
     std::size_t threads = 0; ///< at most; 0: as many as the tissue's size is worth
 };
 

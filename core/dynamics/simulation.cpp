@@ -24,8 +24,8 @@ std::string problemOf(const Loads& loads, std::size_t nodeCount) {
     return {};
 }
 
-/// Looking at where an explicit step led costs as much as the step.
-constexpr std::size_t judgedTogether = 16;
+/// Looking at where an explicit step led costs as much as the step, and more when most of the tissue rests.
+constexpr double judgedTogether = 16, mostJudgedTogether = 1024;
 
 /// Fewer nodes are faster on one thread.
 constexpr std::size_t leastForThreads = 2000;
@@ -46,7 +46,9 @@ struct Simulation::Implementation {
     Stepper stepper;
     Motion motion;
     std::size_t steps = 0;
-    double startTime = 0;                      ///< s, before which the step was another
+    std::size_t stepsEver = 0; ///< `steps` begins anew with a new model
+    double activeSteps = 0;    ///< each step counted by the share of the nodes that it was computed for
+    double startTime = 0;      ///< s, before which the step was another
     std::optional<Eigen::Vector3d> instrument; ///< m, centre, where the last step left it
     DivergenceGuard guard;
     std::string failure;
@@ -64,7 +66,8 @@ struct Simulation::Implementation {
         motion.velocities.assign(motion.positions.size(), Eigen::Vector3d::Zero());
         guard.restart(motion.positions);
         instrument.reset();
-        steps = 0;
+        steps = stepsEver = 0;
+        activeSteps = 0;
         startTime = 0;
         failure.clear();
         touched = false;
@@ -107,6 +110,8 @@ struct Simulation::Implementation {
         instrument.reset();
         if (loads.instrument) instrument = loads.instrument->centre;
         steps += count;
+        stepsEver += count;
+        activeSteps += stepper.activeFraction() * static_cast<double>(count);
         return true;
     }
 
@@ -147,6 +152,11 @@ Energy Simulation::energy() const {
     return m_implementation->energy();
 }
 
+double Simulation::activeFraction() const {
+    const Implementation& self = *m_implementation;
+    return self.stepsEver > 0 ? self.activeSteps / static_cast<double>(self.stepsEver) : 1;
+}
+
 bool Simulation::step(const Loads& loads) {
     return advance(loads, 1) == 1;
 }
@@ -154,9 +164,11 @@ bool Simulation::step(const Loads& loads) {
 std::size_t Simulation::advance(const Loads& loads, std::size_t count) {
     Implementation& self = *m_implementation;
     self.failure = problemOf(loads, self.motion.positions.size());
-    const std::size_t most = self.stepper.touchesNothing(loads) ? judgedTogether : 1;
+    const bool together = self.stepper.touchesNothing(loads);
     for (std::size_t taken = 0; taken < count && self.failure.empty();) {
-        const std::size_t steps = std::min(most, count - taken);
+        const double worthwhile = judgedTogether / std::max(self.stepper.activeFraction(), 1e-6);
+        const auto most = static_cast<std::size_t>(std::min(worthwhile, mostJudgedTogether));
+        const std::size_t steps = std::min(together ? most : 1, count - taken);
         if (!self.take(loads, steps)) return taken;
         taken += steps;
     }

@@ -44,6 +44,9 @@ public:
     /// time, so that after a failure the state is one of a few steps before. @throws InvalidModel as step()
     std::size_t advance(const Loads& loads, std::size_t count);
 
+    /// Share of the nodes that were computed, on the mean of all steps.
+    double activeFraction() const;
+
     /// Where the instrument stands before the next step, m.
     void placeInstrument(const Eigen::Vector3d& centre);
 

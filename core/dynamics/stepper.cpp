@@ -48,9 +48,9 @@ Stepper::Stepper(SpringSystem system, std::vector<Triangle> surface, const Chose
     if (m_integrator == Integrator::Propagation)
         m_scheme.emplace<PropagationScheme>(m_system, settings.damping);
     else if (isExplicit(m_integrator) && settings.precision == Precision::Float)
-        m_scheme.emplace<ExplicitScheme<float>>(m_system, m_integrator, options);
+        m_scheme.emplace<ExplicitScheme<float>>(m_system, m_integrator, options, settings.restTolerance);
     else if (isExplicit(m_integrator))
-        m_scheme.emplace<ExplicitScheme<double>>(m_system, m_integrator, options);
+        m_scheme.emplace<ExplicitScheme<double>>(m_system, m_integrator, options, settings.restTolerance);
     else
         solverFor(1, false);
     if (hasSecondOrderForm(m_integrator)) solverFor(1, true);
@@ -65,6 +65,12 @@ void Stepper::forgetSteps() {
     if (auto* scheme = std::get_if<MatrixScheme>(&m_scheme)) scheme->restart();
     if (auto* scheme = std::get_if<ExplicitScheme<double>>(&m_scheme)) scheme->restart();
     if (auto* scheme = std::get_if<ExplicitScheme<float>>(&m_scheme)) scheme->restart();
+}
+
+double Stepper::activeFraction() const {
+    if (auto* scheme = std::get_if<ExplicitScheme<double>>(&m_scheme)) return scheme->activeFraction();
+    if (auto* scheme = std::get_if<ExplicitScheme<float>>(&m_scheme)) return scheme->activeFraction();
+    return 1;
 }
 
 bool Stepper::touchesNothing(const Loads& loads) const {

@@ -31,6 +31,9 @@ public:
     /// Whether steps are explicit and nothing is led or pushed.
     bool touchesNothing(const Loads& loads) const;
 
+    /// Share of the nodes that the last steps were computed for.
+    double activeFraction() const;
+
     /// Whether the sphere touched in the last step.
     bool isTouched() const { return m_touched; }
 

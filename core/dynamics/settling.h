@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/dynamics/spring_system.h"
+
+namespace esm {
+
+/// How slowly a node is brought to rest by what holds the tissue: tethers and fixed nodes.
+struct Settling {
+    double waveTime;  ///< s, that a wave takes to the nearest hold: the time of the slowest swing, roughly
+    double driftTime; ///< s, a node's viscosity over the constant of what holds it, the largest on that way
+};
+
+/// One per node; fixed nodes take no time, what nothing holds takes for ever.
+std::vector<Settling> settlingOf(const SpringSystem& system);
+
+} // namespace esm
