@@ -17,7 +17,7 @@ void requireValid(const Scene& scene, const SpringNetwork& network) {
 
 RunnableModel fromProject(const std::filesystem::path& file, const std::optional<Scene>& scene) {
     const Project project = loadProject(file);
-    RunnableModel model{{}, simulatedSurface(*project.mesh, *project.network), scene.value_or(project.scene)};
+    RunnableModel model{{}, touchedSurface(*project.mesh, *project.network), scene.value_or(project.scene)};
     requireValid(model.scene, *project.network);
     model.tissue = evaluateModel(project, model.scene);
     return model;
@@ -27,7 +27,7 @@ RunnableModel fromProject(const std::filesystem::path& file, const std::optional
 RunnableModel fromPackage(const std::filesystem::path& file, const std::optional<Scene>& scene) {
     ModelPackage package = loadPackage(file);
     RunnableModel model{std::move(package.tissue), {}, scene.value_or(Scene())};
-    model.surface = simulatedSurface(package.mesh, *model.tissue.network);
+    model.surface = touchedSurface(package.mesh, *model.tissue.network);
     if (!scene) return model;
     requireValid(*scene, *model.tissue.network);
     Project bare;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/esmc/context.h"
+#include "core/dynamics/touched_surface.h"
 #include "core/model/project.h"
 
 namespace esm {
@@ -8,7 +9,7 @@ namespace esm {
 /// What a run needs of a project or a package.
 struct RunnableModel {
     TissueModel tissue;
-    std::vector<Triangle> surface;
+    TouchedSurface surface;
     Scene scene;
 };
 

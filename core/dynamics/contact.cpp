@@ -1,5 +1,6 @@
 #include "core/dynamics/contact.h"
 
+#include "core/dynamics/body_pose.h"
 #include "core/geometry/nearest_weights.h"
 
 #include <Eigen/Geometry>
@@ -37,7 +38,7 @@ double enclosingCircle(const Vector3d& a, const Vector3d& b, const Vector3d& c) 
 }
 
 Vector3d pointOf(const Contact& contact, const Vectors& positions) {
-    Vector3d point = Vector3d::Zero();
+    Vector3d point = contact.arm;
     for (std::size_t i = 0; i < contact.count; ++i)
         point += contact.weights.at(i) * positions[contact.nodes.at(i)];
     return point;
@@ -82,6 +83,76 @@ double movableShare(const Contact& contact, const std::vector<char>& immovable) 
     return share;
 }
 
+/// Of a body that moves as one piece: its point that is nearest to the sphere's centre, if that is inside.
+std::vector<Contact> findBodyContact(const TouchedSurface& surface, const Vectors& before,
+                                     const Vectors& after, const SphereMove& sphere) {
+    const TouchedSurface::Body& body = *surface.body;
+    const BodyPose pose(body, after);
+    const Vector3d centre = pose.atRest(sphere.to);
+    const AlignedBox3d range(centre - Vector3d::Constant(sphere.radius),
+                             centre + Vector3d::Constant(sphere.radius));
+    double least = sphere.radius;
+    Vector3d nearest = centre;
+    for (const Triangle& triangle : surface.triangles) {
+        if (!range.intersects(boxOf(triangle, body.points))) continue;
+        const Vector3d &a = body.points[triangle[0]], &b = body.points[triangle[1]],
+                       &c = body.points[triangle[2]];
+        const Vector3d weights = nearestWeights(centre, a, b, c);
+        const Vector3d point = weights[0] * a + weights[1] * b + weights[2] * c;
+        if (!((point - centre).norm() < least)) continue;
+        least = (point - centre).norm();
+        nearest = point;
+    }
+    if (!(least < sphere.radius)) return {};
+    const Vector3d line = body.second - body.first;
+    const double share = line.squaredNorm() > 0 ? (nearest - body.first).dot(line) / line.squaredNorm() : 0.5;
+    Contact contact{{body.line.first, body.line.second, noIndex}, {1 - share, share, 0}, 2, {}, 0, 0};
+    const Vector3d point = pose.now(nearest);
+    contact.arm = point - pointOf(contact, after);
+    contact.distance = sphere.radius;
+    contact.depth = sphere.radius - least;
+    contact.normal = outward(point, BodyPose(body, before).now(nearest), sphere, contact.distance);
+    return {contact};
+}
+
+/// A box, m, and for how long, s, something may come into it.
+struct Way {
+    AlignedBox3d box;
+    double duration;
+};
+
+/// How fast the surface near the way moves at most, m/s; nothing where none comes near.
+std::optional<double> surfaceSpeed(const std::vector<Triangle>& surface, const Vectors& positions,
+                                   const Vectors& velocities, const Way& way) {
+    std::optional<double> squared;
+    for (const Triangle& triangle : surface) {
+        AlignedBox3d box = boxOf(triangle, positions);
+        for (const std::uint32_t node : triangle)
+            box.extend(positions[node] + way.duration * velocities[node]);
+        if (!way.box.intersects(box)) continue;
+        for (const std::uint32_t node : triangle)
+            squared = std::max(squared.value_or(0), velocities[node].squaredNorm());
+    }
+    return squared ? std::optional(std::sqrt(*squared)) : std::nullopt;
+}
+
+/// How fast any point of a body may move, m/s; nothing where it stays away from the way, m.
+std::optional<double> bodySpeed(const TouchedSurface::Body& body, const Vectors& positions,
+                                const Vectors& velocities, const AlignedBox3d& way) {
+    const BodyPose pose(body, positions);
+    AlignedBox3d box;
+    double longest = (body.second - body.first).norm();
+    for (const Vector3d& point : body.points) {
+        box.extend(pose.now(point));
+        longest = std::max(longest, (point - body.first).norm());
+    }
+    if (!way.intersects(box)) return std::nullopt;
+    const Vector3d &first = velocities[body.line.first], &second = velocities[body.line.second];
+    const double line = (body.second - body.first).norm();
+    const double turning = line > 0 ? (second - first).norm() * longest / line : 0;
+    return std::max(first.norm(), second.norm()) + turning;
+}
+
 } // namespace
 
 void turnOutward(Contact& contact, const Vectors& before, const Vectors& after, const SphereMove& sphere) {
@@ -92,8 +163,13 @@ double depth(const Contact& contact, const Vectors& positions, const SphereMove&
     return contact.distance - contact.normal.dot(pointOf(contact, positions) - sphere.to);
 }
 
-std::vector<Contact> findContacts(const std::vector<Triangle>& surface, const std::vector<char>& immovable,
+std::vector<Contact> findContacts(const TouchedSurface& surface, const std::vector<char>& immovable,
                                   const Vectors& before, const Vectors& after, const SphereMove& sphere) {
+    if (surface.body) {
+        std::vector<Contact> found = findBodyContact(surface, before, after, sphere);
+        if (!found.empty() && movableShare(found.front(), immovable) < leastMovable) found.clear();
+        return found;
+    }
     // No corner of a small triangle is kept farther away than this.
     const double reach = sphere.radius * std::sqrt(1 + smallTriangle * smallTriangle);
     const AlignedBox3d range(sphere.to - Vector3d::Constant(reach), sphere.to + Vector3d::Constant(reach));
@@ -107,7 +183,7 @@ std::vector<Contact> findContacts(const std::vector<Triangle>& surface, const st
         const auto [found, isNew] = contacts.try_emplace(contact.nodes, contact);
         if (!isNew && contact.distance > found->second.distance) found->second = contact;
     };
-    for (const Triangle& triangle : surface) {
+    for (const Triangle& triangle : surface.triangles) {
         if (!range.intersects(boxOf(triangle, after))) continue;
         const Vector3d &a = after[triangle[0]], &b = after[triangle[1]], &c = after[triangle[2]];
         const double circle = enclosingCircle(a, b, c);
@@ -145,8 +221,8 @@ void mergeContacts(std::vector<Contact>& contacts, std::vector<Contact> found, s
     }
 }
 
-void projectOut(const std::vector<Triangle>& surface, const std::vector<char>& immovable,
-                const Vectors& before, const SphereMove& sphere, Vectors& positions) {
+void projectOut(const TouchedSurface& surface, const std::vector<char>& immovable, const Vectors& before,
+                const SphereMove& sphere, Vectors& positions) {
     for (int pass = 0; pass < mostProjections; ++pass) {
         const std::vector<Contact> found = findContacts(surface, immovable, before, positions, sphere);
         if (deepest(found) <= projectionTolerance * sphere.radius) return;
@@ -164,25 +240,17 @@ void projectOut(const std::vector<Triangle>& surface, const std::vector<char>& i
     }
 }
 
-int contactParts(const std::vector<Triangle>& surface, const Vectors& positions, const Vectors& velocities,
+int contactParts(const TouchedSurface& surface, const Vectors& positions, const Vectors& velocities,
                  const SphereMove& sphere, double duration) {
     AlignedBox3d path(sphere.from);
     path.extend(sphere.to);
     const Vector3d margin = Vector3d::Constant(1.5 * sphere.radius);
     path = AlignedBox3d(path.min() - margin, path.max() + margin);
-    double speed = 0;
-    bool near = false;
-    for (const Triangle& triangle : surface) {
-        AlignedBox3d box = boxOf(triangle, positions);
-        for (const std::uint32_t node : triangle)
-            box.extend(positions[node] + duration * velocities[node]);
-        if (!path.intersects(box)) continue;
-        near = true;
-        for (const std::uint32_t node : triangle)
-            speed = std::max(speed, velocities[node].squaredNorm());
-    }
-    if (!near) return 1;
-    const double motion = (sphere.to - sphere.from).norm() + duration * std::sqrt(speed);
+    const std::optional<double> speed =
+        surface.body ? bodySpeed(*surface.body, positions, velocities, path)
+                     : surfaceSpeed(surface.triangles, positions, velocities, {path, duration});
+    if (!speed) return 1;
+    const double motion = (sphere.to - sphere.from).norm() + duration * *speed;
     int parts = 1;
     while (parts < mostParts && motion > 0.5 * sphere.radius * parts)
         parts *= 2;

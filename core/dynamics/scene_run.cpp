@@ -166,8 +166,7 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
         throw InvalidModel(std::move(problems));
     reportProgress(progress, 0);
     const Clock::time_point start = Clock::now();
-    Simulation simulation(run.model, withStep(run),
-                          run.scene.instrument ? run.surface : std::vector<Triangle>{});
+    Simulation simulation(run.model, withStep(run), run.scene.instrument ? run.surface : TouchedSurface());
     SceneOutcome outcome;
     outcome.setupSeconds = secondsSince(start);
     outcome.integrator = simulation.integrator();

@@ -30,7 +30,7 @@ struct SceneOutcome {
 /// What is run, and how.
 struct SceneRun {
     const TissueModel& model;
-    const std::vector<Triangle>& surface; ///< over the nodes, what an instrument touches; may be empty
+    const TouchedSurface& surface; ///< what an instrument touches; may be empty
     const Scene& scene;
     SimulationSettings settings = {};
 };

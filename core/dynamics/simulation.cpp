@@ -40,7 +40,7 @@ std::unique_ptr<ThreadTeam> makeTeam(const TissueModel& model, const SimulationS
 
 struct Simulation::Implementation {
     SimulationSettings settings;
-    std::vector<Triangle> surface;
+    TouchedSurface surface;
     std::unique_ptr<ThreadTeam> team; ///< null when one thread is enough
     ChosenStep chosen;
     Stepper stepper;
@@ -54,8 +54,8 @@ struct Simulation::Implementation {
     std::string failure;
     bool touched = false; ///< by the instrument, since the start
 
-    Implementation(const TissueModel& model, const SimulationSettings& given, std::vector<Triangle> triangles)
-        : settings(given), surface(std::move(triangles)), team(makeTeam(model, given)),
+    Implementation(const TissueModel& model, const SimulationSettings& given, TouchedSurface touchable)
+        : settings(given), surface(std::move(touchable)), team(makeTeam(model, given)),
           chosen(chooseStep(model, given)),
           stepper(makeSpringSystem(model), surface, chosen, given, team.get()) {
         reset();
@@ -118,8 +118,7 @@ struct Simulation::Implementation {
     Energy energy() const { return esm::energy(stepper.system(), motion.positions, motion.velocities); }
 };
 
-Simulation::Simulation(const TissueModel& model, const SimulationSettings& settings,
-                       std::vector<Triangle> surface)
+Simulation::Simulation(const TissueModel& model, const SimulationSettings& settings, TouchedSurface surface)
     : m_implementation(std::make_unique<Implementation>(model, settings, std::move(surface))) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;

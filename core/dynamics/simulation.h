@@ -3,6 +3,7 @@
 #include "core/dynamics/energy.h"
 #include "core/dynamics/loads.h"
 #include "core/dynamics/settings.h"
+#include "core/dynamics/touched_surface.h"
 #include "core/model/tissue_model.h"
 
 #include <memory>
@@ -14,11 +15,10 @@ namespace esm {
 /// A running model: the only thing in the program that is mutable and lives on. One thread at a time.
 class Simulation {
 public:
-    /// Starts at rest. `surface` are the triangles over the nodes that an instrument touches; may be empty.
+    /// Starts at rest. `surface` is what an instrument touches; may be empty.
     /// @throws InvalidModel with every problem of model or settings (a step that is not above zero, split
     /// with axial damping, …)
-    Simulation(const TissueModel& model, const SimulationSettings& settings,
-               std::vector<Triangle> surface = {});
+    Simulation(const TissueModel& model, const SimulationSettings& settings, TouchedSurface surface = {});
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
     ~Simulation();

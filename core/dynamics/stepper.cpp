@@ -39,7 +39,7 @@ void place(const std::vector<HeldNode>& held, Vectors& positions) {
 
 } // namespace
 
-Stepper::Stepper(SpringSystem system, std::vector<Triangle> surface, const ChosenStep& chosen,
+Stepper::Stepper(SpringSystem system, TouchedSurface surface, const ChosenStep& chosen,
                  const SimulationSettings& settings, ThreadTeam* team)
     : m_system(std::move(system)), m_surface(std::move(surface)), m_integrator(chosen.integrator),
       m_timeStep(chosen.timeStep), m_prescribed(m_system.fixed),

@@ -18,7 +18,7 @@ namespace esm {
 class Stepper {
 public:
     /// `team` outlives the stepper; none is one thread.
-    Stepper(SpringSystem system, std::vector<Triangle> surface, const ChosenStep& chosen,
+    Stepper(SpringSystem system, TouchedSurface surface, const ChosenStep& chosen,
             const SimulationSettings& settings, ThreadTeam* team);
 
     const SpringSystem& system() const { return m_system; }
@@ -65,7 +65,7 @@ private:
     void prescribe(const std::vector<HeldNode>& held);
 
     SpringSystem m_system;
-    std::vector<Triangle> m_surface;
+    TouchedSurface m_surface;
     Integrator m_integrator;
     double m_timeStep; ///< s
     bool m_touched = false;

@@ -22,7 +22,7 @@ bool PreviewRun::setProject(const Project& project) {
             m_simulation->setModel(model);
         else
             m_simulation.emplace(model, SimulationSettings{},
-                                 simulatedSurface(*project.mesh, *project.network));
+                                 touchedSurface(*project.mesh, *project.network));
         m_model = std::move(model);
         m_gravity = project.scene.gravity;
         if (!sameNetwork) {

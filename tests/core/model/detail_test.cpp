@@ -157,6 +157,33 @@ TEST(RigidDetail, MovesAsAWholeWithThePublishedParameters) {
     EXPECT_LT(last, 0.5 * farthest);
 }
 
+/// A round instrument comes from the side, above the middle: nothing of the drawn surface may be left inside
+/// it.
+TEST(RigidDetail, IsPushedAsAWholeByAnInstrument) {
+    const Project project = organ(body(), {Detail::Kind::Rigid, 0});
+    const auto& rest = project.mesh->vertices;
+    Simulation simulation(evaluateModel(project), {}, touchedSurface(*project.mesh, *project.network));
+    Points drawn;
+    for (int i = 0; i <= 60; ++i) {
+        Loads loads;
+        loads.instrument = Sphere{Eigen::Vector3d(0.14 - 0.0005 * i, 0.22, -0.05), 0.01};
+        ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
+        drawn = drawnPositions(*project.mesh, *project.network, simulation.positions());
+        for (const Eigen::Vector3d& point : drawn)
+            ASSERT_GT((point - loads.instrument->centre).norm(), 0.99 * loads.instrument->radius) << i;
+    }
+    EXPECT_TRUE(simulation.wasTouched());
+    EXPECT_LT(distortion(rest, drawn), 1e-12);
+    double mean = 0, top = 0, bottom = 0;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const double way = drawn[i].x() - rest[i].x();
+        mean += way / static_cast<double>(rest.size());
+        (rest[i].y() > 0.22 ? top : bottom) = std::min(way, rest[i].y() > 0.22 ? top : bottom);
+    }
+    EXPECT_LT(mean, -0.003);
+    EXPECT_LT(top, bottom); // it turns about its middle
+}
+
 TEST(WithDetail, KeepsTheHoldOnTheSurroundingsAndWhatTheSceneSays) {
     const TriangleMesh mesh = lumpySurface(30, 60);
     Project full = organ(mesh, {});
