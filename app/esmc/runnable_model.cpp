@@ -17,16 +17,21 @@ void requireValid(const Scene& scene, const SpringNetwork& network) {
 
 RunnableModel fromProject(const std::filesystem::path& file, const std::optional<Scene>& scene) {
     const Project project = loadProject(file);
-    RunnableModel model{{}, touchedSurface(*project.mesh, *project.network), scene.value_or(project.scene)};
+    RunnableModel model;
+    model.surface = touchedSurface(*project.mesh, *project.network);
+    model.scene = scene.value_or(project.scene);
     requireValid(model.scene, *project.network);
     model.tissue = evaluateModel(project, model.scene);
+    model.project = project;
     return model;
 }
 
 /// A package holds tethers and fixed nodes as numbers; those of a scene take their place.
 RunnableModel fromPackage(const std::filesystem::path& file, const std::optional<Scene>& scene) {
     ModelPackage package = loadPackage(file);
-    RunnableModel model{std::move(package.tissue), {}, scene.value_or(Scene())};
+    RunnableModel model;
+    model.tissue = std::move(package.tissue);
+    model.scene = scene.value_or(Scene());
     model.surface = touchedSurface(package.mesh, *model.tissue.network);
     if (!scene) return model;
     requireValid(*scene, *model.tissue.network);

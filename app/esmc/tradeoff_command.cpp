@@ -2,6 +2,7 @@
 #include "app/esmc/commands.h"
 #include "app/esmc/runnable_model.h"
 #include "app/esmc/tradeoff_chart.h"
+#include "core/dynamics/coarser_runs.h"
 #include "core/exchange/image_file.h"
 
 namespace esm {
@@ -49,8 +50,8 @@ Json steppingInJson(const Stepping& stepping, std::size_t detail) {
             {"detail", detail}};
 }
 
-Json runInJson(const TradeoffRun& run, std::size_t detail) {
-    Json json = steppingInJson(run.stepping, detail);
+Json runInJson(const TradeoffRun& run) {
+    Json json = steppingInJson(run.stepping, run.nodes);
     json["stable"] = run.stable;
     json["error"] = run.stable ? inJson(run.error) : Json();
     json["wall_per_simulated_s"] = inJson(run.wallPerSimulatedSecond);
@@ -60,22 +61,23 @@ Json runInJson(const TradeoffRun& run, std::size_t detail) {
 
 std::string runInText(const TradeoffRun& run) {
     return std::string(integratorName(run.stepping.integrator)) + " in " +
-           precisionName(run.stepping.precision) + ", step " + inText(run.stepping.timeStep) + " s: error " +
-           inText(100 * run.error) + " % of the motion, " + inText(run.realTimeFactor()) + " times real time";
+           precisionName(run.stepping.precision) + ", step " + inText(run.stepping.timeStep) + " s, " +
+           counted(run.nodes, "node") + ": error " + inText(100 * run.error) + " % of the motion, " +
+           inText(run.realTimeFactor()) + " times real time";
 }
 
 Json tradeoffInJson(const Tradeoff& tradeoff, std::size_t detail) {
     const auto chosen = [&](const std::optional<std::size_t>& run) {
-        return run ? runInJson(tradeoff.runs[*run], detail) : Json();
+        return run ? runInJson(tradeoff.runs[*run]) : Json();
     };
     Json json;
     json["reference"] = steppingInJson(tradeoff.reference.stepping, detail);
     json["reference"]["estimated_error"] = tradeoff.reference.estimatedError;
     json["runs"] = json["pareto"] = Json::array();
     for (const TradeoffRun& run : tradeoff.runs)
-        json["runs"].push_back(runInJson(run, detail));
+        json["runs"].push_back(runInJson(run));
     for (const std::size_t i : tradeoff.pareto)
-        json["pareto"].push_back(runInJson(tradeoff.runs[i], detail));
+        json["pareto"].push_back(runInJson(tradeoff.runs[i]));
     json["recommended"] = {{"real_time", chosen(tradeoff.bestInRealTime)},
                            {"max_error", chosen(tradeoff.fastestToError)}};
     json["left_out"] = tradeoff.leftOut;
@@ -114,6 +116,7 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     wanted.mostSecondsPerRun = options.mostSeconds;
     wanted.damping = options.damping;
     wanted.threads = static_cast<std::size_t>(context.threads);
+    if (model.project) wanted.coarser = coarserRuns(*model.project, model.scene);
     const Tradeoff tradeoff = measureTradeoff({model.tissue, model.surface, model.scene}, wanted,
                                               progressOf(context, "measuring error and cost"));
     Report report;

@@ -1,5 +1,6 @@
 #include "core/dynamics/tradeoff.h"
 
+#include "core/dynamics/detail_error.h"
 #include "core/dynamics/spring_system.h"
 #include "core/dynamics/stability.h"
 #include "core/support/joined.h"
@@ -31,44 +32,47 @@ struct Measured {
     Trajectory trajectory;
 };
 
-double squaredDifference(const Vectors& a, const Vectors& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += (a[i] - b[i]).squaredNorm();
-    return sum;
-}
-
 /// Relative to the motion of `reference`, over the times both have; infinite when they share none but the
 /// start.
 double relativeError(const Trajectory& trajectory, const Trajectory& reference) {
-    double difference = 0, motion = 0;
-    const Vectors& start = reference.at(0);
-    for (const auto& [time, positions] : trajectory) {
-        const auto found = reference.find(time);
-        if (found == reference.end()) continue;
-        difference += squaredDifference(positions, found->second);
-        motion += squaredDifference(found->second, start);
-    }
-    return motion > 0 ? std::sqrt(difference / motion) : std::numeric_limits<double>::infinity();
+    MotionError error;
+    for (const auto& [time, positions] : trajectory)
+        if (const auto found = reference.find(time); found != reference.end())
+            error.add(positions, found->second, reference.at(0));
+    return error.relative();
 }
+
+/// The tissue at one level of detail.
+struct Level {
+    SceneRun run;
+    const CoarserRun* coarser; ///< null: the full one
+    CriticalSteps limits;
+};
 
 class Measurement {
 public:
     Measurement(const SceneRun& run, const TradeoffOptions& options, const Progress& progress)
-        : m_run(run), m_options(options), m_progress(progress),
-          m_limits(criticalSteps(run.model, options.damping,
-                                 {1e-3, Deformation::Any, [this](double) { return isWanted(); }})) {
+        : m_run(run), m_options(options), m_progress(progress) {
+        addLevel(run, nullptr);
+        for (const CoarserRun& coarser : options.coarser)
+            addLevel({coarser.model, coarser.surface, coarser.scene}, &coarser);
+        m_level = &m_levels.front();
         const double frames = std::max(1.0, run.scene.duration / run.scene.record.every);
         m_interval = run.scene.record.every * std::ceil(frames / mostFrames);
     }
 
     Tradeoff measure() {
         findReference();
-        const auto ways = waysToStep();
-        for (std::size_t i = 0; i < ways.size(); ++i) {
-            m_fraction = referenceShare +
-                         (1 - referenceShare) * static_cast<double>(i) / static_cast<double>(ways.size());
-            refine(ways[i]);
+        for (std::size_t level = 0; level < m_levels.size(); ++level) {
+            m_level = &m_levels[level];
+            const auto ways = waysToStep();
+            for (std::size_t i = 0; i < ways.size(); ++i) {
+                const double done =
+                    static_cast<double>(level) + static_cast<double>(i) / static_cast<double>(ways.size());
+                m_fraction =
+                    referenceShare + (1 - referenceShare) * done / static_cast<double>(m_levels.size());
+                refine(ways[i]);
+            }
         }
         recommend();
         return std::move(m_result);
@@ -77,10 +81,16 @@ public:
 private:
     bool isWanted() const { return !m_progress || m_progress(m_fraction); }
 
+    void addLevel(const SceneRun& run, const CoarserRun* coarser) {
+        m_levels.push_back({run, coarser,
+                            criticalSteps(run.model, m_options.damping,
+                                          {1e-3, Deformation::Any, [this](double) { return isWanted(); }})});
+    }
+
     /// The longest step that is stable and, itself or halved, meets the times that are compared.
     double longestStep(Integrator integrator) const {
-        const auto limit = m_limits.find(integrator);
-        if (limit == m_limits.end() || !limit->second) return 0;
+        const auto limit = m_level->limits.find(integrator);
+        if (limit == m_level->limits.end() || !limit->second) return 0;
         const double longest =
             std::min(stabilityMargin * *limit->second, longestShare * m_run.scene.duration);
         const double intervals = longest / m_interval;
@@ -100,7 +110,7 @@ private:
     }
 
     Measured run(const Stepping& stepping, double duration) const {
-        Scene scene = m_run.scene;
+        Scene scene = m_level->run.scene;
         scene.duration = duration;
         scene.record.every = std::max(m_interval, stepping.timeStep);
         SimulationSettings settings;
@@ -113,9 +123,10 @@ private:
         const auto keep = [&](double time, const Vectors& positions) {
             const double number = std::round(time / m_interval);
             if (std::abs(time - number * m_interval) < 1e-6 * m_interval)
-                measured.trajectory[static_cast<long>(number)] = positions;
+                measured.trajectory[static_cast<long>(number)] =
+                    m_level->coarser ? m_level->coarser->recorded(positions) : positions;
         };
-        measured.outcome = runScene({m_run.model, m_run.surface, scene, settings}, keep,
+        measured.outcome = runScene({m_level->run.model, m_level->run.surface, scene, settings}, keep,
                                     [this](double) { return isWanted(); });
         return measured;
     }
@@ -162,10 +173,14 @@ private:
         return change;
     }
 
+    std::size_t nodes() const { return m_level->run.model.mass.size(); }
+
     void leaveOut(const Stepping& stepping, const std::string& reason) {
         m_result.leftOut.push_back(std::string(integratorName(stepping.integrator)) +
                                    (stepping.precision == Precision::Float ? " in float" : "") + " at " +
-                                   numberText(stepping.timeStep) + " s: " + reason);
+                                   numberText(stepping.timeStep) + " s" +
+                                   (m_level->coarser ? " on " + std::to_string(nodes()) + " nodes: " : ": ") +
+                                   reason);
     }
 
     /// Halves the step until the error cannot be told from the reference's, or time runs out.
@@ -192,7 +207,7 @@ private:
 
     TradeoffRun resultOf(const Stepping& stepping) const {
         const auto [outcome, trajectory] = run(stepping, m_run.scene.duration);
-        return {stepping, outcome.stable, relativeError(trajectory, m_reference),
+        return {stepping, nodes(), outcome.stable, relativeError(trajectory, m_reference),
                 outcome.wallSeconds / outcome.simulatedSeconds};
     }
 
@@ -221,9 +236,10 @@ private:
     const SceneRun& m_run;
     const TradeoffOptions& m_options;
     const Progress& m_progress;
-    double m_fraction = 0; ///< done
-    CriticalSteps m_limits;
-    double m_interval; ///< s, between the times that are compared
+    double m_fraction = 0;          ///< done
+    std::vector<Level> m_levels;    ///< the full one first
+    const Level* m_level = nullptr; ///< the one at work
+    double m_interval;              ///< s, between the times that are compared
     Trajectory m_reference;
     Tradeoff m_result;
 };

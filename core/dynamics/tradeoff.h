@@ -11,9 +11,19 @@ struct Stepping {
     Precision precision = Precision::Double;
 };
 
+/// The scene of a run on fewer nodes.
+struct CoarserRun {
+    TissueModel model;
+    TouchedSurface surface;
+    Scene scene; ///< records all nodes
+    /// Where its nodes carry the nodes that the full run records, m.
+    std::function<std::vector<Eigen::Vector3d>(const std::vector<Eigen::Vector3d>&)> recorded;
+};
+
 /// What one way to step came to on a scene.
 struct TradeoffRun {
     Stepping stepping;
+    std::size_t nodes = 0; ///< simulated
     bool stable = false;
     double error = 0;                  ///< relative to the motion itself; without meaning when not stable
     double wallPerSimulatedSecond = 0; ///< on this machine
@@ -40,13 +50,15 @@ struct TradeoffOptions {
     double mostError = 0.01;       ///< wanted, relative to the motion
     double mostSecondsPerRun = 10; ///< wall time; what would take longer is left out
     Damping damping = Damping::Isotropic;
-    std::size_t threads = 0; ///< at most; 0: as many as the tissue's size is worth
+    std::size_t threads = 0;              ///< at most; 0: as many as the tissue's size is worth
+    std::vector<CoarserRun> coarser = {}; ///< measured too, against the full run
 };
 
-/// Runs a scene with every integrator, from its longest stable step to ever shorter ones, in every precision,
-/// and compares each trajectory with a reference whose step is halved until its own error is a tenth of the
-/// smallest that is reported. The error of a trajectory x is √(Σ|x − x_ref|² / Σ|x_ref − x_0|²) over the
-/// recorded nodes and times that its steps reach; none is reported below ten times the reference's own.
+/// Runs a scene, and its coarser runs, with every integrator, from its longest stable step to ever shorter
+/// ones, in every precision, and compares each trajectory with a reference whose step is halved until its own
+/// error is a tenth of the smallest that is reported. The error of a trajectory x is √(Σ|x − x_ref|² /
+/// Σ|x_ref − x_0|²) over the recorded nodes and times that its steps reach; none is reported below ten times
+/// the reference's own.
 /// @throws InvalidModel when the scene is not for the model, or nothing in it moves; Cancelled
 Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-#include "core/dynamics/tradeoff.h"
+#include "core/dynamics/coarser_runs.h"
 #include "core/support/errors.h"
 #include "tests/support/tissue_models.h"
 
@@ -10,7 +10,12 @@ using namespace esm;
 
 namespace {
 
-constexpr double mostSeconds = 0.1; ///< of one run
+// Of one run; the sanitizers make each several times longer.
+#ifdef ESM_SANITIZE
+constexpr double mostSeconds = 0.2;
+#else
+constexpr double mostSeconds = 0.03;
+#endif
 
 /// A force on one node of the published tube for a second.
 struct PulledTube {
@@ -74,4 +79,40 @@ TEST(Tradeoff, StopsWhenAsked) {
     int calls = 0;
     EXPECT_THROW(PulledTube().measured({1, 0.01, mostSeconds}, [&](double) { return ++calls < 20; }),
                  Cancelled);
+}
+
+TEST(Tradeoff, MeasuresFewerNodesAgainstAll) {
+    Project project = makeProject("ball", {tissue::sphereMesh(3, 0.1), {}});
+    Scene scene = project.scene;
+    scene.duration = 0.4;
+    scene.gravity = {0, -20, 0};
+    scene.fixed = {{{}, Ellipsoid{{0, 0.1, 0}, {0.08, 0.05, 0.08}, Eigen::Quaterniond::Identity()}}};
+    scene.record.every = 0.1;
+    scene.record.nodes = std::vector<std::uint32_t>{1, 7, 100};
+    TradeoffOptions options{1, 0.01, mostSeconds};
+    options.coarser = coarserRuns(project, scene);
+    ASSERT_EQ(options.coarser.size(), 1U);
+    const TissueModel model = evaluateModel(project, scene);
+    const Tradeoff tradeoff = measureTradeoff({model, {}, scene}, options);
+    double least = 1, leastOnFewer = 1;
+    for (const TradeoffRun& run : tradeoff.runs) {
+        EXPECT_THAT(run.nodes, testing::AnyOf(642U, 160U));
+        double& best = run.nodes == 642 ? least : leastOnFewer;
+        if (run.stable) best = std::min(best, run.error);
+    }
+    EXPECT_LT(least, 0.01);
+    EXPECT_GT(leastOnFewer, least);
+    EXPECT_LT(leastOnFewer, 0.5);
+}
+
+TEST(CoarserRuns, AreNoneOfWhatMovesRigidlyOrShowsNoVertex) {
+    Project project = makeProject("ball", {tissue::sphereMesh(3, 0.1), {}});
+    EXPECT_EQ(coarserRuns(project, project.scene).size(), 1U);
+    SpringNetwork inside = *project.network;
+    inside.restPositions.emplace_back(0, 0, 0);
+    project.network = std::make_shared<const SpringNetwork>(inside);
+    EXPECT_TRUE(coarserRuns(project, project.scene).empty());
+    const Project rigid =
+        makeProject("ball", {tissue::sphereMesh(3, 0.1), {}}, 0.5, {Detail::Kind::Rigid, 0});
+    EXPECT_TRUE(coarserRuns(rigid, rigid.scene).empty());
 }
