@@ -48,7 +48,9 @@ void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vecto
     const bool bare = !scene.mesh || scene.mesh->triangles.empty();
     if (!scene.showSprings && !bare) return;
     const bool overSurface = scene.showSurface && !bare;
-    takeSprings(scene, overSurface);
+    // The few springs inside a stiff organ are seen through it.
+    const bool inside = overSurface && movesRigidly(scene);
+    takeSprings(scene, overSurface && !inside);
     if (nodes != m_nodes) {
         m_points.upload(nodes, frame);
         m_nodes = nodes;
@@ -56,8 +58,6 @@ void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vecto
     // Where a surface is hidden nothing else puts the far springs behind the near ones. A few bare springs
     // need no such order, and would cut into their nodes' dots.
     m_gl.DepthMask(overSurface || bare ? GL_FALSE : GL_TRUE);
-    // The few springs inside a stiff organ are seen through it.
-    const bool inside = overSurface && movesRigidly(scene);
     if (inside) m_gl.Disable(GL_DEPTH_TEST);
     const float lift = std::min(liftShare * frame.size + m_cover, largestLift * frame.size);
     const LineStyle style{1, overSurface && !inside ? lift : 0, true};
