@@ -5,7 +5,6 @@
 #include "tests/benchmarks/naive_tissue.h"
 #include "tests/core/dynamics/kernel/networks.h"
 
-#include <functional>
 #include <map>
 #include <optional>
 
@@ -18,7 +17,6 @@ using esm::SpringSystem;
 constexpr double timeStep = 1e-3;        ///< s
 constexpr int smallest = 3, largest = 8; ///< how often the triangles of an icosahedron are quartered
 constexpr int repetitions = 15;
-constexpr double shortestRun = 0.02; ///< s, of one repetition
 
 /// Bytes that one spring moves to and from memory, with the lines that are read before they are written.
 template<class Real> constexpr double bytesPerSpring = sizeof(Real) == sizeof(float) ? 64 : 120;
@@ -46,20 +44,6 @@ SpringSystem orderedSphere(int level) {
                std::pair(std::min(b.first, b.second), std::max(b.first, b.second));
     });
     return ordered;
-}
-
-/// `prepare` returns what is measured; it is called when it is first needed.
-template<class Prepare> void registerStep(const std::string& name, const Prepare& prepare) {
-    const auto step = std::make_shared<std::function<void()>>();
-    benchmark::RegisterBenchmark(name.c_str(),
-                                 [prepare, step](benchmark::State& state) {
-                                     if (!*step) *step = prepare();
-                                     for (auto _ : state)
-                                         (*step)();
-                                 })
-        ->UseRealTime()
-        ->MinTime(shortestRun)
-        ->Repetitions(repetitions);
 }
 
 /// Spheres that are made when first needed.
@@ -127,13 +111,14 @@ void registerSphere(const std::string& name, int level, const std::shared_ptr<Sp
                     const std::shared_ptr<esm::ThreadTeam>& team) {
     using esm::Damping, esm::InstructionSet;
     const auto add = [&](const std::string& variant, const esm::KernelOptions& options) {
-        registerStep(name + variant, [=] { return steps<Real>(spheres->ordered(level), options); });
+        registerWork(name + variant, repetitions,
+                     [=] { return steps<Real>(spheres->ordered(level), options); });
     };
     add(", 1 thread", {});
     add(", x86-64-v2", {Damping::Isotropic, InstructionSet::V2});
     add(", 2 threads", {Damping::Isotropic, {}, team.get(), 2});
     add(", threads by size", {Damping::Isotropic, {}, team.get()});
-    registerStep(name + ", shuffled", [=] { return steps<Real>(spheres->shuffled(level), {}); });
+    registerWork(name + ", shuffled", repetitions, [=] { return steps<Real>(spheres->shuffled(level), {}); });
 }
 
 template<class Real> void addRatios(const std::string& precision, int level, std::vector<Ratio>& ratios) {
@@ -165,7 +150,7 @@ std::vector<Ratio> registerExplicitStep() {
     const auto team = std::make_shared<esm::ThreadTeam>(2);
     for (int level = smallest; level <= largest; ++level) {
         const std::string nodes = nodesText(level);
-        registerStep("naive, " + nodes, [=] {
+        registerWork("naive, " + nodes, repetitions, [=] {
             const auto naive = std::make_shared<NaiveTissue>(spheres->ordered(level));
             return [naive] { naive->step(timeStep); };
         });
@@ -175,8 +160,8 @@ std::vector<Ratio> registerExplicitStep() {
         addRatios<double>("double", level, ratios);
     }
     const auto triad = std::make_shared<Triad>(team);
-    registerStep("triad, 1 thread", [triad] { return [triad] { triad->pass(1); }; });
-    registerStep("triad, 2 threads", [triad] { return [triad] { triad->pass(2); }; });
+    registerWork("triad, 1 thread", repetitions, [triad] { return [triad] { triad->pass(1); }; });
+    registerWork("triad, 2 threads", repetitions, [triad] { return [triad] { triad->pass(2); }; });
     return ratios;
 }
 

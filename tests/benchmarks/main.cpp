@@ -1,4 +1,5 @@
 #include "tests/benchmarks/explicit_step.h"
+#include "tests/benchmarks/local_poke.h"
 
 #include <string>
 
@@ -10,7 +11,10 @@ int main(int argumentCount, char** argumentValues) {
     int count = static_cast<int>(arguments.size());
     benchmark::Initialize(&count, arguments.data());
 
-    const std::vector<benchmarks::Ratio> ratios = benchmarks::registerExplicitStep();
+    std::vector<benchmarks::Ratio> ratios;
+    for (const auto registerSubject : {benchmarks::registerExplicitStep, benchmarks::registerLocalPoke})
+        for (benchmarks::Ratio& ratio : registerSubject())
+            ratios.push_back(std::move(ratio));
     benchmarks::RatioReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     reporter.print(ratios);

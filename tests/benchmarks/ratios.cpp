@@ -2,8 +2,24 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 namespace benchmarks {
+
+void registerWork(const std::string& name, int repetitions,
+                  const std::function<std::function<void()>()>& prepare) {
+    constexpr double shortestRun = 0.02; // s, of one repetition
+    const auto work = std::make_shared<std::function<void()>>();
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [prepare, work](benchmark::State& state) {
+                                     if (!*work) *work = prepare();
+                                     for (auto _ : state)
+                                         (*work)();
+                                 })
+        ->UseRealTime()
+        ->MinTime(shortestRun)
+        ->Repetitions(repetitions);
+}
 
 bool RatioReporter::ReportContext(const Context&) {
     return true;

@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,6 +20,10 @@ struct Ratio {
     double least = 0, most = 0; ///< the aim; 0 where there is none
     double scale = 1;
 };
+
+/// `prepare` returns what is measured; it is called when it is first needed.
+void registerWork(const std::string& name, int repetitions,
+                  const std::function<std::function<void()>()>& prepare);
 
 /// Keeps the time of every repetition and prints ratios of them instead of times, which move from machine to
 /// machine.
