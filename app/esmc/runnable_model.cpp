@@ -20,6 +20,7 @@ RunnableModel fromProject(const std::filesystem::path& file, const std::optional
     RunnableModel model;
     model.surface = touchedSurface(*project.mesh, *project.network);
     model.scene = scene.value_or(project.scene);
+    model.stepping = project.stepping;
     requireValid(model.scene, *project.network);
     model.tissue = evaluateModel(project, model.scene);
     model.project = project;
@@ -32,6 +33,7 @@ RunnableModel fromPackage(const std::filesystem::path& file, const std::optional
     RunnableModel model;
     model.tissue = std::move(package.tissue);
     model.scene = scene.value_or(Scene());
+    model.stepping = package.stepping;
     model.surface = touchedSurface(package.mesh, *model.tissue.network);
     if (!scene) return model;
     requireValid(*scene, *model.tissue.network);

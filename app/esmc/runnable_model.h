@@ -11,7 +11,8 @@ struct RunnableModel {
     TissueModel tissue;
     TouchedSurface surface;
     Scene scene;
-    std::optional<Project> project; ///< none of a package
+    std::optional<MeasuredStepping> stepping; ///< that is recommended
+    std::optional<Project> project;           ///< none of a package
 };
 
 /// Reads a project or a package, and the scene file that takes the place of what is stored, if one is named.

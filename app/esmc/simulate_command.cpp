@@ -4,6 +4,7 @@
 #include "app/esmc/runnable_model.h"
 #include "app/esmc/trajectory_file.h"
 #include "core/dynamics/scene_run.h"
+#include "core/dynamics/stability.h"
 #include "core/support/joined.h"
 
 #include <cmath>
@@ -15,8 +16,8 @@ namespace {
 
 struct SimulateOptions {
     std::string model, scene, output;
-    std::string integrator = "auto", timeStep = "auto";
-    Precision precision = Precision::Double;
+    std::string integrator, timeStep;
+    std::optional<Precision> precision;
     Damping damping = Damping::Isotropic;
     double restTolerance = 0; // m
 };
@@ -24,11 +25,13 @@ struct SimulateOptions {
 void declareSimulate(CLI::App& command, SimulateOptions& options) {
     command.add_option("model", options.model, "Project or model package")->required();
     command.add_option("--scene", options.scene, "Scene in place of the project's own (.json)");
-    command.add_option("--integrator", options.integrator, "One of " + integratorNames() + "; auto without");
+    command.add_option("--integrator", options.integrator,
+                       "One of " + integratorNames() +
+                           "; without, the recommended way to step where one is stored, else auto");
     command.add_option("--dt", options.timeStep,
                        "Time step, s, taken as given; auto (the default) chooses a safe one");
     addChoice(command, "--precision", options.precision,
-              {{"double", Precision::Double}, {"float", Precision::Float}},
+              Words<std::optional<Precision>>{{"double", Precision::Double}, {"float", Precision::Float}},
               "Numbers that are computed with: double (the default) or, with an explicit integrator, float");
     addDampingOption(command, options.damping);
     command
@@ -43,12 +46,12 @@ void declareSimulate(CLI::App& command, SimulateOptions& options) {
 
 SimulationSettings requestedSettings(const SimulateOptions& options) {
     SimulationSettings settings;
-    const auto integrator = integratorFromName(options.integrator);
+    const auto integrator = integratorFromName(options.integrator.empty() ? "auto" : options.integrator);
     if (!integrator)
         throw UsageError("--integrator: '" + options.integrator +
                          "' is not one of those there are: " + integratorNames());
     settings.integrator = *integrator;
-    if (options.timeStep != "auto") {
+    if (!options.timeStep.empty() && options.timeStep != "auto") {
         const std::vector<double> step = parseNumbers(options.timeStep, "--dt");
         if (step.size() != 1 || !(step[0] > 0))
             throw UsageError("--dt: give one number of seconds above zero, or auto");
@@ -56,7 +59,7 @@ SimulationSettings requestedSettings(const SimulateOptions& options) {
     }
     settings.damping = options.damping;
     settings.restTolerance = options.restTolerance;
-    settings.precision = options.precision;
+    settings.precision = options.precision.value_or(Precision::Double);
     if (const auto problems = validate(settings); !problems.empty()) throw UsageError(joined(problems, "; "));
     return settings;
 }
@@ -107,10 +110,30 @@ std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutco
     return warnings;
 }
 
+/// Whether the line leaves open how to step.
+bool takesRecommended(const SimulateOptions& options) {
+    return options.integrator.empty() && options.timeStep.empty() && !options.precision &&
+           options.damping == Damping::Isotropic;
+}
+
+/// The recommended way to step, where tissue that may have changed since is still stable with it.
+SimulationSettings recommendedSettings(const RunnableModel& model, const SimulationSettings& settings,
+                                       std::vector<std::string>& warnings) {
+    const Stepping& stepping = model.stepping->stepping;
+    if (isStable(model.tissue, stepping)) return withStepping(settings, stepping);
+    warnings.push_back("the recommended step of " + inText(stepping.timeStep) + " s is too long for " +
+                       integratorName(stepping.integrator) +
+                       " with the tissue as it is now; auto stepped it: measure again with tradeoff");
+    return settings;
+}
+
 Report runSimulate(const SimulateOptions& options, Context& context) {
     SimulationSettings settings = requestedSettings(options);
     settings.threads = static_cast<std::size_t>(context.threads);
     const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
+    std::vector<std::string> warnings;
+    if (model.stepping && takesRecommended(options))
+        settings = recommendedSettings(model, settings, warnings);
     TrajectoryFile trajectory(options.output, recordedNodes(model.scene, model.tissue.mass.size()));
     const auto sink = [&trajectory](double time, const std::vector<Eigen::Vector3d>& positions) {
         trajectory.add(time, positions);
@@ -119,7 +142,9 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
                                           progressOf(context, "simulating"));
     trajectory.commit();
     Report report = describe(outcome);
-    addWarnings(report, warningsOf(model, outcome));
+    const std::vector<std::string> ofScene = warningsOf(model, outcome);
+    warnings.insert(warnings.end(), ofScene.begin(), ofScene.end());
+    addWarnings(report, warnings);
     addWritten(report, options.output);
     return report;
 }

@@ -4,15 +4,21 @@
 #include "app/esmc/tradeoff_chart.h"
 #include "core/dynamics/coarser_runs.h"
 #include "core/exchange/image_file.h"
+#include "core/exchange/model_package.h"
+#include "core/exchange/project_file.h"
 
 namespace esm {
 
 namespace {
 
+/// Which of the recommended runs is saved.
+enum class Wish { MaxError, RealTime };
+
 struct TradeoffCommandOptions {
-    std::string model, scene, plot;
+    std::string model, scene, plot, output;
     double mostError = 0.01, realTimeFactor = 1, mostSeconds = 10;
     Damping damping = Damping::Isotropic;
+    Wish saved = Wish::MaxError;
 };
 
 CLI::Validator chartEnding() {
@@ -36,10 +42,13 @@ void declareTradeoff(CLI::App& command, TradeoffCommandOptions& options) {
         ->check(positiveNumber());
     command.add_option("--plot", options.plot, "Chart to draw (.svg or .png)")->check(chartEnding());
     addDampingOption(command, options.damping);
-}
-
-const char* precisionName(Precision precision) {
-    return precision == Precision::Float ? "float" : "double";
+    command
+        .add_option("-o,--output", options.output,
+                    "Project to write with the recommended way to step; may be the one that is read")
+        ->check(writtenAs(".esm"));
+    addChoice(
+        command, "--save", options.saved, {{"max_error", Wish::MaxError}, {"real_time", Wish::RealTime}},
+        "What is saved as recommended: least cost to the error (the default), or least error in real time");
 }
 
 /// `detail` is the number of simulated nodes.
@@ -108,7 +117,38 @@ void drawChart(const Drawing& chart, const std::string& file, Report& report) {
     addWritten(report, file);
 }
 
+/// Writes the project with the run that is recommended, on the run's nodes.
+void saveRecommended(const Tradeoff& tradeoff, const TradeoffCommandOptions& options, const Project& project,
+                     Report& report) {
+    const auto& chosen = options.saved == Wish::RealTime ? tradeoff.bestInRealTime : tradeoff.fastestToError;
+    if (!chosen) {
+        report.failure = "no run reaches what is wanted, and nothing was saved: allow a larger --max-error, "
+                         "a lower --real-time or more --max-seconds";
+        return;
+    }
+    const TradeoffRun& run = tradeoff.runs[*chosen];
+    saveProject(withRun(project, run), options.output);
+    report.json["saved"] = runInJson(run);
+    report.text.push_back("recommended from now on: " + runInText(run));
+    std::vector<std::string> warnings;
+    if (run.coarser)
+        warnings.push_back(counted(run.nodes, "node") + " are simulated in place of " +
+                           std::to_string(project.network->restPositions.size()) + ": node numbers are new");
+    addWarnings(report, warnings);
+    addWritten(report, options.output);
+}
+
+/// Before long work, what would keep its result from being saved.
+void requireSavable(const TradeoffCommandOptions& options) {
+    if (options.damping != Damping::Isotropic)
+        throw UsageError("-o: what is recommended holds for isotropic damping; leave --damping out");
+    if (isModelPackage(options.model))
+        throw UsageError("-o: a model package keeps what it was exported with; measure the project, and "
+                         "export it again");
+}
+
 Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
+    if (!options.output.empty()) requireSavable(options);
     const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
     TradeoffOptions wanted;
     wanted.mostError = options.mostError;
@@ -123,6 +163,7 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);
     if (!options.plot.empty()) drawChart(tradeoffChart(tradeoff, wanted), options.plot, report);
+    if (!options.output.empty()) saveRecommended(tradeoff, options, *model.project, report);
     return report;
 }
 

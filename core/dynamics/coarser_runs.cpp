@@ -36,8 +36,9 @@ std::optional<std::vector<std::uint32_t>> recordedVertices(const Project& projec
     return vertices;
 }
 
-CoarserRun runOf(const Project& fewer, const std::vector<std::uint32_t>& vertices) {
-    CoarserRun run{evaluateModel(fewer), touchedSurface(*fewer.mesh, *fewer.network), fewer.scene, {}};
+CoarserRun runOf(const Project& fewer, const Detail& detail, const std::vector<std::uint32_t>& vertices) {
+    CoarserRun run{
+        detail, evaluateModel(fewer), touchedSurface(*fewer.mesh, *fewer.network), fewer.scene, {}};
     run.scene.record.nodes.reset();
     Vectors rest;
     Binding binding{fewer.network->binding->surface, fewer.network->binding->lines, {}};
@@ -62,13 +63,20 @@ std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene) 
     std::vector<CoarserRun> runs;
     std::size_t last = full.network->restPositions.size();
     for (std::size_t nodes = last / 4; nodes >= fewestWorthMeasuring; nodes /= 4) {
-        const Project fewer = withDetail(full, {Detail::Kind::Nodes, nodes});
+        const Detail detail{Detail::Kind::Nodes, nodes};
+        const Project fewer = withDetail(full, detail);
         // A surface of many parts may have no fewer.
         if (fewer.network->restPositions.size() >= last) break;
         last = fewer.network->restPositions.size();
-        runs.push_back(runOf(fewer, *vertices));
+        runs.push_back(runOf(fewer, detail, *vertices));
     }
     return runs;
+}
+
+Project withRun(const Project& project, const TradeoffRun& run) {
+    Project changed = run.coarser ? withDetail(project, *run.coarser) : project;
+    changed.stepping = MeasuredStepping{run.stepping, run.error, run.wallPerSimulatedSecond};
+    return changed;
 }
 
 } // namespace esm

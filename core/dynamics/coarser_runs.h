@@ -10,4 +10,8 @@ namespace esm {
 /// rigidly, and where a recorded node shows at no vertex.
 std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene);
 
+/// The project with a measured run as the way to step it that is recommended, on the nodes of that run.
+/// @throws InvalidModel when the surface has no such level of detail
+Project withRun(const Project& project, const TradeoffRun& run);
+
 } // namespace esm

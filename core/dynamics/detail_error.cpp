@@ -1,11 +1,9 @@
 #include "core/dynamics/detail_error.h"
 
+#include "core/dynamics/motion_error.h"
 #include "core/dynamics/scene_run.h"
 #include "core/model/detail_change.h"
 #include "core/support/errors.h"
-
-#include <cmath>
-#include <limits>
 
 namespace esm {
 
@@ -37,17 +35,6 @@ DrawnMotion motionOf(const Project& project, const SimulationSettings& settings,
 }
 
 } // namespace
-
-void MotionError::add(const Points& points, const Points& reference, const Points& start) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        m_difference += (points[i] - reference[i]).squaredNorm();
-        m_motion += (reference[i] - start[i]).squaredNorm();
-    }
-}
-
-double MotionError::relative() const {
-    return m_motion > 0 ? std::sqrt(m_difference / m_motion) : std::numeric_limits<double>::infinity();
-}
 
 double detailError(const Project& project, const Detail& detail, const SimulationSettings& settings,
                    const Progress& progress) {

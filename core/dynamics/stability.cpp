@@ -72,6 +72,13 @@ CriticalSteps criticalSteps(const TissueModel& model, Damping damping, const Sta
     return steps;
 }
 
+bool isStable(const TissueModel& model, const Stepping& stepping) {
+    constexpr double tolerance = 0.01; // less than the margin of any step that is chosen
+    StabilityRules rules(makeSpringSystem(model), Damping::Isotropic, {tolerance, Deformation::Any, {}});
+    const double step = stepping.timeStep;
+    return rules.largestStable(stepping.integrator, step).value_or(0) >= step * (1 - 1e-9);
+}
+
 double largestAngularFrequency(const TissueModel& model) {
     return StabilityRules(makeSpringSystem(model), Damping::Isotropic, {1e-3, Deformation::AtRest, {}})
         .largestAngularFrequency();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/settings.h"
+#include "core/dynamics/stepping.h"
 #include "core/model/tissue_model.h"
 #include "core/support/progress.h"
 
@@ -33,6 +33,9 @@ using CriticalSteps = std::map<Integrator, std::optional<double>>;
 /// Those of every integrator that takes the damping. @throws InvalidModel, Cancelled
 CriticalSteps criticalSteps(const TissueModel& model, Damping damping = Damping::Isotropic,
                             const StabilitySearch& search = {});
+
+/// Whether a step is within the limit at any deformation, with isotropic damping. @throws InvalidModel
+bool isStable(const TissueModel& model, const Stepping& stepping);
 
 /// Of small oscillations about rest without damping, the largest angular frequency, rad/s.
 /// @throws InvalidModel

@@ -1,6 +1,6 @@
 #include "core/dynamics/tradeoff.h"
 
-#include "core/dynamics/detail_error.h"
+#include "core/dynamics/motion_error.h"
 #include "core/dynamics/spring_system.h"
 #include "core/dynamics/stability.h"
 #include "core/support/joined.h"
@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace esm {
 
@@ -24,23 +23,10 @@ constexpr double referencePatience = 10; ///< times what another run may take
 constexpr double referenceMargin = 10;   ///< between the smallest error reported and the reference's own
 constexpr double finestError = 1e-5;     ///< relative; what is asked of the smallest errors
 
-/// Recorded positions by their time's number, in intervals.
-using Trajectory = std::map<long, Vectors>;
-
 struct Measured {
     SceneOutcome outcome;
     Trajectory trajectory;
 };
-
-/// Relative to the motion of `reference`, over the times both have; infinite when they share none but the
-/// start.
-double relativeError(const Trajectory& trajectory, const Trajectory& reference) {
-    MotionError error;
-    for (const auto& [time, positions] : trajectory)
-        if (const auto found = reference.find(time); found != reference.end())
-            error.add(positions, found->second, reference.at(0));
-    return error.relative();
-}
 
 /// The tissue at one level of detail.
 struct Level {
@@ -51,8 +37,9 @@ struct Level {
 
 class Measurement {
 public:
-    Measurement(const SceneRun& run, const TradeoffOptions& options, const Progress& progress)
-        : m_run(run), m_options(options), m_progress(progress) {
+    Measurement(const SceneRun& run, const TradeoffOptions& options, const Progress& progress,
+                const TradeoffSink& sink)
+        : m_run(run), m_options(options), m_progress(progress), m_sink(sink) {
         addLevel(run, nullptr);
         for (const CoarserRun& coarser : options.coarser)
             addLevel({coarser.model, coarser.surface, coarser.scene}, &coarser);
@@ -74,7 +61,7 @@ public:
                 refine(ways[i]);
             }
         }
-        recommend();
+        recommend(m_result, m_options);
         return std::move(m_result);
     }
 
@@ -113,10 +100,7 @@ private:
         Scene scene = m_level->run.scene;
         scene.duration = duration;
         scene.record.every = std::max(m_interval, stepping.timeStep);
-        SimulationSettings settings;
-        settings.integrator = stepping.integrator;
-        settings.timeStep = stepping.timeStep;
-        settings.precision = stepping.precision;
+        SimulationSettings settings = withStepping({}, stepping);
         settings.damping = m_options.damping;
         settings.threads = m_options.threads;
         Measured measured;
@@ -151,9 +135,7 @@ private:
             if (!finer.outcome.stable) break;
             if (runs > 0) {
                 const double change = changeTo(finer.trajectory);
-                // Each halving takes away at least half of what is left; how much, two of them tell.
-                const double ratio = std::min(0.5, change / lastChange);
-                error = change * (runs > 1 ? ratio / (1 - ratio) : 1);
+                error = remainingError(change, lastChange);
                 lastChange = change;
                 m_result.reference = {stepping, error};
             }
@@ -162,6 +144,7 @@ private:
         if (std::isinf(error))
             throw InvalidModel("no reference can be computed in the time that is allowed: allow more of it, "
                                "or shorten the scene");
+        if (m_sink.reference) m_sink.reference(m_result.reference);
     }
 
     /// From the reference there was, relative to the motion.
@@ -195,6 +178,7 @@ private:
                 const bool isTold = result.error >= referenceMargin * m_result.reference.estimatedError;
                 if (result.stable && !isTold) return;
                 m_result.runs.push_back(result);
+                if (m_sink.run) m_sink.run(result);
                 if (!result.stable) continue;
                 // What rounding spoils does not get better.
                 if (result.error > 0.9 * lastError) return;
@@ -207,35 +191,18 @@ private:
 
     TradeoffRun resultOf(const Stepping& stepping) const {
         const auto [outcome, trajectory] = run(stepping, m_run.scene.duration);
-        return {stepping, nodes(), outcome.stable, relativeError(trajectory, m_reference),
-                outcome.wallSeconds / outcome.simulatedSeconds};
-    }
-
-    void recommend() {
-        const std::vector<TradeoffRun>& runs = m_result.runs;
-        std::vector<std::size_t>& pareto = m_result.pareto;
-        for (std::size_t i = 0; i < runs.size(); ++i)
-            if (runs[i].stable) pareto.push_back(i);
-        std::sort(pareto.begin(), pareto.end(), [&](std::size_t a, std::size_t b) {
-            return runs[a].wallPerSimulatedSecond < runs[b].wallPerSimulatedSecond;
-        });
-        double least = std::numeric_limits<double>::infinity();
-        pareto.erase(std::remove_if(pareto.begin(), pareto.end(),
-                                    [&](std::size_t i) {
-                                        if (!(runs[i].error < least)) return true;
-                                        least = runs[i].error;
-                                        return false;
-                                    }),
-                     pareto.end());
-        for (const std::size_t i : pareto) {
-            if (runs[i].realTimeFactor() >= m_options.realTimeFactor) m_result.bestInRealTime = i;
-            if (!m_result.fastestToError && runs[i].error <= m_options.mostError) m_result.fastestToError = i;
-        }
+        return {stepping,
+                nodes(),
+                outcome.stable,
+                relativeError(trajectory, m_reference),
+                outcome.wallSeconds / outcome.simulatedSeconds,
+                m_level->coarser ? std::optional(m_level->coarser->detail) : std::nullopt};
     }
 
     const SceneRun& m_run;
     const TradeoffOptions& m_options;
     const Progress& m_progress;
+    const TradeoffSink& m_sink;
     double m_fraction = 0;          ///< done
     std::vector<Level> m_levels;    ///< the full one first
     const Level* m_level = nullptr; ///< the one at work
@@ -244,12 +211,37 @@ private:
     Tradeoff m_result;
 };
 
+/// Those that none beats in error and cost, the fastest first.
+std::vector<std::size_t> paretoFront(const std::vector<TradeoffRun>& runs) {
+    std::vector<std::size_t> stable;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        if (runs[i].stable) stable.push_back(i);
+    std::sort(stable.begin(), stable.end(), [&](std::size_t a, std::size_t b) {
+        return runs[a].wallPerSimulatedSecond < runs[b].wallPerSimulatedSecond;
+    });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : stable)
+        if (front.empty() || runs[i].error < runs[front.back()].error) front.push_back(i);
+    return front;
+}
+
 } // namespace
 
-Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress) {
+Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress,
+                         const TradeoffSink& sink) {
     if (auto problems = validate(run.scene, run.model.mass.size()); !problems.empty())
         throw InvalidModel(std::move(problems));
-    return Measurement(run, options, progress).measure();
+    return Measurement(run, options, progress, sink).measure();
+}
+
+void recommend(Tradeoff& tradeoff, const TradeoffOptions& wishes) {
+    tradeoff.pareto = paretoFront(tradeoff.runs);
+    tradeoff.bestInRealTime = tradeoff.fastestToError = std::nullopt;
+    for (const std::size_t i : tradeoff.pareto) {
+        const TradeoffRun& run = tradeoff.runs[i];
+        if (run.realTimeFactor() >= wishes.realTimeFactor) tradeoff.bestInRealTime = i;
+        if (!tradeoff.fastestToError && run.error <= wishes.mostError) tradeoff.fastestToError = i;
+    }
 }
 
 } // namespace esm

@@ -1,18 +1,14 @@
 #pragma once
 
 #include "core/dynamics/scene_run.h"
+#include "core/dynamics/stepping.h"
+#include "core/model/detail.h"
 
 namespace esm {
 
-/// One way to step the tissue.
-struct Stepping {
-    Integrator integrator = Integrator::Auto;
-    double timeStep = 0; ///< s
-    Precision precision = Precision::Double;
-};
-
 /// The scene of a run on fewer nodes.
 struct CoarserRun {
+    Detail detail; ///< the level that was asked for
     TissueModel model;
     TouchedSurface surface;
     Scene scene; ///< records all nodes
@@ -25,8 +21,9 @@ struct TradeoffRun {
     Stepping stepping;
     std::size_t nodes = 0; ///< simulated
     bool stable = false;
-    double error = 0;                  ///< relative to the motion itself; without meaning when not stable
-    double wallPerSimulatedSecond = 0; ///< on this machine
+    double error = 0;                   ///< relative to the motion itself; without meaning when not stable
+    double wallPerSimulatedSecond = 0;  ///< on this machine
+    std::optional<Detail> coarser = {}; ///< the level of detail, where it is not the scene's own
 
     double realTimeFactor() const { return 1 / wallPerSimulatedSecond; }
 };
@@ -54,12 +51,22 @@ struct TradeoffOptions {
     std::vector<CoarserRun> coarser = {}; ///< measured too, against the full run
 };
 
+/// Receives the reference, and each run as soon as it is measured.
+struct TradeoffSink {
+    std::function<void(const TradeoffReference&)> reference;
+    std::function<void(const TradeoffRun&)> run;
+};
+
 /// Runs a scene, and its coarser runs, with every integrator, from its longest stable step to ever shorter
 /// ones, in every precision, and compares each trajectory with a reference whose step is halved until its own
 /// error is a tenth of the smallest that is reported. The error of a trajectory x is √(Σ|x − x_ref|² /
 /// Σ|x_ref − x_0|²) over the recorded nodes and times that its steps reach; none is reported below ten times
 /// the reference's own.
 /// @throws InvalidModel when the scene is not for the model, or nothing in it moves; Cancelled
-Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress = {});
+Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress = {},
+                         const TradeoffSink& sink = {});
+
+/// Works out anew what is best of the runs there are, as when other wishes come up.
+void recommend(Tradeoff& tradeoff, const TradeoffOptions& wishes);
 
 } // namespace esm

@@ -26,6 +26,28 @@ BaseTissue baseTissueFromJson(const JsonReader& reader) {
             reader.member("mass").number()};
 }
 
+Json toJson(const MeasuredStepping& measured) {
+    return {{"integrator", integratorName(measured.stepping.integrator)},
+            {"timeStep", measured.stepping.timeStep},
+            {"precision", precisionName(measured.stepping.precision)},
+            {"error", measured.error},
+            {"wallPerSimulatedSecond", measured.wallPerSimulatedSecond}};
+}
+
+std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader) {
+    const auto integrator = integratorFromName(reader.member("integrator").text());
+    const JsonReader named = reader.member("precision");
+    const auto precision = precisionFromName(named.text());
+    if (named.json().is_string() && !precision) named.addProblem("should be double or float");
+    const MeasuredStepping measured{{integrator.value_or(Integrator::Auto),
+                                     reader.member("timeStep").number(),
+                                     precision.value_or(Precision::Double)},
+                                    reader.member("error").number(),
+                                    reader.member("wallPerSimulatedSecond").number()};
+    if (!integrator) return std::nullopt;
+    return measured;
+}
+
 std::vector<double> coordinatesOf(const std::vector<Eigen::Vector3d>& points) {
     std::vector<double> values;
     values.reserve(3 * points.size());

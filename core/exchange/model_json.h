@@ -14,6 +14,10 @@ void refuseNewerVersion(const JsonReader& file, int known);
 nlohmann::ordered_json toJson(const BaseTissue& base);
 BaseTissue baseTissueFromJson(const JsonReader& reader);
 
+nlohmann::ordered_json toJson(const MeasuredStepping& measured);
+/// Nothing where the integrator is one that only other programs know.
+std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader);
+
 /// x, y, z of every point in one list, and back.
 std::vector<double> coordinatesOf(const std::vector<Eigen::Vector3d>& points);
 

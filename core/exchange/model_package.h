@@ -20,6 +20,7 @@ struct ModelPackage {
     TissueModel tissue;
     BaseTissue base; ///< for people: already in `tissue`, as the regions are
     std::vector<Region> regions;
+    std::optional<MeasuredStepping> stepping; ///< that is recommended
     std::array<std::uint8_t, 3> baseColour{}; ///< of a surface without texture
     std::shared_ptr<const Atlas> atlas;       ///< null without textures
     std::vector<Image> textures;              ///< one per page of the atlas

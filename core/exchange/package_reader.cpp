@@ -321,6 +321,7 @@ ModelPackage PackageReader::read() {
         readBinding(extension.member("binding"), *network, package.mesh.vertices.size());
     package.base = baseTissueFromJson(extension.member("base"));
     package.regions = regionsFromJson(extension.member("fuzzySystems"), extension.member("regions"));
+    if (extension.has("stepping")) package.stepping = steppingFromJson(extension.member("stepping"));
     package.baseColour = colourFromJson(extension.member("baseColour"));
     if (m_problems.empty()) readDrawn(extension, package);
     return package;
@@ -335,6 +336,7 @@ std::vector<std::string> problemsOf(const ModelPackage& package) {
     project.network = package.tissue.network;
     project.base = package.base;
     project.regions = package.regions;
+    project.stepping = package.stepping;
     project.atlas = package.atlas;
     std::vector<std::string> problems = validate(project);
     for (std::string& problem : validate(package.tissue))

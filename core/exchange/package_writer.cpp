@@ -201,6 +201,7 @@ Json PackageBuilder::extension() {
     json["base"] = toJson(project.base);
     json["fuzzySystems"] = std::move(regions.systems);
     json["regions"] = std::move(regions.regions);
+    if (project.stepping) json["stepping"] = toJson(*project.stepping);
     json["baseColour"] = colourToJson(project.texture.baseColour);
     if (m_from.atlas) json["texture"] = texture();
     return json;

@@ -229,6 +229,7 @@ Project readContent(const JsonReader& manifest, Source& source) {
     project.base = baseTissueFromJson(manifest.member("base"));
     project.regions = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
     project.scene = readScene(manifest.member("scene"));
+    if (manifest.has("stepping")) project.stepping = steppingFromJson(manifest.member("stepping"));
     project.photos = readPhotos(manifest.member("photos"), source);
     project.texture.atlas = atlasOptionsFromJson(manifest.member("texture"));
     project.texture.baseColour = colourFromJson(manifest.member("texture").member("baseColour"));

@@ -145,6 +145,7 @@ Json manifestOf(const Project& project, Content& content) {
                   {"scene", toJson(project.scene)},
                   {"photos", addPhotos(project.photos, content)},
                   {"texture", std::move(texture)}};
+    if (project.stepping) manifest["stepping"] = esm::toJson(*project.stepping);
     if (project.atlas) manifest["atlas"] = addAtlas(*project.atlas, content);
     manifest["arrays"] = content.arrays;
     return manifest;

@@ -83,6 +83,7 @@ Project withDetail(const Project& project, const Detail& detail) {
         makeProject(project.name, {*project.mesh, *project.importReport}, project.base.mass, detail);
     Project changed = project;
     changed.network = fresh.network;
+    changed.stepping.reset();
     if (!isRigid(project) && !isRigid(fresh)) {
         changed.scene =
             overOtherNodes(project.scene, project.network->restPositions, fresh.network->restPositions);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/stepping.h"
 #include "core/geometry/repair.h"
 #include "core/model/detail.h"
 #include "core/model/region.h"
@@ -37,7 +38,8 @@ struct Project {
     BaseTissue base;
     std::vector<Region> regions; ///< from the first to the last; a later one lies over an earlier one
     Scene scene;
-    std::vector<PhotoLayer> photos; ///< from the lowest to the topmost
+    std::optional<MeasuredStepping> stepping; ///< that is recommended; none until measured
+    std::vector<PhotoLayer> photos;           ///< from the lowest to the topmost
     TextureSettings texture;
     std::shared_ptr<const Atlas> atlas; ///< null until packed
 };

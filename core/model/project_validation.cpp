@@ -115,6 +115,7 @@ std::vector<std::string> validate(const Project& project) {
     addUnder(problems, "mesh", meshProblems(*project.mesh));
     addUnder(problems, "model", networkProblems(project));
     addUnder(problems, "scene", validate(project.scene, project.network->restPositions.size()));
+    if (project.stepping) addUnder(problems, "stepping", validate(*project.stepping));
     for (std::size_t i = 0; i < project.regions.size(); ++i)
         addUnder(problems, "region " + std::to_string(i + 1) + " (" + project.regions[i].name + ")",
                  regionProblems(project.regions[i]));

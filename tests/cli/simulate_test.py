@@ -98,6 +98,34 @@ class SimulateTest(Case):
         self.done("tradeoff", self.sample("tube"), "--scene", scene, "--max-seconds", "0.02", "--plot", chart)
         self.assertEqual(chart.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
+    def test_steps_as_was_measured_and_saved(self):
+        scene = {**TUBE_POKE, "record": {"every": 0.05}}
+        project = self.sample("tube")
+        report = self.done("tradeoff", project, "--scene", self.file("scene.json", scene), "--max-error", "0.05",
+                           "--max-seconds", "0.05", "-o", project)
+        saved = report["saved"]
+        self.assertEqual(saved, report["recommended"]["max_error"])
+        run, _ = self.simulated(project, scene)
+        self.assertEqual((run["integrator"], run["dt"]), (saved["integrator"], saved["dt"]))
+        self.done("export", project, "--to", "glb", "-o", self.file("tube.glb"))
+        run, _ = self.simulated(self.file("tube.glb"), scene)
+        self.assertEqual((run["integrator"], run["dt"]), (saved["integrator"], saved["dt"]))
+        self.assertNotEqual(self.simulated(project, scene, "--integrator", "auto")[0]["dt"], saved["dt"])
+        stiff = self.file("stiff.esm")
+        self.done("tissue", project, "--override", "spring_constant=1e7", "-o", stiff)
+        run, _ = self.simulated(stiff, {**scene, "duration": 0.001})
+        self.assertTrue(run["stable"])
+        self.assertIn("measure again", "".join(run["warnings"]))
+
+    def test_saves_nothing_that_is_not_reached(self):
+        scene = self.file("scene.json", {**TUBE_POKE, "duration": 0.05, "record": {"every": 0.025}})
+        project = self.sample("tube")
+        before = project.read_bytes()
+        message = self.fails(1, "tradeoff", project, "--scene", scene, "--max-seconds", "0.02", "--real-time", "1e9",
+                             "--save", "real_time", "-o", project)
+        self.assertIn("nothing was saved", message)
+        self.assertEqual(project.read_bytes(), before)
+
     def test_integrators_agree(self):
         project = self.sample("tube")
         ends = {}

@@ -149,6 +149,16 @@ void expectSameRegions(const std::vector<Region>& a, const std::vector<Region>& 
     }
 }
 
+void expectSameStepping(const std::optional<MeasuredStepping>& a, const std::optional<MeasuredStepping>& b) {
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) return;
+    EXPECT_EQ(a->stepping.integrator, b->stepping.integrator);
+    EXPECT_TRUE(sameBits(a->stepping.timeStep, b->stepping.timeStep));
+    EXPECT_EQ(a->stepping.precision, b->stepping.precision);
+    EXPECT_TRUE(sameBits(a->error, b->error));
+    EXPECT_TRUE(sameBits(a->wallPerSimulatedSecond, b->wallPerSimulatedSecond));
+}
+
 void expectSameProject(const Project& a, const Project& b) {
     EXPECT_EQ(a.name, b.name);
     EXPECT_TRUE(sameBits(a.base.springConstant, b.base.springConstant));
@@ -157,6 +167,7 @@ void expectSameProject(const Project& a, const Project& b) {
     expectSameMesh(a, b);
     expectSameRegions(a.regions, b.regions);
     expectSameScene(a.scene, b.scene);
+    expectSameStepping(a.stepping, b.stepping);
     expectSamePhotos(a, b);
     expectSameTexture(a, b);
 }

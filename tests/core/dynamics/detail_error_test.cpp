@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace esm {
 namespace {
 
@@ -17,15 +15,6 @@ Project pokedOrgan() {
     project.scene.record.every = 0.1;
     project.scene.instrument = InstrumentMotion{0.04, {{0, {0, 0.15, 0}}, {0.3, {0, 0.12, 0}}}};
     return project;
-}
-
-TEST(MotionError, IsRelativeToTheMotionItself) {
-    MotionError error;
-    EXPECT_TRUE(std::isinf(error.relative()));
-    error.add({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {1, 0, 0}});
-    EXPECT_TRUE(std::isinf(error.relative()));
-    error.add({{0, 0, 3}, {1, 0, 1}}, {{0, 0, 0}, {1, 4, 1}}, {{0, 0, 0}, {1, 0, 1}});
-    EXPECT_DOUBLE_EQ(error.relative(), 5.0 / 4);
 }
 
 TEST(DetailError, FallsAsNodesGrowMany) {

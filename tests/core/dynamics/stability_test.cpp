@@ -131,6 +131,16 @@ TEST(CriticalSteps, OfThePublishedTubeAllowEulerMicrosecondsAndTheSplitFormsTent
     EXPECT_GT(*steps.at(Integrator::Split2), 0.2);
 }
 
+TEST(IsStable, HoldsUpToTheLimitWhateverItIs) {
+    const TissueModel tube = tissue::fallopianTube();
+    for (const Integrator integrator : {Integrator::Euler, Integrator::Rk4, Integrator::Split2}) {
+        const double limit = *criticalStep(tube, integrator);
+        EXPECT_TRUE(isStable(tube, {integrator, 0.95 * limit})) << integratorName(integrator);
+        EXPECT_FALSE(isStable(tube, {integrator, 1.05 * limit})) << integratorName(integrator);
+    }
+    EXPECT_TRUE(isStable(tube, {Integrator::Bdf2, 100}));
+}
+
 TEST(CriticalStep, IsFoundCoarselyOnTheSafeSide) {
     TissueModel model = tissue::fromMesh(tissue::gridMesh(8, 0.1), {50, 0.5, 0.001});
     for (std::size_t i = 0; i < model.mass.size(); ++i)

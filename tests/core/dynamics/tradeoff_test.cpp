@@ -1,4 +1,5 @@
 #include "core/dynamics/coarser_runs.h"
+#include "core/model/detail_change.h"
 #include "core/support/errors.h"
 #include "tests/support/tissue_models.h"
 
@@ -26,8 +27,9 @@ struct PulledTube {
         scene.forces = {{85, {0, 0, 0.1}, 0, 1}};
         scene.record.every = 0.05;
     }
-    Tradeoff measured(const TradeoffOptions& options, const Progress& progress = {}) const {
-        return measureTradeoff({model, {}, scene}, options, progress);
+    Tradeoff measured(const TradeoffOptions& options, const Progress& progress = {},
+                      const TradeoffSink& sink = {}) const {
+        return measureTradeoff({model, {}, scene}, options, progress, sink);
     }
 };
 
@@ -35,11 +37,22 @@ struct PulledTube {
 
 TEST(Tradeoff, MeasuresThePublishedTube) {
     double reported = 0;
-    const Tradeoff tradeoff = PulledTube().measured({1, 0.01, mostSeconds}, [&](double fraction) {
+    std::vector<double> asTheyCome;
+    const auto progress = [&](double fraction) {
         EXPECT_GE(fraction, reported);
         reported = fraction;
         return true;
-    });
+    };
+    const auto take = [&](const TradeoffRun& run) { asTheyCome.push_back(run.error); };
+    const auto takeReference = [&](const TradeoffReference& reference) {
+        EXPECT_TRUE(asTheyCome.empty());
+        EXPECT_GT(reference.estimatedError, 0);
+    };
+    Tradeoff tradeoff = PulledTube().measured({1, 0.01, mostSeconds}, progress, {takeReference, take});
+    std::vector<double> atTheEnd;
+    for (const TradeoffRun& run : tradeoff.runs)
+        atTheEnd.push_back(run.error);
+    EXPECT_EQ(asTheyCome, atTheEnd);
     EXPECT_GT(reported, 0.9);
     EXPECT_GT(tradeoff.reference.estimatedError, 0);
     for (const TradeoffRun& run : tradeoff.runs) {
@@ -67,6 +80,32 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
             EXPECT_FALSE(other.error < run.error &&
                          other.wallPerSimulatedSecond < run.wallPerSimulatedSecond);
         }
+}
+
+TEST(Tradeoff, RecommendsAnewForOtherWishes) {
+    Tradeoff tradeoff;
+    const auto add = [&](double error, double cost, bool stable = true) {
+        TradeoffRun run;
+        run.stable = stable;
+        run.error = error;
+        run.wallPerSimulatedSecond = cost;
+        tradeoff.runs.push_back(run);
+    };
+    add(1e-4, 4);
+    add(1e-2, 0.1);
+    add(2e-2, 0.2);
+    add(1e-3, 0.9);
+    add(1e-9, 0.01, false);
+    recommend(tradeoff, {1, 1e-2});
+    EXPECT_THAT(tradeoff.pareto, testing::ElementsAre(1, 3, 0));
+    EXPECT_EQ(tradeoff.bestInRealTime, 3U);
+    EXPECT_EQ(tradeoff.fastestToError, 1U);
+    recommend(tradeoff, {0.2, 2e-4});
+    EXPECT_EQ(tradeoff.bestInRealTime, 0U);
+    EXPECT_EQ(tradeoff.fastestToError, 0U);
+    recommend(tradeoff, {100, 1e-5});
+    EXPECT_FALSE(tradeoff.bestInRealTime);
+    EXPECT_FALSE(tradeoff.fastestToError);
 }
 
 TEST(Tradeoff, SaysWhenNothingMoves) {
@@ -115,4 +154,25 @@ TEST(CoarserRuns, AreNoneOfWhatMovesRigidlyOrShowsNoVertex) {
     const Project rigid =
         makeProject("ball", {tissue::sphereMesh(3, 0.1), {}}, 0.5, {Detail::Kind::Rigid, 0});
     EXPECT_TRUE(coarserRuns(rigid, rigid.scene).empty());
+}
+
+TEST(WithRun, RecommendsItOnItsNodes) {
+    const Project project = makeProject("ball", {tissue::sphereMesh(3, 0.1), {}});
+    TradeoffRun run;
+    run.stepping = {Integrator::Split, 0.02, Precision::Double};
+    run.error = 0.03;
+    run.wallPerSimulatedSecond = 0.004;
+    const Project same = withRun(project, run);
+    EXPECT_EQ(same.network, project.network);
+    ASSERT_TRUE(same.stepping);
+    EXPECT_EQ(same.stepping->stepping.integrator, Integrator::Split);
+    EXPECT_EQ(same.stepping->stepping.timeStep, 0.02);
+    EXPECT_EQ(same.stepping->error, 0.03);
+    EXPECT_EQ(same.stepping->wallPerSimulatedSecond, 0.004);
+
+    run.coarser = Detail{Detail::Kind::Nodes, 160};
+    const Project fewer = withRun(same, run);
+    EXPECT_EQ(fewer.network->restPositions.size(), 160U);
+    EXPECT_TRUE(fewer.stepping);
+    EXPECT_FALSE(withDetail(same, {Detail::Kind::Nodes, 160}).stepping);
 }

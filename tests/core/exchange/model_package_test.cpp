@@ -57,6 +57,13 @@ TEST_F(ModelPackageFile, KeepsRegionsAsTheyWerePutIn) {
     expectSameRegions(package.regions, project.regions);
 }
 
+TEST_F(ModelPackageFile, HoldsTheWayToStepThatIsRecommended) {
+    Project project = richProject();
+    expectSameStepping(exported(project).stepping, project.stepping);
+    project.stepping.reset();
+    EXPECT_FALSE(exported(project).stepping);
+}
+
 TEST_F(ModelPackageFile, HoldsTheBakedTextureAndItsPlaces) {
     const Project project = richProject();
     const ModelPackage package = exported(project);

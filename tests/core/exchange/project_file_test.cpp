@@ -62,10 +62,18 @@ TEST_F(ProjectFile, SharesWhatWasShared) {
 }
 
 TEST_F(ProjectFile, KeysThatAreNotKnownAreIgnored) {
-    for (const char* place : {"", "/fuzzySystems/0", "/fuzzySystems/0/inputs/zeal", "/regions/0", "/base"}) {
+    for (const char* place :
+         {"", "/fuzzySystems/0", "/fuzzySystems/0/inputs/zeal", "/regions/0", "/base", "/stepping"}) {
         changeManifest(place, [](Json& object) { object["newer"] = "unheard-of"; });
         EXPECT_EQ(loadingError(), "loaded") << place;
     }
+}
+
+TEST_F(ProjectFile, AWayToStepThatOnlyOtherProgramsKnowIsLeftOut) {
+    saveWithManifest("/stepping/integrator", "leapfrog");
+    Project expected = richProject();
+    expected.stepping.reset();
+    expectSameProject(expected, loadProject(m_file));
 }
 
 TEST_F(ProjectFile, HoldsAPresetWithoutTheDescriptionThatProgramsKnow) {

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <map>
+#include <vector>
+
+namespace esm {
+
+/// Sums up how far one motion is from another: √(Σ|x − x_ref|² / Σ|x_ref − x_0|²).
+class MotionError {
+public:
+    /// The same points at one time, and where they started from, m.
+    void add(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& reference,
+             const std::vector<Eigen::Vector3d>& start);
+
+    /// Relative to the reference's motion itself; infinite without any motion.
+    double relative() const;
+
+private:
+    double m_difference = 0, m_motion = 0; ///< m², sums
+};
+
+/// Positions, m, by their time's number, in intervals; 0 is the start.
+using Trajectory = std::map<long, std::vector<Eigen::Vector3d>>;
+
+/// Relative to the motion of `reference`, over the times both have; infinite when they share none but the
+/// start, or nothing moves.
+double relativeError(const Trajectory& trajectory, const Trajectory& reference);
+
+/// What is left of a trajectory's error, relative to its motion, from how much halving the step changed it
+/// and how much the halving before did (infinite: there was none). Each halving takes away at least half of
+/// what is left; how much, two of them tell.
+double remainingError(double change, double lastChange);
+
+} // namespace esm

@@ -1,0 +1,35 @@
+#include "core/dynamics/stepping.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace esm {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(MeasuredStepping, IsCheckedWhole) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(validate(MeasuredStepping{{Integrator::Split2, 0.01, Precision::Double}, 0, 1e-3}),
+                IsEmpty());
+    EXPECT_THAT(validate(MeasuredStepping{{Integrator::Rk4, 0.01, Precision::Float}, 0.5, 1}), IsEmpty());
+    EXPECT_THAT(validate(MeasuredStepping{{Integrator::Split, 0, Precision::Float}, -1, 0}),
+                ElementsAre(HasSubstr("time step"), HasSubstr("double precision"), HasSubstr("the error"),
+                            HasSubstr("wall time")));
+    EXPECT_THAT(
+        validate(MeasuredStepping{{Integrator::Auto, infinite, Precision::Double}, infinite, infinite}),
+        ElementsAre(HasSubstr("time step"), HasSubstr("auto"), HasSubstr("the error"),
+                    HasSubstr("wall time")));
+}
+
+TEST(Precision, HasANameThatReadsBack) {
+    for (const Precision precision : {Precision::Double, Precision::Float})
+        EXPECT_EQ(precisionFromName(precisionName(precision)), precision);
+    EXPECT_FALSE(precisionFromName("half"));
+}
+
+} // namespace
+} // namespace esm
