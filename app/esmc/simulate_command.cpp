@@ -3,7 +3,7 @@
 #include "app/esmc/model_report.h"
 #include "app/esmc/runnable_model.h"
 #include "app/esmc/trajectory_file.h"
-#include "core/dynamics/scene_run.h"
+#include "core/dynamics/scene_accuracy.h"
 #include "core/dynamics/stability.h"
 #include "core/support/joined.h"
 
@@ -18,6 +18,7 @@ struct SimulateOptions {
     std::string model, scene, output;
     std::string integrator, timeStep;
     std::optional<Precision> precision;
+    std::optional<double> mostError;
     Damping damping = Damping::Isotropic;
     double restTolerance = 0; // m
 };
@@ -39,6 +40,10 @@ void declareSimulate(CLI::App& command, SimulateOptions& options) {
                     "With an explicit integrator, leave out what rests, up to this far off the whole motion, "
                     "m (0: nothing)")
         ->check(nonNegativeNumber());
+    command
+        .add_option("--max-error", options.mostError,
+                    "Halves the step until the estimated error, relative to the motion, is at most this")
+        ->check(positiveNumber());
     command.add_option("-o,--output", options.output, "Trajectory to write (.csv): time,node,x,y,z")
         ->required()
         ->check(writtenAs(".csv"));
@@ -100,6 +105,11 @@ Report describe(const SceneOutcome& outcome) {
     return report;
 }
 
+void addError(Report& report, double estimatedError) {
+    report.json["estimated_error"] = estimatedError;
+    report.text.push_back("estimated error: " + inText(100 * estimatedError) + " % of the motion");
+}
+
 /// What of the scene had no effect on the run.
 std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutcome& outcome) {
     std::vector<std::string> warnings = sceneWarnings(model.scene, model.tissue);
@@ -113,7 +123,7 @@ std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutco
 /// Whether the line leaves open how to step.
 bool takesRecommended(const SimulateOptions& options) {
     return options.integrator.empty() && options.timeStep.empty() && !options.precision &&
-           options.damping == Damping::Isotropic;
+           !options.mostError && options.damping == Damping::Isotropic;
 }
 
 /// The recommended way to step, where tissue that may have changed since is still stable with it.
@@ -127,6 +137,12 @@ SimulationSettings recommendedSettings(const RunnableModel& model, const Simulat
     return settings;
 }
 
+AccurateOutcome runRequested(const SceneRun& run, const std::optional<double>& mostError,
+                             const FrameSink& sink, const Progress& progress) {
+    if (mostError) return runSceneToError(run, *mostError, sink, progress);
+    return {runScene(run, sink, progress), 0};
+}
+
 Report runSimulate(const SimulateOptions& options, Context& context) {
     SimulationSettings settings = requestedSettings(options);
     settings.threads = static_cast<std::size_t>(context.threads);
@@ -138,10 +154,12 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     const auto sink = [&trajectory](double time, const std::vector<Eigen::Vector3d>& positions) {
         trajectory.add(time, positions);
     };
-    const SceneOutcome outcome = runScene({model.tissue, model.surface, model.scene, settings}, sink,
-                                          progressOf(context, "simulating"));
+    const auto [outcome, estimatedError] =
+        runRequested({model.tissue, model.surface, model.scene, settings}, options.mostError, sink,
+                     progressOf(context, "simulating"));
     trajectory.commit();
     Report report = describe(outcome);
+    if (options.mostError) addError(report, estimatedError);
     const std::vector<std::string> ofScene = warningsOf(model, outcome);
     warnings.insert(warnings.end(), ofScene.begin(), ofScene.end());
     addWarnings(report, warnings);

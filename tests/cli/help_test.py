@@ -47,7 +47,7 @@ class HelpTest(Case):
                      ["tradeoff", project, "--plot", "chart.gif"], ["tradeoff", project, "--real-time", "nan"],
                      ["tradeoff", project, "--max-seconds", "-1"],
                      ["tradeoff", project, "--damping", "axial", "-o", out], ["tradeoff", "organ.glb", "-o", "q.esm"],
-                     ["tradeoff", project, "--save", "best", "-o", "q.esm"],
+                     ["tradeoff", project, "--save", "best", "-o", "q.esm"], ["simulate", project, "-o", out, "--max-error", "0"],
                      ["simulate", project, "-o", out, "--integrator", "split", "--damping", "axial"],
                      ["simulate", project, "-o", out, "--dt", "0"], ["simulate", project, "-o", out, "--dt", "fast"],
                      ["simulate", project, "-o", out, "--precision", "half"],

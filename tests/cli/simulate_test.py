@@ -126,6 +126,13 @@ class SimulateTest(Case):
         self.assertIn("nothing was saved", message)
         self.assertEqual(project.read_bytes(), before)
 
+    def test_shortens_the_step_to_the_error_that_is_wanted(self):
+        rough, _ = self.simulated(self.sample("tube"), TUBE_POKE, "--max-error", "0.05")
+        fine, rows = self.simulated(self.sample("tube"), TUBE_POKE, "--max-error", "1e-6")
+        self.assertLessEqual(fine["estimated_error"], 1e-6)
+        self.assertLess(fine["dt"], rough["dt"])
+        self.assertEqual(len(rows), 6 * 170)
+
     def test_integrators_agree(self):
         project = self.sample("tube")
         ends = {}
