@@ -11,12 +11,15 @@ namespace {
 
 constexpr double safetyFactor = 0.9;
 
+/// Where a given step is too long for all that take elasticity explicitly, it has to be taken implicitly.
 Integrator integratorFor(StabilityRules& rules, const SimulationSettings& settings, double step) {
-    const bool isExplicitOnly = settings.damping == Damping::Axial || settings.precision == Precision::Float;
-    if (isExplicitOnly) return Integrator::Euler;
-    for (Integrator integrator : {Integrator::Split2, Integrator::Split, Integrator::Euler})
+    if (settings.precision == Precision::Float) return Integrator::Euler;
+    std::vector<Integrator> candidates{Integrator::Euler};
+    if (settings.damping == Damping::Isotropic)
+        candidates = {Integrator::Split2, Integrator::Split, Integrator::Euler};
+    for (const Integrator integrator : candidates)
         if (rules.largestStable(integrator, step).value_or(0) >= step) return integrator;
-    return Integrator::Split;
+    return Integrator::Bdf2;
 }
 
 /// Whether steps follow each other faster than time goes by, at the wall time they roughly take.

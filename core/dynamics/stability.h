@@ -49,8 +49,8 @@ struct ChosenStep {
     double timeStep; ///< s
 };
 
-/// A given time step is taken as given; `Auto` then becomes an integrator that is stable at it, where there
-/// is one.
+/// A given time step is taken as given; `Auto` then becomes an integrator that is stable at it (in float,
+/// `euler`).
 /// @throws InvalidModel when model or settings have problems, or no step of at least 1 ns would be stable
 ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings);
 

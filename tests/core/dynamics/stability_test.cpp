@@ -199,7 +199,12 @@ TEST(ChooseStep, TakesAGivenStepAsGiven) {
     const TissueModel tube = tissue::fallopianTube();
     EXPECT_EQ(chooseStep(tube, withStep(Integrator::Euler, 0.02)).timeStep, 0.02);
     EXPECT_EQ(chooseStep(tube, withStep(Integrator::Auto, 0.02)).integrator, Integrator::Split2);
-    EXPECT_EQ(chooseStep(tube, withStep(Integrator::Auto, 1e4)).integrator, Integrator::Split);
+    EXPECT_EQ(chooseStep(tube, withStep(Integrator::Auto, 1e4)).integrator, Integrator::Bdf2);
+    SimulationSettings axial = withStep(Integrator::Auto, 0.02);
+    axial.damping = Damping::Axial;
+    EXPECT_EQ(chooseStep(tube, axial).integrator, Integrator::Bdf2);
+    axial.timeStep = 1e-7;
+    EXPECT_EQ(chooseStep(tube, axial).integrator, Integrator::Euler);
 }
 
 TEST(ChooseStep, RefusesWhatCannotWork) {
