@@ -11,7 +11,7 @@ using Place = Drawing::Place;
 
 constexpr int pictureWidth = 900, pictureHeight = 600;
 constexpr double left = 80, right = 740, top = 30, bottom = 540;
-constexpr double dotRadius = 4, ringRadius = 8, lineHeight = 18;
+constexpr double dotRadius = 4, coarserRadius = 2.5, ringRadius = 8, lineHeight = 18;
 constexpr Drawing::Colour gridColour{225, 225, 225}, frontColour{60, 60, 60}, wishColour{200, 60, 60};
 
 /// By integrator, in their order: told apart by people who see few colours as well.
@@ -126,7 +126,8 @@ private:
     void drawRuns() {
         for (const TradeoffRun& run : m_tradeoff.runs)
             if (isShown(run))
-                m_drawing.dots.push_back({placeOf(run), dotRadius, colourOf(run.stepping.integrator),
+                m_drawing.dots.push_back({placeOf(run), run.coarser ? coarserRadius : dotRadius,
+                                          colourOf(run.stepping.integrator),
                                           run.stepping.precision == Precision::Double});
         for (const auto& recommended : {m_tradeoff.bestInRealTime, m_tradeoff.fastestToError})
             if (recommended && isShown(m_tradeoff.runs[*recommended]))
@@ -147,6 +148,9 @@ private:
                 explain({{}, dotRadius, colourOf(integrator)}, integratorName(integrator));
         }
         explain({{}, dotRadius, frontColour, false}, "in float");
+        const auto isCoarser = [](const TradeoffRun& run) { return run.coarser.has_value(); };
+        if (std::any_of(m_tradeoff.runs.begin(), m_tradeoff.runs.end(), isCoarser))
+            explain({{}, coarserRadius, frontColour}, "on fewer nodes");
         explain({{}, ringRadius, wishColour, false}, "recommended");
     }
 
