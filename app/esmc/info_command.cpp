@@ -59,6 +59,22 @@ void addCriticalSteps(Report& report, const TissueModel& tissue) {
     report.text.push_back("largest stable step at any deformation: " + joined(limits));
 }
 
+/// The way to step that is recommended.
+void addStepping(Report& report, const std::optional<MeasuredStepping>& measured) {
+    report.json["stepping"] = nullptr;
+    if (!measured) return;
+    const auto& [stepping, error, seconds] = *measured;
+    report.json["stepping"] = {{"integrator", integratorName(stepping.integrator)},
+                               {"dt", stepping.timeStep},
+                               {"precision", precisionName(stepping.precision)},
+                               {"error", error},
+                               {"wall_per_simulated_s", seconds}};
+    report.text.push_back(std::string("recommended: ") + integratorName(stepping.integrator) + " in " +
+                          precisionName(stepping.precision) + ", step " + inText(stepping.timeStep) +
+                          " s: error " + inText(100 * error) + " % of the motion, " + inText(1 / seconds) +
+                          " times real time where it was measured");
+}
+
 /// What holds the model and what touches it.
 void addHolds(Report& report, const TissueModel& tissue, bool hasInstrument) {
     report.json["fixed"] = tissue.fixedNodes.size();
@@ -82,6 +98,7 @@ Report describePackage(const std::filesystem::path& file) {
     report.json["photos"] = Json::array();
     addTextures(report, package.textures.size());
     addHolds(report, package.tissue, false);
+    addStepping(report, package.stepping);
     addCriticalSteps(report, package.tissue);
     return report;
 }
@@ -102,6 +119,7 @@ Report describeProject(const std::filesystem::path& file) {
     addTextures(report, project.atlas ? static_cast<std::size_t>(project.texture.atlas.pages) : 0);
     const TissueModel tissue = evaluateModel(project);
     addHolds(report, tissue, project.scene.instrument.has_value());
+    addStepping(report, project.stepping);
     addCriticalSteps(report, tissue);
     return report;
 }

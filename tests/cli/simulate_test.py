@@ -110,6 +110,9 @@ class SimulateTest(Case):
         self.done("export", project, "--to", "glb", "-o", self.file("tube.glb"))
         run, _ = self.simulated(self.file("tube.glb"), scene)
         self.assertEqual((run["integrator"], run["dt"]), (saved["integrator"], saved["dt"]))
+        for file in (project, self.file("tube.glb")):
+            told = self.done("info", file)["stepping"]
+            self.assertEqual({key: saved[key] for key in told}, told)
         self.assertNotEqual(self.simulated(project, scene, "--integrator", "auto")[0]["dt"], saved["dt"])
         stiff = self.file("stiff.esm")
         self.done("tissue", project, "--override", "spring_constant=1e7", "-o", stiff)
