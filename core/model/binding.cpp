@@ -104,6 +104,13 @@ VertexBinding toNearest(const FacingPoint& point, const TriangleMesh& coarse,
     return binding;
 }
 
+/// Of a direction to another; half a turn has no axis of its own.
+Matrix3d shortestTurn(const Vector3d& from, const Vector3d& to) {
+    const Vector3d across = from.cross(to);
+    const Vector3d axis = across.norm() > 0 ? across.normalized() : from.unitOrthogonal();
+    return Eigen::AngleAxisd(std::atan2(across.norm(), from.dot(to)), axis).toRotationMatrix();
+}
+
 /// What turns and stretches with the nodes: sums over all that has a say in a node's surroundings.
 class Surroundings {
 public:
@@ -134,9 +141,8 @@ public:
         const Vector3d rest = m_rest[line.second] - m_rest[line.first],
                        now = m_now[line.second] - m_now[line.first];
         if (!(rest.norm() > 0) || !(now.norm() > 0)) return;
-        const Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(rest, now).toRotationMatrix();
         for (const std::uint32_t node : {line.first, line.second})
-            add(node, turn, 1);
+            add(node, shortestTurn(rest, now), 1);
     }
 
     /// G − 1 for every node.

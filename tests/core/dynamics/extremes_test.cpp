@@ -1,6 +1,7 @@
 #include "core/dynamics/extremes.h"
 #include "core/dynamics/simulation.h"
 #include "core/support/errors.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
@@ -9,25 +10,26 @@ using namespace esm;
 
 namespace {
 
-// Built with the sanitizers a step takes tens of times longer: they get the outermost corners only.
-#ifdef ESM_SANITIZE
-const std::vector<double> springConstants{1e-6, 1e9}, viscosities{0.0, 1.0, 1e6}, masses{1e-9, 1e3};
-constexpr int stepsEach = 20;
-constexpr std::size_t everyCase = 19;
-#else
-const std::vector<double> springConstants{1e-6, 1.0, 1e4, 1e9}, viscosities{0.0, 1e-6, 1.0, 1e3, 1e6},
-    masses{1e-9, 1e-3, 1e3};
-constexpr int stepsEach = 200;
-constexpr std::size_t everyCase = 7; // meets every value of every parameter
-#endif
+struct Sweep {
+    std::vector<double> springConstants, viscosities, masses;
+    int steps;             ///< each
+    std::size_t everyCase; ///< of the program's own cases
+};
+
+Sweep sweep() {
+    if (isSanitized()) return {{1e-6, 1e9}, {0, 1, 1e6}, {1e-9, 1e3}, 20, 19}; // the outermost corners
+    // Every seventh meets every value of every parameter.
+    return {{1e-6, 1, 1e4, 1e9}, {0, 1e-6, 1, 1e3, 1e6}, {1e-9, 1e-3, 1e3}, 200, 7};
+}
 
 // Every corner of what sliders and files can ask for: a run stays whole or is refused with a reason.
 TEST(Extremes, StayWholeOrAreRefused) {
     const TriangleMesh mesh = tissue::sphereMesh(1, 0.05);
+    const Sweep tried = sweep();
     int ran = 0, refused = 0;
-    for (const double springConstant : springConstants)
-        for (const double viscosity : viscosities)
-            for (const double mass : masses)
+    for (const double springConstant : tried.springConstants)
+        for (const double viscosity : tried.viscosities)
+            for (const double mass : tried.masses)
                 for (const bool contrast : {false, true})
                     for (const bool tied : {false, true}) {
                         TissueModel model = tissue::fromMesh(mesh, {springConstant, viscosity, mass});
@@ -46,8 +48,8 @@ TEST(Extremes, StayWholeOrAreRefused) {
                                 *std::min_element(model.springConstant.begin(), model.springConstant.end());
                             Loads loads;
                             loads.forces = {{30, {0, 0, 0.01 * (tied ? springConstant : softest)}}};
-                            for (int i = 0; i < stepsEach; ++i) {
-                                if (i == stepsEach / 2) loads = Loads{};
+                            for (int i = 0; i < tried.steps; ++i) {
+                                if (i == tried.steps / 2) loads = Loads{};
                                 ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
                             }
                             ++ran;
@@ -75,12 +77,13 @@ INSTANTIATE_TEST_SUITE_P(Dynamics, ExtremesOf, testing::ValuesIn(integratorsAndA
 
 // `esmc extremes` runs all of them, for longer.
 TEST_P(ExtremesOf, RunOrEndWithAReason) {
+    const Sweep tried = sweep();
     const std::vector<ExtremeCase> cases = extremeCases();
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const bool isOneOfMany = cases[i].timeStep || cases[i].family == cases.front().family;
-        if (isOneOfMany && i % everyCase != 0) continue;
+        if (isOneOfMany && i % tried.everyCase != 0) continue;
         SCOPED_TRACE(cases[i].family + ": " + cases[i].name);
-        const ExtremeOutcome outcome = runExtreme(cases[i], GetParam(), stepsEach / 4);
+        const ExtremeOutcome outcome = runExtreme(cases[i], GetParam(), tried.steps / 4);
         EXPECT_EQ(outcome.reason.empty(), outcome.end == ExtremeEnd::Ran) << outcome.reason;
         // A step that was chosen safely must hold.
         if (!cases[i].timeStep) {

@@ -1,6 +1,7 @@
 #include "core/dynamics/oscillator.h"
 #include "core/dynamics/stability.h"
 #include "core/support/errors.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -66,15 +67,13 @@ TissueModel chain(const tissue::Parameters& parameters) {
     return tissue::model(std::move(network), parameters);
 }
 
-// Built with the sanitizers a step takes tens of times longer.
-#ifdef ESM_SANITIZE
-const std::vector<double> chainViscosities{0.2};
-#else
-const std::vector<double> chainViscosities{0.03, 0.2, 2, 50};
-#endif
+std::vector<double> chainViscosities() {
+    if (isSanitized()) return {0.2};
+    return {0.03, 0.2, 2, 50};
+}
 
 TEST(CriticalSteps, AreWhereUniformTissueBlowsUp) {
-    for (const double viscosity : chainViscosities) {
+    for (const double viscosity : chainViscosities()) {
         const tissue::Parameters parameters{100, viscosity, 0.01};
         const TissueModel model = chain(parameters);
         const CriticalSteps steps = criticalSteps(model);

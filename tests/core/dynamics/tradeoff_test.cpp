@@ -1,6 +1,7 @@
 #include "core/dynamics/coarser_runs.h"
 #include "core/model/detail_change.h"
 #include "core/support/errors.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
@@ -11,12 +12,10 @@ using namespace esm;
 
 namespace {
 
-// Of one run; the sanitizers make each several times longer.
-#ifdef ESM_SANITIZE
-constexpr double mostSeconds = 0.2;
-#else
-constexpr double mostSeconds = 0.03;
-#endif
+/// Of one run.
+double mostSeconds() {
+    return isSanitized() ? 0.2 : 0.03;
+}
 
 /// A force on one node of the published tube for a second.
 struct PulledTube {
@@ -48,7 +47,7 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
         EXPECT_TRUE(asTheyCome.empty());
         EXPECT_GT(reference.estimatedError, 0);
     };
-    Tradeoff tradeoff = PulledTube().measured({1, 0.01, mostSeconds}, progress, {takeReference, take});
+    Tradeoff tradeoff = PulledTube().measured({1, 0.01, mostSeconds()}, progress, {takeReference, take});
     std::vector<double> atTheEnd;
     for (const TradeoffRun& run : tradeoff.runs)
         atTheEnd.push_back(run.error);
@@ -111,12 +110,12 @@ TEST(Tradeoff, RecommendsAnewForOtherWishes) {
 TEST(Tradeoff, SaysWhenNothingMoves) {
     PulledTube tube;
     tube.scene.forces.clear();
-    EXPECT_THROW(tube.measured({1, 0.01, mostSeconds}), InvalidModel);
+    EXPECT_THROW(tube.measured({1, 0.01, mostSeconds()}), InvalidModel);
 }
 
 TEST(Tradeoff, StopsWhenAsked) {
     int calls = 0;
-    EXPECT_THROW(PulledTube().measured({1, 0.01, mostSeconds}, [&](double) { return ++calls < 20; }),
+    EXPECT_THROW(PulledTube().measured({1, 0.01, mostSeconds()}, [&](double) { return ++calls < 20; }),
                  Cancelled);
 }
 
@@ -128,7 +127,7 @@ TEST(Tradeoff, MeasuresFewerNodesAgainstAll) {
     scene.fixed = {{{}, Ellipsoid{{0, 0.1, 0}, {0.08, 0.05, 0.08}, Eigen::Quaterniond::Identity()}}};
     scene.record.every = 0.1;
     scene.record.nodes = std::vector<std::uint32_t>{1, 7, 100};
-    TradeoffOptions options{1, 0.01, mostSeconds};
+    TradeoffOptions options{1, 0.01, mostSeconds()};
     options.coarser = coarserRuns(project, scene);
     ASSERT_EQ(options.coarser.size(), 1U);
     const TissueModel model = evaluateModel(project, scene);
