@@ -6,6 +6,7 @@
 #include "core/support/errors.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace esm {
 
@@ -39,6 +40,14 @@ std::unique_ptr<ThreadTeam> makeTeam(const TissueModel& model, const SimulationS
 } // namespace
 
 struct Simulation::Implementation {
+    /// What comes back when the run goes back.
+    struct KeptState {
+        Motion motion;
+        double time; ///< s
+        std::optional<Eigen::Vector3d> instrument;
+        DivergenceGuard guard;
+    };
+
     SimulationSettings settings;
     TouchedSurface surface;
     std::unique_ptr<ThreadTeam> team; ///< null when one thread is enough
@@ -53,6 +62,7 @@ struct Simulation::Implementation {
     DivergenceGuard guard;
     std::string failure;
     bool touched = false; ///< by the instrument, since the start
+    std::optional<KeptState> older, younger;
 
     Implementation(const TissueModel& model, const SimulationSettings& given, TouchedSurface touchable)
         : settings(given), surface(std::move(touchable)), team(makeTeam(model, given)),
@@ -71,7 +81,26 @@ struct Simulation::Implementation {
         startTime = 0;
         failure.clear();
         touched = false;
+        older.reset();
+        younger.reset();
         stepper.restart();
+    }
+
+    /// Goes on with another stepper, from now on.
+    void goOnWith(const ChosenStep& step, Stepper other) {
+        startTime = time();
+        steps = 0;
+        chosen = step;
+        stepper = std::move(other);
+    }
+
+    void goBack(const KeptState& kept) {
+        motion = kept.motion;
+        instrument = kept.instrument;
+        guard = kept.guard;
+        startTime = kept.time;
+        steps = 0;
+        younger.reset();
     }
 
     double time() const { return startTime + static_cast<double>(steps) * chosen.timeStep; }
@@ -185,14 +214,32 @@ void Simulation::setModel(const TissueModel& model) {
         throw InvalidModel("new parameters are for another number of nodes than the running model has");
     const ChosenStep chosen = chooseStep(model, self.settings);
     Stepper stepper(std::move(system), self.surface, chosen, self.settings, self.team.get());
-    self.startTime = self.time();
-    self.steps = 0;
-    self.chosen = chosen;
     const double energyBefore = self.energy().total();
-    self.stepper = std::move(stepper);
+    self.goOnWith(chosen, std::move(stepper));
     for (std::uint32_t node : model.fixedNodes)
         self.motion.velocities[node].setZero();
     self.guard.allow(std::max(0.0, self.energy().total() - energyBefore));
+    // What is calm with one set of parameters may be strained with another.
+    self.older.reset();
+    self.younger.reset();
+}
+
+void Simulation::keepState() {
+    Implementation& self = *m_implementation;
+    self.older = std::exchange(
+        self.younger, Implementation::KeptState{self.motion, self.time(), self.instrument, self.guard});
+}
+
+void Simulation::goBack(double timeStep) {
+    Implementation& self = *m_implementation;
+    const ChosenStep shorter{self.chosen.integrator, timeStep};
+    self.goOnWith(shorter,
+                  Stepper(self.stepper.system(), self.surface, shorter, self.settings, self.team.get()));
+    self.failure.clear();
+    if (self.older)
+        self.goBack(*self.older);
+    else
+        self.reset();
 }
 
 void Simulation::reset() {

@@ -53,6 +53,13 @@ public:
     /// Takes new parameters for the same network, motion and instrument going on. @throws InvalidModel
     void setModel(const TissueModel& model);
 
+    /// Keeps the state as it is now, and with it the one that was kept last.
+    void keepState();
+    /// Back to the older of the two states that were kept last, or to rest without any: a run that diverges
+    /// was already on its way when the younger one was kept. From there steps are `timeStep` (s) long, until
+    /// setModel() chooses anew. @throws InvalidModel as step()
+    void goBack(double timeStep);
+
     /// Back to rest at time 0, without an instrument.
     void reset();
 

@@ -20,6 +20,23 @@ Project refusedProject() {
     return project;
 }
 
+/// Euler steps of so many times the longest stable one.
+SimulationSettings tooLong(const Project& project, double factor) {
+    SimulationSettings settings;
+    settings.integrator = Integrator::Euler;
+    settings.timeStep = factor * *criticalStep(evaluateModel(project), Integrator::Euler);
+    return settings;
+}
+
+/// Plays up to so many frames, until the run stops or its step was halved that often.
+bool playUntilHalved(PreviewRun& run, int halvings, int mostFrames) {
+    PreviewLoads loads;
+    loads.gentleMotion = true;
+    for (int frame = 0; frame < mostFrames && run.status().halvings < halvings; ++frame)
+        if (!run.advance(1.0 / 60, loads)) return false;
+    return true;
+}
+
 } // namespace
 
 TEST(PreviewRun, DoesNotMoveOnWithAModelThatWasRefused) {
@@ -43,6 +60,39 @@ TEST(PreviewRun, GoesOnFromRestAfterItWasStopped) {
     EXPECT_EQ(run.status().failure, "no reason");
     run.reset();
     EXPECT_TRUE(run.isReady());
+}
+
+TEST(PreviewRun, GoesBackAndOnInShorterStepsWhenTheMotionRunsWild) {
+    const Project tube = makeSample("tube");
+    const SimulationSettings settings = tooLong(tube, 3);
+    PreviewRun run(settings);
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_TRUE(playUntilHalved(run, 2, 2000));
+    EXPECT_EQ(run.status().halvings, 2);
+    EXPECT_DOUBLE_EQ(run.status().timeStep, *settings.timeStep / 4);
+    EXPECT_TRUE(playUntilHalved(run, 3, 20));
+    EXPECT_EQ(run.status().halvings, 2) << "shorter steps were of help";
+    EXPECT_EQ(run.status().failure, "");
+    EXPECT_LT(boundingBox(run.positions()).diagonal().norm(),
+              2 * boundingBox(run.network()->restPositions).diagonal().norm());
+
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_EQ(run.status().halvings, 0);
+    EXPECT_DOUBLE_EQ(run.status().timeStep, *settings.timeStep);
+}
+
+TEST(PreviewRun, StopsWithTheReasonWhereShorterStepsAreOfNoHelp) {
+    const Project tube = makeSample("tube");
+    const SimulationSettings settings = tooLong(tube, 1000);
+    PreviewRun run(settings);
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_FALSE(playUntilHalved(run, 100, 2000));
+    EXPECT_FALSE(run.isReady());
+    EXPECT_NE(run.status().failure, "");
+    run.reset();
+    EXPECT_TRUE(run.isReady());
+    EXPECT_EQ(run.status().halvings, 0);
+    EXPECT_DOUBLE_EQ(run.status().timeStep, *settings.timeStep);
 }
 
 TEST(Preview, SaysWhyARefusedModelDoesNotPlay) {

@@ -48,3 +48,16 @@ TEST_F(StatusLineTest, BlamesNoStiffnessForManyNodes) {
     showForLong(playingAt(0.02, 0.005));
     EXPECT_TRUE(message().contains("too many nodes")) << "where the longest step would not help either";
 }
+
+TEST_F(StatusLineTest, SaysThatTheMotionWentBackAndOnInShorterSteps) {
+    PreviewStatus status = playingAt(3, 2e-3);
+    status.halvings = 1;
+    line->showStatus(status);
+    EXPECT_TRUE(message().contains("2.0 ms")) << message().toStdString();
+    EXPECT_TRUE(message().contains("went back")) << message().toStdString();
+    status.failure = "the tissue flew apart";
+    line->showStatus(status);
+    EXPECT_EQ(message(), "the tissue flew apart");
+    line->showStatus(playingAt(3, 4e-3));
+    EXPECT_EQ(message(), "");
+}

@@ -150,7 +150,8 @@ void Preview::publish(const PreviewRun& run) {
         m_frame.positions = run.positions();
         status.playing = m_inbox.playing;
         status.safeStep = m_status.safeStep;
-        statusIsNew = m_status.playing != status.playing || m_status.failure != status.failure;
+        statusIsNew = m_status.playing != status.playing || m_status.failure != status.failure ||
+                      m_status.halvings != status.halvings;
         m_status = std::move(status);
     }
     if (!m_frameAnnounced.exchange(true)) emit frameReady();

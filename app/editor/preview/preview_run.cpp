@@ -1,12 +1,17 @@
 #include "app/editor/preview/preview_run.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace esm {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr int mostHalvings = 4;
+/// Keeping the state costs little, but not nothing.
+constexpr int framesBetweenStates = 15;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -21,8 +26,7 @@ bool PreviewRun::setProject(const Project& project) {
         if (sameNetwork)
             m_simulation->setModel(model);
         else
-            m_simulation.emplace(model, SimulationSettings{},
-                                 touchedSurface(*project.mesh, *project.network));
+            m_simulation.emplace(model, m_settings, touchedSurface(*project.mesh, *project.network));
         m_model = std::move(model);
         m_gravity = project.scene.gravity;
         if (!sameNetwork) {
@@ -31,6 +35,7 @@ bool PreviewRun::setProject(const Project& project) {
             m_gentleTime = 0;
         }
         m_gentlePull = gentlePull(m_model);
+        m_halvings = 0;
         m_modelFailure.clear();
         m_runFailure.clear();
         return true;
@@ -47,7 +52,9 @@ void PreviewRun::reset() {
     m_gentleTime = 0;
     m_debt = 0;
     m_runFailure.clear();
-    if (m_simulation) m_simulation->reset();
+    if (!m_simulation) return;
+    if (std::exchange(m_halvings, 0) > 0) m_simulation->setModel(m_model);
+    m_simulation->reset();
 }
 
 const std::vector<Eigen::Vector3d>& PreviewRun::positions() const {
@@ -83,6 +90,17 @@ bool PreviewRun::step(const PreviewLoads& loads) {
     return m_simulation->step(acting);
 }
 
+bool PreviewRun::goBack() {
+    if (m_halvings == mostHalvings) return false;
+    ++m_halvings;
+    m_simulation->goBack(m_simulation->timeStep() / 2);
+    // What is held takes hold anew, of the tissue where it is now.
+    m_pull.reset();
+    m_gentleGrasp.reset();
+    m_debt = 0;
+    return true;
+}
+
 bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
     if (loads.pull && loads.pull->node >= m_model.network->restPositions.size()) return true;
     followLoads(loads);
@@ -93,13 +111,19 @@ bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
     double simulated = 0;
     while (m_debt >= timeStep && secondsSince(start) < seconds) {
         if (!step(loads)) {
-            m_runFailure = m_simulation->failure();
+            const std::string reason = m_simulation->failure();
+            if (goBack()) return true;
+            m_runFailure = reason;
             return false;
         }
         m_debt -= timeStep;
         simulated += timeStep;
     }
     measure(simulated, secondsSince(start));
+    if (++m_framesSinceKept >= framesBetweenStates) {
+        m_simulation->keepState();
+        m_framesSinceKept = 0;
+    }
     return true;
 }
 
@@ -115,6 +139,7 @@ PreviewStatus PreviewRun::status() const {
         status.integrator = m_simulation->integrator();
         status.timeStep = m_simulation->timeStep();
     }
+    status.halvings = m_halvings;
     status.realTimeFactor = m_computing > 0 ? m_simulated / m_computing : 0;
     status.failure = m_modelFailure.empty() ? m_runFailure : m_modelFailure;
     return status;

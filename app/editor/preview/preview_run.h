@@ -30,12 +30,15 @@ struct PreviewStatus {
     double timeStep = 0;                  ///< s
     std::optional<double> safeStep; ///< s, largest stable step of the integrator; infinite without a limit
     double realTimeFactor = 0;      ///< simulated over computing time
+    int halvings = 0;               ///< of the step, each time that the motion ran wild
     std::string failure;            ///< why the tissue cannot move; empty when all is well
 };
 
 /// The simulation behind the window, run by the preview's thread alone.
 class PreviewRun {
 public:
+    explicit PreviewRun(const SimulationSettings& settings = {}) : m_settings(settings) {}
+
     /// Takes a project; the motion goes on when the network is the same. False when it cannot be simulated:
     /// nothing moves until another project can be.
     bool setProject(const Project& project);
@@ -43,8 +46,9 @@ public:
     void reset();
     /// Stops the run for a reason that comes from outside.
     void fail(const std::string& reason) { m_runFailure = reason; }
-    /// Steps until `seconds` are simulated, or more than that has been spent computing. False when the run
-    /// stopped.
+    /// Steps until `seconds` are simulated, or more than that has been spent computing. Motion that runs wild
+    /// goes back to where it was calm and on in half as long steps, until the parameters change. False when
+    /// the run stopped, as it does where shorter steps are of no help.
     bool advance(double seconds, const PreviewLoads& loads);
 
     bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
@@ -58,14 +62,18 @@ public:
 private:
     void followLoads(const PreviewLoads& loads);
     bool step(const PreviewLoads& loads);
+    bool goBack();
     void measure(double simulated, double computing);
 
+    SimulationSettings m_settings;
     TissueModel m_model;
     std::optional<Simulation> m_simulation;
     std::optional<Grasp> m_pull, m_gentleGrasp;
     std::optional<GentlePull> m_gentlePull;
     double m_gentleTime = 0;
     Eigen::Vector3d m_gravity = Eigen::Vector3d::Zero();
+    int m_halvings = 0;                      ///< of the step, since the parameters changed
+    int m_framesSinceKept = 0;               ///< since the state was kept
     double m_debt = 0;                       ///< s that were asked for and not simulated yet
     double m_simulated = 0, m_computing = 0; ///< s, decaying sums for the real-time factor
     std::string m_modelFailure;              ///< why the latest project cannot be simulated

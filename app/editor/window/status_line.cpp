@@ -68,6 +68,14 @@ QString slownessText(const PreviewStatus& status) {
                      .arg(speed);
 }
 
+/// That the motion ran wild, and how it goes on.
+QString recoveryText(const PreviewStatus& status) {
+    if (status.halvings == 0) return QString();
+    return QObject::tr(
+               "The motion ran wild: it went back to where it was calm and on in shorter steps, of %1")
+        .arg(millisecondsText(status.timeStep));
+}
+
 QString safeText(const PreviewStatus& status) {
     if (!status.safeStep) return QString();
     if (std::isinf(*status.safeStep)) return QObject::tr("safe at any step");
@@ -153,8 +161,10 @@ void StatusLine::showStatus(const PreviewStatus& status) {
     m_gauge->setShare(status.safeStep ? status.timeStep / *status.safeStep : -1);
     watchSpeed(status);
     const QString failure = QString::fromStdString(status.failure).replace('\n', QStringLiteral("; "));
-    if (failure == m_failure) return;
+    const QString recovery = recoveryText(status);
+    if (failure == m_failure && recovery == m_recovery) return;
     m_failure = failure;
+    m_recovery = recovery;
     showLasting();
 }
 
@@ -203,8 +213,9 @@ void StatusLine::showNote(const QString& note, const QString& explanation) {
 }
 
 QString StatusLine::problem() const {
-    if (!m_failure.isEmpty()) return m_failure;
-    return m_pictureFailure.isEmpty() ? m_slowness : m_pictureFailure;
+    for (const QString& text : {m_failure, m_pictureFailure, m_recovery})
+        if (!text.isEmpty()) return text;
+    return m_slowness;
 }
 
 void StatusLine::showLasting() {

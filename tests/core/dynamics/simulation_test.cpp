@@ -1,0 +1,68 @@
+#include "core/dynamics/simulation.h"
+#include "tests/support/simulation_settings.h"
+#include "tests/support/tissue_models.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+namespace {
+
+constexpr double stepBefore = 1e-3; // s
+
+/// A membrane that gravity pulls aside, held at one edge.
+class GoingBack : public testing::TestWithParam<Integrator> {
+protected:
+    static TissueModel model() {
+        TissueModel membrane = tissue::fromMesh(tissue::gridMesh(8, 0.1), {10, 0.01, 0.001});
+        for (std::uint32_t node = 0; node < 8; ++node)
+            membrane.fixedNodes.push_back(node);
+        return membrane;
+    }
+    void take(std::size_t steps) {
+        Loads loads;
+        loads.gravity = {0, 9.81, 0};
+        ASSERT_EQ(simulation.advance(loads, steps), steps) << simulation.failure();
+    }
+
+    Simulation simulation{model(), withStep(GetParam(), stepBefore)};
+};
+
+} // namespace
+
+TEST_P(GoingBack, ReturnsToTheOlderOfTwoKeptStatesAndGoesOnFromThere) {
+    take(20);
+    simulation.keepState();
+    const auto kept = simulation.positions(), velocities = simulation.velocities();
+    take(10);
+    simulation.keepState();
+    take(10);
+    simulation.goBack(stepBefore / 2);
+    EXPECT_EQ(simulation.positions(), kept);
+    EXPECT_EQ(simulation.velocities(), velocities);
+    EXPECT_DOUBLE_EQ(simulation.time(), 20 * stepBefore);
+    EXPECT_EQ(simulation.timeStep(), stepBefore / 2);
+    EXPECT_EQ(simulation.integrator(), GetParam());
+    take(20);
+    EXPECT_DOUBLE_EQ(simulation.time(), 30 * stepBefore);
+}
+
+TEST_P(GoingBack, StartsFromRestWhereTooLittleWasKept) {
+    take(20);
+    simulation.keepState();
+    take(20);
+    simulation.goBack(stepBefore / 2);
+    EXPECT_EQ(simulation.positions(), model().network->restPositions);
+    EXPECT_EQ(simulation.time(), 0);
+    EXPECT_EQ(simulation.timeStep(), stepBefore / 2);
+}
+
+TEST_P(GoingBack, TakesTheChosenStepAgainWithNewParameters) {
+    take(20);
+    simulation.goBack(stepBefore / 2);
+    simulation.setModel(model());
+    EXPECT_EQ(simulation.timeStep(), stepBefore);
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, GoingBack, testing::Values(Integrator::Euler, Integrator::Split2),
+                         [](const auto& info) { return std::string(integratorName(info.param)); });
