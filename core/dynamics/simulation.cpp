@@ -2,6 +2,7 @@
 
 #include "core/dynamics/divergence.h"
 #include "core/dynamics/forces.h"
+#include "core/dynamics/stability_memory.h"
 #include "core/dynamics/stepper.h"
 #include "core/support/errors.h"
 
@@ -51,6 +52,7 @@ struct Simulation::Implementation {
     SimulationSettings settings;
     TouchedSurface surface;
     std::unique_ptr<ThreadTeam> team; ///< null when one thread is enough
+    std::unique_ptr<StabilityMemory> memory = std::make_unique<StabilityMemory>();
     ChosenStep chosen;
     Stepper stepper;
     Motion motion;
@@ -66,7 +68,7 @@ struct Simulation::Implementation {
 
     Implementation(const TissueModel& model, const SimulationSettings& given, TouchedSurface touchable)
         : settings(given), surface(std::move(touchable)), team(makeTeam(model, given)),
-          chosen(chooseStep(model, given)),
+          chosen(chooseStep(model, given, memory.get())),
           stepper(makeSpringSystem(model), surface, chosen, given, team.get()) {
         reset();
     }
@@ -212,7 +214,7 @@ void Simulation::setModel(const TissueModel& model) {
     SpringSystem system = makeSpringSystem(model);
     if (system.mass.size() != self.motion.positions.size())
         throw InvalidModel("new parameters are for another number of nodes than the running model has");
-    const ChosenStep chosen = chooseStep(model, self.settings);
+    const ChosenStep chosen = chooseStep(model, self.settings, self.memory.get());
     Stepper stepper(std::move(system), self.surface, chosen, self.settings, self.team.get());
     const double energyBefore = self.energy().total();
     self.goOnWith(chosen, std::move(stepper));

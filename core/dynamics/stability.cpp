@@ -83,15 +83,16 @@ bool isStable(const TissueModel& model, const Stepping& stepping) {
 }
 
 double largestAngularFrequency(const TissueModel& model) {
-    return StabilityRules(makeSpringSystem(model), Damping::Isotropic, {1e-3, Deformation::AtRest, {}})
+    return StabilityRules(makeSpringSystem(model), Damping::Isotropic,
+                          {1e-3, Deformation::AtRest, {}, nullptr})
         .largestAngularFrequency();
 }
 
-ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings) {
+ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings, StabilityMemory* memory) {
     if (auto problems = validate(settings); !problems.empty()) throw InvalidModel(std::move(problems));
     const bool isAuto = settings.integrator == Integrator::Auto;
     if (settings.timeStep && !isAuto) return {settings.integrator, *settings.timeStep};
-    StabilityRules rules(makeSpringSystem(model), settings.damping, {0.05, Deformation::Any, {}});
+    StabilityRules rules(makeSpringSystem(model), settings.damping, {0.05, Deformation::Any, {}, memory});
     if (settings.timeStep) return {integratorFor(rules, settings, *settings.timeStep), *settings.timeStep};
 
     const double cap = longestStep / safetyFactor;

@@ -16,7 +16,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 /// Largest h ≥ `stable`, up to `cap`, for which `holds`, which is true below some step and false above it;
 /// short of it by at most the tolerance, relative.
-double largestStep(double stable, double cap, double tolerance, const std::function<bool(double)>& holds) {
+double largestHolding(double stable, double cap, double tolerance, const std::function<bool(double)>& holds) {
     if (stable >= cap || (std::isfinite(cap) && holds(cap))) return cap;
     // In uniform tissue the first guess is the limit itself.
     if (!holds((1 + tolerance) * stable)) return stable;
@@ -34,6 +34,31 @@ double largestStep(double stable, double cap, double tolerance, const std::funct
         (holds(middle) ? stable : unstable) = middle;
     }
     return stable;
+}
+
+struct StepRange {
+    double least, most; ///< s
+};
+
+/// The same from where the step is thought to be; none where it is not close to that.
+std::optional<double> nearbyStep(const StepRange& range, double step, double tolerance,
+                                 const std::function<bool(double)>& holds) {
+    constexpr int tries = 2;
+    const auto isWithin = [&](double h) { return range.least < h && (1 + tolerance) * h < range.most; };
+    if (!isWithin(step)) return std::nullopt;
+    const bool isStable = holds(step);
+    for (int i = 0; i < tries && isWithin(step); ++i) {
+        const double next = isStable ? step * (1 + tolerance) : step / (1 + tolerance);
+        if (holds(next) != isStable) return std::min(step, next);
+        step = next;
+    }
+    return std::nullopt;
+}
+
+bool havePatternInCommon(const Matrix& a, const Matrix& b) {
+    return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
+           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
 }
 
 /// Smallest d/c of everything elastic that can move: d ≥ ratio·k then holds for every motion, since each
@@ -101,7 +126,7 @@ bool staysBelow(const LimitCurve& curve, const StepBounds& bounds) {
 } // namespace
 
 StabilityRules::StabilityRules(const SpringSystem& system, Damping damping, StabilitySearch search)
-    : m_search(std::move(search)) {
+    : m_search(std::move(search)), m_memory(m_search.memory ? *m_search.memory : m_ownMemory) {
     const bool isAtRest = m_search.deformation == Deformation::AtRest;
     const auto matrix = [&](const MatrixFactors& factors) {
         return isAtRest ? restMatrix(system, damping, factors)
@@ -110,10 +135,10 @@ StabilityRules::StabilityRules(const SpringSystem& system, Damping damping, Stab
     m_mass = matrix({1, 0, 0});
     m_damping = matrix({0, 1, 0});
     m_stiffness = matrix({0, 0, 1});
-    m_largestStiffness = largestEigenvalue(massNormalised(m_stiffness, m_mass));
+    analyse();
+    m_largestStiffness = largestOf(m_stiffness, m_memory.stiffest);
     // Moved across their axes, springs that damp along them alone have no damping.
     m_ratio = isAtRest || damping == Damping::Isotropic ? leastDampingRatio(system) : 0;
-    if (m_mass.rows() > 0) m_solver.analyzePattern(m_mass + m_damping + m_stiffness);
 }
 
 std::optional<double> StabilityRules::largestStable(Integrator integrator, double cap) {
@@ -145,7 +170,7 @@ double StabilityRules::largestAngularFrequency() const {
 double StabilityRules::euler(double cap) {
     const double d = largestDamping();
     const double safe = 4 / (d + std::sqrt(d * d + 4 * m_largestStiffness));
-    return largestStep(safe, cap, m_search.tolerance,
+    return largestStep(Integrator::Euler, safe, cap,
                        [this](double h) { return isDefinite(4, -2 * h, -h * h); });
 }
 
@@ -153,7 +178,7 @@ double StabilityRules::euler(double cap) {
 double StabilityRules::verlet(double cap) {
     const double d = largestDamping();
     const double safe = 2 / (d + std::sqrt(d * d + m_largestStiffness));
-    return largestStep(safe, cap, m_search.tolerance,
+    return largestStep(Integrator::Verlet, safe, cap,
                        [this](double h) { return isDefinite(4, -4 * h, -h * h); });
 }
 
@@ -175,7 +200,7 @@ std::optional<double> StabilityRules::multistage(Integrator integrator, double c
     while (safe > 0 && !holds(safe))
         safe /= 2;
     if (!(safe > 0)) return std::nullopt;
-    return largestStep(safe, cap, m_search.tolerance, holds);
+    return largestStep(integrator, safe, cap, holds);
 }
 
 // Always stable; but forces settle the slower the more a node's springs outweigh its mass: h·D + h²·K <
@@ -190,7 +215,7 @@ double StabilityRules::propagation(double cap) {
 double StabilityRules::split(double cap) {
     if (m_largestStiffness == 0) return cap;
     const double safe = m_ratio + std::sqrt(m_ratio * m_ratio + 4 / m_largestStiffness);
-    return largestStep(safe, cap, m_search.tolerance,
+    return largestStep(Integrator::Split, safe, cap,
                        [this](double h) { return isDefinite(4, 2 * h, -h * h); });
 }
 
@@ -201,7 +226,7 @@ std::optional<double> StabilityRules::split2(double cap) {
     // Where every mode is damped enough to leave the unit circle at −1, that half plane alone is the
     // rule.
     if (safe >= cap || !isDefinite(-8.0 / 7, safe, 0)) return safe;
-    return largestStep(safe, cap, m_search.tolerance,
+    return largestStep(Integrator::Split2, safe, cap,
                        [this](double h) { return isDefinite(16.0 / 3, 4.0 / 3 * h, -h * h); });
 }
 
@@ -214,18 +239,42 @@ double StabilityRules::split2OnLine(double cap) const {
         return h / m_ratio < (damping < 0.3866 ? quotient : std::min(quotient, 2.5 + std::sqrt(6.0)));
     };
     const double strong = 4.0 / 3 * m_ratio, weak = std::cbrt(2 * m_ratio / m_largestStiffness);
-    return largestStep(holds(weak) ? std::max(weak, strong) : strong, cap, 1e-3, holds);
+    return largestHolding(holds(weak) ? std::max(weak, strong) : strong, cap, 1e-3, holds);
+}
+
+double StabilityRules::largestStep(Integrator integrator, double guess, double cap,
+                                   const std::function<bool(double)>& holds) {
+    const auto former = m_memory.overGuess.find(integrator);
+    std::optional<double> found;
+    if (former != m_memory.overGuess.end())
+        found = nearbyStep({guess, cap}, former->second * guess, m_search.tolerance, holds);
+    if (!found) found = largestHolding(guess, cap, m_search.tolerance, holds);
+    if (*found < cap) m_memory.overGuess[integrator] = *found / guess;
+    return *found;
+}
+
+void StabilityRules::analyse() {
+    Matrix sum = m_mass + m_damping + m_stiffness;
+    if (sum.rows() == 0 || havePatternInCommon(sum, m_memory.pattern)) return;
+    m_memory.solver.analyzePattern(sum);
+    m_memory.pattern.swap(sum);
+}
+
+double StabilityRules::largestOf(const Matrix& matrix, Eigen::VectorXd& eigenvector) const {
+    const Matrix normalised = massNormalised(matrix, m_mass);
+    return m_search.memory ? largestEigenvalueNear(eigenvector, normalised) : largestEigenvalue(normalised);
 }
 
 bool StabilityRules::isDefinite(double massFactor, double dampingFactor, double stiffnessFactor) {
     if (m_mass.rows() == 0) return true;
     reportProgress(m_search.progress, 1 - 1 / (1 + 0.1 * m_factorisations++));
-    m_solver.factorize(massFactor * m_mass + dampingFactor * m_damping + stiffnessFactor * m_stiffness);
-    return m_solver.info() == Eigen::Success;
+    m_memory.solver.factorize(massFactor * m_mass + dampingFactor * m_damping +
+                              stiffnessFactor * m_stiffness);
+    return m_memory.solver.info() == Eigen::Success;
 }
 
 double StabilityRules::largestDamping() {
-    if (!m_largestDamping) m_largestDamping = largestEigenvalue(massNormalised(m_damping, m_mass));
+    if (!m_largestDamping) m_largestDamping = largestOf(m_damping, m_memory.mostDamped);
     return *m_largestDamping;
 }
 

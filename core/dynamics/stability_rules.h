@@ -2,8 +2,9 @@
 
 #include "core/dynamics/spring_system.h"
 #include "core/dynamics/stability.h"
+#include "core/dynamics/stability_memory.h"
 
-#include <Eigen/SparseCholesky>
+#include <functional>
 
 namespace esm {
 
@@ -13,6 +14,8 @@ namespace esm {
 class StabilityRules {
 public:
     StabilityRules(const SpringSystem& system, Damping damping, StabilitySearch search);
+    StabilityRules(const StabilityRules&) = delete;
+    StabilityRules& operator=(const StabilityRules&) = delete;
 
     /// Largest stable step up to `cap`, s; empty where there is none. Precondition: not `Auto`.
     std::optional<double> largestStable(Integrator integrator, double cap);
@@ -20,6 +23,8 @@ public:
     double largestAngularFrequency() const; ///< rad/s, without damping
 
 private:
+    using Matrix = StabilityMemory::Matrix;
+
     double euler(double cap);
     double verlet(double cap);
     std::optional<double> multistage(Integrator integrator, double cap);
@@ -28,18 +33,26 @@ private:
     std::optional<double> split2(double cap);
     double split2OnLine(double cap) const;
 
+    /// Largest h ≥ `guess`, up to `cap`, for which `holds`, which is true below some step and false above it;
+    /// short of it by at most the tolerance, relative. What a former search found is tried first.
+    double largestStep(Integrator integrator, double guess, double cap,
+                       const std::function<bool(double)>& holds);
+    void analyse();
+    /// An upper estimate of λmax, mass-normalised.
+    double largestOf(const Matrix& matrix, Eigen::VectorXd& eigenvector) const;
+
     /// Whether massFactor·M + dampingFactor·D + stiffnessFactor·K is positive definite.
     bool isDefinite(double massFactor, double dampingFactor, double stiffnessFactor);
     double largestDamping();
 
-    using Matrix = Eigen::SparseMatrix<double>;
     StabilitySearch m_search;
+    StabilityMemory m_ownMemory; ///< where the search brings none
+    StabilityMemory& m_memory;
     int m_factorisations = 0;
     Matrix m_mass, m_damping, m_stiffness;
     double m_largestStiffness;              ///< ω², mass-normalised
     std::optional<double> m_largestDamping; ///< 1/s, mass-normalised
     double m_ratio;                         ///< s, smallest d/c
-    Eigen::SimplicialLLT<Matrix> m_solver;
 };
 
 } // namespace esm

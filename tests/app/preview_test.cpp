@@ -174,5 +174,6 @@ TEST(SafeStepFinder, TellsOnlyTheLatestModelsStep) {
     finder.find(tube, Integrator::Euler);
     auto step = told.get_future();
     ASSERT_EQ(step.wait_for(std::chrono::milliseconds(previewPatience)), std::future_status::ready);
-    EXPECT_EQ(step.get(), criticalSteps(tube).at(Integrator::Euler));
+    const double expected = *criticalSteps(tube).at(Integrator::Euler);
+    EXPECT_NEAR(*step.get(), expected, 0.05 * expected);
 }

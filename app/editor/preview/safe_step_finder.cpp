@@ -1,6 +1,7 @@
 #include "app/editor/preview/safe_step_finder.h"
 
 #include "core/dynamics/stability.h"
+#include "core/dynamics/stability_memory.h"
 
 #include <chrono>
 
@@ -8,8 +9,8 @@ namespace esm {
 
 namespace {
 
-/// A drag edits many times a second: only where it rests is worth the work.
-constexpr std::chrono::milliseconds settleTime{300};
+/// Edits that come at once are answered once.
+constexpr std::chrono::milliseconds settleTime{10};
 
 constexpr double tolerance = 0.05; ///< enough for a gauge
 
@@ -34,12 +35,13 @@ void SafeStepFinder::find(TissueModel model, Integrator integrator) {
 }
 
 void SafeStepFinder::work() {
+    StabilityMemory memory;
     while (const auto question = m_questions.take()) {
         if (m_questions.becomesObsoleteWithin(settleTime)) continue;
         try {
             const auto step = criticalStep(
                 question->model, question->integrator,
-                {tolerance, Deformation::Any, [this](double) { return !m_questions.isObsolete(); }});
+                {tolerance, Deformation::Any, [this](double) { return !m_questions.isObsolete(); }, &memory});
             const std::lock_guard lock(m_telling);
             if (!m_questions.isObsolete()) m_found(step);
         } catch (const std::exception&) {

@@ -1,5 +1,6 @@
 #include "core/dynamics/oscillator.h"
 #include "core/dynamics/stability.h"
+#include "core/dynamics/stability_memory.h"
 #include "core/support/errors.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
@@ -226,3 +227,53 @@ TEST(ChooseStep, RefusesWhatCannotWork) {
 }
 
 } // namespace
+
+namespace {
+
+/// Parameters as sliders move them: a little, a lot, in one half only, and so that the other half becomes the
+/// stiffer one.
+std::vector<TissueModel> slidersMoved() {
+    const TissueModel start = tissue::fallopianTube();
+    std::vector<TissueModel> models(6, start);
+    const std::size_t half = start.mass.size() / 2;
+    for (std::size_t i = 0; i < start.mass.size(); ++i) {
+        models[1].springConstant[i] *= 1.1;
+        models[2].springConstant[i] *= i < half ? 300 : 1;
+        models[3].springConstant[i] *= i < half ? 300 : 2000;
+        models[3].viscosity[i] *= i < half ? 1 : 1e-3;
+        models[4].viscosity[i] *= 1e-3;
+        models[5].mass[i] *= i < half ? 1e-2 : 1;
+    }
+    return models;
+}
+
+} // namespace
+
+TEST(StabilityMemory, FindsTheSameStepsWithinTheTolerance) {
+    constexpr double searchTolerance = 0.02;
+    for (const Integrator integrator : allIntegrators) {
+        StabilityMemory memory;
+        for (const TissueModel& model : slidersMoved()) {
+            const auto cold = criticalStep(model, integrator, {searchTolerance, Deformation::Any, {}});
+            const auto warm =
+                criticalStep(model, integrator, {searchTolerance, Deformation::Any, {}, &memory});
+            ASSERT_EQ(warm.has_value(), cold.has_value()) << integratorName(integrator);
+            if (!cold || std::isinf(*cold)) {
+                EXPECT_EQ(warm, cold) << integratorName(integrator);
+            } else {
+                EXPECT_LT(*warm, (1 + searchTolerance + 1e-3) * *cold) << integratorName(integrator);
+                EXPECT_GT((1 + searchTolerance + 1e-3) * *warm, *cold) << integratorName(integrator);
+            }
+        }
+    }
+}
+
+TEST(StabilityMemory, OfAnotherTissueDoesNoHarm) {
+    StabilityMemory memory;
+    for (const TissueModel& model :
+         {tissue::fallopianTube(), chain({100, 0.2, 0.01}), tissue::oneSpring({}), tissue::fallopianTube()}) {
+        const ChosenStep cold = chooseStep(model, {}), warm = chooseStep(model, {}, &memory);
+        EXPECT_EQ(warm.integrator, cold.integrator);
+        EXPECT_NEAR(warm.timeStep, cold.timeStep, 0.06 * cold.timeStep);
+    }
+}
