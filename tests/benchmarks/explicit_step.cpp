@@ -134,6 +134,9 @@ template<class Real> void addRatios(const std::string& precision, int level, std
     ratios.push_back({name + ": 1 thread to 2", alone, two, Clock::Wall, level >= 4 && level <= 7 ? 1.7 : 0});
     ratios.push_back(
         {name + ": threads by size to 1", name + ", threads by size", alone, Clock::Wall, 0, 1.1});
+    const std::string tenThousand = precision + ", " + nodesText(5) + ", 1 thread";
+    ratios.push_back({name + ": a spring to one of 10 k", alone, tenThousand, Clock::Thread, 0, 0,
+                      springCount(5) / springCount(level)});
     if (level < largest) return;
     const double bytes = bytesPerSpring<Real> * springCount(level) / Triad::bytes();
     ratios.push_back(

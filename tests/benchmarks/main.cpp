@@ -1,7 +1,24 @@
+#ifdef ESM_HAS_BULLET
+#include "tests/benchmarks/bullet.h"
+#endif
+#include "tests/benchmarks/critical_step.h"
 #include "tests/benchmarks/explicit_step.h"
 #include "tests/benchmarks/local_poke.h"
+#include "tests/benchmarks/stiff_tissue.h"
 
 #include <string>
+
+namespace {
+
+std::vector<benchmarks::Ratio> (*const subjects[])(){
+    benchmarks::registerExplicitStep, benchmarks::registerLocalPoke,
+    benchmarks::registerStiffTissue,  benchmarks::registerCriticalStep,
+#ifdef ESM_HAS_BULLET
+    benchmarks::registerBullet,
+#endif
+};
+
+} // namespace
 
 int main(int argumentCount, char** argumentValues) {
     // What is compared is measured in turn: a machine that becomes slower meanwhile does so for both.
@@ -12,7 +29,7 @@ int main(int argumentCount, char** argumentValues) {
     benchmark::Initialize(&count, arguments.data());
 
     std::vector<benchmarks::Ratio> ratios;
-    for (const auto registerSubject : {benchmarks::registerExplicitStep, benchmarks::registerLocalPoke})
+    for (const auto registerSubject : subjects)
         for (benchmarks::Ratio& ratio : registerSubject())
             ratios.push_back(std::move(ratio));
     benchmarks::RatioReporter reporter;

@@ -1,0 +1,59 @@
+#include "tests/benchmarks/accuracy.h"
+
+#include "core/dynamics/stability.h"
+#include "tests/support/tissue_models.h"
+
+#include <stdexcept>
+
+namespace benchmarks {
+
+PulledTissue pulledMembrane(double largestFrequency, double damping, double seconds) {
+    constexpr int side = 37;
+    constexpr double springConstant = 100; // N/m
+    esm::TissueModel model = tissue::fromMesh(tissue::gridMesh(side, 0.1), {springConstant, 0, 1});
+    for (std::uint32_t node = 0; node < side * side; ++node)
+        if (node % side == 0 || node % side == side - 1 || node / side == 0 || node / side == side - 1)
+            model.fixedNodes.push_back(node);
+    const double frequency = esm::largestAngularFrequency(model);
+    const double mass = frequency * frequency / (largestFrequency * largestFrequency);
+    model.mass.assign(model.mass.size(), mass);
+    model.viscosity.assign(model.mass.size(), damping * springConstant / largestFrequency);
+    return {std::move(model), side * side / 2, {0.02, 0.01, 0.05}, seconds};
+}
+
+Trajectory trajectoryOf(const PulledTissue& tissue, esm::Integrator integrator, int steps) {
+    esm::SimulationSettings settings;
+    settings.integrator = integrator;
+    settings.timeStep = tissue.seconds / steps;
+    settings.threads = 1;
+    esm::Simulation simulation(tissue.model, settings);
+    esm::Loads loads;
+    loads.forces = {{tissue.node, tissue.force}};
+    Trajectory trajectory;
+    const auto together = static_cast<std::size_t>(steps / frameCount);
+    for (int frame = 0; frame < frameCount && simulation.advance(loads, together) == together; ++frame)
+        trajectory.push_back(simulation.positions());
+    return trajectory;
+}
+
+double errorOf(const Trajectory& found, const Trajectory& reference, const esm::Vectors& rest) {
+    if (found.size() < reference.size()) return std::numeric_limits<double>::infinity();
+    double difference = 0, way = 0;
+    for (std::size_t frame = 0; frame < reference.size(); ++frame)
+        for (std::size_t i = 0; i < rest.size(); ++i) {
+            difference += (found[frame][i] - reference[frame][i]).squaredNorm();
+            way += (reference[frame][i] - rest[i]).squaredNorm();
+        }
+    return std::sqrt(difference / way);
+}
+
+int fewestSteps(const PulledTissue& tissue, esm::Integrator integrator, double mostError,
+                const Trajectory& reference) {
+    for (int steps = frameCount; steps < 100000; steps *= 2)
+        if (errorOf(trajectoryOf(tissue, integrator, steps), reference,
+                    tissue.model.network->restPositions) <= mostError)
+            return steps;
+    throw std::runtime_error("no number of steps is accurate enough");
+}
+
+} // namespace benchmarks

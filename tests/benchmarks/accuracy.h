@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/dynamics/simulation.h"
+#include "core/dynamics/spring_system.h"
+
+namespace benchmarks {
+
+/// Tissue at rest that a force pulls at one node from the start.
+struct PulledTissue {
+    esm::TissueModel model;
+    std::uint32_t node;
+    Eigen::Vector3d force; ///< N
+    double seconds;
+};
+
+/// A membrane of 37 × 37 nodes, held at its rim and pulled at its middle, whose largest angular frequency is
+/// given, rad/s. Damping in parts of that: damping·K/ω².
+PulledTissue pulledMembrane(double largestFrequency, double damping, double seconds);
+
+using Trajectory = std::vector<esm::Vectors>; ///< at so many even times, the last at the end
+inline constexpr int frameCount = 20;
+
+/// Of a number of steps that is a multiple of the frames. Shorter where it went astray.
+Trajectory trajectoryOf(const PulledTissue& tissue, esm::Integrator integrator, int steps);
+
+/// Distance of two trajectories over the length of the second, in the mean square; infinite where the first
+/// is too short.
+double errorOf(const Trajectory& found, const Trajectory& reference, const esm::Vectors& rest);
+
+/// Fewest steps, of the frames times a power of two, with which the error is at most so much.
+/// @throws std::runtime_error where a hundred thousand steps are not enough
+int fewestSteps(const PulledTissue& tissue, esm::Integrator integrator, double mostError,
+                const Trajectory& reference);
+
+} // namespace benchmarks

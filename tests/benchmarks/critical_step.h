@@ -1,0 +1,11 @@
+#pragma once
+
+#include "tests/benchmarks/ratios.h"
+
+namespace benchmarks {
+
+/// After a slider's move on 10 k nodes: choosing the step, and finding the critical one, from where the last
+/// search ended and anew.
+std::vector<Ratio> registerCriticalStep();
+
+} // namespace benchmarks
