@@ -7,7 +7,8 @@
 
 namespace benchmarks {
 
-PulledTissue pulledMembrane(double largestFrequency, double damping, double seconds) {
+PulledTissue pulledMembrane(double largestFrequency, double damping, const Eigen::Vector3d& force,
+                            double seconds) {
     constexpr int side = 37;
     constexpr double springConstant = 100; // N/m
     esm::TissueModel model = tissue::fromMesh(tissue::gridMesh(side, 0.1), {springConstant, 0, 1});
@@ -18,7 +19,7 @@ PulledTissue pulledMembrane(double largestFrequency, double damping, double seco
     const double mass = frequency * frequency / (largestFrequency * largestFrequency);
     model.mass.assign(model.mass.size(), mass);
     model.viscosity.assign(model.mass.size(), damping * springConstant / largestFrequency);
-    return {std::move(model), side * side / 2, {0.02, 0.01, 0.05}, seconds};
+    return {std::move(model), side * side / 2, force, seconds};
 }
 
 Trajectory trajectoryOf(const PulledTissue& tissue, esm::Integrator integrator, int steps) {

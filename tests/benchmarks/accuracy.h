@@ -15,7 +15,8 @@ struct PulledTissue {
 
 /// A membrane of 37 × 37 nodes, held at its rim and pulled at its middle, whose largest angular frequency is
 /// given, rad/s. Damping in parts of that: damping·K/ω².
-PulledTissue pulledMembrane(double largestFrequency, double damping, double seconds);
+PulledTissue pulledMembrane(double largestFrequency, double damping, const Eigen::Vector3d& force,
+                            double seconds);
 
 using Trajectory = std::vector<esm::Vectors>; ///< at so many even times, the last at the end
 inline constexpr int frameCount = 20;

@@ -105,7 +105,7 @@ BestRun bestRun(const PulledTissue& tissue, const Trajectory& reference) {
 
 /// A membrane in mid swing, neither stiff nor damped: what Bullet is good at.
 struct EqualError {
-    PulledTissue tissue = pulledMembrane(2000, 0, 0.2);
+    PulledTissue tissue = pulledMembrane(2000, 0, {0.02, 0.01, 0.05}, 0.2);
     Trajectory reference = trajectoryOf(tissue, esm::Integrator::Rk4, frameCount << 7);
     BestRun best = bestRun(tissue, reference);
 };

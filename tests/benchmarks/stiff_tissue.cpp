@@ -90,9 +90,13 @@ std::vector<Ratio> registerStiffTissue() {
         registerSubject({organ, [organ] { return published(organ); }, Integrator::Split2, 0.01,
                          Integrator::Split2, frameCount << 9, 1000},
                         ratios);
-    registerSubject({"membrane, damping 5ω", [] { return pulledMembrane(20000, 5, 1); }, Integrator::Implicit,
-                     0.1, Integrator::Bdf2, frameCount << 9, 15},
-                    ratios);
+    const std::pair<std::string, Eigen::Vector3d> forces[] = {{"along", {0.05, 0.02, 0}},
+                                                              {"across", {0.02, 0.01, 0.05}}};
+    for (const auto& [direction, force] : forces)
+        registerSubject({"membrane, damping 5ω, pulled " + direction,
+                         [force = force] { return pulledMembrane(20000, 5, force, 1); }, Integrator::Implicit,
+                         0.1, Integrator::Bdf2, frameCount << 9, 15},
+                        ratios);
     return ratios;
 }
 

@@ -59,6 +59,18 @@ class SimulateTest(Case):
             for axis in "xyz":
                 self.assertAlmostEqual(float(one[axis]), float(other[axis]), delta=1e-5)
 
+    def test_leaves_out_what_rests(self):
+        euler = ("--integrator", "euler", "--dt", "1e-6")
+        whole, rows = self.simulated(self.sample("tube"), STILL, *euler)
+        part, same = self.simulated(self.sample("tube"), STILL, *euler, "--rest-tolerance", "1e-6")
+        self.assertEqual(whole["active_fraction"], 1)
+        self.assertLess(part["active_fraction"], 0.1)
+        self.assertEqual(rows, same)
+        process = command("simulate", self.sample("tube"), "--scene", self.file("scene.json", STILL),
+                          "--rest-tolerance", "-1", "-o", self.file("none.csv"))
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("--rest-tolerance", process.stderr)
+
     def test_predicts_stable_steps(self):
         project = self.sample("tube")
         scene = self.file("scene.json", TUBE_POKE)
