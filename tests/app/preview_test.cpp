@@ -20,12 +20,12 @@ Project refusedProject() {
     return project;
 }
 
-/// Euler steps of so many times the longest stable one.
-SimulationSettings tooLong(const Project& project, double factor) {
-    SimulationSettings settings;
-    settings.integrator = Integrator::Euler;
-    settings.timeStep = factor * *criticalStep(evaluateModel(project), Integrator::Euler);
-    return settings;
+/// To be stepped by Euler steps of so many times the longest stable one.
+Project steppedTooLong(double factor) {
+    Project tube = makeSample("tube");
+    const double longest = *criticalStep(evaluateModel(tube), Integrator::Euler);
+    tube.stepping = {{Integrator::Euler, factor * longest, Precision::Double}, 0.01, 1};
+    return tube;
 }
 
 /// Plays up to so many frames, until the run stops or its step was halved that often.
@@ -63,13 +63,13 @@ TEST(PreviewRun, GoesOnFromRestAfterItWasStopped) {
 }
 
 TEST(PreviewRun, GoesBackAndOnInShorterStepsWhenTheMotionRunsWild) {
-    const Project tube = makeSample("tube");
-    const SimulationSettings settings = tooLong(tube, 3);
-    PreviewRun run(settings);
+    const Project tube = steppedTooLong(3);
+    const double timeStep = tube.stepping->stepping.timeStep;
+    PreviewRun run;
     ASSERT_TRUE(run.setProject(tube));
     EXPECT_TRUE(playUntilHalved(run, 2, 2000));
     EXPECT_EQ(run.status().halvings, 2);
-    EXPECT_DOUBLE_EQ(run.status().timeStep, *settings.timeStep / 4);
+    EXPECT_DOUBLE_EQ(run.status().timeStep, timeStep / 4);
     EXPECT_TRUE(playUntilHalved(run, 3, 20));
     EXPECT_EQ(run.status().halvings, 2) << "shorter steps were of help";
     EXPECT_EQ(run.status().failure, "");
@@ -78,13 +78,13 @@ TEST(PreviewRun, GoesBackAndOnInShorterStepsWhenTheMotionRunsWild) {
 
     ASSERT_TRUE(run.setProject(tube));
     EXPECT_EQ(run.status().halvings, 0);
-    EXPECT_DOUBLE_EQ(run.status().timeStep, *settings.timeStep);
+    EXPECT_DOUBLE_EQ(run.status().timeStep, timeStep);
 }
 
 TEST(PreviewRun, StopsWithTheReasonWhereShorterStepsAreOfNoHelp) {
-    const Project tube = makeSample("tube");
-    const SimulationSettings settings = tooLong(tube, 1000);
-    PreviewRun run(settings);
+    const Project tube = steppedTooLong(1000);
+    const double timeStep = tube.stepping->stepping.timeStep;
+    PreviewRun run;
     ASSERT_TRUE(run.setProject(tube));
     EXPECT_FALSE(playUntilHalved(run, 100, 2000));
     EXPECT_FALSE(run.isReady());
@@ -92,7 +92,21 @@ TEST(PreviewRun, StopsWithTheReasonWhereShorterStepsAreOfNoHelp) {
     run.reset();
     EXPECT_TRUE(run.isReady());
     EXPECT_EQ(run.status().halvings, 0);
-    EXPECT_DOUBLE_EQ(run.status().timeStep, *settings.timeStep);
+    EXPECT_DOUBLE_EQ(run.status().timeStep, timeStep);
+}
+
+TEST(PreviewRun, StepsAsTheProjectSays) {
+    Project tube = makeSample("tube");
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    const Integrator automatic = *run.status().integrator;
+    tube.stepping = {{Integrator::Bdf2, 0.004, Precision::Double}, 0.01, 1};
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_EQ(run.status().integrator, Integrator::Bdf2);
+    EXPECT_EQ(run.status().timeStep, 0.004);
+    tube.stepping.reset();
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_EQ(run.status().integrator, automatic);
 }
 
 TEST(Preview, SaysWhyARefusedModelDoesNotPlay) {

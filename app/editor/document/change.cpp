@@ -82,6 +82,16 @@ bool same(const PhotoLayer& a, const PhotoLayer& b) {
            a.opacity == b.opacity && a.visible == b.visible;
 }
 
+bool same(const Stepping& a, const Stepping& b) {
+    return a.integrator == b.integrator && a.timeStep == b.timeStep && a.precision == b.precision;
+}
+
+bool same(const std::optional<MeasuredStepping>& a, const std::optional<MeasuredStepping>& b) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    return same(a->stepping, b->stepping) && a->error == b->error &&
+           a->wallPerSimulatedSecond == b->wallPerSimulatedSecond;
+}
+
 Change difference(const Project& before, const Project& after) {
     Change change;
     change.name = before.name != after.name;
@@ -90,6 +100,7 @@ Change difference(const Project& before, const Project& after) {
     change.tissue = !same(before.base, after.base);
     change.regions = !sameItems(before.regions, after.regions);
     change.scene = !same(before.scene, after.scene);
+    change.stepping = !same(before.stepping, after.stepping);
     change.photos = !sameItems(before.photos, after.photos);
     change.texture = !same(before.texture, after.texture) || before.atlas != after.atlas;
     return change;

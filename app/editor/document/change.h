@@ -11,21 +11,24 @@ struct Change {
     bool tissue = false; ///< the whole organ's base tissue
     bool regions = false;
     bool scene = false;
+    bool stepping = false; ///< how the motion is computed
     bool photos = false;
     bool texture = false; ///< texture settings or the packed atlas
 
-    bool any() const { return name || mesh || tissue || regions || scene || photos || texture; }
+    bool any() const { return name || mesh || tissue || regions || scene || stepping || photos || texture; }
     /// What the simulation runs on.
     bool model() const { return mesh || tissue || regions || scene; }
     /// What the composed texture is made of.
     bool picture() const { return mesh || photos || texture; }
 
-    static Change everything() { return {true, true, true, true, true, true, true}; }
+    static Change everything() { return {true, true, true, true, true, true, true, true}; }
 };
 
 /// Shared parts are compared by pointer, all else by value.
 bool same(const Region& a, const Region& b);
 bool same(const PhotoLayer& a, const PhotoLayer& b);
+bool same(const Stepping& a, const Stepping& b);
+bool same(const std::optional<MeasuredStepping>& a, const std::optional<MeasuredStepping>& b);
 Change difference(const Project& before, const Project& after);
 
 } // namespace esm

@@ -20,12 +20,17 @@ bool isFixed(const TissueModel& model, std::uint32_t node) {
 
 } // namespace
 
-Grasp::Grasp(const TissueModel& model, const std::vector<Eigen::Vector3d>& positions, std::uint32_t node)
-    : m_node(node), m_nodes{node} {
+std::vector<std::uint32_t> graspedNodes(const TissueModel& model, std::uint32_t node) {
+    std::vector<std::uint32_t> nodes{node};
     const auto& rest = model.network->restPositions;
     const double radius = graspRadius * boundingBox(rest).diagonal().norm();
     for (std::uint32_t i = 0; i < rest.size(); ++i)
-        if (i != node && !isFixed(model, i) && (rest[i] - rest[node]).norm() < radius) m_nodes.push_back(i);
+        if (i != node && !isFixed(model, i) && (rest[i] - rest[node]).norm() < radius) nodes.push_back(i);
+    return nodes;
+}
+
+Grasp::Grasp(const TissueModel& model, const std::vector<Eigen::Vector3d>& positions, std::uint32_t node)
+    : m_node(node), m_nodes(graspedNodes(model, node)) {
     for (const auto i : m_nodes)
         m_start.push_back(positions[i]);
 }

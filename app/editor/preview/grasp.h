@@ -8,11 +8,13 @@
 
 namespace esm {
 
+/// A node and the free ones around it at rest, within a few hundredths of the organ's size; the node first.
+std::vector<std::uint32_t> graspedNodes(const TissueModel& model, std::uint32_t node);
+
 /// A patch of tissue taken hold of: it follows a displacement, not a place, and swiftly but not at once, so
 /// that a jump of the mouse is no blow [R 4.4].
 class Grasp {
 public:
-    /// Takes the free nodes around `node` at rest, within a few hundredths of the organ's size.
     Grasp(const TissueModel& model, const std::vector<Eigen::Vector3d>& positions, std::uint32_t node);
 
     std::uint32_t node() const { return m_node; }

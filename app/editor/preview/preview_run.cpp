@@ -1,5 +1,7 @@
 #include "app/editor/preview/preview_run.h"
 
+#include "app/editor/document/change.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -17,19 +19,25 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+SimulationSettings settingsOf(const Project& project) {
+    return project.stepping ? withStepping({}, project.stepping->stepping) : SimulationSettings{};
+}
+
 } // namespace
 
 bool PreviewRun::setProject(const Project& project) {
     try {
-        const bool sameNetwork = m_simulation && m_model.network == project.network;
+        const bool goesOn =
+            m_simulation && m_model.network == project.network && same(m_stepping, project.stepping);
         TissueModel model = evaluateModel(project);
-        if (sameNetwork)
+        if (goesOn)
             m_simulation->setModel(model);
         else
-            m_simulation.emplace(model, m_settings, touchedSurface(*project.mesh, *project.network));
+            m_simulation.emplace(model, settingsOf(project), touchedSurface(*project.mesh, *project.network));
         m_model = std::move(model);
+        m_stepping = project.stepping;
         m_gravity = project.scene.gravity;
-        if (!sameNetwork) {
+        if (!goesOn) {
             m_pull.reset();
             m_gentleGrasp.reset();
             m_gentleTime = 0;

@@ -37,10 +37,8 @@ struct PreviewStatus {
 /// The simulation behind the window, run by the preview's thread alone.
 class PreviewRun {
 public:
-    explicit PreviewRun(const SimulationSettings& settings = {}) : m_settings(settings) {}
-
-    /// Takes a project; the motion goes on when the network is the same. False when it cannot be simulated:
-    /// nothing moves until another project can be.
+    /// Takes a project; the motion goes on when network and stepping are the same. False when it cannot be
+    /// simulated: nothing moves until another project can be.
     bool setProject(const Project& project);
     /// Back to rest, and past what stopped the run.
     void reset();
@@ -65,8 +63,8 @@ private:
     bool goBack();
     void measure(double simulated, double computing);
 
-    SimulationSettings m_settings;
     TissueModel m_model;
+    std::optional<MeasuredStepping> m_stepping; ///< the project's
     std::optional<Simulation> m_simulation;
     std::optional<Grasp> m_pull, m_gentleGrasp;
     std::optional<GentlePull> m_gentlePull;

@@ -1,5 +1,6 @@
 #include "app/editor/window/main_window.h"
 
+#include "app/editor/panels/accuracy_panel.h"
 #include "app/editor/panels/atlas_panel.h"
 #include "app/editor/panels/ellipsoid_panel.h"
 #include "app/editor/panels/model_panel.h"
@@ -88,8 +89,9 @@ void MainWindow::buildPanels() {
                     {new ModelPanel(*m_document), regions, new EllipsoidPanel(*m_document, *m_selection)});
     m_textureLeft =
         buildColumn(*this, Qt::LeftDockWidgetArea, tr("Photos"), {photos, new AtlasPanel(*m_document)});
-    m_tissueRight = buildColumn(*this, Qt::RightDockWidgetArea, tr("Tissue"),
-                                {new TissuePanel(*m_document, *m_selection)});
+    m_tissueRight =
+        buildColumn(*this, Qt::RightDockWidgetArea, tr("Tissue"),
+                    {new TissuePanel(*m_document, *m_selection), new AccuracyPanel(*m_document, *m_preview)});
     m_textureRight = buildColumn(*this, Qt::RightDockWidgetArea, tr("Photo"),
                                  {new PhotoPanel(*m_document, *m_selection), projector});
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);

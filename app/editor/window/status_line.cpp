@@ -1,5 +1,6 @@
 #include "app/editor/window/status_line.h"
 
+#include "app/editor/panels/stepping_text.h"
 #include "core/dynamics/stability.h"
 #include "widgets/inputs/number_text.h"
 
@@ -12,44 +13,6 @@
 namespace esm {
 
 namespace {
-
-QString millisecondsText(double seconds) {
-    return seconds >= 1e-4 ? QObject::tr("%1 ms").arg(numberText(seconds * 1000, 2))
-                           : QObject::tr("%1 µs").arg(numberText(seconds * 1e6, 2));
-}
-
-/// What a stepping method does, in plain words.
-QString methodText(Integrator integrator) {
-    switch (integrator) {
-    case Integrator::Euler:
-        return QObject::tr("euler, the simplest method; it needs small steps");
-    case Integrator::Verlet:
-        return QObject::tr("verlet, a simple method of second order; it needs small steps");
-    case Integrator::Heun:
-        return QObject::tr("heun, a method of second order; it needs small steps and some viscosity");
-    case Integrator::Rk4:
-        return QObject::tr("rk4, a very accurate method; it needs small steps");
-    case Integrator::AdamsMoulton:
-        return QObject::tr("adams-moulton, a very accurate method; it needs very small steps");
-    case Integrator::Propagation:
-        return QObject::tr("propagation, where forces settle node by node before the tissue moves on");
-    case Integrator::Implicit:
-        return QObject::tr(
-            "implicit, a method that stays calm however stiff the tissue is, and calms its motion");
-    case Integrator::Bdf2:
-        return QObject::tr("bdf2, a method of second order that stays calm however stiff the tissue is");
-    case Integrator::Projective:
-        return QObject::tr(
-            "projective, a fast method that stays calm however stiff the tissue is; it is coarse");
-    case Integrator::Split:
-        return QObject::tr("split, a method that stays calm however viscous the tissue is");
-    case Integrator::Split2:
-        return QObject::tr("split2, a method of second order that stays calm however viscous the tissue is");
-    case Integrator::Auto:
-        break;
-    }
-    return QString();
-}
 
 /// Below this share of real time the tissue seems to stand still, and so long it may: a moment is no harm.
 constexpr double slowestMotion = 0.1;
@@ -73,13 +36,13 @@ QString recoveryText(const PreviewStatus& status) {
     if (status.halvings == 0) return QString();
     return QObject::tr(
                "The motion ran wild: it went back to where it was calm and on in shorter steps, of %1")
-        .arg(millisecondsText(status.timeStep));
+        .arg(durationText(status.timeStep));
 }
 
 QString safeText(const PreviewStatus& status) {
     if (!status.safeStep) return QString();
     if (std::isinf(*status.safeStep)) return QObject::tr("safe at any step");
-    return QObject::tr("safe up to %1").arg(millisecondsText(*status.safeStep));
+    return QObject::tr("safe up to %1").arg(durationText(*status.safeStep));
 }
 
 } // namespace
@@ -155,7 +118,7 @@ void StatusLine::showRate() {
 void StatusLine::showStatus(const PreviewStatus& status) {
     const bool moves = status.playing && status.realTimeFactor > 0;
     m_realTime->setText(moves ? tr("%1× real time").arg(numberText(status.realTimeFactor, 2)) : tr("paused"));
-    m_step->setText(status.integrator ? tr("step %1").arg(millisecondsText(status.timeStep)) : QString());
+    m_step->setText(status.integrator ? tr("step %1").arg(durationText(status.timeStep)) : QString());
     m_stability->setText(safeText(status));
     explainStep(status);
     m_gauge->setShare(status.safeStep ? status.timeStep / *status.safeStep : -1);
@@ -182,7 +145,7 @@ void StatusLine::watchSpeed(const PreviewStatus& status) {
 }
 
 void StatusLine::explainStep(const PreviewStatus& status) {
-    const QString step = millisecondsText(status.timeStep);
+    const QString step = durationText(status.timeStep);
     m_step->setToolTip(
         status.integrator
             ? tr("The motion is computed in steps of time: where every point of the tissue is %1 "

@@ -88,7 +88,7 @@ void ViewController::followDocument(const Change& change) {
     const Project& project = m_document.project();
     // Where the hand is on one organ says nothing about the next.
     if (change.mesh) m_view.letGo();
-    if (change.model()) m_preview.setProject(project);
+    if (change.model() || change.stepping) m_preview.setProject(project);
     if (change.model()) m_structure.reset();
     if (change.picture()) composePhotos();
     if (change.mesh && !m_instrumentChosen) setInstrumentRadius(fittingInstrument(project));

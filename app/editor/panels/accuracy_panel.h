@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/editor/document/document.h"
+#include "app/editor/preview/preview.h"
+#include "core/dynamics/tradeoff.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/inputs/section.h"
+#include "widgets/plot/accuracy_chart.h"
+
+#include <QPushButton>
+
+namespace esm {
+
+/// How fast and how exactly this machine can compute the organ's motion, by every method: measured on
+/// request, and one of them chosen.
+class AccuracyPanel : public Section {
+    Q_OBJECT
+
+public:
+    AccuracyPanel(Document& document, Preview& preview, QWidget* parent = nullptr);
+
+private:
+    /// A measurement holds for the nodes it was made on.
+    struct Measurement {
+        std::shared_ptr<const SpringNetwork> network;
+        Tradeoff tradeoff;
+    };
+
+    QWidget* buildMeasured();
+    void measure();
+    void follow(const Change& change);
+    void refresh();
+    void showInUse();
+    void showMeasurement();
+    void showRecommendations();
+    void showRecommendation(QPushButton* button, std::optional<std::size_t> run, const QString& none);
+    bool isMeasured() const;
+    void use(std::size_t run);
+    void useAutomatic();
+
+    Document& m_document;
+    Preview& m_preview;
+    std::optional<Measurement> m_measurement;
+    bool m_isOutdated = false; ///< the tissue or the scene has changed since
+    QToolButton* m_measure;
+    QLabel* m_inUse;
+    QToolButton* m_automatic;
+    QLabel* m_hint;
+    AccuracyChart* m_chart;
+    NumberField* m_mostError;
+    QPushButton *m_inRealTime, *m_toError;
+    QWidget* m_measured; ///< what is shown of a measurement
+};
+
+} // namespace esm

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/dynamics/stepping.h"
+
+#include <QString>
+
+namespace esm {
+
+/// "8.4 ms", "3.0 µs".
+QString durationText(double seconds);
+
+/// "split2, step 8.4 ms", and "in float" where it is.
+QString steppingText(const Stepping& stepping);
+
+/// What a stepping method does, in plain words.
+QString methodText(Integrator integrator);
+
+} // namespace esm

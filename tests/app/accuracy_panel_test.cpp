@@ -1,0 +1,120 @@
+#include "app/editor/commands/accuracy_measurement.h"
+#include "app/editor/panels/accuracy_panel.h"
+#include "core/samples/samples.h"
+#include "core/support/errors.h"
+
+#include <gmock/gmock.h>
+
+#include <QProgressDialog>
+#include <QTest>
+#include <QTimer>
+
+using namespace esm;
+
+namespace {
+
+class AccuracyPanelTest : public testing::Test {
+protected:
+    AccuracyPanelTest() : m_document(briefTube()), m_panel(m_document, m_preview) {
+        m_panel.resize(340, 700);
+        m_panel.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&m_panel));
+    }
+
+    static Project briefTube() {
+        Project tube = makeSample("tube");
+        tube.scene.duration = 0.05;
+        tube.scene.instrument.reset();
+        tube.scene.forces = {{85, {0, 0, 0.1}, 0, 1}};
+        return tube;
+    }
+
+    QToolButton* button(const QString& text) {
+        for (auto* found : m_panel.findChildren<QToolButton*>())
+            if (found->text() == text) return found;
+        ADD_FAILURE() << "no button " << text.toStdString();
+        return nullptr;
+    }
+    QString inUse() { return m_panel.findChild<QLabel*>(QStringLiteral("steppingInUse"))->text(); }
+    QPushButton* recommendation(const char* name) {
+        return m_panel.findChild<QPushButton*>(QString::fromLatin1(name));
+    }
+    static void type(NumberField& field, const QString& text) {
+        field.selectAll();
+        QTest::keyClicks(&field, text);
+        QTest::keyClick(&field, Qt::Key_Return);
+    }
+    const std::optional<MeasuredStepping>& stepping() { return m_document.project().stepping; }
+
+    Document m_document;
+    Preview m_preview;
+    AccuracyPanel m_panel;
+};
+
+TEST_F(AccuracyPanelTest, MeasuresRecommendsAndLetsOneBeChosenAndTakenBack) {
+    EXPECT_FALSE(recommendation("toError")->isVisible());
+    EXPECT_FALSE(button("automatic")->isEnabled());
+    button("measure")->click();
+    ASSERT_TRUE(recommendation("toError")->isVisible());
+    EXPECT_FALSE(m_document.isModified()) << "to measure changes nothing";
+
+    ASSERT_TRUE(recommendation("toError")->isEnabled());
+    const QString recommended = recommendation("toError")->text();
+    recommendation("toError")->click();
+    ASSERT_TRUE(stepping());
+    EXPECT_LE(stepping()->error, 0.01);
+    EXPECT_EQ(inUse(), recommended);
+    EXPECT_TRUE(button("automatic")->isEnabled());
+
+    button("automatic")->click();
+    EXPECT_FALSE(stepping());
+    m_document.undoStack()->undo();
+    EXPECT_TRUE(stepping());
+    m_document.undoStack()->undo();
+    EXPECT_FALSE(stepping());
+
+    auto* mostError = m_panel.findChild<NumberField*>(QStringLiteral("mostError"));
+    type(*mostError, "0.000001");
+    EXPECT_FALSE(recommendation("toError")->isEnabled());
+    type(*mostError, "50");
+    EXPECT_TRUE(recommendation("toError")->isEnabled());
+
+    auto* hint = m_panel.findChild<QLabel*>(QStringLiteral("accuracyHint"));
+    EXPECT_FALSE(hint->isVisible());
+    m_document.edit("softer", [](Project& project) { project.base.viscosity *= 2; });
+    EXPECT_TRUE(hint->isVisible());
+    EXPECT_TRUE(recommendation("toError")->isVisible());
+}
+
+TEST_F(AccuracyPanelTest, CancelledItLeavesAllAsItWas) {
+    m_preview.setProject(m_document.project());
+    QTimer cancel;
+    QObject::connect(&cancel, &QTimer::timeout, [] {
+        for (QWidget* window : QApplication::topLevelWidgets())
+            if (auto* dialog = qobject_cast<QProgressDialog*>(window))
+                dialog->findChild<QPushButton*>()->click();
+    });
+    cancel.start(20);
+    Project large = makeSample("liver");
+    m_document.replace(large, std::nullopt);
+    button("measure")->click();
+    EXPECT_FALSE(recommendation("toError")->isVisible());
+    EXPECT_FALSE(stepping());
+    EXPECT_FALSE(m_document.isModified());
+}
+
+TEST(AccuracyMeasurement, PullsAtTheEdgeWhereTheSceneMovesNothing) {
+    Project tube = makeSample("tube");
+    EXPECT_TRUE(measuredScene(tube).moves.empty());
+    tube.scene.instrument.reset();
+    const Scene pulled = measuredScene(tube);
+    EXPECT_FALSE(pulled.moves.empty());
+    EXPECT_TRUE(validate(pulled, tube.network->restPositions.size()).empty());
+    NodeSelection all;
+    for (std::uint32_t node = 0; node < tube.network->restPositions.size(); ++node)
+        all.nodes.push_back(node);
+    tube.scene.fixed = {all};
+    EXPECT_THROW(measuredScene(tube), InvalidModel);
+}
+
+} // namespace

@@ -1,0 +1,255 @@
+#include "widgets/plot/accuracy_chart.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QToolTip>
+
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_curve.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_marker.h>
+#include <qwt_scale_draw.h>
+#include <qwt_scale_engine.h>
+#include <qwt_scale_widget.h>
+#include <qwt_symbol.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr int reach = 12; ///< pixels, of the mouse
+
+/// "1000" rather than "1e+03", and no more digits than a power of ten needs.
+class PlainScale : public QwtScaleDraw {
+public:
+    QwtText label(double value) const override { return QwtText(QString::number(value, 'g', 6)); }
+};
+
+QwtPlotCurve* addCurve(QwtPlot& plot, double height) {
+    auto* curve = new QwtPlotCurve;
+    curve->setStyle(QwtPlotCurve::NoCurve);
+    curve->setRenderHint(QwtPlotItem::RenderAntialiased);
+    curve->setZ(height);
+    curve->attach(&plot);
+    return curve;
+}
+
+QwtPlotMarker* addLine(QwtPlot& plot, QwtPlotMarker::LineStyle style) {
+    auto* line = new QwtPlotMarker;
+    line->setLineStyle(style);
+    line->setZ(1);
+    line->attach(&plot);
+    return line;
+}
+
+/// The whole powers of ten around values above zero.
+std::pair<double, double> decadesAround(double lowest, double highest) {
+    const double low = std::floor(std::log10(lowest)), high = std::ceil(std::log10(highest));
+    return {std::pow(10, low), std::pow(10, std::max(high, low + 1))};
+}
+
+} // namespace
+
+AccuracyChart::AccuracyChart(QWidget* parent)
+    : QwtPlot(parent), m_others(addCurve(*this, 2)), m_front(addCurve(*this, 3)),
+      m_chosenMark(addCurve(*this, 5)), m_pointedMark(addCurve(*this, 4)),
+      m_realTime(addLine(*this, QwtPlotMarker::VLine)), m_mostError(addLine(*this, QwtPlotMarker::HLine)) {
+    auto* grid = new QwtPlotGrid;
+    grid->attach(this);
+    for (const int axis : {int(xBottom), int(yLeft)}) {
+        setAxisScaleEngine(axis, new QwtLogScaleEngine);
+        setAxisScaleDraw(axis, new PlainScale);
+        setAxisMaxMinor(axis, 0);
+        axisWidget(axis)->setMargin(0);
+    }
+    m_front->setStyle(QwtPlotCurve::Lines);
+    m_realTime->setXValue(1);
+    auto* frame = qobject_cast<QwtPlotCanvas*>(canvas());
+    frame->setFrameStyle(QFrame::NoFrame);
+    frame->setFocusPolicy(Qt::NoFocus);
+    frame->setMouseTracking(true);
+    frame->installEventFilter(this);
+    frame->setCursor(Qt::ArrowCursor);
+    setFocusPolicy(Qt::StrongFocus);
+    followTheme();
+    drawScales();
+}
+
+void AccuracyChart::setPoints(std::vector<AccuracyPoint> points, const std::vector<std::size_t>& front) {
+    m_points = std::move(points);
+    m_chosen = m_pointed = std::nullopt;
+    m_bySpeed.clear();
+    QVector<QPointF> others, best;
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+        if (!isDrawn(i)) continue;
+        m_bySpeed.push_back(i);
+        const bool isBest = std::find(front.begin(), front.end(), i) != front.end();
+        (isBest ? best : others).push_back({m_points[i].speed, 100 * m_points[i].error});
+    }
+    std::sort(m_bySpeed.begin(), m_bySpeed.end(),
+              [&](std::size_t a, std::size_t b) { return m_points[a].speed < m_points[b].speed; });
+    std::sort(best.begin(), best.end(), [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
+    m_others->setSamples(others);
+    m_front->setSamples(best);
+    setChosen(std::nullopt);
+    point(std::nullopt);
+    drawScales();
+}
+
+bool AccuracyChart::isDrawn(std::size_t point) const {
+    const auto hasPlace = [](double value) { return value > 0 && std::isfinite(value); };
+    return hasPlace(m_points[point].speed) && hasPlace(m_points[point].error);
+}
+
+void AccuracyChart::drawScales() {
+    double slowest = 1, fastest = 1, least = m_mostError->yValue() > 0 ? m_mostError->yValue() : 1,
+           most = least;
+    for (const std::size_t i : m_bySpeed) {
+        slowest = std::min(slowest, m_points[i].speed);
+        fastest = std::max(fastest, m_points[i].speed);
+        least = std::min(least, 100 * m_points[i].error);
+        most = std::max(most, 100 * m_points[i].error);
+    }
+    const auto speeds = decadesAround(slowest, fastest), errors = decadesAround(least, most);
+    setAxisScale(xBottom, speeds.first, speeds.second);
+    setAxisScale(yLeft, errors.first, errors.second);
+    replot();
+}
+
+void AccuracyChart::setChosen(std::optional<std::size_t> point) {
+    m_chosen = point && isDrawn(*point) ? point : std::nullopt;
+    QVector<QPointF> marked;
+    if (m_chosen) marked.push_back({m_points[*m_chosen].speed, 100 * m_points[*m_chosen].error});
+    m_chosenMark->setSamples(marked);
+    replot();
+}
+
+void AccuracyChart::setMostError(double error) {
+    m_mostError->setYValue(100 * error);
+    drawScales();
+}
+
+QPoint AccuracyChart::placeOf(std::size_t point) const {
+    return {qRound(transform(xBottom, m_points[point].speed)),
+            qRound(transform(yLeft, 100 * m_points[point].error))};
+}
+
+std::optional<std::size_t> AccuracyChart::pointAt(const QPoint& place) const {
+    std::optional<std::size_t> nearest;
+    int distance = reach * reach;
+    for (const std::size_t i : m_bySpeed) {
+        const QPoint away = placeOf(i) - place;
+        const int squared = QPoint::dotProduct(away, away);
+        if (squared > distance) continue;
+        distance = squared;
+        nearest = i;
+    }
+    return nearest;
+}
+
+void AccuracyChart::point(std::optional<std::size_t> point) {
+    m_pointed = point;
+    QVector<QPointF> marked;
+    if (point) marked.push_back({m_points[*point].speed, 100 * m_points[*point].error});
+    m_pointedMark->setSamples(marked);
+    canvas()->setCursor(point ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    replot();
+    if (point)
+        QToolTip::showText(canvas()->mapToGlobal(placeOf(*point) + QPoint(8, 8)), m_points[*point].text,
+                           canvas());
+    else
+        QToolTip::hideText();
+}
+
+bool AccuracyChart::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != canvas()) return QwtPlot::eventFilter(watched, event);
+    if (event->type() == QEvent::MouseMove) {
+        const auto under = pointAt(static_cast<QMouseEvent*>(event)->pos());
+        if (under != m_pointed) point(under);
+    } else if (event->type() == QEvent::Leave)
+        point(std::nullopt);
+    else if (event->type() == QEvent::MouseButtonRelease) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        const auto clicked = pointAt(mouse->pos());
+        if (mouse->button() == Qt::LeftButton && clicked) emit chosen(*clicked);
+    }
+    return QwtPlot::eventFilter(watched, event);
+}
+
+void AccuracyChart::stepThrough(int direction) {
+    if (m_bySpeed.empty()) return;
+    const auto from = m_pointed ? m_pointed : m_chosen;
+    const auto at = from ? std::find(m_bySpeed.begin(), m_bySpeed.end(), *from) : m_bySpeed.end();
+    if (at == m_bySpeed.end()) return point(direction > 0 ? m_bySpeed.front() : m_bySpeed.back());
+    const auto place = (at - m_bySpeed.begin()) + direction;
+    if (place >= 0 && place < static_cast<std::ptrdiff_t>(m_bySpeed.size()))
+        point(m_bySpeed[static_cast<std::size_t>(place)]);
+}
+
+void AccuracyChart::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)
+        stepThrough(event->key() == Qt::Key_Right ? 1 : -1);
+    else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && m_pointed)
+        emit chosen(*m_pointed);
+    else
+        QwtPlot::keyPressEvent(event);
+}
+
+void AccuracyChart::focusInEvent(QFocusEvent* event) {
+    QwtPlot::focusInEvent(event);
+    if (event->reason() != Qt::MouseFocusReason && !m_pointed) stepThrough(1);
+}
+
+void AccuracyChart::focusOutEvent(QFocusEvent* event) {
+    QwtPlot::focusOutEvent(event);
+    point(std::nullopt);
+}
+
+bool AccuracyChart::event(QEvent* event) {
+    const bool taken = QwtPlot::event(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) followTheme();
+    return taken;
+}
+
+void AccuracyChart::followTheme() {
+    const QPalette colours = palette();
+    const QColor &quiet = colours.color(QPalette::PlaceholderText), &line = colours.color(QPalette::Mid),
+                 &bright = colours.color(QPalette::Link), &text = colours.color(QPalette::WindowText),
+                 &wish = colours.color(QPalette::LinkVisited);
+    const auto dot = [](QwtSymbol::Style style, const QBrush& brush, const QPen& pen, int size) {
+        return new QwtSymbol(style, brush, pen, {size, size});
+    };
+    setCanvasBackground(colours.color(QPalette::Base));
+    m_others->setSymbol(dot(QwtSymbol::Ellipse, quiet, Qt::NoPen, 4));
+    m_front->setSymbol(dot(QwtSymbol::Ellipse, bright, Qt::NoPen, 7));
+    m_front->setPen(bright, 1.2);
+    m_chosenMark->setSymbol(dot(QwtSymbol::Ellipse, Qt::NoBrush, QPen(text, 2), 13));
+    m_pointedMark->setSymbol(dot(QwtSymbol::Ellipse, Qt::NoBrush, QPen(bright, 1.5), 17));
+    m_realTime->setLinePen(wish, 1, Qt::DashLine);
+    m_mostError->setLinePen(wish, 1, Qt::DashLine);
+    for (QwtPlotItem* item : itemList(QwtPlotItem::Rtti_PlotGrid))
+        static_cast<QwtPlotGrid*>(item)->setPen(line, 0, Qt::DotLine);
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.85);
+    const auto title = [&](const QString& words) {
+        QwtText titled(words);
+        titled.setFont(small);
+        titled.setColor(quiet);
+        return titled;
+    };
+    setAxisTitle(xBottom, title(tr("speed, times real time")));
+    setAxisTitle(yLeft, title(tr("error, % of the motion")));
+    for (const int axis : {int(xBottom), int(yLeft)}) {
+        setAxisFont(axis, small);
+        QPalette scale = axisWidget(axis)->palette();
+        scale.setColor(QPalette::WindowText, line);
+        scale.setColor(QPalette::Text, quiet);
+        axisWidget(axis)->setPalette(scale);
+    }
+    replot();
+}
+
+} // namespace esm

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <qwt_plot.h>
+
+#include <optional>
+#include <vector>
+
+class QwtPlotCurve;
+class QwtPlotMarker;
+
+namespace esm {
+
+/// One way to compute a motion.
+struct AccuracyPoint {
+    double speed = 0; ///< times real time
+    double error = 0; ///< relative to the motion
+    QString text;     ///< what is said where the mouse rests
+};
+
+/// Error over speed of many ways to compute the same motion, both logarithmic: the better, the further to the
+/// right and the lower. A click chooses a point; so do the arrow keys, from one speed to the next, and Enter.
+class AccuracyChart : public QwtPlot {
+    Q_OBJECT
+
+public:
+    explicit AccuracyChart(QWidget* parent = nullptr);
+
+    /// What has no place on logarithmic scales is not drawn.
+    /// @param front the points that none beats in both, by their place in `points`
+    void setPoints(std::vector<AccuracyPoint> points, const std::vector<std::size_t>& front);
+    /// The point that is marked as the one in use.
+    void setChosen(std::optional<std::size_t> point);
+    /// The largest error that is wanted, a line; that of real time always stands.
+    void setMostError(double error);
+
+    /// The point nearest to a place on the canvas; none where all are further than a finger's breadth.
+    std::optional<std::size_t> pointAt(const QPoint& place) const;
+    /// Where a point lies on the canvas.
+    QPoint placeOf(std::size_t point) const;
+
+    QSize sizeHint() const override { return {300, 230}; }
+
+signals:
+    void chosen(std::size_t point);
+
+protected:
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    bool isDrawn(std::size_t point) const;
+    void drawScales();
+    void followTheme();
+    void point(std::optional<std::size_t> point);
+    void stepThrough(int direction);
+
+    std::vector<AccuracyPoint> m_points;
+    std::vector<std::size_t> m_bySpeed; ///< those that are drawn
+    std::optional<std::size_t> m_chosen, m_pointed;
+    QwtPlotCurve *m_others, *m_front, *m_chosenMark, *m_pointedMark;
+    QwtPlotMarker *m_realTime, *m_mostError;
+};
+
+} // namespace esm
