@@ -33,7 +33,7 @@ std::string page(const std::vector<ExtremeSummary>& summaries) {
             "to the end, every\n"
             "number finite. *Stopped*: with the reason and the last good state, as a step that was given may "
             "be too long.\n"
-            "*Refused*: before a step was taken, with the reason.\n";
+            "*Refused*: with the reason, before a step was taken or, by `propagation`, within one.\n";
     std::string family;
     for (const ExtremeSummary& summary : summaries) {
         if (summary.family != family) {

@@ -33,11 +33,11 @@ RecordedRun recordedRun(const SceneRun& run, const Progress& progress) {
 }
 
 /// How far the frames at the times of both are apart, relative to the motion of `finer`; 0 where nothing
-/// moves.
-double changeOf(const RecordedRun& coarse, const RecordedRun& finer) {
+/// moves, none where they share no time but the start.
+std::optional<double> changeOf(const RecordedRun& coarse, const RecordedRun& finer) {
     const double sameTime = 1e-3 * finer.outcome.timeStep;
     MotionError error;
-    bool moves = false;
+    bool moves = false, isShared = false;
     auto next = finer.frames.begin();
     for (const auto& [time, positions] : coarse.frames) {
         while (next != finer.frames.end() && next->time < time - sameTime)
@@ -45,8 +45,10 @@ double changeOf(const RecordedRun& coarse, const RecordedRun& finer) {
         if (next == finer.frames.end()) break;
         if (next->time > time + sameTime) continue;
         error.add(positions, next->positions, finer.frames.front().positions);
+        isShared = isShared || time > sameTime;
         moves = moves || positions != finer.frames.front().positions;
     }
+    if (!isShared) return std::nullopt;
     return moves ? error.relative() : 0;
 }
 
@@ -54,6 +56,13 @@ double changeOf(const RecordedRun& coarse, const RecordedRun& finer) {
     throw InvalidModel("an error of " + numberText(mostError) +
                        " of the motion is not reached; at a step of " + numberText(step) +
                        " s shorter ones gain nothing: allow a larger error, or choose another integrator");
+}
+
+[[noreturn]] void refuseTimes(double step) {
+    throw InvalidModel("steps of " + numberText(2 * step) +
+                       " s and of half of that meet at no recorded time: "
+                       "choose a step that divides the interval of recording, and record at least once in "
+                       "the scene's duration");
 }
 
 } // namespace
@@ -67,18 +76,19 @@ AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const Fra
     for (int halving = 1; halving <= mostHalvings; ++halving) {
         finer.settings.timeStep = last.outcome.timeStep / 2;
         RecordedRun halved = recordedRun(finer, progress);
-        const bool isComparable = last.outcome.stable && halved.outcome.stable;
-        const double change = isComparable ? changeOf(last, halved) : lastChange;
+        const bool isWhole = last.outcome.stable && halved.outcome.stable;
+        const std::optional<double> change = isWhole ? changeOf(last, halved) : std::nullopt;
         last = std::move(halved);
-        if (!isComparable) continue;
-        const double error = remainingError(change, lastChange);
+        if (!isWhole) continue;
+        if (!change) refuseTimes(last.outcome.timeStep);
+        const double error = remainingError(*change, lastChange);
         if (error <= mostError) {
             for (const auto& [time, positions] : last.frames)
                 sink(time, positions);
             return {last.outcome, error};
         }
-        if (change > leastGain * lastChange) break;
-        lastChange = change;
+        if (*change > leastGain * lastChange) break;
+        lastChange = *change;
     }
     refuseError(mostError, last.outcome.timeStep);
 }

@@ -228,8 +228,9 @@ void Simulation::setModel(const TissueModel& model) {
 
 void Simulation::keepState() {
     Implementation& self = *m_implementation;
-    self.older = std::exchange(
-        self.younger, Implementation::KeptState{self.motion, self.time(), self.instrument, self.guard});
+    // After going back, the older one is still the calm one.
+    if (self.younger) self.older = std::move(self.younger);
+    self.younger = Implementation::KeptState{self.motion, self.time(), self.instrument, self.guard};
 }
 
 void Simulation::goBack(double timeStep) {

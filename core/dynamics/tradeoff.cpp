@@ -44,8 +44,8 @@ public:
         for (const CoarserRun& coarser : options.coarser)
             addLevel({coarser.model, coarser.surface, coarser.scene}, &coarser);
         m_level = &m_levels.front();
-        const double frames = std::max(1.0, run.scene.duration / run.scene.record.every);
-        m_interval = run.scene.record.every * std::ceil(frames / mostFrames);
+        const double every = std::min(run.scene.record.every, run.scene.duration);
+        m_interval = every * std::ceil(run.scene.duration / every / mostFrames);
     }
 
     Tradeoff measure() {

@@ -59,6 +59,11 @@ QString runText(const TradeoffRun& run) {
     return wayText(run) + '\n' + figuresText(run.realTimeFactor(), run.error);
 }
 
+/// With what the method does.
+QString explainedText(const TradeoffRun& run) {
+    return runText(run) + '\n' + methodText(run.stepping.integrator);
+}
+
 /// Brings a part of a column into view.
 void scrollTo(QWidget& part) {
     for (QWidget* around = part.parentWidget(); around; around = around->parentWidget())
@@ -69,7 +74,7 @@ std::vector<AccuracyPoint> pointsOf(const Tradeoff& tradeoff) {
     std::vector<AccuracyPoint> points;
     points.reserve(tradeoff.runs.size());
     for (const TradeoffRun& run : tradeoff.runs)
-        points.push_back({run.stable ? run.realTimeFactor() : 0, run.error, runText(run)});
+        points.push_back({run.stable ? run.realTimeFactor() : 0, run.error, explainedText(run)});
     return points;
 }
 
@@ -97,7 +102,7 @@ AccuracyPanel::AccuracyPanel(Document& document, Preview& preview, QWidget* pare
 
     connect(m_measure, &QToolButton::clicked, this, &AccuracyPanel::measure);
     connect(m_automatic, &QToolButton::clicked, this, &AccuracyPanel::useAutomatic);
-    connect(&document, &Document::changed, this, &AccuracyPanel::follow);
+    connect(&document, &Document::changed, this, &AccuracyPanel::refresh);
     refresh();
 }
 
@@ -116,7 +121,7 @@ QWidget* AccuracyPanel::buildMeasured() {
 
     auto* rows = new ValueRows(measured);
     rows->addWideField(tr("In real time, with the least error"), m_inRealTime);
-    rows->addField(tr("&Error at most"), m_mostError);
+    rows->addField(tr("Err&or at most"), m_mostError);
     rows->addWideField(tr("Within that error, the fastest"), m_toError);
     auto* column = new QVBoxLayout(measured);
     column->setContentsMargins(0, 0, 0, 0);
@@ -144,8 +149,7 @@ void AccuracyPanel::measure() {
             window(), tr("Measuring speed and accuracy"),
             [&](const Progress& progress) { measured = measureAccuracy(project, options, progress); },
             Cancelling::Offered);
-        m_measurement = {project.network, std::move(measured)};
-        m_isOutdated = false;
+        m_measurement = {project, std::move(measured)};
         showMeasurement();
         refresh();
         // It has its place only when the column was laid out anew.
@@ -153,20 +157,19 @@ void AccuracyPanel::measure() {
     });
 }
 
-void AccuracyPanel::follow(const Change& change) {
-    if (change.tissue || change.regions || change.scene) m_isOutdated = true;
-    refresh();
+bool AccuracyPanel::isMeasured() const {
+    return m_measurement && m_measurement->project.network == m_document.project().network;
 }
 
-bool AccuracyPanel::isMeasured() const {
-    return m_measurement && m_measurement->network == m_document.project().network;
+bool AccuracyPanel::isOutdated() const {
+    return isMeasured() && difference(m_measurement->project, m_document.project()).model();
 }
 
 void AccuracyPanel::refresh() {
     m_measured->setVisible(isMeasured());
     m_measure->setText(isMeasured() ? tr("measure again") : tr("measure"));
-    m_hint->setVisible(!isMeasured() || m_isOutdated);
-    m_hint->setText(isMeasured() ? tr("The tissue has changed since: measure again to be sure.")
+    m_hint->setVisible(!isMeasured() || isOutdated());
+    m_hint->setText(isMeasured() ? tr("Tissue or scene have changed since: measure again to be sure.")
                                  : tr("How fast and how exactly can this machine compute the motion? Measure "
                                       "every method, then choose one."));
     showInUse();
@@ -177,6 +180,7 @@ void AccuracyPanel::showInUse() {
     m_inUse->setText(inUse ? steppingText(inUse->stepping) + '\n' +
                                  figuresText(1 / inUse->wallPerSimulatedSecond, inUse->error)
                            : tr("Method and step\nchosen by the program"));
+    m_inUse->setToolTip(inUse ? methodText(inUse->stepping.integrator) : QString());
     enable(m_automatic, inUse.has_value(), tr("Let the program choose method and step again"),
            tr("The program already chooses method and step"));
     if (!isMeasured()) return;

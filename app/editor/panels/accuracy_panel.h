@@ -20,28 +20,27 @@ public:
     AccuracyPanel(Document& document, Preview& preview, QWidget* parent = nullptr);
 
 private:
-    /// A measurement holds for the nodes it was made on.
+    /// Holds for the nodes it was made on.
     struct Measurement {
-        std::shared_ptr<const SpringNetwork> network;
+        Project project; ///< that was measured
         Tradeoff tradeoff;
     };
 
     QWidget* buildMeasured();
     void measure();
-    void follow(const Change& change);
     void refresh();
     void showInUse();
     void showMeasurement();
     void showRecommendations();
     void showRecommendation(QPushButton* button, std::optional<std::size_t> run, const QString& none);
     bool isMeasured() const;
+    bool isOutdated() const;
     void use(std::size_t run);
     void useAutomatic();
 
     Document& m_document;
     Preview& m_preview;
     std::optional<Measurement> m_measurement;
-    bool m_isOutdated = false; ///< the tissue or the scene has changed since
     QToolButton* m_measure;
     QLabel* m_inUse;
     QToolButton* m_automatic;

@@ -15,7 +15,7 @@ QString steppingText(const Stepping& stepping) {
     const QString text =
         QObject::tr("%1, step %2")
             .arg(QString::fromLatin1(integratorName(stepping.integrator)), durationText(stepping.timeStep));
-    return stepping.precision == Precision::Float ? QObject::tr("%1, in float").arg(text) : text;
+    return stepping.precision == Precision::Float ? QObject::tr("%1, single precision").arg(text) : text;
 }
 
 QString methodText(Integrator integrator) {

@@ -9,7 +9,7 @@ namespace esm {
 /// "8.4 ms", "3.0 µs".
 QString durationText(double seconds);
 
-/// "split2, step 8.4 ms", and "in float" where it is.
+/// "split2, step 8.4 ms", and "single precision" where it is.
 QString steppingText(const Stepping& stepping);
 
 /// What a stepping method does, in plain words.

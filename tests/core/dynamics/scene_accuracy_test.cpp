@@ -51,6 +51,17 @@ TEST(SceneAccuracy, RefusesWhatRoundingSpoils) {
     EXPECT_TRUE(ignored.empty());
 }
 
+TEST(SceneAccuracy, RefusesStepsThatMeetAtNoRecordedTime) {
+    Trajectory ignored;
+    SimulationSettings settings;
+    settings.integrator = Integrator::Split2;
+    settings.timeStep = 0.03;
+    PulledForAccuracy tube;
+    tube.scene.duration = tube.scene.record.every = 0.1;
+    EXPECT_THROW(tube.run(0.5, settings, ignored), InvalidModel);
+    EXPECT_TRUE(ignored.empty());
+}
+
 TEST(SceneAccuracy, OfWhatStaysAtRestIsWhole) {
     PulledForAccuracy tube;
     tube.scene.forces.clear();

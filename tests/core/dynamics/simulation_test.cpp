@@ -47,6 +47,21 @@ TEST_P(GoingBack, ReturnsToTheOlderOfTwoKeptStatesAndGoesOnFromThere) {
     EXPECT_DOUBLE_EQ(simulation.time(), 30 * stepBefore);
 }
 
+TEST_P(GoingBack, ReturnsToTheSameStateWhenItGoesBackAgainSoon) {
+    take(20);
+    simulation.keepState();
+    const auto kept = simulation.positions();
+    take(10);
+    simulation.keepState();
+    simulation.goBack(stepBefore / 2);
+    take(10);
+    simulation.keepState();
+    take(10);
+    simulation.goBack(stepBefore / 4);
+    EXPECT_EQ(simulation.positions(), kept);
+    EXPECT_DOUBLE_EQ(simulation.time(), 20 * stepBefore);
+}
+
 TEST_P(GoingBack, StartsFromRestWhereTooLittleWasKept) {
     take(20);
     simulation.keepState();

