@@ -13,6 +13,6 @@ if [[ ${1:-} == --bench ]]; then
 fi
 
 preset=${1:-release}
-cmake --preset "$preset" ${CI:+-DESM_WARNINGS_AS_ERRORS=ON}
+cmake --preset "$preset" ${CI:+-DESM_WARNINGS_AS_ERRORS=ON -DESM_GROUP_TESTS=ON}
 cmake --build --preset "$preset"
 ctest --preset "$preset" --parallel "$(nproc)"
