@@ -210,13 +210,19 @@ void Simulation::placeInstrument(const Eigen::Vector3d& centre) {
 }
 
 void Simulation::setModel(const TissueModel& model) {
+    setModel(model, m_implementation->settings);
+}
+
+void Simulation::setModel(const TissueModel& model, const SimulationSettings& settings) {
     Implementation& self = *m_implementation;
     SpringSystem system = makeSpringSystem(model);
     if (system.mass.size() != self.motion.positions.size())
         throw InvalidModel("new parameters are for another number of nodes than the running model has");
-    const ChosenStep chosen = chooseStep(model, self.settings, self.memory.get());
-    Stepper stepper(std::move(system), self.surface, chosen, self.settings, self.team.get());
+    const ChosenStep chosen = chooseStep(model, settings, self.memory.get());
+    if (!self.team) self.team = makeTeam(model, settings);
+    Stepper stepper(std::move(system), self.surface, chosen, settings, self.team.get());
     const double energyBefore = self.energy().total();
+    self.settings = settings;
     self.goOnWith(chosen, std::move(stepper));
     for (std::uint32_t node : model.fixedNodes)
         self.motion.velocities[node].setZero();

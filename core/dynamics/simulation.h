@@ -50,8 +50,10 @@ public:
     /// Where the instrument stands before the next step, m.
     void placeInstrument(const Eigen::Vector3d& centre);
 
-    /// Takes new parameters for the same network, motion and instrument going on. @throws InvalidModel
+    /// Takes new parameters for the same network, motion and instrument going on, and settings where they are
+    /// new too. @throws InvalidModel
     void setModel(const TissueModel& model);
+    void setModel(const TissueModel& model, const SimulationSettings& settings);
 
     /// Keeps the state as it is now, and with it the one that was kept last.
     void keepState();

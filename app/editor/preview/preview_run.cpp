@@ -1,7 +1,5 @@
 #include "app/editor/preview/preview_run.h"
 
-#include "app/editor/document/change.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -27,15 +25,15 @@ SimulationSettings settingsOf(const Project& project) {
 
 bool PreviewRun::setProject(const Project& project) {
     try {
-        const bool goesOn =
-            m_simulation && m_model.network == project.network && same(m_stepping, project.stepping);
+        const bool goesOn = m_simulation && m_model.network == project.network;
         TissueModel model = evaluateModel(project);
+        const SimulationSettings settings = settingsOf(project);
         if (goesOn)
-            m_simulation->setModel(model);
+            m_simulation->setModel(model, settings);
         else
-            m_simulation.emplace(model, settingsOf(project), touchedSurface(*project.mesh, *project.network));
+            m_simulation.emplace(model, settings, touchedSurface(*project.mesh, *project.network));
         m_model = std::move(model);
-        m_stepping = project.stepping;
+        m_settings = settings;
         m_gravity = project.scene.gravity;
         if (!goesOn) {
             m_pull.reset();
@@ -44,6 +42,7 @@ bool PreviewRun::setProject(const Project& project) {
         }
         m_gentlePull = gentlePull(m_model);
         m_halvings = 0;
+        m_isReplaced = false;
         m_modelFailure.clear();
         m_runFailure.clear();
         return true;
@@ -61,7 +60,8 @@ void PreviewRun::reset() {
     m_debt = 0;
     m_runFailure.clear();
     if (!m_simulation) return;
-    if (std::exchange(m_halvings, 0) > 0) m_simulation->setModel(m_model);
+    if (std::exchange(m_halvings, 0) > 0) m_simulation->setModel(m_model, m_settings);
+    m_isReplaced = false;
     m_simulation->reset();
 }
 
@@ -99,9 +99,13 @@ bool PreviewRun::step(const PreviewLoads& loads) {
 }
 
 bool PreviewRun::goBack() {
-    if (m_halvings == mostHalvings) return false;
-    ++m_halvings;
+    if (m_halvings == mostHalvings) {
+        if (m_isReplaced || m_settings.integrator == Integrator::Auto) return false;
+        m_isReplaced = true;
+    } else
+        ++m_halvings;
     m_simulation->goBack(m_simulation->timeStep() / 2);
+    if (m_isReplaced) m_simulation->setModel(m_model, {});
     // What is held takes hold anew, of the tissue where it is now.
     m_pull.reset();
     m_gentleGrasp.reset();
@@ -148,6 +152,7 @@ PreviewStatus PreviewRun::status() const {
         status.timeStep = m_simulation->timeStep();
     }
     status.halvings = m_halvings;
+    status.isReplaced = m_isReplaced;
     status.realTimeFactor = m_computing > 0 ? m_simulated / m_computing : 0;
     status.failure = m_modelFailure.empty() ? m_runFailure : m_modelFailure;
     return status;

@@ -31,13 +31,14 @@ struct PreviewStatus {
     std::optional<double> safeStep; ///< s, largest stable step of the integrator; infinite without a limit
     double realTimeFactor = 0;      ///< simulated over computing time
     int halvings = 0;               ///< of the step, each time that the motion ran wild
+    bool isReplaced = false;        ///< the project's way to step, by the program's, where it ran ever wilder
     std::string failure;            ///< why the tissue cannot move; empty when all is well
 };
 
 /// The simulation behind the window, run by the preview's thread alone.
 class PreviewRun {
 public:
-    /// Takes a project; the motion goes on when network and stepping are the same. False when it cannot be
+    /// Takes a project; the motion goes on when the network is the same. False when it cannot be
     /// simulated: nothing moves until another project can be.
     bool setProject(const Project& project);
     /// Back to rest, and past what stopped the run.
@@ -45,8 +46,9 @@ public:
     /// Stops the run for a reason that comes from outside.
     void fail(const std::string& reason) { m_runFailure = reason; }
     /// Steps until `seconds` are simulated, or more than that has been spent computing. Motion that runs wild
-    /// goes back to where it was calm and on in half as long steps, until the parameters change. False when
-    /// the run stopped, as it does where shorter steps are of no help.
+    /// goes back to where it was calm and on in half as long steps, and where they are of no help as the
+    /// program chooses, until the parameters change. False when the run stopped, as it does where nothing
+    /// helps.
     bool advance(double seconds, const PreviewLoads& loads);
 
     bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
@@ -64,12 +66,13 @@ private:
     void measure(double simulated, double computing);
 
     TissueModel m_model;
-    std::optional<MeasuredStepping> m_stepping; ///< the project's
+    SimulationSettings m_settings; ///< the project's way to step
     std::optional<Simulation> m_simulation;
     std::optional<Grasp> m_pull, m_gentleGrasp;
     std::optional<GentlePull> m_gentlePull;
     double m_gentleTime = 0;
     Eigen::Vector3d m_gravity = Eigen::Vector3d::Zero();
+    bool m_isReplaced = false;               ///< the project's way to step, by the program's
     int m_halvings = 0;                      ///< of the step, since the parameters changed
     int m_framesSinceKept = 0;               ///< since the state was kept
     double m_debt = 0;                       ///< s that were asked for and not simulated yet

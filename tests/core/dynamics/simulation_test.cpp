@@ -79,5 +79,17 @@ TEST_P(GoingBack, TakesTheChosenStepAgainWithNewParameters) {
     EXPECT_EQ(simulation.timeStep(), stepBefore);
 }
 
+TEST_P(GoingBack, GoesOnWithOtherSettings) {
+    take(20);
+    const auto before = simulation.positions();
+    simulation.setModel(model(), withStep(Integrator::Bdf2, stepBefore / 3));
+    EXPECT_EQ(simulation.positions(), before);
+    EXPECT_EQ(simulation.integrator(), Integrator::Bdf2);
+    take(1);
+    EXPECT_DOUBLE_EQ(simulation.time(), 20 * stepBefore + stepBefore / 3);
+    simulation.setModel(model());
+    EXPECT_EQ(simulation.integrator(), Integrator::Bdf2);
+}
+
 INSTANTIATE_TEST_SUITE_P(Integrators, GoingBack, testing::Values(Integrator::Euler, Integrator::Split2),
                          [](const auto& info) { return std::string(integratorName(info.param)); });
