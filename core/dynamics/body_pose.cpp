@@ -1,6 +1,6 @@
 #include "core/dynamics/body_pose.h"
 
-#include <Eigen/Geometry>
+#include "core/geometry/shortest_turn.h"
 
 namespace esm {
 
@@ -9,8 +9,7 @@ BodyPose::BodyPose(const TouchedSurface::Body& body, const Vectors& positions)
       m_middle((positions[body.line.first] + positions[body.line.second]) / 2) {
     const Eigen::Vector3d rest = body.second - body.first,
                           line = positions[body.line.second] - positions[body.line.first];
-    if (rest.norm() > 0 && line.norm() > 0)
-        m_turn = Eigen::Quaterniond::FromTwoVectors(rest, line).toRotationMatrix();
+    if (rest.norm() > 0 && line.norm() > 0) m_turn = shortestTurn(rest, line);
 }
 
 Eigen::Vector3d BodyPose::now(const Eigen::Vector3d& atRest) const {

@@ -1,6 +1,7 @@
 #include "core/model/binding.h"
 
 #include "core/geometry/nearest_weights.h"
+#include "core/geometry/shortest_turn.h"
 #include "core/support/offenders.h"
 
 #include <algorithm>
@@ -102,13 +103,6 @@ VertexBinding toNearest(const FacingPoint& point, const TriangleMesh& coarse,
         binding = {nodes, shares};
     }
     return binding;
-}
-
-/// Of a direction to another; half a turn has no axis of its own.
-Matrix3d shortestTurn(const Vector3d& from, const Vector3d& to) {
-    const Vector3d across = from.cross(to);
-    const Vector3d axis = across.norm() > 0 ? across.normalized() : from.unitOrthogonal();
-    return Eigen::AngleAxisd(std::atan2(across.norm(), from.dot(to)), axis).toRotationMatrix();
 }
 
 /// What turns and stretches with the nodes: sums over all that has a say in a node's surroundings.
