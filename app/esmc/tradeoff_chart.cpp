@@ -57,7 +57,7 @@ private:
 
 class Chart {
 public:
-    Chart(const Tradeoff& tradeoff, const TradeoffOptions& wishes) : m_tradeoff(tradeoff), m_wishes(wishes) {
+    Chart(const Tradeoff& tradeoff, const TradeoffWishes& wishes) : m_tradeoff(tradeoff), m_wishes(wishes) {
         include(1 / wishes.realTimeFactor, wishes.mostError);
         for (const TradeoffRun& run : tradeoff.runs)
             if (isShown(run)) include(run.wallPerSimulatedSecond, run.error);
@@ -155,14 +155,14 @@ private:
     }
 
     const Tradeoff& m_tradeoff;
-    const TradeoffOptions& m_wishes;
+    const TradeoffWishes& m_wishes;
     LogAxis m_cost{left, right}, m_error{bottom, top};
     Drawing m_drawing{pictureWidth, pictureHeight, {}, {}, {}};
 };
 
 } // namespace
 
-Drawing tradeoffChart(const Tradeoff& tradeoff, const TradeoffOptions& wishes) {
+Drawing tradeoffChart(const Tradeoff& tradeoff, const TradeoffWishes& wishes) {
     return Chart(tradeoff, wishes).draw();
 }
 

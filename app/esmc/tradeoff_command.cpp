@@ -151,18 +151,17 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     if (!options.output.empty()) requireSavable(options);
     const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
     TradeoffOptions wanted;
-    wanted.mostError = options.mostError;
-    wanted.realTimeFactor = options.realTimeFactor;
+    wanted.wishes = {options.realTimeFactor, options.mostError};
     wanted.mostSecondsPerRun = options.mostSeconds;
     wanted.damping = options.damping;
     wanted.threads = static_cast<std::size_t>(context.threads);
-    if (model.project) wanted.coarser = coarserRuns(*model.project, model.scene);
-    const Tradeoff tradeoff = measureTradeoff({model.tissue, model.surface, model.scene}, wanted,
-                                              progressOf(context, "measuring error and cost"));
+    const Progress progress = progressOf(context, "measuring error and cost");
+    if (model.project) wanted.coarser = coarserRuns(*model.project, model.scene, progress);
+    const Tradeoff tradeoff = measureTradeoff({model.tissue, model.surface, model.scene}, wanted, progress);
     Report report;
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);
-    if (!options.plot.empty()) drawChart(tradeoffChart(tradeoff, wanted), options.plot, report);
+    if (!options.plot.empty()) drawChart(tradeoffChart(tradeoff, wanted.wishes), options.plot, report);
     if (!options.output.empty()) saveRecommended(tradeoff, options, *model.project, report);
     return report;
 }

@@ -54,7 +54,7 @@ CoarserRun runOf(const Project& fewer, const Detail& detail, const std::vector<s
 
 } // namespace
 
-std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene) {
+std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, const Progress& progress) {
     if (detailOf(*project.network).kind == Detail::Kind::Rigid) return {};
     const auto vertices = recordedVertices(project, scene);
     if (!vertices) return {};
@@ -63,6 +63,7 @@ std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene) 
     std::vector<CoarserRun> runs;
     std::size_t last = full.network->restPositions.size();
     for (std::size_t nodes = last / 4; nodes >= fewestWorthMeasuring; nodes /= 4) {
+        reportProgress(progress, 0);
         const Detail detail{Detail::Kind::Nodes, nodes};
         const Project fewer = withDetail(full, detail);
         // A surface of many parts may have no fewer.

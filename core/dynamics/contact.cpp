@@ -136,9 +136,9 @@ std::optional<double> surfaceSpeed(const std::vector<Triangle>& surface, const V
     return squared ? std::optional(std::sqrt(*squared)) : std::nullopt;
 }
 
-/// How fast any point of a body may move, m/s; nothing where it stays away from the way, m.
+/// How fast any point of a body may move, m/s; nothing where it stays away from the way.
 std::optional<double> bodySpeed(const TouchedSurface::Body& body, const Vectors& positions,
-                                const Vectors& velocities, const AlignedBox3d& way) {
+                                const Vectors& velocities, const Way& way) {
     const BodyPose pose(body, positions);
     AlignedBox3d box;
     double longest = (body.second - body.first).norm();
@@ -146,11 +146,13 @@ std::optional<double> bodySpeed(const TouchedSurface::Body& body, const Vectors&
         box.extend(pose.now(point));
         longest = std::max(longest, (point - body.first).norm());
     }
-    if (!way.intersects(box)) return std::nullopt;
     const Vector3d &first = velocities[body.line.first], &second = velocities[body.line.second];
     const double line = (body.second - body.first).norm();
     const double turning = line > 0 ? (second - first).norm() * longest / line : 0;
-    return std::max(first.norm(), second.norm()) + turning;
+    const double speed = std::max(first.norm(), second.norm()) + turning;
+    const Vector3d reach = Vector3d::Constant(way.duration * speed);
+    if (!way.box.intersects(AlignedBox3d(box.min() - reach, box.max() + reach))) return std::nullopt;
+    return speed;
 }
 
 } // namespace
@@ -246,9 +248,10 @@ int contactParts(const TouchedSurface& surface, const Vectors& positions, const 
     path.extend(sphere.to);
     const Vector3d margin = Vector3d::Constant(1.5 * sphere.radius);
     path = AlignedBox3d(path.min() - margin, path.max() + margin);
-    const std::optional<double> speed =
-        surface.body ? bodySpeed(*surface.body, positions, velocities, path)
-                     : surfaceSpeed(surface.triangles, positions, velocities, {path, duration});
+    const Way way{path, duration};
+    const std::optional<double> speed = surface.body
+                                            ? bodySpeed(*surface.body, positions, velocities, way)
+                                            : surfaceSpeed(surface.triangles, positions, velocities, way);
     if (!speed) return 1;
     const double motion = (sphere.to - sphere.from).norm() + duration * *speed;
     int parts = 1;

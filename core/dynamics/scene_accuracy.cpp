@@ -90,6 +90,9 @@ AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const Fra
         if (*change > leastGain * lastChange) break;
         lastChange = *change;
     }
+    if (!last.outcome.stable)
+        throw InvalidModel("at no step down to " + numberText(last.outcome.timeStep) +
+                           " s does the run come to its end: " + last.outcome.outcome);
     refuseError(mostError, last.outcome.timeStep);
 }
 

@@ -14,8 +14,12 @@ std::vector<std::string> validate(const SimulationSettings& settings) {
         problems.push_back(
             std::string(integratorName(settings.integrator)) +
             " needs isotropic damping: choose isotropic damping or another integrator, as implicit");
-    const bool takesFloat = settings.integrator == Integrator::Auto || isExplicit(settings.integrator);
-    if (settings.precision == Precision::Float && !takesFloat)
+    const bool mayBeExplicit = settings.integrator == Integrator::Auto || isExplicit(settings.integrator);
+    if (settings.restTolerance > 0 && !mayBeExplicit)
+        problems.push_back(std::string(integratorName(settings.integrator)) +
+                           " computes all of the tissue at once: leave the rest tolerance out, or choose an "
+                           "explicit integrator, as euler");
+    if (settings.precision == Precision::Float && !mayBeExplicit)
         problems.push_back(
             std::string(integratorName(settings.integrator)) +
             " computes in double precision: choose double or an explicit integrator, as euler");

@@ -61,7 +61,7 @@ public:
                 refine(ways[i]);
             }
         }
-        recommend(m_result, m_options);
+        recommend(m_result, m_options.wishes);
         return std::move(m_result);
     }
 
@@ -126,7 +126,7 @@ private:
         const bool isSplit = longestStep(Integrator::Split2) >= shortestStep;
         Stepping stepping{isSplit ? Integrator::Split2 : Integrator::Rk4, 0, Precision::Double};
         stepping.timeStep = std::min(m_interval, longestStep(stepping.integrator));
-        const double wanted = std::min(finestError, m_options.mostError / 100) / referenceMargin;
+        const double wanted = std::min(finestError, m_options.wishes.mostError / 100) / referenceMargin;
         double lastChange = std::numeric_limits<double>::infinity(), error = lastChange;
         for (int runs = 0; runs < mostReferenceRuns && error > wanted; ++runs, stepping.timeStep /= 2) {
             m_fraction = referenceShare * runs / mostReferenceRuns;
@@ -234,7 +234,7 @@ Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, co
     return Measurement(run, options, progress, sink).measure();
 }
 
-void recommend(Tradeoff& tradeoff, const TradeoffOptions& wishes) {
+void recommend(Tradeoff& tradeoff, const TradeoffWishes& wishes) {
     tradeoff.pareto = paretoFront(tradeoff.runs);
     tradeoff.bestInRealTime = tradeoff.fastestToError = std::nullopt;
     for (const std::size_t i : tradeoff.pareto) {

@@ -42,9 +42,13 @@ struct Tradeoff {
     std::vector<std::string> leftOut;          ///< what was not run, and why
 };
 
+struct TradeoffWishes {
+    double realTimeFactor = 1; ///< at least: simulated over wall time
+    double mostError = 0.01;   ///< relative to the motion
+};
+
 struct TradeoffOptions {
-    double realTimeFactor = 1;     ///< wanted: simulated over wall time
-    double mostError = 0.01;       ///< wanted, relative to the motion
+    TradeoffWishes wishes = {};
     double mostSecondsPerRun = 10; ///< wall time; what would take longer is left out
     Damping damping = Damping::Isotropic;
     std::size_t threads = 0;              ///< at most; 0: as many as the tissue's size is worth
@@ -67,6 +71,6 @@ Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, co
                          const TradeoffSink& sink = {});
 
 /// Works out anew what is best of the runs there are, as when other wishes come up.
-void recommend(Tradeoff& tradeoff, const TradeoffOptions& wishes);
+void recommend(Tradeoff& tradeoff, const TradeoffWishes& wishes);
 
 } // namespace esm

@@ -35,7 +35,7 @@ Tradeoff measureAccuracy(const Project& project, const TradeoffOptions& options,
     const TissueModel model = evaluateModel(project, scene);
     const TouchedSurface surface = touchedSurface(*project.mesh, *project.network);
     TradeoffOptions all = options;
-    all.coarser = coarserRuns(project, scene);
+    all.coarser = coarserRuns(project, scene, progress);
     return measureTradeoff({model, surface, scene}, all, progress);
 }
 

@@ -113,7 +113,7 @@ QWidget* AccuracyPanel::buildMeasured() {
     m_mostError = new NumberField(errorFormat(), measured);
     m_mostError->setObjectName(QStringLiteral("mostError"));
     m_mostError->setToolTip(tr("How far the motion may be off, as a part of the motion itself"));
-    m_mostError->setValue(TradeoffOptions().mostError);
+    m_mostError->setValue(TradeoffWishes().mostError);
     m_inRealTime = new QPushButton(measured);
     m_inRealTime->setObjectName(QStringLiteral("inRealTime"));
     m_toError = new QPushButton(measured);
@@ -141,7 +141,7 @@ void AccuracyPanel::measure() {
     const Project project = m_document.project();
     TradeoffOptions options;
     options.mostSecondsPerRun = secondsPerWay;
-    options.mostError = *m_mostError->value();
+    options.wishes.mostError = *m_mostError->value();
     attempt(window(), tr("Speed and accuracy cannot be measured"), [&] {
         const Pause pause(m_preview);
         Tradeoff measured;
@@ -200,7 +200,7 @@ void AccuracyPanel::showMeasurement() {
 
 void AccuracyPanel::showRecommendations() {
     if (!m_measurement) return;
-    TradeoffOptions wishes;
+    TradeoffWishes wishes;
     wishes.mostError = *m_mostError->value();
     Tradeoff& tradeoff = m_measurement->tradeoff;
     recommend(tradeoff, wishes);
