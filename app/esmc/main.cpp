@@ -1,10 +1,16 @@
 #include "app/esmc/command_line.h"
 
 #include <csignal>
+#include <cstdio>
 
-// What could escape is a fault of the program itself, best seen where it happens.
-int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
+int main(int argc, char** argv) {
     // A limit on file sizes then shows as a write that fails, which is reported and cleaned up.
     std::signal(SIGXFSZ, SIG_IGN);
-    return esm::runCommandLine(argc, argv);
+    try {
+        return esm::runCommandLine(argc, argv);
+    } catch (...) {
+        std::fputs("esmc: what went wrong could not even be said; most likely there is no memory left\n",
+                   stderr);
+        return 1;
+    }
 }

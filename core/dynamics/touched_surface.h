@@ -15,7 +15,6 @@ struct TouchedSurface {
 
     TouchedSurface() = default;
     /// Most surfaces are made of nodes.
-    // NOLINTNEXTLINE(google-explicit-constructor)
     TouchedSurface(std::vector<Triangle> overNodes) : triangles(std::move(overNodes)) {}
 
     std::vector<Triangle> triangles; ///< over the nodes, or over the body's points

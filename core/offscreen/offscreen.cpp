@@ -24,7 +24,7 @@ std::mutex& osmesaMutex() {
 /// A context that draws into a square of `samples * tileSize` pixels, current as long as it lives.
 class Context {
 public:
-    Context(int width, int height) : m_width(width), m_height(height) {
+    Context(int width, int height) : m_width(width) {
         const int attributes[] = {OSMESA_FORMAT,
                                   OSMESA_RGBA,
                                   OSMESA_DEPTH_BITS,
@@ -73,7 +73,7 @@ private:
     }
 
     OSMesaContext m_context = nullptr;
-    int m_width, m_height;
+    int m_width;
     std::vector<std::uint8_t> m_pixels;
 };
 

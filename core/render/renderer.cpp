@@ -7,6 +7,8 @@
 #include "core/render/spring_drawer.h"
 #include "core/render/surface_drawer.h"
 
+#include <array>
+
 namespace esm {
 namespace {
 
@@ -98,7 +100,9 @@ Frame Renderer::Implementation::frameFor(const RenderScene& scene, const Camera&
 
 void Renderer::Implementation::prepare(const PictureSize& size) const {
     gl.Viewport(-size.left, -size.bottom, size.width, size.height);
-    for (const GLenum unwanted : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_BLEND, GL_DEPTH_TEST})
+    constexpr std::array<GLenum, 5> unwantedStates{GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_BLEND,
+                                                   GL_DEPTH_TEST};
+    for (const GLenum unwanted : unwantedStates)
         gl.Disable(unwanted);
     gl.DepthMask(GL_TRUE);
     gl.DepthFunc(GL_LEQUAL);
@@ -118,15 +122,15 @@ void Renderer::Implementation::drawBackground(const RenderScene& scene, const Fr
 
 /// Leaves the context as another painter expects to find it.
 void Renderer::Implementation::tidy() const {
-    for (const GLenum used : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE})
+    for (const GLenum used : std::array<GLenum, 3>{GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE})
         gl.Disable(used);
     gl.DepthMask(GL_TRUE);
     gl.DepthFunc(GL_LESS);
     gl.BindVertexArray(0);
     gl.UseProgram(0);
-    for (const GLenum target : {GL_ARRAY_BUFFER, GL_TEXTURE_BUFFER})
+    for (const GLenum target : std::array<GLenum, 2>{GL_ARRAY_BUFFER, GL_TEXTURE_BUFFER})
         gl.BindBuffer(target, 0);
-    for (const GLenum unit : {GL_TEXTURE1, GL_TEXTURE0}) {
+    for (const GLenum unit : std::array<GLenum, 2>{GL_TEXTURE1, GL_TEXTURE0}) {
         gl.ActiveTexture(unit);
         gl.BindTexture(GL_TEXTURE_2D, 0);
         gl.BindTexture(GL_TEXTURE_BUFFER, 0);
