@@ -97,6 +97,7 @@ Report describePackage(const std::filesystem::path& file) {
     addRegions(report, package.regions);
     report.json["photos"] = Json::array();
     addTextures(report, package.textures.size());
+    addSpringLaw(report, package.tissue.stiffening);
     addHolds(report, package.tissue, false);
     addStepping(report, package.stepping);
     addCriticalSteps(report, package.tissue);
@@ -118,6 +119,7 @@ Report describeProject(const std::filesystem::path& file) {
     report.json["photos"] = std::move(photos);
     addTextures(report, project.atlas ? static_cast<std::size_t>(project.texture.atlas.pages) : 0);
     const TissueModel tissue = evaluateModel(project);
+    addSpringLaw(report, tissue.stiffening);
     addHolds(report, tissue, project.scene.instrument.has_value());
     addStepping(report, project.stepping);
     addCriticalSteps(report, tissue);

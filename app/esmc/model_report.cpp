@@ -112,6 +112,18 @@ Report modelReport(const ModelPackage& package) {
     return reportOf(package.mesh, package.tissue, countedAnew(package.mesh), Repairs::Left);
 }
 
+void addSpringLaw(Report& report, const std::optional<SpringStiffening>& stiffening) {
+    if (!stiffening) {
+        report.json["stiffening"] = nullptr;
+        report.text.emplace_back("springs: linear");
+        return;
+    }
+    report.json["stiffening"] = {{"strain", stiffening->strain}, {"factor", stiffening->factor}};
+    report.text.push_back("springs: biphasic, " + inText(stiffening->factor) +
+                          " times as stiff once lengthened by more than " + inText(100 * stiffening->strain) +
+                          " %");
+}
+
 Report saveAndReport(const Project& project, const std::filesystem::path& file) {
     saveProject(project, file);
     Report report = modelReport(project);

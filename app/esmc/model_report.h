@@ -12,6 +12,9 @@ Report modelReport(const Project& project);
 /// The same of a model package, without the repairs: its surface is counted anew.
 Report modelReport(const ModelPackage& package);
 
+/// The law of all springs: `stiffening` in JSON, null where they are linear.
+void addSpringLaw(Report& report, const std::optional<SpringStiffening>& stiffening);
+
 /// Saves a project and reports it.
 Report saveAndReport(const Project& project, const std::filesystem::path& file);
 

@@ -1,5 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/model_report.h"
 #include "core/exchange/fuzzy_file.h"
 #include "core/exchange/project_file.h"
 
@@ -12,6 +13,8 @@ namespace {
 struct TissueOptions {
     std::string project, output, system, ellipsoid, name;
     std::vector<std::string> values, overrides;
+    std::vector<double> biphasic; ///< strain and factor; empty without the option
+    bool linear = false;
 };
 
 void declareTissue(CLI::App& command, TissueOptions& options) {
@@ -33,6 +36,17 @@ void declareTissue(CLI::App& command, TissueOptions& options) {
             "--override", options.overrides,
             "spring_constant=N/m, viscosity=N·s/m or mass=kg, in place of what is inferred; repeat it")
         ->allow_extra_args(false);
+    auto* biphasic =
+        command
+            .add_option(
+                "--biphasic", options.biphasic,
+                "All springs of the organ go on FACTOR times as stiff once they are lengthened by more "
+                "than STRAIN of their rest length (0.2: a fifth)")
+            ->type_name("STRAIN FACTOR")
+            ->expected(2)
+            ->check(positiveNumber());
+    command.add_flag("--linear", options.linear, "All springs of the organ are linear again")
+        ->excludes(biphasic);
 }
 
 void hold(TissueValues& held, const std::string& name, double value) {
@@ -47,6 +61,18 @@ void hold(TissueValues& held, const std::string& name, double value) {
         held.mass = value;
     else
         throw UsageError("--override: '" + name + "' is not one of spring_constant, viscosity, mass");
+}
+
+/// Whether the command line speaks of all springs alone: then there is no region to add.
+bool isOfSpringsAlone(const TissueOptions& options) {
+    const bool hasLaw = options.linear || !options.biphasic.empty();
+    return hasLaw && options.system.empty() && options.values.empty() && options.ellipsoid.empty() &&
+           options.name.empty() && options.overrides.empty();
+}
+
+void setSpringLaw(BaseTissue& base, const TissueOptions& options) {
+    if (options.linear) base.stiffening.reset();
+    if (!options.biphasic.empty()) base.stiffening = {options.biphasic[0], options.biphasic[1]};
 }
 
 /// A colour that the regions before it do not have, as long as there are some left.
@@ -72,14 +98,15 @@ void addValue(Report& report, const char* key, const std::string& label, const s
     report.text.push_back(label + (value ? inText(*value) : "as it was"));
 }
 
-Report describe(const Region& region, const RegionResult& result) {
+/// @param region its name; empty: the whole organ, to which none was added
+Report describe(const std::optional<std::string>& region, const RegionResult& result) {
     const TissueValues& values = result.tissue.values;
     Report report;
-    report.json["region"] = region.name;
+    report.json["region"] = region ? Json(*region) : Json();
     report.json["nodes"] = result.nodes;
     report.json["springs"] = result.springs;
-    report.text.push_back("region " + region.name + ": " + counted(result.nodes, "node") + ", " +
-                          counted(result.springs, "spring"));
+    report.text.push_back((region ? "region " + *region : "the whole organ") + ": " +
+                          counted(result.nodes, "node") + ", " + counted(result.springs, "spring"));
     addValue(report, "spring_constant", "spring constant, N/m: ", values.springConstant);
     addValue(report, "viscosity", "viscosity, N·s/m: ", values.viscosity);
     addValue(report, "mass", "mass, kg: ", values.mass);
@@ -87,11 +114,9 @@ Report describe(const Region& region, const RegionResult& result) {
     return report;
 }
 
-Report runTissue(const TissueOptions& options, Context& context) {
-    Region region = requestedRegion(options);
-    const NamedWords inputs = parseNamedWords(options.values, "--set");
-    context.subject = options.project;
-    Project project = loadProject(options.project);
+/// Gives the region what only the project and files can tell.
+void complete(Region& region, const TissueOptions& options, const NamedWords& inputs,
+              const Project& project) {
     if (!options.system.empty()) {
         region.system = std::make_shared<const FuzzySystem>(findFuzzySystem(options.system));
         region.inputs = inputsFor(*region.system, inputs, "--set");
@@ -100,10 +125,21 @@ Report runTissue(const TissueOptions& options, Context& context) {
     region.name = !options.name.empty() ? options.name
                   : region.ellipsoid    ? "region " + std::to_string(project.regions.size() + 1)
                                         : "whole organ";
+}
+
+Report runTissue(const TissueOptions& options, Context& context) {
+    Region region = requestedRegion(options);
+    const NamedWords inputs = parseNamedWords(options.values, "--set");
+    context.subject = options.project;
+    Project project = loadProject(options.project);
+    setSpringLaw(project.base, options);
+    const bool addsRegion = !isOfSpringsAlone(options);
+    if (addsRegion) complete(region, options, inputs, project);
     const RegionResult result = evaluateRegion(project, region);
-    project.regions.push_back(region);
+    if (addsRegion) project.regions.push_back(region);
     saveProject(project, options.output);
-    Report report = describe(region, result);
+    Report report = describe(addsRegion ? std::optional(region.name) : std::nullopt, result);
+    addSpringLaw(report, project.base.stiffening);
     addWritten(report, options.output);
     return report;
 }
@@ -111,9 +147,9 @@ Report runTissue(const TissueOptions& options, Context& context) {
 } // namespace
 
 void addTissueCommand(CLI::App& app, Context& context) {
-    addCommand(
-        app, context,
-        Command<TissueOptions>{"tissue", "Say how the tissue of a region behaves", declareTissue, runTissue});
+    addCommand(app, context,
+               Command<TissueOptions>{"tissue", "Say how the tissue of a region, or all springs, behave",
+                                      declareTissue, runTissue});
 }
 
 } // namespace esm

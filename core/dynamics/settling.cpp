@@ -1,5 +1,6 @@
 #include "core/dynamics/settling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -57,6 +58,12 @@ std::vector<double> viscositiesAtNodes(const SpringSystem& system) {
     return sums;
 }
 
+/// N/m, where the spring is softest and settles the slowest.
+double leastSpringConstant(const SpringSystem::Element& spring) {
+    return spring.stiffening.isLinear() ? spring.springConstant
+                                        : std::min(spring.springConstant, spring.stiffening.springConstant);
+}
+
 } // namespace
 
 // Dijkstra's way from all holds at once, a spring as long as a wave takes to pass it.
@@ -85,7 +92,7 @@ std::vector<Settling> settlingOf(const SpringSystem& system) {
         if (settling.waveTime > nodes[node].waveTime) continue;
         springs.visit(node, [&, &from = node, &reached = settling](std::uint32_t index) {
             const auto& spring = system.springs[index];
-            hang(spring.first == from ? spring.second : spring.first, reached, spring.springConstant);
+            hang(spring.first == from ? spring.second : spring.first, reached, leastSpringConstant(spring));
         });
     }
     return nodes;

@@ -4,6 +4,15 @@
 
 namespace esm {
 
+namespace {
+
+Stiffening stiffeningOf(const std::optional<SpringStiffening>& law, double springConstant) {
+    if (!law) return {};
+    return {law->strain, law->factor * springConstant};
+}
+
+} // namespace
+
 SpringSystem makeSpringSystem(const TissueModel& model) {
     if (auto problems = validate(model); !problems.empty()) throw InvalidModel(std::move(problems));
     SpringSystem system;
@@ -11,9 +20,11 @@ SpringSystem makeSpringSystem(const TissueModel& model) {
     system.mass = model.mass;
     system.tethers = model.tethers;
     system.springs.reserve(model.network->springs.size());
-    for (const Spring& spring : model.network->springs)
-        system.springs.push_back({spring.first, spring.second, spring.restLength,
-                                  springConstant(model, spring), viscosity(model, spring)});
+    for (const Spring& spring : model.network->springs) {
+        const double constant = springConstant(model, spring);
+        system.springs.push_back({spring.first, spring.second, spring.restLength, constant,
+                                  viscosity(model, spring), stiffeningOf(model.stiffening, constant)});
+    }
     system.fixed.assign(model.mass.size(), 0);
     for (std::uint32_t node : model.fixedNodes)
         system.fixed[node] = 1;

@@ -8,6 +8,11 @@ namespace esm {
 
 using Json = nlohmann::ordered_json;
 
+int versionOf(bool hasBinding, bool isBiphasic) {
+    if (isBiphasic) return 3;
+    return hasBinding ? 2 : 1;
+}
+
 void refuseNewerVersion(const JsonReader& file, int known) {
     const std::uint64_t version =
         file.member("version").integer(1, std::numeric_limits<std::uint32_t>::max());
@@ -18,12 +23,24 @@ void refuseNewerVersion(const JsonReader& file, int known) {
 }
 
 Json toJson(const BaseTissue& base) {
-    return {{"springConstant", base.springConstant}, {"viscosity", base.viscosity}, {"mass", base.mass}};
+    Json json{{"springConstant", base.springConstant}, {"viscosity", base.viscosity}, {"mass", base.mass}};
+    if (base.stiffening) json["stiffening"] = toJson(*base.stiffening);
+    return json;
 }
 
 BaseTissue baseTissueFromJson(const JsonReader& reader) {
-    return {reader.member("springConstant").number(), reader.member("viscosity").number(),
-            reader.member("mass").number()};
+    BaseTissue base{reader.member("springConstant").number(), reader.member("viscosity").number(),
+                    reader.member("mass").number()};
+    if (reader.has("stiffening")) base.stiffening = stiffeningFromJson(reader.member("stiffening"));
+    return base;
+}
+
+Json toJson(const SpringStiffening& stiffening) {
+    return {{"strain", stiffening.strain}, {"factor", stiffening.factor}};
+}
+
+SpringStiffening stiffeningFromJson(const JsonReader& reader) {
+    return {reader.member("strain").number(), reader.member("factor").number()};
 }
 
 Json toJson(const MeasuredStepping& measured) {

@@ -8,11 +8,18 @@
 /// What the project file and the model package hold alike, besides their regions.
 namespace esm {
 
+/// What a file holds decides its version, so that older programs go on reading all that they understand:
+/// those of version 1 know no surface that is carried by fewer nodes, those of version 2 no biphasic springs.
+int versionOf(bool hasBinding, bool isBiphasic);
+
 /// @throws InvalidModel where the file's `version` is a newer one than `known`
 void refuseNewerVersion(const JsonReader& file, int known);
 
 nlohmann::ordered_json toJson(const BaseTissue& base);
 BaseTissue baseTissueFromJson(const JsonReader& reader);
+
+nlohmann::ordered_json toJson(const SpringStiffening& stiffening);
+SpringStiffening stiffeningFromJson(const JsonReader& reader);
 
 nlohmann::ordered_json toJson(const MeasuredStepping& measured);
 /// Nothing where the integrator is one that only other programs know.

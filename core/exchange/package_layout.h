@@ -4,7 +4,6 @@
 namespace esm::package_layout {
 
 constexpr const char* extension = "ESM_spring_mass";
-constexpr int versionWithoutBinding = 1;
 constexpr const char* units = "SI: metre, kilogram, second, newton";
 
 /// A spring's parameters are its ends' mean; how far 32-bit rounding may lead from it, relative.

@@ -309,6 +309,8 @@ ModelPackage PackageReader::read() {
     package.name = extension.member("name").text();
     if (extension.member("damping").text() != "isotropic")
         extension.member("damping").addProblem("should be isotropic");
+    if (extension.has("stiffening"))
+        package.tissue.stiffening = stiffeningFromJson(extension.member("stiffening"));
     readNodes(extension.member("nodes"), *network, package.tissue);
     readSprings(extension.member("springs"), *network, package.tissue);
     readTethers(extension.member("tethers"), package.tissue);

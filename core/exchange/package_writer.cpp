@@ -188,10 +188,11 @@ Json PackageBuilder::texture() const {
 Json PackageBuilder::extension() {
     const Project& project = m_from.project;
     RegionsJson regions = toJson(project.regions);
-    Json json{{"version", isBound() ? modelPackageVersion : package_layout::versionWithoutBinding},
+    Json json{{"version", versionOf(isBound(), m_from.tissue.stiffening.has_value())},
               {"name", project.name},
               {"units", package_layout::units},
               {"damping", "isotropic"}};
+    if (m_from.tissue.stiffening) json["stiffening"] = toJson(*m_from.tissue.stiffening);
     json["nodes"] = nodes();
     json["springs"] = springs();
     json["tethers"] = tethers();

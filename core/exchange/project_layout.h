@@ -10,7 +10,6 @@
 namespace esm::project_layout {
 
 constexpr const char* format = "esm-project";
-constexpr int versionWithoutBinding = 1;
 constexpr const char* manifest = "manifest.json";
 constexpr const char* meshVertices = "mesh/vertices.f64";
 constexpr const char* meshTriangles = "mesh/triangles.u32";

@@ -135,7 +135,7 @@ Json manifestOf(const Project& project, Content& content) {
     Json texture = toJson(project.texture.atlas);
     texture["baseColour"] = colourToJson(project.texture.baseColour);
     Json manifest{{"format", layout::format},
-                  {"version", isBound ? projectFileVersion : layout::versionWithoutBinding},
+                  {"version", versionOf(isBound, project.base.stiffening.has_value())},
                   {"program", ESM_VERSION},
                   {"name", project.name},
                   {"importReport", toJson(*project.importReport)},

@@ -163,6 +163,7 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
     model.mass.assign(nodes, project.base.mass / static_cast<double>(nodes));
     model.springConstant.assign(nodes, project.base.springConstant);
     model.viscosity.assign(nodes, project.base.viscosity);
+    model.stiffening = project.base.stiffening;
     for (const Region& region : project.regions)
         lay(model, region);
     for (const TetherRule& rule : scene.tethers)

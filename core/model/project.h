@@ -10,6 +10,7 @@
 #include "core/texture/photo_layer.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,10 @@ namespace esm {
 
 /// Tissue of the whole organ before any region.
 struct BaseTissue {
-    double springConstant = 0; ///< N/m
-    double viscosity = 0;      ///< N·s/m
-    double mass = 0;           ///< kg, total
+    double springConstant = 0;                    ///< N/m
+    double viscosity = 0;                         ///< N·s/m
+    double mass = 0;                              ///< kg, total
+    std::optional<SpringStiffening> stiffening{}; ///< of all springs, in regions too; linear without
 };
 
 /// How the organ got its texture space. The packed atlas is derived from the mesh and these.

@@ -103,6 +103,10 @@ Problems networkProblems(const Project& project) {
     requireValue(problems, "the organ's spring constant", project.base.springConstant, true);
     requireValue(problems, "the organ's viscosity", project.base.viscosity, true);
     requireValue(problems, "the organ's mass", project.base.mass, false);
+    if (project.base.stiffening) {
+        const Problems found = validate(*project.base.stiffening);
+        problems.insert(problems.end(), found.begin(), found.end());
+    }
     return problems;
 }
 

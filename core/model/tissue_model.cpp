@@ -64,6 +64,20 @@ void checkNodeParameters(Problems& problems, const TissueModel& model) {
         placesWhere(model.viscosity.size(), [&](std::size_t i) { return !isAmount(model.viscosity[i]); }));
 }
 
+void checkStiffening(Problems& problems, const TissueModel& model) {
+    if (!model.stiffening) return;
+    if (const Problems found = validate(*model.stiffening); !found.empty()) {
+        problems.insert(problems.end(), found.begin(), found.end());
+        return;
+    }
+    // Sound factors of sound numbers may still be too large together.
+    reportOffenders(problems, "node", "with a spring constant of stretched springs" + withinBounds("0"),
+                    placesWhere(model.springConstant.size(), [&](std::size_t i) {
+                        const double own = model.springConstant[i];
+                        return isAmount(own) && !isAmount(model.stiffening->factor * own);
+                    }));
+}
+
 void checkTethersAndFixedNodes(Problems& problems, const TissueModel& model) {
     const std::size_t nodes = model.network->restPositions.size();
     const auto& tethers = model.tethers;
@@ -91,11 +105,24 @@ double viscosity(const TissueModel& model, const Spring& spring) {
     return meanOfEnds(model.viscosity, spring);
 }
 
+std::vector<std::string> validate(const SpringStiffening& stiffening) {
+    Problems problems;
+    const auto require = [&](const char* what, double value) {
+        if (!(value > 0 && value <= largestNumber))
+            problems.push_back(std::string(what) + " must be above 0 and at most " +
+                               numberText(largestNumber));
+    };
+    require("the strain beyond which springs are stiffer", stiffening.strain);
+    require("the factor by which stretched springs are stiffer", stiffening.factor);
+    return problems;
+}
+
 std::vector<std::string> validate(const TissueModel& model) {
     Problems problems;
     if (!model.network) return {"the model has no network of nodes and springs"};
     checkNetwork(problems, *model.network);
     checkNodeParameters(problems, model);
+    checkStiffening(problems, model);
     checkTethersAndFixedNodes(problems, model);
     return problems;
 }

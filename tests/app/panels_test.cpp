@@ -3,6 +3,7 @@
 #include "widgets/inputs/vector_field.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QMouseEvent>
@@ -96,6 +97,50 @@ TEST_F(PanelsTest, TellsTheBaseMassOnce) {
     EXPECT_EQ(fields, 1);
 }
 
+TEST_F(PanelsTest, TissueMayBeStifferWhenStretched) {
+    auto* isStiffer = child<QCheckBox>("isStiffer");
+    const auto fields = child<QWidget>("stiffening")->findChildren<NumberField*>();
+    ASSERT_EQ(fields.size(), 2);
+    NumberField *strain = fields[0], *factor = fields[1];
+    EXPECT_FALSE(isStiffer->isChecked());
+    EXPECT_FALSE(strain->isVisible());
+    isStiffer->click();
+    ASSERT_TRUE(project().base.stiffening);
+    EXPECT_TRUE(validate(project()).empty());
+    EXPECT_TRUE(strain->isVisible());
+    const int edits = window->document().undoStack()->index();
+    type(strain, "35");
+    type(factor, "8");
+    EXPECT_DOUBLE_EQ(project().base.stiffening->strain, 0.35);
+    EXPECT_EQ(project().base.stiffening->factor, 8);
+    EXPECT_EQ(window->document().undoStack()->index(), edits + 2);
+    type(strain, "0");
+    type(factor, "-1");
+    EXPECT_DOUBLE_EQ(project().base.stiffening->strain, 0.35);
+    EXPECT_EQ(project().base.stiffening->factor, 8);
+    isStiffer->click();
+    EXPECT_FALSE(project().base.stiffening);
+    EXPECT_FALSE(strain->isVisible());
+    isStiffer->click();
+    EXPECT_EQ(project().base.stiffening->factor, 8) << "what was typed is not lost";
+    for (int i = 0; i < 4; ++i)
+        window->document().undoStack()->undo();
+    EXPECT_EQ(project().base.stiffening->factor, 5);
+    EXPECT_EQ(factor->value(), 5);
+    window->document().undoStack()->undo();
+    EXPECT_FALSE(project().base.stiffening);
+    EXPECT_FALSE(isStiffer->isChecked());
+}
+
+TEST_F(PanelsTest, TheLawOfAllSpringsStandsWithTheWholeOrgan) {
+    auto* isStiffer = child<QCheckBox>("isStiffer");
+    EXPECT_TRUE(isStiffer->isVisible());
+    press(Qt::Key_R, Qt::ControlModifier);
+    EXPECT_FALSE(isStiffer->isVisible());
+    window->document().edit("whole", [](Project& p) { p.regions.back().ellipsoid.reset(); });
+    EXPECT_TRUE(isStiffer->isVisible()) << "a region of the whole organ is the whole organ";
+}
+
 TEST_F(PanelsTest, DisabledControlsSayWhy) {
     for (const char* name : {"opacitySlider", "projectorWidth"}) {
         EXPECT_FALSE(child<QWidget>(name)->isEnabled());
@@ -137,6 +182,8 @@ TEST_F(PanelsTest, FitTheirColumns) {
         }
     };
     expectFit("the whole organ");
+    child<QCheckBox>("isStiffer")->click();
+    expectFit("stiffer when stretched");
     press(Qt::Key_R, Qt::ControlModifier);
     expectFit("a region with a fuzzy system");
     window->document().edit("none", [](Project& p) { p.regions.back().system = nullptr; });

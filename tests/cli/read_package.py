@@ -5,7 +5,7 @@
 
 Checks the rules of glTF and of ESM_spring_mass; with --project, that every array is the project's rounded to
 float32; with --tissue, that the evaluated tissue is the one given (lists mass, spring_constant, viscosity, tethers,
-fixed). Prints every problem and exits 1, or prints the counts as one JSON object and exits 0.
+fixed, stiffening). Prints every problem and exits 1, or prints the counts as one JSON object and exits 0.
 """
 import argparse
 import json
@@ -236,10 +236,16 @@ class Package:
     def __init__(self, gltf):
         self.gltf = gltf
         self.json = gltf.json["extensions"]["ESM_spring_mass"]
-        check(self.json["version"] == (2 if "binding" in self.json else 1), "another version of the extension")
+        needed = 3 if "stiffening" in self.json else 2 if "binding" in self.json else 1
+        check(self.json["version"] == needed, "another version of the extension")
         check(self.json["damping"] == "isotropic", "another damping")
         self.nodes, self.springs = self.json["nodes"], self.json["springs"]
         self.node_count, self.spring_count = self.nodes["count"], self.springs["count"]
+        self.stiffening = self.json.get("stiffening")
+        check(self.stiffening == self.json["base"].get("stiffening"), "the springs are stiffer than the tissue says")
+        if self.stiffening:
+            check(set(self.stiffening) == {"strain", "factor"}, "a biphasic law of other parts")
+            check(all(0 < value <= 1e30 for value in self.stiffening.values()), "no biphasic law")
 
     def array(self, group, key, count, components=1):
         if group.get("count", 1) == 0 or key not in group:
@@ -377,6 +383,7 @@ def compare_tissue(package, file):
     compare("mass", package.mass, float32(tissue["mass"]))
     compare("spring constant", package.node_c, float32(tissue["spring_constant"]))
     compare("viscosity", package.node_d, float32(tissue["viscosity"]))
+    compare("stiffening", package.stiffening, tissue["stiffening"])
     compare("tethered nodes", package.tethers[0], [tether[0] for tether in tissue["tethers"]])
     compare("spring constant of tethers", package.tethers[1], float32([tether[1] for tether in tissue["tethers"]]))
     compare("viscosity of tethers", package.tethers[2], float32([tether[2] for tether in tissue["tethers"]]))

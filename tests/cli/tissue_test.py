@@ -3,7 +3,7 @@ import json
 import math
 import unittest
 
-from esmc import DATA, Case
+from esmc import DATA, Case, command
 
 
 class FuzzyTest(Case):
@@ -131,6 +131,66 @@ class TissueTest(Case):
         before = project.read_bytes()
         self.fails(2, "tissue", project, "--system", "susilap-g", "--set", "colour=1", "-o", project, naming="colour")
         self.assertEqual(project.read_bytes(), before)
+
+
+class BiphasicTest(Case):
+    LAW = {"strain": 0.2, "factor": 5}
+
+    def test_all_springs_take_the_law_and_lose_it_again(self):
+        project = self.sample("tube")
+        before, bytes_before = self.done("info", project), project.read_bytes()
+        self.assertIsNone(before["stiffening"])
+        stiff = self.file("stiff.esm")
+        report = self.done("tissue", project, "--biphasic", "0.2", "5", "-o", stiff)
+        self.assertEqual((report["region"], report["nodes"], report["springs"], report["stiffening"]),
+                         (None, 170, 340, self.LAW))
+        after = self.done("info", stiff)
+        self.assertEqual((after["stiffening"], after["regions"]), (self.LAW, before["regions"]))
+        self.assertIn("5 times as stiff once lengthened by more than 20 %", command("info", stiff).stdout)
+        for integrator in ("euler", "split"):
+            self.assertLess(after["critical_dt"][integrator], before["critical_dt"][integrator])
+        self.assertIsNone(self.done("tissue", stiff, "--linear", "-o", stiff)["stiffening"])
+        self.assertEqual(stiff.read_bytes(), bytes_before)
+
+    def test_a_region_may_come_with_the_law(self):
+        project = self.sample("tube")
+        report = self.done("tissue", project, "--biphasic", "0.5", "2", "--override", "spring_constant=9", "-o", project)
+        self.assertEqual((report["region"], report["spring_constant"]), ("whole organ", 9))
+        again = self.done("tissue", project, "--override", "viscosity=1", "-o", project)
+        self.assertEqual(again["stiffening"], {"strain": 0.5, "factor": 2})
+
+    def test_a_law_beyond_all_numbers_changes_nothing(self):
+        project = self.sample("tube")
+        before = project.read_bytes()
+        self.fails(1, "tissue", project, "--biphasic", "0.2", "1e30", "-o", project, naming="stretched springs")
+        self.fails(1, "tissue", project, "--biphasic", "1e31", "5", "-o", project, naming="strain")
+        self.assertEqual(project.read_bytes(), before)
+
+    def test_a_pulled_organ_gives_way_as_the_law_says(self):
+        """Three nodes, two of them fixed: a force on the third lengthens two springs alike, far past the strain."""
+        foot, height, pulled = 0.02, 0.05, 0.09
+        self.file("tent.obj", f"v {-foot} 0 0\nv {foot} 0 0\nv 0 {height} 0\nf 1 2 3\n")
+        project, package = self.file("tent.esm"), self.file("tent.glb")
+        self.done("import", self.file("tent.obj"), "-o", project)
+        self.done("tissue", project, "--override", "spring_constant=30", "--override", "viscosity=0.3", "-o", project)
+        self.done("tissue", project, "--biphasic", "0.2", "5", "-o", project)
+        rest, length = math.hypot(foot, height), math.hypot(foot, pulled)
+        self.assertGreater(length, 1.5 * rest)
+        tension = 30 * 0.2 * rest + 5 * 30 * (length - 1.2 * rest)
+        scene = self.file("pull.json", {
+            "duration": 0.5, "fixed": [{"nodes": [0, 1]}], "record": {"every": 0.5},
+            "forces": [{"node": 2, "force": [0, 2 * tension * pulled / length, 0], "from": 0, "to": 9}]})
+        self.done("export", project, "--to", "glb", "-o", package)
+        every_kind = ["rk4", "propagation", "implicit", "bdf2", "projective", "split2"]
+        for model, integrators in ((project, every_kind), (package, ["auto"])):
+            for integrator in integrators:
+                with self.subTest(f"{model.name} {integrator}"):
+                    report = self.done("simulate", model, "--scene", scene, "--integrator", integrator,
+                                       "-o", self.file("pull.csv"))
+                    self.assertTrue(report["stable"], report["outcome"])
+                    with open(self.file("pull.csv")) as table:
+                        *_, last = csv.reader(table)
+                    self.assertAlmostEqual(float(last[3]), pulled, delta=1e-6)
 
 
 if __name__ == "__main__":

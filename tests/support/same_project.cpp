@@ -159,11 +159,20 @@ void expectSameStepping(const std::optional<MeasuredStepping>& a, const std::opt
     EXPECT_TRUE(sameBits(a->wallPerSimulatedSecond, b->wallPerSimulatedSecond));
 }
 
+void expectSameStiffening(const std::optional<SpringStiffening>& a,
+                          const std::optional<SpringStiffening>& b) {
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) return;
+    EXPECT_TRUE(sameBits(a->strain, b->strain));
+    EXPECT_TRUE(sameBits(a->factor, b->factor));
+}
+
 void expectSameProject(const Project& a, const Project& b) {
     EXPECT_EQ(a.name, b.name);
     EXPECT_TRUE(sameBits(a.base.springConstant, b.base.springConstant));
     EXPECT_TRUE(sameBits(a.base.viscosity, b.base.viscosity));
     EXPECT_TRUE(sameBits(a.base.mass, b.base.mass));
+    expectSameStiffening(a.base.stiffening, b.base.stiffening);
     expectSameMesh(a, b);
     expectSameRegions(a.regions, b.regions);
     expectSameScene(a.scene, b.scene);

@@ -44,8 +44,8 @@ std::optional<double> inputValue(const Region& region, const std::string& variab
 TissuePanel::TissuePanel(Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection),
       m_tissue(new Section(tr("Tissue"), this)), m_results(new Section(tr("Results"), this)),
-      m_choice(new FuzzyChoice(this)), m_system(new QLabel(this)), m_words(new QLabel(this)),
-      m_warnings(new QLabel(this)) {
+      m_choice(new FuzzyChoice(this)), m_stiffening(new StiffeningRow(document, this)),
+      m_system(new QLabel(this)), m_words(new QLabel(this)), m_warnings(new QLabel(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -64,6 +64,7 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, QWidget* pare
     m_tissue->body()->addWidget(m_words);
     m_inputs = emptyColumn(m_tissue->body());
     m_outputs = emptyColumn(m_results->body());
+    m_results->body()->addWidget(m_stiffening);
     m_warnings->setProperty("warning", true);
     m_warnings->setWordWrap(true);
     m_results->body()->addWidget(m_warnings);
@@ -92,6 +93,7 @@ void TissuePanel::show() {
     m_system->setToolTip(FuzzyChoice::whatItIs());
     m_system->setVisible(!m_system->text().isEmpty());
     m_words->setText(words());
+    m_stiffening->setVisible(!shown || !shown->ellipsoid);
     const RegionTissue tissue = shown ? evaluate(*shown) : RegionTissue{};
     for (const auto& refresh : m_refreshers)
         refresh(shown, tissue);

@@ -4,6 +4,7 @@
 #include "app/editor/document/selection.h"
 #include "app/editor/panels/fuzzy_choice.h"
 #include "app/editor/panels/parameter_row.h"
+#include "app/editor/panels/stiffening_row.h"
 #include "widgets/fuzzy/linguistic_slider.h"
 #include "widgets/inputs/section.h"
 
@@ -37,6 +38,7 @@ private:
     Selection& m_selection;
     Section *m_tissue, *m_results;
     FuzzyChoice* m_choice;
+    StiffeningRow* m_stiffening;
     QLabel *m_system, *m_words, *m_warnings;
     QWidget *m_inputs, *m_outputs;
     std::shared_ptr<const FuzzySystem> m_builtFor;

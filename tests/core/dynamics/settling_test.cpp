@@ -31,6 +31,15 @@ TEST(Settling, TakesTheTimeOfAWaveToTheNearestHold) {
     }
 }
 
+TEST(Settling, TakesTheTimeOfTheSofterBranch) {
+    TissueModel model = row(2);
+    model.fixedNodes = {0};
+    for (const auto& [factor, waveTime] : {std::pair{9.0, 0.05}, {0.25, 0.1}}) {
+        model.stiffening = SpringStiffening{0.2, factor};
+        EXPECT_NEAR(settlingOf(makeSpringSystem(model))[1].waveTime, waveTime, 1e-12);
+    }
+}
+
 TEST(Settling, TakesForEverWhereNothingHolds) {
     TissueModel model = row(3);
     model.tethers = {{1, 0, 0}};

@@ -33,6 +33,21 @@ TEST(SpringLaw, IsStifferBeyondItsStrainOnly) {
     EXPECT_DOUBLE_EQ(tensionAt(3), 5 + 50 * 0.5);
 }
 
+TEST(SpringLaw, OfATissueHoldsForEachOfItsSpringsAndForNoTether) {
+    TissueModel model = tissue::fallopianTube();
+    model.springConstant[0] = 40;
+    model.stiffening = SpringStiffening{0.2, 5};
+    const SpringSystem system = makeSpringSystem(model);
+    for (const auto& spring : system.springs) {
+        EXPECT_EQ(spring.stiffening.strain, 0.2);
+        EXPECT_EQ(spring.stiffening.springConstant, 5 * spring.springConstant);
+        EXPECT_EQ(largestSpringConstant(spring), 5 * spring.springConstant);
+    }
+    EXPECT_EQ(system.tethers[0].springConstant, model.tethers[0].springConstant);
+    model.stiffening.reset();
+    EXPECT_TRUE(makeSpringSystem(model).springs[0].stiffening.isLinear());
+}
+
 TEST(SpringLaw, HasNoJump) {
     EXPECT_NEAR(tensionAt(2.5 * (1 - 1e-9)), tensionAt(2.5 * (1 + 1e-9)), 1e-6);
 }

@@ -121,6 +121,16 @@ TEST(CriticalSteps, KnowWhereThereIsNoLimitAndNoStep) {
     EXPECT_NEAR(*undamped.at(Integrator::Split), 2 / std::sqrt(20), 1e-3);
 }
 
+TEST(CriticalSteps, OfBiphasicSpringsAreThoseOfTheStifferBranch) {
+    TissueModel model = tissue::oneSpring({10, 0, 1});
+    model.stiffening = SpringStiffening{0.2, 9};
+    EXPECT_NEAR(*criticalStep(model, Integrator::Euler), 2 / std::sqrt(20 * 9), 1e-3);
+    EXPECT_NEAR(*criticalStep(model, Integrator::Euler, {1e-3, Deformation::AtRest, {}}), 2 / std::sqrt(20),
+                1e-3);
+    model.stiffening->factor = 0.1;
+    EXPECT_NEAR(*criticalStep(model, Integrator::Euler), 2 / std::sqrt(20), 1e-3);
+}
+
 TEST(CriticalSteps, OfThePublishedTubeAllowEulerMicrosecondsAndTheSplitFormsTenthsOfASecond) {
     const TissueModel tube = tissue::fallopianTube();
     const CriticalSteps steps = criticalSteps(tube);

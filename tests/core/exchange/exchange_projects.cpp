@@ -124,6 +124,12 @@ Project boundProject(const Detail& detail) {
     return project;
 }
 
+Project biphasicProject() {
+    Project project = richProject();
+    project.base.stiffening = SpringStiffening{0.1 + 0.2, 1e3 / 7};
+    return project;
+}
+
 Project bareProject() {
     Project project;
     project.name = "motion model";

@@ -16,6 +16,9 @@ Project richProject(std::uint32_t rings = 8);
 /// The same organ carried by fewer nodes than it has vertices, or moved rigidly.
 Project boundProject(const Detail& detail);
 
+/// The same organ of biphasic springs.
+Project biphasicProject();
+
 /// Nodes and springs without a surface, as the uterus' motion model.
 Project bareProject();
 

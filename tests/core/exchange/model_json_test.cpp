@@ -60,6 +60,26 @@ TEST(ModelJson, NotesEveryMissingValueOfTheBaseTissue) {
     EXPECT_THAT(problems, ElementsAre(HasSubstr("base.springConstant"), HasSubstr("base.mass")));
 }
 
+TEST(ModelJson, BringsBiphasicSpringsBackBitByBit) {
+    BaseTissue base;
+    EXPECT_FALSE(toJson(base).contains("stiffening"));
+    base.stiffening = SpringStiffening{0.1 + 0.2, 1.0 / 3};
+    std::vector<std::string> problems;
+    const ModelJson written = ModelJson::parse(toJson(base).dump());
+    const BaseTissue read = baseTissueFromJson(JsonReader(written, "base", problems));
+    EXPECT_THAT(problems, IsEmpty());
+    ASSERT_TRUE(read.stiffening);
+    EXPECT_EQ(read.stiffening->strain, base.stiffening->strain);
+    EXPECT_EQ(read.stiffening->factor, base.stiffening->factor);
+}
+
+TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
+    EXPECT_EQ(versionOf(false, false), 1);
+    EXPECT_EQ(versionOf(true, false), 2);
+    EXPECT_EQ(versionOf(false, true), 3);
+    EXPECT_EQ(versionOf(true, true), 3);
+}
+
 TEST(ModelJson, TurnsPointsIntoOneListAndBack) {
     const std::vector<Eigen::Vector3d> points{{1, 2, 3}, {-4, 5.5, 6}};
     EXPECT_THAT(coordinatesOf(points), ElementsAre(1, 2, 3, -4, 5.5, 6));

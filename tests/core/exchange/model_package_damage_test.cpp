@@ -65,10 +65,15 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
     exportPackage(richProject(), m_file);
     const Glb whole = parseGlb(readFile(m_file));
     const std::vector<Damage> cases{
-        {"/version", 3,
-         "was made by a newer version (3) of the program; this one reads up to 2; update the program"},
+        {"/version", 4,
+         "was made by a newer version (4) of the program; this one reads up to 3; update the program"},
         {"/version", "one", "version"},
         {"/damping", "axial", "damping"},
+        {"/stiffening", true, "stiffening"},
+        {"/stiffening", {{"strain", 0.2}}, "stiffening.factor"},
+        {"/stiffening", {{"strain", 0}, {"factor", 5}}, "the strain"},
+        {"/stiffening", {{"strain", 0.2}, {"factor", 0}}, "the factor"},
+        {"/stiffening", {{"strain", 0.2}, {"factor", 1e30}}, "spring constant of stretched springs"},
         {"/nodes", nullptr, "nodes"},
         {"/nodes/count", 47, "should have 47 elements"},
         {"/nodes/count", 4000000000U, "count"},

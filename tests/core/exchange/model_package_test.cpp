@@ -29,6 +29,7 @@ void expectReadIndependently(const Project& project, const std::filesystem::path
     Json json{{"mass", tissue.mass},
               {"spring_constant", tissue.springConstant},
               {"viscosity", tissue.viscosity},
+              {"stiffening", tissue.stiffening ? toJson(*tissue.stiffening) : Json()},
               {"tethers", Json::array()},
               {"fixed", tissue.fixedNodes}};
     for (const Tether& tether : tissue.tethers)
@@ -62,6 +63,13 @@ TEST_F(ModelPackageFile, HoldsTheWayToStepThatIsRecommended) {
     expectSameStepping(exported(project).stepping, project.stepping);
     project.stepping.reset();
     EXPECT_FALSE(exported(project).stepping);
+}
+
+TEST_F(ModelPackageFile, HoldsBiphasicSprings) {
+    const Project project = biphasicProject();
+    const ModelPackage package = exported(project);
+    expectSameTissue(package.tissue, evaluateModel(project));
+    expectSameStiffening(package.base.stiffening, project.base.stiffening);
 }
 
 TEST_F(ModelPackageFile, HoldsTheBakedTextureAndItsPlaces) {
@@ -100,6 +108,7 @@ TEST_F(ModelPackageFile, IsReadByAStrangersReader) {
     project.scene = {};
     expectReadIndependently(project, m_folder.path());
     expectReadIndependently(bareProject(), m_folder.path());
+    expectReadIndependently(biphasicProject(), m_folder.path());
 }
 
 TEST_F(ModelPackageFile, IsReadByTheReaderOfTheSpecification) {
@@ -161,6 +170,7 @@ TEST_F(ModelPackageFile, IsOfTheVersionThatItsReadersNeed) {
     EXPECT_EQ(version(richProject()), 1);
     EXPECT_EQ(version(boundProject({Detail::Kind::Nodes, 20})), 2);
     EXPECT_EQ(version(boundProject({Detail::Kind::Rigid, 0})), 2);
+    EXPECT_EQ(version(biphasicProject()), modelPackageVersion);
 }
 
 TEST_F(ModelPackageFile, ModelsWithoutSurfaceShowTheirSprings) {

@@ -56,10 +56,10 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
 }
 
 TEST_F(ProjectFile, ANewerVersionSaysSo) {
-    saveWithManifest("/version", 3);
+    saveWithManifest("/version", 4);
     EXPECT_THAT(loadingError(),
-                HasSubstr("organ.esm: was made by a newer version (3) of the program; this one reads "
-                          "up to 2; update the program"));
+                HasSubstr("organ.esm: was made by a newer version (4) of the program; this one reads "
+                          "up to 3; update the program"));
 }
 
 /// A second file entry that names the first one's bytes again.
@@ -112,6 +112,21 @@ struct ProjectDamage {
     Json value;
     const char* named; ///< what the message must name
 };
+
+TEST_F(ProjectFile, ABiphasicLawThatIsNoneIsRefusedByItsName) {
+    const std::vector<std::pair<Json, const char*>> cases{
+        {5, "base.stiffening"},
+        {{{"strain", 0.2}}, "base.stiffening.factor"},
+        {{{"strain", "20 %"}, {"factor", 5}}, "base.stiffening.strain"},
+        {{{"strain", 0}, {"factor", 5}}, "model: the strain"},
+        {{{"strain", 0.2}, {"factor", -5}}, "model: the factor"},
+        {{{"strain", 1e31}, {"factor", 5}}, "model: the strain"},
+        {{{"strain", 0.2}, {"factor", 1e30}}, "spring constant of stretched springs"}};
+    for (const auto& [law, named] : cases) {
+        changeManifest("/base", [&law = law](Json& base) { base["stiffening"] = law; });
+        EXPECT_THAT(loadingError(), HasSubstr(named)) << law;
+    }
+}
 
 TEST_F(ProjectFile, AnyWrongValueIsRefusedByItsName) {
     const Json deep = Json::parse(std::string(90, '[') + std::string(90, ']'));

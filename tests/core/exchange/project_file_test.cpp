@@ -31,6 +31,17 @@ TEST_F(ProjectFile, KeepsHowFewerNodesCarryTheSurface) {
     }
 }
 
+TEST_F(ProjectFile, KeepsBiphasicSprings) {
+    saveProject(biphasicProject(), m_file);
+    expectSameProject(biphasicProject(), loadProject(m_file));
+}
+
+TEST_F(ProjectFile, WithoutASpringLawHasLinearSprings) {
+    changeManifest("/base", [](Json& base) { EXPECT_FALSE(base.contains("stiffening")); });
+    EXPECT_FALSE(loadProject(m_file).base.stiffening);
+    EXPECT_FALSE(evaluateModel(loadProject(m_file)).stiffening);
+}
+
 TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     const auto version = [&](const Project& project) {
         saveProject(project, m_file);
@@ -39,6 +50,7 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     };
     EXPECT_EQ(version(richProject()), 1);
     EXPECT_EQ(version(boundProject({Detail::Kind::Nodes, 20})), 2);
+    EXPECT_EQ(version(biphasicProject()), projectFileVersion);
 }
 
 TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {

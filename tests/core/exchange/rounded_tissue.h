@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/model/tissue_model.h"
+#include "tests/support/same_project.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,7 @@ inline void expectSameTissue(const TissueModel& package, const TissueModel& proj
     EXPECT_EQ(package.mass, rounded(project.mass));
     EXPECT_EQ(package.springConstant, rounded(project.springConstant));
     EXPECT_EQ(package.viscosity, rounded(project.viscosity));
+    expectSameStiffening(package.stiffening, project.stiffening);
     EXPECT_EQ(package.fixedNodes, project.fixedNodes);
     ASSERT_EQ(package.tethers.size(), project.tethers.size());
     for (std::size_t i = 0; i < package.tethers.size(); ++i) {

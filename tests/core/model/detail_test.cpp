@@ -191,6 +191,7 @@ TEST(WithDetail, KeepsTheHoldOnTheSurroundingsAndWhatTheSceneSays) {
     full.scene.forces = {{700, {0, 0, 1}, 0, 1}};
     full.scene.moves = {{10, {{0, {0, 0, 0}}}}, {11, {{0, {0, 0, 1}}}}};
     full.scene.record.nodes = std::vector<std::uint32_t>{5, 700};
+    full.base.stiffening = SpringStiffening{0.2, 5};
     NodeSelection top;
     for (std::uint32_t node = 0; node < 61; ++node)
         top.nodes.push_back(node);
@@ -199,6 +200,7 @@ TEST(WithDetail, KeepsTheHoldOnTheSurroundingsAndWhatTheSceneSays) {
     EXPECT_THAT(validate(fewer), IsEmpty());
     EXPECT_EQ(fewer.mesh, full.mesh);
     EXPECT_EQ(fewer.base.mass, full.base.mass);
+    EXPECT_TRUE(evaluateModel(fewer).stiffening);
     EXPECT_NEAR(fewer.scene.tethers[0].springConstant * 50, 2.4 * 581, 1e-9);
     const auto& at = fewer.network->restPositions;
     EXPECT_LT((at[fewer.scene.forces[0].node] - mesh.vertices[700]).norm(), 0.03);

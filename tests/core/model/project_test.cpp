@@ -99,10 +99,14 @@ TEST(Model, SpreadsTheMassEvenlyAndTakesTheBaseTissue) {
     Project project = projectOf(sheet(4, 0.1), false, 0.5);
     project.base.springConstant = 7;
     project.base.viscosity = 2;
+    project.base.stiffening = SpringStiffening{0.2, 5};
     const TissueModel model = evaluateModel(project);
     EXPECT_THAT(model.mass, Each(0.5 / 25));
     EXPECT_THAT(model.springConstant, Each(7.0));
     EXPECT_THAT(model.viscosity, Each(2.0));
+    ASSERT_TRUE(model.stiffening);
+    EXPECT_EQ(model.stiffening->strain, 0.2);
+    EXPECT_EQ(model.stiffening->factor, 5);
     EXPECT_THAT(validate(model), IsEmpty());
 }
 
@@ -176,6 +180,7 @@ TEST(RegionResult, WarnsOfARegionWithoutNodes) {
 TEST(Project, ReportsTheProblemsOfAllItsParts) {
     Project project = projectOf(sheet(2, 2), false);
     project.base.mass = 0;
+    project.base.stiffening = SpringStiffening{NAN, 0};
     project.scene.duration = -1;
     project.scene.forces = {{77, {0, 0, 0}, 0, 1}};
     Region region = ball({0, 0, 0}, -1);
@@ -185,7 +190,8 @@ TEST(Project, ReportsTheProblemsOfAllItsParts) {
     project.photos = {{}};
     project.photos[0].projector.width = NAN;
     EXPECT_THAT(validate(project),
-                ElementsAre(HasSubstr("organ's mass"), HasSubstr("scene: duration"), HasSubstr("forces[0]"),
+                ElementsAre(HasSubstr("organ's mass"), HasSubstr("the strain"), HasSubstr("the factor"),
+                            HasSubstr("scene: duration"), HasSubstr("forces[0]"),
                             HasSubstr("region 1 (tumour): ellipsoid"),
                             HasSubstr("the viscosity must be 0 or more"), HasSubstr("has no picture"),
                             HasSubstr("width")));

@@ -101,6 +101,21 @@ TEST(TissueModel, IsBoundedSoThatNothingComputedFromItOverflows) {
     EXPECT_FALSE(within(1, 1, 1e-31));
 }
 
+TEST(TissueModel, RefusesABiphasicLawThatIsNone) {
+    TissueModel model = modelOf(networkFromMesh(square()));
+    const auto problems = [&](double strain, double factor) {
+        model.stiffening = SpringStiffening{strain, factor};
+        return validate(model);
+    };
+    EXPECT_THAT(problems(0.2, 5), IsEmpty());
+    EXPECT_THAT(problems(9, 0.5), IsEmpty());
+    for (const double none : std::vector<double>{0, -0.2, NAN, INFINITY, 1e31}) {
+        EXPECT_THAT(problems(none, 5), ElementsAre(HasSubstr("the strain"))) << none;
+        EXPECT_THAT(problems(0.2, none), ElementsAre(HasSubstr("the factor"))) << none;
+    }
+    EXPECT_THAT(problems(0.2, 1e29), ElementsAre(HasSubstr("4 nodes with a spring constant of stretched")));
+}
+
 TEST(TissueModel, WithoutNetworkOrNodesIsRefused) {
     EXPECT_THAT(validate(TissueModel{}), ElementsAre(HasSubstr("no network")));
     EXPECT_THAT(validate(modelOf({})), testing::Contains(HasSubstr("no nodes")));
