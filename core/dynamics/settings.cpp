@@ -5,25 +5,28 @@
 namespace esm {
 
 std::vector<std::string> validate(const SimulationSettings& settings) {
-    std::vector<std::string> problems;
-    if (settings.timeStep && !isPositive(*settings.timeStep))
-        problems.emplace_back("the time step must be a number of seconds above zero");
+    constexpr double anyStep = 1; // s; one that is chosen is sound
+    std::vector<std::string> problems =
+        validate(Stepping{settings.integrator, settings.timeStep.value_or(anyStep), settings.precision});
+    const std::string integrator = integratorName(settings.integrator);
     if (!isAmount(settings.restTolerance))
         problems.emplace_back("the rest tolerance must be a number of metres, zero or more");
     if (hasConstantMatrix(settings.integrator) && settings.damping == Damping::Axial)
         problems.push_back(
-            std::string(integratorName(settings.integrator)) +
+            integrator +
             " needs isotropic damping: choose isotropic damping or another integrator, as implicit");
-    const bool mayBeExplicit = settings.integrator == Integrator::Auto || isExplicit(settings.integrator);
-    if (settings.restTolerance > 0 && !mayBeExplicit)
-        problems.push_back(std::string(integratorName(settings.integrator)) +
+    if (settings.restTolerance > 0 && !mayBeExplicit(settings.integrator))
+        problems.push_back(integrator +
                            " computes all of the tissue at once: leave the rest tolerance out, or choose an "
                            "explicit integrator, as euler");
-    if (settings.precision == Precision::Float && !mayBeExplicit)
-        problems.push_back(
-            std::string(integratorName(settings.integrator)) +
-            " computes in double precision: choose double or an explicit integrator, as euler");
     return problems;
+}
+
+SimulationSettings withStepping(SimulationSettings settings, const Stepping& stepping) {
+    settings.integrator = stepping.integrator;
+    settings.timeStep = stepping.timeStep;
+    settings.precision = stepping.precision;
+    return settings;
 }
 
 } // namespace esm

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/integrators.h"
+#include "core/model/stepping.h"
 
 #include <vector>
 
@@ -8,9 +8,6 @@ namespace esm {
 
 /// What of two nodes' relative velocity a spring damps: all of it, or the part along the spring.
 enum class Damping { Isotropic, Axial };
-
-/// Of the numbers that explicit integrators compute with; the others take double.
-enum class Precision { Double, Float };
 
 struct SimulationSettings {
     Integrator integrator = Integrator::Auto;
@@ -25,5 +22,8 @@ struct SimulationSettings {
 
 /// Every problem of the settings. Empty when they can be used.
 std::vector<std::string> validate(const SimulationSettings& settings);
+
+/// These settings with the integrator, step and precision of `stepping`.
+SimulationSettings withStepping(SimulationSettings settings, const Stepping& stepping);
 
 } // namespace esm

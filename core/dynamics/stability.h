@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/stepping.h"
+#include "core/dynamics/settings.h"
 #include "core/model/tissue_model.h"
 #include "core/support/progress.h"
 

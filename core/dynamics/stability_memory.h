@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/integrators.h"
+#include "core/model/integrators.h"
 
 #include <Eigen/SparseCholesky>
 

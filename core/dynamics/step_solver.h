@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/dynamics/integrators.h"
 #include "core/dynamics/motion.h"
 #include "core/dynamics/node_impulses.h"
+#include "core/model/integrators.h"
 
 namespace esm {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/dynamics/scene_run.h"
-#include "core/dynamics/stepping.h"
 #include "core/model/detail.h"
+#include "core/model/stepping.h"
 
 namespace esm {
 

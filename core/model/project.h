@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/dynamics/stepping.h"
 #include "core/geometry/repair.h"
 #include "core/model/detail.h"
 #include "core/model/region.h"
 #include "core/model/scene.h"
+#include "core/model/stepping.h"
 #include "core/model/tissue_model.h"
 #include "core/texture/atlas.h"
 #include "core/texture/photo_layer.h"

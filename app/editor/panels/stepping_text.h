@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/stepping.h"
+#include "core/model/stepping.h"
 
 #include <QString>
 

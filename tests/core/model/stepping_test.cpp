@@ -1,4 +1,4 @@
-#include "core/dynamics/stepping.h"
+#include "core/model/stepping.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,19 @@
 #pragma once
 
-#include "core/dynamics/settings.h"
+#include "core/model/integrators.h"
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace esm {
+
+/// Of the numbers that explicit integrators compute with; the others take double.
+enum class Precision { Double, Float };
+
+/// "double", "float"
+const char* precisionName(Precision precision);
+std::optional<Precision> precisionFromName(const std::string& name);
 
 /// One way to step the tissue.
 struct Stepping {
@@ -19,13 +30,7 @@ struct MeasuredStepping {
 };
 
 /// Every problem. Empty when tissue can be stepped so.
+std::vector<std::string> validate(const Stepping& stepping);
 std::vector<std::string> validate(const MeasuredStepping& measured);
-
-/// These settings with the integrator, step and precision of `stepping`.
-SimulationSettings withStepping(SimulationSettings settings, const Stepping& stepping);
-
-/// "double", "float"
-const char* precisionName(Precision precision);
-std::optional<Precision> precisionFromName(const std::string& name);
 
 } // namespace esm

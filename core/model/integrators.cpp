@@ -1,4 +1,4 @@
-#include "core/dynamics/integrators.h"
+#include "core/model/integrators.h"
 
 namespace esm {
 
@@ -37,6 +37,10 @@ bool isExplicit(Integrator integrator) {
     default:
         return false;
     }
+}
+
+bool mayBeExplicit(Integrator integrator) {
+    return integrator == Integrator::Auto || isExplicit(integrator);
 }
 
 bool hasConstantMatrix(Integrator integrator) {

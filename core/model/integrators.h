@@ -55,6 +55,8 @@ std::string integratorNames();
 
 /// Nothing but evaluations of the acceleration.
 bool isExplicit(Integrator integrator);
+/// The same of what `Auto` may become.
+bool mayBeExplicit(Integrator integrator);
 /// Its matrix is constant: springs must damp isotropically.
 bool hasConstantMatrix(Integrator integrator);
 /// Solves for two matrices: that of its first step after a jump, and its own, which builds on the step
