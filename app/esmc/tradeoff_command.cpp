@@ -6,6 +6,7 @@
 #include "core/exchange/image_file.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/project_file.h"
+#include "core/model/gentle_pull.h"
 
 namespace esm {
 
@@ -119,7 +120,7 @@ void drawChart(const Drawing& chart, const std::string& file, Report& report) {
 
 /// Writes the project with the run that is recommended, on the run's nodes.
 void saveRecommended(const Tradeoff& tradeoff, const TradeoffCommandOptions& options, const Project& project,
-                     Report& report) {
+                     std::vector<std::string>& warnings, Report& report) {
     const auto& chosen = options.saved == Wish::RealTime ? tradeoff.bestInRealTime : tradeoff.fastestToError;
     if (!chosen) {
         report.failure = "no run reaches what is wanted, and nothing was saved: allow a larger --max-error, "
@@ -130,11 +131,9 @@ void saveRecommended(const Tradeoff& tradeoff, const TradeoffCommandOptions& opt
     saveProject(withRun(project, run), options.output);
     report.json["saved"] = runInJson(run);
     report.text.push_back("recommended from now on: " + runInText(run));
-    std::vector<std::string> warnings;
     if (run.coarser)
         warnings.push_back(counted(run.nodes, "node") + " are simulated in place of " +
                            std::to_string(project.network->restPositions.size()) + ": node numbers are new");
-    addWarnings(report, warnings);
     addWritten(report, options.output);
 }
 
@@ -149,7 +148,12 @@ void requireSavable(const TradeoffCommandOptions& options) {
 
 Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     if (!options.output.empty()) requireSavable(options);
-    const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
+    RunnableModel model = loadRunnableModel(options.model, options.scene, context);
+    std::vector<std::string> warnings;
+    if (!movesTissue(model.scene)) {
+        model.scene = withGentlePull(model.tissue, model.scene);
+        warnings.emplace_back("nothing in the scene moves the organ: a gentle pull at its edge was measured");
+    }
     TradeoffOptions wanted;
     wanted.wishes = {options.realTimeFactor, options.mostError};
     wanted.mostSecondsPerRun = options.mostSeconds;
@@ -162,7 +166,8 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);
     if (!options.plot.empty()) drawChart(tradeoffChart(tradeoff, wanted.wishes), options.plot, report);
-    if (!options.output.empty()) saveRecommended(tradeoff, options, *model.project, report);
+    if (!options.output.empty()) saveRecommended(tradeoff, options, *model.project, warnings, report);
+    addWarnings(report, warnings);
     return report;
 }
 

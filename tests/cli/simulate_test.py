@@ -104,6 +104,12 @@ class SimulateTest(Case):
         errors = [run["error"] for run in report["pareto"]]
         self.assertEqual(errors, sorted(errors, reverse=True))
 
+    def test_measures_a_gentle_pull_where_nothing_moves(self):
+        report = self.done("tradeoff", self.sample("tube"), "--scene", self.file("scene.json", {"duration": 0.1}),
+                           "--max-seconds", "0.02")
+        self.assertIn("gentle pull", report["warnings"][0])
+        self.assertTrue(report["runs"])
+
     def test_draws_error_over_cost_as_a_picture(self):
         scene = self.file("scene.json", {**TUBE_POKE, "duration": 0.05, "record": {"every": 0.025}})
         chart = self.file("chart.png")

@@ -1,15 +1,12 @@
 #pragma once
 
 #include "core/dynamics/simulation.h"
+#include "core/model/gentle_pull.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace esm {
-
-/// A node and the free ones around it at rest, within a few hundredths of the organ's size; the node first.
-std::vector<std::uint32_t> graspedNodes(const TissueModel& model, std::uint32_t node);
 
 /// A patch of tissue taken hold of: it follows a displacement, not a place, and swiftly but not at once, so
 /// that a jump of the mouse is no blow [R 4.4].
@@ -32,13 +29,7 @@ private:
     Eigen::Vector3d m_target = Eigen::Vector3d::Zero(), m_displacement = Eigen::Vector3d::Zero();
 };
 
-/// The slow pull that shows a newly opened organ alive: a free node at the organ's edge, drawn outwards and
-/// let back again. Empty when every node is fixed.
-struct GentlePull {
-    std::uint32_t node;
-    Eigen::Vector3d furthest; ///< m, displacement
-};
-std::optional<GentlePull> gentlePull(const TissueModel& model);
+/// A gentle pull that goes out and is let back again, over and over.
 Eigen::Vector3d displacementAt(const GentlePull& pull, double time);
 
 } // namespace esm
