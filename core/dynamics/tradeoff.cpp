@@ -16,7 +16,7 @@ namespace {
 constexpr double stabilityMargin = 0.95;
 constexpr double longestShare = 0.25; ///< a step is at most this part of the scene
 constexpr double mostFrames = 50;     ///< compared
-constexpr int mostHalvings = 8;
+constexpr int mostShorterSteps = 8;
 constexpr int mostReferenceRuns = 17;
 constexpr double referenceShare = 0.3;   ///< of the whole work
 constexpr double referencePatience = 10; ///< times what another run may take
@@ -169,7 +169,7 @@ private:
     /// Halves the step until the error cannot be told from the reference's, or time runs out.
     void refine(Stepping stepping) {
         double lastError = std::numeric_limits<double>::infinity();
-        for (int halving = 0; halving < mostHalvings; ++halving, stepping.timeStep /= 2) {
+        for (int halving = 0; halving < mostShorterSteps; ++halving, stepping.timeStep /= 2) {
             try {
                 const double seconds = predictedSeconds(stepping);
                 if (seconds > m_options.mostSecondsPerRun)

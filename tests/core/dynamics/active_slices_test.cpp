@@ -1,4 +1,5 @@
 #include "core/dynamics/simulation.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -108,8 +109,13 @@ double compare(const std::function<FilmedRun(const SimulationSettings&)>& record
 
 } // namespace
 
+std::vector<tissue::Parameters> dampings() {
+    if (isSanitized()) return {stronglyDamped};
+    return {weaklyDamped, stronglyDamped};
+}
+
 TEST(ActiveSlices, ALocalPokeMovesAsInTheWholeTissue) {
-    for (const tissue::Parameters& parameters : {weaklyDamped, stronglyDamped}) {
+    for (const tissue::Parameters& parameters : dampings()) {
         const TissueModel model = tethered(membrane(40, parameters), 1);
         for (const Integrator integrator : steppers) {
             SCOPED_TRACE(std::string(integratorName(integrator)) + ", viscosity " +

@@ -1,4 +1,5 @@
 #include "core/dynamics/simulation.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -47,6 +48,16 @@ double oscillatorError(Integrator integrator, double damping, int steps) {
     for (int i = 0; i < steps; ++i)
         EXPECT_TRUE(simulation.step(loads));
     return std::abs(simulation.positions()[1].x() - 1 - analytic(1, 20, damping, 1, 1));
+}
+
+std::vector<double> stretchedSpringConstants() {
+    if (isSanitized()) return {1};
+    return {1, 100};
+}
+
+/// s; of hanging tissue that becomes stiffer, long enough to see it rise.
+double risingTime() {
+    return isSanitized() ? 0.05 : 1;
 }
 
 int orderOf(Integrator integrator) {
@@ -265,7 +276,7 @@ TEST_P(EveryIntegrator, ReportsDivergenceAndKeepsTheLastGoodState) {
 }
 
 TEST_P(EveryIntegrator, LetsForcesStretchTissueTenfold) {
-    for (const double stiffness : {1.0, 100.0}) {
+    for (const double stiffness : stretchedSpringConstants()) {
         TissueModel model = tissue::fromMesh(tissue::gridMesh(9, 0.1), {stiffness, 0.02, 0.001});
         for (std::uint32_t i = 0; i < 9; ++i)
             model.fixedNodes.push_back(i);
@@ -323,7 +334,7 @@ TEST_P(EveryIntegrator, TakesNewParametersWhileMoving) {
     EXPECT_DOUBLE_EQ(simulation.time(), time);
     const double low = simulation.positions()[40].z();
     double highest = low;
-    while (simulation.time() < time + 1) {
+    while (simulation.time() < time + risingTime()) {
         ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
         highest = std::max(highest, simulation.positions()[40].z());
     }
