@@ -19,7 +19,8 @@ Integrator integratorFor(StabilityRules& rules, const SimulationSettings& settin
         candidates = {Integrator::Split2, Integrator::Split, Integrator::Euler};
     for (const Integrator integrator : candidates)
         if (rules.largestStable(integrator, step).value_or(0) >= step) return integrator;
-    return Integrator::Bdf2;
+    return rules.largestSolvable(step) >= step || settings.damping == Damping::Axial ? Integrator::Bdf2
+                                                                                     : Integrator::Projective;
 }
 
 /// Whether steps follow each other faster than time goes by, at the wall time they roughly take.
@@ -27,6 +28,17 @@ bool keepsUp(const ChosenStep& chosen, std::size_t springs) {
     constexpr double explicitSeconds = 5e-9, solvingSeconds = 5e-8; // per spring
     const double seconds = isExplicit(chosen.integrator) ? explicitSeconds : solvingSeconds;
     return chosen.timeStep >= seconds * static_cast<double>(springs);
+}
+
+/// The step that takes elasticity implicitly: by a matrix of the place the tissue is in where conjugate
+/// gradients are sure to solve for it, else by a constant one, which needs isotropic damping.
+ChosenStep implicitChoice(const StabilityRules& rules, const ChosenStep& otherwise, Damping damping,
+                          double cap) {
+    const double solvable = rules.largestSolvable(cap);
+    if (solvable >= cap) return {Integrator::Bdf2, cap};
+    if (damping == Damping::Isotropic) return {Integrator::Projective, cap};
+    return otherwise.timeStep * safetyFactor >= shortestStep ? otherwise
+                                                             : ChosenStep{Integrator::Bdf2, solvable};
 }
 
 /// The second-order form is worth a shorter step than the first-order one, but not any; where viscosity is so
@@ -38,7 +50,7 @@ ChosenStep bestChoice(StabilityRules& rules, const SimulationSettings& settings,
         return ChosenStep{integrator, rules.largestStable(integrator, cap).value_or(0)};
     };
     const auto inTime = [&](const ChosenStep& chosen) {
-        return keepsUp(chosen, springs) ? chosen : ChosenStep{Integrator::Bdf2, cap};
+        return keepsUp(chosen, springs) ? chosen : implicitChoice(rules, chosen, settings.damping, cap);
     };
     if (settings.precision == Precision::Float) return longest(Integrator::Euler);
     if (settings.damping == Damping::Axial) return inTime(longest(Integrator::Euler));

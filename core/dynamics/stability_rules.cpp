@@ -162,6 +162,16 @@ std::optional<double> StabilityRules::largestStable(Integrator integrator, doubl
     }
 }
 
+// Preconditioned with the Laplacian's matrix, M + h·D + h²·K has its eigenvalues between 1 and 1/c, where K
+// may vanish for a motion that the Laplacian resists with k: c = 1 + h²·k/(1 + h·d), most at the largest k,
+// where d is at least ratio·k. Conjugate gradients take some 12·√c iterations to their tolerance.
+double StabilityRules::largestSolvable(double cap) const {
+    constexpr double mostContrast = 5000;
+    if (m_largestStiffness == 0) return cap;
+    const double damped = 0.5 * mostContrast * m_ratio;
+    return std::min(cap, damped + std::sqrt(damped * damped + mostContrast / m_largestStiffness));
+}
+
 double StabilityRules::largestAngularFrequency() const {
     return std::sqrt(m_largestStiffness);
 }

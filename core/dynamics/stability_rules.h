@@ -20,6 +20,9 @@ public:
     /// Largest stable step up to `cap`, s; empty where there is none. Precondition: not `Auto`.
     std::optional<double> largestStable(Integrator integrator, double cap);
 
+    /// Largest step up to `cap`, s, at which `implicit` and `bdf2` are sure to solve for the velocities.
+    double largestSolvable(double cap) const;
+
     double largestAngularFrequency() const; ///< rad/s, without damping
 
 private:
