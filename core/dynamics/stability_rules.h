@@ -41,8 +41,9 @@ private:
     double largestStep(Integrator integrator, double guess, double cap,
                        const std::function<bool(double)>& holds);
     void analyse();
-    /// An upper estimate of λmax, mass-normalised.
-    double largestOf(const Matrix& matrix, Eigen::VectorXd& eigenvector) const;
+    /// An upper estimate of λmax of dampingFactor·D + stiffnessFactor·K, mass-normalised; where it starts
+    /// from a former eigenvector it is checked, as another may have overtaken.
+    double largestOf(double dampingFactor, double stiffnessFactor, Eigen::VectorXd& eigenvector);
 
     /// Whether massFactor·M + dampingFactor·D + stiffnessFactor·K is positive definite.
     bool isDefinite(double massFactor, double dampingFactor, double stiffnessFactor);

@@ -303,6 +303,32 @@ TEST(StabilityMemory, FindsTheSameStepsWithinTheTolerance) {
     }
 }
 
+TEST(StabilityMemory, OfAnEigenvectorThatWasOvertakenIsNotTrusted) {
+    // A spring on its own beside a chain whose shortest waves are a little stiffer and more damped.
+    SpringNetwork network;
+    for (int i = 0; i < 200; ++i)
+        network.restPositions.emplace_back(i, 0, 0);
+    for (std::size_t i = 0; i + 1 < 200; ++i)
+        if (i != 1) tissue::addSpring(network, i, i + 1);
+    TissueModel model = tissue::model(std::move(network), {52.5, 0.525, 0.01});
+    for (const std::size_t alone : {0U, 1U}) {
+        model.springConstant[alone] = 100;
+        model.viscosity[alone] = 1;
+    }
+    Eigen::VectorXd overtaken = Eigen::VectorXd::Zero(200);
+    overtaken.head<2>() << 1e9, -1e9;
+    for (const Integrator integrator : allIntegrators) {
+        StabilityMemory memory;
+        memory.stiffest = memory.mostDamped = overtaken;
+        const auto cold = criticalStep(model, integrator),
+                   warm = criticalStep(model, integrator, {1e-3, Deformation::Any, {}, &memory});
+        ASSERT_TRUE(warm && cold) << integratorName(integrator);
+        if (std::isfinite(*cold)) {
+            EXPECT_LT(*warm, 1.002 * *cold) << integratorName(integrator);
+        }
+    }
+}
+
 TEST(StabilityMemory, OfAnotherTissueDoesNoHarm) {
     StabilityMemory memory;
     for (const TissueModel& model :
