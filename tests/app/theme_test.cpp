@@ -1,8 +1,10 @@
 #include "app/editor/window/theme.h"
+#include "widgets/plot/accuracy_chart.h"
 
 #include <gtest/gtest.h>
 #include <QColor>
 #include <QPalette>
+#include <QTest>
 
 #include <cmath>
 
@@ -57,4 +59,16 @@ TEST(Theme, ThePaletteIsTheStyleSheets) {
         EXPECT_FALSE(qApp->styleSheet().contains('@')) << "a colour without a name";
     }
     applyTheme(*qApp, Theme::Dark);
+}
+
+TEST(Theme, ReachesAChartThatIsShown) {
+    AccuracyChart chart;
+    chart.resize(320, 240);
+    chart.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&chart));
+    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+        applyTheme(*qApp, theme);
+        QTest::qWait(50);
+        EXPECT_EQ(chart.canvas()->grab().toImage().pixelColor(3, 3), QColor(themeColours(theme).at("field")));
+    }
 }

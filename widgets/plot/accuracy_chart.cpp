@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QToolTip>
 
 #include <qwt_plot_canvas.h>
@@ -214,6 +215,12 @@ bool AccuracyChart::event(QEvent* event) {
     return taken;
 }
 
+// A style sheet that changes gives the canvas back the palette that it had first: it cannot hold the colour.
+void AccuracyChart::drawCanvas(QPainter* painter) {
+    painter->fillRect(canvas()->contentsRect(), palette().color(QPalette::Base));
+    QwtPlot::drawCanvas(painter);
+}
+
 void AccuracyChart::followTheme() {
     const QPalette colours = palette();
     const QColor &quiet = colours.color(QPalette::PlaceholderText), &line = colours.color(QPalette::Mid),
@@ -222,7 +229,6 @@ void AccuracyChart::followTheme() {
     const auto dot = [](QwtSymbol::Style style, const QBrush& brush, const QPen& pen, int size) {
         return new QwtSymbol(style, brush, pen, {size, size});
     };
-    setCanvasBackground(colours.color(QPalette::Base));
     m_others->setSymbol(dot(QwtSymbol::Ellipse, quiet, Qt::NoPen, 4));
     m_front->setSymbol(dot(QwtSymbol::Ellipse, bright, Qt::NoPen, 7));
     m_front->setPen(bright, 1.2);

@@ -44,6 +44,7 @@ signals:
     void chosen(std::size_t point);
 
 protected:
+    void drawCanvas(QPainter* painter) override;
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
