@@ -164,6 +164,21 @@ TEST(Preview, LearnsHowFarTheStepMayGo) {
     EXPECT_GT(*preview.status().safeStep, preview.status().timeStep);
 }
 
+TEST(Preview, LearnsItAnewOfTheIntegratorThatTookOver) {
+    Preview preview;
+    preview.setGentleMotion(true);
+    preview.setProject(steppedTooLong(1000));
+    preview.setPlaying(true);
+    PreviewStatus status;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            status = preview.status();
+            return status.isReplaced && status.safeStep;
+        },
+        previewPatience));
+    EXPECT_GT(*status.safeStep, status.timeStep);
+}
+
 TEST(Preview, NeverSetsTheStepBesideTheLimitOfOtherParameters) {
     Project project = makeSample("tube");
     project.regions.clear(); // the base tissue is to be seen

@@ -102,10 +102,11 @@ bool Preview::workOnce(Worker& worker) {
     Inbox inbox = collect(!worker.playing, worker.next);
     if (inbox.stop) return false;
     worker.next = Clock::now() + framePeriod;
-    if (inbox.project) takeProject(worker.run, *inbox.project);
+    if (inbox.project) takeProject(worker, *inbox.project);
     if (inbox.reset) worker.run.reset();
     worker.playing =
         inbox.playing && worker.run.isReady() && worker.run.advance(inSeconds(framePeriod), inbox.loads);
+    gauge(worker);
     // A run that failed has to be started again by hand.
     if (inbox.playing && !worker.playing) {
         const std::lock_guard lock(m_mutex);
@@ -118,12 +119,19 @@ bool Preview::workOnce(Worker& worker) {
     return true;
 }
 
-void Preview::takeProject(PreviewRun& run, const Project& project) {
+void Preview::takeProject(Worker& worker, const Project& project) {
     // The step of other parameters says nothing of these.
-    if (run.setProject(project))
-        m_safeSteps.find(run.model(), run.integrator());
+    worker.gauged.reset();
+    if (worker.run.setProject(project))
+        gauge(worker);
     else
         takeSafeStep(std::nullopt);
+}
+
+void Preview::gauge(Worker& worker) {
+    if (!worker.run.isReady() || worker.gauged == worker.run.integrator()) return;
+    worker.gauged = worker.run.integrator();
+    m_safeSteps.find(worker.run.model(), *worker.gauged);
 }
 
 void Preview::giveUp(PreviewRun& run, const std::string& reason) {

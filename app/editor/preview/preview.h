@@ -56,11 +56,14 @@ private:
         PreviewRun run;
         bool playing = false;
         std::chrono::steady_clock::time_point next;
+        std::optional<Integrator> gauged; ///< the one whose largest stable step is sought or told
     };
 
     void work();
     bool workOnce(Worker& worker);
-    void takeProject(PreviewRun& run, const Project& project);
+    void takeProject(Worker& worker, const Project& project);
+    /// Seeks the largest stable step of the integrator that runs.
+    void gauge(Worker& worker);
     /// Ends the run for what went wrong outside the simulation.
     void giveUp(PreviewRun& run, const std::string& reason);
     Inbox collect(bool idle, std::chrono::steady_clock::time_point until);
