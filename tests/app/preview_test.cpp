@@ -116,6 +116,22 @@ TEST(PreviewRun, StepsAsTheProjectSays) {
     EXPECT_EQ(run.status().integrator, automatic);
 }
 
+TEST(PreviewRun, ShortensStepsThatAreTooLongToBeWatched) {
+    Project tube = makeSample("tube");
+    tube.stepping = {{Integrator::Split2, 0.1, Precision::Double}, 0.01, 1};
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_DOUBLE_EQ(run.status().timeStep, 0.1 / 3);
+    EXPECT_TRUE(run.status().isShortened);
+    tube.stepping->stepping.timeStep = longestWatchedStep;
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_EQ(run.status().timeStep, longestWatchedStep);
+    EXPECT_FALSE(run.status().isShortened);
+    tube.stepping.reset();
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_FALSE(run.status().isShortened);
+}
+
 TEST(Preview, SaysWhyARefusedModelDoesNotPlay) {
     Preview preview;
     preview.setProject(refusedProject());

@@ -49,6 +49,18 @@ TEST_F(StatusLineTest, BlamesNoStiffnessForManyNodes) {
     EXPECT_TRUE(message().contains("too many nodes")) << "where the longest step would not help either";
 }
 
+TEST_F(StatusLineTest, SaysThatTheChosenStepIsTooLongToBeWatched) {
+    line->showNote("a note", "explained");
+    PreviewStatus status = playingAt(30, 0.04);
+    status.isShortened = true;
+    line->showStatus(status);
+    EXPECT_TRUE(message().contains("too long to be watched")) << message().toStdString();
+    EXPECT_TRUE(message().contains("40 ms")) << message().toStdString();
+    status.isShortened = false;
+    line->showStatus(status);
+    EXPECT_EQ(message(), "a note");
+}
+
 TEST_F(StatusLineTest, SaysThatTheMotionWentBackAndOnInShorterSteps) {
     PreviewStatus status = playingAt(3, 2e-3);
     status.halvings = 1;

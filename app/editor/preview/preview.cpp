@@ -159,7 +159,8 @@ void Preview::publish(const PreviewRun& run) {
         status.playing = m_inbox.playing;
         status.safeStep = m_status.safeStep;
         statusIsNew = m_status.playing != status.playing || m_status.failure != status.failure ||
-                      m_status.halvings != status.halvings || m_status.isReplaced != status.isReplaced;
+                      m_status.halvings != status.halvings || m_status.isReplaced != status.isReplaced ||
+                      m_status.isShortened != status.isShortened;
         m_status = std::move(status);
     }
     if (!m_frameAnnounced.exchange(true)) emit frameReady();

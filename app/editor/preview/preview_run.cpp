@@ -1,6 +1,7 @@
 #include "app/editor/preview/preview_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace esm {
@@ -18,7 +19,10 @@ double secondsSince(Clock::time_point start) {
 }
 
 SimulationSettings settingsOf(const Project& project) {
-    return project.stepping ? withStepping({}, project.stepping->stepping) : SimulationSettings{};
+    if (!project.stepping) return {};
+    Stepping stepping = project.stepping->stepping;
+    stepping.timeStep /= std::max(1.0, std::ceil(stepping.timeStep / longestWatchedStep));
+    return withStepping({}, stepping);
 }
 
 } // namespace
@@ -34,6 +38,7 @@ bool PreviewRun::setProject(const Project& project) {
             m_simulation.emplace(model, settings, touchedSurface(*project.mesh, *project.network));
         m_model = std::move(model);
         m_settings = settings;
+        m_isShortened = project.stepping && *settings.timeStep < project.stepping->stepping.timeStep;
         m_gravity = project.scene.gravity;
         if (!goesOn) {
             m_pull.reset();
@@ -153,6 +158,7 @@ PreviewStatus PreviewRun::status() const {
     }
     status.halvings = m_halvings;
     status.isReplaced = m_isReplaced;
+    status.isShortened = m_isShortened && !m_isReplaced;
     status.realTimeFactor = m_computing > 0 ? m_simulated / m_computing : 0;
     status.failure = m_modelFailure.empty() ? m_runFailure : m_modelFailure;
     return status;

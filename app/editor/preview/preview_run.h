@@ -32,8 +32,12 @@ struct PreviewStatus {
     double realTimeFactor = 0;      ///< simulated over computing time
     int halvings = 0;               ///< of the step, each time that the motion ran wild
     bool isReplaced = false;        ///< the project's way to step, by the program's, where it ran ever wilder
+    bool isShortened = false;       ///< the project's step, which is too long to be watched
     std::string failure;            ///< why the tissue cannot move; empty when all is well
 };
+
+/// s; of longer steps the organ would be seen to jump.
+inline constexpr double longestWatchedStep = 0.04;
 
 /// The simulation behind the window, run by the preview's thread alone.
 class PreviewRun {
@@ -66,7 +70,8 @@ private:
     void measure(double simulated, double computing);
 
     TissueModel m_model;
-    SimulationSettings m_settings; ///< the project's way to step
+    SimulationSettings m_settings; ///< the project's way to step, in steps that can be watched
+    bool m_isShortened = false;    ///< the project's step
     std::optional<Simulation> m_simulation;
     std::optional<Grasp> m_pull, m_gentleGrasp;
     std::optional<GentlePull> m_gentlePull;

@@ -42,6 +42,13 @@ QString recoveryText(const PreviewStatus& status) {
         .arg(durationText(status.timeStep));
 }
 
+/// That the motion is computed more finely than was chosen.
+QString shorteningText(const PreviewStatus& status) {
+    if (!status.isShortened) return QString();
+    return QObject::tr("The chosen step is too long to be watched: the tissue moves in steps of %1 here")
+        .arg(durationText(status.timeStep));
+}
+
 QString safeText(const PreviewStatus& status) {
     if (!status.safeStep) return QString();
     if (std::isinf(*status.safeStep)) return QObject::tr("safe at any step");
@@ -128,9 +135,11 @@ void StatusLine::showStatus(const PreviewStatus& status) {
     watchSpeed(status);
     const QString failure = QString::fromStdString(status.failure).replace('\n', QStringLiteral("; "));
     const QString recovery = recoveryText(status);
-    if (failure == m_failure && recovery == m_recovery) return;
+    const QString shortening = shorteningText(status);
+    if (failure == m_failure && recovery == m_recovery && shortening == m_shortening) return;
     m_failure = failure;
     m_recovery = recovery;
+    m_shortening = shortening;
     showLasting();
 }
 
@@ -187,10 +196,12 @@ QString StatusLine::problem() const {
 void StatusLine::showLasting() {
     m_messageTimer.stop();
     const QString text = problem();
-    if (text.isEmpty())
-        showText(m_note, m_noteExplained, false);
-    else
+    if (!text.isEmpty())
         showText(text, text, true);
+    else if (!m_shortening.isEmpty())
+        showText(m_shortening, m_shortening, false);
+    else
+        showText(m_note, m_noteExplained, false);
 }
 
 void StatusLine::showMessage(const QString& text) {

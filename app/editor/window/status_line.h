@@ -57,7 +57,7 @@ private:
     QElapsedTimer m_since;
     QElapsedTimer m_slowSince; ///< valid while the motion is too slow
     int m_pictures = 0;
-    QString m_failure, m_pictureFailure, m_recovery, m_slowness, m_note, m_noteExplained;
+    QString m_failure, m_pictureFailure, m_recovery, m_shortening, m_slowness, m_note, m_noteExplained;
 };
 
 } // namespace esm
