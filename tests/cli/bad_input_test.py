@@ -96,15 +96,6 @@ class BadProjectTest(Case):
         self.refused_everywhere(newer)
         self.assertIn("newer", self.fails(1, "info", newer).replace(str(newer), ""))
 
-    def changed_manifest(self, name, change):
-        with zipfile.ZipFile(self.sample("tube")) as old, zipfile.ZipFile(self.file(name), "w") as new:
-            for entry in old.namelist():
-                content = old.read(entry)
-                if entry.endswith("manifest.json"):
-                    content = json.dumps(change(json.loads(content)))
-                new.writestr(entry, content)
-        return self.file(name)
-
     def test_bytes_changed_anywhere_never_crash(self):
         whole = self.sample("tube").read_bytes()
         for place in range(0, len(whole), max(1, len(whole) // 60)):

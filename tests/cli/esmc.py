@@ -5,6 +5,7 @@ import os
 import subprocess
 import tempfile
 import unittest
+import zipfile
 from pathlib import Path
 
 ESMC = os.environ["ESMC"]
@@ -65,6 +66,16 @@ class Case(unittest.TestCase):
         path = self.file(f"{name}.esm")
         self.done("sample", name, "-o", path)
         return path
+
+    def changed_manifest(self, name, change):
+        """The tube as a project of that name, its manifest changed."""
+        with zipfile.ZipFile(self.sample("tube")) as old, zipfile.ZipFile(self.file(name), "w") as new:
+            for entry in old.namelist():
+                content = old.read(entry)
+                if entry.endswith("manifest.json"):
+                    content = json.dumps(change(json.loads(content)))
+                new.writestr(entry, content)
+        return self.file(name)
 
     def assertKeys(self, report, types):
         """Every key is there with a value of its type; a tuple names several types."""

@@ -134,6 +134,19 @@ class SimulateTest(Case):
         run, _ = self.simulated(project, scene, "--integrator", "bdf2", "--dt", "0.003")
         self.assertEqual((run["integrator"], run["dt"]), ("bdf2", 0.003))
 
+    def test_steps_as_auto_says_where_the_tissue_has_outgrown_the_saved_step(self):
+        stepping = {"integrator": "euler", "timeStep": 1e-6, "precision": "double", "error": 0.01,
+                    "wallPerSimulatedSecond": 1}
+        project = self.changed_manifest("stepped.esm", lambda manifest: {**manifest, "stepping": stepping})
+        scene = {"duration": 0.001}
+        run, _ = self.simulated(project, scene)
+        self.assertEqual((run["integrator"], run["dt"], run["warnings"]), ("euler", 1e-6, []))
+        self.done("tissue", project, "--override", "spring_constant=1e9", "-o", project)
+        run, _ = self.simulated(project, scene)
+        self.assertTrue(run["stable"])
+        self.assertNotEqual((run["integrator"], run["dt"]), ("euler", 1e-6))
+        self.assertRegex(run["warnings"][0], "too long for euler .* measure again")
+
     def test_saves_nothing_that_is_not_reached(self):
         scene = self.file("scene.json", {**TUBE_POKE, "duration": 0.05, "record": {"every": 0.025}})
         project = self.sample("tube")
