@@ -22,7 +22,7 @@ PulledTissue pulledMembrane(double largestFrequency, double damping, const Eigen
     return {std::move(model), side * side / 2, force, seconds};
 }
 
-Trajectory trajectoryOf(const PulledTissue& tissue, esm::Integrator integrator, int steps) {
+esm::Trajectory trajectoryOf(const PulledTissue& tissue, esm::Integrator integrator, int steps) {
     esm::SimulationSettings settings;
     settings.integrator = integrator;
     settings.timeStep = tissue.seconds / steps;
@@ -30,30 +30,22 @@ Trajectory trajectoryOf(const PulledTissue& tissue, esm::Integrator integrator, 
     esm::Simulation simulation(tissue.model, settings);
     esm::Loads loads;
     loads.forces = {{tissue.node, tissue.force}};
-    Trajectory trajectory;
+    esm::Trajectory trajectory{{0, simulation.positions()}};
     const auto together = static_cast<std::size_t>(steps / frameCount);
-    for (int frame = 0; frame < frameCount && simulation.advance(loads, together) == together; ++frame)
-        trajectory.push_back(simulation.positions());
+    for (long frame = 1; frame <= frameCount && simulation.advance(loads, together) == together; ++frame)
+        trajectory[frame] = simulation.positions();
     return trajectory;
 }
 
-double errorOf(const Trajectory& found, const Trajectory& reference, const esm::Vectors& rest) {
+double errorOf(const esm::Trajectory& found, const esm::Trajectory& reference) {
     if (found.size() < reference.size()) return std::numeric_limits<double>::infinity();
-    double difference = 0, way = 0;
-    for (std::size_t frame = 0; frame < reference.size(); ++frame)
-        for (std::size_t i = 0; i < rest.size(); ++i) {
-            difference += (found[frame][i] - reference[frame][i]).squaredNorm();
-            way += (reference[frame][i] - rest[i]).squaredNorm();
-        }
-    return std::sqrt(difference / way);
+    return esm::relativeError(found, reference);
 }
 
 int fewestSteps(const PulledTissue& tissue, esm::Integrator integrator, double mostError,
-                const Trajectory& reference) {
+                const esm::Trajectory& reference) {
     for (int steps = frameCount; steps < 100000; steps *= 2)
-        if (errorOf(trajectoryOf(tissue, integrator, steps), reference,
-                    tissue.model.network->restPositions) <= mostError)
-            return steps;
+        if (errorOf(trajectoryOf(tissue, integrator, steps), reference) <= mostError) return steps;
     throw std::runtime_error("no number of steps is accurate enough");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/motion_error.h"
 #include "core/dynamics/simulation.h"
 #include "core/dynamics/spring_system.h"
 
@@ -18,19 +19,17 @@ struct PulledTissue {
 PulledTissue pulledMembrane(double largestFrequency, double damping, const Eigen::Vector3d& force,
                             double seconds);
 
-using Trajectory = std::vector<esm::Vectors>; ///< at so many even times, the last at the end
-inline constexpr int frameCount = 20;
+inline constexpr int frameCount = 20; ///< of a trajectory after its start, at even times, the last at the end
 
 /// Of a number of steps that is a multiple of the frames. Shorter where it went astray.
-Trajectory trajectoryOf(const PulledTissue& tissue, esm::Integrator integrator, int steps);
+esm::Trajectory trajectoryOf(const PulledTissue& tissue, esm::Integrator integrator, int steps);
 
-/// Distance of two trajectories over the length of the second, in the mean square; infinite where the first
-/// is too short.
-double errorOf(const Trajectory& found, const Trajectory& reference, const esm::Vectors& rest);
+/// Relative to the motion of the reference; infinite where the trajectory found is shorter.
+double errorOf(const esm::Trajectory& found, const esm::Trajectory& reference);
 
 /// Fewest steps, of the frames times a power of two, with which the error is at most so much.
 /// @throws std::runtime_error where a hundred thousand steps are not enough
 int fewestSteps(const PulledTissue& tissue, esm::Integrator integrator, double mostError,
-                const Trajectory& reference);
+                const esm::Trajectory& reference);
 
 } // namespace benchmarks

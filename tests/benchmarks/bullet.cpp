@@ -73,12 +73,14 @@ struct BulletRun {
     int steps;
 };
 
-void play(const PulledTissue& tissue, const BulletRun& run, Trajectory* trajectory) {
+void play(const PulledTissue& tissue, const BulletRun& run, esm::Trajectory* trajectory) {
     BulletBody body(tissue.model, run.settings);
+    const int together = run.steps / frameCount;
+    if (trajectory) trajectory->emplace(0, body.positions());
     for (int step = 1; step <= run.steps; ++step) {
         body.pull(tissue.node, tissue.force);
         body.step(tissue.seconds / run.steps);
-        if (trajectory && step % (run.steps / frameCount) == 0) trajectory->push_back(body.positions());
+        if (trajectory && step % together == 0) trajectory->emplace(step / together, body.positions());
     }
 }
 
@@ -88,16 +90,16 @@ struct BestRun {
 };
 
 /// Of a grid of everything that can be chosen.
-BestRun bestRun(const PulledTissue& tissue, const Trajectory& reference) {
+BestRun bestRun(const PulledTissue& tissue, const esm::Trajectory& reference) {
     BestRun best{{}, std::numeric_limits<double>::infinity()};
     for (const int steps : {frameCount, 4 * frameCount, 16 * frameCount, 64 * frameCount})
         for (const int iterations : {1, 3, 10})
             for (const double stiffness : {0.003, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0})
                 for (const double damping : {0.0, 0.001, 0.01}) {
                     const BulletRun run{{stiffness, damping, iterations}, steps};
-                    Trajectory found;
+                    esm::Trajectory found;
                     play(tissue, run, &found);
-                    const double error = errorOf(found, reference, tissue.model.network->restPositions);
+                    const double error = errorOf(found, reference);
                     if (error < best.error) best = {run, error};
                 }
     return best;
@@ -106,7 +108,7 @@ BestRun bestRun(const PulledTissue& tissue, const Trajectory& reference) {
 /// A membrane in mid swing, neither stiff nor damped: what Bullet is good at.
 struct EqualError {
     PulledTissue tissue = pulledMembrane(2000, 0, {0.02, 0.01, 0.05}, 0.2);
-    Trajectory reference = trajectoryOf(tissue, esm::Integrator::Rk4, frameCount << 7);
+    esm::Trajectory reference = trajectoryOf(tissue, esm::Integrator::Rk4, frameCount << 7);
     BestRun best = bestRun(tissue, reference);
 };
 

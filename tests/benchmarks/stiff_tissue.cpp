@@ -42,7 +42,7 @@ std::function<void()> naiveRun(const PulledTissue& tissue) {
 
 /// With as few steps as the error allows.
 std::function<void()> accurateRun(const PulledTissue& tissue, esm::Integrator integrator, double mostError,
-                                  const Trajectory& reference) {
+                                  const esm::Trajectory& reference) {
     const int steps = fewestSteps(tissue, integrator, mostError, reference);
     std::printf("%s takes steps of %.3g s\n", std::string(integratorName(integrator)).c_str(),
                 tissue.seconds / steps);
