@@ -5,6 +5,7 @@
 #include "core/support/numbers.h"
 
 #include <cmath>
+#include <deque>
 
 namespace esm {
 
@@ -18,38 +19,56 @@ struct RecordedFrame {
     std::vector<Eigen::Vector3d> positions;
 };
 
+using RecordedFrames = std::deque<RecordedFrame>;
+
 struct RecordedRun {
     SceneOutcome outcome;
-    std::vector<RecordedFrame> frames;
+    RecordedFrames frames;
 };
 
-RecordedRun recordedRun(const SceneRun& run, const Progress& progress) {
+/// Holds the frames of a run in finer steps, as they come, against those of a coarse one, which it drops on
+/// the way: only one run's are held at a time.
+class FrameComparison {
+public:
+    /// @param sameTime s, less than which times are apart only by rounding
+    FrameComparison(RecordedFrames coarse, double sameTime)
+        : m_coarse(std::move(coarse)), m_sameTime(sameTime) {}
+
+    void add(const RecordedFrame& finer) {
+        if (m_start.empty()) m_start = finer.positions;
+        while (!m_coarse.empty() && m_coarse.front().time < finer.time - m_sameTime)
+            m_coarse.pop_front();
+        if (m_coarse.empty() || m_coarse.front().time > finer.time + m_sameTime) return;
+        const auto& [time, positions] = m_coarse.front();
+        m_error.add(positions, finer.positions, m_start);
+        m_isShared = m_isShared || time > m_sameTime;
+        m_moves = m_moves || positions != m_start;
+        m_coarse.pop_front();
+    }
+
+    /// How far the frames at the times of both are apart, relative to the motion of the finer ones; 0 where
+    /// nothing moves, none where they share no time but the start.
+    std::optional<double> change() const {
+        if (!m_isShared) return std::nullopt;
+        return m_moves ? m_error.relative() : 0;
+    }
+
+private:
+    RecordedFrames m_coarse;
+    double m_sameTime; ///< s
+    std::vector<Eigen::Vector3d> m_start;
+    MotionError m_error;
+    bool m_moves = false, m_isShared = false;
+};
+
+RecordedRun recordedRun(const SceneRun& run, const Progress& progress, FrameComparison* comparison) {
     RecordedRun recorded;
-    const auto keep = [&recorded](double time, const std::vector<Eigen::Vector3d>& positions) {
+    const auto keep = [&](double time, const std::vector<Eigen::Vector3d>& positions) {
         recorded.frames.push_back({time, positions});
+        if (comparison) comparison->add(recorded.frames.back());
     };
     recorded.outcome = runScene(run, keep, progress);
     return recorded;
-}
-
-/// How far the frames at the times of both are apart, relative to the motion of `finer`; 0 where nothing
-/// moves, none where they share no time but the start.
-std::optional<double> changeOf(const RecordedRun& coarse, const RecordedRun& finer) {
-    const double sameTime = 1e-3 * finer.outcome.timeStep;
-    MotionError error;
-    bool moves = false, isShared = false;
-    auto next = finer.frames.begin();
-    for (const auto& [time, positions] : coarse.frames) {
-        while (next != finer.frames.end() && next->time < time - sameTime)
-            ++next;
-        if (next == finer.frames.end()) break;
-        if (next->time > time + sameTime) continue;
-        error.add(positions, next->positions, finer.frames.front().positions);
-        isShared = isShared || time > sameTime;
-        moves = moves || positions != finer.frames.front().positions;
-    }
-    if (!isShared) return std::nullopt;
-    return moves ? error.relative() : 0;
 }
 
 [[noreturn]] void refuseError(double mostError, double step) {
@@ -70,14 +89,15 @@ std::optional<double> changeOf(const RecordedRun& coarse, const RecordedRun& fin
 AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const FrameSink& sink,
                                 const Progress& progress) {
     SceneRun finer = run;
-    RecordedRun last = recordedRun(run, progress);
+    RecordedRun last = recordedRun(run, progress, nullptr);
     finer.settings.integrator = last.outcome.integrator;
     double lastChange = std::numeric_limits<double>::infinity();
     for (int halving = 1; halving <= mostHalvings; ++halving) {
         finer.settings.timeStep = last.outcome.timeStep / 2;
-        RecordedRun halved = recordedRun(finer, progress);
+        FrameComparison comparison(std::move(last.frames), 1e-3 * *finer.settings.timeStep);
+        RecordedRun halved = recordedRun(finer, progress, &comparison);
         const bool isWhole = last.outcome.stable && halved.outcome.stable;
-        const std::optional<double> change = isWhole ? changeOf(last, halved) : std::nullopt;
+        const std::optional<double> change = isWhole ? comparison.change() : std::nullopt;
         last = std::move(halved);
         if (!isWhole) continue;
         if (!change) refuseTimes(last.outcome.timeStep);
