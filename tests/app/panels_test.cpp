@@ -1,5 +1,6 @@
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
+#include "tests/support/test_meshes.h"
 #include "widgets/inputs/vector_field.h"
 
 #include <QAction>
@@ -36,6 +37,18 @@ protected:
 };
 
 } // namespace
+
+TEST_F(PanelsTest, SizeAndCentreShowTheirUnit) {
+    TriangleMesh mesh = test::torus(24, 12, 0.015, 0.006);
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+        vertex += Eigen::Vector3d(-0.0437, -0.0372, -0.0467);
+    open(makeProject("small", {mesh, {}}));
+    for (const char* name : {"modelSize", "modelCentre"}) {
+        const auto* label = child<QLabel>(name);
+        EXPECT_TRUE(label->text().endsWith(" mm"));
+        EXPECT_LE(label->fontMetrics().horizontalAdvance(label->text()), label->contentsRect().width()) << name;
+    }
+}
 
 TEST_F(PanelsTest, AHeldValueCannotMakeTheProjectUnsaveable) {
     press(Qt::Key_R, Qt::ControlModifier);

@@ -74,7 +74,11 @@ QLabel* ValueRows::addText(const QString& caption, const QString& name) {
     text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    addField(caption, text);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(m_form->horizontalSpacing());
+    row->addWidget(captionBeside(caption, text));
+    row->addWidget(text, 1);
+    m_form->addRow(row);
     return text;
 }
 
@@ -85,10 +89,14 @@ QLabel* ValueRows::captionOf(const QString& caption, QWidget* field) {
     return label;
 }
 
-void ValueRows::addField(const QString& caption, QWidget* field) {
+QLabel* ValueRows::captionBeside(const QString& caption, QWidget* field) {
     QLabel* label = captionOf(caption, field);
     label->setMinimumHeight(field->minimumSizeHint().height());
-    m_form->addRow(label, field);
+    return label;
+}
+
+void ValueRows::addField(const QString& caption, QWidget* field) {
+    m_form->addRow(captionBeside(caption, field), field);
 }
 
 void ValueRows::addWideField(const QString& caption, QWidget* field) {

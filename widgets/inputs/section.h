@@ -45,7 +45,8 @@ class ValueRows : public QWidget {
 public:
     explicit ValueRows(QWidget* parent = nullptr);
 
-    /// A right-aligned text that can be selected and copied; `name` finds it in tests.
+    /// A right-aligned text that can be selected and copied, as long as its own caption leaves room; `name`
+    /// finds it in tests.
     QLabel* addText(const QString& caption, const QString& name);
     void addField(const QString& caption, QWidget* field);
     /// A field that needs the whole width, beneath its caption.
@@ -53,6 +54,7 @@ public:
 
 private:
     QLabel* captionOf(const QString& caption, QWidget* field);
+    QLabel* captionBeside(const QString& caption, QWidget* field);
 
     QFormLayout* m_form;
 };
