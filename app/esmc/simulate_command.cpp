@@ -123,7 +123,7 @@ std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutco
 /// Whether the line leaves open how to step.
 bool takesRecommended(const SimulateOptions& options) {
     return options.integrator.empty() && options.timeStep.empty() && !options.precision &&
-           !options.mostError && options.damping == Damping::Isotropic;
+           !options.mostError && options.restTolerance == 0 && options.damping == Damping::Isotropic;
 }
 
 /// The recommended way to step, where tissue that may have changed since is still stable with it.

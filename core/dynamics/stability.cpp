@@ -11,9 +11,14 @@ namespace {
 
 constexpr double safetyFactor = 0.9;
 
+/// Only explicit integrators compute in float or leave out what rests.
+bool hasToBeExplicit(const SimulationSettings& settings) {
+    return settings.precision == Precision::Float || settings.restTolerance > 0;
+}
+
 /// Where a given step is too long for all that take elasticity explicitly, it has to be taken implicitly.
 Integrator integratorFor(StabilityRules& rules, const SimulationSettings& settings, double step) {
-    if (settings.precision == Precision::Float) return Integrator::Euler;
+    if (hasToBeExplicit(settings)) return Integrator::Euler;
     std::vector<Integrator> candidates{Integrator::Euler};
     if (settings.damping == Damping::Isotropic)
         candidates = {Integrator::Split2, Integrator::Split, Integrator::Euler};
@@ -52,7 +57,7 @@ ChosenStep bestChoice(StabilityRules& rules, const SimulationSettings& settings,
     const auto inTime = [&](const ChosenStep& chosen) {
         return keepsUp(chosen, springs) ? chosen : implicitChoice(rules, chosen, settings.damping, cap);
     };
-    if (settings.precision == Precision::Float) return longest(Integrator::Euler);
+    if (hasToBeExplicit(settings)) return longest(Integrator::Euler);
     if (settings.damping == Damping::Axial) return inTime(longest(Integrator::Euler));
     const ChosenStep split = longest(Integrator::Split);
     ChosenStep split2 = longest(Integrator::Split2);

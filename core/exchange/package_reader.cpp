@@ -36,6 +36,7 @@ private:
     }
 
     void requireExtension() const;
+    void checkStiffening(const JsonReader& extension, const ModelPackage& package) const;
     void readNodes(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const;
     void readSprings(const JsonReader& group, SpringNetwork& network, const TissueModel& tissue) const;
     void readTethers(const JsonReader& group, TissueModel& tissue) const;
@@ -82,6 +83,16 @@ void PackageReader::requireExtension() const {
         m_problems.push_back("asset/version should be 2.0");
     if (!names("extensionsUsed")) m_problems.push_back("extensionsUsed should name " + name);
     if (names("extensionsRequired")) m_problems.push_back("extensionsRequired should not name " + name);
+}
+
+/// A reader of the version that the file says it is would take stiffer springs for linear.
+void PackageReader::checkStiffening(const JsonReader& extension, const ModelPackage& package) const {
+    const auto needed = static_cast<std::uint64_t>(
+        versionOf(extension.has("binding"), package.tissue.stiffening.has_value()));
+    if (extension.member("version").integer(1, modelPackageVersion) < needed)
+        extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");
+    if (!(package.tissue.stiffening == package.base.stiffening))
+        extension.member("base").addProblem("should have the same stiffening as the package");
 }
 
 void PackageReader::readNodes(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const {
@@ -322,6 +333,7 @@ ModelPackage PackageReader::read() {
     if (extension.has("binding"))
         readBinding(extension.member("binding"), *network, package.mesh.vertices.size());
     package.base = baseTissueFromJson(extension.member("base"));
+    checkStiffening(extension, package);
     package.regions = regionsFromJson(extension.member("fuzzySystems"), extension.member("regions"));
     if (extension.has("stepping")) package.stepping = steppingFromJson(extension.member("stepping"));
     package.baseColour = colourFromJson(extension.member("baseColour"));

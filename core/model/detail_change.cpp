@@ -89,6 +89,7 @@ Project withDetail(const Project& project, const Detail& detail) {
             overOtherNodes(project.scene, project.network->restPositions, fresh.network->restPositions);
     } else if (isRigid(project) != isRigid(fresh)) {
         changed.base = fresh.base;
+        changed.base.stiffening = project.base.stiffening;
         changed.scene.fixed = fresh.scene.fixed;
         changed.scene.tethers = fresh.scene.tethers;
         changed.scene.forces.clear();

@@ -112,8 +112,8 @@ std::vector<std::string> validate(const SpringStiffening& stiffening) {
             problems.push_back(std::string(what) + " must be above 0 and at most " +
                                numberText(largestNumber));
     };
-    require("the strain beyond which springs are stiffer", stiffening.strain);
-    require("the factor by which stretched springs are stiffer", stiffening.factor);
+    require("the strain beyond which springs go on with another spring constant", stiffening.strain);
+    require("the factor of the spring constant of stretched springs", stiffening.factor);
     return problems;
 }
 

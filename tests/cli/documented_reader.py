@@ -3,7 +3,7 @@
 
     documented_reader.py docs/model-package.md PACKAGE.glb
 
-Prints how many numbers it found by group and key, as JSON.
+Prints how many numbers it found by group and key, and how the springs stiffen, as JSON.
 """
 import json
 import re
@@ -15,4 +15,6 @@ with open(document, encoding="utf-8") as stream:
 names = {}
 exec(compile(snippet, document, "exec"), names)
 model = names["read_package"](package)
-print(json.dumps({group: {key: len(values) for key, values in arrays.items()} for group, arrays in model.items()}))
+stiffening = model.pop("stiffening")
+counts = {group: {key: len(values) for key, values in arrays.items()} for group, arrays in model.items()}
+print(json.dumps({**counts, "stiffening": stiffening}))

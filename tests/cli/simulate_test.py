@@ -66,6 +66,8 @@ class SimulateTest(Case):
         self.assertEqual(whole["active_fraction"], 1)
         self.assertLess(part["active_fraction"], 0.1)
         self.assertEqual(rows, same)
+        chosen, _ = self.simulated(self.sample("tube"), STILL, "--rest-tolerance", "1e-6")
+        self.assertEqual(chosen["integrator"], "euler")
         process = command("simulate", self.sample("tube"), "--scene", self.file("scene.json", STILL),
                           "--rest-tolerance", "-1", "-o", self.file("none.csv"))
         self.assertEqual(process.returncode, 2)

@@ -64,13 +64,9 @@ bool same(const TextureSettings& a, const TextureSettings& b) {
            a.baseColour == b.baseColour;
 }
 
-bool same(const std::optional<SpringStiffening>& a, const std::optional<SpringStiffening>& b) {
-    return a.has_value() == b.has_value() && (!a || (a->strain == b->strain && a->factor == b->factor));
-}
-
 bool same(const BaseTissue& a, const BaseTissue& b) {
     return a.springConstant == b.springConstant && a.viscosity == b.viscosity && a.mass == b.mass &&
-           same(a.stiffening, b.stiffening);
+           a.stiffening == b.stiffening;
 }
 
 } // namespace

@@ -40,7 +40,7 @@ StiffeningRow::StiffeningRow(Document& document, QWidget* parent)
     m_strain->setToolTip(tr("How much longer than at rest a spring becomes before it resists more"));
     m_factor =
         addNumber(tr("Stiffness is then"), factorFormat(), &SpringStiffening::factor, tr("Set stiffening"));
-    m_factor->setToolTip(tr("How many times its own spring constant a spring has from there on"));
+    m_factor->setToolTip(tr("How many times harder tissue pulls back from there on; below 1, it gives way"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
     column->setSpacing(6);

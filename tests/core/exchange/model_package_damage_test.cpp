@@ -29,6 +29,30 @@ TEST_F(ModelPackageFile, ABindingThatCannotCarryTheSurfaceIsRefused) {
     EXPECT_THAT(refusal("lineCount", -1), HasSubstr("binding.lineCount"));
 }
 
+TEST_F(ModelPackageFile, ASpringLawIsRefusedThatAReaderCouldMissOrTakeForAnother) {
+    const auto refusal = [&](const auto& change) {
+        exportPackage(biphasicProject(), m_file);
+        Glb glb = parseGlb(readFile(m_file));
+        change(glb.json["extensions"]["ESM_spring_mass"]);
+        overwrite(m_file, writeGlb(glb));
+        return loadingError();
+    };
+    EXPECT_THAT(refusal([](Json& extension) { extension.erase("stiffening"); }),
+                HasSubstr("base should have"));
+    EXPECT_THAT(refusal([](Json& extension) { extension["stiffening"]["factor"] = 2; }),
+                HasSubstr("base should have"));
+    EXPECT_THAT(refusal([](Json& extension) { extension["version"] = 2; }), HasSubstr("version should be 3"));
+    const std::pair<Json, const char*> laws[]{
+        {{{"strain", 0}, {"factor", 5}}, "the strain"},
+        {{{"strain", 0.2}, {"factor", 0}}, "the factor"},
+        {{{"strain", 0.2}, {"factor", 1e30}}, "spring constant of stretched springs"}};
+    for (const auto& [law, named] : laws)
+        EXPECT_THAT(refusal([&law = law](Json& extension) {
+                        extension["stiffening"] = extension["base"]["stiffening"] = law;
+                    }),
+                    HasSubstr(named));
+}
+
 TEST_F(ModelPackageFile, AFileCutOffAnywhereIsRefused) {
     exportPackage(richProject(), m_file);
     const Bytes whole = readFile(m_file);
@@ -71,9 +95,6 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
         {"/damping", "axial", "damping"},
         {"/stiffening", true, "stiffening"},
         {"/stiffening", {{"strain", 0.2}}, "stiffening.factor"},
-        {"/stiffening", {{"strain", 0}, {"factor", 5}}, "the strain"},
-        {"/stiffening", {{"strain", 0.2}, {"factor", 0}}, "the factor"},
-        {"/stiffening", {{"strain", 0.2}, {"factor", 1e30}}, "spring constant of stretched springs"},
         {"/nodes", nullptr, "nodes"},
         {"/nodes/count", 47, "should have 47 elements"},
         {"/nodes/count", 4000000000U, "count"},

@@ -112,7 +112,7 @@ TEST_F(ModelPackageFile, IsReadByAStrangersReader) {
 }
 
 TEST_F(ModelPackageFile, IsReadByTheReaderOfTheSpecification) {
-    exportPackage(richProject(), m_file);
+    exportPackage(biphasicProject(), m_file);
     const std::string source = ESM_SOURCE_DIR, counts = (m_folder / "counts.json").string();
     const std::string command = "python3 '" + source + "/tests/cli/documented_reader.py' '" + source +
                                 "/docs/model-package.md' '" + m_file.string() + "' > '" + counts + "'";
@@ -125,6 +125,7 @@ TEST_F(ModelPackageFile, IsReadByTheReaderOfTheSpecification) {
     EXPECT_EQ(json["tethers"]["viscosity"], 23);
     EXPECT_EQ(json["fixedNodes"]["nodes"], 2);
     EXPECT_EQ(json["surface"]["triangles"], 3 * 96);
+    EXPECT_EQ(json["stiffening"], toJson(*biphasicProject().base.stiffening));
 }
 
 TEST_F(ModelPackageFile, SpreadsTheTextureOverPages) {

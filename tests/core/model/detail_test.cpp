@@ -200,7 +200,8 @@ TEST(WithDetail, KeepsTheHoldOnTheSurroundingsAndWhatTheSceneSays) {
     EXPECT_THAT(validate(fewer), IsEmpty());
     EXPECT_EQ(fewer.mesh, full.mesh);
     EXPECT_EQ(fewer.base.mass, full.base.mass);
-    EXPECT_TRUE(evaluateModel(fewer).stiffening);
+    EXPECT_EQ(evaluateModel(fewer).stiffening, full.base.stiffening);
+    EXPECT_EQ(evaluateModel(withDetail(full, {Detail::Kind::Rigid})).stiffening, full.base.stiffening);
     EXPECT_NEAR(fewer.scene.tethers[0].springConstant * 50, 2.4 * 581, 1e-9);
     const auto& at = fewer.network->restPositions;
     EXPECT_LT((at[fewer.scene.forces[0].node] - mesh.vertices[700]).norm(), 0.03);
