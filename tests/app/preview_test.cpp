@@ -93,6 +93,7 @@ TEST(PreviewRun, GoesOnAsTheProgramChoosesWhereShorterStepsAreOfNoHelp) {
     ASSERT_TRUE(run.setProject(tube));
     EXPECT_TRUE(playUntilHalved(run, 100, 200));
     EXPECT_TRUE(run.status().isReplaced);
+    EXPECT_EQ(run.status().halvings, 0) << "its own step may be halved as often as the first";
     EXPECT_NE(run.status().integrator, Integrator::Euler);
     EXPECT_EQ(run.status().failure, "");
     EXPECT_LT(growth(run), 2);

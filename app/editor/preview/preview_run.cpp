@@ -65,7 +65,8 @@ void PreviewRun::reset() {
     m_debt = 0;
     m_runFailure.clear();
     if (!m_simulation) return;
-    if (std::exchange(m_halvings, 0) > 0) m_simulation->setModel(m_model, m_settings);
+    if (m_halvings > 0 || m_isReplaced) m_simulation->setModel(m_model, m_settings);
+    m_halvings = 0;
     m_isReplaced = false;
     m_simulation->reset();
 }
@@ -104,13 +105,16 @@ bool PreviewRun::step(const PreviewLoads& loads) {
 }
 
 bool PreviewRun::goBack() {
-    if (m_halvings == mostHalvings) {
-        if (m_isReplaced || m_settings.integrator == Integrator::Auto) return false;
-        m_isReplaced = true;
-    } else
+    if (m_halvings < mostHalvings) {
         ++m_halvings;
-    m_simulation->goBack(m_simulation->timeStep() / 2);
-    if (m_isReplaced) m_simulation->setModel(m_model, {});
+        m_simulation->goBack(m_simulation->timeStep() / 2);
+    } else if (!m_isReplaced && m_settings.integrator != Integrator::Auto) {
+        m_isReplaced = true;
+        m_halvings = 0;
+        m_simulation->goBack(m_simulation->timeStep());
+        m_simulation->setModel(m_model, {});
+    } else
+        return false;
     // What is held takes hold anew, of the tissue where it is now.
     m_pull.reset();
     m_gentleGrasp.reset();

@@ -78,7 +78,7 @@ private:
     double m_gentleTime = 0;
     Eigen::Vector3d m_gravity = Eigen::Vector3d::Zero();
     bool m_isReplaced = false;               ///< the project's way to step, by the program's
-    int m_halvings = 0;                      ///< of the step, since the parameters changed
+    int m_halvings = 0;                      ///< of the step, with this way to step
     int m_framesSinceKept = 0;               ///< since the state was kept
     double m_debt = 0;                       ///< s that were asked for and not simulated yet
     double m_simulated = 0, m_computing = 0; ///< s, decaying sums for the real-time factor

@@ -33,10 +33,10 @@ QString slownessText(const PreviewStatus& status) {
 
 /// That the motion ran wild, and how it goes on.
 QString recoveryText(const PreviewStatus& status) {
-    if (status.halvings == 0) return QString();
     if (status.isReplaced)
         return QObject::tr(
             "The motion ran wild with the chosen method and step: the program chooses them now");
+    if (status.halvings == 0) return QString();
     return QObject::tr(
                "The motion ran wild: it went back to where it was calm and on in shorter steps, of %1")
         .arg(durationText(status.timeStep));
