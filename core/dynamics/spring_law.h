@@ -28,10 +28,13 @@ inline double largestSpringConstant(double springConstant, const Stiffening& sti
     return stiffening.isLinear() ? springConstant : std::max(springConstant, stiffening.springConstant);
 }
 
+inline bool isBeyond(const Stiffening& stiffening, double restRatio) {
+    return !stiffening.isLinear() && (1 + stiffening.strain) * restRatio < 1;
+}
+
 /// N/m, what the force grows by with the length.
 inline double slope(double springConstant, const Stiffening& stiffening, double restRatio) {
-    const bool isBeyond = !stiffening.isLinear() && (1 + stiffening.strain) * restRatio < 1;
-    return isBeyond ? stiffening.springConstant : springConstant;
+    return isBeyond(stiffening, restRatio) ? stiffening.springConstant : springConstant;
 }
 
 /// J. With s and s₂ the lengthening from rest and from where the strain ε is reached:

@@ -16,6 +16,7 @@ constexpr std::size_t mostLedByImpulses = 64;
 /// What touches beyond this is pushed out one by one, without dragging along what is around it.
 constexpr std::size_t mostContacts = 256;
 constexpr int mostContactRounds = 3;
+constexpr int mostBranchRounds = 4;       ///< after which all springs are taken for strained
 constexpr double contactTolerance = 1e-3; ///< in radii; the rest is projected out
 constexpr double impulseTolerance = 1e-5; ///< in radii
 
@@ -42,7 +43,7 @@ void place(const std::vector<HeldNode>& held, Vectors& positions) {
 Stepper::Stepper(SpringSystem system, TouchedSurface surface, const ChosenStep& chosen,
                  const SimulationSettings& settings, ThreadTeam* team)
     : m_system(std::move(system)), m_surface(std::move(surface)), m_integrator(chosen.integrator),
-      m_timeStep(chosen.timeStep), m_prescribed(m_system.fixed),
+      m_timeStep(chosen.timeStep), m_prescribed(m_system.fixed), m_strained(m_system),
       m_scheme(MatrixScheme(chosen.integrator, settings.damping)) {
     const KernelOptions options{settings.damping, {}, team, settings.threads};
     if (m_integrator == Integrator::Propagation)
@@ -118,6 +119,7 @@ std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads&
 
 void Stepper::advance(Motion& motion, const Piece& piece) {
     prescribe(piece.input.held);
+    if (hasBranches() && m_strained.follow(m_system, motion.positions)) m_branchSolvers.clear();
     const bool startsAnew = !piece.input.held.empty() || piece.parts > 1;
     if (startsAnew) forgetSteps();
     UntouchedStep untouched = untouchedStep(motion, piece);
@@ -158,7 +160,21 @@ UntouchedStep Stepper::untouchedStep(const Motion& motion, const Piece& piece) {
     return untouched;
 }
 
+// Where a spring is up to its strain before and after, it is so in between, and the matrix resists it no less
+// than its law does: only then is the step sure not to overshoot.
+UntouchedStep Stepper::branchStep(const Motion& motion, const Piece& piece) {
+    for (int round = 0;; ++round) {
+        UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(m_system, piece.input, motion,
+                                                                    branchSolverFor(piece.parts), false);
+        place(piece.input.held, step.motion.positions);
+        if (!m_strained.add(m_system, step.motion.positions)) return step;
+        if (round == mostBranchRounds) m_strained.addAll();
+        m_branchSolvers.clear();
+    }
+}
+
 UntouchedStep Stepper::firstOrderStep(const Motion& motion, const Piece& piece) {
+    if (m_integrator == Integrator::Projective && hasBranches()) return branchStep(motion, piece);
     UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(m_system, piece.input, motion,
                                                                 solverFor(piece.parts, false), false);
     place(piece.input.held, step.motion.positions);
@@ -181,7 +197,7 @@ bool Stepper::touches(const Motion& motion, const Piece& piece, const Vectors& n
 // surface came to lie, and those that were found since: nothing is pushed twice.
 Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched) {
     const double h = piece.input.duration;
-    StepSolver& solver = solverFor(piece.parts, false);
+    StepSolver& solver = hasBranches() ? branchSolverFor(piece.parts) : solverFor(piece.parts, false);
     if (untouched.half.empty()) solver.matrix.multiplyUpper(untouched.motion.velocities, untouched.half);
     const SphereMove& sphere = *piece.sphere;
     const std::vector<char> stays = immovable(piece);
@@ -223,6 +239,19 @@ StepSolver& Stepper::solverFor(int parts, bool builds) {
     return *solver;
 }
 
+bool Stepper::hasBranches() const {
+    return m_strained.canChange() && stepFactors(m_integrator, m_timeStep, false).stiffness > 0;
+}
+
+StepSolver& Stepper::branchSolverFor(int parts) {
+    std::unique_ptr<StepSolver>& solver = m_branchSolvers[parts];
+    if (!solver)
+        solver = std::make_unique<StepSolver>(StepMatrix(m_strained.linearised(m_system),
+                                                         stepFactors(m_integrator, m_timeStep / parts, false),
+                                                         m_prescribed));
+    return *solver;
+}
+
 void Stepper::prescribe(const std::vector<HeldNode>& held) {
     std::vector<char> prescribed = m_system.fixed;
     if (held.size() > mostLedByImpulses)
@@ -231,6 +260,7 @@ void Stepper::prescribe(const std::vector<HeldNode>& held) {
     if (prescribed == m_prescribed) return;
     m_prescribed = std::move(prescribed);
     m_solvers.clear();
+    m_branchSolvers.clear();
 }
 
 } // namespace esm

@@ -5,6 +5,7 @@
 #include "core/dynamics/matrix_scheme.h"
 #include "core/dynamics/propagation.h"
 #include "core/dynamics/stability.h"
+#include "core/dynamics/strained_springs.h"
 
 #include <map>
 #include <variant>
@@ -57,11 +58,17 @@ private:
     UntouchedStep untouchedStep(const Motion& motion, const Piece& piece);
     /// Without building on the step before.
     UntouchedStep firstOrderStep(const Motion& motion, const Piece& piece);
+    /// The same with a constant matrix that follows the branches of the springs' law.
+    UntouchedStep branchStep(const Motion& motion, const Piece& piece);
     /// Pushes the surface out of the sphere. Precondition: `untouched` did not build on the step before.
     Motion madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched);
     std::vector<char> immovable(const Piece& piece) const;
     bool touches(const Motion& motion, const Piece& piece, const Vectors& next) const;
     StepSolver& solverFor(int parts, bool builds);
+    /// Whether the matrix depends on what is strained.
+    bool hasBranches() const;
+    /// Each spring as stiff as on its branch; what is never strained far is as if its law were linear.
+    StepSolver& branchSolverFor(int parts);
     void prescribe(const std::vector<HeldNode>& held);
 
     SpringSystem m_system;
@@ -72,6 +79,9 @@ private:
 
     std::vector<char> m_prescribed; ///< fixed nodes, and led ones when they are many
     std::map<std::pair<int, bool>, std::unique_ptr<StepSolver>> m_solvers; ///< by parts and form
+
+    StrainedSprings m_strained;
+    std::map<int, std::unique_ptr<StepSolver>> m_branchSolvers; ///< by parts
 
     std::optional<Loads> m_lastLoads;
     std::variant<MatrixScheme, PropagationScheme, ExplicitScheme<double>, ExplicitScheme<float>> m_scheme;

@@ -33,7 +33,8 @@ enum class Integrator {
     /// x⁺ = (4x − x⁻ + 2h·v⁺)/3, one Newton step. Second order.
     Bdf2,
     /// As Implicit with the weighted graph Laplacian in place of K: a constant matrix, one iteration of
-    /// projective dynamics. First order.
+    /// projective dynamics. First order. A spring that is beyond its strain before or after the step counts
+    /// with the larger of its constants.
     Projective,
     /// (M + h·D)·v⁺ = M·v + h·(f(x) + g), x⁺ = x + h·v⁺: viscosity implicit, elasticity explicit.
     Split,

@@ -1,5 +1,6 @@
 #include "core/dynamics/simulation.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
 #include <gtest/gtest.h>
@@ -289,6 +290,32 @@ TEST(Contact, ASphereThatSwallowsTheOrganPushesItOut) {
     for (int i = 0; i < 20; ++i)
         ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
     EXPECT_LT(penetration(organ.surface, simulation.positions(), *loads.instrument), 1e-6);
+}
+
+constexpr double ballPoker = 0.01; ///< m, radius
+
+/// Where a sphere leaves a small ball that it was pushed into.
+Vectors poked(Integrator integrator, const std::optional<SpringStiffening>& law) {
+    const TriangleMesh mesh = tissue::sphereMesh(2, 0.05);
+    TissueModel model = tissue::fromMesh(mesh, {10, 0.02, 0.001});
+    model.stiffening = law;
+    Simulation simulation(model, withStep(integrator, 0.001), mesh.triangles);
+    for (int i = 0; i <= 40; ++i) {
+        Loads loads;
+        loads.instrument = Sphere{{0, 0, 0.062 - 0.0005 * i}, ballPoker};
+        EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
+    }
+    EXPECT_TRUE(simulation.wasTouched());
+    return simulation.positions();
+}
+
+TEST(Contact, ALawThatIsNotReachedChangesNothing) {
+    for (const Integrator integrator : allIntegrators) {
+        SCOPED_TRACE(integratorName(integrator));
+        const Vectors linear = poked(integrator, {}), biphasic = poked(integrator, SpringStiffening{5, 100});
+        for (std::size_t i = 0; i < linear.size(); ++i)
+            EXPECT_LT((biphasic[i] - linear[i]).norm(), 1e-3 * ballPoker);
+    }
 }
 
 } // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/dynamics/spring_system.h"
+
+namespace esm {
+
+/// The springs that a constant matrix takes as stiff as beyond the strain of their law; the others it takes
+/// as stiff as up to it. They change seldom, so that a factorised matrix stays of use.
+class StrainedSprings {
+public:
+    /// Whether there are springs that become stiffer at all.
+    explicit StrainedSprings(const SpringSystem& system);
+    bool canChange() const { return m_canChange; }
+
+    /// Takes in what is strained at these places, and lets others go where they have become the larger part.
+    /// Whether anything changed.
+    bool follow(const SpringSystem& system, const Vectors& positions);
+    /// Takes in what is strained at these places. Whether anything changed.
+    bool add(const SpringSystem& system, const Vectors& positions);
+    void addAll();
+
+    /// The same tissue with linear springs.
+    SpringSystem linearised(const SpringSystem& system) const;
+
+private:
+    bool m_canChange;
+    std::vector<char> m_isStrained; ///< per spring
+};
+
+} // namespace esm
