@@ -33,8 +33,10 @@ struct Budget {
 };
 
 /// Of a ball that is pushed for half of 0.2 s and left alone for the other half.
-Budget budgetOf(Integrator integrator, const tissue::Parameters& parameters, int steps) {
-    const TissueModel model = tissue::fromMesh(tissue::sphereMesh(1, 0.05), parameters);
+Budget budgetOf(Integrator integrator, const tissue::Parameters& parameters, int steps,
+                const std::optional<SpringStiffening>& law = {}) {
+    TissueModel model = tissue::fromMesh(tissue::sphereMesh(1, 0.05), parameters);
+    model.stiffening = law;
     const double timeStep = 0.2 / steps;
     Simulation simulation(model, withStep(integrator, timeStep));
     Budget budget;
@@ -68,6 +70,13 @@ TEST_P(EnergyBudget, IsBalanced) {
     EXPECT_GT(fine.energy.total(), 0.05 * fine.work);
     EXPECT_LT(fine.gap(), 0.02);
     EXPECT_LT(fine.gap(), 0.3 * coarse);
+}
+
+TEST_P(EnergyBudget, IsBalancedWhereSpringsBecomeStiffer) {
+    const int steps = GetParam() == Integrator::Projective ? 6400 : 1600;
+    const Budget fine = budgetOf(GetParam(), springy, steps, SpringStiffening{0.02, 5});
+    EXPECT_GT(fine.heat, 0.1 * fine.work);
+    EXPECT_LT(fine.gap(), 0.02);
 }
 
 TEST_P(EnergyBudget, MakesNoEnergyWithoutDamping) {

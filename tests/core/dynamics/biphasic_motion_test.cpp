@@ -1,0 +1,65 @@
+#include "tests/support/simulation_settings.h"
+#include "tests/support/tissue_models.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace esm;
+using tissue::Vectors;
+
+namespace {
+
+constexpr std::uint32_t lowest = 24;
+
+/// A net of 25 nodes that hangs by its upper edge and is pulled down at a corner.
+TissueModel hangingNet(const std::optional<SpringStiffening>& law) {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(5, 0.1), {20, 0.05, 0.001});
+    model.fixedNodes = {0, 1, 2, 3, 4};
+    model.stiffening = law;
+    return model;
+}
+
+Vectors pulled(Integrator integrator, double timeStep, const std::optional<SpringStiffening>& law) {
+    Simulation simulation(hangingNet(law), withStep(integrator, timeStep));
+    Loads loads;
+    loads.forces = {{lowest, {0.1, 0.4, 0.1}}};
+    for (int i = 0; i < std::lround(0.1 / timeStep); ++i)
+        EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
+    return simulation.positions();
+}
+
+/// Of two motions, relative to how far the first went.
+double difference(const Vectors& reference, const Vectors& other) {
+    const Vectors rest = hangingNet({}).network->restPositions;
+    double apart = 0, way = 0;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        apart += (other[i] - reference[i]).squaredNorm();
+        way += (reference[i] - rest[i]).squaredNorm();
+    }
+    return std::sqrt(apart / way);
+}
+
+class BiphasicMotion : public testing::TestWithParam<Integrator> {};
+INSTANTIATE_TEST_SUITE_P(Dynamics, BiphasicMotion, testing::ValuesIn(allIntegrators), [](const auto& tested) {
+    std::string name = integratorName(tested.param);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+TEST_P(BiphasicMotion, FollowsAFineReference) {
+    const SpringStiffening law{0.2, 5};
+    const Vectors reference = pulled(Integrator::Rk4, 1e-4, law);
+    ASSERT_GT(difference(reference, pulled(Integrator::Rk4, 1e-4, {})), 0.1) << "the law is not reached";
+    const double coarse = difference(reference, pulled(GetParam(), 4e-4, law));
+    const double fine = difference(reference, pulled(GetParam(), 1e-4, law));
+    EXPECT_LT(fine, GetParam() == Integrator::Projective ? 0.03 : 0.003);
+    EXPECT_LT(fine, 0.3 * coarse);
+}
+
+TEST_P(BiphasicMotion, KnowsNothingOfALawBeyondItsReach) {
+    const Vectors linear = pulled(GetParam(), 1e-3, {});
+    EXPECT_LT(difference(linear, pulled(GetParam(), 1e-3, SpringStiffening{5, 100})), 1e-6);
+}
+
+} // namespace
