@@ -136,7 +136,7 @@ StabilityRules::StabilityRules(const SpringSystem& system, Damping damping, Stab
     m_damping = matrix({0, 1, 0});
     m_stiffness = matrix({0, 0, 1});
     analyse();
-    m_largestStiffness = largestOf(0, 1, m_memory.stiffest);
+    m_largestStiffness = largestOf(m_stiffness, m_memory.stiffest);
     // Moved across their axes, springs that damp along them alone have no damping.
     m_ratio = isAtRest || damping == Damping::Isotropic ? leastDampingRatio(system) : 0;
 }
@@ -258,7 +258,13 @@ double StabilityRules::largestStep(Integrator integrator, double guess, double c
     std::optional<double> found;
     if (former != m_memory.overGuess.end())
         found = nearbyStep({guess, cap}, former->second * guess, m_search.tolerance, holds);
-    if (!found) found = largestHolding(guess, cap, m_search.tolerance, holds);
+    if (!found) {
+        double sure = guess;
+        // Where another motion has overtaken the stiffest one of the search before, the guess is too long.
+        while (m_search.memory && std::isfinite(sure) && !holds(std::min(sure, cap)))
+            sure = std::min(sure, cap) / 2;
+        found = largestHolding(sure, cap, m_search.tolerance, holds);
+    }
     if (*found < cap) m_memory.overGuess[integrator] = *found / guess;
     return *found;
 }
@@ -270,15 +276,9 @@ void StabilityRules::analyse() {
     m_memory.pattern.swap(sum);
 }
 
-double StabilityRules::largestOf(double dampingFactor, double stiffnessFactor, Eigen::VectorXd& eigenvector) {
-    const Matrix normalised =
-        massNormalised(dampingFactor * m_damping + stiffnessFactor * m_stiffness, m_mass);
-    if (!m_search.memory) return largestEigenvalue(normalised);
-    const bool isWarm = eigenvector.size() == normalised.rows();
-    const double found = largestEigenvalueNear(eigenvector, normalised);
-    if (!isWarm || found == 0 || isDefinite(found, -dampingFactor, -stiffnessFactor)) return found;
-    eigenvector.resize(0);
-    return largestEigenvalueNear(eigenvector, normalised);
+double StabilityRules::largestOf(const Matrix& matrix, Eigen::VectorXd& eigenvector) const {
+    const Matrix normalised = massNormalised(matrix, m_mass);
+    return m_search.memory ? largestEigenvalueNear(eigenvector, normalised) : largestEigenvalue(normalised);
 }
 
 bool StabilityRules::isDefinite(double massFactor, double dampingFactor, double stiffnessFactor) {
@@ -290,7 +290,7 @@ bool StabilityRules::isDefinite(double massFactor, double dampingFactor, double 
 }
 
 double StabilityRules::largestDamping() {
-    if (!m_largestDamping) m_largestDamping = largestOf(1, 0, m_memory.mostDamped);
+    if (!m_largestDamping) m_largestDamping = largestOf(m_damping, m_memory.mostDamped);
     return *m_largestDamping;
 }
 

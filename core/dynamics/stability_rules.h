@@ -41,9 +41,8 @@ private:
     double largestStep(Integrator integrator, double guess, double cap,
                        const std::function<bool(double)>& holds);
     void analyse();
-    /// An upper estimate of λmax of dampingFactor·D + stiffnessFactor·K, mass-normalised; where it starts
-    /// from a former eigenvector it is checked, as another may have overtaken.
-    double largestOf(double dampingFactor, double stiffnessFactor, Eigen::VectorXd& eigenvector);
+    /// An upper estimate of λmax, mass-normalised.
+    double largestOf(const Matrix& matrix, Eigen::VectorXd& eigenvector) const;
 
     /// Whether massFactor·M + dampingFactor·D + stiffnessFactor·K is positive definite.
     bool isDefinite(double massFactor, double dampingFactor, double stiffnessFactor);

@@ -317,15 +317,13 @@ TEST(StabilityMemory, OfAnEigenvectorThatWasOvertakenIsNotTrusted) {
     }
     Eigen::VectorXd overtaken = Eigen::VectorXd::Zero(200);
     overtaken.head<2>() << 1e9, -1e9;
-    for (const Integrator integrator : allIntegrators) {
+    for (const Integrator integrator : {Integrator::Euler, Integrator::Verlet, Integrator::Split}) {
         StabilityMemory memory;
         memory.stiffest = memory.mostDamped = overtaken;
         const auto cold = criticalStep(model, integrator),
                    warm = criticalStep(model, integrator, {1e-3, Deformation::Any, {}, &memory});
         ASSERT_TRUE(warm && cold) << integratorName(integrator);
-        if (std::isfinite(*cold)) {
-            EXPECT_LT(*warm, 1.002 * *cold) << integratorName(integrator);
-        }
+        EXPECT_LT(*warm, 1.002 * *cold) << integratorName(integrator);
     }
 }
 
