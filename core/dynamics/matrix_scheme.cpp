@@ -10,6 +10,7 @@ namespace esm {
 namespace {
 
 constexpr double roundingShare = 1e-9; ///< of potentials; differences below it say nothing
+constexpr int mostHalvings = 4;
 
 } // namespace
 
@@ -79,8 +80,9 @@ void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolve
     solver.matrix.solveUpper(step.half, velocities);
 }
 
-// A long Newton step may overshoot, as where tissue lies in a plane and resists no force across it. The step
-// of the constant matrix never does.
+// A long Newton step may overshoot, as where tissue lies in a plane and resists no force across it, or where
+// springs become stiffer on the way. The step of the constant matrix never does, but it is a small one: a
+// part of the way from there to where the long step led is often better.
 bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver& solver,
                                 UntouchedStep& step) const {
     TangentMatrix tangent(start.system, m_damping, form.factors, start.before.positions);
@@ -98,9 +100,18 @@ bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver
         solver.matrix.solveUpper(std::move(half), safe);
     }
     solveImplicit(tangent, solver.matrix, start.input.held, asked, velocities);
-    const double reached = potential(start, form, velocities), known = potential(start, form, safe);
-    if (reached - known <= roundingShare * (std::abs(reached) + std::abs(known))) return true;
+    const double known = potential(start, form, safe);
+    const auto overshoots = [&] {
+        const double reached = potential(start, form, velocities);
+        return reached - known > roundingShare * (std::abs(reached) + std::abs(known));
+    };
+    if (!overshoots()) return true;
     if (!form.drift.empty()) return false;
+    for (int halving = 0; halving < mostHalvings; ++halving) {
+        for (std::size_t i = 0; i < velocities.size(); ++i)
+            velocities[i] = 0.5 * (velocities[i] + safe[i]);
+        if (!overshoots()) return true;
+    }
     velocities = std::move(safe);
     return true;
 }

@@ -62,4 +62,29 @@ TEST_P(BiphasicMotion, KnowsNothingOfALawBeyondItsReach) {
     EXPECT_LT(difference(linear, pulled(GetParam(), 1e-3, SpringStiffening{5, 100})), 1e-6);
 }
 
+Vectors pulledTube(Integrator integrator, double timeStep) {
+    TissueModel tube = tissue::fallopianTube();
+    tube.stiffening = SpringStiffening{0.2, 1000};
+    Simulation simulation(tube, withStep(integrator, timeStep));
+    Loads pull;
+    pull.forces = {{85, {0, 0, 10}}};
+    for (int i = 0; i < std::lround(0.3 / timeStep); ++i)
+        EXPECT_TRUE(simulation.step(pull)) << simulation.failure();
+    return simulation.positions();
+}
+
+// A whole Newton step passes the strain, where springs become a thousand times as stiff.
+TEST(BiphasicTube, IsNotHeldBackByStepsThatOvershoot) {
+    const Vectors reference = pulledTube(Integrator::Bdf2, 1e-3);
+    const Vectors rest = tissue::fallopianTube().network->restPositions;
+    double way = 0;
+    for (std::size_t i = 0; i < reference.size(); ++i)
+        way = std::max(way, (reference[i] - rest[i]).norm());
+    for (const Integrator integrator : {Integrator::Implicit, Integrator::Bdf2}) {
+        const Vectors coarse = pulledTube(integrator, 5e-3);
+        for (std::size_t i = 0; i < reference.size(); ++i)
+            EXPECT_LT((coarse[i] - reference[i]).norm(), 0.05 * way);
+    }
+}
+
 } // namespace
