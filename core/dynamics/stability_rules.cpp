@@ -257,7 +257,7 @@ double StabilityRules::largestStep(Integrator integrator, double guess, double c
     const auto former = m_memory.overGuess.find(integrator);
     std::optional<double> found;
     if (former != m_memory.overGuess.end())
-        found = nearbyStep({guess, cap}, former->second * guess, m_search.tolerance, holds);
+        found = nearbyStep({guess / 2, cap}, former->second * guess, m_search.tolerance, holds);
     if (!found) {
         double sure = guess;
         // Where another motion has overtaken the stiffest one of the search before, the guess is too long.
