@@ -46,7 +46,8 @@ TEST_F(PanelsTest, SizeAndCentreShowTheirUnit) {
     for (const char* name : {"modelSize", "modelCentre"}) {
         const auto* label = child<QLabel>(name);
         EXPECT_TRUE(label->text().endsWith(" mm"));
-        EXPECT_LE(label->fontMetrics().horizontalAdvance(label->text()), label->contentsRect().width()) << name;
+        EXPECT_LE(label->fontMetrics().horizontalAdvance(label->text()), label->contentsRect().width())
+            << name;
     }
 }
 
