@@ -10,7 +10,7 @@ namespace esm {
 namespace {
 
 constexpr double roundingShare = 1e-9; ///< of potentials; differences below it say nothing
-constexpr int mostPartsOfAStep = 4;
+constexpr int mostHalfWays = 4;
 
 } // namespace
 
@@ -107,7 +107,7 @@ bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver
     };
     if (!overshoots()) return true;
     if (!form.drift.empty()) return false;
-    for (int halving = 0; halving < mostPartsOfAStep; ++halving) {
+    for (int halving = 0; halving < mostHalfWays; ++halving) {
         for (std::size_t i = 0; i < velocities.size(); ++i)
             velocities[i] = 0.5 * (velocities[i] + safe[i]);
         if (!overshoots()) return true;

@@ -1,3 +1,4 @@
+#include "core/dynamics/contact.h"
 #include "core/dynamics/simulation.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
@@ -316,6 +317,20 @@ TEST(Contact, ALawThatIsNotReachedChangesNothing) {
         for (std::size_t i = 0; i < linear.size(); ++i)
             EXPECT_LT((biphasic[i] - linear[i]).norm(), 1e-3 * ballPoker);
     }
+}
+
+TEST(Contact, AStepIsCutIntoPartsForABodyThatComesFastFromFarOff) {
+    const TriangleMesh ball = tissue::sphereMesh(1, 0.01);
+    TouchedSurface surface(ball.triangles);
+    const Vectors line{{0, 0, 0}, {0, 0, 0.01}};
+    surface.body = TouchedSurface::Body{ball.vertices, {0, 1}, line[0], line[1]};
+    const SphereMove farOff{{0.2, 0, 0}, {0.2, 0, 0}, 0.01};
+    const auto parts = [&](double speed) {
+        return contactParts(surface, line, {{speed, 0, 0}, {speed, 0, 0}}, farOff, 0.1);
+    };
+    EXPECT_EQ(parts(0), 1);
+    EXPECT_EQ(parts(0.5), 1) << "it does not come that far";
+    EXPECT_GE(parts(3), 0.3 / 0.005) << "half a radius each";
 }
 
 } // namespace

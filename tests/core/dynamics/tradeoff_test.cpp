@@ -147,6 +147,11 @@ TEST(Tradeoff, MeasuresFewerNodesAgainstAll) {
     EXPECT_LT(leastOnFewer, 0.5);
 }
 
+TEST(CoarserRuns, CanBeCancelled) {
+    const Project project = makeProject("ball", {tissue::sphereMesh(3, 0.1), {}});
+    EXPECT_THROW(coarserRuns(project, project.scene, [](double) { return false; }), Cancelled);
+}
+
 TEST(CoarserRuns, AreNoneOfWhatMovesRigidlyOrShowsNoVertex) {
     Project project = makeProject("ball", {tissue::sphereMesh(3, 0.1), {}});
     EXPECT_EQ(coarserRuns(project, project.scene).size(), 1U);
