@@ -40,13 +40,18 @@ NumberFormat massFormat() {
     return format;
 }
 
-NumberFormat shareFormat() {
+NumberFormat percentFormat(double minimum, double maximum) {
     NumberFormat format;
     format.unit = QStringLiteral("%");
     format.shownPerValue = 100;
+    format.minimum = minimum;
+    format.maximum = maximum;
+    return format;
+}
+
+NumberFormat shareFormat() {
+    NumberFormat format = percentFormat(0, 1);
     format.decimals = 0;
-    format.minimum = 0;
-    format.maximum = 1;
     format.step = 0.05;
     return format;
 }

@@ -7,6 +7,7 @@
 #include "core/dynamics/coarser_runs.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quantity_formats.h"
 
 #include <QScrollArea>
 #include <QTimer>
@@ -35,15 +36,6 @@ private:
 };
 
 /// A part of the motion, in percent.
-NumberFormat errorFormat() {
-    NumberFormat format;
-    format.unit = QStringLiteral("%");
-    format.shownPerValue = 100;
-    format.minimum = 1e-9;
-    format.maximum = 1;
-    return format;
-}
-
 QString figuresText(double realTimeFactor, double error) {
     return QObject::tr("%1× real time, %2 % error")
         .arg(numberText(realTimeFactor, 2), numberText(100 * error, 2));
@@ -110,7 +102,7 @@ QWidget* AccuracyPanel::buildMeasured() {
     auto* measured = new QWidget(this);
     m_chart = new AccuracyChart(measured);
     m_chart->setObjectName(QStringLiteral("accuracyChart"));
-    m_mostError = new NumberField(errorFormat(), measured);
+    m_mostError = new NumberField(percentFormat(1e-9, 1), measured);
     m_mostError->setObjectName(QStringLiteral("mostError"));
     m_mostError->setToolTip(tr("How far the motion may be off, as a part of the motion itself"));
     m_mostError->setValue(TradeoffWishes().mostError);

@@ -1,5 +1,7 @@
 #include "app/editor/panels/stiffening_row.h"
 
+#include "widgets/inputs/quantity_formats.h"
+
 namespace esm {
 
 namespace {
@@ -8,11 +10,7 @@ namespace {
 constexpr SpringStiffening proposedStiffening{0.2, 5};
 
 NumberFormat strainFormat() {
-    NumberFormat format;
-    format.unit = QStringLiteral("%");
-    format.shownPerValue = 100;
-    format.minimum = 0.001;
-    format.maximum = 10;
+    NumberFormat format = percentFormat(0.001, 10);
     format.step = 0.01;
     return format;
 }

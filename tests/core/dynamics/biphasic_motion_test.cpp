@@ -1,9 +1,9 @@
+#include "tests/support/every_integrator.h"
+#include "tests/support/motion_difference.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 using namespace esm;
 using tissue::Vectors;
@@ -29,23 +29,13 @@ Vectors pulled(Integrator integrator, double timeStep, const std::optional<Sprin
     return simulation.positions();
 }
 
-/// Of two motions, relative to how far the first went.
+/// Relative to how far the reference went.
 double difference(const Vectors& reference, const Vectors& other, const TissueModel& model = hangingNet({})) {
-    const Vectors& rest = model.network->restPositions;
-    double apart = 0, way = 0;
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-        apart += (other[i] - reference[i]).squaredNorm();
-        way += (reference[i] - rest[i]).squaredNorm();
-    }
-    return std::sqrt(apart / way);
+    return motionDifference(other, reference, model.network->restPositions);
 }
 
 class BiphasicMotion : public testing::TestWithParam<Integrator> {};
-INSTANTIATE_TEST_SUITE_P(Dynamics, BiphasicMotion, testing::ValuesIn(allIntegrators), [](const auto& tested) {
-    std::string name = integratorName(tested.param);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Dynamics, BiphasicMotion, testing::ValuesIn(allIntegrators), nameOfIntegratorTest);
 
 TEST_P(BiphasicMotion, FollowsAFineReference) {
     const SpringStiffening law{0.2, 5};

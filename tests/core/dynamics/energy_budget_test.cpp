@@ -1,10 +1,9 @@
 #include "core/dynamics/simulation.h"
+#include "tests/support/every_integrator.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 using namespace esm;
 using tissue::Vectors;
@@ -54,11 +53,7 @@ Budget budgetOf(Integrator integrator, const tissue::Parameters& parameters, int
 }
 
 class EnergyBudget : public testing::TestWithParam<Integrator> {};
-INSTANTIATE_TEST_SUITE_P(Dynamics, EnergyBudget, testing::ValuesIn(allIntegrators), [](const auto& tested) {
-    std::string name = integratorName(tested.param);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Dynamics, EnergyBudget, testing::ValuesIn(allIntegrators), nameOfIntegratorTest);
 
 // What a force does ends as motion, as stretched springs or as heat: the more exactly, the shorter the steps.
 TEST_P(EnergyBudget, IsBalanced) {

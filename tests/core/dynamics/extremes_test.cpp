@@ -1,6 +1,7 @@
 #include "core/dynamics/extremes.h"
 #include "core/dynamics/simulation.h"
 #include "core/support/errors.h"
+#include "tests/support/every_integrator.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/tissue_models.h"
 
@@ -68,12 +69,7 @@ std::vector<Integrator> integratorsAndAuto() {
 }
 
 class ExtremesOf : public testing::TestWithParam<Integrator> {};
-INSTANTIATE_TEST_SUITE_P(Dynamics, ExtremesOf, testing::ValuesIn(integratorsAndAuto()),
-                         [](const auto& tested) {
-                             std::string name = integratorName(tested.param);
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Dynamics, ExtremesOf, testing::ValuesIn(integratorsAndAuto()), nameOfIntegratorTest);
 
 // `esmc extremes` runs all of them, for longer.
 TEST_P(ExtremesOf, RunOrEndWithAReason) {

@@ -1,4 +1,6 @@
 #include "core/dynamics/simulation.h"
+#include "tests/support/every_integrator.h"
+#include "tests/support/motion_difference.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
@@ -12,22 +14,8 @@ using tissue::Vectors;
 
 namespace {
 
-double error(const Simulation& simulation, const Vectors& reference, const Vectors& rest) {
-    double difference = 0, motion = 0;
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-        difference += (simulation.positions()[i] - reference[i]).squaredNorm();
-        motion += (reference[i] - rest[i]).squaredNorm();
-    }
-    return std::sqrt(difference / motion);
-}
-
 class EveryIntegrator : public testing::TestWithParam<Integrator> {};
-INSTANTIATE_TEST_SUITE_P(Dynamics, EveryIntegrator, testing::ValuesIn(allIntegrators),
-                         [](const auto& tested) {
-                             std::string name = integratorName(tested.param);
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Dynamics, EveryIntegrator, testing::ValuesIn(allIntegrators), nameOfIntegratorTest);
 
 /// Displacement at time t of a mass on a spring to a fixed point after a constant force begins to act.
 double analytic(double mass, double stiffness, double damping, double force, double t) {
@@ -371,7 +359,8 @@ TEST(FallopianTube, SplitStepsFollowTinySteps) {
     };
     const Simulation reference = after(Integrator::Split2, 2e-4);
     const auto errorOf = [&](Integrator integrator, double step) {
-        return error(after(integrator, step), reference.positions(), tube.network->restPositions);
+        return motionDifference(after(integrator, step).positions(), reference.positions(),
+                                tube.network->restPositions);
     };
     EXPECT_LT(errorOf(Integrator::Split2, 0.05), 3e-3);
     EXPECT_LT(errorOf(Integrator::Split2, 0.01), 1.2e-4);

@@ -1,5 +1,6 @@
 #include "core/dynamics/scene_run.h"
 #include "core/samples/samples.h"
+#include "tests/support/motion_difference.h"
 
 #include <gtest/gtest.h>
 
@@ -23,16 +24,6 @@ SimulationSettings stepping(Integrator integrator, double timeStep) {
     settings.integrator = integrator;
     settings.timeStep = timeStep;
     return settings;
-}
-
-/// Relative to the motion from rest.
-double difference(const Vectors& positions, const Vectors& reference, const Vectors& rest) {
-    double away = 0, moved = 0;
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-        away += (positions[i] - reference[i]).squaredNorm();
-        moved += (reference[i] - rest[i]).squaredNorm();
-    }
-    return std::sqrt(away / moved);
 }
 
 /// The method's equations as they are written, with steps far below what they need: shares nothing with what
@@ -72,7 +63,8 @@ TEST(PublishedUterus, MovesAsItsEquationsSay) {
         scene.duration = duration;
         const Vectors witness = writtenOut(model, scene);
         const auto errorOf = [&](const SimulationSettings& settings) {
-            return difference(afterwards(model, scene, settings), witness, model.network->restPositions);
+            return motionDifference(afterwards(model, scene, settings), witness,
+                                    model.network->restPositions);
         };
         EXPECT_LT(errorOf({}), 0.01) << duration << " s, chosen by the program";
         EXPECT_LT(errorOf(stepping(Integrator::Rk4, 1e-3)), 1e-3) << duration << " s";
@@ -108,7 +100,7 @@ TEST(PublishedVentricle, MovesAlikeByUnlikeMethods) {
     scene.forces = {{100, {0.3, 0.1, 0}, 0, 0.2}, {700, {0, -0.2, 0.2}, 0.1, 0.3}};
     const Vectors fine = afterwards(model, scene, stepping(Integrator::Bdf2, 2e-3));
     const auto errorOf = [&](const SimulationSettings& settings) {
-        return difference(afterwards(model, scene, settings), fine, model.network->restPositions);
+        return motionDifference(afterwards(model, scene, settings), fine, model.network->restPositions);
     };
     EXPECT_LT(errorOf(stepping(Integrator::Split2, 2e-3)), 2e-3);
     EXPECT_LT(errorOf({}), 0.01);
