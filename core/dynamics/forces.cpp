@@ -9,7 +9,7 @@ void elasticForces(const SpringSystem& system, const Vectors& positions, Vectors
         const double length = between.norm();
         if (!(length > 0)) continue;
         const Eigen::Vector3d force =
-            between * tensionPerLength(spring.springConstant, spring.stiffening, spring.restLength / length);
+            between * tensionPerLength(spring.springConstant, spring.secondPhase, spring.restLength / length);
         forces[spring.first] -= force;
         forces[spring.second] += force;
     }
@@ -41,7 +41,7 @@ Energy energy(const SpringSystem& system, const Vectors& positions, const Vector
         result.kinetic += 0.5 * system.mass[i] * velocities[i].squaredNorm();
     for (const auto& spring : system.springs) {
         const double length = (positions[spring.first] - positions[spring.second]).norm();
-        result.elastic += elasticEnergy(spring.springConstant, spring.stiffening, spring.restLength, length);
+        result.elastic += elasticEnergy(spring.springConstant, spring.secondPhase, spring.restLength, length);
     }
     const Vectors& rest = system.network->restPositions;
     for (const Tether& tether : system.tethers)

@@ -96,8 +96,8 @@ TangentMatrix::TangentMatrix(const SpringSystem& system, Damping damping, const 
         const double restRatio = spring.restLength / length;
         if (length > 0)
             m_tangents.push_back({between / length,
-                                  slope(spring.springConstant, spring.stiffening, restRatio),
-                                  tensionPerLength(spring.springConstant, spring.stiffening, restRatio)});
+                                  slope(spring.springConstant, spring.secondPhase, restRatio),
+                                  tensionPerLength(spring.springConstant, spring.secondPhase, restRatio)});
         else
             m_tangents.push_back({Vector3d::Zero(), 0, 0});
     }

@@ -21,7 +21,7 @@ Vector3d springForce(const SpringSystem::Element& spring, Damping damping, const
     if (!(length > 0))
         return damping == Damping::Axial ? Vector3d::Zero() : Vector3d(-spring.viscosity * approach);
     const Vector3d elastic =
-        -between * tensionPerLength(spring.springConstant, spring.stiffening, spring.restLength / length);
+        -between * tensionPerLength(spring.springConstant, spring.secondPhase, spring.restLength / length);
     if (damping == Damping::Isotropic) return elastic - spring.viscosity * approach;
     const Vector3d direction = between / length;
     return elastic - spring.viscosity * direction.dot(approach) * direction;

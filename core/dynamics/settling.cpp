@@ -11,14 +11,16 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// A way that a node is held by: through a spring, from a neighbour that is held itself, or by a tether.
+/// How a node is held: through a spring, from a neighbour that is held itself, or by a tether (then from
+/// itself).
 struct Hold {
-    std::uint32_t node;
-    Settling settling;
+    std::uint32_t node, from;
+    double waveTime;       ///< s
+    double springConstant; ///< N/m
 };
 
 struct IsSlower {
-    bool operator()(const Hold& a, const Hold& b) const { return a.settling.waveTime > b.settling.waveTime; }
+    bool operator()(const Hold& a, const Hold& b) const { return a.waveTime > b.waveTime; }
 };
 
 /// The springs at each node.
@@ -48,11 +50,17 @@ private:
 
 /// N·s/m, sums at each node. Moved across flat tissue, a node meets the viscosity of all its springs,
 /// whatever brings it back.
-std::vector<double> viscositiesAtNodes(const SpringSystem& system) {
+std::vector<double> springViscosities(const SpringSystem& system) {
     std::vector<double> sums(system.mass.size(), 0);
     for (const auto& spring : system.springs)
         for (const std::uint32_t node : {spring.first, spring.second})
             sums[node] += spring.viscosity;
+    return sums;
+}
+
+/// N·s/m, what each node meets of its surroundings, however the tissue around it moves.
+std::vector<double> tetherViscosities(const SpringSystem& system) {
+    std::vector<double> sums(system.mass.size(), 0);
     for (const Tether& tether : system.tethers)
         sums[tether.node] += tether.viscosity;
     return sums;
@@ -60,40 +68,62 @@ std::vector<double> viscositiesAtNodes(const SpringSystem& system) {
 
 /// N/m, where the spring is softest and settles the slowest.
 double leastSpringConstant(const SpringSystem::Element& spring) {
-    return spring.stiffening.isLinear() ? spring.springConstant
-                                        : std::min(spring.springConstant, spring.stiffening.springConstant);
+    return spring.secondPhase.isLinear() ? spring.springConstant
+                                         : std::min(spring.springConstant, spring.secondPhase.springConstant);
+}
+
+// Each node's fastest hold, in the order of the time that a wave takes to it: Dijkstra's way from all of them
+// at once, a spring as long as a wave takes to pass it.
+std::vector<Hold> fastestHolds(const SpringSystem& system) {
+    std::vector<double> waveTimes(system.mass.size(), never);
+    std::vector<Hold> holds;
+    std::priority_queue<Hold, std::vector<Hold>, IsSlower> waiting;
+    const auto offer = [&](const Hold& hold) {
+        if (!(hold.waveTime < waveTimes[hold.node])) return;
+        waveTimes[hold.node] = hold.waveTime;
+        waiting.push(hold);
+    };
+    const auto hang = [&](std::uint32_t node, std::uint32_t from, double since, double springConstant) {
+        offer({node, from, since + std::sqrt(system.mass[node] / springConstant), springConstant});
+    };
+    for (std::uint32_t node = 0; node < waveTimes.size(); ++node)
+        if (system.fixed[node]) offer({node, node, 0, never});
+    for (const Tether& tether : system.tethers)
+        hang(tether.node, tether.node, 0, tether.springConstant);
+
+    const SpringsAtNodes springs(system);
+    while (!waiting.empty()) {
+        const Hold hold = waiting.top();
+        waiting.pop();
+        if (hold.waveTime > waveTimes[hold.node]) continue;
+        holds.push_back(hold);
+        springs.visit(hold.node, [&, from = hold.node](std::uint32_t index) {
+            const auto& spring = system.springs[index];
+            hang(spring.first == from ? spring.second : spring.first, from, hold.waveTime,
+                 leastSpringConstant(spring));
+        });
+    }
+    return holds;
 }
 
 } // namespace
 
-// Dijkstra's way from all holds at once, a spring as long as a wave takes to pass it.
+// What dampers between nodes slow down settles with each spring by itself. What drags at the surroundings
+// adds up: each spring of the way has to bring back all that hangs on it, as a line of resistors charges its
+// capacitors (Elmore's bound).
 std::vector<Settling> settlingOf(const SpringSystem& system) {
     std::vector<Settling> nodes(system.mass.size(), {never, never});
-    const std::vector<double> viscosity = viscositiesAtNodes(system);
-    std::priority_queue<Hold, std::vector<Hold>, IsSlower> waiting;
-    const auto settle = [&](std::uint32_t node, const Settling& settling) {
-        if (!(settling.waveTime < nodes[node].waveTime)) return;
-        nodes[node] = settling;
-        waiting.push({node, settling});
-    };
-    const auto hang = [&](std::uint32_t node, const Settling& hold, double springConstant) {
-        settle(node, {hold.waveTime + std::sqrt(system.mass[node] / springConstant),
-                      std::max(hold.driftTime, viscosity[node] / springConstant)});
-    };
-    for (std::uint32_t node = 0; node < nodes.size(); ++node)
-        if (system.fixed[node]) settle(node, {0, 0});
-    for (const Tether& tether : system.tethers)
-        hang(tether.node, {0, 0}, tether.springConstant);
+    const std::vector<Hold> holds = fastestHolds(system);
+    std::vector<double> hanging = tetherViscosities(system);
+    for (auto hold = holds.rbegin(); hold != holds.rend(); ++hold)
+        if (hold->from != hold->node) hanging[hold->from] += hanging[hold->node];
 
-    const SpringsAtNodes springs(system);
-    while (!waiting.empty()) {
-        const auto [node, settling] = waiting.top();
-        waiting.pop();
-        if (settling.waveTime > nodes[node].waveTime) continue;
-        springs.visit(node, [&, &from = node, &reached = settling](std::uint32_t index) {
-            const auto& spring = system.springs[index];
-            hang(spring.first == from ? spring.second : spring.first, reached, leastSpringConstant(spring));
-        });
+    const std::vector<double> viscosity = springViscosities(system);
+    std::vector<double> slowest(nodes.size(), 0), dragged(nodes.size(), 0); // s
+    for (const auto& [node, from, waveTime, springConstant] : holds) {
+        slowest[node] = std::max(slowest[from], viscosity[node] / springConstant);
+        dragged[node] = dragged[from] + hanging[node] / springConstant;
+        nodes[node] = {waveTime, slowest[node] + dragged[node]};
     }
     return nodes;
 }

@@ -6,7 +6,7 @@ namespace esm {
 
 namespace {
 
-Stiffening stiffeningOf(const std::optional<SpringStiffening>& law, double springConstant) {
+SecondPhase secondPhaseOf(const std::optional<SpringStiffening>& law, double springConstant) {
     if (!law) return {};
     return {law->strain, law->factor * springConstant};
 }
@@ -23,7 +23,7 @@ SpringSystem makeSpringSystem(const TissueModel& model) {
     for (const Spring& spring : model.network->springs) {
         const double constant = springConstant(model, spring);
         system.springs.push_back({spring.first, spring.second, spring.restLength, constant,
-                                  viscosity(model, spring), stiffeningOf(model.stiffening, constant)});
+                                  viscosity(model, spring), secondPhaseOf(model.stiffening, constant)});
     }
     system.fixed.assign(model.mass.size(), 0);
     for (std::uint32_t node : model.fixedNodes)

@@ -17,7 +17,7 @@ struct SpringSystem {
         double restLength;     ///< m
         double springConstant; ///< N/m
         double viscosity;      ///< N·s/m
-        Stiffening stiffening{};
+        SecondPhase secondPhase{};
     };
 
     std::shared_ptr<const SpringNetwork> network;
@@ -29,7 +29,7 @@ struct SpringSystem {
 
 /// N/m, where the spring is stiffest; tethers are linear.
 inline double largestSpringConstant(const SpringSystem::Element& spring) {
-    return largestSpringConstant(spring.springConstant, spring.stiffening);
+    return largestSpringConstant(spring.springConstant, spring.secondPhase);
 }
 inline double largestSpringConstant(const Tether& tether) {
     return tether.springConstant;

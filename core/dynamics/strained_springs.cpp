@@ -15,7 +15,8 @@ std::vector<char> strainedAt(const SpringSystem& system, const Vectors& position
     strained.reserve(system.springs.size());
     for (const auto& spring : system.springs) {
         const double length = (positions[spring.first] - positions[spring.second]).norm();
-        strained.push_back(isBeyond(spring.stiffening, spring.restLength / length) && becomesStiffer(spring));
+        strained.push_back(isBeyond(spring.secondPhase, spring.restLength / length) &&
+                           becomesStiffer(spring));
     }
     return strained;
 }
@@ -52,7 +53,7 @@ SpringSystem StrainedSprings::linearised(const SpringSystem& system) const {
     for (std::size_t i = 0; i < linear.springs.size(); ++i) {
         auto& spring = linear.springs[i];
         if (m_isStrained[i]) spring.springConstant = largestSpringConstant(spring);
-        spring.stiffening = {};
+        spring.secondPhase = {};
     }
     return linear;
 }

@@ -58,12 +58,12 @@ template<class Real> void TissueKernel<Real>::setParameters(const SpringSystem& 
 
 template<class Real> void TissueKernel<Real>::setSprings(const SpringSystem& system) {
     m_isBiphasic = std::any_of(system.springs.begin(), system.springs.end(),
-                               [](const auto& spring) { return !spring.stiffening.isLinear(); });
+                               [](const auto& spring) { return !spring.secondPhase.isLinear(); });
     const std::size_t laneCount = m_isBiphasic ? kernel::biphasicLanes : kernel::linearLanes;
     m_springs.assign(m_layout.neighbours.size() * laneCount, kernel::Lane<Real>{});
     for (std::size_t i = 0; i < system.springs.size(); ++i) {
         const auto& spring = system.springs[i];
-        const auto& [strain, stiffConstant] = spring.stiffening;
+        const auto& [strain, stiffConstant] = spring.secondPhase;
         for (const std::size_t entry : {m_layout.entries[i].first, m_layout.entries[i].second}) {
             kernel::Lane<Real>* const lanes = &m_springs[entry / sliceHeight * laneCount];
             const auto set = [&](std::size_t lane, double value) {
@@ -72,7 +72,7 @@ template<class Real> void TissueKernel<Real>::setSprings(const SpringSystem& sys
             set(kernel::lane::restLength, spring.restLength);
             set(kernel::lane::springConstant, spring.springConstant);
             set(kernel::lane::viscosity, spring.viscosity);
-            if (spring.stiffening.isLinear()) continue;
+            if (spring.secondPhase.isLinear()) continue;
             set(kernel::lane::stretchLimit, 1 + strain);
             set(kernel::lane::stiffening, stiffConstant - spring.springConstant);
         }

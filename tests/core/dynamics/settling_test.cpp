@@ -40,6 +40,19 @@ TEST(Settling, TakesTheTimeOfTheSofterBranch) {
     }
 }
 
+// The slowest motion of n nodes in a row, each with its drag d, takes (2n/π)²·d/c.
+TEST(Settling, TakesTheTimeOfAllThatIsDraggedOnTheWay) {
+    constexpr std::size_t dragged = 100;
+    TissueModel model = row(dragged + 1);
+    model.fixedNodes = {0};
+    for (std::uint32_t node = 1; node <= dragged; ++node)
+        model.tethers.push_back({node, 0, 2});
+    const double slowest = std::pow(2 * dragged / 3.14159265358979, 2) * 2 / 4;
+    const double found = settlingOf(makeSpringSystem(model)).back().driftTime;
+    EXPECT_GT(found, slowest);
+    EXPECT_LT(found, 1.3 * slowest);
+}
+
 TEST(Settling, TakesForEverWhereNothingHolds) {
     TissueModel model = row(3);
     model.tethers = {{1, 0, 0}};

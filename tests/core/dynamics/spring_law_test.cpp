@@ -9,11 +9,11 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double restLength = 2;
-constexpr Stiffening stiffAfterAQuarter{0.25, 50};
+constexpr SecondPhase stiffAfterAQuarter{0.25, 50};
 
 SpringSystem biphasicSpring() {
     SpringSystem system = makeSpringSystem(tissue::oneSpring({10, 0, 1}, restLength));
-    system.springs[0].stiffening = stiffAfterAQuarter;
+    system.springs[0].secondPhase = stiffAfterAQuarter;
     return system;
 }
 
@@ -39,13 +39,13 @@ TEST(SpringLaw, OfATissueHoldsForEachOfItsSpringsAndForNoTether) {
     model.stiffening = SpringStiffening{0.2, 5};
     const SpringSystem system = makeSpringSystem(model);
     for (const auto& spring : system.springs) {
-        EXPECT_EQ(spring.stiffening.strain, 0.2);
-        EXPECT_EQ(spring.stiffening.springConstant, 5 * spring.springConstant);
+        EXPECT_EQ(spring.secondPhase.strain, 0.2);
+        EXPECT_EQ(spring.secondPhase.springConstant, 5 * spring.springConstant);
         EXPECT_EQ(largestSpringConstant(spring), 5 * spring.springConstant);
     }
     EXPECT_EQ(system.tethers[0].springConstant, model.tethers[0].springConstant);
     model.stiffening.reset();
-    EXPECT_TRUE(makeSpringSystem(model).springs[0].stiffening.isLinear());
+    EXPECT_TRUE(makeSpringSystem(model).springs[0].secondPhase.isLinear());
 }
 
 TEST(SpringLaw, HasNoJump) {
@@ -57,7 +57,7 @@ TEST(SpringLaw, MayBecomeSofter) {
 }
 
 TEST(SpringLaw, WithoutAStrainIsLinearWhateverTheOtherConstant) {
-    const Stiffening none{std::numeric_limits<double>::infinity(), 1e9};
+    const SecondPhase none{std::numeric_limits<double>::infinity(), 1e9};
     EXPECT_EQ(tensionPerLength(10, none, 0.5), 5);
     EXPECT_EQ(tensionPerLength(10, none, 0), 10);
     EXPECT_EQ(elasticEnergy(10, none, 0, 3), 45);

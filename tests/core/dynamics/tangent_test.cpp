@@ -43,7 +43,7 @@ SpringSystem tetheredSphere() {
 SpringSystem biphasicSphere() {
     SpringSystem system = tetheredSphere();
     for (std::size_t i = 0; i < system.springs.size(); ++i)
-        system.springs[i].stiffening = {0.05, i % 2 == 0 ? 100.0 : 3.0};
+        system.springs[i].secondPhase = {0.05, i % 2 == 0 ? 100.0 : 3.0};
     return system;
 }
 

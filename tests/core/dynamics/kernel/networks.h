@@ -58,7 +58,7 @@ inline SpringSystem random(const Contents& contents, unsigned seed) {
         spring.restLength *= any(0.5, 1.5);
         spring.springConstant = any(1, 30);
         spring.viscosity = any(0, 0.2);
-        if (contents.biphasic && any(0, 1) < 0.7) spring.stiffening = {any(0, 0.4), any(1, 200)};
+        if (contents.biphasic && any(0, 1) < 0.7) spring.secondPhase = {any(0, 0.4), any(1, 200)};
     }
     for (double& mass : system.mass)
         mass = any(0.001, 0.01);

@@ -244,7 +244,7 @@ TEST(TissueKernel, TakesNewParametersForTheSameNetwork) {
     for (auto& spring : after.springs) {
         spring.springConstant *= 3;
         spring.viscosity += 0.1;
-        spring.stiffening = {0.1, 100};
+        spring.secondPhase = {0.1, 100};
     }
     after.mass[4] *= 2;
     after.fixed[5] = 0;
@@ -311,7 +311,7 @@ TEST(TissueKernel, InFloatTakesExtremeParametersWithoutOverflow) {
         auto& spring = system.springs[i];
         spring.springConstant = std::pow(10, static_cast<double>(i % 16) - 6);
         if (i % 5 == 0) spring.restLength = 0;
-        if (i % 7 == 0) spring.stiffening = {1e30, 1e9};
+        if (i % 7 == 0) spring.secondPhase = {1e30, 1e9};
         if (i % 9 == 0) spring.viscosity = 1e6;
     }
     for (std::size_t i = 0; i < system.mass.size(); ++i)
