@@ -112,13 +112,13 @@ TEST_F(PanelsTest, TellsTheBaseMassOnce) {
 }
 
 TEST_F(PanelsTest, TissueMayBeStifferWhenStretched) {
-    auto* isStiffer = child<QCheckBox>("isStiffer");
+    auto* changesStiffness = child<QCheckBox>("changesStiffness");
     const auto fields = child<QWidget>("stiffening")->findChildren<NumberField*>();
     ASSERT_EQ(fields.size(), 2);
     NumberField *strain = fields[0], *factor = fields[1];
-    EXPECT_FALSE(isStiffer->isChecked());
+    EXPECT_FALSE(changesStiffness->isChecked());
     EXPECT_FALSE(strain->isVisible());
-    isStiffer->click();
+    changesStiffness->click();
     ASSERT_TRUE(project().base.stiffening);
     EXPECT_TRUE(validate(project()).empty());
     EXPECT_TRUE(strain->isVisible());
@@ -132,10 +132,10 @@ TEST_F(PanelsTest, TissueMayBeStifferWhenStretched) {
     type(factor, "-1");
     EXPECT_DOUBLE_EQ(project().base.stiffening->strain, 0.35);
     EXPECT_EQ(project().base.stiffening->factor, 8);
-    isStiffer->click();
+    changesStiffness->click();
     EXPECT_FALSE(project().base.stiffening);
     EXPECT_FALSE(strain->isVisible());
-    isStiffer->click();
+    changesStiffness->click();
     EXPECT_EQ(project().base.stiffening->factor, 8) << "what was typed is not lost";
     for (int i = 0; i < 4; ++i)
         window->document().undoStack()->undo();
@@ -143,16 +143,16 @@ TEST_F(PanelsTest, TissueMayBeStifferWhenStretched) {
     EXPECT_EQ(factor->value(), 5);
     window->document().undoStack()->undo();
     EXPECT_FALSE(project().base.stiffening);
-    EXPECT_FALSE(isStiffer->isChecked());
+    EXPECT_FALSE(changesStiffness->isChecked());
 }
 
 TEST_F(PanelsTest, TheLawOfAllSpringsStandsWithTheWholeOrgan) {
-    auto* isStiffer = child<QCheckBox>("isStiffer");
-    EXPECT_TRUE(isStiffer->isVisible());
+    auto* changesStiffness = child<QCheckBox>("changesStiffness");
+    EXPECT_TRUE(changesStiffness->isVisible());
     press(Qt::Key_R, Qt::ControlModifier);
-    EXPECT_FALSE(isStiffer->isVisible());
+    EXPECT_FALSE(changesStiffness->isVisible());
     window->document().edit("whole", [](Project& p) { p.regions.back().ellipsoid.reset(); });
-    EXPECT_TRUE(isStiffer->isVisible()) << "a region of the whole organ is the whole organ";
+    EXPECT_TRUE(changesStiffness->isVisible()) << "a region of the whole organ is the whole organ";
 }
 
 TEST_F(PanelsTest, DisabledControlsSayWhy) {
@@ -196,7 +196,7 @@ TEST_F(PanelsTest, FitTheirColumns) {
         }
     };
     expectFit("the whole organ");
-    child<QCheckBox>("isStiffer")->click();
+    child<QCheckBox>("changesStiffness")->click();
     expectFit("stiffer when stretched");
     press(Qt::Key_R, Qt::ControlModifier);
     expectFit("a region with a fuzzy system");

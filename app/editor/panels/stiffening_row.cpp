@@ -26,28 +26,29 @@ NumberFormat factorFormat() {
 } // namespace
 
 StiffeningRow::StiffeningRow(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_isStiffer(new QCheckBox(tr("Stiffer when stretched"), this)),
-      m_numbers(new ValueRows(this)), m_last(proposedStiffening) {
+    : QWidget(parent), m_document(document),
+      m_changes(new QCheckBox(tr("Stiffness changes when stretched"), this)), m_numbers(new ValueRows(this)),
+      m_last(proposedStiffening) {
     setObjectName(QStringLiteral("stiffening"));
-    m_isStiffer->setObjectName(QStringLiteral("isStiffer"));
-    m_isStiffer->setToolTip(
+    m_changes->setObjectName(QStringLiteral("changesStiffness"));
+    m_changes->setToolTip(
         tr("Springs of the whole organ, in every region, yield easily at first and resist "
            "more once they are stretched far, as tissue does when its fibres are straight"));
     m_strain = addNumber(tr("Beyond a stretch of"), strainFormat(), &SpringStiffening::strain,
-                         tr("Set stretch before stiffening"));
+                         tr("Set stretch before stiffness changes"));
     m_strain->setToolTip(tr("How much longer than at rest a spring becomes before it resists more"));
-    m_factor =
-        addNumber(tr("Stiffness is then"), factorFormat(), &SpringStiffening::factor, tr("Set stiffening"));
+    m_factor = addNumber(tr("Stiffness is then"), factorFormat(), &SpringStiffening::factor,
+                         tr("Set stiffness when stretched"));
     m_factor->setToolTip(tr("How many times harder tissue pulls back from there on; below 1, it gives way"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
     column->setSpacing(6);
-    column->addWidget(m_isStiffer);
+    column->addWidget(m_changes);
     column->addWidget(m_numbers);
 
-    connect(m_isStiffer, &QCheckBox::clicked, this, [this](bool on) {
+    connect(m_changes, &QCheckBox::clicked, this, [this](bool on) {
         m_document.edit(
-            on ? tr("Stiffen when stretched") : tr("Do not stiffen when stretched"),
+            on ? tr("Change stiffness when stretched") : tr("Keep stiffness when stretched"),
             [&](Project& project) { project.base.stiffening = on ? std::optional(m_last) : std::nullopt; });
     });
     connect(&document, &Document::changed, this, [this](const Change& change) {
@@ -77,7 +78,7 @@ NumberField* StiffeningRow::addNumber(const QString& caption, const NumberFormat
 void StiffeningRow::show() {
     const std::optional<SpringStiffening>& stiffening = m_document.project().base.stiffening;
     if (stiffening) m_last = *stiffening;
-    m_isStiffer->setChecked(stiffening.has_value());
+    m_changes->setChecked(stiffening.has_value());
     m_numbers->setVisible(stiffening.has_value());
     m_strain->setValue(m_last.strain);
     m_factor->setValue(m_last.factor);

@@ -22,7 +22,7 @@ private:
     void show();
 
     Document& m_document;
-    QCheckBox* m_isStiffer;
+    QCheckBox* m_changes;
     ValueRows* m_numbers;
     NumberField *m_strain, *m_factor;
     SpringStiffening m_last; ///< what the check box brings back
