@@ -6,9 +6,11 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <thread>
 
 namespace esm {
 
@@ -83,6 +85,9 @@ void limitDrawing(int threads) {
 }
 
 int runWork(Context& context) {
+    // More than run at once only wait for each other.
+    context.threads =
+        std::min(context.threads, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     limitDrawing(context.threads);
     const std::size_t threads =
         context.threads > 0 ? static_cast<std::size_t>(context.threads)

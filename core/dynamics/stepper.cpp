@@ -45,7 +45,7 @@ Stepper::Stepper(SpringSystem system, TouchedSurface surface, const ChosenStep& 
     : m_system(std::move(system)), m_surface(std::move(surface)), m_integrator(chosen.integrator),
       m_timeStep(chosen.timeStep), m_prescribed(m_system.fixed), m_strained(m_system),
       m_scheme(MatrixScheme(chosen.integrator, settings.damping)) {
-    const KernelOptions options{settings.damping, {}, team, settings.threads};
+    const KernelOptions options{settings.damping, {}, team};
     if (m_integrator == Integrator::Propagation)
         m_scheme.emplace<PropagationScheme>(m_system, settings.damping);
     else if (isExplicit(m_integrator) && settings.precision == Precision::Float)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <immintrin.h>
+#include <system_error>
 
 namespace esm {
 
@@ -32,9 +33,12 @@ template<class Condition> bool waitBriefly(int yieldsAtMost, const Condition& is
 ThreadTeam::ThreadTeam(std::size_t threads)
     : m_queues(std::clamp<std::size_t>(threads > 0 ? threads : std::thread::hardware_concurrency(), 1,
                                        insideMask)) {
-    m_threads.reserve(size() - 1);
-    for (std::size_t thread = 1; thread < size(); ++thread)
-        m_threads.emplace_back([this, thread] { attend(thread); });
+    m_threads.reserve(m_queues.size() - 1);
+    try {
+        for (std::size_t thread = 1; thread < m_queues.size(); ++thread)
+            m_threads.emplace_back([this, thread] { attend(thread); });
+    } catch (const std::system_error&) { // the system has no more: those there are do all the work
+    }
 }
 
 ThreadTeam::~ThreadTeam() {

@@ -19,13 +19,14 @@ namespace esm {
 /// with his own takes what nobody has begun: a thread that the machine gives no time holds nobody up.
 class ThreadTeam {
 public:
-    /// The caller of run() is one of the threads; 0 takes as many as the machine runs at once.
+    /// The caller of run() is one of the threads; 0 takes as many as the machine runs at once. Where the
+    /// system gives fewer, the team is smaller.
     explicit ThreadTeam(std::size_t threads = 0);
     ~ThreadTeam();
     ThreadTeam(const ThreadTeam&) = delete;
     ThreadTeam& operator=(const ThreadTeam&) = delete;
 
-    std::size_t size() const { return m_queues.size(); }
+    std::size_t size() const { return m_threads.size() + 1; }
 
     /// Calls `work(part)` once for every part below `parts` and returns when all calls have. By at most
     /// `mostThreads` threads of the team; one is a plain loop. Not from two threads at once, nor from within
