@@ -78,16 +78,22 @@ bool isLookedAt(int iteration, int every) {
     return iteration % every == 0 || iteration == mostIterations;
 }
 
+struct Accuracy {
+    double tolerance; ///< relative
+    int lookEvery;    ///< iterations
+};
+
 /// Upper estimate of the eigenvalue, with the pair it is from.
 std::pair<double, Ritz> lanczosEstimate(const Eigen::SparseMatrix<double>& lower,
-                                        const Eigen::VectorXd& start, double bound, int lookEvery) {
+                                        const Eigen::VectorXd& start, double bound,
+                                        const Accuracy& accuracy) {
     Lanczos lanczos(lower, start);
     for (int iteration = 1;; ++iteration) {
         lanczos.multiply();
         const bool exhausted = lanczos.below().back() <= 1e-14 * bound;
-        if (exhausted || isLookedAt(iteration, lookEvery)) {
+        if (exhausted || isLookedAt(iteration, accuracy.lookEvery)) {
             Ritz ritz = largestRitzPair(lanczos.diagonal(), lanczos.below());
-            if (exhausted || ritz.residual < 5e-4 * ritz.value || iteration == mostIterations)
+            if (exhausted || ritz.residual < accuracy.tolerance * ritz.value || iteration == mostIterations)
                 return {std::min(bound, ritz.value + ritz.residual), std::move(ritz)};
         }
         lanczos.goOn();
@@ -113,10 +119,11 @@ double largestEigenvalue(const Eigen::SparseMatrix<double>& lower) {
     if (lower.rows() == 0) return 0;
     const double bound = gershgorinBound(lower);
     if (!(bound > 0)) return 0;
-    return lanczosEstimate(lower, startVector(lower.rows()), bound, 8).first;
+    return lanczosEstimate(lower, startVector(lower.rows()), bound, {5e-4, 8}).first;
 }
 
-double largestEigenvalueNear(Eigen::VectorXd& eigenvector, const Eigen::SparseMatrix<double>& lower) {
+double largestEigenvalueNear(Eigen::VectorXd& eigenvector, const Eigen::SparseMatrix<double>& lower,
+                             double tolerance) {
     if (lower.rows() == 0) return 0;
     const double bound = gershgorinBound(lower);
     if (!(bound > 0)) return 0;
@@ -124,7 +131,7 @@ double largestEigenvalueNear(Eigen::VectorXd& eigenvector, const Eigen::SparseMa
     const bool isWarm = eigenvector.size() == lower.rows();
     // One half starts at the former eigenvector, the other finds what has overtaken it.
     if (isWarm) start = (eigenvector + start).normalized();
-    const auto [value, ritz] = lanczosEstimate(lower, start, bound, isWarm ? 4 : 8);
+    const auto [value, ritz] = lanczosEstimate(lower, start, bound, {tolerance, isWarm ? 4 : 8});
     eigenvector = eigenvectorOf(ritz, lower, start);
     return value;
 }

@@ -9,9 +9,10 @@ namespace esm {
 /// Gershgorin's bound.
 double largestEigenvalue(const Eigen::SparseMatrix<double>& lower);
 
-/// The same in few iterations from what is nearly the eigenvector, as that of a matrix much like this one;
-/// any vector of another size is as good as none. It becomes the eigenvector. Where another eigenvector has
-/// overtaken, the estimate may be too low.
-double largestEigenvalueNear(Eigen::VectorXd& eigenvector, const Eigen::SparseMatrix<double>& lower);
+/// The same within a relative tolerance, in few iterations from what is nearly the eigenvector, as that of a
+/// matrix much like this one; any vector of another size is as good as none. It becomes the eigenvector.
+/// Where another eigenvector has overtaken, the estimate may be too low.
+double largestEigenvalueNear(Eigen::VectorXd& eigenvector, const Eigen::SparseMatrix<double>& lower,
+                             double tolerance);
 
 } // namespace esm

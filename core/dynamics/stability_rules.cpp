@@ -278,7 +278,8 @@ void StabilityRules::analyse() {
 
 double StabilityRules::largestOf(const Matrix& matrix, Eigen::VectorXd& eigenvector) const {
     const Matrix normalised = massNormalised(matrix, m_mass);
-    return m_search.memory ? largestEigenvalueNear(eigenvector, normalised) : largestEigenvalue(normalised);
+    if (!m_search.memory) return largestEigenvalue(normalised);
+    return largestEigenvalueNear(eigenvector, normalised, m_search.tolerance / 2);
 }
 
 bool StabilityRules::isDefinite(double massFactor, double dampingFactor, double stiffnessFactor) {
