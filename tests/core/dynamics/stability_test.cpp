@@ -196,6 +196,14 @@ TEST(ChooseStep, TakesTheStiffestTissueByAConstantMatrix) {
     EXPECT_TRUE(Simulation(model, axial).step({}));
 }
 
+TEST(ChooseStep, TakesNothingDearerWhereNothingKeepsUp) {
+    if (isSanitized()) GTEST_SKIP() << "too many nodes for the sanitizers";
+    const TissueModel model = tissue::fromMesh(tissue::gridMesh(220, 0.3), {16.26, 2.877, 1e-4});
+    const ChosenStep chosen = chooseStep(model, {});
+    EXPECT_EQ(chosen.integrator, Integrator::Split2);
+    EXPECT_EQ(chosen.timeStep, longestStep);
+}
+
 TEST(ChooseStep, TakesStepsThatAreSolvedForHoweverStiffTheTissueIs) {
     for (const double springConstant : {1e6, 1e9})
         for (const double viscosity : {0.0, 3.0, 1e6}) {
