@@ -75,6 +75,35 @@ TEST_P(EveryIntegrator, ConvergesToTheAnalyticOscillatorAtItsOrder) {
     }
 }
 
+/// Two nodes of 10 g that hang in a row on a fixed one, let go at the side: where they are after 0.15 s,
+/// having turned by more than half a right angle, their springs stretched.
+Vectors fallenAside(Integrator integrator, double timeStep) {
+    SpringNetwork network;
+    for (int i = 0; i < 3; ++i)
+        network.restPositions.emplace_back(0.1 * i, 0, 0.02 * i * i);
+    tissue::addSpring(network, 0, 1);
+    tissue::addSpring(network, 1, 2);
+    TissueModel model = tissue::model(std::move(network), {20, 0.02, 0.01});
+    model.fixedNodes = {0};
+    Simulation simulation(model, withStep(integrator, timeStep));
+    Loads loads;
+    loads.gravity = {0, -9.81, 0};
+    for (int i = 0; i < std::lround(0.15 / timeStep); ++i)
+        EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
+    return simulation.positions();
+}
+
+TEST_P(EveryIntegrator, ConvergesAtItsOrderWhereTissueTurns) {
+    static const Vectors reference = fallenAside(Integrator::Rk4, 1e-5);
+    ASSERT_LT(reference[2].y(), -0.07);
+    const int order = orderOf(GetParam());
+    const double timeStep = order < 4 ? 5e-4 : 1e-3;
+    const auto error = [&](double step) { return (fallenAside(GetParam(), step)[2] - reference[2]).norm(); };
+    const double coarse = error(timeStep), fine = error(timeStep / 2);
+    EXPECT_LT(fine, order == 1 ? 2e-3 : 1e-5);
+    EXPECT_NEAR(std::log2(coarse / fine), order, 0.25);
+}
+
 TEST_P(EveryIntegrator, AgreesWithATether) {
     TissueModel model = tissue::oneSpring({0, 0, 1});
     model.tethers = {{1, 20, 3}};
