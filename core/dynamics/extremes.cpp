@@ -121,6 +121,19 @@ void addShapes(std::vector<ExtremeCase>& cases) {
     cases.push_back(std::move(stretched));
 }
 
+void addSecondPhases(std::vector<ExtremeCase>& cases) {
+    for (const double strain : {1e-9, 0.2, 1e3})
+        for (const double factor : {1e-9, 1e-3, 1e3, 1e9}) {
+            TissueModel model = tissueOf(sheet(), {});
+            model.stiffening = SpringStiffening{strain, factor};
+            ExtremeCase stretched =
+                pulled("springs of another stiffness when stretched",
+                       numberText(factor) + " times beyond " + numberText(strain), std::move(model));
+            if (factor > 1) stretched.force = {0, 10, 0};
+            cases.push_back(std::move(stretched));
+        }
+}
+
 void requireFinite(const Simulation& simulation) {
     const auto isFinite = [](const Vector3d& vector) { return vector.allFinite(); };
     if (!std::all_of(simulation.positions().begin(), simulation.positions().end(), isFinite) ||
@@ -135,6 +148,7 @@ std::vector<ExtremeCase> extremeCases() {
     addParameters(cases);
     addSteps(cases);
     addShapes(cases);
+    addSecondPhases(cases);
     return cases;
 }
 

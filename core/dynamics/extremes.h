@@ -16,7 +16,8 @@ struct ExtremeCase {
 };
 
 /// Spring constants from 10⁻⁶ to 10⁹ N/m, viscosities from 0 to 10⁶ N·s/m and masses from 10⁻⁹ to 10³ kg in
-/// all combinations, with chosen steps and with given ones from 10⁻⁷ to 1 s; and tissue of odd shapes.
+/// all combinations, with chosen steps; given steps from 10⁻⁷ to 1 s with soft, stiff and viscous tissue;
+/// tissue of odd shapes; and biphasic springs.
 std::vector<ExtremeCase> extremeCases();
 
 enum class ExtremeEnd {
