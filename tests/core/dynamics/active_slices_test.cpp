@@ -118,6 +118,7 @@ TEST(ActiveSlices, ALocalPokeMovesAsInTheWholeTissue) {
     for (const tissue::Parameters& parameters : dampings()) {
         const TissueModel model = tethered(membrane(40, parameters), 1);
         for (const Integrator integrator : steppers) {
+            if (isSanitized() && integrator == Integrator::Rk4) continue; // adams-moulton begins with it
             SCOPED_TRACE(std::string(integratorName(integrator)) + ", viscosity " +
                          std::to_string(parameters.viscosity));
             const double active = compare(

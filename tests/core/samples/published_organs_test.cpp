@@ -1,6 +1,7 @@
 #include "core/dynamics/scene_run.h"
 #include "core/samples/samples.h"
 #include "tests/support/motion_difference.h"
+#include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -95,7 +96,7 @@ TEST(PublishedVentricle, MovesAlikeByUnlikeMethods) {
     const Project ventricle = makeSample("ventricle");
     const TissueModel model = evaluateModel(ventricle);
     Scene scene = ventricle.scene;
-    scene.duration = 0.4;
+    scene.duration = isSanitized() ? 0.15 : 0.4;
     scene.instrument.reset();
     scene.forces = {{100, {0.3, 0.1, 0}, 0, 0.2}, {700, {0, -0.2, 0.2}, 0.1, 0.3}};
     const Vectors fine = afterwards(model, scene, stepping(Integrator::Bdf2, 2e-3));
