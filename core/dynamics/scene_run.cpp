@@ -95,6 +95,15 @@ std::size_t steadySteps(const Scene& scene, const Simulation& simulation, std::s
     return steps >= static_cast<double>(most) ? most : static_cast<std::size_t>(std::max(1.0, steps));
 }
 
+/// How many of the steps were taken; failure() says why not all.
+std::size_t stepsTaken(Simulation& simulation, const Loads& loads, std::size_t wanted) {
+    try {
+        return simulation.advance(loads, wanted);
+    } catch (const InvalidModel&) {
+        return 0;
+    }
+}
+
 /// Runs the scene from rest, its instrument standing at its path's start; returns the seconds spent stepping.
 double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& recorder, const Progress& progress,
                    SceneOutcome& outcome) {
@@ -109,7 +118,7 @@ double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& record
         const auto most = static_cast<std::size_t>(mostAtOnce / std::max(simulation.activeFraction(), 1e-3));
         const std::size_t wanted =
             steadySteps(run.scene, simulation, std::min(most, recorder.stepsUntilDue(outcome.steps)));
-        const std::size_t taken = simulation.advance(loads, wanted);
+        const std::size_t taken = stepsTaken(simulation, loads, wanted);
         stepping += secondsSince(start);
         outcome.steps += taken;
         outcome.stable = taken == wanted;

@@ -35,8 +35,10 @@ struct SceneRun {
     SimulationSettings settings = {};
 };
 
-/// Runs a scene from rest. A run that diverges ends with its last good state and says so in the outcome.
-/// @throws InvalidModel when the scene is not for the model or takes more than 10¹² steps; Cancelled
+/// Runs a scene from rest. A run that diverges, or comes to a step that cannot be computed, ends with its
+/// last good state and says so in the outcome.
+/// @throws InvalidModel when the scene is not for the model, takes more than 10¹² steps or cannot begin;
+/// Cancelled
 SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& progress = {});
 
 } // namespace esm

@@ -128,7 +128,8 @@ struct Simulation::Implementation {
         Motion next = motion;
         try {
             failure = advance(next, loads, count);
-        } catch (...) {
+        } catch (const std::exception& reason) {
+            failure = reason.what();
             stepper.restart();
             throw;
         }

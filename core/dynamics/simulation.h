@@ -34,7 +34,7 @@ public:
     /// the state before the step stays and false is returned; failure() then says why. An instrument sweeps
     /// from where the step before left it; one that was not there before appears where it is.
     /// @throws InvalidModel when the step cannot be computed, as with too little mass for the viscosity; the
-    /// state before the step stays
+    /// state before the step stays, and failure() says why
     bool step(const Loads& loads);
     const std::string& failure() const;
     /// Whether the instrument has touched what can move since the start.

@@ -103,6 +103,19 @@ TEST(PreviewRun, GoesOnAsTheProgramChoosesWhereShorterStepsAreOfNoHelp) {
     EXPECT_DOUBLE_EQ(run.status().timeStep, timeStep);
 }
 
+TEST(PreviewRun, TakesShorterStepsWhereOneCannotBeComputed) {
+    Project tube = makeSample("tube");
+    tube.regions.clear(); // the base tissue is to be seen
+    tube.base.viscosity *= 1e6;
+    tube.stepping = {{Integrator::Propagation, longestWatchedStep, Precision::Double}, 0.01, 1};
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_TRUE(playUntilHalved(run, 1, 20)) << run.status().failure;
+    EXPECT_EQ(run.status().halvings, 1);
+    EXPECT_EQ(run.status().timeStep, longestWatchedStep / 2);
+    EXPECT_EQ(run.status().failure, "");
+}
+
 TEST(PreviewRun, StepsAsTheProjectSays) {
     Project tube = makeSample("tube");
     PreviewRun run;

@@ -1,5 +1,7 @@
 #include "app/editor/preview/preview_run.h"
 
+#include "core/support/errors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -101,7 +103,12 @@ bool PreviewRun::step(const PreviewLoads& loads) {
         m_gentleGrasp->setDisplacement(displacementAt(*m_gentlePull, m_gentleTime));
         m_gentleGrasp->advance(timeStep, acting.held);
     }
-    return m_simulation->step(acting);
+    try {
+        return m_simulation->step(acting);
+    } catch (const InvalidModel&) {
+        // A shorter step can often be computed.
+        return false;
+    }
 }
 
 bool PreviewRun::goBack() {

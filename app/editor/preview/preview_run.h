@@ -49,10 +49,10 @@ public:
     void reset();
     /// Stops the run for a reason that comes from outside.
     void fail(const std::string& reason) { m_runFailure = reason; }
-    /// Steps until `seconds` are simulated, or more than that has been spent computing. Motion that runs wild
-    /// goes back to where it was calm and on in half as long steps, and where they are of no help as the
-    /// program chooses, until the parameters change. False when the run stopped, as it does where nothing
-    /// helps.
+    /// Steps until `seconds` are simulated, or more than that has been spent computing. Motion that runs
+    /// wild, or comes to a step that cannot be computed, goes back to where it was calm and on in half as
+    /// long steps, and where they are of no help as the program chooses, until the parameters change. False
+    /// when the run stopped, as it does where nothing helps.
     bool advance(double seconds, const PreviewLoads& loads);
 
     bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }

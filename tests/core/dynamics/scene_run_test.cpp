@@ -202,6 +202,21 @@ TEST(SceneRun, DivergingEndsWithItsLastGoodState) {
             EXPECT_TRUE(position.allFinite());
 }
 
+TEST(SceneRun, EndsWithTheFramesItHasAtAStepThatCannotBeComputed) {
+    Scene scene;
+    scene.duration = 4;
+    scene.record.every = 1;
+    scene.forces = {{24, {0, 0, 1}, 2, 4}};
+    Frames frames;
+    const TissueModel model = tissue::fromMesh(tissue::gridMesh(7, 0.1), {1e6, 1e6, 1e-9});
+    const SceneOutcome outcome =
+        runScene({model, {}, scene, withStep(Integrator::Propagation, 1)}, frames.sink());
+    EXPECT_FALSE(outcome.stable);
+    EXPECT_THAT(outcome.outcome, testing::HasSubstr("does not settle"));
+    EXPECT_EQ(outcome.steps, 2);
+    EXPECT_THAT(frames.times, testing::ElementsAre(0, 1, 2));
+}
+
 TEST(SceneRun, IsTheSameEveryTime) {
     const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
     const TissueModel model = tissue::fromMesh(mesh, {10, 0.1, 0.0001});
