@@ -105,6 +105,21 @@ struct Simulation::Implementation {
         younger.reset();
     }
 
+    KeptState stateNow() const { return {motion, time(), instrument, guard}; }
+
+    /// Lets the motion, and the states that were kept of it, go on in tissue with other parameters.
+    void takeOver(const SpringSystem& other) {
+        const auto take = [&](Motion& taken, DivergenceGuard& its) {
+            const double before = esm::energy(stepper.system(), taken.positions, taken.velocities).total();
+            for (std::size_t node = 0; node < other.fixed.size(); ++node)
+                if (other.fixed[node]) taken.velocities[node].setZero();
+            its.allow(std::max(0.0, esm::energy(other, taken.positions, taken.velocities).total() - before));
+        };
+        take(motion, guard);
+        for (std::optional<KeptState>* kept : {&older, &younger})
+            if (*kept) take((*kept)->motion, (*kept)->guard);
+    }
+
     double time() const { return startTime + static_cast<double>(steps) * chosen.timeStep; }
 
     /// The instrument's way during the next step, if there is one.
@@ -222,22 +237,18 @@ void Simulation::setModel(const TissueModel& model, const SimulationSettings& se
     const ChosenStep chosen = chooseStep(model, settings, self.memory.get());
     if (!self.team) self.team = makeTeam(model, settings);
     Stepper stepper(std::move(system), self.surface, chosen, settings, self.team.get());
-    const double energyBefore = self.energy().total();
+    self.takeOver(stepper.system());
     self.settings = settings;
     self.goOnWith(chosen, std::move(stepper));
-    for (std::uint32_t node : model.fixedNodes)
-        self.motion.velocities[node].setZero();
-    self.guard.allow(std::max(0.0, self.energy().total() - energyBefore));
-    // What is calm with one set of parameters may be strained with another.
-    self.older.reset();
-    self.younger.reset();
+    // The motion goes on from here, whatever the parameters: back to here is better than back to rest.
+    if (!self.older) self.older = self.younger ? std::exchange(self.younger, {}) : self.stateNow();
 }
 
 void Simulation::keepState() {
     Implementation& self = *m_implementation;
     // After going back, the older one is still the calm one.
     if (self.younger) self.older = std::move(self.younger);
-    self.younger = Implementation::KeptState{self.motion, self.time(), self.instrument, self.guard};
+    self.younger = self.stateNow();
 }
 
 void Simulation::goBack(double timeStep) {

@@ -51,13 +51,14 @@ public:
     void placeInstrument(const Eigen::Vector3d& centre);
 
     /// Takes new parameters for the same network, motion and instrument going on, and settings where they are
-    /// new too. @throws InvalidModel
+    /// new too. States that were kept stay so; without any, the one there is now is kept. @throws
+    /// InvalidModel
     void setModel(const TissueModel& model);
     void setModel(const TissueModel& model, const SimulationSettings& settings);
 
     /// Keeps the state as it is now, and with it the one that was kept last.
     void keepState();
-    /// Back to the older of the two states that were kept last, or to rest without any: a run that diverges
+    /// Back to the older of the two states that were kept last, or to rest without two: a run that diverges
     /// was already on its way when the younger one was kept. From there steps are `timeStep` (s) long, until
     /// setModel() chooses anew. @throws InvalidModel as step()
     void goBack(double timeStep);

@@ -115,6 +115,8 @@ bool PreviewRun::goBack() {
     if (m_halvings < mostHalvings) {
         ++m_halvings;
         m_simulation->goBack(m_simulation->timeStep() / 2);
+        // What the program's own steps do not calm was wild already when it was kept.
+        if (m_isReplaced) m_simulation->reset();
     } else if (!m_isReplaced && m_settings.integrator != Integrator::Auto) {
         m_isReplaced = true;
         m_halvings = 0;

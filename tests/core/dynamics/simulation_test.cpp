@@ -79,6 +79,44 @@ TEST_P(GoingBack, TakesTheChosenStepAgainWithNewParameters) {
     EXPECT_EQ(simulation.timeStep(), stepBefore);
 }
 
+TEST_P(GoingBack, ReturnsToAStateThatWasKeptBeforeNewParameters) {
+    take(20);
+    simulation.keepState();
+    const auto kept = simulation.positions();
+    take(10);
+    simulation.keepState();
+    take(10);
+    simulation.setModel(model());
+    take(10);
+    simulation.goBack(stepBefore / 2);
+    EXPECT_EQ(simulation.positions(), kept);
+    EXPECT_DOUBLE_EQ(simulation.time(), 20 * stepBefore);
+}
+
+TEST_P(GoingBack, ReturnsToWhereNewParametersCameWhenNothingWasKept) {
+    take(20);
+    const auto before = simulation.positions();
+    simulation.setModel(model());
+    take(10);
+    simulation.keepState();
+    simulation.goBack(stepBefore / 2);
+    EXPECT_EQ(simulation.positions(), before);
+    EXPECT_DOUBLE_EQ(simulation.time(), 20 * stepBefore);
+}
+
+TEST_P(GoingBack, KeepsNodesStillThatWereFixedSinceTheStateWasKept) {
+    take(20);
+    simulation.keepState();
+    take(1);
+    simulation.keepState();
+    TissueModel held = model();
+    held.fixedNodes.push_back(40);
+    simulation.setModel(held);
+    simulation.goBack(stepBefore / 2);
+    EXPECT_EQ(simulation.velocities()[40], Eigen::Vector3d(0, 0, 0));
+    EXPECT_NE(simulation.velocities()[41], Eigen::Vector3d(0, 0, 0));
+}
+
 TEST_P(GoingBack, GoesOnWithOtherSettings) {
     take(20);
     const auto before = simulation.positions();
