@@ -11,7 +11,8 @@ namespace esm {
 
 /// Tells a run that diverged from one whose loads drove the tissue far. Tissue no larger than a few times
 /// what it is at rest, or than where it was led or pushed to, is always good. Beyond that its energy must
-/// have come from the loads: from the work of forces, or from the speed of what led and pushed it.
+/// have come from the loads: from the work of forces, from the speed of what led and pushed it, or from an
+/// instrument that appeared in its place.
 class DivergenceGuard {
 public:
     /// Starts anew from rest.
