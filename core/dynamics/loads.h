@@ -16,7 +16,7 @@ struct Sphere {
     double radius;          ///< m
 };
 
-/// A node led to a place; its velocity is what takes it there in one step.
+/// A node led to a place; its velocity is what takes it there in one step of the integrator.
 struct HeldNode {
     std::uint32_t node;
     Eigen::Vector3d position; ///< m, at the end of the step

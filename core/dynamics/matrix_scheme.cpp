@@ -41,6 +41,16 @@ MatrixScheme::Form MatrixScheme::formOf(const StepInput& input, const Motion& be
     return form;
 }
 
+/// Gives the led nodes the velocities that take them where they are led.
+void MatrixScheme::lead(const std::vector<HeldNode>& held, const Form& form, const Vectors& positions,
+                        Vectors& velocities) {
+    for (const HeldNode& led : held) {
+        Eigen::Vector3d way = led.position - positions[led.node];
+        if (!form.drift.empty()) way -= form.drift[led.node];
+        velocities[led.node] = way / form.reach;
+    }
+}
+
 void MatrixScheme::remember(Motion before) {
     m_previous = std::move(before);
     m_previousForces.swap(m_forces);
@@ -52,7 +62,7 @@ std::optional<UntouchedStep> MatrixScheme::step(const SpringSystem& system, cons
     const Start start{system, input, before};
     const Form form = formOf(input, before, builds);
     UntouchedStep step{before, {}};
-    leadHeldNodes(input, before.positions, step.motion.velocities);
+    lead(input.held, form, before.positions, step.motion.velocities);
     if (hasConstantMatrix(m_integrator))
         solveConstant(start, form, solver, step);
     else if (!solveTangent(start, form, solver, step))

@@ -32,6 +32,8 @@ private:
     struct Start;
     struct Form;
 
+    static void lead(const std::vector<HeldNode>& held, const Form& form, const Vectors& positions,
+                     Vectors& velocities);
     Form formOf(const StepInput& input, const Motion& before, bool builds) const;
     void solveConstant(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;
     bool solveTangent(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;

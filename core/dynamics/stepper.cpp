@@ -20,6 +20,14 @@ constexpr int mostBranchRounds = 4;       ///< after which all springs are taken
 constexpr double contactTolerance = 1e-3; ///< in radii; the rest is projected out
 constexpr double impulseTolerance = 1e-5; ///< in radii
 
+/// Of the larger of two velocities, what smooth ways change from step to step.
+constexpr double smoothChange = 0.5;
+
+bool isJump(const Eigen::Vector3d& before, const Eigen::Vector3d& now) {
+    const double larger = std::max(before.squaredNorm(), now.squaredNorm());
+    return (now - before).squaredNorm() > smoothChange * smoothChange * larger;
+}
+
 /// The last place given for each node that is free to follow, in the order of nodes.
 std::vector<HeldNode> movable(std::vector<HeldNode> held, const std::vector<char>& fixed) {
     std::stable_sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
@@ -120,20 +128,32 @@ std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads&
 void Stepper::advance(Motion& motion, const Piece& piece) {
     prescribe(piece.input.held);
     if (hasBranches() && m_strained.follow(m_system, motion.positions)) m_branchSolvers.clear();
-    const bool startsAnew = !piece.input.held.empty() || piece.parts > 1;
-    if (startsAnew) forgetSteps();
+    auto* const scheme = std::get_if<MatrixScheme>(&m_scheme);
+    const bool standsAlone = piece.parts > 1 || (!scheme && !piece.input.held.empty());
+    if (jumps(piece.input, motion.positions) || standsAlone) forgetSteps();
     UntouchedStep untouched = untouchedStep(motion, piece);
     const bool touched = touches(motion, piece, untouched.motion.positions);
     m_touched = m_touched || touched;
-    auto* const scheme = std::get_if<MatrixScheme>(&m_scheme);
     if (touched && scheme && scheme->canBuild()) untouched = firstOrderStep(motion, piece);
     Motion next = touched ? madeWay(motion, piece, std::move(untouched)) : std::move(untouched.motion);
 
     std::swap(motion, next);
-    if (touched || startsAnew)
+    if (touched || standsAlone)
         forgetSteps();
     else if (hasSecondOrderForm(m_integrator))
         scheme->remember(std::move(next));
+}
+
+bool Stepper::jumps(const StepInput& input, const Vectors& positions) {
+    std::vector<LedNode> led;
+    for (const HeldNode& held : input.held)
+        led.push_back({held.node, (held.position - positions[held.node]) / input.duration});
+    const auto goesOn = [](const LedNode& before, const LedNode& now) {
+        return before.node == now.node && !isJump(before.velocity, now.velocity);
+    };
+    const bool goOn = std::equal(m_led.begin(), m_led.end(), led.begin(), led.end(), goesOn);
+    m_led = std::move(led);
+    return !goOn;
 }
 
 bool Stepper::explicitSteps(const StepInput& input, std::size_t count, const Motion& before, Motion& after) {
@@ -150,8 +170,10 @@ UntouchedStep Stepper::untouchedStep(const Motion& motion, const Piece& piece) {
     UntouchedStep untouched;
     if (auto* scheme = std::get_if<MatrixScheme>(&m_scheme)) {
         if (scheme->canBuild())
-            if (auto step = scheme->step(m_system, piece.input, motion, solverFor(1, true), true))
+            if (auto step = scheme->step(m_system, piece.input, motion, solverFor(1, true), true)) {
+                place(piece.input.held, step->motion.positions);
                 return std::move(*step);
+            }
         return firstOrderStep(motion, piece);
     }
     if (!explicitSteps(piece.input, 1, motion, untouched.motion))

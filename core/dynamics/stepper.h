@@ -14,8 +14,9 @@ namespace esm {
 
 /// Steps one spring system by any of the integrators, leading nodes and making way for an instrument: first
 /// as if nothing touched the tissue, then with the impulses that its contacts ask for. Integrators that build
-/// on earlier steps begin anew after every jump: of loads or parameters, and while nodes are led or touched;
-/// the first step of split2 is one of split, of bdf2 one of implicit.
+/// on earlier steps begin anew after every jump, of loads, of parameters or of a led node's velocity, and
+/// while the tissue is touched; the first step of split2 is one of split, of bdf2 one of implicit. Explicit
+/// ones begin anew in each step that leads nodes, which go evenly through it.
 class Stepper {
 public:
     /// `team` outlives the stepper; none is one thread.
@@ -53,6 +54,8 @@ private:
     std::vector<Piece> piecesOf(const Motion& motion, const Loads& loads,
                                 const std::optional<SphereMove>& sphere) const;
     void advance(Motion& motion, const Piece& piece);
+    /// Whether led nodes change their velocities by more than smooth ways do. Takes note of them.
+    bool jumps(const StepInput& input, const Vectors& positions);
     /// Explicit steps one after the other, without looking for contacts.
     bool explicitSteps(const StepInput& input, std::size_t count, const Motion& before, Motion& after);
     UntouchedStep untouchedStep(const Motion& motion, const Piece& piece);
@@ -83,6 +86,12 @@ private:
     StrainedSprings m_strained;
     std::map<int, std::unique_ptr<StepSolver>> m_branchSolvers; ///< by parts
 
+    /// How a node was led in the last step, on the mean.
+    struct LedNode {
+        std::uint32_t node;
+        Eigen::Vector3d velocity; ///< m/s
+    };
+    std::vector<LedNode> m_led;
     std::optional<Loads> m_lastLoads;
     std::variant<MatrixScheme, PropagationScheme, ExplicitScheme<double>, ExplicitScheme<float>> m_scheme;
 };

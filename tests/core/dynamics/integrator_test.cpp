@@ -104,6 +104,42 @@ TEST_P(EveryIntegrator, ConvergesAtItsOrderWhereTissueTurns) {
     EXPECT_NEAR(std::log2(coarse / fine), order, 0.25);
 }
 
+constexpr double ledTime = 0.1; ///< s
+using LedWay = double (*)(double time);
+
+double smoothWay(double time) {
+    return 0.02 * (1 - std::cos(25 * time));
+}
+double wayThatStops(double time) {
+    return 0.3 * std::min(time, ledTime / 2);
+}
+
+/// Where a net held at one edge is after its corner was led away.
+Vectors ledAway(Integrator integrator, int steps, LedWay way) {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(4, 0.1), {10, 0.05, 0.001});
+    model.fixedNodes = {0, 1, 2, 3};
+    Simulation simulation(model, withStep(integrator, ledTime / steps));
+    for (int i = 1; i <= steps; ++i) {
+        Loads loads;
+        loads.held = {
+            {15, model.network->restPositions[15] + way(ledTime * i / steps) * Eigen::Vector3d(1, 1, 1)}};
+        EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
+    }
+    return simulation.positions();
+}
+
+TEST_P(EveryIntegrator, ConvergesAtItsOrderOrTheSecondWhileNodesAreLed) {
+    const int order = std::min(orderOf(GetParam()), 2);
+    const Vectors rest = tissue::gridMesh(4, 0.1).vertices;
+    for (const LedWay way : {smoothWay, wayThatStops}) {
+        const Vectors reference = ledAway(Integrator::Rk4, 8000, way);
+        const double coarse = motionDifference(ledAway(GetParam(), 400, way), reference, rest);
+        const double fine = motionDifference(ledAway(GetParam(), 800, way), reference, rest);
+        EXPECT_LT(fine, order == 1 ? 0.02 : 2e-4);
+        EXPECT_GT(std::log2(coarse / fine), order - 0.2);
+    }
+}
+
 TEST_P(EveryIntegrator, AgreesWithATether) {
     TissueModel model = tissue::oneSpring({0, 0, 1});
     model.tethers = {{1, 20, 3}};
