@@ -194,6 +194,15 @@ TEST(Preview, LearnsHowFarTheStepMayGo) {
     EXPECT_GT(*preview.status().safeStep, preview.status().timeStep);
 }
 
+TEST(Preview, TellsWhenItLearntHowFarTheStepMayGo) {
+    std::atomic<bool> isTold = false;
+    Preview preview;
+    QObject::connect(&preview, &Preview::statusChanged,
+                     [&] { isTold = isTold || preview.status().safeStep.has_value(); });
+    preview.setProject(makeSample("tube"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isTold.load(); }, previewPatience));
+}
+
 TEST(Preview, LearnsItAnewOfTheIntegratorThatTookOver) {
     Preview preview;
     preview.setGentleMotion(true);

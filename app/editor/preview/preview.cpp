@@ -145,8 +145,12 @@ void Preview::giveUp(PreviewRun& run, const std::string& reason) {
 }
 
 void Preview::takeSafeStep(std::optional<double> step) {
-    const std::lock_guard lock(m_mutex);
-    m_status.safeStep = step;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_status.safeStep == step) return;
+        m_status.safeStep = step;
+    }
+    emit statusChanged();
 }
 
 void Preview::publish(const PreviewRun& run) {
