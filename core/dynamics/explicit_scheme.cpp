@@ -50,8 +50,18 @@ std::size_t keptRatesOf(Integrator integrator) {
 template<class Real>
 ExplicitScheme<Real>::ExplicitScheme(const SpringSystem& system, Integrator integrator,
                                      const KernelOptions& options, double restTolerance)
-    : m_kernel(system, options), m_integrator(integrator), m_active(system, m_kernel, restTolerance),
-      m_stageRates(stageRatesOf(integrator)), m_rates(keptRatesOf(integrator)) {}
+    : m_kernel(system, options), m_integrator(integrator), m_restTolerance(restTolerance),
+      m_active(system, m_kernel, restTolerance), m_stageRates(stageRatesOf(integrator)),
+      m_rates(keptRatesOf(integrator)) {}
+
+template<class Real>
+ExplicitScheme<Real> ExplicitScheme<Real>::withParameters(const SpringSystem& system) const {
+    ExplicitScheme other = *this;
+    other.m_kernel.setParameters(system);
+    other.m_active = ActiveSlices<Real>(system, other.m_kernel, m_restTolerance);
+    other.restart();
+    return other;
+}
 
 template<class Real> void ExplicitScheme<Real>::restart() {
     m_isLoaded = false;

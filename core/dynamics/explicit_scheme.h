@@ -16,6 +16,9 @@ public:
     ExplicitScheme(const SpringSystem& system, Integrator integrator, const KernelOptions& options,
                    double restTolerance);
 
+    /// The same for other parameters of the same network. Precondition: nodes and springs join as before.
+    ExplicitScheme withParameters(const SpringSystem& system) const;
+
     /// So many steps, as if nothing touched the tissue. Led nodes move evenly, in one step. `after` may be
     /// `before`. Precondition: since the last step nothing changed the motion, or restart() was called.
     void steps(const StepInput& input, std::size_t count, const Motion& before, Motion& after);
@@ -51,6 +54,7 @@ private:
 
     TissueKernel<Real> m_kernel;
     Integrator m_integrator;
+    double m_restTolerance; ///< m
     ActiveSlices<Real> m_active;
     std::size_t m_stepsSinceLoad = 0;
     double m_activeFraction = 1;

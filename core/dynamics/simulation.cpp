@@ -69,7 +69,7 @@ struct Simulation::Implementation {
     Implementation(const TissueModel& model, const SimulationSettings& given, TouchedSurface touchable)
         : settings(given), surface(std::move(touchable)), team(makeTeam(model, given)),
           chosen(chooseStep(model, given, memory.get())),
-          stepper(makeSpringSystem(model), surface, chosen, given, team.get()) {
+          stepper(makeSpringSystem(model), surface, {chosen, given, team.get()}) {
         reset();
     }
 
@@ -236,7 +236,7 @@ void Simulation::setModel(const TissueModel& model, const SimulationSettings& se
         throw InvalidModel("new parameters are for another number of nodes than the running model has");
     const ChosenStep chosen = chooseStep(model, settings, self.memory.get());
     if (!self.team) self.team = makeTeam(model, settings);
-    Stepper stepper(std::move(system), self.surface, chosen, settings, self.team.get());
+    Stepper stepper(std::move(system), self.surface, {chosen, settings, self.team.get()}, &self.stepper);
     self.takeOver(stepper.system());
     self.settings = settings;
     self.goOnWith(chosen, std::move(stepper));
@@ -254,8 +254,8 @@ void Simulation::keepState() {
 void Simulation::goBack(double timeStep) {
     Implementation& self = *m_implementation;
     const ChosenStep shorter{self.chosen.integrator, timeStep};
-    self.goOnWith(shorter,
-                  Stepper(self.stepper.system(), self.surface, shorter, self.settings, self.team.get()));
+    self.goOnWith(shorter, Stepper(self.stepper.system(), self.surface,
+                                   {shorter, self.settings, self.team.get()}, &self.stepper));
     self.failure.clear();
     if (self.older)
         self.goBack(*self.older);

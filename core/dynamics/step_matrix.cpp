@@ -2,6 +2,7 @@
 
 #include "core/support/errors.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace esm {
@@ -59,16 +60,33 @@ Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const Ma
     return assemble(system, factors, freeIndices(prescribed));
 }
 
+const Eigen::SimplicialLLT<MatrixFactoriser::Matrix>* MatrixFactoriser::factorise(const Matrix& matrix) {
+    if (!isAnalysed(matrix)) {
+        m_solver.analyzePattern(matrix);
+        m_starts.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1);
+        m_rows.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
+    }
+    m_solver.factorize(matrix);
+    return m_solver.info() == Eigen::Success ? &m_solver : nullptr;
+}
+
+bool MatrixFactoriser::isAnalysed(const Matrix& matrix) const {
+    return m_starts.size() == static_cast<std::size_t>(matrix.outerSize()) + 1 &&
+           m_rows.size() == static_cast<std::size_t>(matrix.nonZeros()) &&
+           std::equal(m_starts.begin(), m_starts.end(), matrix.outerIndexPtr()) &&
+           std::equal(m_rows.begin(), m_rows.end(), matrix.innerIndexPtr());
+}
+
 StepMatrix::StepMatrix(const SpringSystem& system, const MatrixFactors& factors,
-                       const std::vector<char>& prescribed)
+                       const std::vector<char>& prescribed, MatrixFactoriser& factoriser)
     : m_row(freeIndices(prescribed)) {
     const Matrix matrix = assemble(system, factors, m_row);
     if (matrix.rows() > 0) {
-        const Eigen::SimplicialLLT<Matrix> factorisation(matrix);
-        if (factorisation.info() != Eigen::Success) refuseIllConditioned();
-        m_lower = factorisation.matrixL().nestedExpression();
+        const auto* const factorisation = factoriser.factorise(matrix);
+        if (!factorisation) refuseIllConditioned();
+        m_lower = factorisation->matrixL().nestedExpression();
         for (int& row : m_row)
-            if (row >= 0) row = factorisation.permutationP().indices()[row];
+            if (row >= 0) row = factorisation->permutationP().indices()[row];
     }
     for (const auto& spring : system.springs) {
         const double factor = coupling(factors, spring);

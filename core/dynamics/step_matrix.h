@@ -15,6 +15,22 @@ struct MatrixFactors {
 Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const MatrixFactors& factors,
                                             const std::vector<char>& prescribed);
 
+/// Factorises matrices one after the other. Where their entries lie in the same places, all but the first
+/// find the order of elimination and the places of the factor's entries known.
+class MatrixFactoriser {
+public:
+    using Matrix = Eigen::SparseMatrix<double>;
+
+    /// The lower half of a matrix as L·Lᵀ in an order of its own; null when it is not positive definite.
+    const Eigen::SimplicialLLT<Matrix>* factorise(const Matrix& matrix);
+
+private:
+    bool isAnalysed(const Matrix& matrix) const;
+
+    Eigen::SimplicialLLT<Matrix> m_solver;
+    std::vector<int> m_starts, m_rows; ///< of the columns of the matrix that was analysed last, its entries'
+};
+
 /// A column of L⁻¹: its entries, from the top down. They lie on one path of the elimination tree, so two
 /// columns end in the same rows from where their paths meet.
 struct HalfColumn {
@@ -31,7 +47,8 @@ struct HalfColumn {
 class StepMatrix {
 public:
     /// @throws InvalidModel when masses are too small beside damping or stiffness for the arithmetic
-    StepMatrix(const SpringSystem& system, const MatrixFactors& factors, const std::vector<char>& prescribed);
+    StepMatrix(const SpringSystem& system, const MatrixFactors& factors, const std::vector<char>& prescribed,
+               MatrixFactoriser& factoriser);
 
     bool isPrescribed(std::uint32_t node) const { return m_row[node] < 0; }
 

@@ -48,21 +48,39 @@ void place(const std::vector<HeldNode>& held, Vectors& positions) {
 
 } // namespace
 
-Stepper::Stepper(SpringSystem system, TouchedSurface surface, const ChosenStep& chosen,
-                 const SimulationSettings& settings, ThreadTeam* team)
-    : m_system(std::move(system)), m_surface(std::move(surface)), m_integrator(chosen.integrator),
-      m_timeStep(chosen.timeStep), m_prescribed(m_system.fixed), m_strained(m_system),
-      m_scheme(MatrixScheme(chosen.integrator, settings.damping)) {
-    const KernelOptions options{settings.damping, {}, team};
-    if (m_integrator == Integrator::Propagation)
-        m_scheme.emplace<PropagationScheme>(m_system, settings.damping);
-    else if (isExplicit(m_integrator) && settings.precision == Precision::Float)
-        m_scheme.emplace<ExplicitScheme<float>>(m_system, m_integrator, options, settings.restTolerance);
-    else if (isExplicit(m_integrator))
-        m_scheme.emplace<ExplicitScheme<double>>(m_system, m_integrator, options, settings.restTolerance);
-    else
-        solverFor(1, false);
+Stepper::Stepper(SpringSystem system, TouchedSurface surface, const StepperOptions& options,
+                 const Stepper* former)
+    : m_system(std::move(system)), m_surface(std::move(surface)), m_options(options),
+      m_integrator(options.chosen.integrator), m_timeStep(options.chosen.timeStep),
+      m_prescribed(m_system.fixed),
+      m_factoriser(former ? former->m_factoriser : std::make_shared<MatrixFactoriser>()),
+      m_strained(m_system), m_scheme(makeScheme(former)) {
+    if (std::holds_alternative<MatrixScheme>(m_scheme)) solverFor(1, false);
     if (hasSecondOrderForm(m_integrator)) solverFor(1, true);
+}
+
+bool Stepper::canTakeScheme(const Stepper& former) const {
+    const SimulationSettings &settings = m_options.settings, &others = former.m_options.settings;
+    return isExplicit(m_integrator) && m_integrator == former.m_integrator &&
+           m_system.network == former.m_system.network && m_options.team == former.m_options.team &&
+           settings.damping == others.damping && settings.precision == others.precision &&
+           settings.restTolerance == others.restTolerance;
+}
+
+Stepper::Scheme Stepper::makeScheme(const Stepper* former) const {
+    if (former && canTakeScheme(*former)) {
+        if (auto* inDouble = std::get_if<ExplicitScheme<double>>(&former->m_scheme))
+            return inDouble->withParameters(m_system);
+        if (auto* inFloat = std::get_if<ExplicitScheme<float>>(&former->m_scheme))
+            return inFloat->withParameters(m_system);
+    }
+    const SimulationSettings& settings = m_options.settings;
+    const KernelOptions options{settings.damping, {}, m_options.team};
+    if (m_integrator == Integrator::Propagation) return PropagationScheme(m_system, settings.damping);
+    if (!isExplicit(m_integrator)) return MatrixScheme(m_integrator, settings.damping);
+    if (settings.precision == Precision::Float)
+        return ExplicitScheme<float>(m_system, m_integrator, options, settings.restTolerance);
+    return ExplicitScheme<double>(m_system, m_integrator, options, settings.restTolerance);
 }
 
 void Stepper::restart() {
@@ -256,8 +274,8 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
 StepSolver& Stepper::solverFor(int parts, bool builds) {
     std::unique_ptr<StepSolver>& solver = m_solvers[{parts, builds}];
     if (!solver)
-        solver = std::make_unique<StepSolver>(
-            StepMatrix(m_system, stepFactors(m_integrator, m_timeStep / parts, builds), m_prescribed));
+        solver = std::make_unique<StepSolver>(StepMatrix(
+            m_system, stepFactors(m_integrator, m_timeStep / parts, builds), m_prescribed, *m_factoriser));
     return *solver;
 }
 
@@ -270,7 +288,7 @@ StepSolver& Stepper::branchSolverFor(int parts) {
     if (!solver)
         solver = std::make_unique<StepSolver>(StepMatrix(m_strained.linearised(m_system),
                                                          stepFactors(m_integrator, m_timeStep / parts, false),
-                                                         m_prescribed));
+                                                         m_prescribed, *m_factoriser));
     return *solver;
 }
 

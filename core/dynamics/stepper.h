@@ -12,6 +12,12 @@
 
 namespace esm {
 
+struct StepperOptions {
+    ChosenStep chosen;
+    SimulationSettings settings;
+    ThreadTeam* team; ///< outlives the stepper; none is one thread
+};
+
 /// Steps one spring system by any of the integrators, leading nodes and making way for an instrument: first
 /// as if nothing touched the tissue, then with the impulses that its contacts ask for. Integrators that build
 /// on earlier steps begin anew after every jump, of loads, of parameters or of a led node's velocity, and
@@ -19,9 +25,10 @@ namespace esm {
 /// ones begin anew in each step that leads nodes, which go evenly through it.
 class Stepper {
 public:
-    /// `team` outlives the stepper; none is one thread.
-    Stepper(SpringSystem system, TouchedSurface surface, const ChosenStep& chosen,
-            const SimulationSettings& settings, ThreadTeam* team);
+    /// @param former what stepped the same network before: orders and layouts that hang on the network alone
+    /// are taken from it. May be null, or of another network.
+    Stepper(SpringSystem system, TouchedSurface surface, const StepperOptions& options,
+            const Stepper* former = nullptr);
 
     const SpringSystem& system() const { return m_system; }
 
@@ -43,6 +50,12 @@ public:
     void restart();
 
 private:
+    using Scheme =
+        std::variant<MatrixScheme, PropagationScheme, ExplicitScheme<double>, ExplicitScheme<float>>;
+
+    /// Whether the other's explicit scheme does for this one, but for its parameters.
+    bool canTakeScheme(const Stepper& former) const;
+    Scheme makeScheme(const Stepper* former) const;
     void forgetSteps();
 
     /// A part of a step in which neither instrument nor tissue moves far.
@@ -76,11 +89,13 @@ private:
 
     SpringSystem m_system;
     TouchedSurface m_surface;
+    StepperOptions m_options;
     Integrator m_integrator;
     double m_timeStep; ///< s
     bool m_touched = false;
 
     std::vector<char> m_prescribed; ///< fixed nodes, and led ones when they are many
+    std::shared_ptr<MatrixFactoriser> m_factoriser; ///< one after the other has it
     std::map<std::pair<int, bool>, std::unique_ptr<StepSolver>> m_solvers; ///< by parts and form
 
     StrainedSprings m_strained;
@@ -93,7 +108,7 @@ private:
     };
     std::vector<LedNode> m_led;
     std::optional<Loads> m_lastLoads;
-    std::variant<MatrixScheme, PropagationScheme, ExplicitScheme<double>, ExplicitScheme<float>> m_scheme;
+    Scheme m_scheme;
 };
 
 } // namespace esm

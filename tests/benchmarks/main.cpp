@@ -4,6 +4,7 @@
 #include "tests/benchmarks/critical_step.h"
 #include "tests/benchmarks/explicit_step.h"
 #include "tests/benchmarks/local_poke.h"
+#include "tests/benchmarks/slider_move.h"
 #include "tests/benchmarks/stiff_tissue.h"
 
 #include <string>
@@ -11,8 +12,8 @@
 namespace {
 
 std::vector<benchmarks::Ratio> (*const subjects[])(){
-    benchmarks::registerExplicitStep, benchmarks::registerLocalPoke,
-    benchmarks::registerStiffTissue,  benchmarks::registerCriticalStep,
+    benchmarks::registerExplicitStep, benchmarks::registerLocalPoke,  benchmarks::registerStiffTissue,
+    benchmarks::registerCriticalStep, benchmarks::registerSliderMove,
 #ifdef ESM_HAS_BULLET
     benchmarks::registerBullet,
 #endif

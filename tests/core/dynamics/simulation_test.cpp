@@ -1,4 +1,5 @@
 #include "core/dynamics/simulation.h"
+#include "tests/support/every_integrator.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -131,3 +132,28 @@ TEST_P(GoingBack, GoesOnWithOtherSettings) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, GoingBack, testing::Values(Integrator::Euler, Integrator::Split2),
                          [](const auto& info) { return std::string(integratorName(info.param)); });
+
+class NewParameters : public testing::TestWithParam<Integrator> {};
+INSTANTIATE_TEST_SUITE_P(Dynamics, NewParameters, testing::ValuesIn(allIntegrators), nameOfIntegratorTest);
+
+// What is kept for the sake of speed changes nothing.
+TEST_P(NewParameters, AreSteppedAsByASimulationMadeWithThem) {
+    TissueModel soft = tissue::fromMesh(tissue::gridMesh(8, 0.1), {10, 0.01, 0.001});
+    soft.fixedNodes = {0, 1, 2, 3, 4, 5, 6, 7};
+    TissueModel other = soft;
+    for (std::size_t i = 0; i < other.mass.size(); ++i) {
+        other.springConstant[i] *= 1 + 0.1 * static_cast<double>(i);
+        other.mass[i] *= 1 + 0.01 * static_cast<double>(i);
+    }
+    other.fixedNodes = {0, 7};
+    other.tethers = {{40, 3, 0.2}};
+    const SimulationSettings settings = withStep(GetParam(), 5e-4);
+    Simulation changed(soft, settings), made(other, settings);
+    changed.setModel(other);
+    Loads loads;
+    loads.gravity = {0, 9.81, 1};
+    for (int i = 0; i < 20; ++i)
+        ASSERT_TRUE(changed.step(loads) && made.step(loads));
+    EXPECT_EQ(changed.positions(), made.positions());
+    EXPECT_EQ(changed.velocities(), made.velocities());
+}

@@ -54,7 +54,8 @@ TEST(StepMatrix, SolvesForTheVelocitiesThatAreNotPrescribed) {
     const SpringSystem system = unevenSystem();
     std::vector<char> prescribed(system.mass.size(), 0);
     prescribed[3] = prescribed[14] = prescribed[35] = 1;
-    const StepMatrix matrix(system, {1.5, 0.02, 0}, prescribed);
+    MatrixFactoriser factoriser;
+    const StepMatrix matrix(system, {1.5, 0.02, 0}, prescribed, factoriser);
     const Vectors momentum = someVectors(system.mass.size());
     Vectors velocities(momentum.size(), Eigen::Vector3d(1, -2, 3)), half;
     matrix.solveLower(momentum, velocities, half);
@@ -76,7 +77,8 @@ TEST(StepMatrix, SolvesForTheVelocitiesThatAreNotPrescribed) {
 
 TEST(StepMatrix, GivesColumnsWhoseProductsAreItsInverse) {
     const SpringSystem system = unevenSystem();
-    const StepMatrix matrix(system, {1, 0.02, 0}, std::vector<char>(system.mass.size(), 0));
+    MatrixFactoriser factoriser;
+    const StepMatrix matrix(system, {1, 0.02, 0}, std::vector<char>(system.mass.size(), 0), factoriser);
     const Eigen::MatrixXd inverse = denseMatrix(system, 1, 0.02).inverse();
     for (const std::uint32_t a : {0U, 7U, 35U})
         for (const std::uint32_t b : {0U, 8U, 21U}) {
@@ -91,7 +93,8 @@ TEST(StepMatrix, GivesColumnsWhoseProductsAreItsInverse) {
 
 TEST(StepMatrix, IsTheMassesAloneWithoutDamping) {
     const SpringSystem system = unevenSystem();
-    const StepMatrix matrix(system, {1, 0, 0}, std::vector<char>(system.mass.size(), 0));
+    MatrixFactoriser factoriser;
+    const StepMatrix matrix(system, {1, 0, 0}, std::vector<char>(system.mass.size(), 0), factoriser);
     const Vectors momentum = someVectors(system.mass.size());
     Vectors velocities(momentum.size()), half;
     matrix.solveLower(momentum, velocities, half);
@@ -102,7 +105,8 @@ TEST(StepMatrix, IsTheMassesAloneWithoutDamping) {
 
 TEST(StepMatrix, OfNothingButPrescribedNodesHasNothingToSolve) {
     const SpringSystem system = unevenSystem();
-    const StepMatrix matrix(system, {1, 0.02, 0}, std::vector<char>(system.mass.size(), 1));
+    MatrixFactoriser factoriser;
+    const StepMatrix matrix(system, {1, 0.02, 0}, std::vector<char>(system.mass.size(), 1), factoriser);
     const Vectors given = someVectors(system.mass.size());
     Vectors velocities = given, half;
     matrix.solveLower(given, velocities, half);
@@ -112,8 +116,31 @@ TEST(StepMatrix, OfNothingButPrescribedNodesHasNothingToSolve) {
 
 TEST(StepMatrix, RefusesMassesThatViscositySwallows) {
     const TissueModel model = tissue::fromMesh(tissue::gridMesh(6, 0.1), {10, 1e12, 1e-9});
-    EXPECT_THROW(StepMatrix(makeSpringSystem(model), {1, 0.01, 0}, std::vector<char>(model.mass.size(), 0)),
+    MatrixFactoriser factoriser;
+    EXPECT_THROW(StepMatrix(makeSpringSystem(model), {1, 0.01, 0}, std::vector<char>(model.mass.size(), 0),
+                            factoriser),
                  InvalidModel);
+}
+
+TEST(MatrixFactoriser, FindsTheSameWithWhatItKnowsAsWithout) {
+    SpringSystem system = unevenSystem();
+    MatrixFactoriser used;
+    const auto isSame = [&](const std::vector<char>& prescribed) {
+        const Eigen::SparseMatrix<double> matrix = laplacianMatrix(system, {1, 0.02, 0}, prescribed);
+        MatrixFactoriser fresh;
+        const auto *known = used.factorise(matrix), *anew = fresh.factorise(matrix);
+        return Eigen::MatrixXd(known->matrixL()) == Eigen::MatrixXd(anew->matrixL()) &&
+               known->permutationP().indices() == anew->permutationP().indices();
+    };
+    std::vector<char> prescribed(system.mass.size(), 0);
+    EXPECT_TRUE(isSame(prescribed));
+    for (SpringSystem::Element& spring : system.springs)
+        spring.viscosity *= 1 + spring.first;
+    EXPECT_TRUE(isSame(prescribed)) << "other parameters";
+    system.springs[3].viscosity = 0;
+    EXPECT_TRUE(isSame(prescribed)) << "an entry less";
+    prescribed[7] = 1;
+    EXPECT_TRUE(isSame(prescribed)) << "a node less";
 }
 
 TEST(LaplacianMatrix, LeavesPrescribedNodesOut) {

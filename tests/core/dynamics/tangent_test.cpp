@@ -84,7 +84,8 @@ TEST(TangentMatrix, SolvesForTheVelocitiesThatAreNotGiven) {
     const std::size_t count = system.mass.size();
     const Vectors positions = sum(system.network->restPositions, 1, waves(count, 0.002)),
                   momentum = waves(count, 0.001);
-    const StepMatrix preconditioner(system, factors, system.fixed);
+    MatrixFactoriser factoriser;
+    const StepMatrix preconditioner(system, factors, system.fixed, factoriser);
     for (const Damping damping : {Damping::Isotropic, Damping::Axial}) {
         TangentMatrix matrix(system, damping, factors, positions);
         Vectors velocities(count, Eigen::Vector3d::Zero()), result;
@@ -108,7 +109,8 @@ TEST(TangentMatrix, FindsAStepWherePressedSpringsBuckle) {
     for (Eigen::Vector3d& position : positions)
         position *= 0.33;
     const MatrixFactors stiff{1, 0.01, 0.01};
-    const StepMatrix preconditioner(system, stiff, system.fixed);
+    MatrixFactoriser factoriser;
+    const StepMatrix preconditioner(system, stiff, system.fixed, factoriser);
     TangentMatrix matrix(system, Damping::Isotropic, stiff, positions);
     const Vectors momentum = waves(positions.size(), 0.001);
     Vectors velocities(positions.size(), Eigen::Vector3d::Zero()), result;
