@@ -52,8 +52,8 @@ Stepper::Stepper(SpringSystem system, TouchedSurface surface, const StepperOptio
                  const Stepper* former)
     : m_system(std::move(system)), m_surface(std::move(surface)), m_options(options),
       m_integrator(options.chosen.integrator), m_timeStep(options.chosen.timeStep),
-      m_prescribed(m_system.fixed),
-      m_factoriser(former ? former->m_factoriser : std::make_shared<MatrixFactoriser>()),
+      m_free(m_system.fixed, former ? former->m_free.factoriser : std::make_shared<MatrixFactoriser>()),
+      m_led(m_system.fixed, former ? former->m_led.factoriser : std::make_shared<MatrixFactoriser>()),
       m_strained(m_system), m_scheme(makeScheme(former)) {
     if (std::holds_alternative<MatrixScheme>(m_scheme)) solverFor(1, false);
     if (hasSecondOrderForm(m_integrator)) solverFor(1, true);
@@ -145,7 +145,7 @@ std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads&
 
 void Stepper::advance(Motion& motion, const Piece& piece) {
     prescribe(piece.input.held);
-    if (hasBranches() && m_strained.follow(m_system, motion.positions)) m_branchSolvers.clear();
+    if (hasBranches() && m_strained.follow(m_system, motion.positions)) forgetBranches();
     auto* const scheme = std::get_if<MatrixScheme>(&m_scheme);
     const bool standsAlone = piece.parts > 1 || (!scheme && !piece.input.held.empty());
     if (jumps(piece.input, motion.positions) || standsAlone) forgetSteps();
@@ -163,14 +163,14 @@ void Stepper::advance(Motion& motion, const Piece& piece) {
 }
 
 bool Stepper::jumps(const StepInput& input, const Vectors& positions) {
-    std::vector<LedNode> led;
+    std::vector<LedNode> ways;
     for (const HeldNode& held : input.held)
-        led.push_back({held.node, (held.position - positions[held.node]) / input.duration});
+        ways.push_back({held.node, (held.position - positions[held.node]) / input.duration});
     const auto goesOn = [](const LedNode& before, const LedNode& now) {
         return before.node == now.node && !isJump(before.velocity, now.velocity);
     };
-    const bool goOn = std::equal(m_led.begin(), m_led.end(), led.begin(), led.end(), goesOn);
-    m_led = std::move(led);
+    const bool goOn = std::equal(m_ways.begin(), m_ways.end(), ways.begin(), ways.end(), goesOn);
+    m_ways = std::move(ways);
     return !goOn;
 }
 
@@ -209,7 +209,7 @@ UntouchedStep Stepper::branchStep(const Motion& motion, const Piece& piece) {
         place(piece.input.held, step.motion.positions);
         if (!m_strained.add(m_system, step.motion.positions)) return step;
         if (round == mostBranchRounds) m_strained.addAll();
-        m_branchSolvers.clear();
+        forgetBranches();
     }
 }
 
@@ -222,7 +222,7 @@ UntouchedStep Stepper::firstOrderStep(const Motion& motion, const Piece& piece) 
 }
 
 std::vector<char> Stepper::immovable(const Piece& piece) const {
-    std::vector<char> result = m_prescribed;
+    std::vector<char> result = m_system.fixed;
     for (const HeldNode& held : piece.input.held)
         result[held.node] = 1;
     return result;
@@ -272,10 +272,11 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
 }
 
 StepSolver& Stepper::solverFor(int parts, bool builds) {
-    std::unique_ptr<StepSolver>& solver = m_solvers[{parts, builds}];
+    auto& [prescribed, factoriser, linear, branches] = solvers();
+    std::unique_ptr<StepSolver>& solver = linear[{parts, builds}];
     if (!solver)
         solver = std::make_unique<StepSolver>(StepMatrix(
-            m_system, stepFactors(m_integrator, m_timeStep / parts, builds), m_prescribed, *m_factoriser));
+            m_system, stepFactors(m_integrator, m_timeStep / parts, builds), prescribed, *factoriser));
     return *solver;
 }
 
@@ -284,23 +285,29 @@ bool Stepper::hasBranches() const {
 }
 
 StepSolver& Stepper::branchSolverFor(int parts) {
-    std::unique_ptr<StepSolver>& solver = m_branchSolvers[parts];
+    auto& [prescribed, factoriser, linear, branches] = solvers();
+    std::unique_ptr<StepSolver>& solver = branches[parts];
     if (!solver)
         solver = std::make_unique<StepSolver>(StepMatrix(m_strained.linearised(m_system),
                                                          stepFactors(m_integrator, m_timeStep / parts, false),
-                                                         m_prescribed, *m_factoriser));
+                                                         prescribed, *factoriser));
     return *solver;
 }
 
+void Stepper::forgetBranches() {
+    m_free.branches.clear();
+    m_led.branches.clear();
+}
+
+// The matrices without the led nodes stay, for when they are let go.
 void Stepper::prescribe(const std::vector<HeldNode>& held) {
+    m_leadsMany = held.size() > mostLedByImpulses;
+    if (!m_leadsMany) return;
     std::vector<char> prescribed = m_system.fixed;
-    if (held.size() > mostLedByImpulses)
-        for (const HeldNode& node : held)
-            prescribed[node.node] = 1;
-    if (prescribed == m_prescribed) return;
-    m_prescribed = std::move(prescribed);
-    m_solvers.clear();
-    m_branchSolvers.clear();
+    for (const HeldNode& node : held)
+        prescribed[node.node] = 1;
+    if (prescribed == m_led.prescribed) return;
+    m_led = Solvers(std::move(prescribed), m_led.factoriser);
 }
 
 } // namespace esm

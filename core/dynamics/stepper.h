@@ -94,19 +94,30 @@ private:
     double m_timeStep; ///< s
     bool m_touched = false;
 
-    std::vector<char> m_prescribed; ///< fixed nodes, and led ones when they are many
-    std::shared_ptr<MatrixFactoriser> m_factoriser; ///< one after the other has it
-    std::map<std::pair<int, bool>, std::unique_ptr<StepSolver>> m_solvers; ///< by parts and form
+    /// The matrices of the tissue with some nodes prescribed.
+    struct Solvers {
+        std::vector<char> prescribed;
+        std::shared_ptr<MatrixFactoriser> factoriser; ///< one stepper after the other has it
+        std::map<std::pair<int, bool>, std::unique_ptr<StepSolver>> linear; ///< by parts and form
+        std::map<int, std::unique_ptr<StepSolver>> branches;                ///< by parts
 
+        Solvers(std::vector<char> nodes, std::shared_ptr<MatrixFactoriser> used)
+            : prescribed(std::move(nodes)), factoriser(std::move(used)) {}
+    };
+    Solvers& solvers() { return m_leadsMany ? m_led : m_free; }
+    void forgetBranches();
+
+    bool m_leadsMany = false;
+    Solvers m_free; ///< of the fixed nodes
+    Solvers m_led;  ///< of these and the led ones, as they were when many were led last
     StrainedSprings m_strained;
-    std::map<int, std::unique_ptr<StepSolver>> m_branchSolvers; ///< by parts
 
     /// How a node was led in the last step, on the mean.
     struct LedNode {
         std::uint32_t node;
         Eigen::Vector3d velocity; ///< m/s
     };
-    std::vector<LedNode> m_led;
+    std::vector<LedNode> m_ways;
     std::optional<Loads> m_lastLoads;
     Scheme m_scheme;
 };

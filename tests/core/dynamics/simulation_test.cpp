@@ -157,3 +157,21 @@ TEST_P(NewParameters, AreSteppedAsByASimulationMadeWithThem) {
     EXPECT_EQ(changed.positions(), made.positions());
     EXPECT_EQ(changed.velocities(), made.velocities());
 }
+
+// Matrices are kept for nodes that are led again, and for those that are let go.
+TEST_P(NewParameters, LetNodesBeLedAndLetGoAsBefore) {
+    const TissueModel model = tissue::fromMesh(tissue::gridMesh(12, 0.1), {10, 0.01, 0.001});
+    const SimulationSettings settings = withStep(GetParam(), 5e-4);
+    Simulation keeping(model, settings), anew(model, settings);
+    for (const std::uint32_t first : {0U, 0U, 70U, 0U}) {
+        Loads loads;
+        for (std::uint32_t i = first; i < first + 70; ++i)
+            loads.held.push_back({i, keeping.positions()[i] + Eigen::Vector3d(0, 0, 1e-4)});
+        for (const Loads& taken : {loads, Loads{}}) {
+            anew.setModel(model);
+            for (int i = 0; i < 3; ++i)
+                ASSERT_TRUE(keeping.step(taken) && anew.step(taken));
+        }
+    }
+    EXPECT_EQ(keeping.positions(), anew.positions());
+}
