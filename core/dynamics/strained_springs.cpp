@@ -1,6 +1,7 @@
 #include "core/dynamics/strained_springs.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace esm {
 
@@ -10,12 +11,17 @@ bool becomesStiffer(const SpringSystem::Element& spring) {
     return largestSpringConstant(spring) > spring.springConstant;
 }
 
-std::vector<char> strainedAt(const SpringSystem& system, const Vectors& positions) {
+/// Of its strain, from where on a spring is taken in together with those that are beyond theirs.
+constexpr double nearShare = 0.8;
+
+/// @param share of each spring's strain
+std::vector<char> strainedAt(const SpringSystem& system, const Vectors& positions, double share) {
     std::vector<char> strained;
     strained.reserve(system.springs.size());
     for (const auto& spring : system.springs) {
         const double length = (positions[spring.first] - positions[spring.second]).norm();
-        strained.push_back(isBeyond(spring.secondPhase, spring.restLength / length) &&
+        const auto& [strain, stiffConstant] = spring.secondPhase;
+        strained.push_back(isBeyond({share * strain, stiffConstant}, spring.restLength / length) &&
                            becomesStiffer(spring));
     }
     return strained;
@@ -28,20 +34,22 @@ StrainedSprings::StrainedSprings(const SpringSystem& system)
       m_isStrained(system.springs.size(), 0) {}
 
 bool StrainedSprings::follow(const SpringSystem& system, const Vectors& positions) {
-    std::vector<char> strained = strainedAt(system, positions);
     const bool hasGrown = add(system, positions);
-    const auto needed = std::count(strained.begin(), strained.end(), 1);
+    std::vector<char> near = strainedAt(system, positions, nearShare);
+    const auto needed = std::count(near.begin(), near.end(), 1);
     if (std::count(m_isStrained.begin(), m_isStrained.end(), 1) <= 2 * needed) return hasGrown;
-    m_isStrained = std::move(strained);
+    m_isStrained = std::move(near);
     return true;
 }
 
 bool StrainedSprings::add(const SpringSystem& system, const Vectors& positions) {
-    const std::vector<char> strained = strainedAt(system, positions);
-    bool hasGrown = false;
-    for (std::size_t i = 0; i < strained.size(); ++i)
-        if (strained[i] && !m_isStrained[i]) m_isStrained[i] = hasGrown = true;
-    return hasGrown;
+    const std::vector<char> strained = strainedAt(system, positions, 1);
+    const auto isNew = [](char now, char known) { return now && !known; };
+    if (std::equal(strained.begin(), strained.end(), m_isStrained.begin(), std::not_fn(isNew))) return false;
+    const std::vector<char> near = strainedAt(system, positions, nearShare);
+    for (std::size_t i = 0; i < near.size(); ++i)
+        if (near[i]) m_isStrained[i] = 1;
+    return true;
 }
 
 void StrainedSprings::addAll() {

@@ -13,9 +13,9 @@ public:
     bool canChange() const { return m_canChange; }
 
     /// Takes in what is strained at these places, and lets others go where they have become the larger part.
-    /// Whether anything changed.
+    /// With springs that are strained come those that soon will be. Whether anything changed.
     bool follow(const SpringSystem& system, const Vectors& positions);
-    /// Takes in what is strained at these places. Whether anything changed.
+    /// The same without letting others go.
     bool add(const SpringSystem& system, const Vectors& positions);
     void addAll();
 
