@@ -1,6 +1,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "core/exchange/fuzzy_file.h"
+#include "core/fuzzy/rule_text.h"
 
 namespace esm {
 

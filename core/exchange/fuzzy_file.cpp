@@ -2,6 +2,7 @@
 
 #include "core/exchange/embedded_presets.h"
 #include "core/exchange/json_reader.h"
+#include "core/fuzzy/rule_text.h"
 #include "core/support/errors.h"
 #include "core/support/joined.h"
 
@@ -36,7 +37,12 @@ std::vector<FuzzyVariable> variablesFromJson(const JsonReader& reader) {
 }
 
 void readRules(FuzzySystem& system, const JsonReader& reader, std::vector<std::string>& problems) {
-    for (const JsonReader& rule : reader.elements()) {
+    const std::vector<JsonReader> rules = reader.elements();
+    if (rules.size() > mostFuzzyRules) {
+        problems.push_back(tooManyRules(rules.size()));
+        return;
+    }
+    for (const JsonReader& rule : rules) {
         const std::string text = rule.text();
         if (!rule.json().is_string()) continue;
         try {
@@ -47,8 +53,43 @@ void readRules(FuzzySystem& system, const JsonReader& reader, std::vector<std::s
     }
 }
 
+template<class Norm>
+void readNorm(const JsonReader& norms, const char* key, Norm& norm,
+              std::optional<Norm> (*fromName)(const std::string&), const std::string& names) {
+    if (!norms.has(key)) return;
+    const JsonReader reader = norms.member(key);
+    const std::string name = reader.text();
+    if (const std::optional<Norm> named = fromName(name))
+        norm = *named;
+    else if (reader.json().is_string())
+        reader.addProblem("is \"" + name + "\"; it may be " + names);
+}
+
+FuzzyNorms normsFromJson(const JsonReader& reader) {
+    FuzzyNorms norms;
+    reader.members(); // says so where it is no object
+    readNorm(reader, "conjunction", norms.conjunction, tNormFromName, tNormNames());
+    readNorm(reader, "disjunction", norms.disjunction, tConormFromName, tConormNames());
+    readNorm(reader, "implication", norms.implication, tNormFromName, tNormNames());
+    readNorm(reader, "aggregation", norms.aggregation, tConormFromName, tConormNames());
+    return norms;
+}
+
+/// Those that are not the default.
+Json toJson(const FuzzyNorms& norms) {
+    constexpr FuzzyNorms usual;
+    Json json = Json::object();
+    if (norms.conjunction != usual.conjunction) json["conjunction"] = normName(norms.conjunction);
+    if (norms.disjunction != usual.disjunction) json["disjunction"] = normName(norms.disjunction);
+    if (norms.implication != usual.implication) json["implication"] = normName(norms.implication);
+    if (norms.aggregation != usual.aggregation) json["aggregation"] = normName(norms.aggregation);
+    return json;
+}
+
 void noteOtherKeys(const JsonReader& reader) {
-    reader.allowOnly({"name", "description", "note", "inputs", "outputs", "rules"});
+    reader.allowOnly({"name", "description", "note", "inputs", "outputs", "norms", "rules"});
+    if (reader.has("norms"))
+        reader.member("norms").allowOnly({"conjunction", "disjunction", "implication", "aggregation"});
     for (const char* list : {"inputs", "outputs"}) {
         if (!reader.has(list)) continue;
         for (const auto& [name, variable] : reader.member(list).members())
@@ -82,12 +123,14 @@ FuzzySystem fuzzySystemFromJson(const Json& json) {
     if (reader.has("note")) system.note = reader.member("note").text();
     system.inputs = variablesFromJson(reader.member("inputs"));
     system.outputs = variablesFromJson(reader.member("outputs"));
+    if (reader.has("norms")) system.norms = normsFromJson(reader.member("norms"));
     const JsonReader rules = reader.member("rules");
     throwIfAny(problems);
 
     throwIfAny(validate(system)); // rules can only be read against sound variables
     readRules(system, rules, problems);
     throwIfAny(problems);
+    throwIfAny(validate(system)); // as a whole they may be too many
     return system;
 }
 
@@ -97,6 +140,7 @@ Json toJson(const FuzzySystem& system) {
     json["note"] = system.note;
     json["inputs"] = toJson(system.inputs);
     json["outputs"] = toJson(system.outputs);
+    if (Json norms = toJson(system.norms); !norms.empty()) json["norms"] = std::move(norms);
     json["rules"] = Json::array();
     for (const FuzzyRule& rule : system.rules)
         json["rules"].push_back(ruleText(system, rule));

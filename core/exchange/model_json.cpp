@@ -8,9 +8,34 @@ namespace esm {
 
 using Json = nlohmann::ordered_json;
 
-int versionOf(bool hasBinding, bool isBiphasic) {
-    if (isBiphasic) return 3;
-    return hasBinding ? 2 : 1;
+namespace {
+
+bool joinsByAndAlone(const FuzzyCondition& condition) {
+    using Kind = FuzzyCondition::Kind;
+    return condition.kind == Kind::Is ||
+           (condition.kind == Kind::And &&
+            std::all_of(condition.parts.begin(), condition.parts.end(),
+                        [](const FuzzyCondition& part) { return part.kind == Kind::Is; }));
+}
+
+bool isExtended(const FuzzySystem& system) {
+    return !(system.norms == FuzzyNorms{}) ||
+           std::any_of(system.rules.begin(), system.rules.end(), [](const FuzzyRule& rule) {
+               return rule.weight != 1 || !joinsByAndAlone(rule.condition);
+           });
+}
+
+} // namespace
+
+int versionOf(const VersionNeeds& needs) {
+    if (needs.extendedInference) return 4;
+    if (needs.stiffening) return 3;
+    return needs.binding ? 2 : 1;
+}
+
+bool haveExtendedInference(const std::vector<Region>& regions) {
+    return std::any_of(regions.begin(), regions.end(),
+                       [](const Region& region) { return region.system && isExtended(*region.system); });
 }
 
 void refuseNewerVersion(const JsonReader& file, int known) {

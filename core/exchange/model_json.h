@@ -8,9 +8,18 @@
 /// What the project file and the model package hold alike, besides their regions.
 namespace esm {
 
-/// What a file holds decides its version, so that older programs go on reading all that they understand:
-/// those of version 1 know no surface that is carried by fewer nodes, those of version 2 no biphasic springs.
-int versionOf(bool hasBinding, bool isBiphasic);
+/// What decides a file's version.
+struct VersionNeeds {
+    bool binding = false;           ///< a surface that is carried by fewer nodes: version 2
+    bool stiffening = false;        ///< biphasic springs: version 3
+    bool extendedInference = false; ///< norms, weights, OR or NOT in a fuzzy system: version 4
+};
+
+/// The oldest that has all of it, so that older programs go on reading all that they understand.
+int versionOf(const VersionNeeds& needs);
+
+/// Whether the fuzzy system of one of the regions is more than programs of version 3 know.
+bool haveExtendedInference(const std::vector<Region>& regions);
 
 /// @throws InvalidModel where the file's `version` is a newer one than `known`
 void refuseNewerVersion(const JsonReader& file, int known);

@@ -36,6 +36,7 @@ private:
     }
 
     void requireExtension() const;
+    void checkVersion(const JsonReader& extension, const ModelPackage& package) const;
     void checkStiffening(const JsonReader& extension, const ModelPackage& package) const;
     void readNodes(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const;
     void readSprings(const JsonReader& group, SpringNetwork& network, const TissueModel& tissue) const;
@@ -85,12 +86,17 @@ void PackageReader::requireExtension() const {
     if (names("extensionsRequired")) m_problems.push_back("extensionsRequired should not name " + name);
 }
 
-/// A reader of the version that the file says it is would take stiffer springs for linear.
-void PackageReader::checkStiffening(const JsonReader& extension, const ModelPackage& package) const {
-    const auto needed = static_cast<std::uint64_t>(
-        versionOf(extension.has("binding"), package.tissue.stiffening.has_value()));
+/// A reader of the version that the file says it is would take stiffer springs for linear, or infer
+/// otherwise.
+void PackageReader::checkVersion(const JsonReader& extension, const ModelPackage& package) const {
+    const auto needed =
+        static_cast<std::uint64_t>(versionOf({extension.has("binding"), package.tissue.stiffening.has_value(),
+                                              haveExtendedInference(package.regions)}));
     if (extension.member("version").integer(1, modelPackageVersion) < needed)
         extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");
+}
+
+void PackageReader::checkStiffening(const JsonReader& extension, const ModelPackage& package) const {
     if (!(package.tissue.stiffening == package.base.stiffening))
         extension.member("base").addProblem("should have the same stiffening as the package");
 }
@@ -335,6 +341,7 @@ ModelPackage PackageReader::read() {
     package.base = baseTissueFromJson(extension.member("base"));
     checkStiffening(extension, package);
     package.regions = regionsFromJson(extension.member("fuzzySystems"), extension.member("regions"));
+    checkVersion(extension, package);
     if (extension.has("stepping")) package.stepping = steppingFromJson(extension.member("stepping"));
     package.baseColour = colourFromJson(extension.member("baseColour"));
     if (m_problems.empty()) readDrawn(extension, package);

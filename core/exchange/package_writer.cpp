@@ -188,7 +188,8 @@ Json PackageBuilder::texture() const {
 Json PackageBuilder::extension() {
     const Project& project = m_from.project;
     RegionsJson regions = toJson(project.regions);
-    Json json{{"version", versionOf(isBound(), m_from.tissue.stiffening.has_value())},
+    Json json{{"version", versionOf({isBound(), m_from.tissue.stiffening.has_value(),
+                                     haveExtendedInference(project.regions)})},
               {"name", project.name},
               {"units", package_layout::units},
               {"damping", "isotropic"}};

@@ -134,8 +134,10 @@ Json manifestOf(const Project& project, Content& content) {
     RegionsJson regions = toJson(project.regions);
     Json texture = toJson(project.texture.atlas);
     texture["baseColour"] = colourToJson(project.texture.baseColour);
+    const VersionNeeds needs{isBound, project.base.stiffening.has_value(),
+                             haveExtendedInference(project.regions)};
     Json manifest{{"format", layout::format},
-                  {"version", versionOf(isBound, project.base.stiffening.has_value())},
+                  {"version", versionOf(needs)},
                   {"program", ESM_VERSION},
                   {"name", project.name},
                   {"importReport", toJson(*project.importReport)},

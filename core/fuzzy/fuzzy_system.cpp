@@ -1,6 +1,8 @@
 #include "core/fuzzy/fuzzy_system.h"
 
+#include "core/fuzzy/implied_set.h"
 #include "core/fuzzy/keywords.h"
+#include "core/support/joined.h"
 #include "core/support/numbers.h"
 
 #include <algorithm>
@@ -15,13 +17,16 @@ using Problems = std::vector<std::string>;
 
 /// A name stands as one word in a rule.
 void checkName(Problems& problems, const std::string& place, const std::string& name) {
-    const auto isSpaceOrControl = [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == 127; };
+    const auto endsWord = [](char c) {
+        return static_cast<unsigned char>(c) <= ' ' || c == 127 || isBracket(c);
+    };
     if (name.empty())
         problems.push_back(place + ": the name is missing");
-    else if (std::any_of(name.begin(), name.end(), isSpaceOrControl))
-        problems.push_back(place + ": a name is one word without spaces; join words with _");
+    else if (std::any_of(name.begin(), name.end(), endsWord))
+        problems.push_back(place + ": a name is one word without spaces and brackets; join words with _");
     else if (isKeyword(name))
-        problems.push_back(place + ": IF, IS, AND and THEN are words of rules, not names");
+        problems.push_back(place + ": " + joined({ruleKeywords.begin(), ruleKeywords.end()}) +
+                           " are words of rules, not names");
 }
 
 std::string listed(std::initializer_list<double> numbers) {
@@ -64,24 +69,58 @@ void checkVariable(Problems& problems, const std::string& place, const FuzzyVari
 /// A conclusion outside its variable's range would have nothing to take the centre of gravity of; one that
 /// reaches the range in its end point alone, neither area nor the weight of a point.
 void checkOutputSets(Problems& problems, const std::string& place, const FuzzyVariable& output) {
-    for (const FuzzyTerm& term : output.terms) {
-        const auto& [a, b, c, d] = term.set;
-        const bool isPoint = a == d;
-        const bool isOutside =
-            isPoint ? d < output.minimum || a > output.maximum : d <= output.minimum || a >= output.maximum;
-        if (isOutside)
+    for (const FuzzyTerm& term : output.terms)
+        if (!reachesInto(output, implied(term.set, 1, TNorm::Minimum)))
             problems.push_back(place + ".terms." + term.name + ": lies outside the output's range");
-    }
 }
 
-void checkPropositions(Problems& problems, const std::string& place,
-                       const std::vector<FuzzyProposition>& list,
-                       const std::vector<FuzzyVariable>& variables) {
-    if (list.empty()) problems.push_back(place + ": there must be at least one");
-    for (const FuzzyProposition& proposition : list)
-        if (proposition.variable >= variables.size() ||
-            proposition.term >= variables[proposition.variable].terms.size())
-            problems.push_back(place + ": speaks of a variable or term that is not there");
+bool isThere(const FuzzyProposition& proposition, const std::vector<FuzzyVariable>& variables) {
+    return proposition.variable < variables.size() &&
+           proposition.term < variables[proposition.variable].terms.size();
+}
+
+constexpr const char* notThere = ": speaks of a variable or term that is not there";
+
+/// Precondition: the condition is not nested too deeply.
+void checkCondition(Problems& problems, const std::string& place, const FuzzyCondition& condition,
+                    const std::vector<FuzzyVariable>& inputs) {
+    using Kind = FuzzyCondition::Kind;
+    const std::size_t parts = condition.parts.size();
+    const bool isJoined = condition.kind == Kind::And || condition.kind == Kind::Or;
+    const bool isWhole = isJoined ? parts >= 2 : parts == (condition.kind == Kind::Not ? 1 : 0);
+    if (!isWhole) problems.push_back(place + ": AND and OR join two conditions or more, NOT takes one");
+    if (condition.kind == Kind::Is && !isThere(condition.proposition, inputs))
+        problems.push_back(place + notThere);
+    for (const FuzzyCondition& part : condition.parts)
+        checkCondition(problems, place, part, inputs);
+}
+
+void checkRule(Problems& problems, const std::string& place, const FuzzyRule& rule,
+               const FuzzySystem& system) {
+    if (isDeeperThan(deepestCondition, rule.condition))
+        problems.push_back(place + ", condition: is nested deeper than " + std::to_string(deepestCondition));
+    else
+        checkCondition(problems, place + ", condition", rule.condition, system.inputs);
+    if (rule.conclusions.empty()) problems.push_back(place + ", conclusions: there must be at least one");
+    for (const FuzzyProposition& conclusion : rule.conclusions)
+        if (!isThere(conclusion, system.outputs)) problems.push_back(place + ", conclusions" + notThere);
+    if (!(rule.weight >= 0 && rule.weight <= 1))
+        problems.push_back(place + ", weight: must be a number from 0 to 1, got " + numberText(rule.weight));
+}
+
+void checkRules(Problems& problems, const FuzzySystem& system) {
+    if (system.rules.size() > mostFuzzyRules) {
+        problems.push_back(tooManyRules(system.rules.size()));
+        return;
+    }
+    std::size_t conclusions = 0;
+    for (const FuzzyRule& rule : system.rules)
+        conclusions += rule.conclusions.size();
+    if (conclusions > mostFuzzyConclusions)
+        problems.push_back("rules: there are " + std::to_string(conclusions) +
+                           " conclusions in all; a system may have " + std::to_string(mostFuzzyConclusions));
+    for (std::size_t i = 0; i < system.rules.size(); ++i)
+        checkRule(problems, "rules[" + std::to_string(i) + "]", system.rules[i], system);
 }
 
 } // namespace
@@ -91,6 +130,11 @@ double membership(const Trapezoid& set, double x) {
     if (x < set.b) return (x - set.a) / (set.b - set.a);
     if (x > set.c) return (set.d - x) / (set.d - set.c);
     return 1;
+}
+
+std::string tooManyRules(std::size_t count) {
+    return "rules: there are " + std::to_string(count) + "; a system may have " +
+           std::to_string(mostFuzzyRules);
 }
 
 std::vector<std::string> validate(const FuzzySystem& system) {
@@ -108,11 +152,7 @@ std::vector<std::string> validate(const FuzzySystem& system) {
     checkVariables("outputs", system.outputs);
     for (const FuzzyVariable& output : system.outputs)
         checkOutputSets(problems, "outputs." + output.name, output);
-    for (std::size_t i = 0; i < system.rules.size(); ++i) {
-        const std::string place = "rules[" + std::to_string(i) + "]";
-        checkPropositions(problems, place + ", conditions", system.rules[i].conditions, system.inputs);
-        checkPropositions(problems, place + ", conclusions", system.rules[i].conclusions, system.outputs);
-    }
+    checkRules(problems, system);
     return problems;
 }
 

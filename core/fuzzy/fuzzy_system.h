@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include "core/fuzzy/fuzzy_rule.h"
+#include "core/fuzzy/norms.h"
+
 #include <string>
 #include <vector>
 
@@ -27,18 +28,6 @@ struct FuzzyVariable {
     std::vector<FuzzyTerm> terms; ///< in the order of the partition
 };
 
-/// "variable IS term", both as indices into the system's lists.
-struct FuzzyProposition {
-    std::size_t variable = 0;
-    std::size_t term = 0;
-};
-
-/// IF every condition THEN every conclusion. Conditions speak of inputs, conclusions of outputs.
-struct FuzzyRule {
-    std::vector<FuzzyProposition> conditions;
-    std::vector<FuzzyProposition> conclusions;
-};
-
 /// A Mamdani fuzzy system. The order of variables and terms is the order of sliders and partitions.
 struct FuzzySystem {
     std::string name;
@@ -47,17 +36,19 @@ struct FuzzySystem {
     std::vector<FuzzyVariable> inputs;
     std::vector<FuzzyVariable> outputs;
     std::vector<FuzzyRule> rules;
+    FuzzyNorms norms;
 };
 
+/// More than any expert reads; the time of an inference grows with the square of the conclusions.
+inline constexpr std::size_t mostFuzzyRules = 2000;
+inline constexpr std::size_t mostFuzzyConclusions = 4000; ///< of all rules together
+
+/// What to say of more rules than there may be.
+std::string tooManyRules(std::size_t count);
+
 /// Every problem of a system: names missing or twice, empty ranges and partitions, corners out of order,
-/// rules that name what is not there. Empty when the system can be evaluated.
+/// rules that name what is not there, that are nested too deeply or too many. Empty when the system can be
+/// evaluated.
 std::vector<std::string> validate(const FuzzySystem& system);
-
-/// "IF consistency IS soft THEN spring_const IS small AND viscosity IS large"
-std::string ruleText(const FuzzySystem& system, const FuzzyRule& rule);
-
-/// Reads a rule in the form that ruleText() writes; keywords in any case.
-/// @throws InvalidModel naming the column and what was expected
-FuzzyRule parseRule(const FuzzySystem& system, const std::string& text);
 
 } // namespace esm

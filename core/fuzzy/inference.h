@@ -17,9 +17,10 @@ struct InferenceResult {
     std::vector<double> firing;                 ///< degree per rule, 0 to 1
 };
 
-/// Mamdani inference: AND = minimum, implication = minimum, aggregation = maximum [R 2.48, 2.49], then the
-/// exact centre of gravity of the piecewise linear result. `inputs` are in the system's order; one that is
-/// missing takes no part: rules that ask for it do not fire. Inputs out of range are evaluated unclamped.
+/// Mamdani inference by the system's norms [R 2.48, 2.49], then the exact centre of gravity of each output.
+/// `inputs` are in the system's order; one that is missing or not a number takes no part: a rule that asks
+/// for it, whatever else its condition says, does not fire, because a condition of which a part is unknown is
+/// unknown. Inputs out of range are evaluated unclamped.
 /// Preconditions: the system is valid, there are as many inputs as it has. Does not throw.
 InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional<double>>& inputs);
 

@@ -230,13 +230,20 @@ def carried(package, rest, now, vertices):
     return result
 
 
+def is_extended(system):
+    """Whether it has norms, weights or conditions that readers of version 3 do not know."""
+    words = " ".join(system["rules"]).upper().replace("(", " ").split()
+    return "norms" in system or any(word in words for word in ("NOT", "OR", "WITH"))
+
+
 class Package:
     """The arrays of ESM_spring_mass by the names of the specification."""
 
     def __init__(self, gltf):
         self.gltf = gltf
         self.json = gltf.json["extensions"]["ESM_spring_mass"]
-        needed = 3 if "stiffening" in self.json else 2 if "binding" in self.json else 1
+        extended = any(map(is_extended, self.json["fuzzySystems"]))
+        needed = 4 if extended else 3 if "stiffening" in self.json else 2 if "binding" in self.json else 1
         check(self.json["version"] == needed, "another version of the extension")
         check(self.json["damping"] == "isotropic", "another damping")
         self.nodes, self.springs = self.json["nodes"], self.json["springs"]

@@ -49,6 +49,25 @@ class FuzzyTest(Case):
         self.assertEqual(set(report["outputs"].values()), {None})
         self.assertEqual(report["firing"], [0] * 7)
 
+    def test_rules_may_say_not_or_and_have_weights_and_norms(self):
+        system = {"inputs": {"zeal": {"range": [0, 1], "terms": {"much": [0, 1, 1, 1]}},
+                             "age": {"range": [0, 10], "terms": {"old": [0, 10, 10, 10]}}},
+                  "outputs": {"y": {"range": [0, 4], "terms": {"low": [0, 0, 2, 2], "high": [2, 2, 4, 4]}}},
+                  "norms": {"conjunction": "product", "disjunction": "probabilistic-sum"},
+                  "rules": ["IF zeal IS much OR age IS old THEN y IS low",
+                            "if zeal is not much and (age is old) then y is high with 0.5"]}
+        file = self.file("trial.json", system)
+        report = self.evaluated("zeal=0.5", "age=5", system=file)
+        self.assertEqual(report["firing"], [0.75, 0.125])
+        self.assertAlmostEqual(report["outputs"]["y"], (0.75 * 1 + 0.125 * 3) / 0.875, delta=1e-12)
+        self.assertIsNone(self.evaluated("zeal=0.5", system=file)["outputs"]["y"])
+        text = command("fuzzy", "eval", file, "--set", "zeal=0.5", "--set", "age=5").stdout
+        self.assertIn("IF zeal IS NOT much AND age IS old THEN y IS high WITH 0.5", text)
+        wrong = self.file("wrong.json", {**system, "norms": {"conjunction": "prod"}, "rules": []})
+        self.assertIn("minimum, product", self.fails(1, "fuzzy", "eval", wrong, naming="norms.conjunction"))
+        wrong = self.file("rule.json", {**system, "rules": ["IF zeal IS much XOR age IS old THEN y IS low"]})
+        self.assertIn("AND, OR or THEN", self.fails(1, "fuzzy", "eval", wrong, naming="rules[0], column 17"))
+
     def test_warns_out_of_range(self):
         self.assertEqual(self.evaluated("consistency=3")["warnings"], [])
         self.assertIn("consistency", self.evaluated("consistency=13")["warnings"][0])

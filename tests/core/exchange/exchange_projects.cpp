@@ -30,7 +30,7 @@ std::shared_ptr<const FuzzySystem> softness() {
                      {"age", 0, 100, {{"any", {0, 0, 100, 100}}}}};
     system.outputs = {{"viscosity", 0, 2, {{"thin", {0, 0, 0.5, 1}}, {"thick", {0.5, 1, 2, 2}}}},
                       {"spring_const", 0, 70, {{"soft", {0, 0, 10, 20}}, {"hard", {10, 20, 70, 70}}}}};
-    system.rules = {{{{0, 0}}, {{0, 1}, {1, 0}}}, {{{0, 1}, {1, 0}}, {{0, 0}, {1, 1}}}};
+    system.rules = {{{{0, 0}}, {{0, 1}, {1, 0}}}, {conjunction({{{0, 1}}, {{1, 0}}}), {{0, 0}, {1, 1}}}};
     return std::make_shared<FuzzySystem>(system);
 }
 
@@ -127,6 +127,17 @@ Project boundProject(const Detail& detail) {
 Project biphasicProject() {
     Project project = richProject();
     project.base.stiffening = SpringStiffening{0.1 + 0.2, 1e3 / 7};
+    return project;
+}
+
+Project extendedInferenceProject() {
+    Project project = richProject();
+    FuzzySystem system = *softness();
+    system.norms = {TNorm::Product, TConorm::BoundedSum, TNorm::BoundedDifference, TConorm::ProbabilisticSum};
+    system.rules[0].weight = 1.0 / 3;
+    system.rules[1].condition = disjunction({negation({{0, 0}}), system.rules[1].condition});
+    for (Region& region : project.regions)
+        if (region.system) region.system = std::make_shared<FuzzySystem>(system);
     return project;
 }
 

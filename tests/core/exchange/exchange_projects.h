@@ -19,6 +19,9 @@ Project boundProject(const Detail& detail);
 /// The same organ of biphasic springs.
 Project biphasicProject();
 
+/// The same organ with norms, weights and conditions of every kind in its regions' fuzzy system.
+Project extendedInferenceProject();
+
 /// Nodes and springs without a surface, as the uterus' motion model.
 Project bareProject();
 

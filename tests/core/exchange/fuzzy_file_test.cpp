@@ -65,6 +65,62 @@ TEST(FuzzyFile, ComesBackAsItWasWritten) {
     EXPECT_EQ(toJson(readFuzzyFile(folder / "copy.json")), toJson(system));
 }
 
+TEST(FuzzyFile, WritesNormsAndWeightsOnlyWhereTheyAreNotTheUsual) {
+    FuzzySystem system = fuzzySystemFromJson(Json::parse(sound()));
+    EXPECT_FALSE(toJson(system).contains("norms"));
+    system.norms.disjunction = TConorm::ProbabilisticSum;
+    system.norms.implication = TNorm::BoundedDifference;
+    system.rules[0].weight = 0.25;
+    system.rules[0].condition = negation(system.rules[0].condition);
+    const Json json = toJson(system);
+    EXPECT_EQ(json["norms"],
+              Json::parse(R"({"disjunction": "probabilistic-sum", "implication": "bounded-difference"})"));
+    EXPECT_THAT(json["rules"],
+                ElementsAre("IF NOT (zeal IS much AND age IS old) THEN viscosity IS thick WITH 0.25"));
+    const FuzzySystem read = fuzzySystemFromJson(json);
+    EXPECT_TRUE(read.norms == system.norms);
+    EXPECT_EQ(toJson(read), json);
+}
+
+TEST(FuzzyFile, ReadsEveryNorm) {
+    for (const char* t : {"minimum", "product", "bounded-difference"})
+        for (const char* s : {"maximum", "probabilistic-sum", "bounded-sum"}) {
+            Json json = Json::parse(sound());
+            json["norms"] = {{"conjunction", t}, {"disjunction", s}, {"implication", t}, {"aggregation", s}};
+            const FuzzyNorms norms = fuzzySystemFromJson(json).norms;
+            EXPECT_STREQ(normName(norms.conjunction), t);
+            EXPECT_STREQ(normName(norms.disjunction), s);
+            EXPECT_STREQ(normName(norms.implication), t);
+            EXPECT_STREQ(normName(norms.aggregation), s);
+        }
+}
+
+TEST(FuzzyFile, RefusesNormsThatThereAreNot) {
+    const auto withNorms = [](const std::string& norms) {
+        return complaint(replaced(sound(), "\"rules\"", "\"norms\": " + norms + ", \"rules\""));
+    };
+    EXPECT_EQ(withNorms("{}"), "accepted");
+    EXPECT_THAT(
+        withNorms(R"({"conjunction": "maximum"})"),
+        HasSubstr("norms.conjunction is \"maximum\"; it may be minimum, product, bounded-difference"));
+    EXPECT_THAT(
+        withNorms(R"({"aggregation": "sum", "disjunction": 7})"),
+        AllOf(HasSubstr("norms.disjunction should be a text"),
+              HasSubstr("norms.aggregation is \"sum\"; it may be maximum, probabilistic-sum, bounded-sum")));
+    EXPECT_THAT(withNorms(R"({"activation": "minimum"})"), HasSubstr("norms.activation is not known here"));
+    EXPECT_THAT(withNorms("\"product\""), HasSubstr("norms should be an object"));
+}
+
+TEST(FuzzyFile, RefusesMoreRulesThanAnyoneReads) {
+    Json json = Json::parse(sound());
+    const Json rule = json["rules"][0];
+    for (int i = 1; i < 10000; ++i)
+        json["rules"].push_back(rule);
+    EXPECT_THAT(complaint(json.dump()), HasSubstr("rules: there are 10000; a system may have 2000"));
+    json["rules"] = {"IF " + std::string(10000, '(') + "zeal IS much"};
+    EXPECT_THAT(complaint(json.dump()), HasSubstr("rules[0], column 104: brackets and NOT are nested"));
+}
+
 TEST(FuzzyFile, NamesAnUnnamedSystemAfterItsFile) {
     const TemporaryFolder folder;
     writeFileAtomically(folder / "liver.json", replaced(sound(), R"("name": "trial", )", ""));

@@ -74,10 +74,12 @@ TEST(ModelJson, BringsBiphasicSpringsBackBitByBit) {
 }
 
 TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
-    EXPECT_EQ(versionOf(false, false), 1);
-    EXPECT_EQ(versionOf(true, false), 2);
-    EXPECT_EQ(versionOf(false, true), 3);
-    EXPECT_EQ(versionOf(true, true), 3);
+    EXPECT_EQ(versionOf({}), 1);
+    EXPECT_EQ(versionOf({true, false, false}), 2);
+    EXPECT_EQ(versionOf({false, true, false}), 3);
+    EXPECT_EQ(versionOf({true, true, false}), 3);
+    EXPECT_EQ(versionOf({false, false, true}), 4);
+    EXPECT_EQ(versionOf({true, true, true}), 4);
 }
 
 TEST(ModelJson, TurnsPointsIntoOneListAndBack) {

@@ -79,6 +79,14 @@ TEST_F(ModelPackageFile, AFlippedByteIsRefusedOrLeavesASoundModel) {
     }
 }
 
+TEST_F(ModelPackageFile, AFuzzySystemIsRefusedThatAReaderWouldInferOtherwise) {
+    exportPackage(extendedInferenceProject(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    glb.json["extensions"]["ESM_spring_mass"]["version"] = 3;
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("version should be 4"));
+}
+
 struct Damage {
     const char* pointer; ///< from the extension, or from the root where it starts with "//"
     Json value;
@@ -89,8 +97,8 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
     exportPackage(richProject(), m_file);
     const Glb whole = parseGlb(readFile(m_file));
     const std::vector<Damage> cases{
-        {"/version", 4,
-         "was made by a newer version (4) of the program; this one reads up to 3; update the program"},
+        {"/version", 5,
+         "was made by a newer version (5) of the program; this one reads up to 4; update the program"},
         {"/version", "one", "version"},
         {"/damping", "axial", "damping"},
         {"/stiffening", true, "stiffening"},

@@ -109,6 +109,7 @@ TEST_F(ModelPackageFile, IsReadByAStrangersReader) {
     expectReadIndependently(project, m_folder.path());
     expectReadIndependently(bareProject(), m_folder.path());
     expectReadIndependently(biphasicProject(), m_folder.path());
+    expectReadIndependently(extendedInferenceProject(), m_folder.path());
 }
 
 TEST_F(ModelPackageFile, IsReadByTheReaderOfTheSpecification) {
@@ -171,7 +172,8 @@ TEST_F(ModelPackageFile, IsOfTheVersionThatItsReadersNeed) {
     EXPECT_EQ(version(richProject()), 1);
     EXPECT_EQ(version(boundProject({Detail::Kind::Nodes, 20})), 2);
     EXPECT_EQ(version(boundProject({Detail::Kind::Rigid, 0})), 2);
-    EXPECT_EQ(version(biphasicProject()), modelPackageVersion);
+    EXPECT_EQ(version(biphasicProject()), 3);
+    EXPECT_EQ(version(extendedInferenceProject()), modelPackageVersion);
 }
 
 TEST_F(ModelPackageFile, ModelsWithoutSurfaceShowTheirSprings) {

@@ -56,10 +56,10 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
 }
 
 TEST_F(ProjectFile, ANewerVersionSaysSo) {
-    saveWithManifest("/version", 4);
+    saveWithManifest("/version", 5);
     EXPECT_THAT(loadingError(),
-                HasSubstr("organ.esm: was made by a newer version (4) of the program; this one reads "
-                          "up to 3; update the program"));
+                HasSubstr("organ.esm: was made by a newer version (5) of the program; this one reads "
+                          "up to 4; update the program"));
 }
 
 /// A second file entry that names the first one's bytes again.

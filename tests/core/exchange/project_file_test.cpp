@@ -36,6 +36,11 @@ TEST_F(ProjectFile, KeepsBiphasicSprings) {
     expectSameProject(biphasicProject(), loadProject(m_file));
 }
 
+TEST_F(ProjectFile, KeepsNormsWeightsAndConditionsOfEveryKind) {
+    saveProject(extendedInferenceProject(), m_file);
+    expectSameProject(extendedInferenceProject(), loadProject(m_file));
+}
+
 TEST_F(ProjectFile, WithoutASpringLawHasLinearSprings) {
     changeManifest("/base", [](Json& base) { EXPECT_FALSE(base.contains("stiffening")); });
     EXPECT_FALSE(loadProject(m_file).base.stiffening);
@@ -50,7 +55,8 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     };
     EXPECT_EQ(version(richProject()), 1);
     EXPECT_EQ(version(boundProject({Detail::Kind::Nodes, 20})), 2);
-    EXPECT_EQ(version(biphasicProject()), projectFileVersion);
+    EXPECT_EQ(version(biphasicProject()), 3);
+    EXPECT_EQ(version(extendedInferenceProject()), projectFileVersion);
 }
 
 TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {

@@ -1,7 +1,5 @@
 #include "core/fuzzy/fuzzy_system.h"
 
-#include "core/support/errors.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -20,17 +18,8 @@ FuzzySystem sound() {
     system.inputs = {{"age", 0, 9, {{"young", {0, 0, 2, 4}}, {"old", {4, 9, 9, 9}}}},
                      {"zeal", 0, 1, {{"much", {0.5, 1, 1, 1}}}}};
     system.outputs = {{"viscosity", 0, 5, {{"thin", {0, 0, 1, 2}}, {"thick", {3, 4, 5, 5}}}}};
-    system.rules = {{{{0, 1}, {1, 0}}, {{0, 1}}}};
+    system.rules = {{conjunction({{{0, 1}}, {{1, 0}}}), {{0, 1}}}};
     return system;
-}
-
-std::string complaint(const std::string& rule) {
-    try {
-        parseRule(sound(), rule);
-    } catch (const InvalidModel& error) {
-        return error.what();
-    }
-    return "accepted";
 }
 
 } // namespace
@@ -65,7 +54,7 @@ TEST(FuzzySystem, ReportsEveryProblemWithItsPlace) {
     system.outputs[0].name = "zeal";
     system.outputs[0].terms[0].set = {0, 2, 1, 2};
     system.outputs[0].terms[1] = {"thin", {6, 7, 8, NAN}};
-    system.rules = {{{{0, 2}}, {{1, 0}}}, {}};
+    system.rules = {{{{0, 2}}, {{1, 0}}, 2}, {conjunction({{{0, 0}}}), {}, NAN}};
     EXPECT_THAT(
         validate(system),
         ElementsAre("inputs.: the name is missing",
@@ -76,10 +65,12 @@ TEST(FuzzySystem, ReportsEveryProblemWithItsPlace) {
                     "outputs.zeal.terms.thin: the name is there twice",
                     "outputs.zeal: the name is there twice",
                     "outputs.zeal.terms.thin: lies outside the output's range",
-                    "rules[0], conditions: speaks of a variable or term that is not there",
+                    "rules[0], condition: speaks of a variable or term that is not there",
                     "rules[0], conclusions: speaks of a variable or term that is not there",
-                    "rules[1], conditions: there must be at least one",
-                    "rules[1], conclusions: there must be at least one"));
+                    "rules[0], weight: must be a number from 0 to 1, got 2",
+                    "rules[1], condition: AND and OR join two conditions or more, NOT takes one",
+                    "rules[1], conclusions: there must be at least one",
+                    "rules[1], weight: must be a number from 0 to 1, got nan"));
     EXPECT_THAT(validate(FuzzySystem{}),
                 ElementsAre("inputs: there must be at least one", "outputs: there must be at least one"));
 }
@@ -110,45 +101,46 @@ TEST(FuzzySystem, BoundsRangesAndCorners) {
 }
 
 TEST(FuzzySystem, RefusesNamesARuleCouldNotSpeak) {
-    for (const char* name : {"very old", "tab\tbed", "is", "Then", "AND", "if", "line\nbreak"}) {
+    for (const char* name : {"very old", "tab\tbed", "is", "Then", "AND", "if", "line\nbreak", "not", "Or",
+                             "WITH", "stiff(er)", ")"}) {
         FuzzySystem system = sound();
         system.inputs[0].terms[0].name = name;
         EXPECT_EQ(validate(system).size(), 1) << name;
     }
 }
 
-TEST(Rule, IsWrittenAsItIsRead) {
-    const FuzzySystem system = sound();
-    const std::string text = "IF age IS old AND zeal IS much THEN viscosity IS thick";
-    EXPECT_EQ(ruleText(system, system.rules[0]), text);
-    EXPECT_EQ(ruleText(system, parseRule(system, text)), text);
-    EXPECT_EQ(
-        ruleText(system, parseRule(system, "  if age\tis old And zeal iS much\nthen viscosity Is thick ")),
-        text);
-    const std::string two = "IF zeal IS much THEN viscosity IS thin AND viscosity IS thick";
-    EXPECT_EQ(ruleText(system, parseRule(system, two)), two);
+TEST(FuzzySystem, RefusesConditionsOfAShapeThatMeansNothing) {
+    const FuzzyCondition leaf{{0, 1}};
+    FuzzyCondition leafWithParts = leaf, twoNegated = negation(leaf);
+    leafWithParts.parts = {leaf};
+    twoNegated.parts.push_back(leaf);
+    for (const FuzzyCondition& condition :
+         {leafWithParts, twoNegated, conjunction({leaf}), disjunction({}), negation(conjunction({leaf}))}) {
+        FuzzySystem system = sound();
+        system.rules[0].condition = condition;
+        EXPECT_THAT(validate(system), ElementsAre(HasSubstr("rules[0], condition: AND and OR join two")));
+    }
+    FuzzySystem system = sound();
+    system.rules[0].condition = disjunction({leaf, negation(conjunction({leaf, {{0, 2}}}))});
+    EXPECT_THAT(validate(system), ElementsAre(HasSubstr("condition: speaks of a variable or term")));
 }
 
-TEST(Rule, ThatCannotBeReadSaysWhereAndWhatWasExpected) {
-    EXPECT_EQ(complaint(""), "column 1: expected IF, but the rule ends");
-    EXPECT_EQ(complaint("age IS old"), "column 1: expected IF, but found \"age\"");
-    EXPECT_EQ(complaint("IF ages IS old THEN viscosity IS thin"),
-              "column 4: expected the name of an input (age, zeal), but found \"ages\"");
-    EXPECT_EQ(complaint("IF age IS ancient THEN viscosity IS thin"),
-              "column 11: expected the name of a term of age (young, old), but found \"ancient\"");
-    EXPECT_EQ(complaint("IF age old THEN viscosity IS thin"), "column 8: expected IS, but found \"old\"");
-    EXPECT_EQ(complaint("IF age IS old OR zeal IS much THEN viscosity IS thin"),
-              "column 15: expected AND or THEN, but found \"OR\"");
-    EXPECT_EQ(complaint("IF age IS old"), "column 14: expected AND or THEN, but the rule ends");
-    EXPECT_EQ(complaint("IF age IS old THEN age IS old"),
-              "column 20: expected the name of an output (viscosity), but found \"age\"");
-    EXPECT_EQ(complaint("IF age IS old THEN viscosity IS thin ELSE"),
-              "column 38: expected AND or the end of the rule, but found \"ELSE\"");
-    EXPECT_EQ(complaint("IF Größe IS old"),
-              "column 4: expected the name of an input (age, zeal), but found \"Größe\"");
-    EXPECT_EQ(complaint("IF  \xC3\xB6\xC3\xB6 x"),
-              "column 5: expected the name of an input (age, zeal), but found \"\xC3\xB6\xC3\xB6\"");
-    EXPECT_EQ(complaint("IF age \xC3\xB6 old"), "column 8: expected IS, but found \"\xC3\xB6\"");
-    EXPECT_EQ(complaint("IF age IS \xC3\xB6\xC3\xB6 THEN"),
-              "column 11: expected the name of a term of age (young, old), but found \"\xC3\xB6\xC3\xB6\"");
+TEST(FuzzySystem, BoundsHowDeepConditionsAreAndHowManyRules) {
+    FuzzySystem system = sound();
+    FuzzyCondition& condition = system.rules[0].condition;
+    for (condition = {{0, 1}}; !isDeeperThan(deepestCondition - 1, condition);)
+        condition = negation(condition);
+    EXPECT_THAT(validate(system), IsEmpty());
+    condition = negation(condition);
+    EXPECT_THAT(validate(system), ElementsAre("rules[0], condition: is nested deeper than 100"));
+
+    system = sound();
+    system.rules.assign(mostFuzzyRules, system.rules[0]);
+    EXPECT_THAT(validate(system), IsEmpty());
+    for (FuzzyRule& rule : system.rules)
+        rule.conclusions.assign(3, rule.conclusions[0]);
+    EXPECT_THAT(validate(system),
+                ElementsAre("rules: there are 6000 conclusions in all; a system may have 4000"));
+    system.rules.assign(10000, system.rules[0]);
+    EXPECT_THAT(validate(system), ElementsAre("rules: there are 10000; a system may have 2000"));
 }

@@ -2,10 +2,12 @@
 
 #include "core/exchange/fuzzy_file.h"
 #include "core/support/errors.h"
+#include "tests/core/fuzzy/degree_system.h"
 #include "tests/support/shared_data.h"
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -17,24 +19,8 @@ using testing::HasSubstr;
 
 namespace {
 
-/// One output "y" with these sets, and an input and a rule for each; inputs of 0 fire the rules to the
-/// degrees.
-FuzzySystem systemOf(const std::vector<Trapezoid>& outputs, const std::vector<double>& degrees) {
-    FuzzySystem system;
-    system.outputs = {{"y", -100, 100, {}}};
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const std::string name = "t" + std::to_string(i);
-        system.inputs.push_back(
-            {"x" + std::to_string(i), -1, 1, {{"s", {-degrees[i], 1 - degrees[i], 9, 9}}}});
-        system.outputs[0].terms.push_back({name, outputs[i]});
-        system.rules.push_back({{{i, 0}}, {{0, i}}});
-    }
-    return system;
-}
-
 std::optional<double> centre(const std::vector<Trapezoid>& outputs, const std::vector<double>& degrees) {
-    const std::vector<std::optional<double>> zeros(outputs.size(), 0.0);
-    return infer(systemOf(outputs, degrees), zeros).outputs[0];
+    return centreOf(degreeSystem(outputs, degrees));
 }
 
 /// Independent witness: the definition itself, max over sets of min(degree, membership), summed in small
@@ -140,7 +126,7 @@ TEST(Inference, ReproducesThePublishedPairs) {
 }
 
 TEST(Inference, FindsTheCentreAtTheBoundsOfItsRanges) {
-    FuzzySystem system = systemOf({{-1e30, -1e30, 1e30, 1e30}, {-1e30, -1e30, -1e30, 1e30}}, {0.5, 1});
+    FuzzySystem system = degreeSystem({{-1e30, -1e30, 1e30, 1e30}, {-1e30, -1e30, -1e30, 1e30}}, {0.5, 1});
     system.outputs[0].minimum = -1e30;
     system.outputs[0].maximum = 1e30;
     // ½ everywhere, and a slope from 1 to ½ over the left half.
@@ -187,7 +173,7 @@ TEST(Inference, AgreesWithBruteForceForArbitrarySets) {
 }
 
 TEST(Inference, KeepsToTheRangeOfTheOutput) {
-    FuzzySystem system = systemOf({{-10, 0, 0, 10}}, {1});
+    FuzzySystem system = degreeSystem({{-10, 0, 0, 10}}, {1});
     system.outputs[0].minimum = 0;
     system.outputs[0].maximum = 5;
     // What remains falls from 1 at 0 to ½ at 5.
@@ -222,13 +208,65 @@ TEST(Inference, HasNoOutputWhereNoRuleFires) {
 }
 
 TEST(Inference, TakesTheLeastDegreeOfARulesConditions) {
-    FuzzySystem system = systemOf({{0, 1, 1, 2}, {4, 5, 5, 6}}, {0.8, 0.3});
-    system.rules = {{{{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}}};
+    FuzzySystem system = degreeSystem({{0, 1, 1, 2}, {4, 5, 5, 6}}, {0.8, 0.3});
+    system.rules = {{conjunction({{{0, 0}}, {{1, 0}}}), {{0, 0}, {0, 1}}}};
     const InferenceResult both = infer(system, {0.0, 0.0});
     ASSERT_EQ(both.firing.size(), 1);
     EXPECT_DOUBLE_EQ(both.firing[0], 0.3);
     EXPECT_DOUBLE_EQ(both.outputs[0].value(), 3);
     EXPECT_FALSE(infer(system, {0.0, std::nullopt}).outputs[0]);
+}
+
+namespace {
+
+/// To what degree a rule fires whose condition speaks of inputs to these degrees.
+double firing(const FuzzyCondition& condition, const std::vector<double>& degrees,
+              const FuzzyNorms& norms = {}) {
+    FuzzySystem system = degreeSystem(std::vector<Trapezoid>(degrees.size(), {0, 1, 1, 2}), degrees);
+    system.norms = norms;
+    system.rules = {{condition, {{0, 0}}}};
+    return infer(system, std::vector<std::optional<double>>(degrees.size(), 0.0)).firing[0];
+}
+
+} // namespace
+
+TEST(Inference, CombinesConditionsByTheNorms) {
+    const FuzzyCondition a{{0, 0}}, b{{1, 0}}, c{{2, 0}};
+    const FuzzyNorms usual, product{TNorm::Product, TConorm::ProbabilisticSum, {}, {}},
+        bounded{TNorm::BoundedDifference, TConorm::BoundedSum, {}, {}};
+    const std::vector<double> degrees{0.75, 0.5, 0.625};
+    EXPECT_EQ(firing(conjunction({a, b, c}), degrees, usual), 0.5);
+    EXPECT_EQ(firing(conjunction({a, b, c}), degrees, product), 0.234375);
+    EXPECT_EQ(firing(conjunction({a, b, c}), degrees, bounded), 0);
+    EXPECT_EQ(firing(conjunction({a, b}), degrees, bounded), 0.25);
+    EXPECT_EQ(firing(disjunction({a, b, c}), degrees, usual), 0.75);
+    EXPECT_EQ(firing(disjunction({a, b, c}), degrees, product), 0.953125);
+    EXPECT_EQ(firing(disjunction({a, b, c}), degrees, bounded), 1);
+    EXPECT_EQ(firing(negation(a), degrees), 0.25);
+    EXPECT_EQ(firing(negation(disjunction({negation(a), conjunction({b, c})})), degrees), 0.5);
+}
+
+TEST(Inference, MultipliesARulesDegreeByItsWeight) {
+    FuzzySystem system = degreeSystem({{0, 0, 2, 2}, {2, 2, 4, 4}}, {0.5, 0.75});
+    system.rules[0].weight = 0.5;
+    EXPECT_THAT(infer(system, {0.0, 0.0}).firing, ElementsAre(0.25, 0.75));
+    EXPECT_DOUBLE_EQ(centreOf(system).value(), (0.25 * 1 + 0.75 * 3) / 1);
+    system.rules[1].weight = 0;
+    EXPECT_DOUBLE_EQ(centreOf(system).value(), 1);
+}
+
+TEST(Inference, DoesNotFireARuleOfWhichAPartIsUnknown) {
+    FuzzySystem system = degreeSystem({{0, 1, 1, 2}, {4, 5, 5, 6}}, {0.5, 0.5});
+    const FuzzyCondition first{{0, 0}}, second{{1, 0}};
+    for (const FuzzyCondition& condition :
+         {negation(second), disjunction({first, second}), disjunction({second, first}),
+          negation(conjunction({first, second}))}) {
+        system.rules = {{condition, {{0, 0}}}};
+        EXPECT_THAT(infer(system, {0.0, std::nullopt}).firing, ElementsAre(0));
+        EXPECT_THAT(infer(system, {0.0, NAN}).firing, ElementsAre(0));
+        EXPECT_FALSE(infer(system, {0.0, std::nullopt}).outputs[0]);
+        EXPECT_TRUE(infer(system, {0.0, 0.0}).outputs[0]);
+    }
 }
 
 TEST(OrderedInputs, PutsNamesInTheSystemsOrder) {

@@ -20,7 +20,7 @@ std::shared_ptr<const FuzzySystem> systemOf(std::vector<FuzzyVariable> outputs) 
     system.inputs = {{"firmness", 0, 10, {{"low", {0, 0, 5, 5}}}}};
     system.outputs = std::move(outputs);
     FuzzyRule rule;
-    rule.conditions = {{0, 0}};
+    rule.condition = {{0, 0}};
     for (std::size_t output = 0; output < system.outputs.size(); ++output)
         rule.conclusions.push_back({output, 0});
     system.rules = {rule};

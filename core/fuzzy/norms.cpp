@@ -1,0 +1,53 @@
+#include "core/fuzzy/norms.h"
+
+#include "core/support/joined.h"
+
+#include <array>
+
+namespace esm {
+
+namespace {
+
+/// In the order of both enumerations.
+constexpr std::array<const char*, 3> tNorms{"minimum", "product", "bounded-difference"};
+constexpr std::array<const char*, 3> tConorms{"maximum", "probabilistic-sum", "bounded-sum"};
+
+template<class Norm>
+std::optional<Norm> normFromName(const std::array<const char*, 3>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<Norm>(found - names.begin());
+}
+
+} // namespace
+
+bool operator==(const FuzzyNorms& one, const FuzzyNorms& other) {
+    return one.conjunction == other.conjunction && one.disjunction == other.disjunction &&
+           one.implication == other.implication && one.aggregation == other.aggregation;
+}
+
+const char* normName(TNorm norm) {
+    return tNorms[static_cast<std::size_t>(norm)];
+}
+
+const char* normName(TConorm norm) {
+    return tConorms[static_cast<std::size_t>(norm)];
+}
+
+std::optional<TNorm> tNormFromName(const std::string& name) {
+    return normFromName<TNorm>(tNorms, name);
+}
+
+std::optional<TConorm> tConormFromName(const std::string& name) {
+    return normFromName<TConorm>(tConorms, name);
+}
+
+std::string tNormNames() {
+    return joined({tNorms.begin(), tNorms.end()});
+}
+
+std::string tConormNames() {
+    return joined({tConorms.begin(), tConorms.end()});
+}
+
+} // namespace esm

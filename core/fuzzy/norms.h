@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace esm {
+
+/// How degrees of what must hold together are combined: a t-norm. [R B.1]
+enum class TNorm { Minimum, Product, BoundedDifference };
+
+/// How degrees of alternatives are combined: the t-conorm dual to the t-norm at the same place. [R B.2]
+enum class TConorm { Maximum, ProbabilisticSum, BoundedSum };
+
+/// What the words of rules and the steps of inference compute; the defaults are Mamdani's. [R 2.48, 2.49]
+struct FuzzyNorms {
+    TNorm conjunction = TNorm::Minimum;     ///< AND
+    TConorm disjunction = TConorm::Maximum; ///< OR
+    TNorm implication = TNorm::Minimum;     ///< what a rule's degree leaves of a conclusion's set
+    TConorm aggregation = TConorm::Maximum; ///< what the sets of several rules make together
+};
+
+bool operator==(const FuzzyNorms& one, const FuzzyNorms& other);
+
+/// Of two degrees, each 0 to 1.
+inline double combined(TNorm norm, double a, double b) {
+    switch (norm) {
+    case TNorm::Product:
+        return a * b;
+    case TNorm::BoundedDifference: // Łukasiewicz
+        return std::max(0.0, a + b - 1);
+    default:
+        return std::min(a, b);
+    }
+}
+
+inline double combined(TConorm norm, double a, double b) {
+    switch (norm) {
+    case TConorm::ProbabilisticSum:
+        return a + b * (1 - a);
+    case TConorm::BoundedSum: // Łukasiewicz
+        return std::min(1.0, a + b);
+    default:
+        return std::max(a, b);
+    }
+}
+
+/// As files call them: "minimum", "product", "bounded-difference"; "maximum", "probabilistic-sum",
+/// "bounded-sum".
+const char* normName(TNorm norm);
+const char* normName(TConorm norm);
+std::optional<TNorm> tNormFromName(const std::string& name);
+std::optional<TConorm> tConormFromName(const std::string& name);
+std::string tNormNames(); ///< all, for messages
+std::string tConormNames();
+
+} // namespace esm
