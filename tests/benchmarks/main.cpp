@@ -3,6 +3,9 @@
 #endif
 #include "tests/benchmarks/critical_step.h"
 #include "tests/benchmarks/explicit_step.h"
+#ifdef ESM_HAS_FUZZYLITE
+#include "tests/benchmarks/fuzzylite.h"
+#endif
 #include "tests/benchmarks/local_poke.h"
 #include "tests/benchmarks/slider_move.h"
 #include "tests/benchmarks/stiff_tissue.h"
@@ -16,6 +19,9 @@ std::vector<benchmarks::Ratio> (*const subjects[])(){
     benchmarks::registerCriticalStep, benchmarks::registerSliderMove,
 #ifdef ESM_HAS_BULLET
     benchmarks::registerBullet,
+#endif
+#ifdef ESM_HAS_FUZZYLITE
+    benchmarks::registerFuzzylite,
 #endif
 };
 
