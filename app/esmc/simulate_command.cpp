@@ -138,9 +138,9 @@ SimulationSettings recommendedSettings(const RunnableModel& model, const Simulat
 }
 
 AccurateOutcome runRequested(const SceneRun& run, const std::optional<double>& mostError,
-                             const FrameSink& sink, const Progress& progress) {
-    if (mostError) return runSceneToError(run, *mostError, sink, progress);
-    return {runScene(run, sink, progress), 0};
+                             const NewFrameSink& newSink, const Progress& progress) {
+    if (mostError) return runSceneToError(run, *mostError, newSink, progress);
+    return {runScene(run, newSink(), progress), 0};
 }
 
 Report runSimulate(const SimulateOptions& options, Context& context) {
@@ -150,14 +150,17 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     std::vector<std::string> warnings;
     if (model.stepping && takesRecommended(options))
         settings = recommendedSettings(model, settings, warnings);
-    TrajectoryFile trajectory(options.output, recordedNodes(model.scene, model.tissue.mass.size()));
-    const auto sink = [&trajectory](double time, const std::vector<Eigen::Vector3d>& positions) {
-        trajectory.add(time, positions);
+    std::optional<TrajectoryFile> trajectory;
+    const auto newSink = [&]() -> FrameSink {
+        trajectory.emplace(options.output, recordedNodes(model.scene, model.tissue.mass.size()));
+        return [&trajectory](double time, const std::vector<Eigen::Vector3d>& positions) {
+            trajectory->add(time, positions);
+        };
     };
     const auto [outcome, estimatedError] =
-        runRequested({model.tissue, model.surface, model.scene, settings}, options.mostError, sink,
+        runRequested({model.tissue, model.surface, model.scene, settings}, options.mostError, newSink,
                      progressOf(context, "simulating"));
-    trajectory.commit();
+    trajectory->commit();
     Report report = describe(outcome);
     if (options.mostError) addError(report, estimatedError);
     const std::vector<std::string> ofScene = warningsOf(model, outcome);

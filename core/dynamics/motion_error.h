@@ -16,6 +16,8 @@ public:
 
     /// Relative to the reference's motion itself; infinite without any motion.
     double relative() const;
+    /// To the last bit the same.
+    bool isNone() const { return m_difference == 0; }
 
 private:
     double m_difference = 0, m_motion = 0; ///< m², sums
@@ -23,6 +25,25 @@ private:
 
 /// Positions, m, by their time's number, in intervals; 0 is the start.
 using Trajectory = std::map<long, std::vector<Eigen::Vector3d>>;
+
+/// Keeps of a run's frames those that are compared with another run's: at times that are multiples of the
+/// recording interval, so that runs in other steps meet them, and so few that memory holds them, however long
+/// the run. Of two runs it keeps the same times.
+class ComparedFrames {
+public:
+    /// Of a scene of so many seconds, recorded so often, s.
+    ComparedFrames(double duration, double every);
+
+    void add(double time, const std::vector<Eigen::Vector3d>& positions);
+
+    /// By the number of the recording interval.
+    const Trajectory& frames() const { return m_frames; }
+
+private:
+    double m_interval; ///< s
+    long m_met = 0, m_stride = 1;
+    Trajectory m_frames;
+};
 
 /// Relative to the motion of `reference`, over the times both have; infinite when they share none but the
 /// start, or nothing moves.

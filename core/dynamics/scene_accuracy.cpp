@@ -4,8 +4,7 @@
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
-#include <cmath>
-#include <deque>
+#include <limits>
 
 namespace esm {
 
@@ -13,63 +12,6 @@ namespace {
 
 constexpr int mostHalvings = 30;
 constexpr double leastGain = 0.9; ///< what rounding spoils does not get better
-
-struct RecordedFrame {
-    double time;
-    std::vector<Eigen::Vector3d> positions;
-};
-
-using RecordedFrames = std::deque<RecordedFrame>;
-
-struct RecordedRun {
-    SceneOutcome outcome;
-    RecordedFrames frames;
-};
-
-/// Holds the frames of a run in finer steps, as they come, against those of a coarse one, which it drops on
-/// the way: only one run's are held at a time.
-class FrameComparison {
-public:
-    /// @param sameTime s, less than which times are apart only by rounding
-    FrameComparison(RecordedFrames coarse, double sameTime)
-        : m_coarse(std::move(coarse)), m_sameTime(sameTime) {}
-
-    void add(const RecordedFrame& finer) {
-        if (m_start.empty()) m_start = finer.positions;
-        while (!m_coarse.empty() && m_coarse.front().time < finer.time - m_sameTime)
-            m_coarse.pop_front();
-        if (m_coarse.empty() || m_coarse.front().time > finer.time + m_sameTime) return;
-        const auto& [time, positions] = m_coarse.front();
-        m_error.add(positions, finer.positions, m_start);
-        m_isShared = m_isShared || time > m_sameTime;
-        m_moves = m_moves || positions != m_start;
-        m_coarse.pop_front();
-    }
-
-    /// How far the frames at the times of both are apart, relative to the motion of the finer ones; 0 where
-    /// nothing moves, none where they share no time but the start.
-    std::optional<double> change() const {
-        if (!m_isShared) return std::nullopt;
-        return m_moves ? m_error.relative() : 0;
-    }
-
-private:
-    RecordedFrames m_coarse;
-    double m_sameTime; ///< s
-    std::vector<Eigen::Vector3d> m_start;
-    MotionError m_error;
-    bool m_moves = false, m_isShared = false;
-};
-
-RecordedRun recordedRun(const SceneRun& run, const Progress& progress, FrameComparison* comparison) {
-    RecordedRun recorded;
-    const auto keep = [&](double time, const std::vector<Eigen::Vector3d>& positions) {
-        recorded.frames.push_back({time, positions});
-        if (comparison) comparison->add(recorded.frames.back());
-    };
-    recorded.outcome = runScene(run, keep, progress);
-    return recorded;
-}
 
 [[noreturn]] void refuseError(double mostError, double step) {
     throw InvalidModel("an error of " + numberText(mostError) +
@@ -84,36 +26,81 @@ RecordedRun recordedRun(const SceneRun& run, const Progress& progress, FrameComp
                        "the scene's duration");
 }
 
+/// How far the frames at the times of both are apart, relative to the motion of the finer ones; none where
+/// they share no time but the start.
+std::optional<double> changeBetween(const Trajectory& coarse, const Trajectory& finer) {
+    MotionError change;
+    bool shared = false;
+    for (const auto& [number, positions] : coarse) {
+        const auto found = finer.find(number);
+        if (number == 0 || found == finer.end()) continue;
+        change.add(positions, found->second, finer.at(0));
+        shared = true;
+    }
+    if (!shared) return std::nullopt;
+    return change.isNone() ? 0 : change.relative();
+}
+
+/// One scene in ever shorter steps; of each run what is compared is kept.
+class HalvedRuns {
+public:
+    HalvedRuns(const SceneRun& run, const NewFrameSink& newSink, const Progress& progress)
+        : m_run(run), m_newSink(newSink), m_progress(progress) {
+        take();
+    }
+
+    /// By how much it changed the motion; none where one of the two runs did not come to its end.
+    std::optional<double> halve() {
+        const Trajectory coarse = std::move(m_frames);
+        const bool wasStable = m_outcome.stable;
+        m_run.settings.integrator = m_outcome.integrator;
+        m_run.settings.timeStep = m_outcome.timeStep / 2;
+        take();
+        if (!wasStable || !m_outcome.stable) return std::nullopt;
+        const std::optional<double> change = changeBetween(coarse, m_frames);
+        if (!change) refuseTimes(m_outcome.timeStep);
+        return change;
+    }
+
+    const SceneOutcome& outcome() const { return m_outcome; }
+
+private:
+    void take() {
+        ComparedFrames compared(m_run.scene.duration, m_run.scene.record.every);
+        const FrameSink sink = m_newSink();
+        const auto give = [&](double time, const Vectors& positions) {
+            compared.add(time, positions);
+            sink(time, positions);
+        };
+        m_outcome = runScene(m_run, give, m_progress);
+        m_frames = compared.frames();
+    }
+
+    SceneRun m_run;
+    const NewFrameSink& m_newSink;
+    const Progress& m_progress;
+    SceneOutcome m_outcome; ///< of the last run
+    Trajectory m_frames;
+};
+
 } // namespace
 
-AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const FrameSink& sink,
+AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const NewFrameSink& newSink,
                                 const Progress& progress) {
-    SceneRun finer = run;
-    RecordedRun last = recordedRun(run, progress, nullptr);
-    finer.settings.integrator = last.outcome.integrator;
+    HalvedRuns runs(run, newSink, progress);
     double lastChange = std::numeric_limits<double>::infinity();
     for (int halving = 1; halving <= mostHalvings; ++halving) {
-        finer.settings.timeStep = last.outcome.timeStep / 2;
-        FrameComparison comparison(std::move(last.frames), 1e-3 * *finer.settings.timeStep);
-        RecordedRun halved = recordedRun(finer, progress, &comparison);
-        const bool isWhole = last.outcome.stable && halved.outcome.stable;
-        const std::optional<double> change = isWhole ? comparison.change() : std::nullopt;
-        last = std::move(halved);
-        if (!isWhole) continue;
-        if (!change) refuseTimes(last.outcome.timeStep);
+        const std::optional<double> change = runs.halve();
+        if (!change) continue;
         const double error = remainingError(*change, lastChange);
-        if (error <= mostError) {
-            for (const auto& [time, positions] : last.frames)
-                sink(time, positions);
-            return {last.outcome, error};
-        }
+        if (error <= mostError) return {runs.outcome(), error};
         if (*change > leastGain * lastChange) break;
         lastChange = *change;
     }
-    if (!last.outcome.stable)
-        throw InvalidModel("at no step down to " + numberText(last.outcome.timeStep) +
-                           " s does the run come to its end: " + last.outcome.outcome);
-    refuseError(mostError, last.outcome.timeStep);
+    if (!runs.outcome().stable)
+        throw InvalidModel("at no step down to " + numberText(runs.outcome().timeStep) +
+                           " s does the run come to its end: " + runs.outcome().outcome);
+    refuseError(mostError, runs.outcome().timeStep);
 }
 
 } // namespace esm

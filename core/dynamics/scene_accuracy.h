@@ -9,11 +9,14 @@ struct AccurateOutcome {
     double estimatedError = 0; ///< of its trajectory, relative to the motion
 };
 
+/// Gives what receives the frames of a run that begins; what the run before gave is void.
+using NewFrameSink = std::function<FrameSink()>;
+
 /// Runs a scene in ever shorter steps, halved from the one that is given or chosen, until the error that is
-/// left, estimated from what halving changed, is at most `mostError`. The sink receives the last run alone.
+/// left, estimated from what halving changed at some of the recorded times, is at most `mostError`.
 /// @throws InvalidModel as runScene(), when no step comes as near as that, and when no recorded time is met
 /// by a step and by its half; Cancelled
-AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const FrameSink& sink,
+AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const NewFrameSink& newSink,
                                 const Progress& progress = {});
 
 } // namespace esm

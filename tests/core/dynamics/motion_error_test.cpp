@@ -25,6 +25,37 @@ TEST(RelativeError, TakesTheTimesThatBothHave) {
     EXPECT_EQ(relativeError({{0, {{0, 0, 0}}}, {7, {{3, 0, 0}}}}, reference), none);
 }
 
+TEST(ComparedFrames, AreFewHoweverManyThereAre) {
+    ComparedFrames coarse(10, 1e-3), finer(10, 1e-3);
+    for (int step = 0; step <= 5000; ++step)
+        coarse.add(2e-3 * step, {{2e-3 * step, 0, 0}});
+    for (int step = 0; step <= 10000; ++step)
+        finer.add(1e-3 * step, {{1e-3 * step, 0, 0}});
+    EXPECT_LE(finer.frames().size(), 100U);
+    EXPECT_GT(finer.frames().size(), 50U);
+    EXPECT_GT(finer.frames().rbegin()->first, 9800);
+    std::size_t shared = 0;
+    for (const auto& [number, positions] : finer.frames()) {
+        EXPECT_NEAR(positions.front().x(), 1e-3 * static_cast<double>(number), 1e-9);
+        shared += coarse.frames().count(number);
+    }
+    EXPECT_GE(shared, 40U);
+}
+
+TEST(ComparedFrames, AreThoseOfWholeIntervals) {
+    ComparedFrames compared(0.3, 0.1), brief(0.1, 1), dense(1, 1e-300);
+    for (int step = 0; step <= 10; ++step)
+        compared.add(0.03 * step, {{0, 0, 0}});
+    EXPECT_EQ(compared.frames().size(), 2U);
+    EXPECT_EQ(compared.frames().count(3), 1U);
+    brief.add(0, {{0, 0, 0}});
+    brief.add(0.1, {{0, 0, 0}});
+    EXPECT_EQ(brief.frames().count(1), 1U);
+    for (const double time : {0.0, 0.1, 0.2, 1.0})
+        dense.add(time, {{0, 0, 0}});
+    EXPECT_EQ(dense.frames().size(), 4U);
+}
+
 TEST(RemainingError, FollowsHowMuchHalvingGains) {
     EXPECT_DOUBLE_EQ(remainingError(0.1, none), 0.1);
     EXPECT_DOUBLE_EQ(remainingError(0.1, 0.2), 0.1);     // first order
