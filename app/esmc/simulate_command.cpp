@@ -105,9 +105,17 @@ Report describe(const SceneOutcome& outcome) {
     return report;
 }
 
-void addError(Report& report, double estimatedError) {
-    report.json["estimated_error"] = estimatedError;
-    report.text.push_back("estimated error: " + inText(100 * estimatedError) + " % of the motion");
+/// Of a run to a wanted error.
+void addError(Report& report, const AccurateOutcome& accurate, std::vector<std::string>& warnings) {
+    report.json["estimated_error"] = accurate.estimatedError;
+    report.json["hides_swings"] = accurate.hidesSwings;
+    report.text.push_back("estimated error: " + inText(100 * accurate.estimatedError) + " % of the motion");
+    if (accurate.hidesSwings)
+        warnings.push_back(
+            std::string("the estimated error contains nothing of swings that are faster than the steps: ") +
+            integratorName(accurate.outcome.integrator) +
+            " damps them away, and to follow them would take too many steps; give the tissue "
+            "more viscosity where it has next to none, or take the error for a part of the true one");
 }
 
 /// What of the scene had no effect on the run.
@@ -157,13 +165,13 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
             trajectory->add(time, positions);
         };
     };
-    const auto [outcome, estimatedError] =
+    const AccurateOutcome accurate =
         runRequested({model.tissue, model.surface, model.scene, settings}, options.mostError, newSink,
                      progressOf(context, "simulating"));
     trajectory->commit();
-    Report report = describe(outcome);
-    if (options.mostError) addError(report, estimatedError);
-    const std::vector<std::string> ofScene = warningsOf(model, outcome);
+    Report report = describe(accurate.outcome);
+    if (options.mostError) addError(report, accurate, warnings);
+    const std::vector<std::string> ofScene = warningsOf(model, accurate.outcome);
     warnings.insert(warnings.end(), ofScene.begin(), ofScene.end());
     addWarnings(report, warnings);
     addWritten(report, options.output);

@@ -58,7 +58,11 @@ double relativeError(const Trajectory& trajectory, const Trajectory& reference) 
 }
 
 double remainingError(double change, double lastChange) {
-    const double ratio = std::isinf(lastChange) ? 0.5 : std::min(0.5, change / lastChange);
+    // A ratio below that of the second order may be luck; one near 1 is that of rounding.
+    constexpr double leastRatio = 0.25, mostRatio = 0.9;
+    if (change == 0) return 0;
+    const double ratio =
+        std::isinf(lastChange) ? mostRatio : std::clamp(change / lastChange, leastRatio, mostRatio);
     return change * ratio / (1 - ratio);
 }
 

@@ -50,8 +50,8 @@ private:
 double relativeError(const Trajectory& trajectory, const Trajectory& reference);
 
 /// What is left of a trajectory's error, relative to its motion, from how much halving the step changed it
-/// and how much the halving before did (infinite: there was none). Each halving takes away at least half of
-/// what is left; how much, two of them tell.
+/// and how much the halving before did (infinite: there was none). How much of what is left each halving
+/// takes away, two of them tell; one alone may have taken little.
 double remainingError(double change, double lastChange);
 
 } // namespace esm

@@ -1,6 +1,7 @@
 #include "core/dynamics/scene_accuracy.h"
 
 #include "core/dynamics/motion_error.h"
+#include "core/dynamics/swings.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
@@ -11,12 +12,26 @@ namespace esm {
 namespace {
 
 constexpr int mostHalvings = 30;
-constexpr double leastGain = 0.9; ///< what rounding spoils does not get better
+constexpr double leastGain = 0.9;   ///< what rounding spoils does not get better
+constexpr double largeChange = 0.1; ///< more than rounding makes: steps do not follow the motion yet
+constexpr int mostInVain = 6;
+constexpr double followedShare =
+    0.25; ///< of the error that is wanted, for a run that others are held against
 
 [[noreturn]] void refuseError(double mostError, double step) {
     throw InvalidModel("an error of " + numberText(mostError) +
                        " of the motion is not reached; at a step of " + numberText(step) +
                        " s shorter ones gain nothing: allow a larger error, or choose another integrator");
+}
+
+[[noreturn]] void refuseSwings(const SceneOutcome& outcome, double error, Integrator follower) {
+    const std::string follows = integratorName(follower);
+    throw InvalidModel(std::string(integratorName(outcome.integrator)) +
+                       " damps away swings that are faster than its steps: at " +
+                       numberText(outcome.timeStep) + " s it is " + numberText(100 * error, 2) +
+                       " % of the motion off a run by " + follows +
+                       ", which follows them, and shorter ones gain little: choose " + follows +
+                       ", or allow a larger error");
 }
 
 [[noreturn]] void refuseTimes(double step) {
@@ -63,6 +78,7 @@ public:
     }
 
     const SceneOutcome& outcome() const { return m_outcome; }
+    const Trajectory& frames() const { return m_frames; }
 
 private:
     void take() {
@@ -83,24 +99,116 @@ private:
     Trajectory m_frames;
 };
 
+/// Whether halving no longer gains, and will not. Steps that do not follow the motion yet gain nothing either
+/// until they do; but in float rounding may be as large as that.
+class VainHalvings {
+public:
+    explicit VainHalvings(Precision precision) : m_most(precision == Precision::Float ? 0 : mostInVain) {}
+
+    bool isInVain(double change) {
+        const bool gains = change <= leastGain * m_last;
+        m_last = change;
+        return !gains && (change < largeChange || ++m_count > m_most);
+    }
+    double last() const { return m_last; }
+
+private:
+    double m_last = std::numeric_limits<double>::infinity();
+    int m_most, m_count = 0;
+};
+
+/// A run that follows the swings, and how far it may be off itself, relative to the motion.
+struct FollowedRun {
+    Integrator integrator;
+    Trajectory frames;
+    double error;
+
+    double errorOf(const HalvedRuns& runs) const {
+        const std::optional<double> difference = changeBetween(runs.frames(), frames);
+        if (!difference) refuseTimes(runs.outcome().timeStep);
+        return *difference + error;
+    }
+};
+
+class AccuracySearch {
+public:
+    AccuracySearch(const SceneRun& run, double mostError, const Progress& progress)
+        : m_run(run), m_mostError(mostError), m_progress(progress),
+          m_swings(swingBounds(run.model, run.settings.damping)) {}
+
+    /// @param mostSteps more than these are not worth waiting for
+    AccurateOutcome search(const NewFrameSink& newSink,
+                           double mostSteps = std::numeric_limits<double>::infinity()) const {
+        HalvedRuns runs(m_run, newSink, m_progress);
+        VainHalvings halvings(m_run.settings.precision);
+        for (int halving = 1; halving <= mostHalvings; ++halving) {
+            if (2.0 * static_cast<double>(runs.outcome().steps) > mostSteps) break;
+            const std::optional<double> change = runs.halve();
+            if (!change) continue;
+            const double error = remainingError(*change, halvings.last());
+            const bool hides = hidesSwings(m_swings, runs.outcome().integrator, 2 * runs.outcome().timeStep,
+                                           m_run.scene.duration);
+            if (error <= m_mostError && !hides) return {runs.outcome(), error};
+            // An explicit one soon follows them itself.
+            if (error <= m_mostError && !isExplicit(runs.outcome().integrator))
+                return withSwings(runs, error, newSink);
+            if (halvings.isInVain(*change)) break;
+        }
+        if (!runs.outcome().stable)
+            throw InvalidModel("at no step down to " + numberText(runs.outcome().timeStep) +
+                               " s does the run come to its end: " + runs.outcome().outcome);
+        refuseError(m_mostError, runs.outcome().timeStep);
+    }
+
+private:
+    /// Goes on against a run that follows the swings.
+    AccurateOutcome withSwings(HalvedRuns& runs, double error, const NewFrameSink& newSink) const {
+        const auto steps = followingSteps(m_run.model, m_run.settings.damping, m_run.scene.duration);
+        if (steps && m_run.settings.integrator == Integrator::Auto)
+            return AccuracySearch(following(*steps), m_mostError, m_progress).search(newSink);
+        const std::optional<FollowedRun> followed = steps ? follow(*steps) : std::nullopt;
+        if (!followed) return {runs.outcome(), error, true};
+        for (double last = std::numeric_limits<double>::infinity();; last = error) {
+            error = followed->errorOf(runs);
+            if (error <= m_mostError) return {runs.outcome(), error};
+            if (error > leastGain * last) refuseSwings(runs.outcome(), error, followed->integrator);
+            runs.halve();
+        }
+    }
+
+    SceneRun following(const FollowingSteps& steps) const {
+        SceneRun run = m_run;
+        run.settings.integrator = steps.integrator;
+        run.settings.timeStep.reset();
+        return run;
+    }
+
+    std::optional<FollowedRun> follow(const FollowingSteps& steps) const {
+        ComparedFrames frames(m_run.scene.duration, m_run.scene.record.every);
+        const NewFrameSink newSink = [&]() -> FrameSink {
+            frames = ComparedFrames(m_run.scene.duration, m_run.scene.record.every);
+            return [&frames](double time, const Vectors& positions) { frames.add(time, positions); };
+        };
+        try {
+            const AccuracySearch exact(following(steps), followedShare * m_mostError, m_progress);
+            const AccurateOutcome outcome = exact.search(newSink, steps.most);
+            return FollowedRun{steps.integrator, frames.frames(), outcome.estimatedError};
+        } catch (const InvalidModel&) {
+            return std::nullopt; // not to be had in the steps that are worth waiting for
+        }
+    }
+
+    SceneRun m_run;
+    double m_mostError;
+    const Progress& m_progress;
+    SwingBounds m_swings;
+};
+
 } // namespace
 
 AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const NewFrameSink& newSink,
                                 const Progress& progress) {
-    HalvedRuns runs(run, newSink, progress);
-    double lastChange = std::numeric_limits<double>::infinity();
-    for (int halving = 1; halving <= mostHalvings; ++halving) {
-        const std::optional<double> change = runs.halve();
-        if (!change) continue;
-        const double error = remainingError(*change, lastChange);
-        if (error <= mostError) return {runs.outcome(), error};
-        if (*change > leastGain * lastChange) break;
-        lastChange = *change;
-    }
-    if (!runs.outcome().stable)
-        throw InvalidModel("at no step down to " + numberText(runs.outcome().timeStep) +
-                           " s does the run come to its end: " + runs.outcome().outcome);
-    refuseError(mostError, runs.outcome().timeStep);
+    return AccuracySearch(run, mostError, progress).search(newSink);
 }
 
 } // namespace esm

@@ -7,13 +7,18 @@ namespace esm {
 struct AccurateOutcome {
     SceneOutcome outcome;      ///< of the last run
     double estimatedError = 0; ///< of its trajectory, relative to the motion
+    /// Its steps damp away swings of the tissue that go on in truth, and no run that follows them was worth
+    /// waiting for: the error contains nothing of them.
+    bool hidesSwings = false;
 };
 
 /// Gives what receives the frames of a run that begins; what the run before gave is void.
 using NewFrameSink = std::function<FrameSink()>;
 
 /// Runs a scene in ever shorter steps, halved from the one that is given or chosen, until the error that is
-/// left, estimated from what halving changed at some of the recorded times, is at most `mostError`.
+/// left, estimated from what halving changed at some of the recorded times, is at most `mostError`. Where
+/// halving cannot tell, because the steps damp swings away, the error is that against a run that follows
+/// them; `Auto` then becomes the integrator of that run.
 /// @throws InvalidModel as runScene(), when no step comes as near as that, and when no recorded time is met
 /// by a step and by its half; Cancelled
 AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const NewFrameSink& newSink,

@@ -2,6 +2,9 @@
 
 #include "core/support/errors.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace esm {
 
 namespace {
@@ -12,6 +15,17 @@ SecondPhase secondPhaseOf(const std::optional<SpringStiffening>& law, double spr
 }
 
 } // namespace
+
+double leastDampingRatio(const SpringSystem& system) {
+    double ratio = std::numeric_limits<double>::infinity();
+    for (const auto& spring : system.springs)
+        if (largestSpringConstant(spring) > 0 && !(system.fixed[spring.first] && system.fixed[spring.second]))
+            ratio = std::min(ratio, spring.viscosity / largestSpringConstant(spring));
+    for (const Tether& tether : system.tethers)
+        if (tether.springConstant > 0 && !system.fixed[tether.node])
+            ratio = std::min(ratio, tether.viscosity / tether.springConstant);
+    return ratio;
+}
 
 SpringSystem makeSpringSystem(const TissueModel& model) {
     if (auto problems = validate(model); !problems.empty()) throw InvalidModel(std::move(problems));

@@ -35,6 +35,10 @@ inline double largestSpringConstant(const Tether& tether) {
     return tether.springConstant;
 }
 
+/// s, smallest d/c of everything elastic that can move: d ≥ ratio·k then holds for every motion, since each
+/// spring and tether gives its share of both. Infinite when nothing is elastic.
+double leastDampingRatio(const SpringSystem& system);
+
 /// @throws InvalidModel with every problem of the model
 SpringSystem makeSpringSystem(const TissueModel& model);
 

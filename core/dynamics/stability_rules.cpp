@@ -61,19 +61,6 @@ bool havePatternInCommon(const Matrix& a, const Matrix& b) {
            std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
 }
 
-/// Smallest d/c of everything elastic that can move: d ≥ ratio·k then holds for every motion, since each
-/// spring and tether gives its share of both. Infinite when nothing is elastic.
-double leastDampingRatio(const SpringSystem& system) {
-    double ratio = noStepLimit;
-    for (const auto& spring : system.springs)
-        if (largestSpringConstant(spring) > 0 && !(system.fixed[spring.first] && system.fixed[spring.second]))
-            ratio = std::min(ratio, spring.viscosity / largestSpringConstant(spring));
-    for (const Tether& tether : system.tethers)
-        if (tether.springConstant > 0 && !system.fixed[tether.node])
-            ratio = std::min(ratio, tether.viscosity / tether.springConstant);
-    return ratio;
-}
-
 Matrix massNormalised(const Matrix& matrix, const Matrix& mass) {
     const Eigen::VectorXd scale = mass.diagonal().cwiseSqrt().cwiseInverse();
     return Matrix(scale.asDiagonal() * matrix * scale.asDiagonal());

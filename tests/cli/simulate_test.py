@@ -165,6 +165,15 @@ class SimulateTest(Case):
         self.assertLess(fine["dt"], rough["dt"])
         self.assertEqual(len(rows), 6 * 170)
 
+    def test_says_which_swings_an_estimated_error_leaves_out(self):
+        project = self.sample("tube")
+        self.assertFalse(self.simulated(project, TUBE_POKE, "--max-error", "0.05")[0]["hides_swings"])
+        self.done("tissue", project, "--override", "viscosity=0", "--override", "spring_constant=1e15", "-o", project)
+        report, _ = self.simulated(project, {**TUBE_POKE, "duration": 0.1}, "--integrator", "projective", "--dt", "0.01",
+                                   "--max-error", "0.5")
+        self.assertTrue(report["hides_swings"])
+        self.assertIn("projective damps them away", report["warnings"][0])
+
     def test_integrators_agree(self):
         project = self.sample("tube")
         ends = {}

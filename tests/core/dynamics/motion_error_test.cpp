@@ -57,10 +57,12 @@ TEST(ComparedFrames, AreThoseOfWholeIntervals) {
 }
 
 TEST(RemainingError, FollowsHowMuchHalvingGains) {
-    EXPECT_DOUBLE_EQ(remainingError(0.1, none), 0.1);
+    EXPECT_DOUBLE_EQ(remainingError(0.1, none), 0.9);    // it may gain little
     EXPECT_DOUBLE_EQ(remainingError(0.1, 0.2), 0.1);     // first order
     EXPECT_DOUBLE_EQ(remainingError(0.1, 0.4), 0.1 / 3); // second
-    EXPECT_DOUBLE_EQ(remainingError(0.1, 0.1), 0.1);     // none that could be relied on
+    EXPECT_DOUBLE_EQ(remainingError(0.1, 10), 0.1 / 3);  // none that could be relied on
+    EXPECT_DOUBLE_EQ(remainingError(0.1, 0.1), 0.9);     // none at all
+    EXPECT_DOUBLE_EQ(remainingError(0.1, 0.01), 0.9);
     EXPECT_EQ(remainingError(0, 0), 0);
 }
 

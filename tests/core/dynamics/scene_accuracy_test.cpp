@@ -4,7 +4,9 @@
 #include "core/support/errors.h"
 #include "tests/support/tissue_models.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
 
 namespace esm {
 namespace {
@@ -96,6 +98,104 @@ TEST(SceneAccuracy, ShortensAStepThatIsTooLong) {
     const AccurateOutcome outcome = tube.run(0.05, settings, ignored);
     EXPECT_TRUE(outcome.outcome.stable);
     EXPECT_LT(outcome.outcome.timeStep, 1e-5);
+}
+
+/// A node of 1 g on a tether without viscosity, with a force from the start on: it swings for ever.
+struct Swinging {
+    TissueModel model;
+    Scene scene;
+
+    explicit Swinging(double springConstant) {
+        SpringNetwork network;
+        network.restPositions = {{0, 0, 0}};
+        model = tissue::model(network, {0, 0, 0.001});
+        model.tethers = {{0, springConstant, 0}};
+        scene.forces = {{0, {1, 0, 0}, 0, 10}};
+        scene.record.every = 0.01;
+    }
+    AccurateOutcome run(Integrator integrator, double timeStep, double mostError) {
+        SimulationSettings settings;
+        settings.integrator = integrator;
+        settings.timeStep = timeStep;
+        const auto newSink = [&]() -> FrameSink {
+            frames.clear();
+            return [this](double time, const std::vector<Eigen::Vector3d>& positions) {
+                frames.emplace_back(time, positions.front().x());
+            };
+        };
+        return runSceneToError({model, {}, scene, settings}, mostError, newSink);
+    }
+    /// Relative to the true motion, F/c·(1 − cos ωt).
+    double trueError() const {
+        const double c = model.tethers.front().springConstant, frequency = std::sqrt(c / 0.001);
+        double difference = 0, motion = 0;
+        for (const auto& [time, x] : frames) {
+            const double place = (1 - std::cos(frequency * time)) / c;
+            difference += std::pow(x - place, 2);
+            motion += std::pow(place, 2);
+        }
+        return std::sqrt(difference / motion);
+    }
+
+    std::vector<std::pair<double, double>> frames;
+};
+
+TEST(SceneAccuracy, RefusesStepsThatDampSwingsAway) {
+    for (const Integrator integrator :
+         {Integrator::Implicit, Integrator::Bdf2, Integrator::Projective, Integrator::Propagation}) {
+        Swinging node(1000);
+        try {
+            const AccurateOutcome outcome = node.run(integrator, 0.01, 0.05);
+            EXPECT_LE(node.trueError(), 2 * outcome.estimatedError) << integratorName(integrator);
+        } catch (const InvalidModel& refused) {
+            EXPECT_THAT(refused.what(), testing::HasSubstr("choose verlet"));
+        }
+    }
+}
+
+TEST(SceneAccuracy, SaysWhatItCouldNotFollow) {
+    Swinging node(1e18);
+    node.scene.duration = 0.1;
+    const AccurateOutcome outcome = node.run(Integrator::Implicit, 0.01, 0.01);
+    EXPECT_LE(outcome.estimatedError, 0.01);
+    EXPECT_TRUE(outcome.hidesSwings);
+}
+
+TEST(SceneAccuracy, ShortensExplicitStepsUntilTheyKeepTheSwings) {
+    Swinging node(1000);
+    node.scene.record.every = 1;
+    const AccurateOutcome outcome = node.run(Integrator::Rk4, 0.002, 0.01);
+    EXPECT_FALSE(outcome.hidesSwings);
+    EXPECT_LE(node.trueError(), 0.01);
+}
+
+TEST(SceneAccuracy, TrustsImplicitStepsOfOverdampedTissue) {
+    const PulledForAccuracy tube;
+    Trajectory rough, exact;
+    SimulationSettings settings;
+    settings.integrator = Integrator::Implicit;
+    settings.timeStep = 0.01;
+    const AccurateOutcome outcome = tube.run(0.02, settings, rough);
+    EXPECT_EQ(outcome.outcome.integrator, Integrator::Implicit);
+    EXPECT_FALSE(outcome.hidesSwings);
+    tube.run(1e-4, {}, exact);
+    EXPECT_LE(relativeError(rough, exact), 1.5 * outcome.estimatedError);
+    EXPECT_GT(relativeError(rough, exact), 0.2 * outcome.estimatedError);
+}
+
+TEST(SceneAccuracy, LetsAutoFollowTheSwings) {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(9, 0.1), {3e4, 0, 0.001});
+    model.fixedNodes = {0, 8, 72, 80};
+    Scene scene;
+    scene.duration = 0.1;
+    scene.forces = {{40, {1, 0, 0}, 0, 10}};
+    SimulationSettings settings;
+    settings.timeStep = 0.01; // too long for all that is explicit
+    ASSERT_FALSE(isExplicit(runScene({model, {}, scene, settings}, {}).integrator));
+    const AccurateOutcome outcome =
+        runSceneToError({model, {}, scene, settings}, 0.05, [] { return FrameSink([](double, auto&) {}); });
+    EXPECT_EQ(outcome.outcome.integrator, Integrator::Verlet);
+    EXPECT_FALSE(outcome.hidesSwings);
 }
 
 } // namespace
