@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double settled = 1e-8; ///< change of a force, of the largest there was
-constexpr int mostPasses = 2000;
+constexpr int mostPasses = 2000, passesUnasked = 16;
 constexpr double roundingMargin = 1e-14; ///< of a place; what springs make of it cannot settle
 
 /// Of one spring, on the node it is seen from.
@@ -29,9 +29,10 @@ Vector3d springForce(const SpringSystem::Element& spring, Damping damping, const
 
 } // namespace
 
-PropagationScheme::PropagationScheme(const SpringSystem& system, Damping damping)
-    : m_damping(damping), m_start(system.mass.size() + 1, 0), m_neighbours(2 * system.springs.size()),
-      m_tethers(system.mass.size()) {
+PropagationScheme::PropagationScheme(const SpringSystem& system, Damping damping,
+                                     std::function<bool()> isWanted)
+    : m_damping(damping), m_isWanted(std::move(isWanted)), m_start(system.mass.size() + 1, 0),
+      m_neighbours(2 * system.springs.size()), m_tethers(system.mass.size()) {
     for (const auto& spring : system.springs)
         for (const std::uint32_t node : {spring.first, spring.second})
             ++m_start[node + 1];
@@ -158,8 +159,10 @@ double PropagationScheme::diagonalOf(std::uint32_t node, const SpringSystem& sys
 void PropagationScheme::step(const SpringSystem& system, const StepInput& input, const Motion& before,
                              Motion& after) const {
     LocalPropagation propagation(*this, system, input, before, after);
-    for (int pass = 0; pass < mostPasses; ++pass)
+    for (int pass = 1; pass <= mostPasses; ++pass) {
         if (!propagation.pass()) return;
+        if (pass % passesUnasked == 0 && m_isWanted && !m_isWanted()) throw Cancelled();
+    }
     throw InvalidModel("the propagation does not settle within a step: shorten the step, or choose split");
 }
 

@@ -4,6 +4,8 @@
 #include "core/dynamics/settings.h"
 #include "core/dynamics/step_matrix.h"
 
+#include <functional>
+
 namespace esm {
 
 /// The two-phase propagation of the source [R 2.3.4]. Within a step the local propagation lets each node take
@@ -13,10 +15,11 @@ namespace esm {
 /// its force is taken into account at once, so that stiff tissue settles as well.
 class PropagationScheme {
 public:
-    PropagationScheme(const SpringSystem& system, Damping damping);
+    /// @param isWanted asked now and then within a step; may be empty
+    PropagationScheme(const SpringSystem& system, Damping damping, std::function<bool()> isWanted = {});
 
     /// One step, as if nothing touched the tissue.
-    /// @throws InvalidModel when the forces do not settle
+    /// @throws InvalidModel when the forces do not settle; Cancelled when it is not wanted any more
     void step(const SpringSystem& system, const StepInput& input, const Motion& before, Motion& after) const;
 
 private:
@@ -32,6 +35,7 @@ private:
     Eigen::Vector3d forceOn(std::uint32_t node, const SpringSystem& system, const Motion& motion) const;
 
     Damping m_damping;
+    std::function<bool()> m_isWanted;
     std::vector<std::size_t> m_start; ///< per node and one more: where its neighbours begin
     std::vector<Neighbour> m_neighbours;
     std::vector<std::vector<Tether>> m_tethers; ///< per node

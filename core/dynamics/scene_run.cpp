@@ -170,12 +170,19 @@ Loads loadsAt(const Scene& scene, const Vectors& rest, double start, double time
     return loads;
 }
 
-SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& progress) {
+SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& given) {
     if (auto problems = validate(run.scene, run.model.mass.size()); !problems.empty())
         throw InvalidModel(std::move(problems));
+    double done = 0;
+    const Progress progress = [&](double fraction) {
+        done = fraction;
+        return !given || given(fraction);
+    };
     reportProgress(progress, 0);
     const Clock::time_point start = Clock::now();
-    Simulation simulation(run.model, withStep(run), run.scene.instrument ? run.surface : TouchedSurface());
+    SimulationSettings settings = withStep(run);
+    settings.isWanted = [&] { return progress(done); };
+    Simulation simulation(run.model, settings, run.scene.instrument ? run.surface : TouchedSurface());
     SceneOutcome outcome;
     outcome.setupSeconds = secondsSince(start);
     outcome.integrator = simulation.integrator();

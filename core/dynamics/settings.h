@@ -2,6 +2,7 @@
 
 #include "core/model/stepping.h"
 
+#include <functional>
 #include <vector>
 
 namespace esm {
@@ -18,6 +19,8 @@ struct SimulationSettings {
     /// within this of the whole tissue's. 0: nothing is left out.
     double restTolerance = 0;
     std::size_t threads = 0; ///< at most; 0: as many as the tissue's size is worth
+    /// Asked now and then within a step that takes long; where it says no, the step ends with Cancelled.
+    std::function<bool()> isWanted = {};
 };
 
 /// Every problem of the settings. Empty when they can be used.

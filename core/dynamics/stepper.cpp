@@ -76,7 +76,8 @@ Stepper::Scheme Stepper::makeScheme(const Stepper* former) const {
     }
     const SimulationSettings& settings = m_options.settings;
     const KernelOptions options{settings.damping, {}, m_options.team};
-    if (m_integrator == Integrator::Propagation) return PropagationScheme(m_system, settings.damping);
+    if (m_integrator == Integrator::Propagation)
+        return PropagationScheme(m_system, settings.damping, settings.isWanted);
     if (!isExplicit(m_integrator)) return MatrixScheme(m_integrator, settings.damping);
     if (settings.precision == Precision::Float)
         return ExplicitScheme<float>(m_system, m_integrator, options, settings.restTolerance);

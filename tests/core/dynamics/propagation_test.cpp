@@ -67,3 +67,17 @@ TEST(Propagation, SaysWhenForcesDoNotSettle) {
                            {model.network->restPositions, Vectors(81, Eigen::Vector3d::Zero())}, after),
                  InvalidModel);
 }
+
+TEST(Propagation, CanBeCancelledWithinAStep) {
+    const SpringSystem system =
+        makeSpringSystem(tissue::fromMesh(tissue::gridMesh(9, 0.1), {1e6, 1e6, 1e-9}));
+    Loads loads;
+    loads.forces = {{40, {0, 0, 1}}};
+    Motion after;
+    int asked = 0;
+    const PropagationScheme scheme(system, Damping::Isotropic, [&asked] { return ++asked < 3; });
+    EXPECT_THROW(scheme.step(system, {1, &loads, {}},
+                             {system.network->restPositions, Vectors(81, Eigen::Vector3d::Zero())}, after),
+                 Cancelled);
+    EXPECT_EQ(asked, 3);
+}
