@@ -64,6 +64,7 @@ Json runInJson(const TradeoffRun& run) {
     Json json = steppingInJson(run.stepping, run.nodes);
     json["stable"] = run.stable;
     json["error"] = run.stable ? inJson(run.error) : Json();
+    json["error_is_bound"] = run.isErrorBound;
     json["wall_per_simulated_s"] = inJson(run.wallPerSimulatedSecond);
     json["real_time_factor"] = inJson(run.realTimeFactor());
     return json;
@@ -72,8 +73,8 @@ Json runInJson(const TradeoffRun& run) {
 std::string runInText(const TradeoffRun& run) {
     return std::string(integratorName(run.stepping.integrator)) + " in " +
            precisionName(run.stepping.precision) + ", step " + inText(run.stepping.timeStep) + " s, " +
-           counted(run.nodes, "node") + ": error " + inText(100 * run.error) + " % of the motion, " +
-           inText(run.realTimeFactor()) + " times real time";
+           counted(run.nodes, "node") + (run.isErrorBound ? ": error at most " : ": error ") +
+           inText(100 * run.error) + " % of the motion, " + inText(run.realTimeFactor()) + " times real time";
 }
 
 Json tradeoffInJson(const Tradeoff& tradeoff, std::size_t detail) {
@@ -83,6 +84,7 @@ Json tradeoffInJson(const Tradeoff& tradeoff, std::size_t detail) {
     Json json;
     json["reference"] = steppingInJson(tradeoff.reference.stepping, detail);
     json["reference"]["estimated_error"] = tradeoff.reference.estimatedError;
+    json["reference"]["hides_swings"] = tradeoff.reference.hidesSwings;
     json["runs"] = json["pareto"] = Json::array();
     for (const TradeoffRun& run : tradeoff.runs)
         json["runs"].push_back(runInJson(run));
@@ -162,6 +164,12 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     const Progress progress = progressOf(context, "measuring error and cost");
     if (model.project) wanted.coarser = coarserRuns(*model.project, model.scene, progress);
     const Tradeoff tradeoff = measureTradeoff({model.tissue, model.surface, model.scene}, wanted, progress);
+    if (tradeoff.reference.hidesSwings)
+        warnings.push_back(
+            "no error contains anything of swings that are faster than the reference's steps: " +
+            std::string(integratorName(tradeoff.reference.stepping.integrator)) +
+            " damps them away; allow more --max-seconds, or give the tissue more viscosity where "
+            "it has next to none");
     Report report;
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);

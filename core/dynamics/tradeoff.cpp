@@ -3,10 +3,13 @@
 #include "core/dynamics/motion_error.h"
 #include "core/dynamics/spring_system.h"
 #include "core/dynamics/stability.h"
+#include "core/dynamics/swings.h"
 #include "core/support/joined.h"
 #include "core/support/numbers.h"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 
 namespace esm {
@@ -22,10 +25,36 @@ constexpr double referenceShare = 0.3;   ///< of the whole work
 constexpr double referencePatience = 10; ///< times what another run may take
 constexpr double referenceMargin = 10;   ///< between the smallest error reported and the reference's own
 constexpr double finestError = 1e-5;     ///< relative; what is asked of the smallest errors
+constexpr double worthStopping = 0.1;    ///< s
+
+/// In the order in which they are tried. Only the last may damp swings away in long steps.
+constexpr std::array referenceIntegrators{Integrator::Split2, Integrator::Rk4, Integrator::Split,
+                                          Integrator::Bdf2};
 
 struct Measured {
     SceneOutcome outcome;
     Trajectory trajectory;
+    std::string problem;     ///< why there is no outcome; empty when there is
+    bool isOverTime = false; ///< that is the problem
+};
+
+/// A limit on the wall clock, from when it is started on.
+class WallLimit {
+public:
+    explicit WallLimit(double seconds) : m_seconds(std::max(seconds, worthStopping)) {}
+
+    void start() {
+        if (!m_start) m_start = Clock::now();
+    }
+    bool isReached() const {
+        return m_start && std::chrono::duration<double>(Clock::now() - *m_start).count() > m_seconds;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    double m_seconds;
+    std::optional<Clock::time_point> m_start;
 };
 
 /// The tissue at one level of detail.
@@ -54,11 +83,11 @@ public:
             m_level = &m_levels[level];
             const auto ways = waysToStep();
             for (std::size_t i = 0; i < ways.size(); ++i) {
-                const double done =
-                    static_cast<double>(level) + static_cast<double>(i) / static_cast<double>(ways.size());
-                m_fraction =
-                    referenceShare + (1 - referenceShare) * done / static_cast<double>(m_levels.size());
-                refine(ways[i]);
+                const double share = (1 - referenceShare) / static_cast<double>(m_levels.size());
+                const double part = share / static_cast<double>(ways.size());
+                refine(ways[i],
+                       {referenceShare + static_cast<double>(level) * share + static_cast<double>(i) * part,
+                        part});
             }
         }
         recommend(m_result, m_options.wishes);
@@ -66,12 +95,21 @@ public:
     }
 
 private:
-    bool isWanted() const { return !m_progress || m_progress(m_fraction); }
+    /// Of all the work, where a part of it begins and how much it is.
+    struct Part {
+        double from = 0, share = 0;
+    };
+
+    /// @param done fraction of the part at work; what was reported is not taken back
+    bool isWanted(double done) {
+        m_done = std::max(m_done, m_part.from + m_part.share * done);
+        return !m_progress || m_progress(m_done);
+    }
 
     void addLevel(const SceneRun& run, const CoarserRun* coarser) {
         m_levels.push_back({run, coarser,
                             criticalSteps(run.model, m_options.damping,
-                                          {1e-3, Deformation::Any, [this](double) { return isWanted(); }})});
+                                          {1e-3, Deformation::Any, [this](double) { return isWanted(0); }})});
     }
 
     /// The longest step that is stable and, itself or halved, meets the times that are compared.
@@ -96,7 +134,7 @@ private:
         return ways;
     }
 
-    Measured run(const Stepping& stepping, double duration) const {
+    Measured run(const Stepping& stepping, double duration, double mostSeconds) {
         Scene scene = m_level->run.scene;
         scene.duration = duration;
         scene.record.every = std::max(m_interval, stepping.timeStep);
@@ -104,47 +142,97 @@ private:
         settings.damping = m_options.damping;
         settings.threads = m_options.threads;
         Measured measured;
+        WallLimit limit(mostSeconds);
         const auto keep = [&](double time, const Vectors& positions) {
+            limit.start();
             const double number = std::round(time / m_interval);
             if (std::abs(time - number * m_interval) < 1e-6 * m_interval)
                 measured.trajectory[static_cast<long>(number)] =
                     m_level->coarser ? m_level->coarser->recorded(positions) : positions;
         };
-        measured.outcome = runScene({m_level->run.model, m_level->run.surface, scene, settings}, keep,
-                                    [this](double) { return isWanted(); });
+        const double part = duration / m_run.scene.duration;
+        const auto goesOn = [&](double done) {
+            measured.isOverTime = done < 1 && limit.isReached();
+            return !measured.isOverTime && isWanted(done * part);
+        };
+        try {
+            measured.outcome =
+                runScene({m_level->run.model, m_level->run.surface, scene, settings}, keep, goesOn);
+        } catch (const Cancelled&) {
+            if (!measured.isOverTime) throw;
+            measured.problem = "took longer than " + numberText(mostSeconds) + " s";
+        }
         return measured;
     }
 
-    /// From some steps at the scene's start, s of wall time for the whole of it.
-    double predictedSeconds(const Stepping& stepping) const {
+    /// A run of all of the scene, where it does not take longer than it may, as is forecast from some steps
+    /// at the start.
+    Measured wholeRun(const Stepping& stepping, double mostSeconds) {
         constexpr double steps = 4;
-        const SceneOutcome outcome = run(stepping, steps * stepping.timeStep).outcome;
-        return outcome.wallSeconds / steps * m_run.scene.duration / stepping.timeStep;
+        try {
+            Measured start = run(stepping, steps * stepping.timeStep, mostSeconds);
+            if (!start.problem.empty()) return start;
+            const double seconds =
+                start.outcome.wallSeconds / steps * m_run.scene.duration / stepping.timeStep;
+            if (seconds > mostSeconds) return {{}, {}, "would take " + numberText(seconds) + " s", true};
+            return run(stepping, m_run.scene.duration, mostSeconds);
+        } catch (const InvalidModel& reason) {
+            return {{}, {}, joined(reason.problems(), "; "), false};
+        }
     }
 
+    bool hasReference() const { return !std::isinf(m_result.reference.estimatedError); }
+
     void findReference() {
-        const bool isSplit = longestStep(Integrator::Split2) >= shortestStep;
-        Stepping stepping{isSplit ? Integrator::Split2 : Integrator::Rk4, 0, Precision::Double};
-        stepping.timeStep = std::min(m_interval, longestStep(stepping.integrator));
+        m_result.reference.estimatedError = std::numeric_limits<double>::infinity();
+        const SwingBounds swings = swingBounds(m_run.model, m_options.damping);
+        std::vector<std::string> problems;
+        constexpr double share = referenceShare / referenceIntegrators.size();
+        for (std::size_t i = 0; i < referenceIntegrators.size(); ++i) {
+            const std::string problem =
+                refineReference(referenceIntegrators[i], swings, {static_cast<double>(i) * share, share});
+            if (hasReference()) break;
+            problems.push_back(std::string(integratorName(referenceIntegrators[i])) + ": " + problem);
+        }
+        if (!hasReference())
+            throw InvalidModel("no reference can be computed: " + joined(problems, "; ") +
+                               "; allow more time, or shorten the scene");
+        if (m_sink.reference) m_sink.reference(m_result.reference);
+    }
+
+    /// Halves the step of an integrator until its error is small enough for a reference, or time runs out.
+    /// Why it went no further.
+    std::string refineReference(Integrator integrator, const SwingBounds& swings, const Part& part) {
+        Stepping stepping{integrator, std::min(m_interval, longestStep(integrator)), Precision::Double};
+        if (!(stepping.timeStep >= shortestStep)) return "no step is stable";
         const double wanted = std::min(finestError, m_options.wishes.mostError / 100) / referenceMargin;
-        double lastChange = std::numeric_limits<double>::infinity(), error = lastChange;
-        for (int runs = 0; runs < mostReferenceRuns && error > wanted; ++runs, stepping.timeStep /= 2) {
-            m_fraction = referenceShare * runs / mostReferenceRuns;
-            if (predictedSeconds(stepping) > referencePatience * m_options.mostSecondsPerRun) break;
-            Measured finer = run(stepping, m_run.scene.duration);
-            if (!finer.outcome.stable) break;
-            if (runs > 0) {
+        const double patience = referencePatience * m_options.mostSecondsPerRun;
+        double lastChange = std::numeric_limits<double>::infinity();
+        std::string problem;
+        m_reference.clear();
+        for (int runs = 0; runs < mostReferenceRuns; ++runs, stepping.timeStep /= 2) {
+            m_part = {part.from + part.share * runs / mostReferenceRuns, part.share / mostReferenceRuns};
+            Measured finer = wholeRun(stepping, patience);
+            if (finer.problem.empty() && !finer.outcome.stable) finer.problem = finer.outcome.outcome;
+            if (!finer.problem.empty()) {
+                if (finer.isOverTime || hasReference()) return finer.problem;
+                problem = finer.problem;
+                m_reference.clear();
+                continue;
+            }
+            if (!m_reference.empty()) {
                 const double change = changeTo(finer.trajectory);
-                error = remainingError(change, lastChange);
+                const bool hides =
+                    hidesSwings(swings, integrator, 2 * stepping.timeStep, m_run.scene.duration);
+                m_result.reference = {stepping, remainingError(change, lastChange), hides};
                 lastChange = change;
-                m_result.reference = {stepping, error};
             }
             m_reference = std::move(finer.trajectory);
+            // Explicit steps soon follow the swings themselves.
+            const bool goesOn = m_result.reference.hidesSwings && isExplicit(integrator);
+            if (m_result.reference.estimatedError <= wanted && !goesOn) return {};
         }
-        if (std::isinf(error))
-            throw InvalidModel("no reference can be computed in the time that is allowed: allow more of it, "
-                               "or shorten the scene");
-        if (m_sink.reference) m_sink.reference(m_result.reference);
+        return problem;
     }
 
     /// From the reference there was, relative to the motion.
@@ -167,34 +255,35 @@ private:
     }
 
     /// Halves the step until the error cannot be told from the reference's, or time runs out.
-    void refine(Stepping stepping) {
+    void refine(Stepping stepping, Part part) {
         double lastError = std::numeric_limits<double>::infinity();
         for (int halving = 0; halving < mostShorterSteps; ++halving, stepping.timeStep /= 2) {
-            try {
-                const double seconds = predictedSeconds(stepping);
-                if (seconds > m_options.mostSecondsPerRun)
-                    return leaveOut(stepping, "would take " + numberText(seconds) + " s");
-                const TradeoffRun result = resultOf(stepping);
-                const bool isTold = result.error >= referenceMargin * m_result.reference.estimatedError;
-                if (result.stable && !isTold) return;
-                m_result.runs.push_back(result);
-                if (m_sink.run) m_sink.run(result);
-                if (!result.stable) continue;
-                // What rounding spoils does not get better.
-                if (result.error > 0.9 * lastError) return;
-                lastError = result.error;
-            } catch (const InvalidModel& reason) {
-                leaveOut(stepping, joined(reason.problems(), "; "));
-            }
+            // How many there will be is not known: each takes half of what is left.
+            m_part = {part.from, part.share / 2};
+            part = {part.from + part.share / 2, part.share / 2};
+            const Measured measured = wholeRun(stepping, m_options.mostSecondsPerRun);
+            if (!measured.problem.empty()) leaveOut(stepping, measured.problem);
+            if (measured.isOverTime) return;
+            if (!measured.problem.empty()) continue;
+            const TradeoffRun result = resultOf(stepping, measured);
+            m_result.runs.push_back(result);
+            if (m_sink.run) m_sink.run(result);
+            if (!result.stable) continue;
+            // What rounding spoils does not get better.
+            if (result.isErrorBound || result.error > 0.9 * lastError) return;
+            lastError = result.error;
         }
     }
 
-    TradeoffRun resultOf(const Stepping& stepping) const {
-        const auto [outcome, trajectory] = run(stepping, m_run.scene.duration);
+    TradeoffRun resultOf(const Stepping& stepping, const Measured& measured) const {
+        const SceneOutcome& outcome = measured.outcome;
+        const double error = relativeError(measured.trajectory, m_reference);
+        const double leastTold = referenceMargin * m_result.reference.estimatedError;
         return {stepping,
                 nodes(),
                 outcome.stable,
-                relativeError(trajectory, m_reference),
+                std::max(error, leastTold),
+                error < leastTold,
                 outcome.wallSeconds / outcome.simulatedSeconds,
                 m_level->coarser ? std::optional(m_level->coarser->detail) : std::nullopt};
     }
@@ -203,7 +292,8 @@ private:
     const TradeoffOptions& m_options;
     const Progress& m_progress;
     const TradeoffSink& m_sink;
-    double m_fraction = 0;          ///< done
+    Part m_part;                    ///< at work
+    double m_done = 0;              ///< of all the work, as was reported
     std::vector<Level> m_levels;    ///< the full one first
     const Level* m_level = nullptr; ///< the one at work
     double m_interval;              ///< s, between the times that are compared

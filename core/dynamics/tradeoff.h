@@ -21,7 +21,8 @@ struct TradeoffRun {
     Stepping stepping;
     std::size_t nodes = 0; ///< simulated
     bool stable = false;
-    double error = 0;                   ///< relative to the motion itself; without meaning when not stable
+    double error = 0;          ///< relative to the motion itself; without meaning when not stable
+    bool isErrorBound = false; ///< the error is that or less: too small to be told from the reference's own
     double wallPerSimulatedSecond = 0;  ///< on this machine
     std::optional<Detail> coarser = {}; ///< the level of detail, where it is not the scene's own
 
@@ -31,6 +32,8 @@ struct TradeoffRun {
 struct TradeoffReference {
     Stepping stepping;
     double estimatedError = 0; ///< relative to the motion
+    /// Its steps damp away swings of the tissue that go on in truth: no error contains anything of them.
+    bool hidesSwings = false;
 };
 
 struct Tradeoff {
@@ -49,7 +52,7 @@ struct TradeoffWishes {
 
 struct TradeoffOptions {
     TradeoffWishes wishes = {};
-    double mostSecondsPerRun = 10; ///< wall time; what would take longer is left out
+    double mostSecondsPerRun = 10; ///< wall time; what would take longer, or does, is left out
     Damping damping = Damping::Isotropic;
     std::size_t threads = 0;              ///< at most; 0: as many as the tissue's size is worth
     std::vector<CoarserRun> coarser = {}; ///< measured too, against the full run
@@ -63,10 +66,12 @@ struct TradeoffSink {
 
 /// Runs a scene, and its coarser runs, with every integrator, from its longest stable step to ever shorter
 /// ones, in every precision, and compares each trajectory with a reference whose step is halved until its own
-/// error is a tenth of the smallest that is reported. The error of a trajectory x is √(Σ|x − x_ref|² /
-/// Σ|x_ref − x_0|²) over the recorded nodes and times that its steps reach; none is reported below ten times
-/// the reference's own.
-/// @throws InvalidModel when the scene is not for the model, or nothing in it moves; Cancelled
+/// error is a tenth of the smallest that is reported: by split2, or the first of rk4, split and bdf2 that can
+/// give one in the time that is allowed, ten times that of a run. The error of a trajectory x is √(Σ|x −
+/// x_ref|² / Σ|x_ref − x_0|²) over the recorded nodes and times that its steps reach; one below ten times the
+/// reference's own is reported as at most that.
+/// @throws InvalidModel when the scene is not for the model, nothing in it moves, or there is no reference;
+/// Cancelled
 Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress = {},
                          const TradeoffSink& sink = {});
 

@@ -41,6 +41,13 @@ QString figuresText(double realTimeFactor, double error) {
         .arg(numberText(realTimeFactor, 2), numberText(100 * error, 2));
 }
 
+QString figuresText(const TradeoffRun& run) {
+    const double speed = run.realTimeFactor();
+    return run.isErrorBound ? QObject::tr("%1× real time, at most %2 % error")
+                                  .arg(numberText(speed, 2), numberText(100 * run.error, 2))
+                            : figuresText(speed, run.error);
+}
+
 /// "split2, step 8.4 ms", and the number of nodes where they are fewer than the project's.
 QString wayText(const TradeoffRun& run) {
     const QString text = steppingText(run.stepping);
@@ -48,7 +55,7 @@ QString wayText(const TradeoffRun& run) {
 }
 
 QString runText(const TradeoffRun& run) {
-    return wayText(run) + '\n' + figuresText(run.realTimeFactor(), run.error);
+    return wayText(run) + '\n' + figuresText(run);
 }
 
 /// With what the method does.

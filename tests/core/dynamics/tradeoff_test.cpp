@@ -77,6 +77,60 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
         }
 }
 
+TEST(Tradeoff, KeepsRunsAsExactAsTheReference) {
+    PulledTube tube;
+    tube.scene.duration = 0.2;
+    TradeoffOptions options{1, 0.3, mostSeconds()};
+    const Tradeoff tradeoff = tube.measured(options);
+    std::size_t bounded = 0;
+    for (const TradeoffRun& run : tradeoff.runs) {
+        if (!run.isErrorBound) continue;
+        EXPECT_EQ(run.error, 10 * tradeoff.reference.estimatedError);
+        ++bounded;
+    }
+    EXPECT_GT(bounded, 0U);
+}
+
+TEST(Tradeoff, FindsAReferenceWhereRegionsHaveNoViscosity) {
+    PulledTube tube;
+    for (std::size_t node = 0; node < 40; ++node)
+        tube.model.viscosity[node] = 0;
+    const Tradeoff tradeoff = tube.measured({1, 0.01, mostSeconds() / 4});
+    EXPECT_EQ(tradeoff.reference.stepping.integrator, Integrator::Split);
+    EXPECT_FALSE(tradeoff.reference.hidesSwings);
+    EXPECT_FALSE(tradeoff.runs.empty());
+}
+
+TEST(Tradeoff, SaysWhyThereIsNoReference) {
+    PulledTube tube;
+    tube.model.viscosity.assign(tube.model.mass.size(), 0);
+    tube.model.springConstant.assign(tube.model.mass.size(), 1e12);
+    try {
+        tube.measured({1, 0.01, 1e-4});
+        FAIL() << "in no time";
+    } catch (const InvalidModel& refused) {
+        EXPECT_THAT(refused.what(),
+                    testing::AllOf(testing::HasSubstr("split2: no step is stable"),
+                                   testing::HasSubstr("rk4: "), testing::HasSubstr("bdf2: ")));
+    }
+}
+
+/// The first steps cost nothing, as nothing moves yet.
+TEST(Tradeoff, StopsWhatTakesLongerThanItsFirstSteps) {
+    TissueModel model = tissue::fromMesh(tissue::sphereMesh(3, 0.1), {10, 1, 0.001});
+    model.fixedNodes = {0};
+    Scene scene;
+    scene.forces = {{300, {0.1, 0, 0}, 0.2, 1}};
+    std::vector<double> reported;
+    const auto progress = [&](double fraction) {
+        reported.push_back(fraction);
+        return true;
+    };
+    const Tradeoff tradeoff = measureTradeoff({model, {}, scene}, {1, 0.3, mostSeconds() / 2}, progress);
+    EXPECT_THAT(tradeoff.leftOut, testing::Contains(testing::HasSubstr("took longer than")));
+    EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+}
+
 TEST(Tradeoff, RecommendsAnewForOtherWishes) {
     Tradeoff tradeoff;
     const auto add = [&](double error, double cost, bool stable = true) {
