@@ -3,6 +3,7 @@
 #include "app/esmc/report.h"
 #include "core/exchange/mesh_file.h"
 #include "core/support/angles.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 #include <cctype>
@@ -135,6 +136,16 @@ CLI::Validator positiveNumber() {
     const auto check = [](const std::string& text) -> std::string {
         const std::optional<double> value = finiteNumber(text);
         return value && *value > 0 ? "" : "'" + text + "' is not a number above zero";
+    };
+    return CLI::Validator(check, "");
+}
+
+CLI::Validator numberWithin(double least, double most) {
+    const auto check = [least, most](const std::string& text) -> std::string {
+        const std::optional<double> value = finiteNumber(text);
+        return value && *value >= least && *value <= most
+                   ? ""
+                   : "'" + text + "' is not a number from " + numberText(least) + " to " + numberText(most);
     };
     return CLI::Validator(check, "");
 }

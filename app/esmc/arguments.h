@@ -40,6 +40,9 @@ std::vector<std::string> parseWords(const std::string& text, const std::vector<s
 /// A check for an option that takes a finite number above zero.
 CLI::Validator positiveNumber();
 
+/// The same from a least one to a largest.
+CLI::Validator numberWithin(double least, double most);
+
 /// A check for an option that takes a finite number, zero or more.
 CLI::Validator nonNegativeNumber();
 

@@ -32,14 +32,16 @@ const Drawing::Colour& colourOf(Integrator integrator) {
     return colours.at(static_cast<std::size_t>(integrator));
 }
 
-/// Whole decades from the lowest value to the highest.
+constexpr double mostDecades = 20; ///< to either side of 1
+
+/// Whole decades from the lowest value to the highest. What is beyond all measure lies at the edge.
 class LogAxis {
 public:
     LogAxis(double start, double end) : m_start(start), m_end(end) {}
 
     void include(double value) {
-        m_low = std::min(m_low, static_cast<int>(std::floor(std::log10(value))));
-        m_high = std::max(m_high, static_cast<int>(std::ceil(std::log10(value))));
+        m_low = std::min(m_low, static_cast<int>(std::floor(exponentOf(value))));
+        m_high = std::max(m_high, static_cast<int>(std::ceil(exponentOf(value))));
     }
 
     int low() const { return m_low; }
@@ -47,10 +49,14 @@ public:
 
     /// In pixels.
     double operator()(double value) const {
-        return m_start + (m_end - m_start) * (std::log10(value) - low()) / (high() - low());
+        return m_start + (m_end - m_start) * (exponentOf(value) - low()) / (high() - low());
     }
 
 private:
+    static double exponentOf(double value) {
+        return std::clamp(std::log10(value), -mostDecades, mostDecades);
+    }
+
     double m_start, m_end;
     int m_low = 300, m_high = -300;
 };

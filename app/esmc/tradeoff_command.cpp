@@ -12,6 +12,8 @@ namespace esm {
 
 namespace {
 
+constexpr double leastWish = 1e-12, mostWish = 1e12; ///< what is beyond has no place on a chart
+
 /// Which of the recommended runs is saved.
 enum class Wish { MaxError, RealTime };
 
@@ -35,9 +37,9 @@ void declareTradeoff(CLI::App& command, TradeoffCommandOptions& options) {
     command.add_option("--scene", options.scene, "Scene in place of the project's own (.json)");
     command
         .add_option("--max-error", options.mostError, "Error wanted at most, relative to the motion (0.01)")
-        ->check(positiveNumber());
+        ->check(numberWithin(leastWish, mostWish));
     command.add_option("--real-time", options.realTimeFactor, "Times real time wanted at least (1)")
-        ->check(positiveNumber());
+        ->check(numberWithin(leastWish, mostWish));
     command
         .add_option("--max-seconds", options.mostSeconds, "What would compute for longer is left out, s (10)")
         ->check(positiveNumber());

@@ -52,6 +52,7 @@ class HelpTest(Case):
                      ["simulate", project, "-o", out, "--dt", "nan"], ["simulate", project, "-o", out, "--dt", "-1"],
                      ["stability", project, "--damping", "none"], ["tradeoff", project, "--max-error", "0"],
                      ["tradeoff", project, "--plot", "chart.gif"], ["tradeoff", project, "--real-time", "nan"],
+                     ["tradeoff", project, "--real-time", "1e-320"], ["tradeoff", project, "--max-error", "1e-300"],
                      ["tradeoff", project, "--max-seconds", "-1"],
                      ["tradeoff", project, "--damping", "axial", "-o", out], ["tradeoff", "organ.glb", "-o", "q.esm"],
                      ["tradeoff", project, "--save", "best", "-o", "q.esm"], ["simulate", project, "-o", out, "--max-error", "0"],
