@@ -2,6 +2,7 @@
 #include "app/editor/panels/accuracy_panel.h"
 #include "core/samples/samples.h"
 #include "core/support/errors.h"
+#include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
 
@@ -84,6 +85,35 @@ TEST_F(AccuracyPanelTest, MeasuresRecommendsAndLetsOneBeChosenAndTakenBack) {
     m_document.edit("softer", [](Project& project) { project.base.viscosity *= 2; });
     EXPECT_TRUE(hint->isVisible());
     EXPECT_TRUE(recommendation("toError")->isVisible());
+}
+
+TEST_F(AccuracyPanelTest, KeepsTheMeasurementWhenARunOnFewerNodesIsChosen) {
+    Project sheet = makeProject("sheet", {tissue::gridMesh(16, 0.1), {}});
+    sheet.scene.gravity = {0, 0, -1};
+    sheet.scene.duration = sheet.scene.record.every = 0.002;
+    m_document.replace(sheet, std::nullopt);
+    const auto network = m_document.project().network;
+    const std::size_t fewer = networkOf(*sheet.mesh, {Detail::Kind::Nodes, 64}).restPositions.size();
+    ASSERT_LT(fewer, 256U);
+    button("measure")->click();
+    ASSERT_TRUE(recommendation("toError")->isVisible());
+
+    auto* chart = m_panel.findChild<AccuracyChart*>(QStringLiteral("accuracyChart"));
+    const auto nodes = [this] { return m_document.project().network->restPositions.size(); };
+    const auto choose = [&](Qt::Key direction, std::size_t wanted) {
+        for (int tries = 0; tries < 300 && (!stepping() || nodes() != wanted); ++tries) {
+            QTest::keyClick(chart, direction);
+            QTest::keyClick(chart, Qt::Key_Return);
+        }
+        EXPECT_EQ(nodes(), wanted);
+    };
+    auto* hint = m_panel.findChild<QLabel*>(QStringLiteral("accuracyHint"));
+    choose(Qt::Key_Right, fewer);
+    EXPECT_TRUE(recommendation("toError")->isVisible());
+    EXPECT_FALSE(hint->isVisible());
+    choose(Qt::Key_Left, 256);
+    EXPECT_EQ(m_document.project().network, network);
+    EXPECT_FALSE(hint->isVisible());
 }
 
 TEST_F(AccuracyPanelTest, CancelledItLeavesAllAsItWas) {

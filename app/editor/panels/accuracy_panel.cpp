@@ -5,6 +5,7 @@
 #include "app/editor/commands/long_work.h"
 #include "app/editor/panels/stepping_text.h"
 #include "core/dynamics/coarser_runs.h"
+#include "core/model/detail_change.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quantity_formats.h"
@@ -148,7 +149,7 @@ void AccuracyPanel::measure() {
             window(), tr("Measuring speed and accuracy"),
             [&](const Progress& progress) { measured = measureAccuracy(project, options, progress); },
             Cancelling::Offered);
-        m_measurement = {project, std::move(measured)};
+        m_measurement = {project, std::move(measured), {}};
         showMeasurement();
         refresh();
         // It has its place only when the column was laid out anew.
@@ -157,20 +158,41 @@ void AccuracyPanel::measure() {
 }
 
 bool AccuracyPanel::isMeasured() const {
-    return m_measurement && m_measurement->project.network == m_document.project().network;
+    return m_measurement && m_measurement->project.mesh == m_document.project().mesh;
 }
 
 bool AccuracyPanel::isOutdated() const {
-    return isMeasured() && difference(m_measurement->project, m_document.project()).model();
+    if (!isMeasured()) return false;
+    const auto isNow = [this](const Project& project) {
+        return !difference(project, m_document.project()).model();
+    };
+    const auto& fewer = m_measurement->onFewerNodes;
+    return !isNow(m_measurement->project) && std::none_of(fewer.begin(), fewer.end(), isNow);
+}
+
+/// A project may be on the fewer nodes of a run that was chosen before.
+Project AccuracyPanel::onMeasuredNodes(Project project) const {
+    const Project& measured = m_measurement->project;
+    if (isOutdated()) {
+        const bool isOnThem = project.network->restPositions.size() == measured.network->restPositions.size();
+        return isOnThem ? project : withDetail(project, detailOf(*measured.network));
+    }
+    project.network = measured.network;
+    project.scene = measured.scene;
+    return project;
 }
 
 void AccuracyPanel::refresh() {
     m_measured->setVisible(isMeasured());
     m_measure->setText(isMeasured() ? tr("measure again") : tr("measure"));
-    m_hint->setVisible(!isMeasured() || isOutdated());
-    m_hint->setText(isMeasured() ? tr("Tissue or scene have changed since: measure again to be sure.")
-                                 : tr("How fast and how exactly can this machine compute the motion? Measure "
-                                      "every method, then choose one."));
+    const bool hidesSwings = isMeasured() && m_measurement->tradeoff.reference.hidesSwings;
+    m_hint->setVisible(!isMeasured() || isOutdated() || hidesSwings);
+    m_hint->setText(isOutdated() ? tr("Tissue or scene have changed since: measure again to be sure.")
+                    : hidesSwings
+                        ? tr("Fast swings of tissue with next to no viscosity could not be "
+                             "followed: no error here contains them.")
+                        : tr("How fast and how exactly can this machine compute the motion? Measure "
+                             "every method, then choose one."));
     showInUse();
 }
 
@@ -184,8 +206,9 @@ void AccuracyPanel::showInUse() {
            tr("The program already chooses method and step"));
     if (!isMeasured()) return;
     const auto& runs = m_measurement->tradeoff.runs;
+    const std::size_t nodes = m_document.project().network->restPositions.size();
     const auto marked = std::find_if(runs.begin(), runs.end(), [&](const TradeoffRun& run) {
-        return inUse && !run.coarser && same(run.stepping, inUse->stepping);
+        return inUse && run.nodes == nodes && same(run.stepping, inUse->stepping);
     });
     m_chart->setChosen(marked == runs.end() ? std::nullopt
                                             : std::optional<std::size_t>(marked - runs.begin()));
@@ -218,8 +241,11 @@ void AccuracyPanel::use(std::size_t index) {
     const TradeoffRun& run = m_measurement->tradeoff.runs[index];
     const Project project = m_document.project();
     attempt(window(), tr("This setting cannot be used"), [&] {
-        const Project changed = computeLong(window(), tr("Choosing method and step"),
-                                            [&](const Progress&) { return withRun(project, run); });
+        const bool isCurrent = !isOutdated();
+        const Project changed = computeLong(window(), tr("Choosing method and step"), [&](const Progress&) {
+            return withRun(onMeasuredNodes(project), run);
+        });
+        if (isCurrent && run.coarser) m_measurement->onFewerNodes.push_back(changed);
         m_document.edit(tr("Choose method and step"), [&](Project& edited) { edited = changed; });
     });
 }

@@ -20,10 +20,11 @@ public:
     AccuracyPanel(Document& document, Preview& preview, QWidget* parent = nullptr);
 
 private:
-    /// Holds for the nodes it was made on.
+    /// Holds for the organ it was made on, on all of its nodes and on fewer.
     struct Measurement {
         Project project; ///< that was measured
         Tradeoff tradeoff;
+        std::vector<Project> onFewerNodes{}; ///< the same, as one of its runs was chosen
     };
 
     QWidget* buildMeasured();
@@ -35,6 +36,7 @@ private:
     void showRecommendation(QPushButton* button, std::optional<std::size_t> run, const QString& none);
     bool isMeasured() const;
     bool isOutdated() const;
+    Project onMeasuredNodes(Project project) const;
     void use(std::size_t run);
     void useAutomatic();
 
