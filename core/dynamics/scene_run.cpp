@@ -173,7 +173,7 @@ Loads loadsAt(const Scene& scene, const Vectors& rest, double start, double time
 SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& given) {
     if (auto problems = validate(run.scene, run.model.mass.size()); !problems.empty())
         throw InvalidModel(std::move(problems));
-    double done = 0;
+    double done = 0; // as told last; a step that takes long asks with it whether it is still wanted
     const Progress progress = [&](double fraction) {
         done = fraction;
         return !given || given(fraction);
