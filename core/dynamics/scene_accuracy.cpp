@@ -150,7 +150,8 @@ public:
                                            m_run.scene.duration);
             if (error <= m_mostError && !hides) return {runs.outcome(), error};
             // An explicit one soon follows them itself.
-            if (error <= m_mostError && !isExplicit(runs.outcome().integrator))
+            const bool gains = *change <= leastGain * halvings.last();
+            if (hides && !isExplicit(runs.outcome().integrator) && (error <= m_mostError || !gains))
                 return withSwings(runs, error, newSink);
             if (halvings.isInVain(*change)) break;
         }
@@ -167,6 +168,7 @@ private:
         if (steps && m_run.settings.integrator == Integrator::Auto)
             return AccuracySearch(following(*steps), m_mostError, m_progress).search(newSink);
         const std::optional<FollowedRun> followed = steps ? follow(*steps) : std::nullopt;
+        if (!followed && error > m_mostError) refuseError(m_mostError, runs.outcome().timeStep);
         if (!followed) return {runs.outcome(), error, true};
         for (double last = std::numeric_limits<double>::infinity();; last = error) {
             error = followed->errorOf(runs);
