@@ -7,6 +7,7 @@
 #include "core/exchange/model_package.h"
 #include "core/exchange/project_file.h"
 #include "core/model/gentle_pull.h"
+#include "core/support/atomic_file.h"
 
 namespace esm {
 
@@ -152,6 +153,8 @@ void requireSavable(const TradeoffCommandOptions& options) {
 
 Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     if (!options.output.empty()) requireSavable(options);
+    for (const std::string& file : {options.plot, options.output})
+        if (!file.empty()) AtomicFile{file}; // refused now rather than after the work
     RunnableModel model = loadRunnableModel(options.model, options.scene, context);
     std::vector<std::string> warnings;
     if (!movesTissue(model.scene)) {

@@ -58,6 +58,8 @@ TEST_F(AccuracyPanelTest, MeasuresRecommendsAndLetsOneBeChosenAndTakenBack) {
     button("measure")->click();
     ASSERT_TRUE(recommendation("toError")->isVisible());
     EXPECT_FALSE(m_document.isModified()) << "to measure changes nothing";
+    constexpr int columnWidth = 320; // with room for a scroll bar
+    EXPECT_LE(m_panel.minimumSizeHint().width(), columnWidth);
 
     ASSERT_TRUE(recommendation("toError")->isEnabled());
     const QString recommended = recommendation("toError")->text();

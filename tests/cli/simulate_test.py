@@ -116,6 +116,9 @@ class SimulateTest(Case):
         scene = self.file("scene.json", {**TUBE_POKE, "duration": 0.05, "record": {"every": 0.025}})
         chart = self.file("chart.png")
         self.done("tradeoff", self.sample("tube"), "--scene", scene, "--max-seconds", "0.02", "--plot", chart)
+        for option, name in (("--plot", "chart.svg"), ("-o", "organ.esm")):
+            self.fails(1, "tradeoff", self.sample("tube"), "--max-seconds", "1000", option, self.file("missing") / name,
+                       naming="make it first")
         self.assertEqual(chart.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
     def test_steps_as_was_measured_and_saved(self):

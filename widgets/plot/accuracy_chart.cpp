@@ -21,7 +21,8 @@ namespace esm {
 
 namespace {
 
-constexpr int reach = 12; ///< pixels, of the mouse
+constexpr int reach = 12;     ///< pixels, of the mouse
+constexpr int mostLabels = 5; ///< of a scale; "100000" must not run into "10000"
 
 /// "1000" rather than "1e+03", and no more digits than a power of ten needs.
 class PlainScale : public QwtScaleDraw {
@@ -64,6 +65,7 @@ AccuracyChart::AccuracyChart(QWidget* parent)
         setAxisScaleEngine(axis, new QwtLogScaleEngine);
         setAxisScaleDraw(axis, new PlainScale);
         setAxisMaxMinor(axis, 0);
+        setAxisMaxMajor(axis, mostLabels);
         axisWidget(axis)->setMargin(0);
     }
     m_front->setStyle(QwtPlotCurve::Lines);

@@ -39,6 +39,7 @@ public:
     QPoint placeOf(std::size_t point) const;
 
     QSize sizeHint() const override { return {300, 230}; }
+    QSize minimumSizeHint() const override { return {200, 150}; } ///< whatever its scales say
 
 signals:
     void chosen(std::size_t point);

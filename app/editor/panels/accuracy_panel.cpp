@@ -67,7 +67,7 @@ QString explainedText(const TradeoffRun& run) {
 /// Brings a part of a column into view.
 void scrollTo(QWidget& part) {
     for (QWidget* around = part.parentWidget(); around; around = around->parentWidget())
-        if (auto* column = qobject_cast<QScrollArea*>(around)) return column->ensureWidgetVisible(&part);
+        if (auto* column = qobject_cast<QScrollArea*>(around)) return column->ensureWidgetVisible(&part, 0);
 }
 
 std::vector<AccuracyPoint> pointsOf(const Tradeoff& tradeoff) {
