@@ -118,6 +118,8 @@ QWidget* AccuracyPanel::buildMeasured() {
     m_inRealTime->setObjectName(QStringLiteral("inRealTime"));
     m_toError = new QPushButton(measured);
     m_toError->setObjectName(QStringLiteral("toError"));
+    for (QPushButton* button : {m_inRealTime, m_toError}) // no wider than the column, whatever they say
+        button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 
     auto* rows = new ValueRows(measured);
     rows->addWideField(tr("In real time, with the least error"), m_inRealTime);
