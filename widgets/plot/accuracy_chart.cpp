@@ -77,6 +77,7 @@ AccuracyChart::AccuracyChart(QWidget* parent)
     frame->installEventFilter(this);
     frame->setCursor(Qt::ArrowCursor);
     setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
     followTheme();
     drawScales();
 }
