@@ -1,6 +1,7 @@
 #include "core/dynamics/scene_accuracy.h"
 
 #include "core/dynamics/motion_error.h"
+#include "core/dynamics/spring_system.h"
 #include "core/dynamics/swings.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
