@@ -7,8 +7,6 @@
 
 #include <gmock/gmock.h>
 
-#include <complex>
-
 using namespace esm;
 using tissue::Vectors;
 
@@ -16,27 +14,6 @@ namespace {
 
 class EveryIntegrator : public testing::TestWithParam<Integrator> {};
 INSTANTIATE_TEST_SUITE_P(Dynamics, EveryIntegrator, testing::ValuesIn(allIntegrators), nameOfIntegratorTest);
-
-/// Displacement at time t of a mass on a spring to a fixed point after a constant force begins to act.
-double analytic(double mass, double stiffness, double damping, double force, double t) {
-    const std::complex<double> root =
-        std::sqrt(std::complex<double>(damping * damping - 4 * mass * stiffness));
-    const std::complex<double> a = (-damping + root) / (2 * mass), b = (-damping - root) / (2 * mass);
-    return force / stiffness * (1.0 + (b * std::exp(a * t) - a * std::exp(b * t)) / (a - b)).real();
-}
-
-/// Error at time 1 of one oscillating node, 1 kg and 20 N/m, pulled along its spring by 1 N.
-double oscillatorError(Integrator integrator, double damping, int steps) {
-    tissue::Parameters parameters{20, damping, 1};
-    TissueModel model = tissue::oneSpring(parameters);
-    model.fixedNodes = {0};
-    Simulation simulation(model, withStep(integrator, 1.0 / steps));
-    Loads loads;
-    loads.forces = {{1, {1, 0, 0}}};
-    for (int i = 0; i < steps; ++i)
-        EXPECT_TRUE(simulation.step(loads));
-    return std::abs(simulation.positions()[1].x() - 1 - analytic(1, 20, damping, 1, 1));
-}
 
 std::vector<double> stretchedSpringConstants() {
     if (isSanitized()) return {1};
@@ -46,98 +23,6 @@ std::vector<double> stretchedSpringConstants() {
 /// s; of hanging tissue that becomes stiffer, long enough to see it rise.
 double risingTime() {
     return isSanitized() ? 0.05 : 1;
-}
-
-int orderOf(Integrator integrator) {
-    switch (integrator) {
-    case Integrator::Rk4:
-    case Integrator::AdamsMoulton:
-        return 4;
-    case Integrator::Verlet:
-    case Integrator::Heun:
-    case Integrator::Bdf2:
-    case Integrator::Split2:
-        return 2;
-    default:
-        return 1;
-    }
-}
-
-TEST_P(EveryIntegrator, ConvergesToTheAnalyticOscillatorAtItsOrder) {
-    const int order = orderOf(GetParam());
-    for (const double damping : {1.0, 2 * std::sqrt(20.0) * 1.0001, 30.0}) {
-        // Strongly damped, a fourth-order error soon drowns in rounding.
-        const int steps = order < 4 ? 1600 : damping < 20 ? 200 : 60;
-        const double coarse = oscillatorError(GetParam(), damping, steps);
-        const double fine = oscillatorError(GetParam(), damping, 2 * steps);
-        EXPECT_LT(fine, order == 1 ? 5e-4 : 1e-6) << "damping " << damping;
-        EXPECT_NEAR(std::log2(coarse / fine), order, order == 4 ? 0.25 : 0.15) << "damping " << damping;
-    }
-}
-
-/// Two nodes of 10 g that hang in a row on a fixed one, let go at the side: where they are after 0.15 s,
-/// having turned by more than half a right angle, their springs stretched.
-Vectors fallenAside(Integrator integrator, double timeStep) {
-    SpringNetwork network;
-    for (int i = 0; i < 3; ++i)
-        network.restPositions.emplace_back(0.1 * i, 0, 0.02 * i * i);
-    tissue::addSpring(network, 0, 1);
-    tissue::addSpring(network, 1, 2);
-    TissueModel model = tissue::model(std::move(network), {20, 0.02, 0.01});
-    model.fixedNodes = {0};
-    Simulation simulation(model, withStep(integrator, timeStep));
-    Loads loads;
-    loads.gravity = {0, -9.81, 0};
-    for (int i = 0; i < std::lround(0.15 / timeStep); ++i)
-        EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
-    return simulation.positions();
-}
-
-TEST_P(EveryIntegrator, ConvergesAtItsOrderWhereTissueTurns) {
-    static const Vectors reference = fallenAside(Integrator::Rk4, 1e-5);
-    ASSERT_LT(reference[2].y(), -0.07);
-    const int order = orderOf(GetParam());
-    const double timeStep = order < 4 ? 5e-4 : 1e-3;
-    const auto error = [&](double step) { return (fallenAside(GetParam(), step)[2] - reference[2]).norm(); };
-    const double coarse = error(timeStep), fine = error(timeStep / 2);
-    EXPECT_LT(fine, order == 1 ? 2e-3 : 1e-5);
-    EXPECT_NEAR(std::log2(coarse / fine), order, 0.25);
-}
-
-constexpr double ledTime = 0.1; ///< s
-using LedWay = double (*)(double time);
-
-double smoothWay(double time) {
-    return 0.02 * (1 - std::cos(25 * time));
-}
-double wayThatStops(double time) {
-    return 0.3 * std::min(time, ledTime / 2);
-}
-
-/// Where a net held at one edge is after its corner was led away.
-Vectors ledAway(Integrator integrator, int steps, LedWay way) {
-    TissueModel model = tissue::fromMesh(tissue::gridMesh(4, 0.1), {10, 0.05, 0.001});
-    model.fixedNodes = {0, 1, 2, 3};
-    Simulation simulation(model, withStep(integrator, ledTime / steps));
-    for (int i = 1; i <= steps; ++i) {
-        Loads loads;
-        loads.held = {
-            {15, model.network->restPositions[15] + way(ledTime * i / steps) * Eigen::Vector3d(1, 1, 1)}};
-        EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
-    }
-    return simulation.positions();
-}
-
-TEST_P(EveryIntegrator, ConvergesAtItsOrderOrTheSecondWhileNodesAreLed) {
-    const int order = std::min(orderOf(GetParam()), 2);
-    const Vectors rest = tissue::gridMesh(4, 0.1).vertices;
-    for (const LedWay way : {smoothWay, wayThatStops}) {
-        const Vectors reference = ledAway(Integrator::Rk4, 8000, way);
-        const double coarse = motionDifference(ledAway(GetParam(), 400, way), reference, rest);
-        const double fine = motionDifference(ledAway(GetParam(), 800, way), reference, rest);
-        EXPECT_LT(fine, order == 1 ? 0.02 : 2e-4);
-        EXPECT_GT(std::log2(coarse / fine), order - 0.2);
-    }
 }
 
 TEST_P(EveryIntegrator, AgreesWithATether) {
