@@ -121,6 +121,9 @@ void addError(Report& report, const AccurateOutcome& accurate, std::vector<std::
 /// What of the scene had no effect on the run.
 std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutcome& outcome) {
     std::vector<std::string> warnings = sceneWarnings(model.scene, model.tissue);
+    if (outcome.timeStep > model.scene.duration)
+        warnings.push_back("the step of " + inText(outcome.timeStep) +
+                           " s is longer than the scene, which lasts " + inText(model.scene.duration) + " s");
     if (model.scene.instrument && outcome.stable && !outcome.touched)
         warnings.emplace_back(model.tissue.fixedNodes.empty()
                                   ? "the instrument never touches the organ"

@@ -1,5 +1,7 @@
 #include "app/esmc/tradeoff_chart.h"
 
+#include "core/support/numbers.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +13,16 @@ using Place = Drawing::Place;
 
 constexpr int pictureWidth = 900, pictureHeight = 600;
 constexpr double left = 80, right = 740, top = 30, bottom = 540;
-constexpr double dotRadius = 4, coarserRadius = 2.5, ringRadius = 8, lineHeight = 18;
-constexpr Drawing::Colour gridColour{225, 225, 225}, frontColour{60, 60, 60}, wishColour{200, 60, 60};
+constexpr double dotRadius = 4, coarserRadius = 2.5, lineHeight = 18;
+constexpr Drawing::Colour gridColour{225, 225, 225}, frontColour{60, 60, 60};
+
+/// One of the two wishes: the line that it asks for, and the ring around what is recommended for it. Both
+/// rings may lie around one run.
+struct WishStyle {
+    Drawing::Colour colour;
+    double ringRadius;
+};
+constexpr WishStyle realTimeStyle{{200, 60, 60}, 8}, errorStyle{{0, 100, 170}, 11};
 
 /// By integrator, in their order: told apart by people who see few colours as well.
 constexpr std::array<Drawing::Colour, 12> colours{{{0, 0, 0},
@@ -64,9 +74,9 @@ private:
 class Chart {
 public:
     Chart(const Tradeoff& tradeoff, const TradeoffWishes& wishes) : m_tradeoff(tradeoff), m_wishes(wishes) {
-        include(1 / wishes.realTimeFactor, wishes.mostError);
+        include(wishes.realTimeFactor, wishes.mostError);
         for (const TradeoffRun& run : tradeoff.runs)
-            if (isShown(run)) include(run.wallPerSimulatedSecond, run.error);
+            if (isShown(run)) include(run.realTimeFactor(), run.error);
     }
 
     Drawing draw() {
@@ -85,18 +95,18 @@ private:
         return run.stable && run.error > 0 && std::isfinite(run.error) && cost > 0 && std::isfinite(cost);
     }
 
-    void include(double cost, double error) {
-        m_cost.include(cost);
-        m_error.include(error);
+    void include(double speed, double error) {
+        m_speed.include(speed);
+        m_error.include(100 * error);
     }
 
     Place placeOf(const TradeoffRun& run) const {
-        return {m_cost(run.wallPerSimulatedSecond), m_error(run.error)};
+        return {m_speed(run.realTimeFactor()), m_error(100 * run.error)};
     }
 
     void drawGrid() {
-        for (int decade = m_cost.low(); decade <= m_cost.high(); ++decade) {
-            const double x = m_cost(std::pow(10, decade));
+        for (int decade = m_speed.low(); decade <= m_speed.high(); ++decade) {
+            const double x = m_speed(std::pow(10, decade));
             m_drawing.lines.push_back({{x, top}, {x, bottom}, gridColour});
             m_drawing.labels.push_back({{x, bottom + lineHeight}, nameOf(decade), Drawing::Anchor::Middle});
         }
@@ -106,17 +116,20 @@ private:
             m_drawing.labels.push_back({{left - 6, y + 4}, nameOf(decade), Drawing::Anchor::End});
         }
         m_drawing.labels.push_back({{(left + right) / 2, bottom + 2.3 * lineHeight},
-                                    "wall time per simulated second, s",
+                                    "speed, times real time",
                                     Drawing::Anchor::Middle});
-        m_drawing.labels.push_back({{left - 60, top - 12}, "error, relative to the motion"});
+        m_drawing.labels.push_back({{left - 60, top - 12}, "error, % of the motion"});
     }
 
-    static std::string nameOf(int decade) { return "1e" + std::to_string(decade); }
+    /// A power of ten, in full where it is short.
+    static std::string nameOf(int decade) {
+        return std::abs(decade) <= 5 ? numberText(std::pow(10, decade)) : "1e" + std::to_string(decade);
+    }
 
     void drawWishes() {
-        const double x = m_cost(1 / m_wishes.realTimeFactor), y = m_error(m_wishes.mostError);
-        m_drawing.lines.push_back({{x, top}, {x, bottom}, wishColour});
-        m_drawing.lines.push_back({{left, y}, {right, y}, wishColour});
+        const double x = m_speed(m_wishes.realTimeFactor), y = m_error(100 * m_wishes.mostError);
+        m_drawing.lines.push_back({{x, top}, {x, bottom}, realTimeStyle.colour});
+        m_drawing.lines.push_back({{left, y}, {right, y}, errorStyle.colour});
     }
 
     void drawFront() {
@@ -135,10 +148,14 @@ private:
                 m_drawing.dots.push_back({placeOf(run), run.coarser ? coarserRadius : dotRadius,
                                           colourOf(run.stepping.integrator),
                                           run.stepping.precision == Precision::Double});
-        for (const auto& recommended : {m_tradeoff.bestInRealTime, m_tradeoff.fastestToError})
-            if (recommended && isShown(m_tradeoff.runs[*recommended]))
-                m_drawing.dots.push_back(
-                    {placeOf(m_tradeoff.runs[*recommended]), ringRadius, wishColour, false});
+        drawRing(m_tradeoff.bestInRealTime, realTimeStyle);
+        drawRing(m_tradeoff.fastestToError, errorStyle);
+    }
+
+    void drawRing(const std::optional<std::size_t>& recommended, const WishStyle& style) {
+        if (recommended && isShown(m_tradeoff.runs[*recommended]))
+            m_drawing.dots.push_back(
+                {placeOf(m_tradeoff.runs[*recommended]), style.ringRadius, style.colour, false});
     }
 
     void drawLegend() {
@@ -157,12 +174,17 @@ private:
         const auto isCoarser = [](const TradeoffRun& run) { return run.coarser.has_value(); };
         if (std::any_of(m_tradeoff.runs.begin(), m_tradeoff.runs.end(), isCoarser))
             explain({{}, coarserRadius, frontColour}, "on fewer nodes");
-        explain({{}, ringRadius, wishColour, false}, "recommended");
+        y += lineHeight / 2;
+        explain({{}, realTimeStyle.ringRadius, realTimeStyle.colour, false}, "least error at");
+        m_drawing.labels.push_back({{right + 34, y}, numberText(m_wishes.realTimeFactor) + "x real time"});
+        y += 1.5 * lineHeight;
+        explain({{}, errorStyle.ringRadius, errorStyle.colour, false}, "fastest within");
+        m_drawing.labels.push_back({{right + 34, y}, numberText(100 * m_wishes.mostError) + " % error"});
     }
 
     const Tradeoff& m_tradeoff;
     const TradeoffWishes& m_wishes;
-    LogAxis m_cost{left, right}, m_error{bottom, top};
+    LogAxis m_speed{left, right}, m_error{bottom, top};
     Drawing m_drawing{pictureWidth, pictureHeight, {}, {}, {}};
 };
 

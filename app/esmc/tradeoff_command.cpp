@@ -9,6 +9,8 @@
 #include "core/model/gentle_pull.h"
 #include "core/support/atomic_file.h"
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
@@ -73,10 +75,17 @@ Json runInJson(const TradeoffRun& run) {
     return json;
 }
 
+std::string wayInText(const Stepping& stepping, std::size_t nodes) {
+    return std::string(integratorName(stepping.integrator)) + " in " + precisionName(stepping.precision) +
+           ", step " + inText(stepping.timeStep) + " s, " + counted(nodes, "node");
+}
+
+std::string leftOutInText(const LeftOutRun& run) {
+    return wayInText(run.stepping, run.nodes) + ": " + run.reason;
+}
+
 std::string runInText(const TradeoffRun& run) {
-    return std::string(integratorName(run.stepping.integrator)) + " in " +
-           precisionName(run.stepping.precision) + ", step " + inText(run.stepping.timeStep) + " s, " +
-           counted(run.nodes, "node") + (run.isErrorBound ? ": error at most " : ": error ") +
+    return wayInText(run.stepping, run.nodes) + (run.isErrorBound ? ": error at most " : ": error ") +
            inText(100 * run.error) + " % of the motion, " + inText(run.realTimeFactor()) + " times real time";
 }
 
@@ -95,8 +104,21 @@ Json tradeoffInJson(const Tradeoff& tradeoff, std::size_t detail) {
         json["pareto"].push_back(runInJson(tradeoff.runs[i]));
     json["recommended"] = {{"real_time", chosen(tradeoff.bestInRealTime)},
                            {"max_error", chosen(tradeoff.fastestToError)}};
-    json["left_out"] = tradeoff.leftOut;
+    json["left_out"] = Json::array();
+    for (const LeftOutRun& run : tradeoff.leftOut)
+        json["left_out"].push_back(leftOutInText(run));
     return json;
+}
+
+/// One line for all of an integrator's runs.
+void addLeftOut(const std::vector<LeftOutRun>& leftOut, Integrator integrator,
+                std::vector<std::string>& text) {
+    const auto isOf = [&](const LeftOutRun& run) { return run.stepping.integrator == integrator; };
+    const auto first = std::find_if(leftOut.begin(), leftOut.end(), isOf);
+    if (first == leftOut.end()) return;
+    const auto others = std::count_if(std::next(first), leftOut.end(), isOf);
+    text.push_back("left out: " + leftOutInText(*first) +
+                   (others ? "; and " + std::to_string(others) + " more" : ""));
 }
 
 std::vector<std::string> tradeoffInText(const Tradeoff& tradeoff, const TradeoffCommandOptions& options) {
@@ -110,8 +132,8 @@ std::vector<std::string> tradeoffInText(const Tradeoff& tradeoff, const Tradeoff
     recommend("least error in " + inText(options.realTimeFactor) + " times real time",
               tradeoff.bestInRealTime);
     recommend("least time to an error of " + inText(100 * options.mostError) + " %", tradeoff.fastestToError);
-    for (const std::string& leftOut : tradeoff.leftOut)
-        text.push_back("left out: " + leftOut);
+    for (const Integrator integrator : allIntegrators)
+        addLeftOut(tradeoff.leftOut, integrator, text);
     return text;
 }
 

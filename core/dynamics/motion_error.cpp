@@ -59,11 +59,23 @@ double relativeError(const Trajectory& trajectory, const Trajectory& reference) 
 
 double remainingError(double change, double lastChange) {
     // A ratio below that of the second order may be luck; one near 1 is that of rounding.
-    constexpr double leastRatio = 0.25, mostRatio = 0.9;
+    constexpr double leastRatio = 0.25, mostRatio = leastGain;
     if (change == 0) return 0;
     const double ratio =
         std::isinf(lastChange) ? mostRatio : std::clamp(change / lastChange, leastRatio, mostRatio);
     return change * ratio / (1 - ratio);
+}
+
+void HalvingChanges::add(double change) {
+    const bool gains = change <= leastGain * m_last;
+    m_inVain = gains ? 0 : m_inVain + 1;
+    m_largest = gains ? change : std::max(m_largest, change);
+    m_beforeLast = m_last;
+    m_last = change;
+}
+
+double HalvingChanges::remaining() const {
+    return standsStill() ? m_largest : remainingError(m_last, m_beforeLast);
 }
 
 } // namespace esm

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -49,9 +50,33 @@ private:
 /// start, or nothing moves.
 double relativeError(const Trajectory& trajectory, const Trajectory& reference);
 
+/// Of what was there before, halving a step leaves at most that, or it gains nothing: rounding spoils it.
+inline constexpr double leastGain = 0.9;
+
 /// What is left of a trajectory's error, relative to its motion, from how much halving the step changed it
 /// and how much the halving before did (infinite: there was none). How much of what is left each halving
 /// takes away, two of them tell; one alone may have taken little.
 double remainingError(double change, double lastChange);
+
+/// What one halving of the step after another changes of a trajectory, relative to its motion.
+class HalvingChanges {
+public:
+    void add(double change);
+
+    /// Of the latest trajectory's error. Of changes that stand still the largest is taken: trajectories that
+    /// differ by chance, as where an instrument touches, are no further from the truth than from each other.
+    double remaining() const;
+    /// Whether the latest halvings gained nothing, and will not: changes larger than that come of steps that
+    /// do not follow the motion yet.
+    bool standsStill() const { return m_inVain >= mostInVain && m_largest < largeChange; }
+
+private:
+    static constexpr int mostInVain = 2;
+    static constexpr double largeChange = 0.1;
+
+    double m_last = std::numeric_limits<double>::infinity(), m_beforeLast = m_last;
+    double m_largest = 0; ///< since the latest that gained
+    int m_inVain = 0;
+};
 
 } // namespace esm

@@ -13,7 +13,6 @@ namespace esm {
 namespace {
 
 constexpr int mostHalvings = 30;
-constexpr double leastGain = 0.9;   ///< what rounding spoils does not get better
 constexpr double largeChange = 0.1; ///< more than rounding makes: steps do not follow the motion yet
 constexpr int mostInVain = 6;
 constexpr double followedShare =

@@ -31,6 +31,14 @@ constexpr double worthStopping = 0.1;    ///< s
 constexpr std::array referenceIntegrators{Integrator::Split2, Integrator::Rk4, Integrator::Split,
                                           Integrator::Bdf2};
 
+/// Halvings without gain after which more of them are not tried. In float rounding soon spoils all, and fewer
+/// nodes are off however short the steps. The rest comes to the reference in the end, though an instrument's
+/// way may hide for a while what steps gain.
+int halvingsInVain(Precision precision, bool isFull) {
+    if (precision == Precision::Float) return 0;
+    return isFull ? mostShorterSteps : 2;
+}
+
 struct Measured {
     SceneOutcome outcome;
     Trajectory trajectory;
@@ -181,6 +189,9 @@ private:
         }
     }
 
+    /// Of which a run is asked; smaller ones are welcome.
+    double smallestError() const { return std::min(finestError, m_options.wishes.mostError / 100); }
+
     bool hasReference() const { return !std::isinf(m_result.reference.estimatedError); }
 
     void findReference() {
@@ -205,9 +216,9 @@ private:
     std::string refineReference(Integrator integrator, const SwingBounds& swings, const Part& part) {
         Stepping stepping{integrator, std::min(m_interval, longestStep(integrator)), Precision::Double};
         if (!(stepping.timeStep >= shortestStep)) return "no step is stable";
-        const double wanted = std::min(finestError, m_options.wishes.mostError / 100) / referenceMargin;
+        const double wanted = smallestError() / referenceMargin;
         const double patience = referencePatience * m_options.mostSecondsPerRun;
-        double lastChange = std::numeric_limits<double>::infinity();
+        HalvingChanges changes;
         std::string problem;
         m_reference.clear();
         for (int runs = 0; runs < mostReferenceRuns; ++runs, stepping.timeStep /= 2) {
@@ -221,16 +232,17 @@ private:
                 continue;
             }
             if (!m_reference.empty()) {
-                const double change = changeTo(finer.trajectory);
+                changes.add(changeTo(finer.trajectory));
                 const bool hides =
                     hidesSwings(swings, integrator, 2 * stepping.timeStep, m_run.scene.duration);
-                m_result.reference = {stepping, remainingError(change, lastChange), hides};
-                lastChange = change;
+                m_result.reference = {stepping, changes.remaining(), hides};
             }
             m_reference = std::move(finer.trajectory);
             // Explicit steps soon follow the swings themselves.
             const bool goesOn = m_result.reference.hidesSwings && isExplicit(integrator);
-            if (m_result.reference.estimatedError <= wanted && !goesOn) return {};
+            const bool isEnough = m_result.reference.estimatedError <= wanted ||
+                                  (changes.standsStill() && !m_result.reference.hidesSwings);
+            if (isEnough && !goesOn) return {};
         }
         return problem;
     }
@@ -246,44 +258,40 @@ private:
 
     std::size_t nodes() const { return m_level->run.model.mass.size(); }
 
-    void leaveOut(const Stepping& stepping, const std::string& reason) {
-        m_result.leftOut.push_back(std::string(integratorName(stepping.integrator)) +
-                                   (stepping.precision == Precision::Float ? " in float" : "") + " at " +
-                                   numberText(stepping.timeStep) + " s" +
-                                   (m_level->coarser ? " on " + std::to_string(nodes()) + " nodes: " : ": ") +
-                                   reason);
-    }
-
     /// Halves the step until the error cannot be told from the reference's, or time runs out.
     void refine(Stepping stepping, Part part) {
-        double lastError = std::numeric_limits<double>::infinity();
+        double leastError = std::numeric_limits<double>::infinity();
+        const double enough = std::max(smallestError(), 2 * m_result.reference.estimatedError);
+        int inVain = 0;
         for (int halving = 0; halving < mostShorterSteps; ++halving, stepping.timeStep /= 2) {
             // How many there will be is not known: each takes half of what is left.
             m_part = {part.from, part.share / 2};
             part = {part.from + part.share / 2, part.share / 2};
             const Measured measured = wholeRun(stepping, m_options.mostSecondsPerRun);
-            if (!measured.problem.empty()) leaveOut(stepping, measured.problem);
+            if (!measured.problem.empty()) m_result.leftOut.push_back({stepping, nodes(), measured.problem});
             if (measured.isOverTime) return;
             if (!measured.problem.empty()) continue;
             const TradeoffRun result = resultOf(stepping, measured);
             m_result.runs.push_back(result);
             if (m_sink.run) m_sink.run(result);
             if (!result.stable) continue;
-            // What rounding spoils does not get better.
-            if (result.isErrorBound || result.error > 0.9 * lastError) return;
-            lastError = result.error;
+            if (result.isErrorBound && result.error <= enough) return;
+            const bool gains = result.error <= leastGain * leastError;
+            if (!gains && inVain++ == halvingsInVain(stepping.precision, !m_level->coarser)) return;
+            leastError = std::min(leastError, result.error);
         }
     }
 
     TradeoffRun resultOf(const Stepping& stepping, const Measured& measured) const {
         const SceneOutcome& outcome = measured.outcome;
         const double error = relativeError(measured.trajectory, m_reference);
-        const double leastTold = referenceMargin * m_result.reference.estimatedError;
+        const double own = m_result.reference.estimatedError;
+        const bool isBound = error < referenceMargin * own;
         return {stepping,
                 nodes(),
                 outcome.stable,
-                std::max(error, leastTold),
-                error < leastTold,
+                isBound ? error + own : error,
+                isBound,
                 outcome.wallSeconds / outcome.simulatedSeconds,
                 m_level->coarser ? std::optional(m_level->coarser->detail) : std::nullopt};
     }

@@ -29,6 +29,13 @@ struct TradeoffRun {
     double realTimeFactor() const { return 1 / wallPerSimulatedSecond; }
 };
 
+/// A way to step that was not measured, and why.
+struct LeftOutRun {
+    Stepping stepping;
+    std::size_t nodes = 0; ///< simulated
+    std::string reason;
+};
+
 struct TradeoffReference {
     Stepping stepping;
     double estimatedError = 0; ///< relative to the motion
@@ -42,7 +49,7 @@ struct Tradeoff {
     std::vector<std::size_t> pareto;           ///< runs that none beats in error and cost, the fastest first
     std::optional<std::size_t> bestInRealTime; ///< least error
     std::optional<std::size_t> fastestToError; ///< least cost
-    std::vector<std::string> leftOut;          ///< what was not run, and why
+    std::vector<LeftOutRun> leftOut;
 };
 
 struct TradeoffWishes {
@@ -67,9 +74,9 @@ struct TradeoffSink {
 /// Runs a scene, and its coarser runs, with every integrator, from its longest stable step to ever shorter
 /// ones, in every precision, and compares each trajectory with a reference whose step is halved until its own
 /// error is a tenth of the smallest that is reported: by split2, or the first of rk4, split and bdf2 that can
-/// give one in the time that is allowed, ten times that of a run. The error of a trajectory x is √(Σ|x −
-/// x_ref|² / Σ|x_ref − x_0|²) over the recorded nodes and times that its steps reach; one below ten times the
-/// reference's own is reported as at most that.
+/// give one in the time that is allowed, ten times that of a run; or until halving gains nothing more. The
+/// error of a trajectory x is √(Σ|x − x_ref|² / Σ|x_ref − x_0|²) over the recorded nodes and times that its
+/// steps reach; one below ten times the reference's own is reported as at most the sum of both.
 /// @throws InvalidModel when the scene is not for the model, nothing in it moves, or there is no reference;
 /// Cancelled
 Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress = {},

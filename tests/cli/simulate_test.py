@@ -99,7 +99,8 @@ class SimulateTest(Case):
                 continue
             self.assertKeys(run, {"integrator": str, "dt": float, "precision": str, "detail": int, "stable": bool, "error": float,
                                   "wall_per_simulated_s": float, "real_time_factor": float})
-            self.assertGreaterEqual(run["error"], 10 * report["reference"]["estimated_error"])
+            margin = 1 if run["error_is_bound"] else 10
+            self.assertGreaterEqual(run["error"], margin * report["reference"]["estimated_error"])
         self.assertLessEqual(report["recommended"]["max_error"]["error"], 0.02)
         chart = ElementTree.parse(self.file("chart.svg")).getroot()
         self.assertGreaterEqual(len(chart.findall("{*}circle")), len(report["runs"]))

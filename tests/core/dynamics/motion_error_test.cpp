@@ -66,5 +66,34 @@ TEST(RemainingError, FollowsHowMuchHalvingGains) {
     EXPECT_EQ(remainingError(0, 0), 0);
 }
 
+TEST(HalvingChanges, ExtrapolateWhatGains) {
+    HalvingChanges changes;
+    for (const double change : {0.04, 0.02, 0.01})
+        changes.add(change);
+    EXPECT_FALSE(changes.standsStill());
+    EXPECT_DOUBLE_EQ(changes.remaining(), 0.01);
+}
+
+TEST(HalvingChanges, StandStillWhereTwoGainNothing) {
+    HalvingChanges changes;
+    for (const double change : {0.04, 0.002, 0.003})
+        changes.add(change);
+    EXPECT_FALSE(changes.standsStill());
+    changes.add(0.0028);
+    EXPECT_TRUE(changes.standsStill());
+    EXPECT_DOUBLE_EQ(changes.remaining(), 0.003);
+    changes.add(0.001);
+    EXPECT_FALSE(changes.standsStill());
+    EXPECT_LT(changes.remaining(), 0.001);
+}
+
+TEST(HalvingChanges, DoNotStandStillBeforeStepsFollowTheMotion) {
+    HalvingChanges changes;
+    for (int halving = 0; halving < 5; ++halving)
+        changes.add(0.5);
+    EXPECT_FALSE(changes.standsStill());
+    EXPECT_DOUBLE_EQ(changes.remaining(), 4.5);
+}
+
 } // namespace
 } // namespace esm

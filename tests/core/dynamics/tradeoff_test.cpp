@@ -56,7 +56,7 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
     EXPECT_GT(tradeoff.reference.estimatedError, 0);
     for (const TradeoffRun& run : tradeoff.runs) {
         EXPECT_TRUE(run.stable) << integratorName(run.stepping.integrator) << run.stepping.timeStep;
-        EXPECT_GE(run.error, 10 * tradeoff.reference.estimatedError);
+        EXPECT_GE(run.error, (run.isErrorBound ? 1 : 10) * tradeoff.reference.estimatedError);
     }
     // Published: 1.3e-3 at 0.05 s, 5.5e-5 at 0.01 s, measured at the end alone.
     const auto split2 = std::find_if(tradeoff.runs.begin(), tradeoff.runs.end(), [](const TradeoffRun& run) {
@@ -85,7 +85,8 @@ TEST(Tradeoff, KeepsRunsAsExactAsTheReference) {
     std::size_t bounded = 0;
     for (const TradeoffRun& run : tradeoff.runs) {
         if (!run.isErrorBound) continue;
-        EXPECT_EQ(run.error, 10 * tradeoff.reference.estimatedError);
+        EXPECT_GE(run.error, tradeoff.reference.estimatedError);
+        EXPECT_LE(run.error, 11 * tradeoff.reference.estimatedError);
         ++bounded;
     }
     EXPECT_GT(bounded, 0U);
@@ -115,19 +116,24 @@ TEST(Tradeoff, SaysWhyThereIsNoReference) {
     }
 }
 
-/// The first steps cost nothing, as nothing moves yet.
+/// Propagation's steps cost little where nothing moves yet, and a hundred times that afterwards.
 TEST(Tradeoff, StopsWhatTakesLongerThanItsFirstSteps) {
     TissueModel model = tissue::fromMesh(tissue::sphereMesh(3, 0.1), {10, 1, 0.001});
     model.fixedNodes = {0};
     Scene scene;
     scene.forces = {{300, {0.1, 0, 0}, 0.2, 1}};
+    scene.duration = 0.2;
+    const SimulationSettings settings = withStepping({}, {Integrator::Propagation, 1.0 / 150});
+    const double forecast = 2 * runScene({model, {}, scene, settings}, {}).wallSeconds;
+    scene.duration = 0.4;
     std::vector<double> reported;
     const auto progress = [&](double fraction) {
         reported.push_back(fraction);
         return true;
     };
-    const Tradeoff tradeoff = measureTradeoff({model, {}, scene}, {1, 0.3, mostSeconds() / 2}, progress);
-    EXPECT_THAT(tradeoff.leftOut, testing::Contains(testing::HasSubstr("took longer than")));
+    const Tradeoff tradeoff = measureTradeoff({model, {}, scene}, {1, 0.3, 3 * forecast}, progress);
+    EXPECT_THAT(tradeoff.leftOut, testing::Contains(testing::Field(&LeftOutRun::reason,
+                                                                   testing::HasSubstr("took longer than"))));
     EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
 }
 
