@@ -37,4 +37,8 @@ struct FuzzyRule {
     double weight = 1; ///< 0 to 1, by which the condition's degree is multiplied
 };
 
+bool operator==(const FuzzyProposition& one, const FuzzyProposition& other);
+bool operator==(const FuzzyCondition& one, const FuzzyCondition& other);
+bool operator==(const FuzzyRule& one, const FuzzyRule& other);
+
 } // namespace esm

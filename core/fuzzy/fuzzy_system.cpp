@@ -15,18 +15,9 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-/// A name stands as one word in a rule.
 void checkName(Problems& problems, const std::string& place, const std::string& name) {
-    const auto endsWord = [](char c) {
-        return static_cast<unsigned char>(c) <= ' ' || c == 127 || isBracket(c);
-    };
-    if (name.empty())
-        problems.push_back(place + ": the name is missing");
-    else if (std::any_of(name.begin(), name.end(), endsWord))
-        problems.push_back(place + ": a name is one word without spaces and brackets; join words with _");
-    else if (isKeyword(name))
-        problems.push_back(place + ": " + joined({ruleKeywords.begin(), ruleKeywords.end()}) +
-                           " are words of rules, not names");
+    if (const std::string problem = nameProblem(name); !problem.empty())
+        problems.push_back(place + ": " + problem);
 }
 
 std::string listed(std::initializer_list<double> numbers) {
@@ -49,6 +40,10 @@ void checkCorners(Problems& problems, const std::string& place, const Trapezoid&
         problems.push_back(place + ": the corners must rise, got " + listed({set.a, set.b, set.c, set.d}));
 }
 
+bool isControl(char c) {
+    return static_cast<unsigned char>(c) < ' ' || c == 127;
+}
+
 void checkVariable(Problems& problems, const std::string& place, const FuzzyVariable& variable) {
     checkName(problems, place, variable.name);
     const bool hasRange = variable.minimum >= -largestNumber && variable.maximum <= largestNumber &&
@@ -56,6 +51,8 @@ void checkVariable(Problems& problems, const std::string& place, const FuzzyVari
     if (!hasRange)
         problems.push_back(place + ".range: must be two finite numbers" + upToLargest() +
                            ", the smaller first, got " + listed({variable.minimum, variable.maximum}));
+    if (std::any_of(variable.unit.begin(), variable.unit.end(), isControl))
+        problems.push_back(place + ".unit: must be one line of text");
     if (variable.terms.empty()) problems.push_back(place + ".terms: there must be at least one");
     std::set<std::string> names;
     for (const FuzzyTerm& term : variable.terms) {
@@ -124,6 +121,37 @@ void checkRules(Problems& problems, const FuzzySystem& system) {
 }
 
 } // namespace
+
+bool operator==(const Trapezoid& one, const Trapezoid& other) {
+    return one.a == other.a && one.b == other.b && one.c == other.c && one.d == other.d;
+}
+
+bool operator==(const FuzzyTerm& one, const FuzzyTerm& other) {
+    return one.name == other.name && one.set == other.set;
+}
+
+bool operator==(const FuzzyVariable& one, const FuzzyVariable& other) {
+    return one.name == other.name && one.minimum == other.minimum && one.maximum == other.maximum &&
+           one.terms == other.terms && one.unit == other.unit;
+}
+
+bool operator==(const FuzzySystem& one, const FuzzySystem& other) {
+    return one.name == other.name && one.description == other.description && one.note == other.note &&
+           one.inputs == other.inputs && one.outputs == other.outputs && one.rules == other.rules &&
+           one.norms == other.norms;
+}
+
+std::string nameProblem(const std::string& name) {
+    const auto endsWord = [](char c) {
+        return static_cast<unsigned char>(c) <= ' ' || c == 127 || isBracket(c);
+    };
+    if (name.empty()) return "the name is missing";
+    if (std::any_of(name.begin(), name.end(), endsWord))
+        return "a name is one word without spaces and brackets; join words with _";
+    if (isKeyword(name))
+        return joined({ruleKeywords.begin(), ruleKeywords.end()}) + " are words of rules, not names";
+    return {};
+}
 
 double membership(const Trapezoid& set, double x) {
     if (!(x >= set.a && x <= set.d)) return 0;

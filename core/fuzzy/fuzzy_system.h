@@ -26,6 +26,7 @@ struct FuzzyVariable {
     std::string name;
     double minimum = 0, maximum = 1;
     std::vector<FuzzyTerm> terms; ///< in the order of the partition
+    std::string unit = {};        ///< of its values, for people; may be empty
 };
 
 /// A Mamdani fuzzy system. The order of variables and terms is the order of sliders and partitions.
@@ -38,6 +39,12 @@ struct FuzzySystem {
     std::vector<FuzzyRule> rules;
     FuzzyNorms norms;
 };
+
+bool operator==(const Trapezoid& one, const Trapezoid& other);
+bool operator==(const FuzzyTerm& one, const FuzzyTerm& other);
+bool operator==(const FuzzyVariable& one, const FuzzyVariable& other);
+/// Alike in all they hold, texts for people as well.
+bool operator==(const FuzzySystem& one, const FuzzySystem& other);
 
 /// More than any expert reads; the time of an inference grows with the square of the conclusions.
 inline constexpr std::size_t mostFuzzyRules = 2000;

@@ -14,6 +14,10 @@ bool isKeyword(const std::string& word, const char* keyword);
 /// Whether it is any of them.
 bool isKeyword(const std::string& word);
 
+/// Why a text cannot be the name of a variable or a term; empty where it can. A name stands as one word in a
+/// rule.
+std::string nameProblem(const std::string& name);
+
 /// Brackets are words of their own, whether or not spaces surround them.
 inline bool isBracket(char c) {
     return c == '(' || c == ')';

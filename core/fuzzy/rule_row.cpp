@@ -1,0 +1,159 @@
+#include "core/fuzzy/rule_row.h"
+
+#include "core/fuzzy/keywords.h"
+#include "core/support/joined.h"
+
+#include <charconv>
+#include <iterator>
+#include <sstream>
+
+namespace esm {
+
+namespace {
+
+using Kind = FuzzyCondition::Kind;
+
+/// Empty where the condition is no "input IS term" or "input IS NOT term".
+std::optional<std::pair<std::size_t, RuleRow::Choice>> choiceOf(const FuzzyCondition& condition) {
+    const bool isNegated = condition.kind == Kind::Not;
+    const FuzzyCondition& inner = isNegated ? condition.parts.front() : condition;
+    if (inner.kind != Kind::Is) return std::nullopt;
+    return std::pair(inner.proposition.variable, RuleRow::Choice{inner.proposition.term, isNegated});
+}
+
+/// Whether cells can show the condition; then they do.
+bool fillInputs(RuleRow& row, const FuzzyCondition& condition) {
+    const std::vector<FuzzyCondition> alone{condition};
+    for (const FuzzyCondition& part : condition.kind == Kind::And ? condition.parts : alone) {
+        const auto choice = choiceOf(part);
+        if (!choice || row.inputs[choice->first]) return false;
+        row.inputs[choice->first] = choice->second;
+    }
+    return true;
+}
+
+bool fillOutputs(RuleRow& row, const std::vector<FuzzyProposition>& conclusions) {
+    for (const auto [output, term] : conclusions) {
+        if (row.outputs[output]) return false;
+        row.outputs[output] = term;
+    }
+    return true;
+}
+
+/// "IF condition THEN conclusions WITH weight" in its parts.
+struct RuleParts {
+    std::string condition, conclusions, weight;
+};
+
+RuleParts partsOf(const std::string& line) {
+    RuleParts parts;
+    std::string* part = &parts.condition;
+    std::istringstream words(line);
+    bool isFirst = true;
+    for (std::string word; words >> word; isFirst = false) {
+        if (isFirst && isKeyword(word, "IF")) continue;
+        if (isKeyword(word, "THEN"))
+            part = &parts.conclusions;
+        else if (isKeyword(word, "WITH"))
+            part = &parts.weight;
+        else
+            *part += (part->empty() ? "" : " ") + word;
+    }
+    return parts;
+}
+
+std::string lineOf(const RuleParts& parts) {
+    std::string line = "IF";
+    if (!parts.condition.empty()) line += " " + parts.condition;
+    line += " THEN";
+    if (!parts.conclusions.empty()) line += " " + parts.conclusions;
+    if (!parts.weight.empty()) line += " WITH " + parts.weight;
+    return line;
+}
+
+/// Whether what a line lacks can only be a condition or conclusions.
+bool mayBeUnfinished(const std::string& line) {
+    std::istringstream words(line);
+    int thens = 0, withs = 0;
+    std::string word;
+    while (words >> word) {
+        thens += isKeyword(word, "THEN");
+        withs += isKeyword(word, "WITH");
+    }
+    const RuleParts parts = partsOf(line);
+    return thens == 1 && withs == (parts.weight.empty() ? 0 : 1) &&
+           (parts.condition.empty() || parts.conclusions.empty());
+}
+
+RuleRow filled(const FuzzySystem& system, const FuzzyRule& rule) {
+    RuleRow row;
+    row.inputs.resize(system.inputs.size());
+    row.outputs.resize(system.outputs.size());
+    row.weight = rule.weight;
+    const RuleParts parts = partsOf(ruleText(system, rule));
+    if (!fillInputs(row, rule.condition)) {
+        row.inputs.assign(system.inputs.size(), std::nullopt);
+        row.condition = parts.condition;
+    }
+    if (!fillOutputs(row, rule.conclusions)) {
+        row.outputs.assign(system.outputs.size(), std::nullopt);
+        row.conclusions = parts.conclusions;
+    }
+    return row;
+}
+
+std::string firstProposition(const std::vector<FuzzyVariable>& variables) {
+    return variables.front().name + " IS " + variables.front().terms.front().name;
+}
+
+/// What is missing is put in, so that the rest can be read, and taken away again.
+RuleRow unfinishedRow(const FuzzySystem& system, const std::string& line) {
+    RuleParts parts = partsOf(line);
+    const bool lacksCondition = parts.condition.empty(), lacksConclusions = parts.conclusions.empty();
+    if (lacksCondition) parts.condition = firstProposition(system.inputs);
+    if (lacksConclusions) parts.conclusions = firstProposition(system.outputs);
+    RuleRow row = filled(system, parseRule(system, lineOf(parts)));
+    if (lacksCondition) row.inputs.assign(system.inputs.size(), std::nullopt);
+    if (lacksConclusions) row.outputs.assign(system.outputs.size(), std::nullopt);
+    return row;
+}
+
+std::string weightInFull(double weight) {
+    char text[32];
+    return {text, std::to_chars(std::begin(text), std::end(text), weight).ptr};
+}
+
+} // namespace
+
+RuleRow rowOf(const FuzzySystem& system, const std::string& line) {
+    try {
+        return filled(system, parseRule(system, line));
+    } catch (const RuleError&) {
+    }
+    try {
+        if (mayBeUnfinished(line)) return unfinishedRow(system, line);
+    } catch (const RuleError&) {
+    }
+    RuleRow row;
+    row.unread = line;
+    return row;
+}
+
+std::string lineOf(const FuzzySystem& system, const RuleRow& row) {
+    if (!row.unread.empty()) return row.unread;
+    std::vector<std::string> conditions, conclusions;
+    for (std::size_t i = 0; i < row.inputs.size(); ++i)
+        if (const auto& choice = row.inputs[i]) {
+            const FuzzyVariable& input = system.inputs[i];
+            conditions.push_back(input.name + (choice->isNegated ? " IS NOT " : " IS ") +
+                                 input.terms[choice->term].name);
+        }
+    for (std::size_t i = 0; i < row.outputs.size(); ++i)
+        if (const auto& term = row.outputs[i])
+            conclusions.push_back(system.outputs[i].name + " IS " + system.outputs[i].terms[*term].name);
+    return lineOf(RuleParts{row.condition.empty() ? joined(conditions, " AND ") : row.condition,
+                            row.conclusions.empty() ? joined(conclusions, " AND ") : row.conclusions,
+                            row.weight == 1 ? std::string() : weightInFull(row.weight)});
+}
+
+} // namespace esm

@@ -1,0 +1,322 @@
+#include "core/fuzzy/system_warnings.h"
+
+#include "core/fuzzy/normal_form.h"
+#include "core/fuzzy/rule_reach.h"
+#include "core/support/joined.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace esm {
+
+namespace {
+
+using WarningKind = SystemWarning::Kind;
+using ValueBoxes = std::vector<ValueBox>;
+using TermSet = std::set<std::size_t>;
+
+constexpr std::size_t mostPairWork = 4'000'000; // comparisons of rules and of their boxes
+
+/// What is looked up of a rule again and again.
+struct RuleFacts {
+    std::string normalForm;
+    std::set<std::size_t> inputs;             ///< that it asks for
+    std::map<std::size_t, TermSet> concluded; ///< by output
+    std::optional<ValueBoxes> above, full;    ///< where it fires at all, and fully
+    bool canFire = true;
+};
+
+void collectInputs(std::set<std::size_t>& inputs, const FuzzyCondition& condition) {
+    if (condition.kind == FuzzyCondition::Kind::Is) inputs.insert(condition.proposition.variable);
+    for (const FuzzyCondition& part : condition.parts)
+        collectInputs(inputs, part);
+}
+
+RuleFacts factsOf(const FuzzyRule& rule, const FuzzyNorms& norms, RuleReach& reach) {
+    RuleFacts facts;
+    facts.normalForm = normalForm(rule.condition, norms);
+    collectInputs(facts.inputs, rule.condition);
+    for (const auto [output, term] : rule.conclusions)
+        facts.concluded[output].insert(term);
+    facts.above = reach.where(rule.condition, RuleReach::Degree::AboveZero);
+    facts.full = reach.where(rule.condition, RuleReach::Degree::Full);
+    facts.canFire = rule.weight > 0 && !(facts.above && facts.above->empty());
+    return facts;
+}
+
+/// "Rule 3", "Rules 3, 5 and 8", "Rules 3, 5, 8, 9, 12, 15 and 40 more".
+std::string rulesInWords(const std::vector<std::size_t>& rules) {
+    constexpr std::size_t mostNamed = 6;
+    std::vector<std::string> numbers;
+    for (std::size_t i = 0; i < std::min(rules.size(), mostNamed); ++i)
+        numbers.push_back(std::to_string(rules[i] + 1));
+    if (rules.size() == 1) return "Rule " + numbers.front();
+    if (rules.size() > mostNamed)
+        return "Rules " + joined(numbers) + " and " + std::to_string(rules.size() - mostNamed) + " more";
+    const std::string last = numbers.back();
+    numbers.pop_back();
+    return "Rules " + joined(numbers) + " and " + last;
+}
+
+std::string termsInWords(const FuzzyVariable& variable, const TermSet& terms) {
+    std::vector<std::string> names;
+    names.reserve(terms.size());
+    for (const std::size_t term : terms)
+        names.push_back(variable.terms[term].name);
+    return joined(names, " and ");
+}
+
+class WarningFinder {
+public:
+    explicit WarningFinder(const FuzzySystem& system) : m_system(system), m_reach(system) {
+        m_facts.reserve(system.rules.size());
+        for (const FuzzyRule& rule : system.rules)
+            m_facts.push_back(factsOf(rule, system.norms, m_reach));
+    }
+
+    std::vector<SystemWarning> all() {
+        findContradictions();
+        findRulesThatNeverFire();
+        findDuplicates();
+        for (std::size_t input = 0; input < m_system.inputs.size(); ++input)
+            findUncovered(input);
+        findUnused(m_system.inputs, askedTerms(), "No rule asks for ", "No rule asks whether ");
+        findUnused(m_system.outputs, concludedTerms(), "No rule concludes ", "No rule says that ");
+        if (m_isIncomplete) add(WarningKind::NotChecked, notChecked);
+        return std::move(m_warnings);
+    }
+
+    /// Cells of the input for which a rule that asks for it may fire.
+    CellSet coveredCells(std::size_t input) {
+        const std::size_t count = m_reach.cells(input).size();
+        CellSet covered(count);
+        CellSet whole = complementOf(covered, count);
+        for (const RuleFacts& facts : m_facts) {
+            if (!facts.canFire || facts.inputs.count(input) == 0) continue;
+            if (!facts.above) return whole;
+            for (const ValueBox& box : *facts.above) {
+                const auto found = std::find_if(box.begin(), box.end(),
+                                                [&](const auto& entry) { return entry.first == input; });
+                if (found == box.end()) return whole;
+                covered.unite(found->second);
+            }
+        }
+        return covered;
+    }
+
+private:
+    static constexpr const char* notChecked =
+        "There are too many rules, or too intricate ones, to compare each with every other.";
+
+    void add(WarningKind kind, const std::string& text, std::vector<std::size_t> rules = {}) {
+        m_warnings.push_back({kind, text, std::move(rules)});
+    }
+
+    void findContradictions() {
+        for (std::size_t rule = 0; rule < m_facts.size(); ++rule)
+            findContradictionWithin(rule);
+        for (std::size_t one = 0; one < m_facts.size(); ++one)
+            for (std::size_t other = one + 1; other < m_facts.size(); ++other) {
+                if (m_work > mostPairWork || m_warnings.size() >= mostContradictions) {
+                    m_isIncomplete = true;
+                    return;
+                }
+                ++m_work;
+                compare(one, other);
+            }
+    }
+
+    void findContradictionWithin(std::size_t rule) {
+        for (const auto& [output, terms] : m_facts[rule].concluded)
+            if (terms.size() > 1 && m_warnings.size() < mostContradictions) {
+                const FuzzyVariable& variable = m_system.outputs[output];
+                add(WarningKind::Contradiction,
+                    rulesInWords({rule}) + " contradicts itself: it says that " + variable.name + " is " +
+                        termsInWords(variable, terms) + " at once.",
+                    {rule});
+            }
+    }
+
+    void compare(std::size_t one, std::size_t other) {
+        const RuleFacts &a = m_facts[one], &b = m_facts[other];
+        if (!a.canFire || !b.canFire) return;
+        for (const auto& [output, terms] : a.concluded) {
+            const auto found = b.concluded.find(output);
+            if (found == b.concluded.end() || found->second == terms) continue;
+            const std::optional<std::string> when = whenBothHold(a, b);
+            if (!when) return;
+            const FuzzyVariable& variable = m_system.outputs[output];
+            add(WarningKind::Contradiction,
+                rulesInWords({one, other}) + " contradict each other" + *when + ": " + variable.name +
+                    " is " + termsInWords(variable, terms) + " by rule " + std::to_string(one + 1) + " and " +
+                    termsInWords(variable, found->second) + " by rule " + std::to_string(other + 1) + ".",
+                {one, other});
+        }
+    }
+
+    /// In words, an example of it; empty where the rules are not about the same case.
+    std::optional<std::string> whenBothHold(const RuleFacts& a, const RuleFacts& b) {
+        if (a.normalForm == b.normalForm) return " on the same condition";
+        const bool askTheSame = a.inputs == b.inputs;
+        const bool mayImply =
+            std::includes(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end()) ||
+            std::includes(b.inputs.begin(), b.inputs.end(), a.inputs.begin(), a.inputs.end());
+        if (!mayImply || !a.full || !b.full) return std::nullopt;
+        m_work += a.full->size() * b.full->size();
+        const std::optional<ValueBox> common = anyCommon(*a.full, *b.full);
+        if (!common) return std::nullopt;
+        if (!askTheSame && !areWithin(*a.full, *b.full) && !areWithin(*b.full, *a.full)) return std::nullopt;
+        return " where " + example(*common);
+    }
+
+    static std::optional<ValueBox> anyCommon(const ValueBoxes& one, const ValueBoxes& other) {
+        for (const ValueBox& a : one)
+            for (const ValueBox& b : other)
+                if (meet(a, b)) return commonPart(a, b);
+        return std::nullopt;
+    }
+
+    static bool areWithin(const ValueBoxes& inner, const ValueBoxes& outer) {
+        return std::all_of(inner.begin(), inner.end(), [&](const ValueBox& box) {
+            return std::any_of(outer.begin(), outer.end(),
+                               [&](const ValueBox& around) { return isWithin(box, around); });
+        });
+    }
+
+    std::string example(const ValueBox& box) const {
+        std::vector<std::string> parts;
+        for (const auto& [input, cells] : box)
+            parts.push_back(m_system.inputs[input].name + " is " +
+                            inWords(rangesOf(m_reach.cells(input), cells).front()));
+        return parts.empty() ? "both hold" : joined(parts, " and ");
+    }
+
+    void findRulesThatNeverFire() {
+        std::vector<std::size_t> weightless, impossible;
+        for (std::size_t rule = 0; rule < m_facts.size(); ++rule)
+            if (!m_facts[rule].canFire)
+                (m_system.rules[rule].weight > 0 ? impossible : weightless).push_back(rule);
+        const auto tell = [&](const std::vector<std::size_t>& rules, const char* one, const char* many) {
+            if (rules.empty()) return;
+            const std::string verb = rules.size() == 1 ? " never fires: " : " never fire: ";
+            add(WarningKind::NeverFires, rulesInWords(rules) + verb + (rules.size() == 1 ? one : many),
+                rules);
+        };
+        tell(impossible, "its condition cannot hold.", "their conditions cannot hold.");
+        tell(weightless, "its weight is 0.", "their weights are 0.");
+    }
+
+    void findDuplicates() {
+        std::map<std::pair<std::string, std::map<std::size_t, TermSet>>, std::vector<std::size_t>> saying;
+        for (std::size_t rule = 0; rule < m_facts.size(); ++rule)
+            saying[{m_facts[rule].normalForm, m_facts[rule].concluded}].push_back(rule);
+        std::vector<std::vector<std::size_t>> groups;
+        for (auto& [said, rules] : saying)
+            if (rules.size() > 1) groups.push_back(std::move(rules));
+        std::sort(groups.begin(), groups.end());
+        for (const auto& rules : groups) {
+            const double weight = m_system.rules[rules.front()].weight;
+            const bool weighAlike = std::all_of(rules.begin(), rules.end(), [&](std::size_t rule) {
+                return m_system.rules[rule].weight == weight;
+            });
+            add(WarningKind::Duplicate,
+                rulesInWords(rules) +
+                    (weighAlike ? " say the same." : " say the same with different weights."),
+                rules);
+        }
+    }
+
+    void findUncovered(std::size_t input) {
+        const FuzzyVariable& variable = m_system.inputs[input];
+        const std::vector<ValueCell>& cells = m_reach.cells(input);
+        const bool isAskedFor =
+            anyRule([&](const RuleFacts& facts) { return facts.inputs.count(input) > 0; });
+        const bool othersFire =
+            anyRule([&](const RuleFacts& facts) { return facts.canFire && facts.inputs.count(input) == 0; });
+        std::vector<ValueRange> uncovered;
+        if (isAskedFor) uncovered = rangesOf(cells, complementOf(coveredCells(input), cells.size()));
+        for (const ValueRange& gap : partitionGaps(variable)) {
+            const auto same = std::find_if(uncovered.begin(), uncovered.end(), [&](const ValueRange& range) {
+                return range.from == gap.from && range.to == gap.to;
+            });
+            const bool isUncovered = same != uncovered.end();
+            if (isUncovered) uncovered.erase(same);
+            add(WarningKind::PartitionGap, "Where " + variable.name + " is " + inWords(gap) +
+                                               " it belongs to no term" +
+                                               (!isUncovered ? "."
+                                                : othersFire ? ", and no rule that asks for it fires."
+                                                             : ", and no rule fires."));
+        }
+        for (const ValueRange& range : uncovered)
+            add(WarningKind::UncoveredRange,
+                "No rule " +
+                    (othersFire ? "that asks for " + variable.name + " fires where it"
+                                : "fires where " + variable.name) +
+                    " is " + inWords(range) + ".");
+    }
+
+    template<class Holds> bool anyRule(const Holds& holds) const {
+        return std::any_of(m_facts.begin(), m_facts.end(), holds);
+    }
+
+    std::vector<TermSet> askedTerms() const {
+        std::vector<TermSet> asked(m_system.inputs.size());
+        for (const FuzzyRule& rule : m_system.rules)
+            collectTerms(asked, rule.condition);
+        return asked;
+    }
+
+    static void collectTerms(std::vector<TermSet>& asked, const FuzzyCondition& condition) {
+        const auto [input, term] = condition.proposition;
+        if (condition.kind == FuzzyCondition::Kind::Is) asked[input].insert(term);
+        for (const FuzzyCondition& part : condition.parts)
+            collectTerms(asked, part);
+    }
+
+    std::vector<TermSet> concludedTerms() const {
+        std::vector<TermSet> concluded(m_system.outputs.size());
+        for (const RuleFacts& facts : m_facts)
+            for (const auto& [output, terms] : facts.concluded)
+                concluded[output].insert(terms.begin(), terms.end());
+        return concluded;
+    }
+
+    void findUnused(const std::vector<FuzzyVariable>& variables, const std::vector<TermSet>& used,
+                    const std::string& ofVariable, const std::string& ofTerms) {
+        for (std::size_t i = 0; i < variables.size(); ++i) {
+            const FuzzyVariable& variable = variables[i];
+            if (used[i].empty()) {
+                add(WarningKind::UnusedVariable, ofVariable + variable.name + ".");
+                continue;
+            }
+            std::vector<std::string> idle;
+            for (std::size_t term = 0; term < variable.terms.size(); ++term)
+                if (used[i].count(term) == 0) idle.push_back(variable.terms[term].name);
+            if (!idle.empty())
+                add(WarningKind::UnusedTerm, ofTerms + variable.name + " is " + joined(idle, " or ") + ".");
+        }
+    }
+
+    const FuzzySystem& m_system;
+    RuleReach m_reach;
+    std::vector<RuleFacts> m_facts;
+    std::vector<SystemWarning> m_warnings;
+    std::size_t m_work = 0;
+    bool m_isIncomplete = false;
+};
+
+} // namespace
+
+std::vector<SystemWarning> systemWarnings(const FuzzySystem& system) {
+    if (system.rules.empty()) return {{WarningKind::NoRule, "There is no rule: no output gets a value.", {}}};
+    return WarningFinder(system).all();
+}
+
+std::vector<ValueRange> uncoveredRanges(const FuzzySystem& system, std::size_t input) {
+    const std::vector<ValueCell> cells = cellsOf(system.inputs[input]);
+    return rangesOf(cells, complementOf(WarningFinder(system).coveredCells(input), cells.size()));
+}
+
+} // namespace esm
