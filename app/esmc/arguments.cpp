@@ -57,8 +57,8 @@ CLI::Validator decimal(int least, int most, const std::string& range) {
 }
 
 bool isKnownEnding(const std::string& ending) {
-    static const std::vector<std::string> others{".esm",  ".png", ".csv", ".glb",  ".json", ".jpg",
-                                                 ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
+    static const std::vector<std::string> others{".esm", ".png", ".csv",  ".glb",  ".json", ".jpg", ".jpeg",
+                                                 ".bmp", ".tif", ".tiff", ".webp", ".fcl",  ".fll"};
     const auto& meshes = meshFileEndings();
     return std::find(others.begin(), others.end(), ending) != others.end() ||
            std::find(meshes.begin(), meshes.end(), ending.substr(1)) != meshes.end();

@@ -2,6 +2,8 @@
 #include "app/esmc/commands.h"
 #include "core/exchange/fuzzy_file.h"
 #include "core/fuzzy/rule_text.h"
+#include "core/fuzzy/system_warnings.h"
+#include "core/support/file_io.h"
 
 namespace esm {
 
@@ -13,7 +15,9 @@ struct EvalOptions {
 };
 
 void declareEval(CLI::App& command, EvalOptions& options) {
-    command.add_option("system", options.system, "Fuzzy system: a JSON file, or a preset's name")->required();
+    command
+        .add_option("system", options.system, "Fuzzy system: a file (.json, .fcl, .fll), or a preset's name")
+        ->required();
     command
         .add_option("--set", options.values,
                     "NAME=VALUE of an input, a number or a term's name; repeat it for every input that is "
@@ -46,10 +50,33 @@ void addOutputs(Report& report, const FuzzySystem& system, const InferenceResult
     report.json["outputs"] = std::move(outputs);
 }
 
+/// "consistency, 0 to 12: very_soft, soft, medium"
+std::string inputText(const FuzzyVariable& input) {
+    return input.name + ", " + inText(input.minimum) + " to " + inText(input.maximum) + ": " +
+           joinedNames(input.terms);
+}
+
+/// For people those that were left out, so that they see what may be said.
+void addInputs(Report& report, const FuzzySystem& system, const std::vector<std::optional<double>>& values) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < system.inputs.size(); ++i) {
+        const FuzzyVariable& input = system.inputs[i];
+        Json terms = Json::array();
+        for (const FuzzyTerm& term : input.terms)
+            terms.push_back(term.name);
+        json[input.name] = {{"range", {input.minimum, input.maximum}},
+                            {"terms", std::move(terms)},
+                            {"value", inJson(values[i])}};
+        if (!values[i]) report.text.push_back("input left out: " + inputText(input));
+    }
+    report.json["inputs"] = std::move(json);
+}
+
 Report runEval(const EvalOptions& options, Context& context) {
     const NamedWords words = parseNamedWords(options.values, "--set");
     context.subject = options.system;
-    const FuzzySystem system = findFuzzySystem(options.system);
+    const ImportedFuzzySystem imported = findFuzzySystem(options.system);
+    const FuzzySystem& system = imported.system;
     const auto inputs = orderedInputs(system, inputsFor(system, words, "--set"));
     const InferenceResult result = infer(system, inputs);
     Report report;
@@ -58,7 +85,47 @@ Report runEval(const EvalOptions& options, Context& context) {
     for (std::size_t i = 0; i < result.firing.size(); ++i)
         if (result.firing[i] > 0)
             report.text.push_back(inText(result.firing[i]) + "  " + ruleText(system, system.rules[i]));
-    addWarnings(report, inputWarnings(system, inputs));
+    addInputs(report, system, inputs);
+    std::vector<std::string> warnings = inputWarnings(system, inputs);
+    for (const SystemWarning& warning : systemWarnings(system))
+        if (bearsOnResults(warning)) warnings.push_back(warning.text);
+    warnings.insert(warnings.begin(), imported.warnings.begin(), imported.warnings.end());
+    addWarnings(report, warnings);
+    return report;
+}
+
+struct ConvertOptions {
+    std::string from, to;
+};
+
+void declareConvert(CLI::App& command, ConvertOptions& options) {
+    command.add_option("from", options.from, "Fuzzy system: a file (.json, .fcl, .fll), or a preset's name")
+        ->required();
+    command.add_option("to", options.to, "File to write (.json, .fcl, .fll)")
+        ->required()
+        ->check(CLI::Validator(
+            [](const std::string& file) {
+                return isFuzzyFileName(file) ? std::string()
+                                             : "'" + file + "' does not end in .json, .fcl or .fll";
+            },
+            ""));
+}
+
+Report runConvert(const ConvertOptions& options, Context& context) {
+    context.subject = options.from;
+    ImportedFuzzySystem imported = findFuzzySystem(options.from);
+    const FuzzySystem& system = imported.system;
+    const ExportedFuzzySystem exported = exportFuzzySystem(system, options.to);
+    writeFileAtomically(options.to, exported.text);
+    const std::size_t domains = system.inputs.size() + system.outputs.size();
+    Report report;
+    report.json["rules"] = system.rules.size();
+    report.json["domains"] = domains;
+    report.text.push_back(system.name + ": " + counted(system.rules.size(), "rule") + ", " +
+                          counted(domains, "domain"));
+    imported.warnings.insert(imported.warnings.end(), exported.warnings.begin(), exported.warnings.end());
+    addWarnings(report, imported.warnings);
+    addWritten(report, options.to);
     return report;
 }
 
@@ -69,6 +136,10 @@ void addFuzzyCommands(CLI::App& app, Context& context) {
     fuzzy->require_subcommand(1);
     addCommand(*fuzzy, context,
                Command<EvalOptions>{"eval", "Infer the outputs of a fuzzy system", declareEval, runEval});
+    addCommand(*fuzzy, context,
+               Command<ConvertOptions>{"convert",
+                                       "Write a fuzzy system in another language: JSON, FCL or FLL",
+                                       declareConvert, runConvert});
 }
 
 } // namespace esm

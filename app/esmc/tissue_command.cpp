@@ -118,7 +118,7 @@ Report describe(const std::optional<std::string>& region, const RegionResult& re
 void complete(Region& region, const TissueOptions& options, const NamedWords& inputs,
               const Project& project) {
     if (!options.system.empty()) {
-        region.system = std::make_shared<const FuzzySystem>(findFuzzySystem(options.system));
+        region.system = std::make_shared<const FuzzySystem>(findFuzzySystem(options.system).system);
         region.inputs = inputsFor(*region.system, inputs, "--set");
     }
     region.colour = colourOf(project.regions.size());

@@ -1,6 +1,9 @@
 #include "core/exchange/fuzzy_file.h"
 
 #include "core/exchange/embedded_presets.h"
+#include "core/exchange/fcl_file.h"
+#include "core/exchange/fll_file.h"
+#include "core/exchange/fuzzy_source.h"
 #include "core/exchange/json_reader.h"
 #include "core/fuzzy/rule_text.h"
 #include "core/support/errors.h"
@@ -22,6 +25,7 @@ FuzzyVariable variableFromJson(const std::string& name, const JsonReader& reader
     const std::vector<double> range = reader.member("range").numbers(2);
     variable.minimum = range[0];
     variable.maximum = range[1];
+    if (reader.has("unit")) variable.unit = reader.member("unit").text();
     for (const auto& [term, corners] : reader.member("terms").members()) {
         const std::vector<double> abcd = corners.numbers(4);
         variable.terms.push_back({term, {abcd[0], abcd[1], abcd[2], abcd[3]}});
@@ -93,8 +97,16 @@ void noteOtherKeys(const JsonReader& reader) {
     for (const char* list : {"inputs", "outputs"}) {
         if (!reader.has(list)) continue;
         for (const auto& [name, variable] : reader.member(list).members())
-            variable.allowOnly({"range", "terms"});
+            variable.allowOnly({"range", "unit", "terms"});
     }
+}
+
+enum class FuzzyLanguage { Json, Fcl, Fll };
+
+FuzzyLanguage languageOf(const std::filesystem::path& file) {
+    const std::string ending = inSmallLetters(file.extension().string());
+    if (ending == ".fcl") return FuzzyLanguage::Fcl;
+    return ending == ".fll" ? FuzzyLanguage::Fll : FuzzyLanguage::Json;
 }
 
 void throwIfAny(const std::vector<std::string>& problems) {
@@ -107,9 +119,21 @@ Json toJson(const std::vector<FuzzyVariable>& variables) {
         Json terms = Json::object();
         for (const FuzzyTerm& term : variable.terms)
             terms[term.name] = {term.set.a, term.set.b, term.set.c, term.set.d};
-        json[variable.name] = {{"range", {variable.minimum, variable.maximum}}, {"terms", std::move(terms)}};
+        Json& entry = json[variable.name];
+        entry["range"] = {variable.minimum, variable.maximum};
+        if (!variable.unit.empty()) entry["unit"] = variable.unit;
+        entry["terms"] = std::move(terms);
     }
     return json;
+}
+
+FuzzySystem fuzzySystemFromUsersJson(const Bytes& content) {
+    const std::string text = sourceText(content);
+    const Json json = parseJson(text.data(), text.data() + text.size());
+    std::vector<std::string> problems;
+    noteOtherKeys(JsonReader(json, "", problems));
+    throwIfAny(problems);
+    return fuzzySystemFromJson(json);
 }
 
 } // namespace
@@ -147,19 +171,39 @@ Json toJson(const FuzzySystem& system) {
     return json;
 }
 
-FuzzySystem readFuzzyFile(const std::filesystem::path& file) {
-    if (file.extension() == ".fcl" || file.extension() == ".fll")
-        throw FileError(file, "FCL and FLL files are not read yet; give the system as JSON");
-    const Json json = readJsonFile(file);
+ImportedFuzzySystem importFuzzyFile(const std::filesystem::path& file) {
+    const FuzzyLanguage language = languageOf(file);
+    ImportedFuzzySystem imported;
     try {
-        std::vector<std::string> problems;
-        noteOtherKeys(JsonReader(json, "", problems));
-        throwIfAny(problems);
-        FuzzySystem system = fuzzySystemFromJson(json);
-        if (system.name.empty()) system.name = file.stem().string();
-        return system;
+        if (language == FuzzyLanguage::Fcl)
+            imported = fuzzySystemFromFcl(readFile(file));
+        else if (language == FuzzyLanguage::Fll)
+            imported = fuzzySystemFromFll(readFile(file));
+        else
+            imported.system = fuzzySystemFromUsersJson(readFile(file));
     } catch (const InvalidModel& error) {
         throw FileError(file, error.what());
+    }
+    if (imported.system.name.empty()) imported.system.name = file.stem().string();
+    return imported;
+}
+
+FuzzySystem readFuzzyFile(const std::filesystem::path& file) {
+    return importFuzzyFile(file).system;
+}
+
+bool isFuzzyFileName(const std::filesystem::path& file) {
+    return languageOf(file) != FuzzyLanguage::Json || inSmallLetters(file.extension().string()) == ".json";
+}
+
+ExportedFuzzySystem exportFuzzySystem(const FuzzySystem& system, const std::filesystem::path& file) {
+    switch (languageOf(file)) {
+    case FuzzyLanguage::Fcl:
+        return toFcl(system);
+    case FuzzyLanguage::Fll:
+        return toFll(system);
+    default:
+        return {toJson(system).dump(1) + "\n", {}};
     }
 }
 
@@ -187,14 +231,14 @@ bool isFuzzyPreset(const FuzzySystem& system) {
     return toJson(system) == toJson(preset);
 }
 
-FuzzySystem findFuzzySystem(const std::string& fileOrPreset) {
+ImportedFuzzySystem findFuzzySystem(const std::string& fileOrPreset) {
     const std::filesystem::path file(fileOrPreset);
     const std::vector<std::string> presets = fuzzyPresetNames();
     const bool isPreset = std::find(presets.begin(), presets.end(), fileOrPreset) != presets.end();
     const bool looksLikeFile = file.has_extension() || file.has_parent_path();
     std::error_code ignored;
-    if (!isPreset && (looksLikeFile || std::filesystem::exists(file, ignored))) return readFuzzyFile(file);
-    return fuzzyPreset(fileOrPreset);
+    if (!isPreset && (looksLikeFile || std::filesystem::exists(file, ignored))) return importFuzzyFile(file);
+    return {fuzzyPreset(fileOrPreset), {}};
 }
 
 } // namespace esm

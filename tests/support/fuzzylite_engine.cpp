@@ -68,6 +68,22 @@ FuzzyliteEngine::FuzzyliteEngine(const esm::FuzzySystem& system, int resolution)
     m_engine->addRuleBlock(block);
 }
 
+FuzzyliteEngine::FuzzyliteEngine(std::unique_ptr<fl::Engine> engine) : m_engine(std::move(engine)) {
+    fl::fuzzylite::setMachEps(0);
+}
+
+FuzzyliteEngine FuzzyliteEngine::fromFll(const std::string& text) {
+    return FuzzyliteEngine(std::unique_ptr<fl::Engine>(fl::FllImporter().fromString(text)));
+}
+
+FuzzyliteEngine FuzzyliteEngine::fromFcl(const std::string& text, int resolution) {
+    std::unique_ptr<fl::Engine> engine(fl::FclImporter().fromString(text));
+    for (fl::OutputVariable* output : engine->outputVariables())
+        if (auto* defuzzifier = dynamic_cast<fl::IntegralDefuzzifier*>(output->getDefuzzifier()))
+            defuzzifier->setResolution(resolution);
+    return FuzzyliteEngine(std::move(engine));
+}
+
 FuzzyliteEngine::~FuzzyliteEngine() = default;
 
 void FuzzyliteEngine::process(const std::vector<double>& inputs) {

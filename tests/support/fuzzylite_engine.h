@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace fl {
@@ -17,6 +18,9 @@ public:
     /// `resolution`: samples over the range of each output. Names must be in small letters, and NOT stand
     /// before single propositions only.
     FuzzyliteEngine(const esm::FuzzySystem& system, int resolution);
+    /// As fuzzylite itself reads the languages. Throws what it throws.
+    static FuzzyliteEngine fromFll(const std::string& text);
+    static FuzzyliteEngine fromFcl(const std::string& text, int resolution);
     ~FuzzyliteEngine();
     FuzzyliteEngine(const FuzzyliteEngine&) = delete;
     FuzzyliteEngine& operator=(const FuzzyliteEngine&) = delete;
@@ -25,5 +29,7 @@ public:
     std::vector<std::optional<double>> outputs() const; ///< empty where no rule fires
 
 private:
+    explicit FuzzyliteEngine(std::unique_ptr<fl::Engine> engine);
+
     std::unique_ptr<fl::Engine> m_engine;
 };

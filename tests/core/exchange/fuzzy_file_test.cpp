@@ -82,6 +82,16 @@ TEST(FuzzyFile, WritesNormsAndWeightsOnlyWhereTheyAreNotTheUsual) {
     EXPECT_EQ(toJson(read), json);
 }
 
+TEST(FuzzyFile, KeepsAUnitWhereAVariableHasOne) {
+    FuzzySystem system = fuzzySystemFromJson(Json::parse(sound()));
+    EXPECT_FALSE(toJson(system)["inputs"]["age"].contains("unit"));
+    system.inputs[1].unit = "µm²";
+    EXPECT_EQ(toJson(system)["inputs"]["age"]["unit"], "µm²");
+    EXPECT_EQ(fuzzySystemFromJson(toJson(system)), system);
+    system.inputs[1].unit = "a\nb";
+    EXPECT_THAT(complaint(toJson(system).dump()), HasSubstr("inputs.age.unit: must be one line"));
+}
+
 TEST(FuzzyFile, ReadsEveryNorm) {
     for (const char* t : {"minimum", "product", "bounded-difference"})
         for (const char* s : {"maximum", "probabilistic-sum", "bounded-sum"}) {
@@ -127,6 +137,12 @@ TEST(FuzzyFile, NamesAnUnnamedSystemAfterItsFile) {
     EXPECT_EQ(readFuzzyFile(folder / "liver.json").name, "liver");
 }
 
+TEST(FuzzyFile, SaysWhichEncodingItIsIn) {
+    EXPECT_EQ(complaint("\xEF\xBB\xBF" + sound()), "accepted");
+    EXPECT_THAT(complaint(replaced(sound(), "how", "h\xF6w")), HasSubstr("line 1, column 36: is not UTF-8"));
+    EXPECT_THAT(complaint("\xFF\xFE{"), HasSubstr("is UTF-16 text; save it as UTF-8"));
+}
+
 TEST(FuzzyFile, SaysWhatIsWrongAndWhere) {
     const auto with = [](const std::string& part, const std::string& by) {
         return complaint(replaced(sound(), part, by));
@@ -157,8 +173,8 @@ TEST(FuzzyFile, SaysWhatIsWrongAndWhere) {
     EXPECT_THAT(with("\"viscosity\"", "\"age\""), HasSubstr("outputs.age: the name is there twice"));
     EXPECT_THAT(with("\"old\"", "\"very old\""), HasSubstr("one word"));
     EXPECT_THAT(with("\"rules\"", "\"rulez\""), HasSubstr("rulez is not known here"));
-    EXPECT_THAT(with("\"range\": [0, 9]", "\"range\": [0, 9], \"unit\": \"years\""),
-                HasSubstr("inputs.age.unit is not known here"));
+    EXPECT_THAT(with("\"range\": [0, 9]", "\"range\": [0, 9], \"colour\": \"red\""),
+                HasSubstr("inputs.age.colour is not known here"));
     EXPECT_THAT(with("[3, 4, 5, 5]", "[6, 7, 8, 9]"),
                 HasSubstr("outputs.viscosity.terms.thick: lies outside"));
     EXPECT_THAT(with("IS thick", "IS thin"), AllOf(HasSubstr("rules[0], column 50"), HasSubstr("thick")));
@@ -169,7 +185,7 @@ TEST(FuzzyPreset, IsTheFileThatShips) {
     const std::filesystem::path folder = std::filesystem::path(ESM_SOURCE_DIR) / "presets";
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
-        files.push_back(entry.path().stem());
+        if (entry.is_regular_file()) files.push_back(entry.path().stem());
     EXPECT_THAT(fuzzyPresetNames(), testing::UnorderedElementsAreArray(files));
     for (const std::string& name : fuzzyPresetNames())
         EXPECT_EQ(toJson(fuzzyPreset(name)), toJson(readFuzzyFile(folder / (name + ".json")))) << name;
@@ -209,9 +225,9 @@ TEST(FuzzySystem, IsFoundByFileOrPreset) {
     const TemporaryFolder folder;
     writeFileAtomically(folder / "trial.json", sound());
     writeFileAtomically(folder / "plain", sound());
-    EXPECT_EQ(findFuzzySystem("susilap-g").name, "susilap-g");
-    EXPECT_EQ(findFuzzySystem((folder / "trial.json").string()).name, "trial");
-    EXPECT_EQ(findFuzzySystem((folder / "plain").string()).name, "trial");
+    EXPECT_EQ(findFuzzySystem("susilap-g").system.name, "susilap-g");
+    EXPECT_EQ(findFuzzySystem((folder / "trial.json").string()).system.name, "trial");
+    EXPECT_EQ(findFuzzySystem((folder / "plain").string()).system.name, "trial");
     EXPECT_THROW(findFuzzySystem("missing.json"), FileError);
     EXPECT_THROW(findFuzzySystem("missing"), InvalidModel);
 }

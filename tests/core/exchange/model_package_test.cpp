@@ -3,6 +3,7 @@
 #include "core/exchange/fuzzy_file.h"
 #include "core/exchange/glb.h"
 #include "core/exchange/mesh_file.h"
+#include "core/exchange/model_json.h"
 #include "core/exchange/project_file.h"
 #include "core/texture/composite.h"
 #include "tests/core/exchange/exchange_projects.h"

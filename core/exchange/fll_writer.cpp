@@ -1,0 +1,164 @@
+#include "core/exchange/fll_file.h"
+#include "core/exchange/fuzzy_identifiers.h"
+#include "core/exchange/fuzzy_norm_names.h"
+#include "core/exchange/fuzzy_shapes.h"
+#include "core/exchange/fuzzy_source.h"
+#include "core/fuzzy/keywords.h"
+#include "core/fuzzy/rule_text.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+using ConditionKind = FuzzyCondition::Kind;
+
+/// Words of its rules.
+const std::vector<std::string>& fllReservedWords() {
+    static const std::vector<std::string> words{"any",  "extremely", "not",  "seldom", "somewhat",
+                                                "very", "if",        "is",   "and",    "or",
+                                                "then", "with",      "none", "nan",    "inf"};
+    return words;
+}
+
+bool hasNotBeforeBrackets(const FuzzyCondition& condition) {
+    if (condition.kind == ConditionKind::Not && condition.parts.front().kind != ConditionKind::Is)
+        return true;
+    return std::any_of(condition.parts.begin(), condition.parts.end(), hasNotBeforeBrackets);
+}
+
+/// By De Morgan's laws, with NOT before single propositions only.
+FuzzyCondition withNotInside(const FuzzyCondition& condition, bool isNegated) {
+    if (condition.kind == ConditionKind::Is) return isNegated ? negation(condition) : condition;
+    if (condition.kind == ConditionKind::Not) return withNotInside(condition.parts.front(), !isNegated);
+    FuzzyCondition result{{}, condition.kind, {}};
+    if (isNegated)
+        result.kind = condition.kind == ConditionKind::And ? ConditionKind::Or : ConditionKind::And;
+    for (const FuzzyCondition& part : condition.parts)
+        result.parts.push_back(withNotInside(part, isNegated));
+    return result;
+}
+
+/// The laws hold for norms of one family.
+bool areDual(const FuzzyNorms& norms) {
+    return static_cast<int>(norms.conjunction) == static_cast<int>(norms.disjunction);
+}
+
+std::string fllRemark(const std::string& key, const std::string& text) {
+    return "# " + key + ": " + asRemark(text);
+}
+
+/// Keywords in small letters.
+std::string fllRule(const FuzzySystem& system, const FuzzyRule& rule) {
+    std::string text;
+    for (const TextWord& word : textWords(ruleText(system, rule), {}, "()"))
+        text += (text.empty() ? "" : " ") + (isKeyword(word.text) ? inSmallLetters(word.text) : word.text);
+    return text;
+}
+
+class FllWriter {
+public:
+    explicit FllWriter(const FuzzySystem& original)
+        : m_original(original), m_identified(withIdentifiers(original, fllReservedWords())) {}
+
+    ExportedFuzzySystem write() {
+        const FuzzySystem& system = m_identified.system;
+        head();
+        for (std::size_t i = 0; i < system.inputs.size(); ++i) {
+            variable("InputVariable: ", m_original.inputs[i], system.inputs[i]);
+            terms(m_original.inputs[i], system.inputs[i], "Trapezoid");
+        }
+        for (std::size_t i = 0; i < system.outputs.size(); ++i)
+            output(m_original.outputs[i], system.outputs[i]);
+        rules();
+        return {std::move(m_text), std::move(m_identified.warnings)};
+    }
+
+private:
+    void line(const std::string& text) { m_text.append(text).append("\n"); }
+
+    void head() {
+        const std::string name = identifierFor(m_original.name);
+        if (name != m_original.name) line(fllRemark("name", m_original.name));
+        if (!m_original.description.empty()) line(fllRemark("description", m_original.description));
+        if (!m_original.note.empty()) line(fllRemark("note", m_original.note));
+        line("Engine: " + name);
+    }
+
+    void named(const std::string& declaration, const std::string& name, const std::string& identifier) {
+        line(declaration + (name == identifier ? "" : " " + fllRemark("name", name)));
+    }
+
+    void variable(const std::string& kind, const FuzzyVariable& original, const FuzzyVariable& variable) {
+        named(kind + variable.name, original.name, variable.name);
+        line("  enabled: true");
+        line("  range: " + exactText(variable.minimum) + " " + exactText(variable.maximum) +
+             (variable.unit.empty() ? "" : " " + fllRemark("unit", variable.unit)));
+        line("  lock-range: false");
+    }
+
+    void terms(const FuzzyVariable& original, const FuzzyVariable& variable, const std::string& shape) {
+        for (std::size_t t = 0; t < variable.terms.size(); ++t) {
+            const auto& [name, set] = variable.terms[t];
+            std::string text = "  term: " + name + " " + shape + " " + exactText(set.a);
+            if (shape != "Constant")
+                for (const double corner : {set.b, set.c, set.d})
+                    text += " " + exactText(corner);
+            named(text, original.terms[t].name, name);
+        }
+    }
+
+    void output(const FuzzyVariable& original, const FuzzyVariable& output) {
+        const bool hasPoints = std::all_of(output.terms.begin(), output.terms.end(),
+                                           [](const FuzzyTerm& term) { return isSinglePoint(term.set); });
+        if (hasPoints)
+            m_identified.warnings.push_back(
+                "the terms of " + original.name +
+                " are single points, of which fuzzylite takes the weighted average; it counts every rule");
+        variable("OutputVariable: ", original, output);
+        line(std::string("  aggregation: ") + foreignNames(m_original.norms.aggregation).fll);
+        line(hasPoints ? "  defuzzifier: WeightedAverage TakagiSugeno" : "  defuzzifier: Centroid 200");
+        line("  default: nan");
+        line("  lock-previous: false");
+        terms(original, output, hasPoints ? "Constant" : "Trapezoid");
+    }
+
+    void rules() {
+        const FuzzyNorms& norms = m_original.norms;
+        line("RuleBlock: rules");
+        line("  enabled: true");
+        line(std::string("  conjunction: ") + foreignNames(norms.conjunction).fll);
+        line(std::string("  disjunction: ") + foreignNames(norms.disjunction).fll);
+        line(std::string("  implication: ") + foreignNames(norms.implication).fll);
+        line("  activation: General");
+        for (std::size_t i = 0; i < m_original.rules.size(); ++i)
+            rule(i);
+    }
+
+    void rule(std::size_t index) {
+        FuzzyRule rule = m_original.rules[index];
+        if (hasNotBeforeBrackets(rule.condition)) {
+            if (areDual(m_original.norms))
+                rule.condition = withNotInside(rule.condition, false);
+            else
+                m_identified.warnings.push_back(
+                    "rule " + std::to_string(index + 1) +
+                    " has NOT before brackets, which fuzzylite does not read; with these norms it cannot be "
+                    "said otherwise");
+        }
+        line("  rule: " + fllRule(m_identified.system, rule));
+    }
+
+    const FuzzySystem& m_original;
+    IdentifiedSystem m_identified;
+    std::string m_text;
+};
+
+} // namespace
+
+ExportedFuzzySystem toFll(const FuzzySystem& system) {
+    return FllWriter(system).write();
+}
+
+} // namespace esm

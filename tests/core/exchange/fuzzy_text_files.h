@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/exchange/fuzzy_file.h"
+#include "core/support/errors.h"
+#include "core/support/file_io.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+inline esm::Bytes bytesOf(const std::string& text) {
+    return {text.begin(), text.end()};
+}
+
+inline std::string withReplaced(std::string text, const std::string& part, const std::string& by) {
+    const std::size_t place = text.find(part);
+    EXPECT_NE(place, std::string::npos) << part;
+    return place == std::string::npos ? text : text.replace(place, part.size(), by);
+}
+
+/// What reading the text says; "accepted" where it is taken.
+template<class Read> std::string complaintOf(const Read& read, const std::string& text) {
+    try {
+        read(bytesOf(text));
+    } catch (const esm::InvalidModel& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+/// Sound, but of names and sets that other languages have trouble with.
+inline esm::FuzzySystem awkwardSystem() {
+    esm::FuzzySystem system;
+    system.name = "weich & zäh *) # 1";
+    system.description = " two\nlines \\n and a \ttab";
+    system.note = "(* nested *) // more";
+    system.inputs = {
+        {"term", -2, 3, {{"very", {-2, -2, -1, 0}}, {"Very", {-1, -1, 1, 1}}, {"zäh", {0, 3, 3, 3}}}},
+        {"a:b;", 0, 1e-7, {{"10%", {-1, 0, 0, 1e-7}}, {"at", {0, 0, 0, 0}}}}};
+    system.outputs = {
+        {"spring-const", 0, 1e30, {{"x", {0, 0, 1, 1e30}}, {"#y", {5, 5, 5, 5}}}},
+        {"Term", 0, 1, {{"low", {0, 0, 0, 0}}, {"high", {0.1 + 0.2, 0.1 + 0.2, 0.1 + 0.2, 0.1 + 0.2}}}}};
+    system.inputs[0].unit = "µm² *)";
+    for (const std::size_t length : {300, 301})
+        system.inputs[1].terms.push_back({std::string(length, 'x'), {0, 0, 0, 0}});
+    system.outputs[1].unit = "N·s/m";
+    esm::FuzzyRule rule{esm::disjunction({{{0, 0}}, esm::negation({{1, 0}})}), {{0, 0}, {1, 1}}};
+    rule.weight = 0.25;
+    system.rules = {rule, {{{0, 2}}, {{1, 0}}}};
+    system.norms = {esm::TNorm::Product, esm::TConorm::BoundedSum, esm::TNorm::BoundedDifference,
+                    esm::TConorm::ProbabilisticSum};
+    return system;
+}
