@@ -1,6 +1,10 @@
 #include "widgets/fuzzy/linguistic_slider.h"
 
+#include "core/fuzzy/inference.h"
+#include "widgets/fuzzy/small_font.h"
+
 #include <QSignalBlocker>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -21,7 +25,7 @@ NumberFormat withStep(NumberFormat format, const FuzzyVariable& variable) {
 
 LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString& caption, NumberFormat format,
                                    QWidget* parent)
-    : QWidget(parent), m_variable(variable),
+    : QWidget(parent), m_variable(variable), m_words(new QLabel(this)),
       m_field(new NumberField(withStep(std::move(format), variable), this)), m_slider(new ValueSlider(this)),
       m_terms(new TermScale(this)), m_header(new QHBoxLayout) {
     auto* name = new QLabel(caption, this);
@@ -36,11 +40,16 @@ LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString&
     m_slider->setSingleStep(sliderSteps / 100);
     m_slider->setAccessibleName(caption);
     m_terms->setVariable(variable);
+    m_words->setObjectName(QStringLiteral("degrees"));
+    m_words->setFont(smallFont(font()));
+    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_words->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(3);
     column->addLayout(m_header);
+    column->addWidget(m_words);
     column->addWidget(m_slider);
     column->addWidget(m_terms);
 
@@ -55,6 +64,12 @@ LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString&
     });
 }
 
+void LinguisticSlider::setTerms(const FuzzyVariable& variable) {
+    m_variable.terms = variable.terms;
+    m_terms->setVariable(m_variable);
+    showWords();
+}
+
 void LinguisticSlider::setValue(std::optional<double> value) {
     const double range = m_variable.maximum - m_variable.minimum;
     const double fraction = value ? (*value - m_variable.minimum) / range : 0.5;
@@ -64,6 +79,36 @@ void LinguisticSlider::setValue(std::optional<double> value) {
         m_slider->setValue(static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * sliderSteps)));
     m_field->setValue(value);
     m_terms->setValue(value);
+    showWords();
+}
+
+QString LinguisticSlider::words() const {
+    if (!m_field->value()) return tr("no value");
+    const std::string words = inWords(m_variable, *m_field->value());
+    return words == "none" ? tr("between the words") : readableName(words);
+}
+
+void LinguisticSlider::showWords() {
+    m_words->setText(m_remark.isEmpty() ? words() : words() + QStringLiteral(" · ") + m_remark);
+    m_words->setToolTip(m_words->text());
+    m_slider->setAccessibleDescription(m_words->text());
+}
+
+void LinguisticSlider::setRemark(const QString& remark, Manner manner) {
+    m_remark = remark;
+    showWords();
+    const bool isHeld = manner == Manner::Held;
+    if (m_words->property("held").toBool() == isHeld) return;
+    m_words->setProperty("held", isHeld);
+    m_words->style()->unpolish(m_words);
+    m_words->style()->polish(m_words);
+}
+
+void LinguisticSlider::setReadOnly(const QString& reason) {
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_field), static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_terms)})
+        part->setEnabled(false);
+    setToolTip(reason);
 }
 
 void LinguisticSlider::resizeEvent(QResizeEvent* event) {
@@ -76,6 +121,7 @@ QToolButton* LinguisticSlider::addHoldButton() {
     hold->setText(tr("hold"));
     hold->setCheckable(true);
     hold->setObjectName(QStringLiteral("holdButton"));
+    hold->setAccessibleName(tr("hold %1").arg(m_slider->accessibleName()));
     m_header->insertWidget(1, hold);
     return hold;
 }
@@ -85,6 +131,7 @@ void LinguisticSlider::takeSlider(int position) {
                                                                position / double(sliderSteps));
     m_field->setValue(value);
     m_terms->setValue(value);
+    showWords();
     emit valueEdited(value);
 }
 

@@ -11,8 +11,8 @@
 
 namespace esm {
 
-/// A linguistic variable: its name, a number field with the unit, a slider over its range and its terms
-/// beneath. What is set lies in the range that may be typed.
+/// A linguistic variable: its name, a number field with the unit, the value in words, a slider over its range
+/// and its terms beneath. What is set lies in the range that may be typed.
 class LinguisticSlider : public QWidget {
     Q_OBJECT
 
@@ -21,12 +21,22 @@ public:
     LinguisticSlider(const FuzzyVariable& variable, const QString& caption, NumberFormat format,
                      QWidget* parent = nullptr);
 
+    /// Other terms over the same range.
+    void setTerms(const FuzzyVariable& variable);
     /// Shows a value without announcing it. Without one the slider waits in the middle.
     void setValue(std::optional<double> value);
     /// In place of the terms, for a variable that has no value.
     void setNote(const QString& note) { m_terms->setNote(note); }
+    /// Stands behind the value's words: how the value came about; amber where it was held by hand.
+    enum class Manner { Usual, Held };
+    void setRemark(const QString& remark, Manner manner);
     /// Adds a checkable button beside the number that holds it at a value set by hand.
     QToolButton* addHoldButton();
+    /// The value can only be looked at; the tool tip says why.
+    void setReadOnly(const QString& reason);
+
+    /// "flexible 0.92, medium 0.08", or that there is no word for the value.
+    QString words() const;
 
     NumberField* field() const { return m_field; }
     ValueSlider* slider() const { return m_slider; }
@@ -40,11 +50,14 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void showWords();
     void takeSlider(int position);
     void take(double value);
     double withinLimits(double value) const;
 
     FuzzyVariable m_variable;
+    QString m_remark;
+    QLabel* m_words;
     NumberField* m_field;
     ValueSlider* m_slider;
     TermScale* m_terms;

@@ -1,5 +1,6 @@
 #include "widgets/fuzzy/term_scale.h"
 
+#include "widgets/fuzzy/small_font.h"
 #include "widgets/fuzzy/term_layout.h"
 #include "widgets/inputs/number_text.h"
 
@@ -31,9 +32,7 @@ QString readableName(const std::string& name) {
 
 TermScale::TermScale(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.84);
-    setFont(small);
+    setFont(smallFont(font()));
 }
 
 void TermScale::setVariable(const FuzzyVariable& variable) {
@@ -154,6 +153,7 @@ int TermScale::termAt(const QPoint& position) const {
 }
 
 void TermScale::mousePressEvent(QMouseEvent* event) {
+    if (!isEnabled()) return;
     const int index = termAt(event->pos());
     if (index < 0) return;
     emit termPicked(coreMiddle(m_variable.terms[static_cast<std::size_t>(index)]));

@@ -1,5 +1,6 @@
 #include "widgets/inputs/item_list.h"
 
+#include <QDropEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
@@ -109,6 +110,7 @@ ItemList::ItemList(QPalette::ColorRole mark, QWidget* parent) : QListWidget(pare
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setDragDropMode(QAbstractItemView::InternalMove);
     setFrameShape(QFrame::NoFrame);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     connect(this, &QListWidget::currentRowChanged, this, &ItemList::rowSelected);
@@ -149,10 +151,25 @@ QSize ItemList::sizeHint() const {
 }
 
 void ItemList::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Delete && currentRow() >= 0)
-        emit removeRequested(currentRow());
+    const int row = currentRow(), step = event->key() == Qt::Key_Up ? -1 : event->key() == Qt::Key_Down;
+    if (event->key() == Qt::Key_Delete && row >= 0)
+        emit removeRequested(row);
+    else if (step != 0 && row >= 0 && event->modifiers().testFlag(Qt::ControlModifier))
+        emit moveRequested(row, row + step);
     else
         QListWidget::keyPressEvent(event);
+}
+
+void ItemList::dropEvent(QDropEvent* event) {
+    // Who owns the rows moves them, and shows them anew.
+    event->setDropAction(Qt::CopyAction);
+    event->accept();
+    if (event->source() != this || currentRow() < 0) return;
+    const QModelIndex under = indexAt(event->pos());
+    int to = under.isValid() ? under.row() : count() - 1;
+    if (under.isValid() && dropIndicatorPosition() == BelowItem) ++to;
+    if (under.isValid() && dropIndicatorPosition() != OnItem && to > currentRow()) --to;
+    if (to != currentRow()) emit moveRequested(currentRow(), to);
 }
 
 void ItemList::paintEvent(QPaintEvent* event) {

@@ -18,7 +18,7 @@ struct ItemRow {
 };
 
 /// A short list of named things, one of which is selected; a double click or F2 renames, Delete asks for
-/// removal.
+/// removal, a drag or Ctrl with the arrow keys asks for another order.
 class ItemList : public QListWidget {
     Q_OBJECT
 
@@ -38,9 +38,12 @@ signals:
     void rowSelected(int row);
     void rowRenamed(int row, const QString& name);
     void removeRequested(int row);
+    /// Nothing has moved yet.
+    void moveRequested(int row, int to);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

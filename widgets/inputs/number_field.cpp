@@ -33,6 +33,14 @@ void NumberField::setValue(std::optional<double> value) {
     if (!(hasFocus() && isModified())) showValue();
 }
 
+void NumberField::setFormat(NumberFormat format) {
+    const bool looksDifferent = format.unit != m_format.unit || format.showsUnit != m_format.showsUnit ||
+                                format.shownPerValue != m_format.shownPerValue ||
+                                format.decimals != m_format.decimals;
+    m_format = std::move(format);
+    if (looksDifferent && !isModified()) showValue();
+}
+
 void NumberField::setEmptyText(const QString& text) {
     m_emptyText = text;
     if (!isModified()) showValue();

@@ -35,6 +35,8 @@ public:
     void setEmptyText(const QString& text);
     std::optional<double> value() const { return m_value; }
     const NumberFormat& format() const { return m_format; }
+    /// Another unit or other limits from now on; what is shown is neither announced nor refused.
+    void setFormat(NumberFormat format);
     /// Why what stands in the field was not taken; empty when it was.
     const QString& refusal() const { return m_refusal; }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <QApplication>
+#include <QDropEvent>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -54,4 +56,26 @@ TEST_F(ItemListTest, F2RenamesWhatMayBeRenamed) {
     ASSERT_TRUE(renamed.count() == 1 || renamed.wait(5000));
     EXPECT_EQ(renamed[0][1].toString(), "Right lobe");
     EXPECT_FALSE(list.item(1)->flags() & Qt::ItemIsEditable);
+}
+
+TEST_F(ItemListTest, CtrlAndArrowsAskForAnotherOrder) {
+    QSignalSpy moved(&list, &ItemList::moveRequested), selected(&list, &ItemList::rowSelected);
+    QTest::keyClick(&list, Qt::Key_Down, Qt::ControlModifier);
+    ASSERT_EQ(moved.count(), 1);
+    EXPECT_EQ(moved[0], (QList<QVariant>{0, 1}));
+    EXPECT_EQ(list.currentRow(), 0) << "nothing has moved yet";
+    list.setCurrentRow(1);
+    QTest::keyClick(&list, Qt::Key_Up, Qt::ControlModifier);
+    EXPECT_EQ(moved[1], (QList<QVariant>{1, 0}));
+    EXPECT_EQ(selected.count(), 1);
+}
+
+TEST_F(ItemListTest, ADroppedRowAsksForItsNewPlace) {
+    QSignalSpy moved(&list, &ItemList::moveRequested);
+    QMimeData data;
+    const QPoint end = list.visualItemRect(list.item(1)).center();
+    QDropEvent drop(end, Qt::MoveAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(list.viewport(), &drop);
+    EXPECT_EQ(moved.count(), 0) << "what comes from elsewhere is no row";
+    EXPECT_EQ(list.count(), 2);
 }

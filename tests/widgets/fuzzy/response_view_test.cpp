@@ -1,0 +1,111 @@
+#include "widgets/fuzzy/response_curve_view.h"
+#include "widgets/fuzzy/response_map_view.h"
+
+#include "core/exchange/fuzzy_file.h"
+
+#include <gtest/gtest.h>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace esm;
+
+namespace {
+
+const FuzzySystem& roboSim() {
+    static const FuzzySystem system = fuzzyPreset("robo-sim");
+    return system;
+}
+
+template<typename View> void open(View& view) {
+    view.resize(view.sizeHint());
+    view.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&view));
+}
+
+class ResponseCurveViewTest : public testing::Test {
+protected:
+    ResponseCurveViewTest() {
+        view.setAxes(roboSim().inputs[0], roboSim().outputs[0], {0, 100, "N/m"});
+        view.setCurve({{{0, 10}, {2, 20}}, {{6, 60}, {10, 100}}});
+        open(view);
+    }
+    int middle() const { return view.height() / 2; }
+
+    ResponseCurveView view;
+    QSignalSpy set{&view, &ResponseView::inputsSet}, finished{&view, &ResponseView::gestureFinished};
+};
+
+} // namespace
+
+TEST_F(ResponseCurveViewTest, KnowsTheOutputAndItsGaps) {
+    EXPECT_DOUBLE_EQ(view.outputAt(1).value(), 15);
+    EXPECT_FALSE(view.outputAt(4));
+    EXPECT_DOUBLE_EQ(view.outputAt(10).value(), 100);
+}
+
+TEST_F(ResponseCurveViewTest, AClickSetsTheInput) {
+    QTest::mouseClick(&view, Qt::LeftButton, {}, {qRound(view.frame().x(7)), middle()});
+    ASSERT_EQ(set.count(), 1);
+    EXPECT_NEAR(set[0][0].toDouble(), 7, 0.05);
+    EXPECT_EQ(finished.count(), 1);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, {view.width() - 1, middle()});
+    EXPECT_EQ(set[1][0].toDouble(), 10) << "beside the frame lies the nearer end";
+}
+
+TEST_F(ResponseCurveViewTest, TheArrowKeysStepTheInput) {
+    QTest::keyClick(&view, Qt::Key_Right);
+    EXPECT_EQ(set.count(), 0) << "without a value there is nothing to step";
+    view.setPresent(5, std::nullopt, std::nullopt);
+    QTest::keyClick(&view, Qt::Key_Right);
+    ASSERT_EQ(set.count(), 1);
+    EXPECT_NEAR(set[0][0].toDouble(), 5.1, 1e-12);
+    EXPECT_EQ(finished.count(), 0);
+    EXPECT_TRUE(finished.wait(5000));
+}
+
+TEST_F(ResponseCurveViewTest, ShowsWhatChanges) {
+    const QImage empty = view.grab().toImage();
+    view.setPresent(1, std::nullopt, 15);
+    const QImage present = view.grab().toImage();
+    EXPECT_NE(present, empty);
+    view.setStale(true);
+    EXPECT_NE(view.grab().toImage(), present);
+}
+
+TEST(ResponseMapView, SetsBothInputsWhereItIsClicked) {
+    ResponseMapView view;
+    view.setAxes({roboSim().inputs[0], roboSim().inputs[1], roboSim().outputs[0], {0, 100, "N/m"}});
+    open(view);
+    ResponseMap map{2, {10, 90, std::nullopt, 50}};
+    view.setMap(map);
+    EXPECT_EQ(view.outputAt(1, 1), 10);
+    EXPECT_EQ(view.outputAt(9, 1), 90);
+    EXPECT_EQ(view.outputAt(1, 9), std::nullopt);
+    EXPECT_EQ(view.outputAt(9, 9), 50);
+    const QImage picture = view.grab().toImage();
+    const auto colourAt = [&](double across, double up) {
+        return picture.pixelColor(view.frame().at(across, up).toPoint());
+    };
+    EXPECT_EQ(colourAt(1, 1), mapColour(0.1));
+    EXPECT_EQ(colourAt(9, 9), mapColour(0.5));
+
+    const QSignalSpy set(&view, &ResponseView::inputsSet);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.frame().at(7, 2).toPoint());
+    ASSERT_EQ(set.count(), 1);
+    EXPECT_NEAR(set[0][0].toDouble(), 7, 0.05);
+    EXPECT_NEAR(set[0][1].toDouble(), 2, 0.1);
+    view.setPresent(7, 2, 90);
+    QTest::keyClick(&view, Qt::Key_Up);
+    EXPECT_NEAR(set[1][1].toDouble(), 2.1, 1e-12);
+}
+
+TEST(MapColour, GrowsLighterAllTheWay) {
+    for (int i = 0; i < 100; ++i)
+        EXPECT_LT(qGray(mapColour(i / 100.0).rgb()), 1 + qGray(mapColour((i + 1) / 100.0).rgb()));
+}
+
+TEST(ScaleMarks, AreRoundAndFew) {
+    EXPECT_EQ(scaleMarks({0, 100, {}}, 5), (std::vector<double>{0, 20, 40, 60, 80, 100}));
+    EXPECT_EQ(scaleMarks({0.3, 2.2, {}}, 4), (std::vector<double>{0.5, 1, 1.5, 2}));
+    EXPECT_EQ(scaleMarks({-7, 12, {}}, 3), (std::vector<double>{0, 10}));
+}
