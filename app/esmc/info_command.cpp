@@ -22,6 +22,7 @@ Json regionInJson(const Region& region) {
     const TissueValues values = evaluate(region).values;
     return {{"name", region.name},
             {"whole_organ", !region.ellipsoid},
+            {"rim", region.rim},
             {"system", region.system ? Json(region.system->name) : Json()},
             {"spring_constant", inJson(values.springConstant)},
             {"viscosity", inJson(values.viscosity)},
@@ -34,6 +35,7 @@ std::string regionInText(const Region& region) {
     if (values.springConstant) parts.push_back("spring constant " + inText(*values.springConstant) + " N/m");
     if (values.viscosity) parts.push_back("viscosity " + inText(*values.viscosity) + " N·s/m");
     if (values.mass) parts.push_back("mass " + inText(*values.mass) + " kg");
+    if (region.rim > 0 && !parts.empty()) parts.push_back("soft rim " + inText(region.rim) + " m");
     return "region " + region.name + ": " + (parts.empty() ? "changes nothing" : joined(parts));
 }
 

@@ -97,7 +97,8 @@ void colourSprings(RenderScene& scene, const TissueModel& tissue) {
 
 void addRegions(RenderScene& scene, const std::vector<Region>& regions) {
     for (const Region& region : regions)
-        if (region.ellipsoid) scene.ellipsoids.push_back({*region.ellipsoid, region.colour, false});
+        if (region.ellipsoid)
+            scene.ellipsoids.push_back({*region.ellipsoid, region.colour, false, region.rim});
 }
 
 void addPhotos(RenderScene& scene, const std::vector<PhotoLayer>& photos) {

@@ -3,6 +3,8 @@
 #include "app/esmc/model_report.h"
 #include "core/exchange/fuzzy_file.h"
 #include "core/exchange/project_file.h"
+#include "core/exchange/tissue_preset_file.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 
@@ -11,8 +13,9 @@ namespace esm {
 namespace {
 
 struct TissueOptions {
-    std::string project, output, system, ellipsoid, name;
+    std::string project, output, preset, system, ellipsoid, name;
     std::vector<std::string> values, overrides;
+    double rim = 0;               ///< m
     std::vector<double> biphasic; ///< strain and factor; empty without the option
     bool linear = false;
 };
@@ -22,14 +25,30 @@ void declareTissue(CLI::App& command, TissueOptions& options) {
     command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
         ->required()
         ->check(writtenAs(".esm"));
-    command.add_option("--system", options.system, "Fuzzy system: a JSON file, or a preset's name");
+    auto* preset = command
+                       .add_option("--preset", options.preset,
+                                   "Tissue as it was published: a system and its inputs and, for the whole "
+                                   "organ, mass and tethers")
+                       ->check(oneOf(tissuePresetNames()))
+                       ->option_text(joined(tissuePresetNames(), "|"));
+    command
+        .add_option("--system", options.system,
+                    "Fuzzy system: a file (.json, .fcl, .fll), or a preset's name")
+        ->excludes(preset);
     command
         .add_option(
             "--set", options.values,
             "NAME=VALUE of an input of the system, a number or a term's name; repeat it for every input")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->excludes(preset);
     command.add_option("--ellipsoid", options.ellipsoid,
                        "The region, \"cx cy cz rx ry rz [ax ay az degrees]\", m (default: the whole organ)");
+    command
+        .add_option("--rim", options.rim,
+                    "Width of the region's soft rim, m: around the ellipsoid its tissue fades into what lies "
+                    "beneath (default: 0, sharp)")
+        ->type_name("M")
+        ->check(numberWithin(0, largestNumber));
     command.add_option("--name", options.name, "The region's name");
     command
         .add_option(
@@ -63,11 +82,24 @@ void hold(TissueValues& held, const std::string& name, double value) {
         throw UsageError("--override: '" + name + "' is not one of spring_constant, viscosity, mass");
 }
 
-/// Whether the command line speaks of all springs alone: then there is no region to add.
-bool isOfSpringsAlone(const TissueOptions& options) {
+using ChosenPreset = std::optional<TissuePreset>;
+
+/// @throws UsageError where it does not go with the other options
+ChosenPreset chosenPreset(const TissueOptions& options) {
+    if (options.preset.empty()) return std::nullopt;
+    TissuePreset preset = tissuePreset(options.preset);
+    if (!preset.system && !options.ellipsoid.empty())
+        throw UsageError("--preset " + preset.name + " ties the whole organ; leave out --ellipsoid");
+    return preset;
+}
+
+/// Whether the command line speaks of all springs or of what ties the organ alone: then there is no region to
+/// add.
+bool isOfOrganAlone(const TissueOptions& options, const ChosenPreset& preset) {
     const bool hasLaw = options.linear || !options.biphasic.empty();
-    return hasLaw && options.system.empty() && options.values.empty() && options.ellipsoid.empty() &&
-           options.name.empty() && options.overrides.empty();
+    const bool hasWords = !options.system.empty() || (preset && preset->system);
+    return (hasLaw || preset) && !hasWords && options.values.empty() && options.ellipsoid.empty() &&
+           options.rim == 0 && options.name.empty() && options.overrides.empty();
 }
 
 void setSpringLaw(BaseTissue& base, const TissueOptions& options) {
@@ -83,9 +115,14 @@ std::array<std::uint8_t, 3> colourOf(std::size_t region) {
 }
 
 /// What the command line alone says of the region.
-Region requestedRegion(const TissueOptions& options) {
+Region requestedRegion(const TissueOptions& options, const ChosenPreset& preset) {
     Region region;
+    if (preset) layPreset(region, *preset);
+    if (preset && options.ellipsoid.empty()) region.held.mass = preset->published.mass;
     if (!options.ellipsoid.empty()) region.ellipsoid = parseEllipsoid(options.ellipsoid);
+    if (options.rim > 0 && !region.ellipsoid)
+        throw UsageError("--rim: only an ellipsoid has a rim; give --ellipsoid as well");
+    region.rim = options.rim;
     if (!options.values.empty() && options.system.empty())
         throw UsageError("--set speaks of a fuzzy system's inputs; name the system with --system");
     for (const auto& [name, value] : parsePairs(options.overrides, "--override"))
@@ -99,14 +136,19 @@ void addValue(Report& report, const char* key, const std::string& label, const s
 }
 
 /// @param region its name; empty: the whole organ, to which none was added
-Report describe(const std::optional<std::string>& region, const RegionResult& result) {
+Report describe(const std::optional<std::string>& region, bool hasRim, const RegionResult& result) {
     const TissueValues& values = result.tissue.values;
     Report report;
     report.json["region"] = region ? Json(*region) : Json();
     report.json["nodes"] = result.nodes;
     report.json["springs"] = result.springs;
+    report.json["rim_nodes"] = result.rimNodes;
+    report.json["rim_springs"] = result.rimSprings;
     report.text.push_back((region ? "region " + *region : "the whole organ") + ": " +
                           counted(result.nodes, "node") + ", " + counted(result.springs, "spring"));
+    if (hasRim)
+        report.text.push_back("in its soft rim: " + counted(result.rimNodes, "node") + ", " +
+                              counted(result.rimSprings, "spring"));
     addValue(report, "spring_constant", "spring constant, N/m: ", values.springConstant);
     addValue(report, "viscosity", "viscosity, N·s/m: ", values.viscosity);
     addValue(report, "mass", "mass, kg: ", values.mass);
@@ -114,11 +156,22 @@ Report describe(const std::optional<std::string>& region, const RegionResult& re
     return report;
 }
 
-/// Gives the region what only the project and files can tell.
-void complete(Region& region, const TissueOptions& options, const NamedWords& inputs,
-              const Project& project) {
+void addPreset(Report& report, const ChosenPreset& preset, std::size_t tethers) {
+    report.json["preset"] = preset ? Json(preset->name) : Json();
+    report.json["tethers"] = tethers;
+    if (!preset) return;
+    report.text.push_back(counted(tethers, "tether") + " on the whole organ");
+    report.text.push_back("published: " + publishedText(*preset) + " (" + preset->source + ")");
+}
+
+/// Gives the region what only the project and files can tell. Adds to `warnings` what of the fuzzy system's
+/// file could not be taken.
+void complete(Region& region, const TissueOptions& options, const NamedWords& inputs, const Project& project,
+              std::vector<std::string>& warnings) {
     if (!options.system.empty()) {
-        region.system = std::make_shared<const FuzzySystem>(findFuzzySystem(options.system).system);
+        ImportedFuzzySystem imported = findFuzzySystem(options.system);
+        region.system = std::make_shared<const FuzzySystem>(std::move(imported.system));
+        warnings.insert(warnings.end(), imported.warnings.begin(), imported.warnings.end());
         region.inputs = inputsFor(*region.system, inputs, "--set");
     }
     region.colour = colourOf(project.regions.size());
@@ -127,18 +180,35 @@ void complete(Region& region, const TissueOptions& options, const NamedWords& in
                                         : "whole organ";
 }
 
+/// What of a preset is of a whole organ and does not come with a part of one.
+std::vector<std::string> presetWarnings(const ChosenPreset& preset, const Region& region) {
+    std::vector<std::string> left;
+    if (preset && region.ellipsoid && preset->published.mass)
+        left.push_back("its mass, " + numberText(*preset->published.mass) + " kg,");
+    if (preset && region.ellipsoid && !preset->tethers.empty()) left.emplace_back("its tethers");
+    if (left.empty()) return {};
+    return {"--preset " + preset->name + ": " + joined(left, " and ") + (left.size() > 1 ? " are" : " is") +
+            " of the whole organ and left out of this region"};
+}
+
 Report runTissue(const TissueOptions& options, Context& context) {
-    Region region = requestedRegion(options);
+    const ChosenPreset preset = chosenPreset(options);
+    Region region = requestedRegion(options, preset);
     const NamedWords inputs = parseNamedWords(options.values, "--set");
     context.subject = options.project;
     Project project = loadProject(options.project);
     setSpringLaw(project.base, options);
-    const bool addsRegion = !isOfSpringsAlone(options);
-    if (addsRegion) complete(region, options, inputs, project);
-    const RegionResult result = evaluateRegion(project, region);
+    if (preset && !region.ellipsoid) tiePreset(project.scene, *preset);
+    const bool addsRegion = !isOfOrganAlone(options, preset);
+    std::vector<std::string> warnings = presetWarnings(preset, region);
+    if (addsRegion) complete(region, options, inputs, project, warnings);
+    RegionResult result = evaluateRegion(project, region);
+    std::vector<std::string>& tissueWarnings = result.tissue.warnings;
+    tissueWarnings.insert(tissueWarnings.begin(), warnings.begin(), warnings.end());
     if (addsRegion) project.regions.push_back(region);
     saveProject(project, options.output);
-    Report report = describe(addsRegion ? std::optional(region.name) : std::nullopt, result);
+    Report report = describe(addsRegion ? std::optional(region.name) : std::nullopt, region.rim > 0, result);
+    addPreset(report, preset, evaluateModel(project).tethers.size());
     addSpringLaw(report, project.base.stiffening);
     addWritten(report, options.output);
     return report;

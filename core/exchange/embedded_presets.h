@@ -10,6 +10,7 @@ struct EmbeddedPreset {
     const char* json;
 };
 
-std::vector<EmbeddedPreset> embeddedPresets();
+std::vector<EmbeddedPreset> embeddedFuzzyPresets();
+std::vector<EmbeddedPreset> embeddedTissuePresets(); ///< of `presets/tissue/`
 
 } // namespace esm

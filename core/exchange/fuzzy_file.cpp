@@ -209,13 +209,13 @@ ExportedFuzzySystem exportFuzzySystem(const FuzzySystem& system, const std::file
 
 std::vector<std::string> fuzzyPresetNames() {
     std::vector<std::string> names;
-    for (const EmbeddedPreset& preset : embeddedPresets())
+    for (const EmbeddedPreset& preset : embeddedFuzzyPresets())
         names.emplace_back(preset.name);
     return names;
 }
 
 FuzzySystem fuzzyPreset(const std::string& name) {
-    for (const EmbeddedPreset& preset : embeddedPresets())
+    for (const EmbeddedPreset& preset : embeddedFuzzyPresets())
         if (name == preset.name)
             return fuzzySystemFromJson(parseJson(preset.json, preset.json + std::strlen(preset.json)));
     throw InvalidModel("there is no fuzzy system \"" + name + "\"; name a file or one of " +

@@ -27,15 +27,18 @@ bool isExtended(const FuzzySystem& system) {
 
 } // namespace
 
+VersionNeeds needsOf(const std::vector<Region>& regions, bool binding, bool stiffening) {
+    const auto any = [&](auto&& is) { return std::any_of(regions.begin(), regions.end(), is); };
+    return {binding, stiffening,
+            any([](const Region& region) { return region.system && isExtended(*region.system); }),
+            any([](const Region& region) { return region.rim != 0; })};
+}
+
 int versionOf(const VersionNeeds& needs) {
+    if (needs.softRims) return 5;
     if (needs.extendedInference) return 4;
     if (needs.stiffening) return 3;
     return needs.binding ? 2 : 1;
-}
-
-bool haveExtendedInference(const std::vector<Region>& regions) {
-    return std::any_of(regions.begin(), regions.end(),
-                       [](const Region& region) { return region.system && isExtended(*region.system); });
 }
 
 void refuseNewerVersion(const JsonReader& file, int known) {

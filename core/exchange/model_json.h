@@ -13,13 +13,14 @@ struct VersionNeeds {
     bool binding = false;           ///< a surface that is carried by fewer nodes: version 2
     bool stiffening = false;        ///< biphasic springs: version 3
     bool extendedInference = false; ///< norms, weights, OR or NOT in a fuzzy system: version 4
+    bool softRims = false;          ///< regions that fade into what lies beneath: version 5
 };
+
+/// What the regions and their fuzzy systems need, with what else does.
+VersionNeeds needsOf(const std::vector<Region>& regions, bool binding, bool stiffening);
 
 /// The oldest that has all of it, so that older programs go on reading all that they understand.
 int versionOf(const VersionNeeds& needs);
-
-/// Whether the fuzzy system of one of the regions is more than programs of version 3 know.
-bool haveExtendedInference(const std::vector<Region>& regions);
 
 /// @throws InvalidModel where the file's `version` is a newer one than `known`
 void refuseNewerVersion(const JsonReader& file, int known);

@@ -10,7 +10,7 @@ namespace esm {
 /// The model package for simulators: one `.glb`, a textured mesh to any viewer, with the spring-mass model in
 /// the extension `ESM_spring_mass`. Specified in `docs/model-package.md`. This is the newest version; a
 /// package is of the oldest that has all it holds, see `versionOf()`.
-constexpr int modelPackageVersion = 4;
+constexpr int modelPackageVersion = 5;
 
 /// What a package holds. Nodes, springs and triangles are numbered as in the project it was made from;
 /// numbers are the project's, rounded to 32-bit floats.

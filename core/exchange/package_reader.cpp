@@ -69,9 +69,8 @@ void PackageReader::requireExtension() const {
 /// A reader of the version that the file says it is would take stiffer springs for linear, or infer
 /// otherwise.
 void PackageReader::checkVersion(const JsonReader& extension, const ModelPackage& package) const {
-    const auto needed =
-        static_cast<std::uint64_t>(versionOf({extension.has("binding"), package.tissue.stiffening.has_value(),
-                                              haveExtendedInference(package.regions)}));
+    const auto needed = static_cast<std::uint64_t>(
+        versionOf(needsOf(package.regions, extension.has("binding"), package.tissue.stiffening.has_value())));
     if (extension.member("version").integer(1, modelPackageVersion) < needed)
         extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");
 }

@@ -188,8 +188,8 @@ Json PackageBuilder::texture() const {
 Json PackageBuilder::extension() {
     const Project& project = m_from.project;
     RegionsJson regions = toJson(project.regions);
-    Json json{{"version", versionOf({isBound(), m_from.tissue.stiffening.has_value(),
-                                     haveExtendedInference(project.regions)})},
+    const bool stiffens = m_from.tissue.stiffening.has_value();
+    Json json{{"version", versionOf(needsOf(project.regions, isBound(), stiffens))},
               {"name", project.name},
               {"units", package_layout::units},
               {"damping", "isotropic"}};

@@ -134,8 +134,7 @@ Json manifestOf(const Project& project, Content& content) {
     RegionsJson regions = toJson(project.regions);
     Json texture = toJson(project.texture.atlas);
     texture["baseColour"] = colourToJson(project.texture.baseColour);
-    const VersionNeeds needs{isBound, project.base.stiffening.has_value(),
-                             haveExtendedInference(project.regions)};
+    const VersionNeeds needs = needsOf(project.regions, isBound, project.base.stiffening.has_value());
     Json manifest{{"format", layout::format},
                   {"version", versionOf(needs)},
                   {"program", ESM_VERSION},

@@ -58,6 +58,7 @@ Region regionFromJson(const JsonReader& reader,
     region.name = reader.member("name").text();
     region.colour = colourFromJson(reader.member("colour"));
     if (reader.has("ellipsoid")) region.ellipsoid = ellipsoidFromJson(reader.member("ellipsoid"));
+    if (reader.has("rim")) region.rim = reader.member("rim").number();
     if (reader.has("fuzzySystem")) {
         if (systems.empty())
             reader.addProblem("names a fuzzy system, but the file holds none");
@@ -90,6 +91,7 @@ RegionsJson toJson(const std::vector<Region>& regions) {
     for (const Region& region : regions) {
         Json json{{"name", region.name}, {"colour", colourToJson(region.colour)}};
         if (region.ellipsoid) json["ellipsoid"] = toJson(*region.ellipsoid);
+        if (region.rim != 0) json["rim"] = region.rim;
         if (region.system) json["fuzzySystem"] = placeOf(*region.system, result.systems);
         json["inputs"] = inputsToJson(region.inputs);
         json["held"] = toJson(region.held);

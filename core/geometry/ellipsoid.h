@@ -18,6 +18,11 @@ struct Ellipsoid {
 /// True for points inside or on the surface.
 bool contains(const Ellipsoid& ellipsoid, const Eigen::Vector3d& point);
 
+/// Distance to the nearest point of the surface, m, exact but for rounding (about 10⁻¹⁵ of the size); 0
+/// inside and on the surface. Along any ray that leaves the ellipsoid it rises steadily, as from every convex
+/// body.
+double distanceOutside(const Ellipsoid& ellipsoid, const Eigen::Vector3d& point);
+
 /// Every problem: places that are not finite, radii not above zero, an orientation that is no rotation.
 std::vector<std::string> validate(const Ellipsoid& ellipsoid);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace esm {
 
@@ -101,30 +102,31 @@ void noteCoarseness(RepairReport& report, const Detail& detail, std::size_t node
                               ": its parts and edges of more than two triangles can be made no coarser");
 }
 
-/// Overwrites the parameters of the nodes inside a region.
+/// Between both, also by rounding; exactly one of them where the weight is 0 or 1.
+double mixed(double beneath, double above, double weight) {
+    if (weight == 1) return above;
+    const double value = beneath + weight * (above - beneath);
+    return std::clamp(value, std::min(beneath, above), std::max(beneath, above));
+}
+
+/// Mixes a region's parameters into those beneath.
 void lay(TissueModel& model, const Region& region) {
     const TissueValues values = evaluate(region).values;
-    const std::vector<std::uint32_t> nodes = nodesInside(*model.network, region);
-    const auto count = static_cast<double>(nodes.size());
-    for (const std::uint32_t node : nodes) {
-        if (values.springConstant) model.springConstant[node] = *values.springConstant;
-        if (values.viscosity) model.viscosity[node] = *values.viscosity;
-        if (values.mass) model.mass[node] = *values.mass / count;
+    const std::vector<double> weights = nodeWeights(*model.network, region);
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (std::size_t node = 0; node < weights.size(); ++node) {
+        const double weight = weights[node];
+        if (weight == 0) continue;
+        if (values.springConstant)
+            model.springConstant[node] = mixed(model.springConstant[node], *values.springConstant, weight);
+        if (values.viscosity) model.viscosity[node] = mixed(model.viscosity[node], *values.viscosity, weight);
+        if (values.mass) model.mass[node] = mixed(model.mass[node], *values.mass / sum, weight);
     }
 }
 
 void tie(TissueModel& model, const TetherRule& rule) {
     for (std::size_t node = 0; node < model.network->restPositions.size(); node += rule.every)
         model.tethers.push_back({static_cast<std::uint32_t>(node), rule.springConstant, rule.viscosity});
-}
-
-void fix(TissueModel& model, const NodeSelection& selection) {
-    const auto& positions = model.network->restPositions;
-    auto& fixed = model.fixedNodes;
-    fixed.insert(fixed.end(), selection.nodes.begin(), selection.nodes.end());
-    if (!selection.ellipsoid) return;
-    for (std::uint32_t node = 0; node < positions.size(); ++node)
-        if (contains(*selection.ellipsoid, positions[node])) fixed.push_back(node);
 }
 
 } // namespace
@@ -148,12 +150,27 @@ Project makeProject(std::string name, RepairedMesh surface, std::optional<double
     return project;
 }
 
-std::vector<std::uint32_t> nodesInside(const SpringNetwork& network, const Region& region) {
-    std::vector<std::uint32_t> nodes;
-    for (std::uint32_t node = 0; node < network.restPositions.size(); ++node)
-        if (!region.ellipsoid || contains(*region.ellipsoid, network.restPositions[node]))
-            nodes.push_back(node);
-    return nodes;
+std::vector<double> nodeWeights(const SpringNetwork& network, const Region& region) {
+    std::vector<double> weights;
+    weights.reserve(network.restPositions.size());
+    for (const Eigen::Vector3d& position : network.restPositions)
+        weights.push_back(weightAt(region, position));
+    return weights;
+}
+
+RegionCount countOf(const SpringNetwork& network, const Region& region) {
+    const std::vector<double> weights = nodeWeights(network, region);
+    RegionCount count;
+    for (const double weight : weights) {
+        count.nodes += weight == 1;
+        count.rimNodes += weight > 0 && weight < 1;
+    }
+    for (const Spring& spring : network.springs) {
+        const double least = std::min(weights[spring.first], weights[spring.second]);
+        count.springs += least == 1;
+        count.rimSprings += least > 0 && least < 1;
+    }
+    return count;
 }
 
 TissueModel evaluateModel(const Project& project, const Scene& scene) {
@@ -168,12 +185,21 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
         lay(model, region);
     for (const TetherRule& rule : scene.tethers)
         tie(model, rule);
-    for (const NodeSelection& selection : scene.fixed)
-        fix(model, selection);
-    std::sort(model.fixedNodes.begin(), model.fixedNodes.end());
-    model.fixedNodes.erase(std::unique(model.fixedNodes.begin(), model.fixedNodes.end()),
-                           model.fixedNodes.end());
+    model.fixedNodes = fixedNodesOf(*project.network, scene);
     return model;
+}
+
+std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scene& scene) {
+    std::vector<std::uint32_t> fixed;
+    for (const NodeSelection& selection : scene.fixed) {
+        fixed.insert(fixed.end(), selection.nodes.begin(), selection.nodes.end());
+        if (!selection.ellipsoid) continue;
+        for (std::uint32_t node = 0; node < network.restPositions.size(); ++node)
+            if (contains(*selection.ellipsoid, network.restPositions[node])) fixed.push_back(node);
+    }
+    std::sort(fixed.begin(), fixed.end());
+    fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+    return fixed;
 }
 
 std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& model) {
@@ -199,19 +225,12 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& mo
 }
 
 RegionResult evaluateRegion(const Project& project, const Region& region) {
-    const SpringNetwork& network = *project.network;
-    RegionResult result;
-    result.tissue = evaluate(region);
-    std::vector<bool> inside(network.restPositions.size(), false);
-    for (const std::uint32_t node : nodesInside(network, region))
-        inside[node] = true;
-    result.nodes = static_cast<std::size_t>(std::count(inside.begin(), inside.end(), true));
-    result.springs = static_cast<std::size_t>(
-        std::count_if(network.springs.begin(), network.springs.end(),
-                      [&](const Spring& spring) { return inside[spring.first] && inside[spring.second]; }));
-    if (result.nodes == 0)
-        result.tissue.warnings.emplace_back(
-            "the region holds no node and changes nothing; move or enlarge it");
+    RegionResult result{countOf(*project.network, region), evaluate(region)};
+    if (result.nodes > 0) return result;
+    result.tissue.warnings.emplace_back(
+        result.rimNodes > 0
+            ? "no node lies inside the region, only its soft rim reaches some; move or enlarge it"
+            : "the region holds no node and changes nothing; move or enlarge it");
     return result;
 }
 

@@ -55,19 +55,32 @@ inline constexpr double wallThickness = 0.003; ///< m, that an open surface weig
 Project makeProject(std::string name, RepairedMesh surface,
                     std::optional<double> massKilograms = std::nullopt, const Detail& detail = {});
 
+/// What a region reaches. A spring is inside when both its ends are, and in the rim when both are inside or
+/// in the rim, but not both inside.
+struct RegionCount {
+    std::size_t nodes = 0, springs = 0;       ///< wholly inside
+    std::size_t rimNodes = 0, rimSprings = 0; ///< in the soft rim
+};
+
 /// What one region came to.
-struct RegionResult {
-    std::size_t nodes = 0, springs = 0; ///< inside; a spring is inside when both its ends are
+struct RegionResult : RegionCount {
     RegionTissue tissue;
 };
 
-/// Evaluates regions from the bottom up, then the scene's tethers and fixed nodes.
+/// Evaluates regions from the bottom up, then the scene's tethers and fixed nodes. In a soft rim the region's
+/// spring constant and viscosity mix with those beneath in proportion to its weight w, w·c + (1 − w)·c',
+/// which stays between both, is defined down to 0, and is how a spring takes the mean of its ends. Of its
+/// mass each node gets what is in proportion to w, all of them together exactly the region's mass, and keeps
+/// (1 − w) of what it weighed beneath.
 /// Precondition: the scene is valid for the network.
 /// @throws InvalidModel when a region sets inputs that its fuzzy system does not have
 TissueModel evaluateModel(const Project& project, const Scene& scene);
 inline TissueModel evaluateModel(const Project& project) {
     return evaluateModel(project, project.scene);
 }
+
+/// The nodes that a scene fixes, in order, each once.
+std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scene& scene);
 
 /// What of a scene has no effect on the model it was evaluated for: ellipsoids that hold no node, forces and
 /// paths of fixed nodes. Precondition: the scene is valid for the network.
@@ -77,8 +90,11 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& mo
 /// @throws InvalidModel when the region sets inputs that its fuzzy system does not have
 RegionResult evaluateRegion(const Project& project, const Region& region);
 
-/// Nodes inside a region, in order.
-std::vector<std::uint32_t> nodesInside(const SpringNetwork& network, const Region& region);
+/// The region's weight at every node, see `weightAt`.
+std::vector<double> nodeWeights(const SpringNetwork& network, const Region& region);
+
+/// Without evaluating the region's tissue.
+RegionCount countOf(const SpringNetwork& network, const Region& region);
 
 /// Every problem of the project and its parts. Empty when all is well.
 std::vector<std::string> validate(const Project& project);

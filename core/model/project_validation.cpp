@@ -36,6 +36,7 @@ void requireValue(Problems& problems, const std::string& name, double value, boo
 Problems regionProblems(const Region& region) {
     Problems problems;
     if (region.ellipsoid) addUnder(problems, "ellipsoid", validate(*region.ellipsoid));
+    requireValue(problems, "the soft rim", region.rim, true);
     if (region.held.springConstant)
         requireValue(problems, "the spring constant", *region.held.springConstant, true);
     if (region.held.viscosity) requireValue(problems, "the viscosity", *region.held.viscosity, true);

@@ -104,6 +104,17 @@ std::optional<std::size_t> outputFor(const FuzzySystem& system, Parameter parame
     return std::nullopt;
 }
 
+double weightAt(const Region& region, const Eigen::Vector3d& point) {
+    if (!region.ellipsoid) return 1;
+    const Ellipsoid& ellipsoid = *region.ellipsoid;
+    // Most of an organ is far away, which is quickly told; what is near the end is told exactly.
+    const double reach = 1.001 * (ellipsoid.radii.maxCoeff() + region.rim);
+    if ((point - ellipsoid.centre).squaredNorm() > reach * reach) return 0;
+    if (contains(ellipsoid, point)) return 1;
+    const double share = region.rim > 0 ? distanceOutside(ellipsoid, point) / region.rim : 1;
+    return share < 1 ? (1 - share) * (1 - share) * (1 + 2 * share) : 0;
+}
+
 RegionTissue evaluate(const Region& region) {
     RegionTissue tissue;
     if (region.system) takeInferred(tissue, region);

@@ -32,10 +32,16 @@ struct Region {
     std::string name;
     std::array<std::uint8_t, 3> colour{63, 182, 168}; ///< red, green, blue; the same in list and view
     std::optional<Ellipsoid> ellipsoid;               ///< the whole organ without
-    std::shared_ptr<const FuzzySystem> system;        ///< may be null: then only `held` counts
-    NamedValues inputs;                               ///< of the fuzzy system
-    TissueValues held;                                ///< set by hand, in place of what the system infers
+    double rim = 0; ///< m around the ellipsoid, over which its tissue fades into what lies beneath; 0: sharp
+    std::shared_ptr<const FuzzySystem> system; ///< may be null: then only `held` counts
+    NamedValues inputs;                        ///< of the fuzzy system
+    TissueValues held;                         ///< set by hand, in place of what the system infers
 };
+
+/// How much of a place's tissue is the region's: 1 inside, and in the soft rim around the ellipsoid smoothly
+/// down to 0, 1 − 3t² + 2t³ at the share t of the rim's width. The rim lies outside, so that what the
+/// ellipsoid holds keeps the region's values in full, however wide the rim is.
+double weightAt(const Region& region, const Eigen::Vector3d& point);
 
 /// What a region's fuzzy system and held values give together.
 struct RegionTissue {

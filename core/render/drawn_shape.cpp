@@ -82,6 +82,36 @@ std::vector<Vector3d> silhouette(const Ellipsoid& ellipsoid, const Vector3d& eye
     return ellipsoidCurve(ellipsoid, axis / distance, axis, std::sqrt(1 - 1 / (distance * distance)));
 }
 
+std::vector<Vector3d> rimSilhouette(const Ellipsoid& ellipsoid, double rim, const Vector3d& eye) {
+    const Vector3d turned = ellipsoid.orientation.inverse() * (eye - ellipsoid.centre);
+    const Vector3d unitEye = turned.cwiseQuotient(ellipsoid.radii);
+    // Over the ellipsoid's point p with the normal n the rim ends at p + rim·n. The line of sight touches it
+    // there where n · (p + rim·n − eye) = 0: for the unit sphere's point u of p, where this is 0.
+    const auto facing = [&](const Vector3d& unit) {
+        return unit.dot(unitEye) - 1 - rim * unit.cwiseQuotient(ellipsoid.radii).norm();
+    };
+    const double distance = unitEye.norm();
+    if (!(distance > 1) || !(facing(unitEye / distance) > 0)) return {};
+    const Vector3d axis = unitEye / distance, first = axis.unitOrthogonal(), second = axis.cross(first);
+    std::vector<Vector3d> curve;
+    for (int i = 0; i < curvePoints; ++i) {
+        const double angle = 2 * pi * i / curvePoints;
+        const Vector3d aside = std::cos(angle) * first + std::sin(angle) * second;
+        const auto unitAt = [&](double tilt) {
+            return Vector3d(std::cos(tilt) * axis + std::sin(tilt) * aside);
+        };
+        double seen = 0, hidden = pi / 2;
+        for (int halving = 0; halving < 40; ++halving) {
+            const double middle = (seen + hidden) / 2;
+            (facing(unitAt(middle)) > 0 ? seen : hidden) = middle;
+        }
+        const Vector3d unit = unitAt(seen), normal = unit.cwiseQuotient(ellipsoid.radii).normalized();
+        curve.emplace_back(ellipsoid.centre +
+                           ellipsoid.orientation * (ellipsoid.radii.cwiseProduct(unit) + rim * normal));
+    }
+    return curve;
+}
+
 std::vector<Vector3d> greatCircle(const Ellipsoid& ellipsoid, int axis) {
     return ellipsoidCurve(ellipsoid, Vector3d::Zero(), Vector3d::Unit(axis), 1);
 }

@@ -24,6 +24,9 @@ std::array<Eigen::Vector3d, 8> projectorBox(const Projector& projector, const Ei
 
 /// The closed curve along which an ellipsoid's outline is seen from `eye`; empty from inside it.
 std::vector<Eigen::Vector3d> silhouette(const Ellipsoid& ellipsoid, const Eigen::Vector3d& eye);
+/// The same of all that is at most `rim` (m) away from the ellipsoid.
+std::vector<Eigen::Vector3d> rimSilhouette(const Ellipsoid& ellipsoid, double rim,
+                                           const Eigen::Vector3d& eye);
 /// The closed curve around an ellipsoid in the plane at a right angle to its own axis 0, 1 or 2.
 std::vector<Eigen::Vector3d> greatCircle(const Ellipsoid& ellipsoid, int axis);
 

@@ -21,12 +21,13 @@ void setView(const GlProgram& program, const Frame& frame) {
 
 PointSet::PointSet(const GlFunctions& gl) : m_buffer(gl), m_texture(gl) {}
 
-void PointSet::upload(const std::vector<Eigen::Vector3d>& points, const Frame& frame) {
+void PointSet::upload(const std::vector<Eigen::Vector3d>& points, const Frame& frame,
+                      const std::vector<float>& strengths) {
     std::vector<Eigen::Vector4f> texels(points.size());
-    std::transform(points.begin(), points.end(), texels.begin(), [&](const Eigen::Vector3d& point) {
-        const Eigen::Vector3f place = frame.local(point);
-        return Eigen::Vector4f(place.x(), place.y(), place.z(), 1);
-    });
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Eigen::Vector3f place = frame.local(points[i]);
+        texels[i] = {place.x(), place.y(), place.z(), strengths.empty() ? 1.0F : strengths[i]};
+    }
     m_size = static_cast<GLsizei>(points.size());
     m_buffer.upload(GL_TEXTURE_BUFFER, texels.data(), texels.size() * sizeof(Eigen::Vector4f),
                     GL_STREAM_DRAW);
@@ -69,14 +70,14 @@ void LineDrawer::draw(const PointSet& points, const SegmentSet& segments, const 
     m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, segments.size());
 }
 
-void LineDrawer::drawDots(const PointSet& points, const Eigen::Vector4f& paint, float radius,
-                          const Frame& frame) const {
+void LineDrawer::drawDots(const PointSet& points, const DotStyle& style, const Frame& frame) const {
     if (points.size() == 0) return;
     m_dots.use();
     setView(m_dots, frame);
-    m_dots.set("tint", paint);
-    m_dots.set("radius", radius * frame.pixelRatio);
-    m_dots.set("lift", dotLiftShare * frame.size);
+    m_dots.set("tint", style.paint);
+    m_dots.set("radius", style.radius * frame.pixelRatio);
+    m_dots.set("edge", style.edge * frame.pixelRatio);
+    m_dots.set("lift", dotLiftShare * frame.size + style.lift);
     points.bind(0);
     m_emptyArray.bind();
     m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, points.size());

@@ -20,11 +20,20 @@ struct LineStyle {
     bool thinWhenShort = false; ///< lines of a few pixels fade, so that a dense net stays a veil
 };
 
+struct DotStyle {
+    Eigen::Vector4f paint; ///< red, green, blue, alpha
+    float radius;          ///< pixels of the design
+    float edge = 0;        ///< pixels of the design, of the radius, that are dark
+    float lift = 0;        ///< m towards the eye, besides the little that every dot is lifted
+};
+
 /// Points in space on the graphics card, and lines and dots drawn at them.
 class PointSet {
 public:
     explicit PointSet(const GlFunctions& gl);
-    void upload(const std::vector<Eigen::Vector3d>& points, const Frame& frame);
+    /// @param strengths of the points' dots, 0 to 1; all in full without
+    void upload(const std::vector<Eigen::Vector3d>& points, const Frame& frame,
+                const std::vector<float>& strengths = {});
     void bind(int unit) const { m_texture.bind(GL_TEXTURE_BUFFER, unit); }
     GLsizei size() const { return m_size; }
 
@@ -53,9 +62,8 @@ public:
     explicit LineDrawer(const GlFunctions& gl);
     void draw(const PointSet& points, const SegmentSet& segments, const LineStyle& style,
               const Frame& frame) const;
-    /// A dot at every point. @param radius pixels of the design
-    void drawDots(const PointSet& points, const Eigen::Vector4f& paint, float radius,
-                  const Frame& frame) const;
+    /// A dot at every point.
+    void drawDots(const PointSet& points, const DotStyle& style, const Frame& frame) const;
 
 private:
     const GlFunctions& m_gl;

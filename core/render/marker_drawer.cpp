@@ -89,6 +89,16 @@ struct MarkerDrawer::Curves {
             segments.push_back({first + i, first + (i + 1) % count, paint, width});
     }
 
+    /// Two thirds of the loop.
+    void addBroken(const std::vector<Vector3d>& loop, const std::array<std::uint8_t, 4>& paint, float width) {
+        const std::size_t start = segments.size();
+        add(loop, paint, width);
+        std::size_t place = 0;
+        segments.erase(std::remove_if(segments.begin() + static_cast<std::ptrdiff_t>(start), segments.end(),
+                                      [&](const Segment&) { return place++ % 3 == 2; }),
+                       segments.end());
+    }
+
     void addBox(const std::array<Vector3d, 8>& corners, bool selected) {
         const std::uint8_t alpha = selected ? 255 : 150;
         add({corners.begin(), corners.begin() + 4}, withAlpha(amber, alpha), selected ? 2.2F : 1.4F);
@@ -152,6 +162,9 @@ void MarkerDrawer::drawTransparent(const RenderScene& scene, const Eigen::Aligne
             curves.add(greatCircle(drawn.shape, axis), paint, drawn.selected ? 1.3F : 1.0F);
         const auto outline = withAlpha(drawn.colour, drawn.selected ? std::uint8_t{255} : std::uint8_t{170});
         outlines.add(silhouette(drawn.shape, frame.eye), outline, drawn.selected ? 2.2F : 1.3F);
+        if (drawn.rim > 0 && isDrawable({drawn.rim, 0, 0}))
+            outlines.addBroken(rimSilhouette(drawn.shape, drawn.rim, frame.eye), outline,
+                               drawn.selected ? 1.6F : 1.0F);
     }
     // What the organ hides shows through faintly, so that shape and place can be read at a glance.
     m_gl.Disable(GL_DEPTH_TEST);

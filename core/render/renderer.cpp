@@ -26,7 +26,7 @@ Eigen::AlignedBox3d wholeBox(const RenderScene& scene, const Eigen::AlignedBox3d
     Eigen::AlignedBox3d box = organ;
     for (const DrawnEllipsoid& drawn : scene.ellipsoids)
         for (const double side : {-1.0, 1.0})
-            extend(box, drawn.shape.centre.array() + side * drawn.shape.radii.maxCoeff());
+            extend(box, drawn.shape.centre.array() + side * (drawn.shape.radii.maxCoeff() + drawn.rim));
     for (const DrawnProjector& drawn : scene.projectors)
         for (const Eigen::Vector3d& corner : projectorBox(drawn.projector, organ))
             extend(box, corner);

@@ -23,6 +23,13 @@ struct DrawnEllipsoid {
     Ellipsoid shape;
     Colour colour{63, 182, 168};
     bool selected = false;
+    double rim = 0; ///< m around it; its end is a broken outline
+};
+
+/// Nodes and the springs between them that are marked as belonging together.
+struct MarkedNodes {
+    std::shared_ptr<const std::vector<double>> weights; ///< one per node: 0 is not marked, 1 in full
+    Colour colour{63, 182, 168};                        ///< of springs that have no value's colour, and nodes
 };
 
 struct DrawnProjector {
@@ -53,7 +60,8 @@ struct RenderScene {
     /// quietly.
     std::shared_ptr<const std::vector<double>> springValues;
     double springValueMinimum = 0, springValueMaximum = 1;
-    std::vector<std::uint32_t> fixedNodes; ///< held in space: dots that are drawn with the springs
+    std::vector<std::uint32_t> fixedNodes; ///< held in space: white dots with a dark edge
+    std::optional<MarkedNodes> marked;     ///< over the surface, whether or not all springs are shown
     std::vector<DrawnEllipsoid> ellipsoids;
     std::vector<DrawnProjector> projectors;
     std::optional<DrawnSphere> instrument;

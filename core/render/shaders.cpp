@@ -263,8 +263,11 @@ uniform mat4 view, projection;
 uniform vec2 pixels;
 uniform float radius, lift; // pixels, m
 noperspective out vec2 offset;
+flat out float strength;
 void main() {
-    vec3 p = (view * vec4(texelFetch(points, gl_InstanceID).xyz, 1.0)).xyz;
+    vec4 point = texelFetch(points, gl_InstanceID);
+    strength = point.w;
+    vec3 p = (view * vec4(point.xyz, 1.0)).xyz;
     vec4 centre = projection * vec4(p * (1.0 - min(lift / length(p), 0.5)), 1.0);
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
     offset = corner * (radius + 0.5);
@@ -277,13 +280,16 @@ void main() {
 std::string pointFragment() {
     return std::string(version) + R"(
 noperspective in vec2 offset;
+flat in float strength;
 uniform vec4 tint;
-uniform float radius;
+uniform float radius, edge;
 out vec4 colour;
 void main() {
     float coverage = clamp(radius + 0.5 - length(offset), 0.0, 1.0);
     if (coverage <= 0.0) discard;
-    colour = vec4(tint.rgb, tint.a * coverage);
+    float core = clamp(radius - edge + 0.5 - length(offset), 0.0, 1.0);
+    vec3 shade = edge > 0.0 ? mix(vec3(0.10, 0.11, 0.13), tint.rgb, core) : tint.rgb;
+    colour = vec4(shade, tint.a * coverage * strength);
 }
 )";
 }

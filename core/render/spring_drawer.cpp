@@ -8,9 +8,11 @@
 namespace esm {
 namespace {
 
-constexpr float liftShare = 0.004F, largestLift = 0.03F; // of the organ's size
-constexpr float colouredWidth = 1.5F, quietWidth = 1.0F; // pixels
-constexpr float markRadius = 3;                          // pixels
+constexpr float liftShare = 0.004F, largestLift = 0.03F;                        // of the organ's size
+constexpr float colouredWidth = 1.5F, quietWidth = 1.0F;                        // pixels
+constexpr float markedWidth = 1.7F, markedValuedWidth = 2.6F, markedRadius = 2; // pixels
+constexpr double markedAlpha = 225;
+constexpr float fixedRadius = 4, fixedEdge = 1.3F; // pixels
 const Eigen::Vector4f dotPaint(0.91F, 0.91F, 0.93F, 1);
 
 /// Over a surface its texture and shape stay to be seen.
@@ -40,53 +42,122 @@ bool movesRigidly(const RenderScene& scene) {
 } // namespace
 
 SpringDrawer::SpringDrawer(const GlFunctions& gl)
-    : m_gl(gl), m_points(gl), m_marks(gl), m_quiet(gl), m_coloured(gl) {}
+    : m_gl(gl), m_points(gl), m_fixedPoints(gl), m_markedPoints(gl), m_quiet(gl), m_coloured(gl),
+      m_markedSprings(gl) {}
 
 void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& nodes,
                         const LineDrawer& lines, const Frame& frame) {
     if (!scene.network) return;
     const bool bare = !scene.mesh || scene.mesh->triangles.empty();
-    if (!scene.showSprings && !bare) return;
-    const bool overSurface = scene.showSurface && !bare;
-    // The few springs inside a stiff organ are seen through it.
-    const bool inside = overSurface && movesRigidly(scene);
-    takeSprings(scene, overSurface && !inside);
+    const bool showsSprings = scene.showSprings || bare;
+    if (!showsSprings && !scene.marked && scene.fixedNodes.empty()) return;
+    takeNetwork(scene);
+    const Manner manner = mannerOf(scene, frame);
     if (nodes != m_nodes) {
         m_points.upload(nodes, frame);
         m_nodes = nodes;
     }
     // Where a surface is hidden nothing else puts the far springs behind the near ones. A few bare springs
     // need no such order, and would cut into their nodes' dots.
-    m_gl.DepthMask(overSurface || bare ? GL_FALSE : GL_TRUE);
-    if (inside) m_gl.Disable(GL_DEPTH_TEST);
-    const float lift = std::min(liftShare * frame.size + m_cover, largestLift * frame.size);
-    const LineStyle style{1, overSurface && !inside ? lift : 0, true};
-    lines.draw(m_points, m_quiet, style, frame);
-    lines.draw(m_points, m_coloured, {1, style.lift, false}, frame);
-    if (bare || inside) lines.drawDots(m_points, dotPaint, 4.0F, frame);
-    drawMarks(scene.fixedNodes, bare || inside ? 2 * markRadius : markRadius, lines, frame);
-    if (inside) m_gl.Enable(GL_DEPTH_TEST);
+    m_gl.DepthMask(manner.overSurface || bare ? GL_FALSE : GL_TRUE);
+    if (manner.inside) m_gl.Disable(GL_DEPTH_TEST);
+    if (showsSprings) drawSprings(scene, manner, lines, frame);
+    if (scene.marked) drawMarked(scene, manner, lines, frame);
+    drawFixed(scene.fixedNodes, manner, lines, frame);
+    if (manner.inside) m_gl.Enable(GL_DEPTH_TEST);
     m_gl.DepthMask(GL_TRUE);
 }
 
-void SpringDrawer::drawMarks(const std::vector<std::uint32_t>& marked, float radius, const LineDrawer& lines,
-                             const Frame& frame) {
-    if (marked.empty()) return;
+void SpringDrawer::takeNetwork(const RenderScene& scene) {
+    if (scene.network == m_network) return;
+    m_network = scene.network;
+    m_cover = static_cast<float>(coverOver(scene));
+}
+
+SpringDrawer::Manner SpringDrawer::mannerOf(const RenderScene& scene, const Frame& frame) const {
+    const bool bare = !scene.mesh || scene.mesh->triangles.empty();
+    const bool overSurface = scene.showSurface && !bare;
+    // The few springs inside a stiff organ are seen through it.
+    const bool inside = overSurface && movesRigidly(scene);
+    const float lift = std::min(liftShare * frame.size + m_cover, largestLift * frame.size);
+    return {bare, overSurface, inside, overSurface && !inside ? lift : 0};
+}
+
+void SpringDrawer::drawSprings(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
+                               const Frame& frame) {
+    takeSprings(scene, manner.overSurface && !manner.inside);
+    lines.draw(m_points, m_quiet, {1, manner.lift, true}, frame);
+    lines.draw(m_points, m_coloured, {1, manner.lift, false}, frame);
+    if (manner.bare || manner.inside) lines.drawDots(m_points, {dotPaint, 4}, frame);
+}
+
+void SpringDrawer::drawMarked(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
+                              const Frame& frame) {
+    const std::vector<double>& weights = *scene.marked->weights;
+    if (weights.size() != m_nodes.size()) return;
+    takeMarked(scene);
+    lines.draw(m_points, m_markedSprings, {1, manner.lift, false}, frame);
     std::vector<Eigen::Vector3d> places;
-    places.reserve(marked.size());
-    for (const std::uint32_t node : marked)
+    std::vector<float> strengths;
+    for (std::size_t node = 0; node < weights.size(); ++node) {
+        if (!(weights[node] > 0)) continue;
         places.push_back(m_nodes[node]);
-    m_marks.upload(places, frame);
-    lines.drawDots(m_marks, dotPaint, radius, frame);
+        strengths.push_back(static_cast<float>(weights[node]));
+    }
+    m_markedPoints.upload(places, frame, strengths);
+    const Eigen::Vector3f rgb = toFloat(scene.marked->colour);
+    const float radius = manner.bare || manner.inside ? 5 : markedRadius;
+    lines.drawDots(m_markedPoints, {{rgb.x(), rgb.y(), rgb.z(), 1}, radius, 0, manner.lift}, frame);
+}
+
+/// Springs whose both ends are marked, as strongly as the less marked of them.
+void SpringDrawer::takeMarked(const RenderScene& scene) {
+    const MarkedNodes& marked = *scene.marked;
+    const auto& values = scene.showSprings ? scene.springValues : nullptr;
+    if (m_markedNetwork == m_network && m_weights == marked.weights && m_markedValues == values &&
+        m_markedColour == marked.colour)
+        return;
+    m_markedNetwork = m_network;
+    m_weights = marked.weights;
+    m_markedValues = values;
+    m_markedColour = marked.colour;
+    const auto& springs = m_network->springs;
+    const bool valued = values && values->size() == springs.size();
+    const double least = scene.springValueMinimum, range = scene.springValueMaximum - least;
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        const auto [first, second, length] = springs[i];
+        const double weight = std::min((*m_weights)[first], (*m_weights)[second]);
+        if (!(weight > 0)) continue;
+        const bool hasValue = valued && range > 0 && std::isfinite((*values)[i]);
+        const Colour colour = hasValue ? rampColour(((*values)[i] - least) / range) : marked.colour;
+        const auto alpha = static_cast<std::uint8_t>(std::lround(markedAlpha * weight));
+        segments.push_back({first,
+                            second,
+                            {colour[0], colour[1], colour[2], alpha},
+                            hasValue ? markedValuedWidth : markedWidth});
+    }
+    m_markedSprings.upload(segments);
+}
+
+void SpringDrawer::drawFixed(const std::vector<std::uint32_t>& fixed, const Manner& manner,
+                             const LineDrawer& lines, const Frame& frame) {
+    if (fixed.empty()) return;
+    std::vector<Eigen::Vector3d> places;
+    places.reserve(fixed.size());
+    for (const std::uint32_t node : fixed)
+        places.push_back(m_nodes[node]);
+    m_fixedPoints.upload(places, frame);
+    const float radius = manner.bare || manner.inside ? 2 * fixedRadius : fixedRadius;
+    lines.drawDots(m_fixedPoints, {dotPaint, radius, fixedEdge, manner.lift}, frame);
 }
 
 void SpringDrawer::takeSprings(const RenderScene& scene, bool overSurface) {
-    const bool same = scene.network == m_network && scene.springValues == m_values &&
+    const bool same = m_springsNetwork == m_network && scene.springValues == m_values &&
                       scene.springValueMinimum == m_minimum && scene.springValueMaximum == m_maximum &&
                       overSurface == m_overSurface;
     if (same) return;
-    if (scene.network != m_network) m_cover = static_cast<float>(coverOver(scene));
-    m_network = scene.network;
+    m_springsNetwork = m_network;
     m_values = scene.springValues;
     m_minimum = scene.springValueMinimum;
     m_maximum = scene.springValueMaximum;

@@ -7,7 +7,8 @@
 
 namespace esm {
 
-/// Draws a network's springs as lines, coloured by value where the scene gives values, and its nodes as dots.
+/// Draws a network's springs as lines, coloured by value where the scene gives values, and its nodes as dots;
+/// and over them what is marked and which nodes are fixed.
 class SpringDrawer {
 public:
     explicit SpringDrawer(const GlFunctions& gl);
@@ -16,14 +17,32 @@ public:
               const Frame& frame);
 
 private:
+    /// How springs and nodes are drawn in the picture at hand.
+    struct Manner {
+        bool bare;        ///< without a surface
+        bool overSurface; ///< over one, else in place of it
+        bool inside;      ///< seen through it
+        float lift;       ///< m, out of it
+    };
+
+    Manner mannerOf(const RenderScene& scene, const Frame& frame) const;
+    void takeNetwork(const RenderScene& scene);
     void takeSprings(const RenderScene& scene, bool overSurface);
-    void drawMarks(const std::vector<std::uint32_t>& marked, float radius, const LineDrawer& lines,
+    void drawSprings(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
+                     const Frame& frame);
+    void takeMarked(const RenderScene& scene);
+    void drawMarked(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
+                    const Frame& frame);
+    void drawFixed(const std::vector<std::uint32_t>& fixed, const Manner& manner, const LineDrawer& lines,
                    const Frame& frame);
 
     const GlFunctions& m_gl;
-    PointSet m_points, m_marks;
-    SegmentSet m_quiet, m_coloured;
+    PointSet m_points, m_fixedPoints, m_markedPoints;
+    SegmentSet m_quiet, m_coloured, m_markedSprings;
     std::shared_ptr<const SpringNetwork> m_network;
+    std::shared_ptr<const SpringNetwork> m_springsNetwork, m_markedNetwork; ///< of the segments as uploaded
+    std::shared_ptr<const std::vector<double>> m_weights, m_markedValues; ///< of the marked ones as uploaded
+    std::optional<Colour> m_markedColour;
     std::shared_ptr<const std::vector<double>> m_values;
     double m_minimum = 0, m_maximum = 0;
     bool m_overSurface = false;

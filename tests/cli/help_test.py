@@ -5,7 +5,7 @@ import unittest
 from esmc import ESMC, Case, command
 
 COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "stability", "extremes", "tradeoff",
-            "texture", "export", "validate", "render", "fuzzy eval", "texture pack", "texture photo", "texture bake"]
+            "texture", "export", "validate", "render", "fuzzy eval", "fuzzy convert", "texture pack", "texture photo", "texture bake"]
 
 
 class HelpTest(Case):

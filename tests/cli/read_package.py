@@ -243,7 +243,8 @@ class Package:
         self.gltf = gltf
         self.json = gltf.json["extensions"]["ESM_spring_mass"]
         extended = any(map(is_extended, self.json["fuzzySystems"]))
-        needed = 4 if extended else 3 if "stiffening" in self.json else 2 if "binding" in self.json else 1
+        soft = any("rim" in region for region in self.json["regions"])
+        needed = 5 if soft else 4 if extended else 3 if "stiffening" in self.json else 2 if "binding" in self.json else 1
         check(self.json["version"] == needed, "another version of the extension")
         check(self.json["damping"] == "isotropic", "another damping")
         self.nodes, self.springs = self.json["nodes"], self.json["springs"]

@@ -48,6 +48,10 @@ class FuzzyTest(Case):
         report = self.evaluated()
         self.assertEqual(set(report["outputs"].values()), {None})
         self.assertEqual(report["firing"], [0] * 7)
+        self.assertEqual(report["inputs"]["consistency"]["range"], [0, 12])
+        self.assertIn("input left out: consistency, 0 to 12: very_soft, soft, medium",
+                      command("fuzzy", "eval", "susilap-g").stdout)
+        self.assertNotIn("left out", command("fuzzy", "eval", "susilap-g", "--set", "consistency=3").stdout)
 
     def test_rules_may_say_not_or_and_have_weights_and_norms(self):
         system = {"inputs": {"zeal": {"range": [0, 1], "terms": {"much": [0, 1, 1, 1]}},
@@ -72,6 +76,16 @@ class FuzzyTest(Case):
         self.assertEqual(self.evaluated("consistency=3")["warnings"], [])
         self.assertIn("consistency", self.evaluated("consistency=13")["warnings"][0])
 
+    def test_warns_of_what_is_odd_about_the_system(self):
+        system = {"inputs": {"age": {"range": [0, 9], "terms": {"young": [0, 0, 2, 4], "old": [5, 6, 9, 9]}}},
+                  "outputs": {"y": {"range": [0, 4], "terms": {"low": [0, 0, 2, 2], "high": [2, 2, 4, 4]}}},
+                  "rules": ["IF age IS old THEN y IS low", "IF age IS NOT young THEN y IS high"]}
+        warnings = self.evaluated("age=1", system=self.file("odd.json", system))["warnings"]
+        self.assertEqual(warnings, [
+            "Rules 1 and 2 contradict each other where age is from 6 to 9: y is low by rule 1 and high by rule 2.",
+            "Where age is from 4 to 5 it belongs to no term.",
+            "No rule fires where age is from 0 to 2."])
+
     def test_a_presets_name_means_the_preset_wherever_the_program_runs(self):
         self.file("susilap-g").mkdir()
         self.assertEqual(self.done("fuzzy", "eval", "susilap-g", cwd=self.folder), self.evaluated())
@@ -79,7 +93,7 @@ class FuzzyTest(Case):
     def test_names_what_it_does_not_know(self):
         for name in ("a.fcl", "b.fll"):
             message = self.fails(1, "fuzzy", "eval", self.file(name, "FUNCTION_BLOCK x"), naming=name)
-            self.assertIn("JSON", message)
+            self.assertIn("line 1, column ", message)
         self.fails(2, "fuzzy", "eval", "susilap-g", "--set", "colour=3", naming="colour")
         self.assertIn("robo-sim", self.fails(1, "fuzzy", "eval", "susilap-x"))
         self.fails(1, "fuzzy", "eval", self.file("none.json"), naming="none.json")
@@ -127,6 +141,26 @@ class TissueTest(Case):
         self.assertEqual(count(text), 170)
         self.assertLess(count(f"{text} {turned}"), 170)
 
+    def test_a_soft_rim_fades_and_keeps_the_mass(self):
+        project, soft = self.sample("liver"), self.file("soft.esm")
+        info = self.done("info", project)
+        self.assertEqual([region["rim"] for region in info["regions"]], [0] * len(info["regions"]))
+        where = " ".join(map(str, [*info["centre"], *(size / 4 for size in info["size"])]))
+        lobe = ("tissue", project, "--ellipsoid", where, "--override", "mass=0.2", "--name", "lobe")
+        sharp = self.done(*lobe, "-o", self.file("sharp.esm"))
+        faded = self.done(*lobe, "--rim", "0.03", "-o", soft)
+        self.assertEqual((sharp["rim_nodes"], sharp["rim_springs"]), (0, 0))
+        self.assertEqual([faded[key] for key in ("nodes", "springs")], [sharp[key] for key in ("nodes", "springs")])
+        self.assertTrue(faded["rim_nodes"] > 0 and faded["rim_springs"] > 0)
+        self.assertEqual(self.done("info", soft)["regions"][-1]["rim"], 0.03)
+        self.assertIn("soft rim 0.03 m", command("info", soft).stdout)
+        total = lambda rim: self.done(*lobe, "--rim", rim, "-o", soft) and self.done("info", soft)["mass"]
+        self.assertLess(total("0.03"), total("0"))
+        self.assertAlmostEqual(total("1e6"), 0.2, places=9)
+        self.fails(2, "tissue", project, "--rim", "0.01", "--override", "mass=1", "-o", soft, naming="--ellipsoid")
+        for rim in ("-1", "nan", "wide"):
+            self.fails(2, *lobe, "--rim", rim, "-o", soft, naming="--rim")
+
     def test_a_region_without_a_node_is_stored_with_a_warning(self):
         project = self.sample("tube")
         report = self.done("tissue", project, "--ellipsoid", "9 9 9 .1 .1 .1", "--override", "viscosity=1", "-o", project)
@@ -150,6 +184,43 @@ class TissueTest(Case):
         before = project.read_bytes()
         self.fails(2, "tissue", project, "--system", "susilap-g", "--set", "colour=1", "-o", project, naming="colour")
         self.assertEqual(project.read_bytes(), before)
+
+
+class PresetTest(Case):
+    def test_gives_the_whole_organ_tissue_mass_and_tethers(self):
+        project = self.sample("liver")
+        report = self.done("tissue", project, "--preset", "tube", "-o", project)
+        self.assertEqual((report["preset"], report["mass"], report["warnings"]), ("tube", 0.01, []))
+        self.assertEqual(report["tethers"], (report["nodes"] + 2) // 3)
+        self.assertAlmostEqual(report["spring_constant"] / 16.2606, 1, delta=2e-4)
+        self.assertAlmostEqual(self.done("info", project)["mass"], 0.01, places=12)
+        heavier = self.done("tissue", project, "--preset", "uterus", "--override", "mass=0.7",
+                            "--override", "viscosity=5", "-o", self.file("b.esm"))
+        self.assertEqual((heavier["mass"], heavier["viscosity"], heavier["tethers"]), (0.7, 5, report["tethers"]))
+        self.assertIn("appendix C.1", command("tissue", project, "--preset", "bowel", "-o", project).stdout)
+
+    def test_a_part_takes_the_tissue_alone(self):
+        project = self.sample("tube")
+        before = self.done("info", project)
+        report = self.done("tissue", project, "--preset", "tube", "--ellipsoid", "0 0 0 .02 .02 .02", "-o", project)
+        self.assertIsNone(report["mass"])
+        self.assertRegex(report["warnings"][0], "0.01 kg, and its tethers are of the whole organ")
+        self.assertEqual(self.done("info", project)["mass"], before["mass"])
+
+    def test_tethers_alone_add_no_region(self):
+        project = self.sample("ventricle")
+        before = self.done("info", project)
+        report = self.done("tissue", project, "--preset", "tube-tethers", "-o", project)
+        self.assertIsNone(report["region"])
+        self.assertEqual(report["tethers"], (report["nodes"] + 2) // 3)
+        self.assertEqual(self.done("info", project)["regions"], before["regions"])
+        self.fails(2, "tissue", project, "--preset", "tube-tethers", "--ellipsoid", "0 0 0 1 1 1", "-o", project,
+                   naming="--ellipsoid")
+
+    def test_names_the_presets_there_are(self):
+        message = self.fails(2, "tissue", "x.esm", "--preset", "spleen", "-o", "y.esm", naming="spleen")
+        self.assertIn("tube-tethers", message)
+        self.fails(2, "tissue", "x.esm", "--preset", "tube", "--system", "robo-sim", "-o", "y.esm", naming="--system")
 
 
 class BiphasicTest(Case):

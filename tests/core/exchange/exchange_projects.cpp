@@ -141,6 +141,12 @@ Project extendedInferenceProject() {
     return project;
 }
 
+Project softProject() {
+    Project project = richProject();
+    project.regions[1].rim = 0.01 / 3;
+    return project;
+}
+
 Project bareProject() {
     Project project;
     project.name = "motion model";

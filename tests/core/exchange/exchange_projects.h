@@ -22,6 +22,9 @@ Project biphasicProject();
 /// The same organ with norms, weights and conditions of every kind in its regions' fuzzy system.
 Project extendedInferenceProject();
 
+/// The same organ with a region that fades into what lies beneath.
+Project softProject();
+
 /// Nodes and springs without a surface, as the uterus' motion model.
 Project bareProject();
 

@@ -80,6 +80,8 @@ TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
     EXPECT_EQ(versionOf({true, true, false}), 3);
     EXPECT_EQ(versionOf({false, false, true}), 4);
     EXPECT_EQ(versionOf({true, true, true}), 4);
+    EXPECT_EQ(versionOf({false, false, false, true}), 5);
+    EXPECT_EQ(versionOf({true, true, true, true}), 5);
 }
 
 TEST(ModelJson, TurnsPointsIntoOneListAndBack) {

@@ -87,6 +87,14 @@ TEST_F(ModelPackageFile, AFuzzySystemIsRefusedThatAReaderWouldInferOtherwise) {
     EXPECT_THAT(loadingError(), HasSubstr("version should be 4"));
 }
 
+TEST_F(ModelPackageFile, ASoftRimIsRefusedThatAReaderWouldTakeForSharp) {
+    exportPackage(softProject(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    glb.json["extensions"]["ESM_spring_mass"]["version"] = 4;
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("version should be 5"));
+}
+
 struct Damage {
     const char* pointer; ///< from the extension, or from the root where it starts with "//"
     Json value;
@@ -97,8 +105,8 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
     exportPackage(richProject(), m_file);
     const Glb whole = parseGlb(readFile(m_file));
     const std::vector<Damage> cases{
-        {"/version", 5,
-         "was made by a newer version (5) of the program; this one reads up to 4; update the program"},
+        {"/version", 6,
+         "was made by a newer version (6) of the program; this one reads up to 5; update the program"},
         {"/version", "one", "version"},
         {"/damping", "axial", "damping"},
         {"/stiffening", true, "stiffening"},
@@ -118,6 +126,7 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
         {"/regions", 5, "regions"},
         {"/regions/0/fuzzySystem", 44, "fuzzySystem"},
         {"/regions/2/held/mass", -1, "region 3"},
+        {"/regions/2/rim", "wide", "rim"},
         {"/stepping/integrator", "auto", "stepping: auto"},
         {"/stepping/timeStep", -1, "stepping: the time step"},
         {"/stepping/precision", 2, "stepping.precision"},

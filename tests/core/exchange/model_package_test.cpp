@@ -111,6 +111,7 @@ TEST_F(ModelPackageFile, IsReadByAStrangersReader) {
     expectReadIndependently(bareProject(), m_folder.path());
     expectReadIndependently(biphasicProject(), m_folder.path());
     expectReadIndependently(extendedInferenceProject(), m_folder.path());
+    expectReadIndependently(softProject(), m_folder.path());
 }
 
 TEST_F(ModelPackageFile, IsReadByTheReaderOfTheSpecification) {
@@ -174,7 +175,8 @@ TEST_F(ModelPackageFile, IsOfTheVersionThatItsReadersNeed) {
     EXPECT_EQ(version(boundProject({Detail::Kind::Nodes, 20})), 2);
     EXPECT_EQ(version(boundProject({Detail::Kind::Rigid, 0})), 2);
     EXPECT_EQ(version(biphasicProject()), 3);
-    EXPECT_EQ(version(extendedInferenceProject()), modelPackageVersion);
+    EXPECT_EQ(version(extendedInferenceProject()), 4);
+    EXPECT_EQ(version(softProject()), modelPackageVersion);
 }
 
 TEST_F(ModelPackageFile, ModelsWithoutSurfaceShowTheirSprings) {

@@ -56,10 +56,10 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
 }
 
 TEST_F(ProjectFile, ANewerVersionSaysSo) {
-    saveWithManifest("/version", 5);
+    saveWithManifest("/version", 6);
     EXPECT_THAT(loadingError(),
-                HasSubstr("organ.esm: was made by a newer version (5) of the program; this one reads "
-                          "up to 4; update the program"));
+                HasSubstr("organ.esm: was made by a newer version (6) of the program; this one reads "
+                          "up to 5; update the program"));
 }
 
 /// A second file entry that names the first one's bytes again.
@@ -125,6 +125,14 @@ TEST_F(ProjectFile, ABiphasicLawThatIsNoneIsRefusedByItsName) {
     for (const auto& [law, named] : cases) {
         changeManifest("/base", [&law = law](Json& base) { base["stiffening"] = law; });
         EXPECT_THAT(loadingError(), HasSubstr(named)) << law;
+    }
+}
+
+TEST_F(ProjectFile, ARimThatIsNoneIsRefusedByItsName) {
+    const std::vector<std::pair<Json, const char*>> cases{{-0.1, "region 2"}, {"wide", "rim"}};
+    for (const auto& [rim, named] : cases) {
+        changeManifest("/regions/1", [&rim = rim](Json& region) { region["rim"] = rim; });
+        EXPECT_THAT(loadingError(), HasSubstr(named)) << rim;
     }
 }
 

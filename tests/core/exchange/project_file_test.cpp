@@ -41,6 +41,11 @@ TEST_F(ProjectFile, KeepsNormsWeightsAndConditionsOfEveryKind) {
     expectSameProject(extendedInferenceProject(), loadProject(m_file));
 }
 
+TEST_F(ProjectFile, KeepsSoftRims) {
+    saveProject(softProject(), m_file);
+    expectSameProject(softProject(), loadProject(m_file));
+}
+
 TEST_F(ProjectFile, WithoutASpringLawHasLinearSprings) {
     changeManifest("/base", [](Json& base) { EXPECT_FALSE(base.contains("stiffening")); });
     EXPECT_FALSE(loadProject(m_file).base.stiffening);
@@ -56,7 +61,8 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(version(richProject()), 1);
     EXPECT_EQ(version(boundProject({Detail::Kind::Nodes, 20})), 2);
     EXPECT_EQ(version(biphasicProject()), 3);
-    EXPECT_EQ(version(extendedInferenceProject()), projectFileVersion);
+    EXPECT_EQ(version(extendedInferenceProject()), 4);
+    EXPECT_EQ(version(softProject()), projectFileVersion);
 }
 
 TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {

@@ -186,6 +186,7 @@ TEST(Project, ReportsTheProblemsOfAllItsParts) {
     Region region = ball({0, 0, 0}, -1);
     region.name = "tumour";
     region.held.viscosity = -3;
+    region.rim = NAN;
     project.regions = {region};
     project.photos = {{}};
     project.photos[0].projector.width = NAN;
@@ -193,6 +194,7 @@ TEST(Project, ReportsTheProblemsOfAllItsParts) {
                 ElementsAre(HasSubstr("organ's mass"), HasSubstr("the strain"), HasSubstr("the factor"),
                             HasSubstr("scene: duration"), HasSubstr("forces[0]"),
                             HasSubstr("region 1 (tumour): ellipsoid"),
+                            HasSubstr("the soft rim must be 0 or more"),
                             HasSubstr("the viscosity must be 0 or more"), HasSubstr("has no picture"),
                             HasSubstr("width")));
     EXPECT_THAT(validate(Project{}), ElementsAre(HasSubstr("no organ")));

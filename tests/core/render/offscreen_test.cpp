@@ -60,7 +60,28 @@ TEST(Offscreen, FixedNodesStandOutAmongTheSprings) {
     scene.fixedNodes = {std::uint32_t(nearest - nodes.begin())};
     EXPECT_GT(brightness(), plain + 60);
     scene.showSprings = false;
-    EXPECT_LE(brightness(), plain + 60) << "only with the springs";
+    EXPECT_GT(brightness(), plain + 60) << "without the springs too";
+}
+
+TEST(Offscreen, MarkedNodesFadeWithTheirWeight) {
+    RenderScene scene = sphere();
+    scene.network = edgeNetwork(*scene.mesh);
+    const Camera camera = frontCamera(scene, 1);
+    const Image plain = renderOffscreen(scene, camera, 200, 200);
+    const auto changed = [&](double weight) {
+        scene.marked = MarkedNodes{
+            std::make_shared<const std::vector<double>>(scene.network->restPositions.size(), weight),
+            {0, 255, 0}};
+        const Image picture = renderOffscreen(scene, camera, 200, 200);
+        int green = 0;
+        for (std::size_t i = 1; i < picture.pixels.size(); i += 4)
+            green += std::max(0, picture.pixels[i] - plain.pixels[i]);
+        return green;
+    };
+    const int full = changed(1), faint = changed(0.3);
+    EXPECT_EQ(changed(0), 0);
+    EXPECT_GT(faint, 1000);
+    EXPECT_GT(full, 2 * faint);
 }
 
 TEST(Offscreen, SameSceneSamePicture) {
