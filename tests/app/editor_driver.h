@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTest>
 #include <QTimer>
 
@@ -102,6 +103,13 @@ protected:
     const esm::Project& project() const { return window->document().project(); }
     template<typename Widget> Widget* child(const char* name) const {
         return window->findChild<Widget*>(name);
+    }
+    /// A way to look at the fuzzy system.
+    void chooseTab(const QString& name) const {
+        auto* tabs = child<QTabBar>("workbenchTabs");
+        for (int tab = 0; tab < tabs->count(); ++tab)
+            if (tabs->tabText(tab) == name) tabs->setCurrentIndex(tab);
+        ASSERT_EQ(tabs->tabText(tabs->currentIndex()), name);
     }
     /// Where a point of the organ's space is seen in the view.
     QPoint placeOf(const Eigen::Vector3d& point) const {

@@ -48,7 +48,7 @@ TEST_F(FuzzyChoiceTest, AFilesSystemIsNotTakenForThePresetOfItsName) {
     FuzzySystem own = fuzzyPreset(preset);
     own.inputs[0].maximum += 1;
     choice.setSystem(std::make_shared<const FuzzySystem>(own));
-    EXPECT_EQ(choice.shownName(), QString::fromStdString(preset) + " (from file)");
+    EXPECT_EQ(choice.shownName(), QString::fromStdString(preset) + " (changed)");
     activate(QString::fromStdString(preset));
     ASSERT_TRUE(chosen) << "the preset can be chosen";
     EXPECT_EQ(chosen->inputs[0].maximum, own.inputs[0].maximum - 1);
@@ -91,6 +91,75 @@ TEST_F(FuzzyChoiceTest, StartsWhereTheLastFuzzySystemWas) {
                    });
     activate("From file");
     EXPECT_TRUE(dialogs.isDone());
+}
+
+TEST_F(FuzzyChoiceTest, OpensOtherLanguagesAndTellsWhatWasNotTaken) {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    const TemporaryFolder folder;
+    std::string text = exportFuzzySystem(fuzzyPreset(preset), "a.fll").text;
+    text.replace(text.find("Centroid"), 8, "Bisector");
+    writeFileAtomically(folder / "own.fll", text);
+    writeFileAtomically(folder / "own.fcl", exportFuzzySystem(fuzzyPreset(preset), "a.fcl").text);
+    DialogScript dialogs;
+    dialogs.expectFile(folder / "own.fll");
+    dialogs.expectNamed("remarkBox", [](QDialog* box) {
+        EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains("Bisector"));
+        box->accept();
+    });
+    activate("From file");
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(times, 1);
+    dialogs.expectFile(folder / "own.fcl");
+    activate("From file");
+    EXPECT_EQ(times, 2);
+    EXPECT_EQ(chosen->rules.size(), fuzzyPreset(preset).rules.size());
+}
+
+TEST_F(FuzzyChoiceTest, AFileThatCannotBeReadChangesNothing) {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "broken.fcl", std::string("FUNCTION_BLOCK x\nVAR_INPUT\n"));
+    DialogScript dialogs;
+    dialogs.expectFile(folder / "broken.fcl");
+    dialogs.expectNamed("problemBox", [](QDialog* box) {
+        EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains("line 3, column 1"));
+        box->accept();
+    });
+    activate("From file");
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(times, 0);
+}
+
+TEST_F(FuzzyChoiceTest, SavesTheSystemInUseAsTheNameSays) {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    const TemporaryFolder folder;
+    EXPECT_EQ(choice.findText("Save system", Qt::MatchStartsWith), -1) << "there is nothing to save";
+    choice.setSystem(std::make_shared<const FuzzySystem>(fuzzyPreset(preset)));
+    DialogScript dialogs;
+    for (const char* name : {"own.json", "own.FCL", "own.fll"}) {
+        dialogs.expectFile(folder / name);
+        activate("Save system");
+        EXPECT_EQ(choice.shownName().toStdString(), preset);
+        EXPECT_EQ(toJson(readFuzzyFile(folder / name)), toJson(fuzzyPreset(preset))) << name;
+    }
+    EXPECT_EQ(times, 0) << "saving is no edit";
+}
+
+TEST_F(FuzzyChoiceTest, ANameWithoutEndingGetsTheChosenLanguages) {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    const TemporaryFolder folder;
+    choice.setSystem(std::make_shared<const FuzzySystem>(fuzzyPreset(preset)));
+    DialogScript dialogs;
+    dialogs.expect([](QWidget* dialog) { return qobject_cast<QFileDialog*>(dialog) != nullptr; },
+                   [&](QDialog* dialog) {
+                       auto* files = qobject_cast<QFileDialog*>(dialog);
+                       files->selectNameFilter(files->nameFilters().at(1));
+                       auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+                       name->setText(QString::fromStdString((folder / "own").string()));
+                       QTest::keyClick(name, Qt::Key_Return);
+                   });
+    activate("Save system");
+    EXPECT_TRUE(std::filesystem::exists(folder / "own.fcl"));
 }
 
 TEST_F(FuzzyChoiceTest, TheWheelLeavesItAlone) {

@@ -78,13 +78,14 @@ public:
         auto* row = window->findChild<QWidget*>(QString::fromStdString("input-" + variable));
         ASSERT_NE(row, nullptr);
         auto* slider = row->findChild<QSlider*>();
-        const QString wordsBefore = child<QLabel>("words")->text();
+        auto* words = row->findChild<QLabel*>("degrees");
+        const QString wordsBefore = words->text();
         const auto springBefore =
             evaluateRegion(project(), project().regions[0]).tissue.values.springConstant;
         QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() - 4, slider->height() / 2});
         QTest::keyClick(slider, Qt::Key_End);
         EXPECT_EQ(project().regions[0].inputs[0].second, project().regions[0].system->inputs[0].maximum);
-        EXPECT_NE(child<QLabel>("words")->text(), wordsBefore);
+        EXPECT_NE(words->text(), wordsBefore);
         const auto springNow = evaluateRegion(project(), project().regions[0]).tissue.values.springConstant;
         EXPECT_NE(springNow, springBefore);
     }

@@ -1,3 +1,4 @@
+#include "app/editor/commands/region_edits.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/test_meshes.h"
@@ -30,6 +31,9 @@ protected:
         field->selectAll();
         QTest::keyClicks(field, text);
         QTest::keyClick(field, Qt::Key_Return);
+    }
+    std::string degreesOf(const char* row) const {
+        return child<QWidget>(row)->findChild<QLabel*>("degrees")->text().toStdString();
     }
     QLineEdit* fieldOf(const char* row) const {
         return child<QWidget>(row)->findChild<QLineEdit*>("numberField");
@@ -238,6 +242,69 @@ TEST_F(PanelsTest, AValueBetweenTheWordsIsSaidSo) {
             term.set = {middle + 1, middle + 1, middle + 2, middle + 2};
         p.regions.back().system = system;
     });
-    EXPECT_TRUE(child<QLabel>("words")->text().contains("between the words"))
-        << child<QLabel>("words")->text().toStdString();
+    EXPECT_EQ(degreesOf("input-consistency"), "between the words");
+}
+
+TEST_F(PanelsTest, SaysInputsAndOutputsInWordsWithTheirDegrees) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    type(fieldOf("input-consistency"), "5.5");
+    EXPECT_EQ(degreesOf("input-consistency"), "flexible 0.92, medium 0.08");
+    EXPECT_EQ(degreesOf("output-viscosity"), "small 1.00");
+}
+
+TEST_F(PanelsTest, AnOutputCanBeHeldAndLetGoOfAndAllIsTakenBack) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    type(fieldOf("input-consistency"), "5.5");
+    const auto held = [this] { return project().regions.back().held.viscosity; };
+    const double inferred = *evaluate(project().regions.back()).values.viscosity;
+    auto* hold = child<QWidget>("output-viscosity")->findChild<QToolButton*>("holdButton");
+    hold->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(hold, Qt::Key_Space);
+    EXPECT_EQ(held(), inferred);
+    EXPECT_EQ(degreesOf("output-viscosity"), "small 1.00 · held; the system says 2.878 N·s/m");
+    type(fieldOf("input-consistency"), "7");
+    EXPECT_EQ(held(), inferred);
+    EXPECT_EQ(evaluate(project().regions.back()).values.viscosity, inferred);
+    EXPECT_NE(degreesOf("output-viscosity").find("the system says 9.1"), std::string::npos);
+    type(fieldOf("output-viscosity"), "6");
+    EXPECT_EQ(held(), 6.0);
+    EXPECT_EQ(degreesOf("output-viscosity").find("medium 1.00"), 0U);
+    hold->click();
+    EXPECT_EQ(held(), std::nullopt);
+    EXPECT_EQ(degreesOf("output-viscosity").find("held"), std::string::npos);
+    QUndoStack* edits = window->document().undoStack();
+    edits->undo();
+    EXPECT_EQ(held(), 6.0);
+    EXPECT_TRUE(hold->isChecked());
+    edits->undo();
+    EXPECT_EQ(held(), inferred);
+    edits->undo();
+    edits->undo();
+    EXPECT_EQ(held(), std::nullopt);
+    EXPECT_FALSE(hold->isChecked());
+}
+
+TEST_F(PanelsTest, HoldingWhatHasNoValueAsksForTheNumber) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    window->document().edit("left out", [](Project& p) { p.regions.back().inputs.clear(); });
+    auto* hold = child<QWidget>("output-viscosity")->findChild<QToolButton*>("holdButton");
+    hold->click();
+    EXPECT_FALSE(hold->isChecked());
+    EXPECT_EQ(window->focusWidget(), fieldOf("output-viscosity"));
+    type(fieldOf("output-viscosity"), "6");
+    EXPECT_TRUE(hold->isChecked());
+}
+
+TEST_F(PanelsTest, OutputsThatSetNoTissueAreShownAsWell) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    window->document().edit("another name", [](Project& p) {
+        auto system = std::make_shared<FuzzySystem>(*p.regions.back().system);
+        system->outputs[1].name = "stickiness";
+        p.regions.back().system = system;
+        setInput(p.regions.back(), "consistency", 5.5);
+    });
+    EXPECT_EQ(degreesOf("output-stickiness"), "small 1.00 · sets no tissue");
+    EXPECT_FALSE(fieldOf("output-stickiness")->isEnabled());
+    EXPECT_FALSE(child<QWidget>("output-stickiness")->toolTip().isEmpty());
+    EXPECT_EQ(child<QWidget>("output-stickiness")->findChild<QToolButton*>("holdButton"), nullptr);
 }

@@ -187,6 +187,28 @@ TEST(Preview, PlaysAfterAnOddNumberOfToggles) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return !preview.status().playing; }, previewPatience));
 }
 
+TEST(Preview, ShowsAChangeAfterTheFrameThatIsUnderWay) {
+    std::atomic<int> project = 0, framesOfFormer = 0; // outlive the thread that counts
+    Preview preview;
+    QObject::connect(&preview, &Preview::frameReady, [&] {
+        // Taken at once, every frame is announced.
+        if (preview.frame().project < project) ++framesOfFormer;
+    });
+    Project tube = makeSample("tube");
+    preview.setProject(tube);
+    preview.setPlaying(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.frame().project == 1; }, previewPatience));
+    for (int change = 2; change < 12; ++change) {
+        tube.base.viscosity *= 1.1;
+        preview.setProject(tube);
+        framesOfFormer = 0;
+        project = change;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return preview.frame().project == change; }, previewPatience));
+        EXPECT_LE(framesOfFormer, 1);
+        QTest::qWait(5);
+    }
+}
+
 TEST(Preview, LearnsHowFarTheStepMayGo) {
     Preview preview;
     preview.setProject(makeSample("tube"));

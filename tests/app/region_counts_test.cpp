@@ -40,6 +40,15 @@ TEST(RegionCounts, CountAnewWhereTheEllipsoidMoves) {
     EXPECT_EQ(counts.of(project, 0).nodes, project.network->restPositions.size());
 }
 
+TEST(RegionCounts, CountAnewWhereTheRimIsWidened) {
+    Project project = wrappedTube();
+    project.regions[0].ellipsoid->radii *= 0.2;
+    RegionCounts counts;
+    EXPECT_EQ(counts.of(project, 0).rimNodes, 0U);
+    project.regions[0].rim = 1;
+    EXPECT_GT(counts.of(project, 0).rimNodes, 0U);
+}
+
 TEST(RegionCounts, CountAnewInAnotherOrgan) {
     Project project = wrappedTube();
     RegionCounts counts;

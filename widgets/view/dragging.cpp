@@ -46,6 +46,16 @@ Ellipsoid dragged(const RegionScale& drag, const Ray& ray) {
     return scaled(drag.start, drag.handle, ray);
 }
 
+Ellipsoid dragged(const RegionTurn& drag, const Ray& ray) {
+    return turned(drag.start, drag.grip, ray);
+}
+
+std::optional<double> dragged(const RimSize& drag, const Ray& ray) {
+    const std::optional<Vector3d> point = meet(ray, drag.plane);
+    if (!point) return std::nullopt;
+    return distanceOutside(drag.shape, *point);
+}
+
 Projector dragged(const ProjectorMove& drag, const Ray& ray) {
     Projector moved = drag.start;
     moved.pose.pretranslate(shift(drag.plane, ray));

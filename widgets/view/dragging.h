@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/render/renderer.h"
-#include "widgets/view/gizmos.h"
+#include "widgets/view/region_handles.h"
 
 #include <variant>
 
@@ -24,6 +24,16 @@ struct RegionScale {
     Ellipsoid start;
     std::size_t handle;
 };
+struct RegionTurn {
+    int index;
+    Ellipsoid start;
+    Grip grip;
+};
+struct RimSize {
+    int index;
+    Ellipsoid shape;
+    DragPlane plane;
+};
 struct ProjectorMove {
     int index;
     Projector start;
@@ -36,15 +46,20 @@ struct ProjectorScale {
 struct InstrumentSweep {
     DragPlane plane;
 };
-using Drag = std::variant<PullDrag, RegionMove, RegionScale, ProjectorMove, ProjectorScale, InstrumentSweep>;
+using Drag = std::variant<PullDrag, RegionMove, RegionScale, RegionTurn, RimSize, ProjectorMove,
+                          ProjectorScale, InstrumentSweep>;
 
 /// Where the pulled node is to go, m; nothing where the ray misses the plane. The other functions give what
 /// the drag makes of the shape it started with, which stays where the ray misses.
 std::optional<Eigen::Vector3d> target(const PullDrag& drag, const Ray& ray);
 Ellipsoid dragged(const RegionMove& drag, const Ray& ray);
 Ellipsoid dragged(const RegionScale& drag, const Ray& ray);
+Ellipsoid dragged(const RegionTurn& drag, const Ray& ray);
 Projector dragged(const ProjectorMove& drag, const Ray& ray);
 Projector dragged(const ProjectorScale& drag, const Ray& ray, Proportions proportions);
+
+/// The rim, m, whose outline goes through the mouse: none inside; nothing where the ray misses the plane.
+std::optional<double> dragged(const RimSize& drag, const Ray& ray);
 
 /// A plane parallel to the picture.
 DragPlane picturePlane(const Camera& camera, const Eigen::Vector3d& point);

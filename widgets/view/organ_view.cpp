@@ -67,6 +67,7 @@ void OrganView::setTool(ViewTool tool) {
     if (tool == m_tool) return;
     letGo();
     m_tool = tool;
+    setCursor(tool == ViewTool::Place ? Qt::CrossCursor : Qt::ArrowCursor);
     update();
     emit toolChanged(tool);
     if (tool == ViewTool::Instrument && underMouse()) moveInstrument(mapFromGlobal(QCursor::pos()));
@@ -173,7 +174,7 @@ void OrganView::paintOverlay() {
     painter.setRenderHint(QPainter::Antialiasing);
     const OverlayStyle style{size(), palette()};
     if (m_tool == ViewTool::Region)
-        paintHandles(painter, regionHandles(), style.palette.color(QPalette::Highlight));
+        paintHandles(painter, paintedRegionHandles(), style.palette.color(QPalette::Highlight));
     if (m_tool == ViewTool::Projector)
         paintHandles(painter, projectorHandles(), style.palette.color(QPalette::LinkVisited));
     if (m_legend) paintLegend(painter, style, *m_legend);

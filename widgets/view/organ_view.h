@@ -62,6 +62,9 @@ signals:
     void drawn();
     /// A click on the surface, with the tool Select or Region.
     void pointPicked(quint32 node, const Eigen::Vector3d& point);
+    /// A click on the surface with the tool Place: where a region is to lie, on the organ at rest.
+    /// @param anew a new one, whichever is selected
+    void spotPicked(const esm::SurfaceSpot& spot, bool anew);
     void regionPicked(int index);
     /// A node is to follow the mouse: target in m. `pullReleased` always ends what `pullStarted` began.
     void pullStarted(quint32 node);
@@ -71,6 +74,7 @@ signals:
     void instrumentRemoved();
     /// What the drag makes of the scene's ellipsoid or projector; again and again until `dragFinished`.
     void regionDragged(int index, const esm::Ellipsoid& shape);
+    void rimDragged(int index, double metres);
     void projectorDragged(int index, const esm::Projector& projector);
     void dragFinished();
 
@@ -98,16 +102,20 @@ private:
     bool drawsCornerFreely(const QMouseEvent& event) const;
     void followDrag(const QPointF& place, Proportions proportions);
     void endDrag();
-    void click(const QPointF& place);
+    void click(const QMouseEvent& event);
+    void clickSpot(const QPointF& place, bool anew);
     void moveInstrument(const QPointF& place);
     void pushInstrument(double notches, const QPointF& place);
     void removeInstrument();
     void showInstrument();
 
-    /// Where a handle is shown; nothing when its axis points at the viewer.
-    std::optional<QPointF> handlePlace(const Eigen::Vector3d& end, const Eigen::Vector3d& centre) const;
-    std::vector<QPointF> regionHandles() const;
-    std::vector<QPointF> projectorHandles() const;
+    /// The size of a pixel of the picture at a point of space, m.
+    double pixelAt(const Eigen::Vector3d& point) const;
+    /// Those of the selected region.
+    std::vector<RegionHandle> shownRegionHandles() const;
+    std::optional<RegionHandle> regionHandleAt(const QPointF& place) const;
+    std::vector<PaintedHandle> paintedRegionHandles() const;
+    std::vector<PaintedHandle> projectorHandles() const;
     void drawScene();
     void paintOverlay();
     static QString cannotBeShown(const std::exception& problem);

@@ -9,11 +9,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double handleReach = 9; // pixels around a handle's middle
-constexpr double clickReach = 4;  // pixels a click may wander before it is a drag
-constexpr double nodeReach = 12;  // pixels around a node that is picked without a surface
-constexpr double shortAxis =
-    0.35; // sine of an axis' angle to the line of sight below which it has no handles
+constexpr double handleReach = 9;     // pixels around a handle's middle
+constexpr double clickReach = 4;      // pixels a click may wander before it is a drag
+constexpr double nodeReach = 12;      // pixels around a node that is picked without a surface
+constexpr double turnReach = 26;      // pixels from an axis' end to its turning handle
 constexpr double pushPerNotch = 0.15; // of the instrument's radius
 
 double distance(const QPointF& a, const QPointF& b) {
@@ -52,6 +51,8 @@ void OrganView::mouseMoveEvent(QMouseEvent* event) {
         applyCamera(camera());
     } else if (m_tool == ViewTool::Instrument) {
         moveInstrument(event->localPos());
+    } else if (m_tool == ViewTool::Region) {
+        setCursor(regionHandleAt(event->localPos()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
     }
 }
 
@@ -60,7 +61,7 @@ void OrganView::mouseReleaseEvent(QMouseEvent* event) {
     m_pressed.reset();
     if (event->button() == Qt::LeftButton) endDrag();
     m_cameraController.release(*event);
-    if (wasClick) click(event->localPos());
+    if (wasClick) click(*event);
 }
 
 void OrganView::wheelEvent(QWheelEvent* event) {
@@ -84,6 +85,7 @@ std::optional<Drag> OrganView::dragAt(const QPointF& place) {
     const Ray ray = rayAt(place);
     switch (m_tool) {
     case ViewTool::Select:
+    case ViewTool::Place:
         return std::nullopt;
     case ViewTool::Region:
         return regionDragAt(place, ray);
@@ -103,14 +105,25 @@ std::optional<Drag> OrganView::dragAt(const QPointF& place) {
                     picked->nodePosition - picked->point};
 }
 
+std::optional<RegionHandle> OrganView::regionHandleAt(const QPointF& place) const {
+    for (const RegionHandle& handle : shownRegionHandles()) {
+        const auto seen = placeOf(handle.place);
+        if (seen && distance(*seen, place) <= handleReach) return handle;
+    }
+    return std::nullopt;
+}
+
 std::optional<Drag> OrganView::regionDragAt(const QPointF& place, const Ray& ray) const {
-    const int selected = selectedIndex(m_scene.ellipsoids);
-    if (selected >= 0) {
+    if (const auto handle = regionHandleAt(place)) {
+        const int selected = selectedIndex(m_scene.ellipsoids);
         const Ellipsoid& shape = m_scene.ellipsoids[static_cast<std::size_t>(selected)].shape;
-        const auto ends = handles(shape);
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-            const auto end = handlePlace(ends[i], shape.centre);
-            if (end && distance(*end, place) <= handleReach) return RegionScale{selected, shape, i};
+        switch (handle->kind) {
+        case RegionHandle::Kind::Size:
+            return RegionScale{selected, shape, handle->end};
+        case RegionHandle::Kind::Turn:
+            return RegionTurn{selected, shape, {handle->place, ray}};
+        case RegionHandle::Kind::Rim:
+            return RimSize{selected, shape, picturePlane(camera(), handle->place)};
         }
     }
     const int under = ellipsoidUnder(m_scene, ray);
@@ -155,6 +168,10 @@ void OrganView::followDrag(const QPointF& place, Proportions proportions) {
         emit regionDragged(move->index, dragged(*move, ray));
     } else if (const auto* scale = std::get_if<RegionScale>(&drag)) {
         emit regionDragged(scale->index, dragged(*scale, ray));
+    } else if (const auto* turn = std::get_if<RegionTurn>(&drag)) {
+        emit regionDragged(turn->index, dragged(*turn, ray));
+    } else if (const auto* rim = std::get_if<RimSize>(&drag)) {
+        if (const auto width = dragged(*rim, ray)) emit rimDragged(rim->index, *width);
     } else if (const auto* shift = std::get_if<ProjectorMove>(&drag)) {
         emit projectorDragged(shift->index, dragged(*shift, ray));
     } else if (const auto* size = std::get_if<ProjectorScale>(&drag)) {
@@ -176,7 +193,9 @@ void OrganView::endDrag() {
         emit dragFinished();
 }
 
-void OrganView::click(const QPointF& place) {
+void OrganView::click(const QMouseEvent& event) {
+    const QPointF place = event.localPos();
+    if (m_tool == ViewTool::Place) return clickSpot(place, event.modifiers().testFlag(Qt::ControlModifier));
     const Ray ray = rayAt(place);
     const int region = m_tool == ViewTool::Projector ? -1 : ellipsoidUnder(m_scene, ray);
     const int projector = m_tool == ViewTool::Region ? -1 : projectorUnder(m_scene, ray);
@@ -187,6 +206,12 @@ void OrganView::click(const QPointF& place) {
     if (projector >= 0) return;
     const auto picked = m_picker.pick(m_scene, ray, nodeReach / height() * camera().verticalFieldOfView);
     if (picked) emit pointPicked(picked->node, picked->point);
+}
+
+void OrganView::clickSpot(const QPointF& place, bool anew) {
+    const double tolerance = nodeReach / height() * camera().verticalFieldOfView;
+    if (const auto picked = m_picker.pick(m_scene, rayAt(place), tolerance))
+        emit spotPicked(picked->spot, anew);
 }
 
 void OrganView::moveInstrument(const QPointF& place) {
@@ -226,29 +251,38 @@ void OrganView::showInstrument() {
     update();
 }
 
-std::optional<QPointF> OrganView::handlePlace(const Vector3d& end, const Vector3d& centre) const {
-    const Vector3d axis = (end - centre).normalized(), sight = (camera().eye - centre).normalized();
-    if (axis.cross(sight).norm() < shortAxis) return std::nullopt;
-    return placeOf(end);
+double OrganView::pixelAt(const Vector3d& point) const {
+    const double depth = (camera().eye - point).dot(cameraAxes(camera()).col(2));
+    return 2 * std::tan(camera().verticalFieldOfView / 2) * depth / std::max(1, height());
 }
 
-std::vector<QPointF> OrganView::regionHandles() const {
-    std::vector<QPointF> places;
+std::vector<RegionHandle> OrganView::shownRegionHandles() const {
     const int selected = selectedIndex(m_scene.ellipsoids);
-    if (selected < 0) return places;
-    const Ellipsoid& shape = m_scene.ellipsoids[static_cast<std::size_t>(selected)].shape;
-    for (const Vector3d& end : handles(shape))
-        if (const auto place = handlePlace(end, shape.centre)) places.push_back(*place);
-    return places;
+    if (selected < 0) return {};
+    const DrawnEllipsoid& region = m_scene.ellipsoids[static_cast<std::size_t>(selected)];
+    return regionHandles(region, camera(), turnReach * pixelAt(region.shape.centre));
 }
 
-std::vector<QPointF> OrganView::projectorHandles() const {
-    std::vector<QPointF> places;
+std::vector<PaintedHandle> OrganView::paintedRegionHandles() const {
+    using Form = PaintedHandle::Form;
+    std::vector<PaintedHandle> painted;
+    for (const RegionHandle& handle : shownRegionHandles()) {
+        const Form form = handle.kind == RegionHandle::Kind::Size   ? Form::Square
+                          : handle.kind == RegionHandle::Kind::Turn ? Form::Round
+                                                                    : Form::Diamond;
+        const auto place = placeOf(handle.place), root = placeOf(handle.root);
+        if (place) painted.push_back({*place, form, form == Form::Round ? root : std::nullopt});
+    }
+    return painted;
+}
+
+std::vector<PaintedHandle> OrganView::projectorHandles() const {
+    std::vector<PaintedHandle> painted;
     const int selected = selectedIndex(m_scene.projectors);
-    if (selected < 0) return places;
+    if (selected < 0) return painted;
     for (const Vector3d& corner : handles(m_scene.projectors[static_cast<std::size_t>(selected)].projector))
-        if (const auto place = placeOf(corner)) places.push_back(*place);
-    return places;
+        if (const auto place = placeOf(corner)) painted.push_back({*place});
+    return painted;
 }
 
 } // namespace esm

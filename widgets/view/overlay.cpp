@@ -39,6 +39,14 @@ QLinearGradient rampGradient(const QRectF& bar) {
     return gradient;
 }
 
+QPolygonF diamondIn(const QRectF& box) {
+    const QPointF middle = box.center();
+    return QPolygonF(QVector<QPointF>{{middle.x(), box.top()},
+                                      {box.right(), middle.y()},
+                                      {middle.x(), box.bottom()},
+                                      {box.left(), middle.y()}});
+}
+
 } // namespace
 
 void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend) {
@@ -85,12 +93,21 @@ void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint
     painter.restore();
 }
 
-void paintHandles(QPainter& painter, const std::vector<QPointF>& places, const QColor& rim) {
+void paintHandles(QPainter& painter, const std::vector<PaintedHandle>& handles, const QColor& edge) {
     painter.save();
-    painter.setPen(QPen(rim, 1.4));
+    painter.setPen(QPen(edge, 1.4));
     painter.setBrush(Qt::white);
-    for (const QPointF& place : places)
-        painter.drawRect(QRectF(place - QPointF(handleSize, handleSize) / 2, QSizeF(handleSize, handleSize)));
+    for (const PaintedHandle& handle : handles)
+        if (handle.root) painter.drawLine(*handle.root, handle.place);
+    for (const PaintedHandle& handle : handles) {
+        const QRectF box(handle.place - QPointF(handleSize, handleSize) / 2, QSizeF(handleSize, handleSize));
+        if (handle.form == PaintedHandle::Form::Round)
+            painter.drawEllipse(box.adjusted(-0.5, -0.5, 0.5, 0.5));
+        else if (handle.form == PaintedHandle::Form::Diamond)
+            painter.drawPolygon(diamondIn(box.adjusted(-1.5, -1.5, 1.5, 1.5)));
+        else
+            painter.drawRect(box);
+    }
     painter.restore();
 }
 

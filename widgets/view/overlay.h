@@ -27,8 +27,14 @@ struct OverlayStyle {
 void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend);
 /// A pill with a text at the bottom, in the middle of what the legend leaves; in lines where one is too long.
 void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint, bool besideLegend);
-/// Small white squares with a coloured rim.
-void paintHandles(QPainter& painter, const std::vector<QPointF>& places, const QColor& rim);
+/// A small white mark with a coloured edge that can be taken hold of.
+struct PaintedHandle {
+    enum class Form { Square, Round, Diamond };
+    QPointF place;
+    Form form = Form::Square;
+    std::optional<QPointF> root = {}; ///< where the line ends that it hangs on
+};
+void paintHandles(QPainter& painter, const std::vector<PaintedHandle>& handles, const QColor& edge);
 /// The square of the axis cube at the top right.
 QRectF cubeSquare(const QSize& view);
 

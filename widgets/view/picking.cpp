@@ -31,19 +31,34 @@ std::optional<PickedPoint> Picker::pickSurface(const Ray& ray) {
     hit->barycentric.maxCoeff(&nearest);
     const std::uint32_t vertex = m_mesh->triangles[hit->triangle][static_cast<std::size_t>(nearest)];
     const std::uint32_t node = m_network ? m_network->vertexNodes[vertex] : vertex;
-    return PickedPoint{node, ray.origin + hit->distance * ray.direction.normalized(), m_nodes[node]};
+    return PickedPoint{node, ray.origin + hit->distance * ray.direction.normalized(), m_nodes[node],
+                       spotOf(*hit, ray)};
+}
+
+SurfaceSpot Picker::spotOf(const RayHit& hit, const Ray& ray) const {
+    const auto normalOf = [&](const std::vector<Eigen::Vector3d>& vertices) {
+        const auto& [a, b, c] = m_mesh->triangles[hit.triangle];
+        return Eigen::Vector3d((vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]));
+    };
+    const double side = normalOf(m_vertices).dot(ray.direction) > 0 ? -1 : 1;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    for (Eigen::Index corner = 0; corner < 3; ++corner)
+        point += hit.barycentric[corner] *
+                 m_mesh->vertices[m_mesh->triangles[hit.triangle][static_cast<std::size_t>(corner)]];
+    return {point, side * normalOf(m_mesh->vertices).stableNormalized()};
 }
 
 std::optional<PickedPoint> Picker::pickNode(const Ray& ray, double tolerance) const {
     const Eigen::Vector3d direction = ray.direction.normalized();
     double smallest = std::tan(tolerance);
+    const auto& rest = m_network ? m_network->restPositions : m_mesh->vertices;
     std::optional<PickedPoint> picked;
     for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
         const Eigen::Vector3d offset = m_nodes[node] - ray.origin;
         const double slope = offset.cross(direction).norm() / offset.dot(direction);
         if (slope < 0 || slope > smallest) continue;
         smallest = slope;
-        picked = PickedPoint{node, m_nodes[node], m_nodes[node]};
+        picked = PickedPoint{node, m_nodes[node], m_nodes[node], SurfaceSpot{rest[node], -direction}};
     }
     return picked;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/surface_query.h"
+#include "core/geometry/surface_spot.h"
 #include "core/render/renderer.h"
 
 #include <memory>
@@ -13,6 +14,7 @@ struct PickedPoint {
     std::uint32_t node;           ///< nearest to the point
     Eigen::Vector3d point;        ///< m
     Eigen::Vector3d nodePosition; ///< m
+    SurfaceSpot spot;             ///< the same on the organ at rest, the viewer being outside
 };
 
 /// Finds what lies under the mouse on the organ as it is drawn now.
@@ -29,6 +31,7 @@ public:
 private:
     void refresh(const RenderScene& scene);
     std::optional<PickedPoint> pickSurface(const Ray& ray);
+    SurfaceSpot spotOf(const RayHit& hit, const Ray& ray) const;
     std::optional<PickedPoint> pickNode(const Ray& ray, double tolerance) const;
 
     std::shared_ptr<const TriangleMesh> m_mesh;

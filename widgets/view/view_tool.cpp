@@ -26,8 +26,13 @@ ToolWords wordsOf(ViewTool tool) {
         return {translated("Move to touch the surface · Ctrl and wheel push in and out"),
                 translated("Esc takes it away")};
     case ViewTool::Region:
-        return {translated("Drag the ellipsoid to move it · handles scale it"),
+        return {translated(
+                    "Drag the ellipsoid to move it · squares size it, dots turn it, the diamond widens its "
+                    "soft rim"),
                 translated("Alt to turn the view")};
+    case ViewTool::Place:
+        return {translated("Click the surface: the selected region lies there · with Ctrl a new one"),
+                translated("drag to turn the view")};
     case ViewTool::Projector:
         return {
             translated("Drag the photo to place it · corners scale it, with Shift width and height apart"),

@@ -9,7 +9,8 @@ enum class ViewTool {
     Select,     ///< turns the view; a click picks
     Pull,       ///< pulls the tissue
     Instrument, ///< moves the sphere instrument over the surface
-    Region,     ///< moves and scales a region's ellipsoid
+    Region,     ///< moves, sizes and turns a region's ellipsoid, and widens its rim
+    Place,      ///< turns the view; a click lays a region on the surface
     Projector   ///< moves and scales a photo's projector
 };
 

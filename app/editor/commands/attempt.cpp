@@ -36,4 +36,21 @@ bool attempt(QWidget* window, const QString& title, const std::function<void()>&
     return false;
 }
 
+void tell(QWidget* window, const QString& title, const std::vector<std::string>& remarks) {
+    if (remarks.empty()) return;
+    constexpr int mostLines = 10; // of what does not fit a box, the whole can be unfolded
+    QStringList lines;
+    for (const std::string& remark : remarks)
+        lines << QString::fromStdString(remark);
+    QMessageBox box(QMessageBox::Information, title, title, QMessageBox::Ok, window);
+    box.setObjectName(QStringLiteral("remarkBox"));
+    QStringList shown = lines.mid(0, mostLines);
+    if (lines.size() > mostLines) {
+        shown << QObject::tr("… and %n more", nullptr, lines.size() - mostLines);
+        box.setDetailedText(lines.join('\n'));
+    }
+    box.setInformativeText(shown.join('\n'));
+    box.exec();
+}
+
 } // namespace esm

@@ -1,5 +1,7 @@
 #include "app/editor/commands/photo_edits.h"
 
+#include "app/editor/commands/move_item.h"
+
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -69,13 +71,11 @@ void removePhoto(Project& project, std::size_t photo) {
 }
 
 bool canMovePhoto(const Project& project, std::size_t photo, int above) {
-    if (photo >= project.photos.size()) return false;
-    return above > 0 ? photo + 1 < project.photos.size() : photo > 0;
+    return canMoveItem(project.photos.size(), photo, above);
 }
 
 void movePhoto(Project& project, std::size_t photo, int above) {
-    if (!canMovePhoto(project, photo, above)) return;
-    std::swap(project.photos[photo], project.photos[above > 0 ? photo + 1 : photo - 1]);
+    if (canMovePhoto(project, photo, above)) moveItem(project.photos, photo, above);
 }
 
 } // namespace esm

@@ -22,7 +22,7 @@ void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projec
 
 void removePhoto(Project& project, std::size_t photo);
 
-/// Exchanges a photo with its neighbour above (+1) or below (−1), where there is one.
+/// Lays a photo over so many of those above it, or under those below it where `above` is below zero.
 bool canMovePhoto(const Project& project, std::size_t photo, int above);
 void movePhoto(Project& project, std::size_t photo, int above);
 

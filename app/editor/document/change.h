@@ -24,8 +24,10 @@ struct Change {
     static Change everything() { return {true, true, true, true, true, true, true, true}; }
 };
 
-/// Shared parts are compared by pointer, all else by value.
+/// Shared parts but fuzzy systems are compared by pointer, all else by value.
 bool same(const Region& a, const Region& b);
+/// Whether both reach the same places: their ellipsoids and soft rims.
+bool sameReach(const Region& a, const Region& b);
 bool same(const PhotoLayer& a, const PhotoLayer& b);
 bool same(const Stepping& a, const Stepping& b);
 bool same(const std::optional<MeasuredStepping>& a, const std::optional<MeasuredStepping>& b);

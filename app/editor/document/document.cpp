@@ -33,6 +33,7 @@ void Document::replace(Project project, std::optional<std::filesystem::path> pat
     m_path = std::move(path);
     m_former = std::move(former);
     m_project = std::move(project);
+    m_unfinished.clear();
     m_undoStack.clear();
     if (origin == Origin::Unsaved) m_undoStack.resetClean();
     emit changed(Change::everything());

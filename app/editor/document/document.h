@@ -55,6 +55,11 @@ public:
     /// own.
     void finishGesture() { ++m_gesture; }
 
+    /// Says of text that is to be mended before it can be an edit that it would be lost with the project.
+    /// Empty where there is none.
+    void setUnfinished(const QString& what) { m_unfinished = what; }
+    const QString& unfinished() const { return m_unfinished; }
+
 signals:
     void changed(const esm::Change& change);
     /// Title, path or modified mark.
@@ -69,6 +74,7 @@ private:
     Former m_former;
     QUndoStack m_undoStack;
     int m_gesture = 0;
+    QString m_unfinished;
 };
 
 } // namespace esm

@@ -16,8 +16,12 @@ EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget
     rows->addWideField(tr("Centre, mm"), m_centre);
     rows->addWideField(tr("Radii, mm"), m_radii);
     rows->addWideField(tr("Turned, °"), m_turned);
-    m_nodesInside = rows->addText(tr("Inside"), QStringLiteral("nodesInside"));
-    m_springsInside = rows->addText({}, QStringLiteral("springsInside"));
+    m_rim = new NumberField(lengthFormat(0), this);
+    rows->addField(tr("Soft rim"), m_rim);
+    m_nodesInside = rows->addText(tr("Nodes inside"), QStringLiteral("nodesInside"));
+    m_springsInside = rows->addText(tr("Springs inside"), QStringLiteral("springsInside"));
+    m_rim->setObjectName(QStringLiteral("ellipsoidRim"));
+    m_rim->setAccessibleName(tr("Soft rim"));
     m_centre->setObjectName(QStringLiteral("ellipsoidCentre"));
     m_radii->setObjectName(QStringLiteral("ellipsoidRadii"));
     body()->addWidget(rows);
@@ -38,6 +42,8 @@ EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget
             [&](Ellipsoid& ellipsoid) { ellipsoid.orientation = Eigen::Quaterniond(rotationOf(degrees)); },
             QStringLiteral("ellipsoid turn"));
     });
+    connect(m_rim, &NumberField::valueEdited, this, &EllipsoidPanel::editRim);
+    connect(m_rim, &NumberField::gestureFinished, &document, &Document::finishGesture);
     for (VectorField* field : {m_centre, m_radii, m_turned})
         connect(field, &VectorField::gestureFinished, &document, &Document::finishGesture);
     connect(&selection, &Selection::changed, this, &EllipsoidPanel::show);
@@ -61,20 +67,39 @@ void EllipsoidPanel::show() {
     enable(m_centre, ellipsoid, tr("x, y, z"), none);
     enable(m_radii, ellipsoid, tr("Along the ellipsoid's own x, y, z"), none);
     enable(m_turned, ellipsoid, turnedToolTip(), none);
+    enable(
+        m_rim, ellipsoid,
+        tr("Around the ellipsoid its tissue fades over this width into what lies beneath; 0: a sharp border"),
+        none);
     using Vector = std::optional<Eigen::Vector3d>;
     m_centre->setValue(ellipsoid ? Vector(ellipsoid->centre) : Vector());
     m_radii->setValue(ellipsoid ? Vector(ellipsoid->radii) : Vector());
     m_turned->setValue(ellipsoid ? Vector(degreesOf(ellipsoid->orientation.toRotationMatrix())) : Vector());
+    m_rim->setValue(ellipsoid ? std::optional(project.regions[*selected].rim) : std::nullopt);
     if (isVisible()) showInside();
 }
 
 void EllipsoidPanel::showInside() {
     const Project& project = m_document.project();
     const auto selected = m_selection.region();
-    RegionCounts::Count inside{project.network->restPositions.size(), project.network->springs.size()};
-    if (selected) inside = m_counts.of(project, *selected);
-    m_nodesInside->setText(tr("%1 nodes").arg(countText(inside.nodes)));
-    m_springsInside->setText(tr("%1 springs").arg(countText(inside.springs)));
+    RegionCount held;
+    held.nodes = project.network->restPositions.size();
+    held.springs = project.network->springs.size();
+    if (selected) held = m_counts.of(project, *selected);
+    const bool isSoft = selected && project.regions[*selected].rim > 0;
+    const auto text = [&](std::size_t inside, std::size_t inRim) {
+        return isSoft ? tr("%1, rim %2").arg(countText(inside), countText(inRim)) : countText(inside);
+    };
+    m_nodesInside->setText(text(held.nodes, held.rimNodes));
+    m_springsInside->setText(text(held.springs, held.rimSprings));
+}
+
+void EllipsoidPanel::editRim(double metres) {
+    const auto selected = m_selection.region();
+    if (!selected) return;
+    m_document.edit(
+        tr("Soft rim"), [&](Project& project) { project.regions[*selected].rim = metres; },
+        QStringLiteral("rim %1").arg(*selected));
 }
 
 void EllipsoidPanel::edit(const QString& text, const std::function<void(Ellipsoid&)>& change,

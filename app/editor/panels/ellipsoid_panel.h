@@ -24,10 +24,12 @@ private:
     void showInside();
     /// @param mergeKey of edits that become one step while a gesture lasts
     void edit(const QString& text, const std::function<void(Ellipsoid&)>& change, const QString& mergeKey);
+    void editRim(double metres);
 
     Document& m_document;
     Selection& m_selection;
     VectorField *m_centre, *m_radii, *m_turned;
+    NumberField* m_rim;
     QLabel *m_nodesInside, *m_springsInside;
     RegionCounts m_counts;
 };

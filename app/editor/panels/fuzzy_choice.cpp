@@ -1,12 +1,16 @@
 #include "app/editor/panels/fuzzy_choice.h"
 
+#include "app/editor/commands/ask.h"
 #include "app/editor/commands/attempt.h"
-#include "app/editor/document/file_memory.h"
+#include "app/editor/commands/fuzzy_files.h"
 #include "core/exchange/fuzzy_file.h"
+#include "core/fuzzy/system_edits.h"
+#include "core/support/errors.h"
 #include "widgets/fuzzy/term_scale.h"
 
 #include <QAbstractItemView>
-#include <QFileDialog>
+#include <QInputDialog>
+#include <QLineEdit>
 #include <QStylePainter>
 #include <QWheelEvent>
 
@@ -16,7 +20,7 @@ namespace esm {
 
 namespace {
 
-constexpr int nameRole = Qt::UserRole + 1;
+constexpr int nameRole = Qt::UserRole + 1, placeRole = Qt::UserRole + 2;
 
 bool isPreset(const std::string& name) {
     const auto names = fuzzyPresetNames();
@@ -33,6 +37,11 @@ QString withInputs(const QString& name, const FuzzySystem& system) {
 
 } // namespace
 
+QString shownName(const FuzzySystem& system) {
+    const QString name = QString::fromStdString(system.name);
+    return isPreset(system.name) && !isFuzzyPreset(system) ? QObject::tr("%1 (changed)").arg(name) : name;
+}
+
 FuzzyChoice::FuzzyChoice(QWidget* parent) : QComboBox(parent) {
     setObjectName(QStringLiteral("systemChoice"));
     setAccessibleName(tr("Fuzzy system"));
@@ -44,9 +53,10 @@ FuzzyChoice::FuzzyChoice(QWidget* parent) : QComboBox(parent) {
     fill();
 }
 
-void FuzzyChoice::setSystem(const std::shared_ptr<const FuzzySystem>& system) {
-    if (system == m_system) return;
+void FuzzyChoice::setSystem(const System& system, const std::vector<System>& project) {
+    if (system == m_system && project == m_project) return;
     m_system = system;
+    m_project = project;
     recognise();
     fill();
 }
@@ -64,6 +74,13 @@ void FuzzyChoice::recognise() {
     else
         m_description = QString::fromStdString(m_isPreset ? fuzzyPreset(m_system->name).description
                                                           : m_system->description);
+    m_others.clear();
+    for (const System& system : m_project) {
+        const auto isIt = [&](const System& known) { return known == system || *known == *system; };
+        if (!(m_system && isIt(m_system)) && std::none_of(m_others.begin(), m_others.end(), isIt) &&
+            !isFuzzyPreset(*system))
+            m_others.push_back(system);
+    }
 }
 
 void FuzzyChoice::add(const QString& name, Kind kind, const FuzzySystem& system) {
@@ -85,12 +102,25 @@ void FuzzyChoice::fill() {
         if (m_isPreset) {
             setCurrentIndex(findData(name, nameRole));
         } else {
-            add(isPreset(m_system->name) ? tr("%1 (from file)").arg(name) : name, InUse, *m_system);
+            add(esm::shownName(*m_system), InUse, *m_system);
             setCurrentIndex(count() - 1);
         }
     }
+    for (std::size_t i = 0; i < m_others.size(); ++i) {
+        add(esm::shownName(*m_others[i]), Own, *m_others[i]);
+        setItemData(count() - 1, static_cast<uint>(i), placeRole);
+    }
     insertSeparator(count());
     addItem(tr("From file…"), FromFile);
+    setItemData(count() - 1, tr("Open a fuzzy system: JSON, FCL or FLL"), Qt::ToolTipRole);
+    addItem(tr("New system…"), New);
+    setItemData(count() - 1, tr("Begin a fuzzy system of your own, with no rule yet"), Qt::ToolTipRole);
+    if (m_system) {
+        addItem(tr("Copy under another name…"), Copy);
+        setItemData(count() - 1, tr("Changes of the copy leave other regions as they are"), Qt::ToolTipRole);
+        addItem(tr("Save system as…"), ToFile);
+        setItemData(count() - 1, tr("Write this fuzzy system to a file: JSON, FCL or FLL"), Qt::ToolTipRole);
+    }
     setToolTip(whatItIs());
     view()->setMinimumWidth(view()->sizeHintForColumn(0) + 16);
 }
@@ -121,8 +151,18 @@ void FuzzyChoice::choose(int index) {
     case Preset:
         choosePreset(itemData(index, nameRole).toString().toStdString());
         break;
+    case Own:
+        emit systemChosen(m_others[itemData(index, placeRole).toUInt()]);
+        break;
     case FromFile:
         chooseFile();
+        break;
+    case ToFile:
+        saveFile();
+        break;
+    case New:
+    case Copy:
+        chooseNamed(static_cast<Kind>(itemData(index).toInt()));
         break;
     default:
         break;
@@ -137,14 +177,38 @@ void FuzzyChoice::choosePreset(const std::string& name) {
 }
 
 void FuzzyChoice::chooseFile() {
-    const QString file = QFileDialog::getOpenFileName(window(), tr("Open fuzzy system"),
-                                                      startFolder(FileKind::FuzzySystem, std::nullopt),
-                                                      tr("Fuzzy systems (*.json)"));
     fill();
-    if (file.isEmpty()) return;
-    rememberFolder(FileKind::FuzzySystem, file.toStdString());
-    attempt(window(), tr("The fuzzy system cannot be opened"), [&] {
-        emit systemChosen(std::make_shared<const FuzzySystem>(readFuzzyFile(file.toStdString())));
+    openFuzzySystem(window(), [this](const auto& system) { emit systemChosen(system); });
+}
+
+void FuzzyChoice::saveFile() {
+    fill();
+    if (const auto system = m_system) saveFuzzySystem(window(), *system);
+}
+
+std::string FuzzyChoice::askName(const QString& title, const QString& proposal) {
+    bool accepted = false;
+    const QString name = ask(*window(), [&] {
+        return QInputDialog::getText(window(), title, tr("Name of the fuzzy system"), QLineEdit::Normal,
+                                     proposal, &accepted);
+    });
+    return accepted ? name.trimmed().toStdString() : std::string();
+}
+
+void FuzzyChoice::chooseNamed(Kind kind) {
+    const bool copies = kind == Copy;
+    const std::string name =
+        askName(copies ? tr("Copy fuzzy system") : tr("New fuzzy system"),
+                copies ? tr("%1, own").arg(QString::fromStdString(m_system->name)) : tr("own"));
+    fill();
+    if (name.empty()) return;
+    attempt(window(), tr("The fuzzy system cannot be named so"), [&] {
+        const auto isTaken = [&](const System& other) { return other && other->name == name; };
+        if (isPreset(name) || isTaken(m_system) || std::any_of(m_others.begin(), m_others.end(), isTaken))
+            throw InvalidModel("there is a fuzzy system \"" + name + "\" already");
+        FuzzySystem system = copies ? *m_system : newFuzzySystem(name);
+        system.name = name;
+        emit systemChosen(std::make_shared<const FuzzySystem>(std::move(system)));
     });
 }
 

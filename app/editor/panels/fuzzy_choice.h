@@ -5,19 +5,27 @@
 #include <QComboBox>
 
 #include <memory>
+#include <vector>
 
 namespace esm {
 
-/// Chooses a fuzzy system: none, one that ships with the program, or one from a file. One from a file is not
-/// taken for the shipped one whose name it bears.
+/// A system's name for people: one that was changed does not pass for the shipped one whose name it bears.
+QString shownName(const FuzzySystem& system);
+
+/// Chooses a fuzzy system: none, one that ships with the program, one of the project's own, one from a file,
+/// a new one, or a copy under another name; and saves the one in use. One that was changed is not taken for
+/// the shipped one whose name it bears.
 class FuzzyChoice : public QComboBox {
     Q_OBJECT
 
 public:
     explicit FuzzyChoice(QWidget* parent = nullptr);
 
-    /// Shows the system in use without announcing it; null is none.
-    void setSystem(const std::shared_ptr<const FuzzySystem>& system);
+    using System = std::shared_ptr<const FuzzySystem>;
+
+    /// Shows the system in use without announcing it; null is none. Of the project's systems the others that
+    /// do not ship with the program can be chosen too.
+    void setSystem(const System& system, const std::vector<System>& project = {});
     /// The name that is shown while the list is shut.
     QString shownName() const;
     /// What the system in use is for; without one, what a fuzzy system is.
@@ -33,7 +41,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    enum Kind { NoSystem, Preset, FromFile, InUse };
+    enum Kind { NoSystem, Preset, Own, InUse, FromFile, ToFile, New, Copy };
 
     void recognise();
     void fill();
@@ -41,8 +49,13 @@ private:
     void choose(int index);
     void choosePreset(const std::string& name);
     void chooseFile();
+    void saveFile();
+    /// Asks for a name that is not taken. @return empty where there is none
+    std::string askName(const QString& title, const QString& proposal);
+    void chooseNamed(Kind kind);
 
-    std::shared_ptr<const FuzzySystem> m_system;
+    System m_system;
+    std::vector<System> m_project, m_others;
     bool m_isPreset = false;
     QString m_description;
 };

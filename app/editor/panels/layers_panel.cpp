@@ -18,6 +18,7 @@ LayersPanel::LayersPanel(const QString& title, QPalette::ColorRole mark, ToolTip
     connect(m_down, &QToolButton::clicked, this, [this] { move(-1); });
     connect(m_remove, &QToolButton::clicked, this, &LayersPanel::removeSelected);
     connect(m_list, &ItemList::removeRequested, this, &LayersPanel::removeSelected);
+    connect(m_list, &ItemList::moveRequested, this, &LayersPanel::moveRow);
     connect(m_list, &ItemList::rowRenamed, this, &LayersPanel::rename);
     connect(m_list, &ItemList::rowSelected, this, [this](int row) { selectLayer(layerOf(row)); });
 }
@@ -41,7 +42,18 @@ void LayersPanel::move(int above) {
     const auto selected = selectedLayer();
     if (!selected || !canMoveLayer(*selected, above)) return;
     moveLayer(*selected, above);
-    selectLayer(above > 0 ? *selected + 1 : *selected - 1);
+    selectLayer(static_cast<std::size_t>(static_cast<int>(*selected) + above));
+}
+
+void LayersPanel::moveRow(int row, int to) {
+    const auto layer = layerOf(row);
+    if (!layer) return;
+    selectLayer(layer);
+    // As far as it may go: what always lies beneath stays there.
+    int above = row - to;
+    while (above != 0 && !canMoveLayer(*layer, above))
+        above += above > 0 ? -1 : 1;
+    if (above != 0) move(above);
 }
 
 void LayersPanel::removeSelected() {

@@ -39,6 +39,7 @@ protected:
     virtual std::size_t layerCount() const = 0;
     virtual std::optional<std::size_t> selectedLayer() const = 0;
     virtual void selectLayer(std::optional<std::size_t> layer) = 0;
+    /// Over so many of those above it, or under those below it where `above` is below zero.
     virtual bool canMoveLayer(std::size_t layer, int above) const = 0;
     virtual void moveLayer(std::size_t layer, int above) = 0;
     virtual void removeLayer(std::size_t layer) = 0;
@@ -47,6 +48,7 @@ protected:
 private:
     std::optional<std::size_t> layerOf(int row) const;
     void move(int above);
+    void moveRow(int row, int to);
     void removeSelected();
     void rename(int row, const QString& name);
 

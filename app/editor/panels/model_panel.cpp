@@ -53,7 +53,7 @@ ModelPanel::ModelPanel(Document& document, QWidget* parent)
     m_totalMass->setToolTip(tr("Mass of all nodes, with what the regions set"));
     m_baseMass->setAccessibleName(tr("Base mass"));
     m_baseMass->setToolTip(tr("Spread evenly over the nodes, before the regions set theirs"));
-    m_fixed->setToolTip(tr("Nodes held in space"));
+    m_fixed->setToolTip(tr("Nodes held in space: the white dots with a dark edge in the picture"));
     body()->addWidget(rows);
     m_fixing = new QLabel(this);
     m_fixing->setObjectName(QStringLiteral("fixing"));

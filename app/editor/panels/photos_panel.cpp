@@ -6,10 +6,10 @@
 namespace esm {
 
 PhotosPanel::PhotosPanel(Document& document, Selection& selection, QWidget* parent)
-    : LayersPanel(
-          tr("Photos"), QPalette::LinkVisited,
-          {tr("Lay over the photo above"), tr("Lay under the photo below"), tr("Remove the photo (Del)")},
-          parent),
+    : LayersPanel(tr("Photos"), QPalette::LinkVisited,
+                  {tr("Lay over the photo above (Ctrl+Up)"), tr("Lay under the photo below (Ctrl+Down)"),
+                   tr("Remove the photo (Del)")},
+                  parent),
       m_document(document), m_selection(selection) {
     list()->setObjectName(QStringLiteral("photoList"));
     list()->setEmptyText(tr("No photo yet. Add one, or drop a picture on the organ."));

@@ -14,12 +14,14 @@ QColor toQColor(const std::array<std::uint8_t, 3>& colour) {
 } // namespace
 
 RegionsPanel::RegionsPanel(Document& document, Selection& selection, QWidget* parent)
-    : LayersPanel(
-          tr("Regions"), QPalette::Link,
-          {tr("Lay over the region above"), tr("Lay under the region below"), tr("Remove the region (Del)")},
-          parent),
+    : LayersPanel(tr("Regions"), QPalette::Link,
+                  {tr("Lay over the region above (Ctrl+Up)"), tr("Lay under the region below (Ctrl+Down)"),
+                   tr("Remove the region (Del)")},
+                  parent),
       m_document(document), m_selection(selection) {
     list()->setObjectName(QStringLiteral("regionList"));
+    list()->setAccessibleDescription(
+        tr("A region lies over those beneath it in the list: where they overlap, the upper one counts"));
     connect(&selection, &Selection::changed, this, &RegionsPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.mesh || change.regions) show();

@@ -13,8 +13,8 @@
 
 namespace esm {
 
-/// How the selected region's tissue behaves: words, a slider per input of its fuzzy system, and what they
-/// come to. Made anew from the system's variables when another system is chosen [R 2.3.7].
+/// How the selected region's tissue behaves: a slider per input of its fuzzy system, in words and in numbers,
+/// and what they come to. Made anew from the system's variables when another system is chosen [R 2.3.7].
 class TissuePanel : public QWidget {
     Q_OBJECT
 
@@ -24,25 +24,29 @@ public:
 private:
     const Region* region() const;
     void show();
+    void followSystem(const std::shared_ptr<const FuzzySystem>& system);
     void rebuild();
-    void addInput(const FuzzyVariable& variable);
-    void addOutput(Parameter parameter, std::size_t index);
+    void addInput(std::size_t index);
+    void addOutput(std::size_t index);
+    void connectOutput(LinguisticSlider* row, Parameter parameter, std::size_t index);
     void addPlainParameter(Parameter parameter);
     void addBaseParameter(Parameter parameter);
     enum class Merging { Never, WhileMoved };
     void setHeld(Parameter parameter, std::optional<double> value, Merging merging = Merging::Never);
     void chooseSystem(const std::shared_ptr<const FuzzySystem>& system);
-    QString words() const;
+    QString hint() const;
 
     Document& m_document;
     Selection& m_selection;
     Section *m_tissue, *m_results;
     FuzzyChoice* m_choice;
     StiffeningRow* m_stiffening;
-    QLabel *m_system, *m_words, *m_warnings;
+    QLabel *m_system, *m_hint, *m_warnings;
     QWidget *m_inputs, *m_outputs;
     std::shared_ptr<const FuzzySystem> m_builtFor;
     bool m_builtForRegion = false, m_built = false;
+    /// Each gives one row the terms of a system like the one it was built for.
+    std::vector<std::function<void(const FuzzySystem&)>> m_followers;
     /// Each shows one row's value again.
     std::vector<std::function<void(const Region*, const RegionTissue&)>> m_refreshers;
 };

@@ -33,7 +33,10 @@ template<typename Change> void Preview::send(Change change) {
 }
 
 void Preview::setProject(const Project& project) {
-    send([&](Inbox& inbox) { inbox.project = project; });
+    send([&](Inbox& inbox) {
+        inbox.project = project;
+        ++inbox.projects;
+    });
 }
 
 void Preview::setPlaying(bool playing) {
@@ -103,6 +106,7 @@ bool Preview::workOnce(Worker& worker) {
     if (inbox.stop) return false;
     worker.next = Clock::now() + framePeriod;
     if (inbox.project) takeProject(worker, *inbox.project);
+    worker.project = inbox.projects;
     if (inbox.reset) worker.run.reset();
     worker.playing =
         inbox.playing && worker.run.isReady() && worker.run.advance(inSeconds(framePeriod), inbox.loads);
@@ -115,7 +119,7 @@ bool Preview::workOnce(Worker& worker) {
             inbox.isNew = true;
         }
     }
-    if (worker.playing || inbox.isNew) publish(worker.run);
+    if (worker.playing || inbox.isNew) publish(worker);
     return true;
 }
 
@@ -153,13 +157,15 @@ void Preview::takeSafeStep(std::optional<double> step) {
     emit statusChanged();
 }
 
-void Preview::publish(const PreviewRun& run) {
+void Preview::publish(const Worker& worker) {
+    const PreviewRun& run = worker.run;
     PreviewStatus status = run.status();
     bool statusIsNew = false;
     {
         const std::lock_guard lock(m_mutex);
         m_frame.network = run.network();
         m_frame.positions = run.positions();
+        m_frame.project = worker.project;
         status.playing = m_inbox.playing;
         status.safeStep = m_status.safeStep;
         statusIsNew = m_status.playing != status.playing || m_status.failure != status.failure ||

@@ -16,6 +16,7 @@ namespace esm {
 struct PreviewFrame {
     std::shared_ptr<const SpringNetwork> network; ///< the one the positions belong to
     std::vector<Eigen::Vector3d> positions;       ///< m, one per node
+    int project = 0; ///< how many projects had come when the one was that it is computed by
 };
 
 /// The running model behind the window, on one thread of its own. What comes in replaces what came before it
@@ -47,6 +48,7 @@ private:
     /// Guarded by m_mutex; what the worker has yet to look at.
     struct Inbox {
         std::optional<Project> project;
+        int projects = 0; ///< that came so far
         bool isNew = false, reset = false, playing = false, stop = false;
         PreviewLoads loads;
     };
@@ -54,6 +56,7 @@ private:
     /// The worker's own.
     struct Worker {
         PreviewRun run;
+        int project = 0; ///< the number of the one that the run goes by
         bool playing = false;
         std::chrono::steady_clock::time_point next;
         std::optional<Integrator> gauged; ///< the one whose largest stable step is sought or told
@@ -67,7 +70,7 @@ private:
     /// Ends the run for what went wrong outside the simulation.
     void giveUp(PreviewRun& run, const std::string& reason);
     Inbox collect(bool idle, std::chrono::steady_clock::time_point until);
-    void publish(const PreviewRun& run);
+    void publish(const Worker& worker);
     void takeSafeStep(std::optional<double> step);
     template<typename Change> void send(Change change);
 

@@ -98,6 +98,8 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
     a.undo->setIcon(icon(QStringLiteral("undo")));
     a.redo->setIcon(icon(QStringLiteral("redo")));
     a.rename = make(tr("Rename &organ…"), {}, tr("Give the organ another name"));
+    a.duplicateRegion =
+        make(tr("&Duplicate region"), QKeySequence("Ctrl+D"), tr("Add a copy of the selected region"));
     a.removeRegion = make(tr("Remove re&gion"), {}, tr("Remove the selected region"));
     a.removePhoto = make(tr("Remove &photo"), {}, tr("Remove the selected photo"));
 }
@@ -118,7 +120,7 @@ void ActionMaker::makeModelActions() {
 void ActionMaker::makeViewActions() {
     Actions& a = m_actions;
     a.showSprings = makeSwitch(make(tr("Show &springs"), QKeySequence(Qt::Key_S),
-                                    tr("Draw the spring network; dots are fixed nodes")),
+                                    tr("Draw all springs, coloured by their constant")),
                                false);
     a.showRegions = makeSwitch(
         make(tr("Show &regions"), QKeySequence(Qt::Key_H), tr("Draw the regions' ellipsoids")), true);
@@ -126,6 +128,9 @@ void ActionMaker::makeViewActions() {
         makeSwitch(make(tr("&Left panels"), QKeySequence(Qt::Key_F9), tr("Show the left panels")), true);
     a.showRight =
         makeSwitch(make(tr("Right &panels"), QKeySequence(Qt::Key_F10), tr("Show the right panels")), true);
+    a.fuzzyWindow = makeSwitch(make(tr("F&uzzy system in a window"), QKeySequence(Qt::Key_F8),
+                                    tr("Rules and terms in a window of their own, beside the organ")),
+                               false);
     a.frame = make(tr("&Whole organ"), QKeySequence(Qt::Key_Home), tr("Bring the whole organ into view"));
     a.frame->setShortcuts({QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_0)});
     a.lightTheme = makeSwitch(make(tr("Li&ght theme"), {}, tr("Light colours")), false);
@@ -148,9 +153,12 @@ void ActionMaker::makeTools() {
     a.instrument = makeTool(
         make(tr("&Instrument"), QKeySequence(Qt::Key_I), tr("Push the tissue with a round instrument")),
         QStringLiteral("instrument"));
-    a.region =
-        makeTool(make(tr("Re&gion"), QKeySequence(Qt::Key_E), tr("Move and size the region's ellipsoid")),
-                 QStringLiteral("region"));
+    a.region = makeTool(
+        make(tr("Re&gion"), QKeySequence(Qt::Key_E), tr("Move, size and turn the region's ellipsoid")),
+        QStringLiteral("region"));
+    a.place = makeTool(make(tr("Place &on surface"), QKeySequence(Qt::Key_O),
+                            tr("Lay a region on the surface with a click")),
+                       QStringLiteral("place"));
     a.projector =
         makeTool(make(tr("P&hoto"), QKeySequence(Qt::Key_J), tr("Move and size the photo's projector")),
                  QStringLiteral("photo"));

@@ -17,15 +17,15 @@ struct Actions {
     QAction *open, *save, *saveAs, *import, *exportPackage, *quit;
     QMenu* recent;                                         ///< filled by who knows the files
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
-    QAction *undo, *redo, *rename, *removeRegion, *removePhoto;
-    QAction *showSprings, *showRegions, *showLeft, *showRight, *frame, *lightTheme;
+    QAction *undo, *redo, *rename, *duplicateRegion, *removeRegion, *removePhoto;
+    QAction *showSprings, *showRegions, *showLeft, *showRight, *fuzzyWindow, *frame, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;
     QAction *addPhoto, *fromCamera;
     QAction *play, *reset, *letGo;
     QAction *about, *keys;
     QActionGroup* tools;
-    QAction *look, *pull, *instrument, *region, *projector;
+    QAction *look, *pull, *instrument, *region, *place, *projector;
     QActionGroup* workspaces;
     QAction *tissue, *texture;
 };

@@ -24,6 +24,7 @@ EditController::EditController(QWidget& window, Document& document, Selection& s
 void EditController::connectActions(const Actions& actions) {
     connect(actions.rename, &QAction::triggered, this, &EditController::renameOrgan);
     connect(actions.addRegion, &QAction::triggered, this, &EditController::addRegion);
+    connect(actions.duplicateRegion, &QAction::triggered, this, &EditController::duplicateRegion);
     connect(actions.removeRegion, &QAction::triggered, this, &EditController::removeRegion);
     connect(actions.removePhoto, &QAction::triggered, this, &EditController::removePhoto);
     connect(actions.fixRegion, &QAction::triggered, this, &EditController::fixRegion);
@@ -41,6 +42,9 @@ void EditController::enable(const Actions& actions) {
     const auto region = m_selection.region();
     esm::enable(actions.fixRegion, region && project.regions[*region].ellipsoid,
                 tr("Hold the nodes inside the selected region in space"),
+                tr("Select a region with an ellipsoid first"));
+    esm::enable(actions.duplicateRegion, region && project.regions[*region].ellipsoid,
+                withShortcut(tr("Add a copy of the selected region"), actions.duplicateRegion),
                 tr("Select a region with an ellipsoid first"));
     esm::enable(actions.removeRegion, region.has_value(), tr("Remove the selected region"),
                 tr("The whole organ cannot be removed: select a region first"));
@@ -81,6 +85,21 @@ void EditController::addRegion() {
                 return (a - middle).squaredNorm() < (b - middle).squaredNorm();
             });
         esm::addRegion(project, *nearest);
+    });
+    emit regionAdded();
+}
+
+void EditController::duplicateRegion() {
+    const auto region = m_selection.region();
+    if (!region || !m_document.project().regions[*region].ellipsoid) return;
+    m_document.edit(tr("Duplicate region"),
+                    [&](Project& project) { esm::duplicateRegion(project, *region); });
+    emit regionAdded();
+}
+
+void EditController::placeRegion(const SurfaceSpot& spot, bool anew) {
+    m_document.edit(tr("Place region"), [&](Project& project) {
+        esm::placeRegion(project, anew ? std::nullopt : m_selection.region(), spot);
     });
     emit regionAdded();
 }

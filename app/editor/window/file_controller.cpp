@@ -4,10 +4,10 @@
 #include "app/editor/commands/attempt.h"
 #include "app/editor/commands/long_work.h"
 #include "app/editor/commands/photo_edits.h"
+#include "app/editor/commands/save_dialog.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/import_dialog.h"
 #include "app/editor/window/recent_menu.h"
-#include "app/editor/window/save_dialog.h"
 #include "core/exchange/mesh_file.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/project_file.h"
@@ -79,14 +79,23 @@ void FileController::commitTyping() {
 
 bool FileController::mayLeaveProject() {
     commitTyping();
-    if (!m_document.isModified()) return true;
+    const QString& unfinished = m_document.unfinished();
+    if (!m_document.isModified()) return unfinished.isEmpty() || mayLoseUnfinished();
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
                     tr("Save the changes to %1?").arg(m_document.title()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     box.setObjectName(QStringLiteral("unsavedBox"));
-    box.setInformativeText(tr("Without saving they are lost."));
+    box.setInformativeText((tr("Without saving they are lost.") + '\n' + unfinished).trimmed());
     const int answer = ask(m_window, [&] { return box.exec(); });
     return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
+}
+
+bool FileController::mayLoseUnfinished() {
+    QMessageBox box(QMessageBox::Question, tr("Unfinished text"), tr("Leave the text as it is?"),
+                    QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    box.setObjectName(QStringLiteral("unfinishedBox"));
+    box.setInformativeText(m_document.unfinished());
+    return ask(m_window, [&] { return box.exec(); }) == QMessageBox::Discard;
 }
 
 void FileController::openAny(const std::filesystem::path& file) {
@@ -273,7 +282,7 @@ bool FileController::saveAs() {
     // Another name for a project that has one: beside it, unless its stick or share is gone.
     const QString folder =
         !beside.isEmpty() && QDir(beside).exists() ? beside : startFolder(FileKind::Project, std::nullopt);
-    const NewFile asked{tr("Save project"), suggestedPath(folder, ending), tr("Projects (*.esm)"), ending};
+    const NewFile asked{tr("Save project"), suggestedPath(folder, ending), tr("Projects (*.esm)"), {ending}};
     const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
     if (!file) return false;
     rememberFolder(FileKind::Project, *file);
@@ -283,8 +292,8 @@ bool FileController::saveAs() {
 void FileController::chooseExport() {
     const QString ending = QStringLiteral(".glb");
     const QString folder = startFolder(FileKind::Package, m_document.path());
-    const NewFile asked{tr("Export package"), suggestedPath(folder, ending), tr("Model packages (*.glb)"),
-                        ending};
+    const NewFile asked{
+        tr("Export package"), suggestedPath(folder, ending), tr("Model packages (*.glb)"), {ending}};
     const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
     if (!file) return;
     rememberFolder(FileKind::Package, *file);

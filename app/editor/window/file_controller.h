@@ -51,6 +51,7 @@ private:
     bool saveAs();
     void chooseExport();
     void commitTyping();
+    bool mayLoseUnfinished();
     void openRecent(const QString& file);
     void noteOpened(const std::filesystem::path& file);
     std::optional<std::filesystem::path> chooseFile(FileKind kind, const QString& title,

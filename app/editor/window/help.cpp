@@ -49,7 +49,7 @@ QString toolRows(const Actions& a) {
     for (const auto& [action, tool] :
          {std::pair(a.look, ViewTool::Select), std::pair(a.pull, ViewTool::Pull),
           std::pair(a.instrument, ViewTool::Instrument), std::pair(a.region, ViewTool::Region),
-          std::pair(a.projector, ViewTool::Projector)})
+          std::pair(a.place, ViewTool::Place), std::pair(a.projector, ViewTool::Projector)})
         rows += row(keysOf(action), QObject::tr("%1: %2").arg(action->text().remove('&'), toolUse(tool)));
     return rows + actionRow(a.letGo);
 }
@@ -57,7 +57,8 @@ QString toolRows(const Actions& a) {
 QString fieldRows() {
     return row(QObject::tr("Up, Down; with Shift"), QObject::tr("Step a number; ten steps at once")) +
            row(QObject::tr("Enter, Esc"), QObject::tr("Take what is typed, or take it back")) +
-           row(QObject::tr("F2, Del"), QObject::tr("Rename or remove the selected region or photo"));
+           row(QObject::tr("F2, Del"), QObject::tr("Rename or remove the selected region or photo")) +
+           row(QObject::tr("Ctrl+Up, Ctrl+Down, drag"), QObject::tr("Lay it over or under its neighbours"));
 }
 
 QString actionRows(std::initializer_list<const QAction*> actions) {
@@ -76,8 +77,10 @@ QString keysText(const Actions& a) {
         title(QObject::tr("Project")) +
         actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit, a.undo, a.redo}) +
         title(QObject::tr("Tissue and photos")) +
-        actionRows({a.addRegion, a.addPhoto, a.fromCamera, a.play, a.reset}) + title(QObject::tr("Window")) +
-        actionRows({a.tissue, a.texture, a.showSprings, a.showRegions, a.showLeft, a.showRight, a.keys});
+        actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.fromCamera, a.play, a.reset}) +
+        title(QObject::tr("Window")) +
+        actionRows({a.tissue, a.texture, a.showSprings, a.showRegions, a.showLeft, a.showRight, a.fuzzyWindow,
+                    a.keys});
     return QStringLiteral("<table><tr><td><table>%1</table></td><td><table>%2</table></td></tr></table>")
         .arg(mouse, keys);
 }

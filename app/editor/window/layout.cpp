@@ -84,7 +84,7 @@ void fillViewMenu(QMenu* view, const Actions& a) {
     for (QAction* side : a.standardViews)
         sides->addAction(side);
     view->addSeparator();
-    view->addActions({a.showLeft, a.showRight, a.lightTheme});
+    view->addActions({a.showLeft, a.showRight, a.fuzzyWindow, a.lightTheme});
 }
 
 /// One side of the bar on top. Both take the same share, so that the workspaces stay in the middle.
@@ -114,7 +114,7 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     QMenu* edit = bar->addMenu(QObject::tr("&Edit"));
     edit->addActions({a.undo, a.redo});
     edit->addSeparator();
-    edit->addActions({a.removeRegion, a.removePhoto, a.rename});
+    edit->addActions({a.duplicateRegion, a.removeRegion, a.removePhoto, a.rename});
     fillViewMenu(bar->addMenu(QObject::tr("&View")), a);
 
     QMenu* model = bar->addMenu(QObject::tr("&Model"));
@@ -139,7 +139,7 @@ void buildToolStrip(QMainWindow& window, const Actions& a) {
     strip->setIconSize({20, 20});
     strip->addActions({a.look, a.pull, a.instrument});
     strip->addSeparator();
-    strip->addActions({a.region, a.projector});
+    strip->addActions({a.region, a.place, a.projector});
     for (QAction* tool : a.tools->actions()) {
         auto* button = qobject_cast<QToolButton*>(strip->widgetForAction(tool));
         button->setFocusPolicy(Qt::TabFocus);

@@ -3,6 +3,7 @@
 #include "app/editor/panels/accuracy_panel.h"
 #include "app/editor/panels/atlas_panel.h"
 #include "app/editor/panels/ellipsoid_panel.h"
+#include "app/editor/panels/fuzzy_workbench.h"
 #include "app/editor/panels/model_panel.h"
 #include "app/editor/panels/photo_panel.h"
 #include "app/editor/panels/photos_panel.h"
@@ -73,6 +74,7 @@ MainWindow::MainWindow(Project project)
 
 MainWindow::~MainWindow() {
     // A field that is left tells the document what was typed: now, while there is one.
+    m_actions.fuzzyWindow->setChecked(false);
     if (QWidget* focus = focusWidget()) focus->clearFocus();
 }
 
@@ -83,15 +85,17 @@ void MainWindow::buildPanels() {
     regions->setAddAction(m_actions.addRegion);
     photos->setAddAction(m_actions.addPhoto);
     projector->setFromCameraAction(m_actions.fromCamera);
+    auto* workbench = new FuzzyWorkbench(*m_document, *m_selection);
+    workbench->setWindowAction(m_actions.fuzzyWindow);
 
     m_tissueLeft =
         buildColumn(*this, Qt::LeftDockWidgetArea, tr("Organ"),
                     {new ModelPanel(*m_document), regions, new EllipsoidPanel(*m_document, *m_selection)});
     m_textureLeft =
         buildColumn(*this, Qt::LeftDockWidgetArea, tr("Photos"), {photos, new AtlasPanel(*m_document)});
-    m_tissueRight =
-        buildColumn(*this, Qt::RightDockWidgetArea, tr("Tissue"),
-                    {new TissuePanel(*m_document, *m_selection), new AccuracyPanel(*m_document, *m_preview)});
+    m_tissueRight = buildColumn(
+        *this, Qt::RightDockWidgetArea, tr("Tissue"),
+        {new TissuePanel(*m_document, *m_selection), workbench, new AccuracyPanel(*m_document, *m_preview)});
     m_textureRight = buildColumn(*this, Qt::RightDockWidgetArea, tr("Photo"),
                                  {new PhotoPanel(*m_document, *m_selection), projector});
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -111,6 +115,7 @@ void MainWindow::connectParts() {
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::photoAdded, m_actions.texture, &QAction::trigger);
+    connect(m_view, &OrganView::spotPicked, m_edits, &EditController::placeRegion);
     connect(m_edits, &EditController::regionAdded, m_actions.tissue, &QAction::trigger);
     connect(m_edits, &EditController::regionAdded, m_actions.region, &QAction::trigger);
     const auto showStatus = [this] { m_status->showStatus(m_preview->status()); };
@@ -207,6 +212,7 @@ void MainWindow::restore() {
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(m_files->mayLeaveProject());
     if (!event->isAccepted()) return;
+    m_actions.fuzzyWindow->setChecked(false);
     QSettings settings;
     settings.setValue(QStringLiteral("geometry"), saveGeometry());
     settings.setValue(QStringLiteral("lightTheme"), m_actions.lightTheme->isChecked());

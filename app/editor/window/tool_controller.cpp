@@ -14,6 +14,7 @@ void ToolController::connectActions(const Actions& actions) {
     bind(actions.pull, ViewTool::Pull);
     bind(actions.instrument, ViewTool::Instrument);
     bind(actions.region, ViewTool::Region);
+    bind(actions.place, ViewTool::Place);
     bind(actions.projector, ViewTool::Projector);
     m_view.setTool(ViewTool::Pull);
     connect(actions.letGo, &QAction::triggered, &m_view, &OrganView::letGo);
@@ -39,12 +40,14 @@ void ToolController::updateTools() {
     const auto& regions = m_document.project().regions;
     const bool none = std::none_of(regions.begin(), regions.end(),
                                    [](const Region& region) { return region.ellipsoid.has_value(); });
+    const QString unseen = texture ? tr("Regions are shaped in the workspace Tissue (Ctrl+1)")
+                           : !m_actions.showRegions->isChecked() ? tr("The regions are hidden: H shows them")
+                                                                 : QString();
     allow(m_actions.region, ViewTool::Region,
-          withShortcut(tr("Move and size the region's ellipsoid"), m_actions.region),
-          texture                               ? tr("Regions are shaped in the workspace Tissue (Ctrl+1)")
-          : none                                ? tr("There is no region yet: Ctrl+R adds one")
-          : !m_actions.showRegions->isChecked() ? tr("The regions are hidden: H shows them")
-                                                : QString());
+          withShortcut(tr("Move, size and turn the region's ellipsoid"), m_actions.region),
+          none && !texture ? tr("There is no region yet: Ctrl+R adds one") : unseen);
+    allow(m_actions.place, ViewTool::Place,
+          withShortcut(tr("Lay a region on the surface with a click"), m_actions.place), unseen);
     allow(m_actions.projector, ViewTool::Projector,
           withShortcut(tr("Move and size the photo's projector"), m_actions.projector),
           !texture               ? tr("Photos are placed in the workspace Texture (Ctrl+2)")

@@ -55,6 +55,7 @@ void ViewController::connectView() {
     connect(&m_view, &OrganView::instrumentRemoved, this, [this] { m_preview.setInstrument(std::nullopt); });
     connect(&m_view, &OrganView::regionPicked, this, &ViewController::pickRegion);
     connect(&m_view, &OrganView::regionDragged, this, &ViewController::dragRegion);
+    connect(&m_view, &OrganView::rimDragged, this, &ViewController::dragRim);
     connect(&m_view, &OrganView::projectorDragged, this,
             [this](int, const Projector& projector) { dragProjector(projector); });
     connect(&m_view, &OrganView::dragFinished, this, [this] { m_document.finishGesture(); });
@@ -89,7 +90,8 @@ void ViewController::followDocument(const Change& change) {
     // Where the hand is on one organ says nothing about the next.
     if (change.mesh) m_view.letGo();
     if (change.model() || change.stepping) m_preview.setProject(project);
-    if (change.model()) m_structure.reset();
+    if (change.model()) m_springConstants.reset();
+    if (change.mesh || change.scene) m_fixedNodes = fixedNodesOf(*project.network, project.scene);
     if (change.picture()) composePhotos();
     if (change.mesh && !m_instrumentChosen) setInstrumentRadius(fittingInstrument(project));
     rebuildScene();
@@ -144,6 +146,8 @@ void ViewController::rebuildScene() {
     addEllipsoids(scene);
     addProjector(scene);
     addSprings(scene);
+    if (!m_textureWorkspace) scene.fixedNodes = m_fixedNodes;
+    markRegion(scene);
     m_view.setScene(std::move(scene));
 }
 
@@ -153,9 +157,22 @@ void ViewController::addEllipsoids(RenderScene& scene) {
     const auto& regions = m_document.project().regions;
     for (std::size_t i = 0; i < regions.size(); ++i) {
         if (!regions[i].ellipsoid) continue;
-        scene.ellipsoids.push_back({*regions[i].ellipsoid, regions[i].colour, m_selection.region() == i});
+        scene.ellipsoids.push_back(
+            {*regions[i].ellipsoid, regions[i].colour, m_selection.region() == i, regions[i].rim});
         m_shownRegions.push_back(i);
     }
+}
+
+void ViewController::markRegion(RenderScene& scene) {
+    const auto selected = m_selection.region();
+    if (m_textureWorkspace || !m_showRegions || !selected) return;
+    const Project& project = m_document.project();
+    const Region& region = project.regions[*selected];
+    if (!region.ellipsoid) return;
+    if (m_mark.network != project.network || !sameReach(m_mark.region, region))
+        m_mark = {project.network, region,
+                  std::make_shared<const std::vector<double>>(nodeWeights(*project.network, region))};
+    scene.marked = MarkedNodes{m_mark.weights, region.colour};
 }
 
 void ViewController::addProjector(RenderScene& scene) {
@@ -174,18 +191,14 @@ void ViewController::addSprings(RenderScene& scene) {
     scene.showSprings = (m_showSprings && !m_textureWorkspace) || onlySprings;
     m_view.setLegend(std::nullopt);
     if (!scene.showSprings || project.network->springs.empty()) return;
-    if (!m_structure) {
-        const TissueModel model = evaluateModel(project);
-        m_structure = Structure{springConstants(model), model.fixedNodes};
-    }
-    const auto& values = *m_structure->springConstants;
+    if (!m_springConstants) m_springConstants = springConstants(evaluateModel(project));
+    const auto& values = *m_springConstants;
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     scene.springValueMinimum = *least;
     // One constant everywhere still needs a range to colour by.
     scene.springValueMaximum = *most > *least ? *most : *least + std::max(1e-9, *least);
     m_view.setLegend(ViewLegend{tr("Spring constant"), QStringLiteral("N/m"), *least, *most});
-    scene.springValues = m_structure->springConstants;
-    scene.fixedNodes = m_structure->fixedNodes;
+    scene.springValues = m_springConstants;
 }
 
 void ViewController::showFrame() {
@@ -206,18 +219,31 @@ void ViewController::showTexture() {
 }
 
 void ViewController::pickRegion(int index) {
+    takeRegion(index);
+}
+
+std::optional<std::size_t> ViewController::takeRegion(int index) {
     const auto shown = static_cast<std::size_t>(index);
-    if (index >= 0 && shown < m_shownRegions.size()) m_selection.setRegion(m_shownRegions[shown]);
+    if (index < 0 || shown >= m_shownRegions.size()) return std::nullopt;
+    const std::size_t region = m_shownRegions[shown];
+    m_selection.setRegion(region);
+    return region;
 }
 
 void ViewController::dragRegion(int index, const Ellipsoid& shape) {
-    const auto shown = static_cast<std::size_t>(index);
-    if (index < 0 || shown >= m_shownRegions.size()) return;
-    const std::size_t region = m_shownRegions[shown];
-    m_selection.setRegion(region);
+    const auto region = takeRegion(index);
+    if (!region) return;
     m_document.edit(
-        tr("Shape region"), [&](Project& project) { project.regions[region].ellipsoid = shape; },
-        QStringLiteral("region %1").arg(region));
+        tr("Shape region"), [&](Project& project) { project.regions[*region].ellipsoid = shape; },
+        QStringLiteral("region %1").arg(*region));
+}
+
+void ViewController::dragRim(int index, double metres) {
+    const auto region = takeRegion(index);
+    if (!region) return;
+    m_document.edit(
+        tr("Soft rim"), [&](Project& project) { project.regions[*region].rim = metres; },
+        QStringLiteral("rim %1").arg(*region));
 }
 
 void ViewController::dragProjector(const Projector& projector) {

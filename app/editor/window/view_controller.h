@@ -36,10 +36,11 @@ signals:
     void pictureFailed(const QString& reason);
 
 private:
-    /// What is drawn with the springs.
-    struct Structure {
-        std::shared_ptr<const std::vector<double>> springConstants; ///< N/m per spring
-        std::vector<std::uint32_t> fixedNodes;
+    /// The nodes of the region that is marked in the picture.
+    struct Mark {
+        std::shared_ptr<const SpringNetwork> network;
+        Region region;
+        std::shared_ptr<const std::vector<double>> weights; ///< per node
     };
 
     void connectView();
@@ -51,11 +52,15 @@ private:
     void endRedrawing(const QString& result);
     void rebuildScene();
     void addEllipsoids(RenderScene& scene);
+    void markRegion(RenderScene& scene);
     void addProjector(RenderScene& scene);
     void addSprings(RenderScene& scene);
     void showFrame();
     void showTexture();
+    /// Selects the region of an ellipsoid that is drawn.
+    std::optional<std::size_t> takeRegion(int index);
     void dragRegion(int index, const Ellipsoid& shape);
+    void dragRim(int index, double metres);
     void dragProjector(const Projector& projector);
     void pickRegion(int index);
 
@@ -70,7 +75,9 @@ private:
     QTimer m_redrawing; ///< runs while the photos are redrawn
     bool m_redrawingAnnounced = false;
     bool m_textureWorkspace = false, m_showSprings = false, m_showRegions = true;
-    std::optional<Structure> m_structure;    ///< evaluated for the model as it is
+    std::shared_ptr<const std::vector<double>> m_springConstants; ///< N/m per spring, of the model as it is
+    std::vector<std::uint32_t> m_fixedNodes;
+    Mark m_mark;
     std::vector<std::size_t> m_shownRegions; ///< the region of each ellipsoid that is drawn
 };
 

@@ -191,3 +191,68 @@ TEST_F(OrganViewTest, InstrumentShowsThroughTheOrgan) {
     ASSERT_LT(view.scene().instrument->centre.z(), 0.0) << "deep inside";
     EXPECT_NE(view.grabFramebuffer().pixelColor(middle()), without);
 }
+
+TEST_F(OrganViewTest, RegionIsTurnedByItsDots) {
+    DrawnEllipsoid drawn;
+    drawn.shape.radii = {0.06, 0.03, 0.03};
+    drawn.selected = true;
+    scene.ellipsoids = {drawn};
+    view.setScene(scene);
+    view.setTool(ViewTool::Region);
+    std::optional<Ellipsoid> shape;
+    QObject::connect(&view, &OrganView::regionDragged, [&](int, const Ellipsoid& now) { shape = now; });
+    const QPoint dot = placeOf({0.06, 0, 0}) + QPoint(26, 0);
+    press(dot);
+    moveTo(dot + QPoint(-20, -60));
+    release(dot + QPoint(-20, -60));
+    ASSERT_TRUE(shape);
+    EXPECT_GT((shape->orientation * Vector3d::UnitX()).y(), 0.2);
+    EXPECT_EQ(shape->radii, drawn.shape.radii);
+    EXPECT_EQ(shape->centre, drawn.shape.centre);
+}
+
+TEST_F(OrganViewTest, RimIsWidenedByTheDiamond) {
+    DrawnEllipsoid drawn;
+    drawn.shape.radii = {0.06, 0.06, 0.06};
+    drawn.selected = true;
+    scene.ellipsoids = {drawn};
+    view.setScene(scene);
+    view.setTool(ViewTool::Region);
+    double rim = -1;
+    QObject::connect(&view, &OrganView::rimDragged, [&](int, double metres) { rim = metres; });
+    const auto handles = regionHandles(drawn, view.camera(), 0.02);
+    const QPoint diamond = placeOf(handles.back().place);
+    press(diamond);
+    moveTo(diamond + QPoint(25, -25));
+    EXPECT_GT(rim, 0.005);
+    EXPECT_LT(rim, 0.03);
+    moveTo(middle());
+    EXPECT_EQ(rim, 0);
+    release(middle());
+}
+
+TEST_F(OrganViewTest, PlaceTellsTheSpotOfTheOrganAtRest) {
+    view.setTool(ViewTool::Place);
+    std::vector<Vector3d> moved = scene.mesh->vertices;
+    for (Vector3d& position : moved)
+        position.x() += 0.05;
+    view.setNodePositions(moved);
+    std::optional<SurfaceSpot> spot;
+    bool isNew = false;
+    QObject::connect(&view, &OrganView::spotPicked, [&](const SurfaceSpot& picked, bool anew) {
+        spot = picked;
+        isNew = anew;
+    });
+    const QPoint at = placeOf({0.08, 0.03, 0.09});
+    QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+    ASSERT_TRUE(spot);
+    EXPECT_FALSE(isNew);
+    EXPECT_NEAR(spot->point.norm(), 0.1, 0.002) << "on the ball where it rests";
+    EXPECT_LT((spot->point - Vector3d(0.03, 0.03, 0.09)).norm(), 0.01);
+    EXPECT_GT(spot->outward.dot(spot->point.normalized()), 0.98);
+    QTest::mouseClick(&view, Qt::LeftButton, Qt::ControlModifier, at);
+    EXPECT_TRUE(isNew);
+    spot.reset();
+    QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(4, 4));
+    EXPECT_FALSE(spot);
+}

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QString>
+#include <QStringList>
 #include <QWidget>
 
 #include <filesystem>
@@ -9,8 +9,11 @@
 namespace esm {
 
 struct NewFile {
-    QString title, suggestedPath, filter;
-    QString ending; ///< ".esm"; added to a name that does not end so
+    QString title, suggestedPath;
+    /// "Projects (*.esm)", parted by ";;" where the user may choose.
+    QString filter;
+    /// ".esm"; of each filter, in the same order. A name that ends in none gets the chosen filter's.
+    QStringList endings;
 };
 
 /// Asks where to write. The name is complete before the question whether an existing file may be replaced,

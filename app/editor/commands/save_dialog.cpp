@@ -1,9 +1,11 @@
-#include "app/editor/window/save_dialog.h"
+#include "app/editor/commands/save_dialog.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+
+#include <algorithm>
 
 namespace esm {
 
@@ -19,6 +21,12 @@ bool mayReplace(QWidget* window, const QString& file) {
     return box.clickedButton() == replace;
 }
 
+QString withEnding(const QString& file, const QStringList& endings, int chosen) {
+    for (const QString& ending : endings)
+        if (file.endsWith(ending, Qt::CaseInsensitive)) return file;
+    return file + endings.value(std::max(chosen, 0));
+}
+
 } // namespace
 
 std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFile& wanted) {
@@ -29,8 +37,8 @@ std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFil
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     dialog.selectFile(QFileInfo(wanted.suggestedPath).fileName());
     while (dialog.exec() == QDialog::Accepted) {
-        QString file = dialog.selectedFiles().value(0);
-        if (!file.endsWith(wanted.ending, Qt::CaseInsensitive)) file += wanted.ending;
+        const QString file = withEnding(dialog.selectedFiles().value(0), wanted.endings,
+                                        dialog.nameFilters().indexOf(dialog.selectedNameFilter()));
         if (!QFileInfo::exists(file) || mayReplace(window, file))
             return std::filesystem::path(file.toStdString());
     }

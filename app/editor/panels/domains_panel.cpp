@@ -1,0 +1,396 @@
+#include "app/editor/panels/domains_panel.h"
+
+#include "app/editor/commands/ask.h"
+#include "app/editor/commands/edit_system.h"
+#include "core/fuzzy/rule_text.h"
+#include "core/support/errors.h"
+#include "widgets/fuzzy/term_scale.h"
+#include "widgets/inputs/number_text.h"
+
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QResizeEvent>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+/// From here on the list of terms has its place beside the partition, pixels.
+constexpr int besideWidth = 620;
+constexpr std::size_t mostRulesShown = 5;
+
+QLabel* emptyText(QWidget* parent) {
+    auto* text = new QLabel(
+        QObject::tr("No fuzzy system yet. Choose one under Tissue above, or begin a new one there: its "
+                    "variables, and the terms that part each of them, are then drawn and changed here."),
+        parent);
+    text->setObjectName(QStringLiteral("noDomains"));
+    text->setWordWrap(true);
+    text->setProperty("quiet", true);
+    text->setAlignment(Qt::AlignTop);
+    return text;
+}
+
+QVBoxLayout* plainColumn(QWidget* widget) {
+    auto* column = new QVBoxLayout(widget);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    return column;
+}
+
+std::optional<double> inputOf(const Region& region, const std::string& variable) {
+    const auto found = std::find_if(region.inputs.begin(), region.inputs.end(),
+                                    [&](const auto& input) { return input.first == variable; });
+    return found != region.inputs.end() ? std::optional(found->second) : std::nullopt;
+}
+
+/// Held by hand, else inferred.
+std::optional<double> outputOf(const Region& region, std::size_t output) {
+    for (const Parameter parameter : {Parameter::SpringConstant, Parameter::Viscosity, Parameter::Mass})
+        if (outputFor(*region.system, parameter) == output)
+            if (const auto held = valueOf(region.held, parameter)) return held;
+    return evaluate(region).inference.outputs[output];
+}
+
+/// "5.500 kPa: flexible 0.92, medium 0.08"
+QString valueInWords(const FuzzyVariable& variable, std::optional<double> value) {
+    if (!value) return QObject::tr("no value now");
+    const std::string words = inWords(variable, *value);
+    const QString unit = variable.unit.empty() ? QString() : ' ' + QString::fromStdString(variable.unit);
+    return QStringLiteral("%1%2: %3")
+        .arg(numberText(*value), unit,
+             words == "none" ? QObject::tr("between the words") : readableName(words));
+}
+
+} // namespace
+
+DomainsPanel::DomainsPanel(Document& document, Selection& selection, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_none(emptyText(this)),
+      m_content(new QWidget(this)) {
+    QVBoxLayout* column = plainColumn(this);
+    column->addWidget(m_none);
+    column->addWidget(m_content, 1);
+    buildContent();
+    connectPartition();
+    connectTerms();
+    connectVariables();
+    connect(&selection, &Selection::changed, this, &DomainsPanel::show);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.mesh || change.regions) show();
+    });
+    show();
+}
+
+void DomainsPanel::buildContent() {
+    m_halves = new QBoxLayout(QBoxLayout::TopToBottom, m_content);
+    m_halves->setContentsMargins(0, 0, 0, 0);
+    m_halves->setSpacing(8);
+    auto* drawn = new QWidget(m_content);
+    QVBoxLayout* column = plainColumn(drawn);
+    m_variables = new VariableChoice(drawn);
+    m_words = new QLabel(drawn);
+    m_words->setObjectName(QStringLiteral("domainWords"));
+    m_words->setProperty("quiet", true);
+    m_words->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_partition = new PartitionEditor(drawn);
+    m_partition->setObjectName(QStringLiteral("partition"));
+    m_corners = new CornerFields(drawn);
+    m_corners->setObjectName(QStringLiteral("corners"));
+    m_range = new RangeRow(drawn);
+    m_range->setObjectName(QStringLiteral("range"));
+    column->addWidget(m_variables);
+    column->addWidget(m_words);
+    column->addWidget(m_partition, 1);
+    column->addWidget(m_corners);
+    column->addWidget(m_range);
+    m_halves->addWidget(drawn, 3);
+    m_terms = new TermList(m_content);
+    m_halves->addWidget(m_terms, 2);
+}
+
+void DomainsPanel::connectPartition() {
+    const auto setCorners = [this](std::size_t term, const Trapezoid& set) {
+        editVariable(
+            tr("Shape term"), [&](FuzzyVariable& variable) { variable.terms[term].set = set; },
+            QStringLiteral("set %1").arg(term));
+    };
+    connect(m_partition, &PartitionEditor::termTaken, this, &DomainsPanel::takeTerm);
+    connect(m_partition, &PartitionEditor::setEdited, this, setCorners);
+    connect(m_partition, &PartitionEditor::gestureFinished, &m_document, &Document::finishGesture);
+    connect(m_corners, &CornerFields::cornerEdited, this, [this, setCorners](Corner corner, double value) {
+        if (variable()) setCorners(m_term, withCorner(*variable(), m_term, corner, value));
+    });
+    connect(m_corners, &CornerFields::gestureFinished, &m_document, &Document::finishGesture);
+    connect(m_range, &RangeRow::rangeEdited, this, &DomainsPanel::setRange);
+    connect(m_range, &RangeRow::gestureFinished, &m_document, &Document::finishGesture);
+    connect(m_range, &RangeRow::unitEdited, this, [this](const std::string& unit) {
+        editVariable(tr("Set unit"), [&](FuzzyVariable& variable) { variable.unit = unit; });
+    });
+}
+
+void DomainsPanel::connectTerms() {
+    connect(m_terms, &TermList::termTaken, this, &DomainsPanel::takeTerm);
+    connect(m_terms, &TermList::termRenamed, this, &DomainsPanel::renameTerm);
+    connect(m_terms, &TermList::removeRequested, this, &DomainsPanel::removeTerm);
+    connect(m_terms, &TermList::moveRequested, this, &DomainsPanel::moveTerm);
+    connect(m_terms, &TermList::addRequested, this, &DomainsPanel::addTerm);
+    connect(m_terms, &TermList::evenRequested, this, [this] {
+        editVariable(tr("Even partition"),
+                     [](FuzzyVariable& variable) { variable.terms = evenPartition(variable); });
+    });
+    connect(m_terms, &TermList::overlapRequested, this, [this] {
+        editVariable(tr("Overlap by half"),
+                     [](FuzzyVariable& variable) { variable.terms = overlappedByHalf(variable); });
+    });
+}
+
+void DomainsPanel::connectVariables() {
+    connect(m_variables, &VariableChoice::chosen, this, &DomainsPanel::chooseVariable);
+    connect(m_variables, &VariableChoice::addRequested, this, &DomainsPanel::addVariable);
+    connect(m_variables, &VariableChoice::renameRequested, this, &DomainsPanel::renameVariable);
+    connect(m_variables, &VariableChoice::removeRequested, this, &DomainsPanel::removeVariable);
+    connect(m_variables, &VariableChoice::moveRequested, this, &DomainsPanel::moveVariable);
+}
+
+void DomainsPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool beside = event->size().width() >= besideWidth;
+    m_halves->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_halves->setSpacing(beside ? 18 : 8);
+    m_terms->setTall(beside);
+}
+
+void DomainsPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    // The terms' colours in the list are those of the theme.
+    if (event->type() == QEvent::PaletteChange) show();
+}
+
+std::shared_ptr<const FuzzySystem> DomainsPanel::system() const {
+    return selectedSystem(m_document, m_selection);
+}
+
+const FuzzyVariable* DomainsPanel::variable() const {
+    const auto shown = system();
+    return shown ? &variableAt(*shown, m_place) : nullptr;
+}
+
+void DomainsPanel::show() {
+    const auto shown = system();
+    m_none->setVisible(!shown);
+    m_content->setVisible(shown != nullptr);
+    if (!shown) return;
+    const std::size_t variables = variablesOf(*shown, m_place.side).size();
+    if (m_place.index >= variables) m_place.index = variables - 1;
+    if (shown->name != m_shownName || m_selection.region() != m_shownRegion) takeSpokenTerm();
+    m_shownName = shown->name;
+    m_shownRegion = m_selection.region();
+    m_term = std::min(m_term, variableAt(*shown, m_place).terms.size() - 1);
+    m_variables->show(*shown, m_place);
+    showVariable(*shown);
+}
+
+void DomainsPanel::showVariable(const FuzzySystem& system) {
+    const FuzzyVariable& variable = variableAt(system, m_place);
+    m_partition->setVariable(variable);
+    m_partition->setTerm(m_term);
+    const auto value = presentValue();
+    m_partition->setValue(value);
+    m_corners->setTerm(variable, m_term);
+    m_range->setVariable(variable);
+    m_words->setText(valueInWords(variable, value));
+    m_terms->setTerms(variable, m_term, value);
+}
+
+std::optional<double> DomainsPanel::presentValue() const {
+    const auto region = m_selection.region();
+    if (!region || !system()) return std::nullopt;
+    const Region& shown = m_document.project().regions[*region];
+    if (m_place.side == FuzzySide::Outputs) return outputOf(shown, m_place.index);
+    return inputOf(shown, variable()->name);
+}
+
+void DomainsPanel::chooseVariable(const VariablePlace& place) {
+    m_place = place;
+    m_terms->setMessage({});
+    takeSpokenTerm();
+    show();
+}
+
+void DomainsPanel::takeSpokenTerm() {
+    m_term = 0;
+    const auto value = presentValue();
+    if (!value) return;
+    const auto& terms = variable()->terms;
+    for (std::size_t i = 1; i < terms.size(); ++i)
+        if (membership(terms[i].set, *value) > membership(terms[m_term].set, *value)) m_term = i;
+}
+
+void DomainsPanel::takeTerm(std::size_t term) {
+    if (term == m_term) return;
+    m_document.finishGesture();
+    m_term = term;
+    show();
+}
+
+bool DomainsPanel::take(const QString& text, const std::function<void(Project&)>& change,
+                        const QString& mergeKey) {
+    if (!system()) return false;
+    const QString key = QStringLiteral("domains %1 %2 %3 %4")
+                            .arg(*m_selection.region())
+                            .arg(static_cast<int>(m_place.side))
+                            .arg(m_place.index)
+                            .arg(mergeKey);
+    try {
+        m_document.edit(text, change, mergeKey.isEmpty() ? QString() : key);
+        m_terms->setMessage({});
+        return true;
+    } catch (const InvalidModel& error) {
+        m_terms->setMessage(QString::fromStdString(error.problems().front()));
+        show();
+        return false;
+    }
+}
+
+bool DomainsPanel::edit(const QString& text, const SystemEdit& change, const QString& mergeKey) {
+    return take(
+        text,
+        [&](Project& project) {
+            const std::size_t region = *m_selection.region();
+            editSystem(project, region, change(*project.regions[region].system));
+        },
+        mergeKey);
+}
+
+bool DomainsPanel::editVariable(const QString& text, const std::function<void(FuzzyVariable&)>& change,
+                                const QString& mergeKey) {
+    return edit(
+        text,
+        [&](const FuzzySystem& before) {
+            FuzzyVariable variable = variableAt(before, m_place);
+            change(variable);
+            return withVariable(before, m_place, std::move(variable));
+        },
+        mergeKey);
+}
+
+void DomainsPanel::setRange(double minimum, double maximum, TermsInRange terms) {
+    take(
+        tr("Set range"),
+        [&](Project& project) {
+            esm::setRange(project, *m_selection.region(), m_place, {minimum, maximum, terms});
+        },
+        QStringLiteral("range"));
+}
+
+void DomainsPanel::addTerm() {
+    std::size_t added = 0;
+    const bool isAdded = edit(tr("Add term"), [&](const FuzzySystem& before) {
+        AddedTerm after = withTermAdded(before, m_place);
+        added = after.term;
+        return std::move(after.system);
+    });
+    if (!isAdded) return;
+    takeTerm(added);
+    m_terms->askName(added);
+}
+
+bool DomainsPanel::mayGo(const QString& what, const std::vector<std::size_t>& rules) {
+    if (rules.empty()) return true;
+    const auto shown = system();
+    QStringList texts;
+    for (std::size_t i = 0; i < std::min(rules.size(), mostRulesShown); ++i)
+        texts << QString::fromStdString(ruleText(*shown, shown->rules[rules[i]]));
+    if (rules.size() > mostRulesShown)
+        texts << tr("and %1 more").arg(countText(rules.size() - mostRulesShown));
+    return ask(*window(), [&] {
+        QMessageBox box(QMessageBox::Question, tr("Remove %1").arg(what),
+                        rules.size() == 1
+                            ? tr("With %1 goes the rule that speaks of it.").arg(what)
+                            : tr("With %1 go %2 rules that speak of it.").arg(what, countText(rules.size())),
+                        QMessageBox::Cancel, window());
+        box.setObjectName(QStringLiteral("rulesGoBox"));
+        box.setInformativeText(texts.join('\n'));
+        QPushButton* remove = box.addButton(tr("Remove"), QMessageBox::AcceptRole);
+        box.setDefaultButton(remove);
+        box.exec();
+        return box.clickedButton() == remove;
+    });
+}
+
+void DomainsPanel::removeTerm() {
+    const auto shown = system();
+    if (!shown) return;
+    const FuzzyVariable& from = variableAt(*shown, m_place);
+    const QString name = QStringLiteral("“%1”").arg(readableName(from.terms[m_term].name));
+    // The last one is refused without asking.
+    if (from.terms.size() > 1 && !mayGo(name, rulesGoingWith(*shown, m_place, m_term))) return;
+    edit(tr("Remove term"),
+         [this](const FuzzySystem& before) { return withoutTerm(before, m_place, m_term); });
+}
+
+void DomainsPanel::moveTerm(int by) {
+    const FuzzyVariable* shown = variable();
+    const auto to = static_cast<std::ptrdiff_t>(m_term) + by;
+    if (!shown || to < 0 || to >= static_cast<std::ptrdiff_t>(shown->terms.size())) return;
+    const std::size_t from = m_term;
+    m_term = static_cast<std::size_t>(to);
+    edit(tr("Reorder terms"),
+         [&](const FuzzySystem& before) { return withTermMoved(before, m_place, from, m_term); });
+}
+
+void DomainsPanel::renameTerm(std::size_t term, const QString& typed) {
+    edit(tr("Rename term"), [&](const FuzzySystem& before) {
+        return withTermRenamed(before, m_place, term, ruleName(typed.toStdString()));
+    });
+    // A name that was not taken goes, and the old one comes back.
+    QMetaObject::invokeMethod(
+        this, [this] { show(); }, Qt::QueuedConnection);
+}
+
+void DomainsPanel::addVariable(FuzzySide side) {
+    if (!edit(side == FuzzySide::Inputs ? tr("Add input") : tr("Add output"),
+              [&](const FuzzySystem& before) { return withVariableAdded(before, side); }))
+        return;
+    chooseVariable({side, variablesOf(*system(), side).size() - 1});
+    renameVariable();
+}
+
+void DomainsPanel::renameVariable() {
+    const FuzzyVariable* shown = variable();
+    if (!shown) return;
+    bool accepted = false;
+    const QString name = ask(*window(), [&] {
+        return QInputDialog::getText(window(), tr("Rename variable"), tr("Name of the variable"),
+                                     QLineEdit::Normal, readableName(shown->name), &accepted);
+    });
+    if (!accepted) return;
+    edit(tr("Rename variable"), [&](const FuzzySystem& before) {
+        return withVariableRenamed(before, m_place, ruleName(name.toStdString()));
+    });
+}
+
+void DomainsPanel::removeVariable() {
+    const auto shown = system();
+    if (!shown) return;
+    const QString name = QStringLiteral("“%1”").arg(readableName(variableAt(*shown, m_place).name));
+    if (variablesOf(*shown, m_place.side).size() > 1 && !mayGo(name, rulesGoingWith(*shown, m_place))) return;
+    edit(tr("Remove variable"),
+         [this](const FuzzySystem& before) { return withoutVariable(before, m_place); });
+}
+
+void DomainsPanel::moveVariable(int by) {
+    const auto shown = system();
+    const auto to = static_cast<std::ptrdiff_t>(m_place.index) + by;
+    if (!shown || to < 0 || to >= static_cast<std::ptrdiff_t>(variablesOf(*shown, m_place.side).size()))
+        return;
+    const VariablePlace from = m_place;
+    m_place.index = static_cast<std::size_t>(to);
+    edit(tr("Reorder variables"),
+         [&](const FuzzySystem& before) { return withVariableMoved(before, from, m_place.index); });
+}
+
+} // namespace esm

@@ -1,0 +1,144 @@
+#include "app/editor/panels/fuzzy_workbench.h"
+
+#include "app/editor/commands/edit_system.h"
+#include "app/editor/panels/domains_panel.h"
+#include "app/editor/panels/fuzzy_choice.h"
+#include "app/editor/panels/rules_panel.h"
+#include "app/editor/panels/why_panel.h"
+#include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/icon.h"
+
+#include <QApplication>
+#include <QPushButton>
+#include <QSettings>
+
+namespace esm {
+
+namespace {
+
+constexpr QSize smallestWindow(420, 360), usualWindow(900, 620);
+const QString geometryKey = QStringLiteral("fuzzyWindow");
+
+} // namespace
+
+FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, QWidget* parent)
+    : Section({}, parent), m_document(document), m_selection(selection), m_content(new QWidget(this)),
+      m_tabs(new QTabBar(m_content)), m_panels(new QStackedWidget(m_content)),
+      m_elsewhere(new QWidget(this)) {
+    m_tabs->setObjectName(QStringLiteral("workbenchTabs"));
+    m_tabs->setAccessibleName(tr("Views of the fuzzy system"));
+    m_tabs->setDrawBase(false);
+    m_tabs->setExpanding(false);
+    m_tabs->setFocusPolicy(Qt::TabFocus);
+    connect(m_tabs, &QTabBar::currentChanged, this, &FuzzyWorkbench::showTab);
+    auto* column = new QVBoxLayout(m_content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(m_tabs, 0, Qt::AlignLeft);
+    column->addWidget(m_panels, 1);
+    body()->addWidget(m_content);
+    body()->addWidget(m_elsewhere);
+    m_elsewhere->hide();
+
+    addTab(tr("Rules"), new RulesPanel(document, selection));
+    addTab(tr("Domains"), new DomainsPanel(document, selection));
+    addTab(tr("Why"), new WhyPanel(document, selection));
+
+    connect(&selection, &Selection::changed, this, &FuzzyWorkbench::showName);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.regions || change.mesh) showName();
+    });
+    showName();
+}
+
+void FuzzyWorkbench::addTab(const QString& name, QWidget* panel) {
+    m_panels->addWidget(panel);
+    m_tabs->addTab(name);
+    showTab(m_tabs->currentIndex());
+}
+
+void FuzzyWorkbench::showTab(int index) {
+    // The panel in front says how much room it needs, not the tallest.
+    for (int i = 0; i < m_panels->count(); ++i) {
+        QWidget* panel = m_panels->widget(i);
+        panel->setSizePolicy(panel->sizePolicy().horizontalPolicy(),
+                             i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    }
+    m_panels->setCurrentIndex(index);
+}
+
+void FuzzyWorkbench::setWindowAction(QAction* action) {
+    m_windowAction = action;
+    QToolButton* enlarge = addHeaderIcon(icon(QStringLiteral("enlarge")), action->toolTip());
+    enlarge->setObjectName(QStringLiteral("headerButton"));
+    auto* back = new QPushButton(tr("Bring it back here"), m_elsewhere);
+    auto* row = new QHBoxLayout(m_elsewhere);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* where = new QLabel(tr("In a window of its own"), m_elsewhere);
+    where->setProperty("quiet", true);
+    row->addWidget(where, 1);
+    row->addWidget(back);
+    follow(enlarge, action);
+    connect(back, &QPushButton::clicked, action, &QAction::trigger);
+    connect(action, &QAction::toggled, this, [this, enlarge](bool inWindow) {
+        enlarge->setVisible(!inWindow);
+        if (inWindow)
+            moveToWindow();
+        else
+            moveToColumn();
+    });
+}
+
+void FuzzyWorkbench::showName() {
+    const auto system = selectedSystem(m_document, m_selection);
+    const auto region = m_selection.region();
+    // Whether it is the shipped one takes a moment to tell, and sliders move often.
+    if (!m_named || system != m_named)
+        m_name = system ? tr("Fuzzy system · %1").arg(shownName(*system)) : tr("Fuzzy system");
+    m_named = system;
+    setTitle(m_name);
+    if (!m_window) return;
+    const QString where =
+        region ? QString::fromStdString(m_document.project().regions[*region].name) : tr("Whole organ");
+    m_window->setWindowTitle(QStringLiteral("%1 – %2").arg(m_name, where));
+}
+
+void FuzzyWorkbench::moveToWindow() {
+    if (!m_window) {
+        // As a tool of the main window it leaves that one's keys in force, and stays above it.
+        m_window = new QWidget(window(), Qt::Tool);
+        m_window->setObjectName(QStringLiteral("workbenchWindow"));
+        m_window->setAttribute(Qt::WA_StyledBackground);
+        m_window->setMinimumSize(smallestWindow);
+        m_window->resize(usualWindow);
+        m_window->restoreGeometry(QSettings().value(geometryKey).toByteArray());
+        m_window->installEventFilter(this);
+        keepControlKeys(*m_window);
+        (new QVBoxLayout(m_window))->setContentsMargins(14, 12, 14, 14);
+    }
+    showName();
+    m_elsewhere->show();
+    m_window->layout()->addWidget(m_content);
+    m_content->show();
+    m_window->show();
+    m_window->activateWindow();
+}
+
+void FuzzyWorkbench::moveToColumn() {
+    if (!m_window || m_content->parentWidget() != m_window) return;
+    QSettings().setValue(geometryKey, m_window->saveGeometry());
+    // What is being typed counts, as where any field is left.
+    if (QWidget* focus = m_window->focusWidget()) focus->clearFocus();
+    m_elsewhere->hide();
+    body()->insertWidget(0, m_content);
+    m_content->show();
+    m_window->hide();
+}
+
+bool FuzzyWorkbench::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_window && event->type() == QEvent::Close) m_windowAction->setChecked(false);
+    return Section::eventFilter(watched, event);
+}
+
+} // namespace esm

@@ -1,0 +1,85 @@
+#include "widgets/view/region_handles.h"
+
+#include "core/geometry/shortest_turn.h"
+#include "core/render/drawn_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double shortAxis =
+    0.35; // sine of an axis' angle to the line of sight below which it has no handles
+
+bool pointsAtViewer(const Vector3d& end, const Vector3d& centre, const Camera& camera) {
+    const Vector3d axis = (end - centre).normalized(), sight = (camera.eye - centre).normalized();
+    return axis.cross(sight).norm() < shortAxis;
+}
+
+double distanceToNearest(const std::vector<RegionHandle>& handles, const Vector3d& point) {
+    double nearest = HUGE_VAL;
+    for (const RegionHandle& handle : handles)
+        nearest = std::min(nearest, (handle.place - point).norm());
+    return nearest;
+}
+
+std::optional<Vector3d> rimPlace(const DrawnEllipsoid& region, const Camera& camera,
+                                 const std::vector<RegionHandle>& others) {
+    const Eigen::Matrix3d axes = cameraAxes(camera);
+    std::optional<Vector3d> best;
+    for (const Vector3d& point : rimSilhouette(region.shape, region.rim, camera.eye)) {
+        const Vector3d offset = point - region.shape.centre;
+        if (offset.dot(axes.col(0)) < 0 || offset.dot(axes.col(1)) < 0) continue;
+        if (!best || distanceToNearest(others, point) > distanceToNearest(others, *best)) best = point;
+    }
+    return best;
+}
+
+struct Ball {
+    Vector3d centre; ///< m
+    double radius;   ///< m
+    double side;     ///< along the ray: −1 where it comes in, 1 where it leaves
+};
+
+/// From the ball's centre to where a ray meets its side, else towards where the ray passes nearest.
+Vector3d met(const Ball& ball, const Ray& ray) {
+    const Vector3d direction = ray.direction.normalized(), start = ray.origin - ball.centre;
+    const Vector3d nearest = start - start.dot(direction) * direction;
+    const double depth = ball.radius * ball.radius - nearest.squaredNorm();
+    return depth > 0 ? Vector3d(nearest + ball.side * std::sqrt(depth) * direction) : nearest;
+}
+
+} // namespace
+
+std::vector<RegionHandle> regionHandles(const DrawnEllipsoid& region, const Camera& camera,
+                                        double turnReach) {
+    using Kind = RegionHandle::Kind;
+    std::vector<RegionHandle> found;
+    const Vector3d& centre = region.shape.centre;
+    const auto ends = handles(region.shape);
+    for (std::size_t end = 0; end < ends.size(); ++end) {
+        if (pointsAtViewer(ends[end], centre, camera)) continue;
+        found.push_back({Kind::Size, end, ends[end], ends[end]});
+        const Vector3d beyond = ends[end] + turnReach * (ends[end] - centre).normalized();
+        if (end % 2 == 0) found.push_back({Kind::Turn, end, beyond, ends[end]});
+    }
+    if (const auto rim = rimPlace(region, camera, found)) found.push_back({Kind::Rim, 0, *rim, *rim});
+    return found;
+}
+
+Ellipsoid turned(const Ellipsoid& ellipsoid, const Grip& grip, const Ray& ray) {
+    const Vector3d arm = grip.place - ellipsoid.centre;
+    const bool isBehind = arm.dot(ellipsoid.centre - grip.ray.origin) >
+                          1e-6 * arm.norm() * (ellipsoid.centre - grip.ray.origin).norm();
+    const Ball ball{ellipsoid.centre, arm.norm(), isBehind ? 1.0 : -1.0};
+    const Vector3d from = met(ball, grip.ray), to = met(ball, ray);
+    if (!(from.norm() > 0) || !(to.norm() > 0)) return ellipsoid;
+    Ellipsoid result = ellipsoid;
+    result.orientation = (Eigen::Quaterniond(shortestTurn(from, to)) * ellipsoid.orientation).normalized();
+    return result;
+}
+
+} // namespace esm
