@@ -2,6 +2,7 @@
 #include "app/esmc/commands.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/project_file.h"
+#include "core/model/tissue_digest.h"
 
 namespace esm {
 
@@ -23,8 +24,12 @@ Report runExport(const ExportOptions& options, Context& context) {
     if (options.format != "glb")
         throw UsageError("--to: '" + options.format + "' is not one of the formats there are: glb");
     context.subject = options.project;
-    exportPackage(loadProject(options.project), options.output, progressOf(context, "exporting"));
+    const Project project = loadProject(options.project);
+    exportPackage(project, options.output, progressOf(context, "exporting"));
     Report report;
+    if (project.stepping && isFromOtherTissue(*project.stepping, evaluateModel(project)))
+        addWarnings(report, {"the tissue has changed since its step was recommended: measure again with "
+                             "tradeoff, and export again"});
     report.json["files"] = {options.output};
     addWritten(report, options.output);
     return report;

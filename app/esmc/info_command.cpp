@@ -3,6 +3,7 @@
 #include "app/esmc/critical_steps.h"
 #include "app/esmc/model_report.h"
 #include "core/exchange/project_file.h"
+#include "core/model/tissue_digest.h"
 
 #include <set>
 
@@ -62,19 +63,22 @@ void addCriticalSteps(Report& report, const TissueModel& tissue) {
 }
 
 /// The way to step that is recommended.
-void addStepping(Report& report, const std::optional<MeasuredStepping>& measured) {
+void addStepping(Report& report, const std::optional<MeasuredStepping>& measured, const TissueModel& tissue) {
     report.json["stepping"] = nullptr;
     if (!measured) return;
-    const auto& [stepping, error, seconds] = *measured;
+    const bool isOutdated = isFromOtherTissue(*measured, tissue);
+    const auto& [stepping, error, seconds, digest] = *measured;
     report.json["stepping"] = {{"integrator", integratorName(stepping.integrator)},
                                {"dt", stepping.timeStep},
                                {"precision", precisionName(stepping.precision)},
                                {"error", error},
-                               {"wall_per_simulated_s", seconds}};
+                               {"wall_per_simulated_s", seconds},
+                               {"tissue_changed", isOutdated}};
     report.text.push_back(std::string("recommended: ") + integratorName(stepping.integrator) + " in " +
                           precisionName(stepping.precision) + ", step " + inText(stepping.timeStep) +
                           " s: error " + inText(100 * error) + " % of the motion, " + inText(1 / seconds) +
-                          " times real time where it was measured");
+                          " times real time where it was measured" +
+                          (isOutdated ? "; the tissue has changed since" : ""));
 }
 
 /// What holds the model and what touches it.
@@ -101,7 +105,7 @@ Report describePackage(const std::filesystem::path& file) {
     addTextures(report, package.textures.size());
     addSpringLaw(report, package.tissue.stiffening);
     addHolds(report, package.tissue, false);
-    addStepping(report, package.stepping);
+    addStepping(report, package.stepping, package.tissue);
     addCriticalSteps(report, package.tissue);
     return report;
 }
@@ -123,7 +127,7 @@ Report describeProject(const std::filesystem::path& file) {
     const TissueModel tissue = evaluateModel(project);
     addSpringLaw(report, tissue.stiffening);
     addHolds(report, tissue, project.scene.instrument.has_value());
-    addStepping(report, project.stepping);
+    addStepping(report, project.stepping, tissue);
     addCriticalSteps(report, tissue);
     return report;
 }

@@ -5,6 +5,7 @@
 #include "app/esmc/trajectory_file.h"
 #include "core/dynamics/scene_accuracy.h"
 #include "core/dynamics/stability.h"
+#include "core/model/tissue_digest.h"
 #include "core/support/joined.h"
 
 #include <cmath>
@@ -141,7 +142,13 @@ bool takesRecommended(const SimulateOptions& options) {
 SimulationSettings recommendedSettings(const RunnableModel& model, const SimulationSettings& settings,
                                        std::vector<std::string>& warnings) {
     const Stepping& stepping = model.stepping->stepping;
-    if (isStable(model.tissue, stepping)) return withStepping(settings, stepping);
+    if (isStable(model.tissue, stepping)) {
+        if (isFromOtherTissue(*model.stepping, model.tissue))
+            warnings.push_back(
+                "the tissue has changed since its step was recommended: the error may be other than " +
+                inText(100 * model.stepping->error) + " %; measure again with tradeoff");
+        return withStepping(settings, stepping);
+    }
     warnings.push_back("the recommended step of " + inText(stepping.timeStep) + " s is too long for " +
                        integratorName(stepping.integrator) +
                        " with the tissue as it is now; auto stepped it: measure again with tradeoff");

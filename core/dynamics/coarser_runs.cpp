@@ -2,6 +2,7 @@
 
 #include "core/dynamics/spring_system.h"
 #include "core/model/detail_change.h"
+#include "core/model/tissue_digest.h"
 
 #include <numeric>
 
@@ -76,7 +77,8 @@ std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, 
 
 Project withRun(const Project& project, const TradeoffRun& run) {
     Project changed = run.coarser ? withDetail(project, *run.coarser) : project;
-    changed.stepping = MeasuredStepping{run.stepping, run.error, run.wallPerSimulatedSecond};
+    changed.stepping = MeasuredStepping{run.stepping, run.error, run.wallPerSimulatedSecond,
+                                        tissueDigest(evaluateModel(changed))};
     return changed;
 }
 

@@ -72,11 +72,13 @@ SpringStiffening stiffeningFromJson(const JsonReader& reader) {
 }
 
 Json toJson(const MeasuredStepping& measured) {
-    return {{"integrator", integratorName(measured.stepping.integrator)},
-            {"timeStep", measured.stepping.timeStep},
-            {"precision", precisionName(measured.stepping.precision)},
-            {"error", measured.error},
-            {"wallPerSimulatedSecond", measured.wallPerSimulatedSecond}};
+    Json json{{"integrator", integratorName(measured.stepping.integrator)},
+              {"timeStep", measured.stepping.timeStep},
+              {"precision", precisionName(measured.stepping.precision)},
+              {"error", measured.error},
+              {"wallPerSimulatedSecond", measured.wallPerSimulatedSecond}};
+    if (!measured.tissue.empty()) json["tissue"] = measured.tissue;
+    return json;
 }
 
 std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader) {
@@ -88,7 +90,8 @@ std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader) {
                                      reader.member("timeStep").number(),
                                      precision.value_or(Precision::Double)},
                                     reader.member("error").number(),
-                                    reader.member("wallPerSimulatedSecond").number()};
+                                    reader.member("wallPerSimulatedSecond").number(),
+                                    reader.has("tissue") ? reader.member("tissue").text() : std::string()};
     if (!integrator) return std::nullopt;
     return measured;
 }

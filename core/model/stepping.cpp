@@ -6,6 +6,13 @@
 
 namespace esm {
 
+namespace {
+
+constexpr std::size_t tissueDigits = 16;
+constexpr const char* hexadecimal = "0123456789abcdef";
+
+} // namespace
+
 const char* precisionName(Precision precision) {
     return precision == Precision::Float ? "float" : "double";
 }
@@ -35,6 +42,9 @@ std::vector<std::string> validate(const MeasuredStepping& measured) {
         problems.emplace_back("the error must be a number, 0 or more");
     if (!isPositive(measured.wallPerSimulatedSecond))
         problems.emplace_back("the wall time per simulated second must be a number above zero");
+    if (!measured.tissue.empty() && (measured.tissue.size() != tissueDigits ||
+                                     measured.tissue.find_first_not_of(hexadecimal) != std::string::npos))
+        problems.emplace_back("the tissue it was measured on must be 16 hexadecimal digits");
     return problems;
 }
 

@@ -27,6 +27,7 @@ struct MeasuredStepping {
     Stepping stepping;
     double error = 0;                  ///< relative to the motion itself
     double wallPerSimulatedSecond = 0; ///< on the machine that measured
+    std::string tissue = {};           ///< tissueDigest of what it was measured on; empty where nobody said
 };
 
 /// Every problem. Empty when tissue can be stepped so.

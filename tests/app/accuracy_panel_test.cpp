@@ -1,5 +1,6 @@
 #include "app/editor/commands/accuracy_measurement.h"
 #include "app/editor/panels/accuracy_panel.h"
+#include "core/model/tissue_digest.h"
 #include "core/samples/samples.h"
 #include "core/support/errors.h"
 #include "tests/support/tissue_models.h"
@@ -87,6 +88,21 @@ TEST_F(AccuracyPanelTest, MeasuresRecommendsAndLetsOneBeChosenAndTakenBack) {
     m_document.edit("softer", [](Project& project) { project.base.viscosity *= 2; });
     EXPECT_TRUE(hint->isVisible());
     EXPECT_TRUE(recommendation("toError")->isVisible());
+}
+
+TEST_F(AccuracyPanelTest, SaysOfAnOpenedProjectThatItsTissueHasChanged) {
+    const auto* hint = m_panel.findChild<QLabel*>(QStringLiteral("accuracyHint"));
+    const auto warns = [&] { return hint->text().contains(QStringLiteral("have changed since")); };
+    Project tube = briefTube();
+    tube.stepping = {{Integrator::Split2, 0.01, Precision::Double}, 0.01, 0.1, ""};
+    tube.stepping->tissue = tissueDigest(evaluateModel(tube));
+    m_document.replace(tube, std::nullopt);
+    QTest::qWait(500);
+    EXPECT_FALSE(warns());
+    m_document.edit("stiffer", [](Project& project) { project.regions.back().held.springConstant = 99; });
+    EXPECT_TRUE(QTest::qWaitFor(warns));
+    m_document.undoStack()->undo();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !warns(); }));
 }
 
 TEST_F(AccuracyPanelTest, KeepsTheMeasurementWhenARunOnFewerNodesIsChosen) {

@@ -158,6 +158,7 @@ void expectSameStepping(const std::optional<MeasuredStepping>& a, const std::opt
     EXPECT_EQ(a->stepping.precision, b->stepping.precision);
     EXPECT_TRUE(sameBits(a->error, b->error));
     EXPECT_TRUE(sameBits(a->wallPerSimulatedSecond, b->wallPerSimulatedSecond));
+    EXPECT_EQ(a->tissue, b->tissue);
 }
 
 void expectSameStiffening(const std::optional<SpringStiffening>& a,

@@ -98,7 +98,7 @@ bool same(const Stepping& a, const Stepping& b) {
 bool same(const std::optional<MeasuredStepping>& a, const std::optional<MeasuredStepping>& b) {
     if (!a || !b) return a.has_value() == b.has_value();
     return same(a->stepping, b->stepping) && a->error == b->error &&
-           a->wallPerSimulatedSecond == b->wallPerSimulatedSecond;
+           a->wallPerSimulatedSecond == b->wallPerSimulatedSecond && a->tissue == b->tissue;
 }
 
 Change difference(const Project& before, const Project& after) {

@@ -6,12 +6,13 @@
 #include "app/editor/panels/stepping_text.h"
 #include "core/dynamics/coarser_runs.h"
 #include "core/model/detail_change.h"
+#include "core/model/tissue_digest.h"
+#include "core/support/errors.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quantity_formats.h"
 
 #include <QScrollArea>
-#include <QTimer>
 
 #include <algorithm>
 
@@ -20,6 +21,9 @@ namespace esm {
 namespace {
 
 constexpr double secondsPerWay = 1; ///< of computing; a way to step that takes longer is left out
+
+/// To evaluate the tissue at every step of a drag would hold the drag up.
+constexpr int restBeforeComparing = 300; // ms
 
 /// The tissue rests meanwhile: its motion would take time from what is measured.
 class Pause {
@@ -102,7 +106,14 @@ AccuracyPanel::AccuracyPanel(Document& document, Preview& preview, QWidget* pare
 
     connect(m_measure, &QToolButton::clicked, this, &AccuracyPanel::measure);
     connect(m_automatic, &QToolButton::clicked, this, &AccuracyPanel::useAutomatic);
-    connect(&document, &Document::changed, this, &AccuracyPanel::refresh);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restBeforeComparing);
+    connect(&m_rest, &QTimer::timeout, this, &AccuracyPanel::compareTissue);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.model() || change.stepping) m_rest.start();
+        refresh();
+    });
+    m_rest.start();
     refresh();
 }
 
@@ -184,12 +195,24 @@ Project AccuracyPanel::onMeasuredNodes(Project project) const {
     return project;
 }
 
+void AccuracyPanel::compareTissue() {
+    const Project& project = m_document.project();
+    try {
+        m_isFromOtherTissue =
+            project.stepping && isFromOtherTissue(*project.stepping, evaluateModel(project));
+    } catch (const InvalidModel&) {
+        m_isFromOtherTissue = false; // the preview says what is wrong
+    }
+    refresh();
+}
+
 void AccuracyPanel::refresh() {
     m_measured->setVisible(isMeasured());
     m_measure->setText(isMeasured() ? tr("measure again") : tr("measure"));
     const bool hidesSwings = isMeasured() && m_measurement->tradeoff.reference.hidesSwings;
-    m_hint->setVisible(!isMeasured() || isOutdated() || hidesSwings);
-    m_hint->setText(isOutdated() ? tr("Tissue or scene have changed since: measure again to be sure.")
+    const bool hasChanged = isOutdated() || (m_document.project().stepping && m_isFromOtherTissue);
+    m_hint->setVisible(!isMeasured() || hasChanged || hidesSwings);
+    m_hint->setText(hasChanged ? tr("Tissue or scene have changed since: measure again to be sure.")
                     : hidesSwings
                         ? tr("Fast swings of tissue with next to no viscosity could not be "
                              "followed: no error here contains them.")

@@ -8,6 +8,7 @@
 #include "widgets/plot/accuracy_chart.h"
 
 #include <QPushButton>
+#include <QTimer>
 
 namespace esm {
 
@@ -30,6 +31,7 @@ private:
     QWidget* buildMeasured();
     void measure();
     void refresh();
+    void compareTissue();
     void showInUse();
     void showMeasurement();
     void showRecommendations();
@@ -43,6 +45,8 @@ private:
     Document& m_document;
     Preview& m_preview;
     std::optional<Measurement> m_measurement;
+    QTimer m_rest;                    ///< until the tissue is compared
+    bool m_isFromOtherTissue = false; ///< what is in use
     QToolButton* m_measure;
     QLabel* m_inUse;
     QToolButton* m_automatic;

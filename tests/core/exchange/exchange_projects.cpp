@@ -110,7 +110,8 @@ Project richProject(std::uint32_t rings) {
     project.base = {20.1, 0.3, 0.21};
     project.regions = someRegions();
     project.scene = fullScene();
-    project.stepping = MeasuredStepping{{Integrator::Rk4, 0.1 / 3, Precision::Float}, 1.0 / 7, 1e-300 / 3};
+    project.stepping = MeasuredStepping{
+        {Integrator::Rk4, 0.1 / 3, Precision::Float}, 1.0 / 7, 1e-300 / 3, "0123456789abcdef"};
     project.photos = someLayers();
     project.texture.atlas = {128, 1, 1};
     project.texture.baseColour = {9, 200, 31};

@@ -1,0 +1,64 @@
+#include "core/model/tissue_digest.h"
+
+#include <array>
+#include <cstring>
+
+namespace esm {
+
+namespace {
+
+/// [Fowler, Noll, Vo: The FNV Non-Cryptographic Hash Algorithm, IETF draft]
+class Fnv1a {
+public:
+    void add(std::uint32_t word) {
+        for (int byte = 0; byte < 4; ++byte) {
+            m_state ^= word >> (8 * byte) & 0xFFU;
+            m_state *= 0x100000001b3U;
+        }
+    }
+    void add(double value) {
+        const auto single = static_cast<float>(value);
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &single, sizeof bits);
+        add(bits);
+    }
+    void add(const std::vector<double>& values) {
+        add(static_cast<std::uint32_t>(values.size()));
+        for (const double value : values)
+            add(value);
+    }
+    std::string digits() const {
+        std::string text;
+        for (int shift = 60; shift >= 0; shift -= 4)
+            text += "0123456789abcdef"[m_state >> shift & 0xFU];
+        return text;
+    }
+
+private:
+    std::uint64_t m_state = 0xcbf29ce484222325U;
+};
+
+} // namespace
+
+std::string tissueDigest(const TissueModel& model) {
+    Fnv1a digest;
+    digest.add(model.mass);
+    digest.add(model.springConstant);
+    digest.add(model.viscosity);
+    for (const Spring& spring : model.network->springs) {
+        digest.add(spring.first);
+        digest.add(spring.second);
+        digest.add(spring.restLength);
+    }
+    if (model.stiffening) {
+        digest.add(model.stiffening->strain);
+        digest.add(model.stiffening->factor);
+    }
+    return digest.digits();
+}
+
+bool isFromOtherTissue(const MeasuredStepping& measured, const TissueModel& model) {
+    return !measured.tissue.empty() && measured.tissue != tissueDigest(model);
+}
+
+} // namespace esm
