@@ -13,6 +13,7 @@
 #include "core/exchange/project_file.h"
 #include "core/samples/samples.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -70,8 +71,9 @@ void FileController::connectActions(const Actions& actions) {
 }
 
 void FileController::commitTyping() {
-    // Neither a menu's key nor the window's end takes the focus from a field, which would make it count.
-    const QPointer<QWidget> focus = m_window.focusWidget();
+    // Neither a menu's key nor the window's end takes the focus from a field, which would make it count. The
+    // field may stand in a window beside the main one.
+    const QPointer<QWidget> focus = QApplication::focusWidget();
     if (!focus) return;
     focus->clearFocus();
     if (focus && focus->isVisible()) focus->setFocus();
