@@ -52,6 +52,14 @@ protected:
             if (button->text() == text) return button;
         return nullptr;
     }
+    /// Writes what cannot be in force.
+    QString writeDraft() {
+        toEnd();
+        type(" AND");
+        closeWords();
+        return edit->toPlainText();
+    }
+    bool isAskedAbout() const { return !window->document().unfinished().isEmpty(); }
     /// The list of words takes a key while it is there.
     void closeWords() {
         QWidget* words = edit->completer()->popup();
@@ -222,6 +230,67 @@ TEST_F(RulesPanelTest, WhatIsNotInForceIsNotLostWithTheWindowUnasked) {
     EXPECT_TRUE(window->close());
 }
 
+TEST_F(RulesPanelTest, WhatIsNotInForceDoesNotGoOverToAnotherSystem) {
+    window->document().edit("alone", [](Project& p) { p.regions.erase(p.regions.begin()); });
+    press(Qt::Key_R, Qt::ControlModifier);
+    FuzzySystem shorter = system();
+    shorter.rules.pop_back();
+    window->document().edit("other", [&](Project& p) {
+        setSystem(p, p.regions.size() - 1, std::make_shared<const FuzzySystem>(shorter));
+    });
+    selection().setRegion(project().regions.size() - 2);
+    const QString draft = writeDraft();
+    window->document().edit("remove", [&](Project& p) { removeRegion(p, p.regions.size() - 2); });
+    EXPECT_EQ(system(), shorter);
+    EXPECT_EQ(edit->toPlainText(), inForce()) << "the region that follows has a system of its own";
+    EXPECT_FALSE(isAskedAbout()) << "what no region has is not missed";
+    window->document().undoStack()->undo();
+    EXPECT_EQ(edit->toPlainText(), draft) << "with its region it comes back";
+    EXPECT_TRUE(isAskedAbout());
+    window->document().edit("choose", [&](Project& p) {
+        setSystem(p, selection().region(), std::make_shared<const FuzzySystem>(shorter));
+    });
+    EXPECT_EQ(edit->toPlainText(), QString::fromStdString(rulesText(shorter)));
+    window->document().undoStack()->undo();
+    EXPECT_EQ(edit->toPlainText(), draft);
+}
+
+TEST_F(RulesPanelTest, WhatIsNotInForceGoesWithItsSystemWhereAnotherRegionSpeaksIt) {
+    press(Qt::Key_R, Qt::ControlModifier);
+    const std::size_t last = project().regions.size() - 1;
+    ASSERT_NE(project().regions[last].system, project().regions[last - 1].system);
+    selection().setRegion(last - 1);
+    const QString draft = writeDraft();
+    selection().setRegion(last);
+    EXPECT_EQ(edit->toPlainText(), draft) << "both speak the same system";
+    selection().setRegion(std::nullopt);
+    window->document().edit(
+        "range",
+        [&](Project& p) {
+            setRange(p, last, {FuzzySide::Inputs, 0}, {0, 24, TermsInRange::Stay});
+        },
+        {}, last);
+    EXPECT_TRUE(isAskedAbout());
+    selection().setRegion(last - 1);
+    EXPECT_EQ(edit->toPlainText(), draft);
+    window->document().undoStack()->undo();
+    EXPECT_EQ(edit->toPlainText(), draft);
+}
+
+TEST_F(RulesPanelTest, WhatIsTakenBackCanBeMadeAgainAfterARest) {
+    panel->setPause(std::chrono::milliseconds(20));
+    toEnd();
+    type(" WITH 0.25");
+    closeWords();
+    undo();
+    EXPECT_EQ(inForce(), original);
+    QTest::qWait(100);
+    redo();
+    EXPECT_DOUBLE_EQ(system().rules.back().weight, 0.25);
+    window->document().undoStack()->undo();
+    EXPECT_EQ(inForce(), original);
+}
+
 TEST_F(RulesPanelTest, FollowsEditsFromElsewhere) {
     const auto rename = [&](const std::string& name) {
         editSelectedSystem(window->document(), selection(), "Rename",
@@ -267,10 +336,24 @@ TEST_F(RulesPanelTest, ListsWhatIsOddAndGoesThere) {
     EXPECT_EQ(edit->textCursor().blockNumber(), 5);
 }
 
+TEST_F(RulesPanelTest, LinksWarningsOnlyToTheRulesTheyAreAbout) {
+    edit->editText("IF consistency IS soft THEN viscosity IS small\n" + original);
+    auto* list = child<QListWidget>("ruleNotes");
+    const auto contradiction = [&] { return list->findItems("Rules 1 and", Qt::MatchStartsWith).value(0); };
+    ESM_EVENTUALLY(contradiction());
+    edit->editText("\n\nIF consistency IS\n" + edit->toPlainText());
+    edit->goTo(2, 1);
+    emit list->itemClicked(contradiction());
+    EXPECT_EQ(edit->textCursor().blockNumber(), 2) << "the rules in force are not these lines";
+}
+
 TEST_F(RulesPanelTest, SaysWhatToDoWithoutASystem) {
     EXPECT_TRUE(edit->isVisible());
     selection().setRegion(std::nullopt);
     EXPECT_FALSE(edit->isVisible());
+    QStringList said;
     for (auto* label : panel->findChildren<QLabel*>())
-        EXPECT_TRUE(!label->isVisible() || label->text().contains("No fuzzy system"));
+        if (label->isVisible()) said << label->text();
+    ASSERT_EQ(said.size(), 1);
+    EXPECT_TRUE(said[0].contains("No fuzzy system"));
 }

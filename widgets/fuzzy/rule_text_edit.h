@@ -34,7 +34,9 @@ public:
     /// Takes a change of the text back, or makes it again; false where there is none.
     bool undoText();
     bool redoText();
-    void forgetUndo() { document()->clearUndoRedoStacks(); }
+    /// What was written cannot be taken back any more; what was taken back can still be made again.
+    void forgetUndo() { document()->clearUndoRedoStacks(QTextDocument::UndoStack); }
+    void forgetEdits() { document()->clearUndoRedoStacks(); }
 
     QCompleter* completer() const { return m_completer; }
 

@@ -82,7 +82,7 @@ void editSelectedSystem(Document& document, const Selection& selection, const QS
     const QString key =
         mergeKey.isEmpty() ? QString() : QStringLiteral("system %1 %2").arg(region).arg(mergeKey);
     document.edit(
-        text, [&](Project& project) { editSystem(project, region, system); }, key);
+        text, [&](Project& project) { editSystem(project, region, system); }, key, region);
 }
 
 } // namespace esm

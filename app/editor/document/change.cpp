@@ -23,10 +23,6 @@ bool same(const TissueValues& a, const TissueValues& b) {
     return a.springConstant == b.springConstant && a.viscosity == b.viscosity && a.mass == b.mass;
 }
 
-bool same(const std::shared_ptr<const FuzzySystem>& a, const std::shared_ptr<const FuzzySystem>& b) {
-    return a == b || (a && b && *a == *b);
-}
-
 bool same(const Path& a, const Path& b) {
     return sameList(
         a, b, [](const PathPoint& p, const PathPoint& q) { return p.time == q.time && p.value == q.value; });
@@ -74,6 +70,10 @@ bool same(const BaseTissue& a, const BaseTissue& b) {
 }
 
 } // namespace
+
+bool same(const std::shared_ptr<const FuzzySystem>& a, const std::shared_ptr<const FuzzySystem>& b) {
+    return a == b || (a && b && *a == *b);
+}
 
 bool same(const Region& a, const Region& b) {
     return a.name == b.name && a.colour == b.colour && sameReach(a, b) && same(a.system, b.system) &&

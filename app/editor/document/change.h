@@ -4,6 +4,11 @@
 
 namespace esm {
 
+/// A fuzzy system that was edited, as against exchanged for another one, and what it became.
+struct EditedSystem {
+    std::shared_ptr<const FuzzySystem> before, after; ///< both, or neither
+};
+
 /// What differs between two projects; what a listener has to look at anew.
 struct Change {
     bool name = false;
@@ -14,6 +19,7 @@ struct Change {
     bool stepping = false; ///< how the motion is computed
     bool photos = false;
     bool texture = false; ///< texture settings or the packed atlas
+    EditedSystem system{};
 
     bool any() const { return name || mesh || tissue || regions || scene || stepping || photos || texture; }
     /// What the simulation runs on.
@@ -21,9 +27,11 @@ struct Change {
     /// What the composed texture is made of.
     bool picture() const { return mesh || photos || texture; }
 
-    static Change everything() { return {true, true, true, true, true, true, true, true}; }
+    static Change everything() { return {true, true, true, true, true, true, true, true, {}}; }
 };
 
+/// Whether both are alike in all they hold, or both missing.
+bool same(const std::shared_ptr<const FuzzySystem>& a, const std::shared_ptr<const FuzzySystem>& b);
 /// Shared parts but fuzzy systems are compared by pointer, all else by value.
 bool same(const Region& a, const Region& b);
 /// Whether both reach the same places: their ellipsoids and soft rims.

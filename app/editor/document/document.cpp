@@ -19,13 +19,13 @@ QString Document::title() const {
     return m_former.title.isEmpty() ? QString::fromStdString(m_project.name) : m_former.title;
 }
 
-void Document::edit(const QString& text, const std::function<void(Project&)>& change,
-                    const QString& mergeKey) {
+void Document::edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey,
+                    std::optional<std::size_t> systemOf) {
     Project after = m_project;
     change(after);
     if (!difference(m_project, after).any()) return;
     const QString key = mergeKey.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(m_gesture).arg(mergeKey);
-    m_undoStack.push(new ProjectCommand(*this, std::move(after), text, key));
+    m_undoStack.push(new ProjectCommand(*this, std::move(after), {text, key, systemOf}));
 }
 
 void Document::replace(Project project, std::optional<std::filesystem::path> path, Origin origin,
@@ -50,8 +50,9 @@ void Document::markSaved(const std::filesystem::path& path, const Project& writt
     emit titleChanged();
 }
 
-void Document::take(const Project& project) {
-    const Change change = difference(m_project, project);
+void Document::take(const Project& project, std::optional<std::size_t> systemOf) {
+    Change change = difference(m_project, project);
+    if (systemOf) change.system = {m_project.regions[*systemOf].system, project.regions[*systemOf].system};
     m_project = project;
     if (change.any()) emit changed(change);
 }

@@ -44,7 +44,9 @@ public:
 
     /// An undoable edit. Edits that follow each other with the same, non-empty `mergeKey` become one step,
     /// until finishGesture(). Nothing happens when the edit changes nothing.
-    void edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey = {});
+    /// @param systemOf the region whose fuzzy system is edited, as against exchanged for another one
+    void edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey = {},
+              std::optional<std::size_t> systemOf = {});
     /// Another project takes the place of this one; nothing to undo remains.
     void replace(Project project, std::optional<std::filesystem::path> path, Origin origin = Origin::Stored,
                  Former former = {});
@@ -67,7 +69,7 @@ signals:
 
 private:
     friend class ProjectCommand;
-    void take(const Project& project);
+    void take(const Project& project, std::optional<std::size_t> systemOf);
 
     Project m_project;
     std::optional<std::filesystem::path> m_path;

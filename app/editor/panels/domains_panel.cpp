@@ -245,7 +245,7 @@ bool DomainsPanel::take(const QString& text, const std::function<void(Project&)>
                             .arg(m_place.index)
                             .arg(mergeKey);
     try {
-        m_document.edit(text, change, mergeKey.isEmpty() ? QString() : key);
+        m_document.edit(text, change, mergeKey.isEmpty() ? QString() : key, m_selection.region());
         m_terms->setMessage({});
         return true;
     } catch (const InvalidModel& error) {

@@ -10,7 +10,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <iterator>
 
 namespace esm {
 
@@ -22,15 +21,6 @@ constexpr std::size_t mostRulesCheckedAtOnce = 100;
 
 QString rulesCounted(std::size_t count) {
     return count == 1 ? QObject::tr("1 rule") : QObject::tr("%1 rules").arg(countText(count));
-}
-
-/// Whether rules written for the one may well be meant for the other.
-bool haveSameVariables(const FuzzySystem& one, const FuzzySystem& other) {
-    const auto same = [](const std::vector<FuzzyVariable>& a, const std::vector<FuzzyVariable>& b) {
-        return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                          [](const FuzzyVariable& p, const FuzzyVariable& q) { return p.name == q.name; });
-    };
-    return same(one.inputs, other.inputs) && same(one.outputs, other.outputs);
 }
 
 QPushButton* switchButton(const QString& text, const QString& toolTip, QButtonGroup* group) {
@@ -84,7 +74,7 @@ RulesPanel::RulesPanel(Document& document, Selection& selection, QWidget* parent
     whole->addWidget(m_pages);
 
     connectParts();
-    follow(Cause::Edit);
+    follow();
 }
 
 void RulesPanel::connectParts() {
@@ -106,10 +96,9 @@ void RulesPanel::connectParts() {
     connect(m_table, &RuleTable::undoRequested, this, &RulesPanel::undo);
     connect(m_table, &RuleTable::redoRequested, this, &RulesPanel::redo);
     connect(m_notes, &RuleNotes::placePicked, this, &RulesPanel::goTo);
-    connect(&m_selection, &Selection::changed, this, [this] { follow(Cause::OtherRegion); });
+    connect(&m_selection, &Selection::changed, this, [this] { follow(); });
     connect(&m_document, &Document::changed, this, [this](const Change& change) {
-        if (change.mesh || change.regions) follow(change.mesh ? Cause::OtherRegion : Cause::Edit);
-        if (change.mesh) forgetDrafts();
+        if (change.mesh || change.regions) follow(change.system);
     });
 }
 
@@ -142,43 +131,57 @@ QWidget* RulesPanel::buildTop() {
     return top;
 }
 
-void RulesPanel::follow(Cause cause) {
+void RulesPanel::follow(const EditedSystem& edited) {
+    leaveOrgan();
+    m_drafts.follow(edited);
     const auto system = selectedSystem(m_document, m_selection);
-    if (system == m_system) return;
-    const bool wasUnfinished = isUnfinished();
-    const bool keepsDraft =
-        wasUnfinished && cause == Cause::Edit && system && haveSameVariables(*m_system, *system);
-    if (wasUnfinished && !keepsDraft) m_drafts[m_system] = m_text->toPlainText();
-    m_system = system;
-    m_pages->setCurrentIndex(system ? 1 : 0);
-    if (system) {
-        m_text->setSystem(*system);
-        read();
-        const auto draft = m_drafts.find(system);
-        if (draft != m_drafts.end() && !keepsDraft)
-            showText(draft->second);
-        else if (!m_isInForce && !keepsDraft) // what is in force, or is to be, is left as it is written
-            showText(QString::fromStdString(rulesText(*system)));
-        m_drafts.erase(system);
+    const bool goesOn =
+        m_system && (same(system, m_system) || (same(edited.before, m_system) && same(edited.after, system)));
+    if (system != m_system) {
+        if (!goesOn && isUnfinished()) m_drafts.keep(m_system, m_text->toPlainText());
+        m_system = system;
+        m_pages->setCurrentIndex(system ? 1 : 0);
+        if (goesOn)
+            followSystem();
+        else if (system)
+            showSystem();
+        showAll();
     }
-    showAll();
+    tellUnfinished();
+}
+
+/// Text that is not in force stays for what the system has become.
+void RulesPanel::followSystem() {
+    const bool wasInForce = m_isInForce;
+    m_text->setSystem(*m_system);
+    read();
+    // What is in force, or is to be, is left as it is written.
+    if (wasInForce && !m_isInForce) showText(QString::fromStdString(rulesText(*m_system)));
+}
+
+void RulesPanel::showSystem() {
+    m_warnings.clear();
+    m_refusal.clear();
+    m_text->setSystem(*m_system);
+    m_text->forgetEdits();
+    const std::optional<QString> draft = m_drafts.take(m_system);
+    showText(draft ? *draft : QString::fromStdString(rulesText(*m_system)));
+}
+
+/// Drafts of another organ are nobody's, though its systems may look the same.
+void RulesPanel::leaveOrgan() {
+    const Project& project = m_document.project();
+    if (project.mesh == m_organ) return;
+    m_organ = project.mesh;
+    m_drafts.forgetAllBut(project.regions);
+    const auto isHere = [&](const Region& region) { return region.system == m_system; };
+    if (std::none_of(project.regions.begin(), project.regions.end(), isHere)) m_system = nullptr;
 }
 
 void RulesPanel::showText(const QString& text) {
     m_text->showText(text);
     m_isRunning = false;
     read();
-}
-
-/// Those that belong to another organ.
-void RulesPanel::forgetDrafts() {
-    const std::vector<Region>& regions = m_document.project().regions;
-    for (auto draft = m_drafts.begin(); draft != m_drafts.end();) {
-        const bool isInUse = std::any_of(regions.begin(), regions.end(),
-                                         [&](const Region& region) { return region.system == draft->first; });
-        draft = isInUse ? std::next(draft) : m_drafts.erase(draft);
-    }
-    showState();
 }
 
 FuzzySystem RulesPanel::written() const {
@@ -252,6 +255,7 @@ void RulesPanel::showAll() {
 void RulesPanel::check() {
     m_check->stop();
     if (m_system) m_warnings = systemWarnings(*m_system);
+    m_warned = m_system;
     showNotes();
 }
 
@@ -271,10 +275,14 @@ QString RulesPanel::stateText() const {
     return tr("Not in force. %1").arg(before);
 }
 
-void RulesPanel::showState() {
-    const bool hasDraft = isUnfinished() || !m_drafts.empty();
+void RulesPanel::tellUnfinished() {
+    const bool hasDraft = isUnfinished() || m_drafts.concern(m_document.project().regions);
     m_document.setUnfinished(hasDraft ? tr("Rules are written that are not in force, and are not saved.")
                                       : QString());
+}
+
+void RulesPanel::showState() {
+    tellUnfinished();
     if (!m_system) return;
     m_text->showMistakes(m_reading.unread);
     m_state->setText(stateText());
@@ -303,8 +311,10 @@ void RulesPanel::showNotes() {
     std::vector<int> lines; // of the rules
     for (std::size_t line = 0; line < text.size(); ++line)
         if (!isBlank(text[line])) lines.push_back(static_cast<int>(line));
+    // Only then the rules that are warned of are those in the lines.
+    const bool isOfLines = m_isInForce && m_warned == m_system;
     for (const SystemWarning& warning : m_warnings) {
-        const std::size_t rule = warning.rules.empty() ? lines.size() : warning.rules.front();
+        const std::size_t rule = warning.rules.empty() || !isOfLines ? lines.size() : warning.rules.front();
         notes.push_back(
             {Kind::Warning, QString::fromStdString(warning.text), rule < lines.size() ? lines[rule] : -1});
     }

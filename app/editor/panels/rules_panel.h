@@ -2,6 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/panels/rule_drafts.h"
 #include "core/fuzzy/system_warnings.h"
 #include "widgets/fuzzy/rule_notes.h"
 #include "widgets/fuzzy/rule_table.h"
@@ -11,8 +12,6 @@
 #include <QLabel>
 #include <QStackedWidget>
 #include <QTimer>
-
-#include <map>
 
 namespace esm {
 
@@ -34,13 +33,13 @@ public:
     void setPause(std::chrono::milliseconds pause) { m_rest->setInterval(pause); }
 
 private:
-    enum class Cause { OtherRegion, Edit };
-
     QWidget* buildTop();
     void connectParts();
-    void follow(Cause cause);
+    void follow(const EditedSystem& edited = {});
+    void leaveOrgan();
+    void followSystem();
+    void showSystem();
     void showText(const QString& text);
-    void forgetDrafts();
     void takeText();
     void takeTable(const QStringList& lines);
     void read();
@@ -53,6 +52,7 @@ private:
     void check();
     void showTable();
     void showState();
+    void tellUnfinished();
     void showNotes();
     void goTo(int line, int column);
     QString stateText() const;
@@ -76,8 +76,9 @@ private:
     bool m_isInForce = true;
     bool m_isRunning = false; ///< what is typed belongs to the edit made last
     std::vector<SystemWarning> m_warnings;
-    /// Text that is not in force, by the system that was when it was left.
-    std::map<std::shared_ptr<const FuzzySystem>, QString> m_drafts;
+    std::shared_ptr<const FuzzySystem> m_warned; ///< that the warnings are about
+    std::shared_ptr<const TriangleMesh> m_organ;
+    RuleDrafts m_drafts; ///< text that is left, not in force
 };
 
 } // namespace esm

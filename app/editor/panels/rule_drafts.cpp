@@ -1,0 +1,42 @@
+#include "app/editor/panels/rule_drafts.h"
+
+#include <algorithm>
+
+namespace esm {
+
+void RuleDrafts::keep(const System& system, const QString& text) {
+    take(system);
+    m_texts.emplace_back(system, text);
+}
+
+std::optional<QString> RuleDrafts::take(const System& system) {
+    const auto found = std::find_if(m_texts.begin(), m_texts.end(),
+                                    [&](const auto& kept) { return same(kept.first, system); });
+    if (found == m_texts.end()) return std::nullopt;
+    QString text = std::move(found->second);
+    m_texts.erase(found);
+    return text;
+}
+
+void RuleDrafts::follow(const EditedSystem& edited) {
+    if (!edited.before || !edited.after) return;
+    for (auto& [system, text] : m_texts)
+        if (same(system, edited.before)) system = edited.after;
+}
+
+void RuleDrafts::forgetAllBut(const std::vector<Region>& regions) {
+    const auto isGone = [&](const auto& kept) {
+        return std::none_of(regions.begin(), regions.end(),
+                            [&](const Region& region) { return region.system == kept.first; });
+    };
+    m_texts.erase(std::remove_if(m_texts.begin(), m_texts.end(), isGone), m_texts.end());
+}
+
+bool RuleDrafts::concern(const std::vector<Region>& regions) const {
+    return std::any_of(m_texts.begin(), m_texts.end(), [&](const auto& kept) {
+        return std::any_of(regions.begin(), regions.end(),
+                           [&](const Region& region) { return same(region.system, kept.first); });
+    });
+}
+
+} // namespace esm
