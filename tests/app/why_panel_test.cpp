@@ -102,6 +102,24 @@ TEST_F(WhyPanelTest, AClickOnTheCurveSetsTheInputAndCanBeTakenBack) {
     EXPECT_EQ(input(0), before);
 }
 
+TEST_F(WhyPanelTest, QuickKeysLoseNoStep) {
+    document.edit("inputs",
+                  [](Project& p) { p.regions[0].inputs[0].second = p.regions[0].inputs[1].second = 5; });
+    waitForAnswer();
+    for (const int key : {Qt::Key_Right, Qt::Key_Right, Qt::Key_Up, Qt::Key_Right})
+        QTest::keyClick(map, Qt::Key(key));
+    EXPECT_NEAR(input(0), 5.3, 1e-9);
+    EXPECT_NEAR(input(1), 5.1, 1e-9);
+}
+
+TEST_F(WhyPanelTest, AKeySetsNoOtherInput) {
+    document.edit("leave out",
+                  [](Project& p) { p.regions[0].inputs.erase(p.regions[0].inputs.begin() + 1); });
+    waitForAnswer();
+    QTest::keyClick(map, Qt::Key_Right);
+    EXPECT_EQ(document.project().regions[0].inputs.size(), 2u);
+}
+
 TEST_F(WhyPanelTest, ADragOverTheMapSetsBothInputsInOneEdit) {
     const double across = input(0), up = input(1);
     const PlotFrame frame = map->frame();
@@ -115,7 +133,8 @@ TEST_F(WhyPanelTest, ADragOverTheMapSetsBothInputsInOneEdit) {
     EXPECT_NEAR(input(1), 6, 0.1);
     EXPECT_EQ(document.undoStack()->count(), 1);
     waitForAnswer();
-    EXPECT_NEAR(map->outputAt(input(0), input(1)).value(), *inferred(0), 2);
+    EXPECT_NEAR(map->outputAt(input(0), input(1)).value(), *inferred(0), 2) << "by cells";
+    EXPECT_TRUE(map->said().endsWith(": " + withUnit(*inferred(0), "N/m"))) << map->said().toStdString();
     document.undoStack()->undo();
     EXPECT_EQ(input(0), across);
     EXPECT_EQ(input(1), up);
@@ -128,7 +147,8 @@ TEST_F(WhyPanelTest, AnotherOutputAndAnotherInputCanBeChosen) {
     EXPECT_TRUE(conclusion->textAt(std::nullopt).endsWith("N·s/m"));
     EXPECT_NEAR(curve->outputAt(input(2)).value(), *inferred(1), 1);
     child<QComboBox>("whyUp")->setCurrentIndex(2);
-    EXPECT_NE(child<QComboBox>("whyUp")->currentIndex(), 2) << "the inputs of a map are not the same";
+    EXPECT_EQ(child<QComboBox>("whyUp")->currentIndex(), 2);
+    EXPECT_EQ(child<QComboBox>("whyAcross")->currentIndex(), 1) << "they swap";
 }
 
 TEST_F(WhyPanelTest, SaysWhatIsHeld) {
@@ -140,6 +160,11 @@ TEST_F(WhyPanelTest, SaysWhatIsHeld) {
 TEST_F(WhyPanelTest, SaysWhatToDoWithoutASystem) {
     document.edit("none", [](Project& p) { p.regions[0].system = nullptr; });
     EXPECT_FALSE(curve->isVisible());
+    QStringList said;
+    for (auto* label : panel.findChildren<QLabel*>())
+        if (label->isVisible()) said << label->text();
+    ASSERT_EQ(said.size(), 1);
+    EXPECT_TRUE(said[0].contains("choose a fuzzy system"));
     document.undoStack()->undo();
     EXPECT_TRUE(curve->isVisible());
 }

@@ -86,11 +86,12 @@ QString ResponseMapView::textAt(const std::optional<QPointF>& place) const {
     const auto input = [](const QString& name, std::optional<double> value, const QString& unit) {
         return name + ' ' + (value ? withUnit(*value, unit) : tr("left out"));
     };
-    std::optional<double> output = m_presentOutput;
-    if (place && across && up) output = outputAt(*across, *up);
+    // Elsewhere it is known in the middles of the cells alone.
+    const auto output = place ? outputAt(*across, *up) : m_presentOutput;
+    const QString about = place ? QStringLiteral("≈ ") : QString();
     return tr("%1, %2: %3")
         .arg(input(m_acrossName, across, m_across.unit), input(m_upName, up, m_up.unit),
-             output ? withUnit(*output, m_values.unit) : tr("not reached by any rule"));
+             output ? about + withUnit(*output, m_values.unit) : tr("not reached by any rule"));
 }
 
 void ResponseMapView::draw(QPainter& painter, const PlotFrame& frame) {

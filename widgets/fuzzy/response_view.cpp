@@ -7,12 +7,14 @@
 #include <QMouseEvent>
 
 #include <algorithm>
+#include <cmath>
 
 namespace esm {
 
 namespace {
 
-constexpr double keyStep = 0.01; ///< of an input's range
+constexpr double keyStep = 0.01;   ///< of an input's range
+constexpr double presentReach = 3; ///< pixels
 
 } // namespace
 
@@ -25,6 +27,11 @@ ResponseView::ResponseView(QWidget* parent) : QWidget(parent) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(pauseBetweenGestures);
     connect(&m_pause, &QTimer::timeout, this, &ResponseView::gestureFinished);
+}
+
+void ResponseView::setInputs(std::optional<double> across, std::optional<double> up) {
+    m_setAcross = across;
+    m_setUp = up;
 }
 
 void ResponseView::setPresent(std::optional<double> across, std::optional<double> up,
@@ -51,7 +58,7 @@ void ResponseView::paintEvent(QPaintEvent*) {
     painter.restore();
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(rect().adjusted(6, 1, -6, 0), Qt::AlignTop | Qt::AlignLeft,
-                     fontMetrics().elidedText(textAt(m_pointed), Qt::ElideRight, width() - 12));
+                     fontMetrics().elidedText(said(), Qt::ElideRight, width() - 12));
     if (!hasFocus()) return;
     painter.setBrush(Qt::NoBrush);
     painter.setPen(palette().color(QPalette::Link));
@@ -60,7 +67,20 @@ void ResponseView::paintEvent(QPaintEvent*) {
 
 void ResponseView::setFrom(const QPointF& place) {
     const PlotFrame shown = frame();
-    emit inputsSet(shown.acrossAt(place.x()), shown.upAt(place.y()));
+    emit inputsSet(shown.acrossAt(place.x()),
+                   stepUp() > 0 ? std::optional(shown.upAt(place.y())) : std::nullopt);
+}
+
+/// At the present place, and while it is drawn along, the output is known, and not only as it is drawn.
+std::optional<QPointF> ResponseView::spokenPlace() const {
+    if (!m_pointed || m_isDragged || !m_presentAcross) return m_isDragged ? std::nullopt : m_pointed;
+    const PlotFrame shown = frame();
+    const bool isOnCurve = stepUp() == 0;
+    const QPointF present(shown.x(*m_presentAcross),
+                          isOnCurve || !m_presentUp ? m_pointed->y() : shown.y(*m_presentUp));
+    const QPointF off = *m_pointed - present;
+    const bool isPresent = (isOnCurve || m_presentUp) && std::hypot(off.x(), off.y()) <= presentReach;
+    return isPresent ? std::nullopt : m_pointed;
 }
 
 void ResponseView::mousePressEvent(QMouseEvent* event) {
@@ -86,12 +106,13 @@ void ResponseView::mouseReleaseEvent(QMouseEvent* event) {
 void ResponseView::keyPressEvent(QKeyEvent* event) {
     const int across = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
     const int up = (event->key() == Qt::Key_Up) - (event->key() == Qt::Key_Down);
-    const double stepsUp = stepUp();
-    if ((across == 0 && (up == 0 || stepsUp == 0)) || !m_presentAcross) return QWidget::keyPressEvent(event);
-    const double x = *m_presentAcross + across * keyStep * m_across.width();
-    const double y = m_presentUp.value_or(0) + up * stepsUp;
+    std::optional<double> x, y;
+    if (across != 0 && m_setAcross) x = *m_setAcross + across * keyStep * m_across.width();
+    if (up != 0 && m_setUp && stepUp() > 0) y = *m_setUp + up * stepUp();
+    if (!x && !y) return QWidget::keyPressEvent(event);
+    if (x) x = std::clamp(*x, m_across.minimum, m_across.maximum);
     m_pause.start();
-    emit inputsSet(std::clamp(x, m_across.minimum, m_across.maximum), y);
+    emit inputsSet(x, y);
 }
 
 void ResponseView::finish() {

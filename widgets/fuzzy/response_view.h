@@ -18,16 +18,21 @@ class ResponseView : public QWidget {
 public:
     explicit ResponseView(QWidget* parent);
 
-    /// The inputs' present values, by their axes; what is drawn stands at them.
+    /// The inputs as they are set, by their axes: what the arrow keys step from. What they come to is told by
+    /// setPresent(), it may be later.
+    void setInputs(std::optional<double> across, std::optional<double> up);
+    /// The inputs that the output is known at, and where what is drawn stands.
     void setPresent(std::optional<double> across, std::optional<double> up, std::optional<double> output);
     /// What is drawn is being computed anew: it is shown faintly until then.
     void setStale(bool stale);
     /// Where values lie in the widget.
     virtual PlotFrame frame() const = 0;
+    /// What is said of the place that the mouse points at, or of the present one.
+    QString said() const { return textAt(spokenPlace()); }
 
 signals:
-    /// The inputs are to be these; the second has a meaning only in a map.
-    void inputsSet(double across, double up);
+    /// The inputs are to be these; one without a value stays as it is.
+    void inputsSet(std::optional<double> across, std::optional<double> up);
     /// The drag or the run of keys is over: what follows is another edit.
     void gestureFinished();
 
@@ -54,7 +59,9 @@ protected:
 private:
     void setFrom(const QPointF& place);
     void finish();
+    std::optional<QPointF> spokenPlace() const;
 
+    std::optional<double> m_setAcross, m_setUp;
     bool m_isStale = false;
     QTimer m_pause; ///< runs since the last step by an arrow key
 };

@@ -129,7 +129,8 @@ void WhyPanel::buildChoices() {
     m_output->setToolTip(tr("The output that is explained"));
     m_across->setToolTip(tr("The input that the curve goes over, and the map across"));
     for (QComboBox* choice : {m_output, m_across, m_up})
-        connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
+        connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, choice] {
+            if (choice != m_output) keepApart(choice);
             chooseAxes();
             ask();
         });
@@ -158,12 +159,11 @@ void WhyPanel::buildViews() {
                titledPart(tr("What they conclude, and its centre of gravity"), m_conclusion),
                titledPart(tr("The output over one input"), m_curve),
                titledPart(tr("The output over two inputs"), maps)};
-    connect(m_curve, &ResponseView::inputsSet, this,
-            [this](double across, double) { setInputs(across, std::nullopt); });
-    connect(m_map, &ResponseView::inputsSet, this,
-            [this](double across, double up) { setInputs(across, up); });
-    for (const ResponseView* view : {static_cast<ResponseView*>(m_curve), static_cast<ResponseView*>(m_map)})
+    for (const ResponseView* view :
+         {static_cast<ResponseView*>(m_curve), static_cast<ResponseView*>(m_map)}) {
+        connect(view, &ResponseView::inputsSet, this, &WhyPanel::setInputs);
         connect(view, &ResponseView::gestureFinished, &m_document, &Document::finishGesture);
+    }
 }
 
 void WhyPanel::arrange() {
@@ -219,6 +219,10 @@ void WhyPanel::rebuild() {
     fillChooser(m_across, m_system->inputs);
     fillChooser(m_up, m_system->inputs);
     const bool hasMap = m_system->inputs.size() > 1;
+    if (hasMap && m_up->currentIndex() == m_across->currentIndex()) {
+        const QSignalBlocker quiet(m_up);
+        m_up->setCurrentIndex((m_across->currentIndex() + 1) % m_up->count());
+    }
     m_up->setEnabled(hasMap);
     m_up->setToolTip(hasMap ? tr("The input that the map goes up with") : m_noMap->text());
     m_map->setVisible(hasMap);
@@ -226,12 +230,17 @@ void WhyPanel::rebuild() {
     chooseAxes();
 }
 
+/// The two inputs of a map are not the same: where one is given the other's place, they swap.
+void WhyPanel::keepApart(const QComboBox* changed) {
+    if (m_up->count() < 2 || m_up->currentIndex() != m_across->currentIndex()) return;
+    QComboBox* other = changed == m_up ? m_across : m_up;
+    const QSignalBlocker quiet(other);
+    other->setCurrentIndex(changed == m_up ? m_shownUp : m_shownAcross);
+}
+
 void WhyPanel::chooseAxes() {
-    // The two inputs of a map are not the same.
-    if (m_up->count() > 1 && m_up->currentIndex() == m_across->currentIndex()) {
-        const QSignalBlocker quiet(m_up);
-        m_up->setCurrentIndex((m_across->currentIndex() + 1) % m_up->count());
-    }
+    m_shownAcross = m_across->currentIndex();
+    m_shownUp = m_up->currentIndex();
     const FuzzyVariable &output = m_system->outputs[chosenIndex(m_output)],
                         &across = m_system->inputs[chosenIndex(m_across)],
                         &up = m_system->inputs[chosenIndex(m_up)];
@@ -249,10 +258,11 @@ void WhyPanel::chooseAxes() {
 void WhyPanel::ask() {
     const Region* shown = region();
     if (!m_system || !shown) return;
-    WhyQuestion question{m_system,
-                         {chosenIndex(m_output), orderedInputs(*m_system, shown->inputs)},
-                         chosenIndex(m_across),
-                         std::nullopt};
+    const auto inputs = orderedInputs(*m_system, shown->inputs);
+    const std::optional<double> across = inputs[chosenIndex(m_across)];
+    m_curve->setInputs(across, std::nullopt);
+    m_map->setInputs(across, inputs[chosenIndex(m_up)]);
+    WhyQuestion question{m_system, {chosenIndex(m_output), inputs}, chosenIndex(m_across), std::nullopt};
     if (m_system->inputs.size() > 1) question.up = chosenIndex(m_up);
     m_asked = m_finder.ask(question);
     if (!m_wait.isActive()) m_wait.start();

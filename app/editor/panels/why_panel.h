@@ -37,6 +37,7 @@ private:
     void arrange();
     void showSystem();
     void rebuild();
+    void keepApart(const QComboBox* changed);
     void chooseAxes();
     void ask();
     void showAnswer();
@@ -63,6 +64,7 @@ private:
     std::shared_ptr<const ResponseCurve> m_shownCurve;
     std::shared_ptr<const ResponseMap> m_shownMap;
     QTimer m_wait; ///< runs while an answer is awaited
+    int m_shownAcross = 0, m_shownUp = 0;
     bool m_isWide = false;
 };
 

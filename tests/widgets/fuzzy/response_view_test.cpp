@@ -4,6 +4,8 @@
 #include "core/exchange/fuzzy_file.h"
 
 #include <gtest/gtest.h>
+#include <QApplication>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -22,6 +24,14 @@ template<typename View> void open(View& view) {
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&view));
 }
 
+/// What a view asks for.
+struct SetInputs : std::vector<std::pair<std::optional<double>, std::optional<double>>> {
+    explicit SetInputs(const ResponseView& view) {
+        QObject::connect(&view, &ResponseView::inputsSet,
+                         [this](auto across, auto up) { emplace_back(across, up); });
+    }
+};
+
 class ResponseCurveViewTest : public testing::Test {
 protected:
     ResponseCurveViewTest() {
@@ -32,7 +42,8 @@ protected:
     int middle() const { return view.height() / 2; }
 
     ResponseCurveView view;
-    QSignalSpy set{&view, &ResponseView::inputsSet}, finished{&view, &ResponseView::gestureFinished};
+    SetInputs set{view};
+    QSignalSpy finished{&view, &ResponseView::gestureFinished};
 };
 
 } // namespace
@@ -45,20 +56,21 @@ TEST_F(ResponseCurveViewTest, KnowsTheOutputAndItsGaps) {
 
 TEST_F(ResponseCurveViewTest, AClickSetsTheInput) {
     QTest::mouseClick(&view, Qt::LeftButton, {}, {qRound(view.frame().x(7)), middle()});
-    ASSERT_EQ(set.count(), 1);
-    EXPECT_NEAR(set[0][0].toDouble(), 7, 0.05);
+    ASSERT_EQ(set.size(), 1u);
+    EXPECT_NEAR(set[0].first.value(), 7, 0.05);
+    EXPECT_FALSE(set[0].second);
     EXPECT_EQ(finished.count(), 1);
     QTest::mouseClick(&view, Qt::LeftButton, {}, {view.width() - 1, middle()});
-    EXPECT_EQ(set[1][0].toDouble(), 10) << "beside the frame lies the nearer end";
+    EXPECT_EQ(set[1].first, 10) << "beside the frame lies the nearer end";
 }
 
 TEST_F(ResponseCurveViewTest, TheArrowKeysStepTheInput) {
     QTest::keyClick(&view, Qt::Key_Right);
-    EXPECT_EQ(set.count(), 0) << "without a value there is nothing to step";
-    view.setPresent(5, std::nullopt, std::nullopt);
+    EXPECT_TRUE(set.empty()) << "without a value there is nothing to step";
+    view.setInputs(5, std::nullopt);
     QTest::keyClick(&view, Qt::Key_Right);
-    ASSERT_EQ(set.count(), 1);
-    EXPECT_NEAR(set[0][0].toDouble(), 5.1, 1e-12);
+    ASSERT_EQ(set.size(), 1u);
+    EXPECT_NEAR(set[0].first.value(), 5.1, 1e-12);
     EXPECT_EQ(finished.count(), 0);
     EXPECT_TRUE(finished.wait(5000));
 }
@@ -89,14 +101,36 @@ TEST(ResponseMapView, SetsBothInputsWhereItIsClicked) {
     EXPECT_EQ(colourAt(1, 1), mapColour(0.1));
     EXPECT_EQ(colourAt(9, 9), mapColour(0.5));
 
-    const QSignalSpy set(&view, &ResponseView::inputsSet);
+    const SetInputs set(view);
     QTest::mouseClick(&view, Qt::LeftButton, {}, view.frame().at(7, 2).toPoint());
-    ASSERT_EQ(set.count(), 1);
-    EXPECT_NEAR(set[0][0].toDouble(), 7, 0.05);
-    EXPECT_NEAR(set[0][1].toDouble(), 2, 0.1);
-    view.setPresent(7, 2, 90);
+    ASSERT_EQ(set.size(), 1u);
+    EXPECT_NEAR(set[0].first.value(), 7, 0.05);
+    EXPECT_NEAR(set[0].second.value(), 2, 0.1);
+    view.setInputs(7, 2);
     QTest::keyClick(&view, Qt::Key_Up);
-    EXPECT_NEAR(set[1][1].toDouble(), 2.1, 1e-12);
+    EXPECT_FALSE(set[1].first);
+    EXPECT_NEAR(set[1].second.value(), 2.1, 1e-12);
+    view.setInputs(7, std::nullopt);
+    QTest::keyClick(&view, Qt::Key_Up);
+    EXPECT_EQ(set.size(), 2u) << "what is left out has no step";
+}
+
+TEST(ResponseMapView, KnowsThePresentOutputExactlyAndOthersByCells) {
+    ResponseMapView view;
+    view.setAxes({roboSim().inputs[0], roboSim().inputs[1], roboSim().outputs[0], {0, 100, "N/m"}});
+    open(view);
+    view.setMap({2, {10, 90, std::nullopt, 50}});
+    view.setPresent(7, 2, 88);
+    const auto point = [&](double across, double up) {
+        QMouseEvent move(QEvent::MouseMove, view.frame().at(across, up), Qt::NoButton, Qt::NoButton, {});
+        QApplication::sendEvent(&view, &move);
+    };
+    point(7, 2);
+    EXPECT_TRUE(view.said().endsWith(": 88.00 N/m")) << view.said().toStdString();
+    point(9, 4);
+    EXPECT_TRUE(view.said().endsWith(QString::fromUtf8(": ≈ 90.00 N/m"))) << view.said().toStdString();
+    QTest::mousePress(&view, Qt::LeftButton, {}, view.frame().at(9, 4).toPoint());
+    EXPECT_TRUE(view.said().endsWith(": 88.00 N/m")) << "until the new one is known";
 }
 
 TEST(MapColour, GrowsLighterAllTheWay) {
