@@ -149,10 +149,16 @@ TEST_F(DomainsPanelTest, TermsAreAddedMovedAndSpread) {
     EXPECT_TRUE(message().isEmpty());
     const int steps = edits();
     for (auto* button : panel()->findChildren<QToolButton*>())
-        if (button->toolTip() == "Move the term up") button->click();
+        if (button->toolTip().startsWith("Move the term up")) button->click();
     EXPECT_EQ(consistency().terms[static_cast<std::size_t>(row) - 1].name, "new");
     EXPECT_EQ(terms()->currentRow(), row - 1);
     EXPECT_EQ(edits(), steps + 1);
+    QTest::keyClick(terms(), Qt::Key_Down, Qt::ControlModifier);
+    EXPECT_EQ(consistency().terms[static_cast<std::size_t>(row)].name, "new");
+    EXPECT_EQ(terms()->currentRow(), row);
+    emit terms()->moveRequested(row, 0); // as a drop does
+    EXPECT_EQ(consistency().terms[0].name, "new");
+    EXPECT_EQ(terms()->currentRow(), 0);
     while (edits() > 1)
         undo();
     EXPECT_EQ(system(), before);
@@ -180,6 +186,11 @@ TEST_F(DomainsPanelTest, RangeAndUnitAreTyped) {
     QTest::keyClick(unit, Qt::Key_Return);
     EXPECT_EQ(consistency().unit, "kPa");
     EXPECT_TRUE(child<QLabel>("domainWords")->text().contains("kPa"));
+    typeInto(fields[1], "250 kPa");
+    QTest::keyClick(fields[1], Qt::Key_Return);
+    EXPECT_EQ(consistency().maximum, 250);
+    EXPECT_TRUE(fields[1]->toolTip().endsWith(", in kPa"));
+    EXPECT_TRUE(corner(Corner::A)->toolTip().endsWith(", in kPa"));
 }
 
 TEST_F(DomainsPanelTest, VariablesAreAddedRenamedAndRemoved) {

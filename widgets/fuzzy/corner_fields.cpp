@@ -44,8 +44,9 @@ void CornerFields::setTerm(const FuzzyVariable& variable, std::size_t term) {
         format.step = cornerStep(variable);
         field(corner)->setFormat(format);
         field(corner)->setValue(cornerOf(set, corner));
+        const QString in = format.unit.isEmpty() ? QString() : tr(", in %1").arg(format.unit);
         field(corner)->setToolTip(
-            tr("Where “%1” %2").arg(readableName(variable.terms[term].name), cornerUse(corner)));
+            tr("Where “%1” %2%3").arg(readableName(variable.terms[term].name), cornerUse(corner), in));
     }
 }
 

@@ -24,8 +24,6 @@ RangeRow::RangeRow(QWidget* parent)
     m_minimum->setAccessibleName(tr("Range from"));
     m_maximum->setAccessibleName(tr("Range to"));
     m_unit->setAccessibleName(tr("Unit"));
-    m_minimum->setToolTip(tr("The least value of the variable"));
-    m_maximum->setToolTip(tr("The greatest value of the variable"));
     m_unit->setToolTip(tr("The unit of its values, for people; may be empty"));
     m_unit->setPlaceholderText(tr("none"));
     m_unit->setMaxLength(20);
@@ -69,10 +67,15 @@ RangeRow::RangeRow(QWidget* parent)
 void RangeRow::setVariable(const FuzzyVariable& variable) {
     NumberFormat below, above;
     below.step = above.step = 10 * cornerStep(variable);
+    below.unit = above.unit = QString::fromStdString(variable.unit);
+    below.showsUnit = above.showsUnit = false; // it stands beside them
     below.maximum = variable.maximum;
     above.minimum = variable.minimum;
     m_minimum->setFormat(below);
     m_maximum->setFormat(above);
+    const QString in = variable.unit.empty() ? QString() : tr(", in %1").arg(below.unit);
+    m_minimum->setToolTip(tr("The least value of the variable%1").arg(in));
+    m_maximum->setToolTip(tr("The greatest value of the variable%1").arg(in));
     m_minimum->setValue(variable.minimum);
     m_maximum->setValue(variable.maximum);
     if (!(m_unit->hasFocus() && m_unit->isModified())) m_unit->setText(QString::fromStdString(variable.unit));

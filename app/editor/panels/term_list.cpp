@@ -57,6 +57,8 @@ TermList::TermList(QWidget* parent)
         emit termRenamed(static_cast<std::size_t>(row), typed);
     });
     connect(m_list, &ItemList::removeRequested, this, &TermList::removeRequested);
+    connect(m_list, &ItemList::moveRequested, this,
+            [this](int row, int to) { emit moveRequested(to - row); });
 }
 
 QLayout* TermList::header() {
@@ -108,8 +110,8 @@ void TermList::setTerms(const FuzzyVariable& variable, std::size_t inHand, std::
     }
     m_list->setRows(rows, static_cast<int>(inHand));
     const std::size_t last = variable.terms.size() - 1;
-    enable(m_up, inHand > 0, tr("Move the term up"), tr("It is the first already"));
-    enable(m_down, inHand < last, tr("Move the term down"), tr("It is the last already"));
+    enable(m_up, inHand > 0, tr("Move the term up (Ctrl+Up)"), tr("It is the first already"));
+    enable(m_down, inHand < last, tr("Move the term down (Ctrl+Down)"), tr("It is the last already"));
     enable(m_remove, last > 0, tr("Remove the term (Del)"), tr("A variable has at least one term"));
 }
 

@@ -32,7 +32,7 @@ signals:
     void termRenamed(std::size_t term, const QString& typed);
     void addRequested();
     void removeRequested();
-    /// One place up (−1) or down (+1).
+    /// So many places down, or up where it is below zero.
     void moveRequested(int by);
     void evenRequested();
     void overlapRequested();
