@@ -277,7 +277,8 @@ bool RuleTextEdit::canInsertFromMimeData(const QMimeData* source) const {
 void RuleTextEdit::insertFromMimeData(const QMimeData* source) {
     const QString text = source->text();
     const int lines = text.count('\n') + text.count(QChar::ParagraphSeparator);
-    if (blockCount() + lines > static_cast<int>(mostFuzzyRules))
+    const int replaced = textCursor().selectedText().count(QChar::ParagraphSeparator);
+    if (blockCount() - replaced + lines > static_cast<int>(mostFuzzyRules))
         return emit pasteRefused(
             tr("%1 lines were not pasted: a fuzzy system may have %2 rules.")
                 .arg(countText(static_cast<std::size_t>(lines) + 1), countText(mostFuzzyRules)));

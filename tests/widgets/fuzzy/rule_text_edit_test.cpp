@@ -162,3 +162,15 @@ TEST_F(RuleTextEditTest, RefusesMoreLinesThanThereMayBeRules) {
     paste("\nIF zeal IS much THEN mass IS small");
     EXPECT_EQ(edited.count(), 1);
 }
+
+TEST_F(RuleTextEditTest, WhatAPasteReplacesDoesNotCount) {
+    QSignalSpy refused(&edit, &RuleTextEdit::pasteRefused);
+    const QString many = QString("IF age IS old THEN mass IS small\n").repeated(1500);
+    edit.showText(many);
+    edit.selectAll();
+    paste(many);
+    EXPECT_EQ(refused.count(), 0);
+    EXPECT_EQ(edit.blockCount(), 1501);
+    paste(many);
+    EXPECT_EQ(refused.count(), 1);
+}
