@@ -44,6 +44,7 @@ RuleStrengths::RuleStrengths(QWidget* parent) : QAbstractScrollArea(parent) {
 }
 
 void RuleStrengths::setSystem(std::shared_ptr<const FuzzySystem> system) {
+    const QString chosen = m_chosen ? m_words[*m_chosen] : QString();
     m_system = std::move(system);
     m_words.clear();
     m_rules.clear();
@@ -51,12 +52,14 @@ void RuleStrengths::setSystem(std::shared_ptr<const FuzzySystem> system) {
         for (const FuzzyRule& rule : m_system->rules)
             m_words.push_back(wordsOfRule(*m_system, rule));
     m_rules.resize(m_words.size());
-    if (m_chosen && *m_chosen >= m_words.size()) choose(std::nullopt);
+    // What stands there now may be another rule.
+    if (m_chosen && (*m_chosen >= m_words.size() || m_words[*m_chosen] != chosen)) choose(std::nullopt);
     measure();
 }
 
 void RuleStrengths::setExplanations(std::vector<RuleExplanation> rules) {
     m_rules = std::move(rules);
+    if (m_chosen) setAccessibleDescription(explained(*m_chosen));
     arrange();
 }
 

@@ -67,6 +67,21 @@ TEST_F(RuleStrengthsTest, ClicksAndKeysChooseARule) {
     EXPECT_EQ(chosen.count(), 2 + 5 + 1 + 2);
 }
 
+TEST_F(RuleStrengthsTest, TheChoiceIsOfARuleNotOfAPlace) {
+    click(5);
+    const QString description = list.accessibleDescription();
+    explain(4.5);
+    EXPECT_EQ(list.accessibleDescription(), list.explained(0));
+    EXPECT_NE(list.accessibleDescription(), description) << "degrees are others";
+    list.setSystem(std::make_shared<const FuzzySystem>(*system));
+    EXPECT_EQ(list.chosenRule(), 0U);
+    FuzzySystem reordered = *system;
+    std::swap(reordered.rules[0], reordered.rules[1]);
+    list.setSystem(std::make_shared<const FuzzySystem>(reordered));
+    EXPECT_EQ(list.chosenRule(), std::nullopt);
+    EXPECT_TRUE(list.accessibleDescription().isEmpty());
+}
+
 TEST_F(RuleStrengthsTest, TheDegreesAreDrawn) {
     const QImage before = list.grab().toImage();
     explain(4.5);
