@@ -106,11 +106,15 @@ std::optional<Drag> OrganView::dragAt(const QPointF& place) {
 }
 
 std::optional<RegionHandle> OrganView::regionHandleAt(const QPointF& place) const {
+    std::optional<RegionHandle> nearest;
+    double least = handleReach;
     for (const RegionHandle& handle : shownRegionHandles()) {
         const auto seen = placeOf(handle.place);
-        if (seen && distance(*seen, place) <= handleReach) return handle;
+        if (!seen || distance(*seen, place) > least) continue;
+        least = distance(*seen, place);
+        nearest = handle;
     }
-    return std::nullopt;
+    return nearest;
 }
 
 std::optional<Drag> OrganView::regionDragAt(const QPointF& place, const Ray& ray) const {

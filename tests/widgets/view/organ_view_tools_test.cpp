@@ -211,6 +211,24 @@ TEST_F(OrganViewTest, RegionIsTurnedByItsDots) {
     EXPECT_EQ(shape->centre, drawn.shape.centre);
 }
 
+TEST_F(OrganViewTest, OfHandlesCloseTogetherTheNearestIsTaken) {
+    const double pixel = 0.06 / (placeOf({0.06, 0, 0}).x() - middle().x());
+    DrawnEllipsoid drawn;
+    drawn.shape.radii = {0.06, 3.5 * pixel, 0.03};
+    drawn.selected = true;
+    scene.ellipsoids = {drawn};
+    view.setScene(scene);
+    view.setTool(ViewTool::Region);
+    std::optional<Ellipsoid> shape;
+    QObject::connect(&view, &OrganView::regionDragged, [&](int, const Ellipsoid& now) { shape = now; });
+    const QPoint lower = placeOf({0, -3.5 * pixel, 0});
+    press(lower);
+    moveTo(lower + QPoint(0, 40));
+    release(lower + QPoint(0, 40));
+    ASSERT_TRUE(shape);
+    EXPECT_NEAR(shape->radii.y(), 43.5 * pixel, 3 * pixel);
+}
+
 TEST_F(OrganViewTest, RimIsWidenedByTheDiamond) {
     DrawnEllipsoid drawn;
     drawn.shape.radii = {0.06, 0.06, 0.06};
