@@ -19,9 +19,4 @@ struct ShapeReading {
 /// @throws InvalidModel where no trapezoid comes near it
 ShapeReading readShape(const std::string& shape, const std::vector<double>& numbers);
 
-/// One without area, all four corners at one place.
-inline bool isSinglePoint(const Trapezoid& set) {
-    return set.a == set.d;
-}
-
 } // namespace esm

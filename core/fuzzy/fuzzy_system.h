@@ -13,6 +13,11 @@ struct Trapezoid {
     double a = 0, b = 0, c = 0, d = 0;
 };
 
+/// One without area, all four corners at one place. It is a shoulder nowhere, not even at an end of a domain.
+inline bool isSinglePoint(const Trapezoid& set) {
+    return set.a == set.d;
+}
+
 /// Degree, 0 to 1, to which `x` belongs to the set. [R 2.47]
 double membership(const Trapezoid& set, double x);
 

@@ -20,11 +20,11 @@ double between(double lower, double upper, double value) {
 }
 
 bool isLeftShoulder(const FuzzyVariable& variable, const Trapezoid& set) {
-    return set.a == set.b && set.a == variable.minimum;
+    return set.a == set.b && set.a == variable.minimum && !isSinglePoint(set);
 }
 
 bool isRightShoulder(const FuzzyVariable& variable, const Trapezoid& set) {
-    return set.c == set.d && set.d == variable.maximum;
+    return set.c == set.d && set.d == variable.maximum && !isSinglePoint(set);
 }
 
 double middle(const Trapezoid& set) {
@@ -63,8 +63,7 @@ Trapezoid stretched(const FuzzyVariable& variable, const Trapezoid& set, double 
 
 Trapezoid staying(const FuzzyVariable& variable, const FuzzyTerm& term, double minimum, double maximum) {
     Trapezoid set = term.set;
-    const bool isPoint = set.a == set.d;
-    if (isPoint ? set.a < minimum || set.a > maximum : set.d <= minimum || set.a >= maximum)
+    if (isSinglePoint(set) ? set.a < minimum || set.a > maximum : set.d <= minimum || set.a >= maximum)
         throw InvalidModel("\"" + term.name + "\" would lie outside " + numberText(minimum) + " to " +
                            numberText(maximum) + ": move or remove it first, or let the terms stretch");
     if (isLeftShoulder(variable, set)) set.a = set.b = minimum;

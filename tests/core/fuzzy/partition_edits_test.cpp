@@ -86,6 +86,17 @@ TEST(PartitionEdits, ATermIsShiftedAsAWholeAndShouldersStay) {
     EXPECT_EQ(shifted(variable, 2, 99), (Trapezoid{9, 12, 12, 12}));
 }
 
+TEST(PartitionEdits, ASinglePointAtAnEndOfTheRangeIsNoShoulder) {
+    const FuzzyVariable variable{"v", 0, 10, {{"none", {0, 0, 0, 0}}, {"all", {10, 10, 10, 10}}}};
+    EXPECT_EQ(shifted(variable, 0, 2), (Trapezoid{2, 2, 2, 2}));
+    EXPECT_EQ(shifted(variable, 0, -2), (Trapezoid{0, 0, 0, 0}));
+    EXPECT_EQ(shifted(variable, 1, -3), (Trapezoid{7, 7, 7, 7}));
+    EXPECT_EQ(withRange(variable, -5, 20, TermsInRange::Stay).terms, variable.terms);
+    EXPECT_EQ(withRange(variable, 20, 30, TermsInRange::Stretch).terms[1].set, (Trapezoid{30, 30, 30, 30}));
+    EXPECT_THAT([&] { withRange(variable, 0, 9, TermsInRange::Stay); },
+                ThrowsMessage<InvalidModel>(HasSubstr("\"all\" would lie outside 0 to 9")));
+}
+
 TEST(PartitionEdits, ACornerSnapsToOtherTermsThenToRoundValues) {
     const FuzzyVariable variable = firmness();
     EXPECT_EQ(snapped(variable, 1, 5.13, {0.2, 0.1}), 5) << "where firm begins";
