@@ -1,13 +1,11 @@
 #include "core/fuzzy/system_warnings.h"
 
-#include "core/fuzzy/normal_form.h"
-#include "core/fuzzy/rule_reach.h"
+#include "core/fuzzy/rule_facts.h"
 #include "core/support/joined.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <set>
 
 namespace esm {
 
@@ -15,36 +13,8 @@ namespace {
 
 using WarningKind = SystemWarning::Kind;
 using ValueBoxes = std::vector<ValueBox>;
-using TermSet = std::set<std::size_t>;
 
 constexpr std::size_t mostPairWork = 4'000'000; // comparisons of rules and of their boxes
-
-/// What is looked up of a rule again and again.
-struct RuleFacts {
-    std::string normalForm;
-    std::set<std::size_t> inputs;             ///< that it asks for
-    std::map<std::size_t, TermSet> concluded; ///< by output
-    std::optional<ValueBoxes> above, full;    ///< where it fires at all, and fully
-    bool canFire = true;
-};
-
-void collectInputs(std::set<std::size_t>& inputs, const FuzzyCondition& condition) {
-    if (condition.kind == FuzzyCondition::Kind::Is) inputs.insert(condition.proposition.variable);
-    for (const FuzzyCondition& part : condition.parts)
-        collectInputs(inputs, part);
-}
-
-RuleFacts factsOf(const FuzzyRule& rule, const FuzzyNorms& norms, RuleReach& reach) {
-    RuleFacts facts;
-    facts.normalForm = normalForm(rule.condition, norms);
-    collectInputs(facts.inputs, rule.condition);
-    for (const auto [output, term] : rule.conclusions)
-        facts.concluded[output].insert(term);
-    facts.above = reach.where(rule.condition, RuleReach::Degree::AboveZero);
-    facts.full = reach.where(rule.condition, RuleReach::Degree::Full);
-    facts.canFire = rule.weight > 0 && !(facts.above && facts.above->empty());
-    return facts;
-}
 
 /// "Rule 3", "Rules 3, 5 and 8", "Rules 3, 5, 8, 9, 12, 15 and 40 more".
 std::string rulesInWords(const std::vector<std::size_t>& rules) {
@@ -70,11 +40,8 @@ std::string termsInWords(const FuzzyVariable& variable, const TermSet& terms) {
 
 class WarningFinder {
 public:
-    explicit WarningFinder(const FuzzySystem& system) : m_system(system), m_reach(system) {
-        m_facts.reserve(system.rules.size());
-        for (const FuzzyRule& rule : system.rules)
-            m_facts.push_back(factsOf(rule, system.norms, m_reach));
-    }
+    explicit WarningFinder(const FuzzySystem& system)
+        : m_system(system), m_reach(system), m_facts(factsOfRules(system, m_reach)) {}
 
     std::vector<SystemWarning> all() {
         findContradictions();
@@ -84,34 +51,24 @@ public:
             findUncovered(input);
         findUnused(m_system.inputs, askedTerms(), "No rule asks for ", "No rule asks whether ");
         findUnused(m_system.outputs, concludedTerms(), "No rule concludes ", "No rule says that ");
-        if (m_isIncomplete) add(WarningKind::NotChecked, notChecked);
+        if (m_hasMoreContradictions)
+            add(WarningKind::NotChecked, "There are more contradictions than the " +
+                                             std::to_string(mostContradictions) + " that are listed.");
+        if (m_isIncomplete || anyRule([](const RuleFacts& facts) { return !facts.above; }))
+            add(WarningKind::NotChecked,
+                "There are too many rules, or too intricate ones, to check all of them.");
         return std::move(m_warnings);
     }
 
-    /// Cells of the input for which a rule that asks for it may fire.
-    CellSet coveredCells(std::size_t input) {
-        const std::size_t count = m_reach.cells(input).size();
-        CellSet covered(count);
-        CellSet whole = complementOf(covered, count);
-        for (const RuleFacts& facts : m_facts) {
-            if (!facts.canFire || facts.inputs.count(input) == 0) continue;
-            if (!facts.above) return whole;
-            for (const ValueBox& box : *facts.above) {
-                const auto found = std::find_if(box.begin(), box.end(),
-                                                [&](const auto& entry) { return entry.first == input; });
-                if (found == box.end()) return whole;
-                covered.unite(found->second);
-            }
-        }
-        return covered;
-    }
-
 private:
-    static constexpr const char* notChecked =
-        "There are too many rules, or too intricate ones, to compare each with every other.";
-
     void add(WarningKind kind, const std::string& text, std::vector<std::size_t> rules = {}) {
         m_warnings.push_back({kind, text, std::move(rules)});
+    }
+
+    /// Of them alone is there a list when they are looked for.
+    void addContradiction(const std::string& text, std::vector<std::size_t> rules) {
+        m_hasMoreContradictions = m_warnings.size() == mostContradictions;
+        if (!m_hasMoreContradictions) add(WarningKind::Contradiction, text, std::move(rules));
     }
 
     void findContradictions() {
@@ -119,10 +76,9 @@ private:
             findContradictionWithin(rule);
         for (std::size_t one = 0; one < m_facts.size(); ++one)
             for (std::size_t other = one + 1; other < m_facts.size(); ++other) {
-                if (m_work > mostPairWork || m_warnings.size() >= mostContradictions) {
-                    m_isIncomplete = true;
-                    return;
-                }
+                if (m_hasMoreContradictions) return;
+                m_isIncomplete = m_isIncomplete || m_work > mostPairWork;
+                if (m_work > mostPairWork) return;
                 ++m_work;
                 compare(one, other);
             }
@@ -130,12 +86,11 @@ private:
 
     void findContradictionWithin(std::size_t rule) {
         for (const auto& [output, terms] : m_facts[rule].concluded)
-            if (terms.size() > 1 && m_warnings.size() < mostContradictions) {
+            if (terms.size() > 1) {
                 const FuzzyVariable& variable = m_system.outputs[output];
-                add(WarningKind::Contradiction,
-                    rulesInWords({rule}) + " contradicts itself: it says that " + variable.name + " is " +
-                        termsInWords(variable, terms) + " at once.",
-                    {rule});
+                addContradiction(rulesInWords({rule}) + " contradicts itself: it says that " + variable.name +
+                                     " is " + termsInWords(variable, terms) + " at once.",
+                                 {rule});
             }
     }
 
@@ -148,11 +103,11 @@ private:
             const std::optional<std::string> when = whenBothHold(a, b);
             if (!when) return;
             const FuzzyVariable& variable = m_system.outputs[output];
-            add(WarningKind::Contradiction,
-                rulesInWords({one, other}) + " contradict each other" + *when + ": " + variable.name +
-                    " is " + termsInWords(variable, terms) + " by rule " + std::to_string(one + 1) + " and " +
-                    termsInWords(variable, found->second) + " by rule " + std::to_string(other + 1) + ".",
-                {one, other});
+            addContradiction(rulesInWords({one, other}) + " contradict each other" + *when + ": " +
+                                 variable.name + " is " + termsInWords(variable, terms) + " by rule " +
+                                 std::to_string(one + 1) + " and " + termsInWords(variable, found->second) +
+                                 " by rule " + std::to_string(other + 1) + ".",
+                             {one, other});
         }
     }
 
@@ -163,7 +118,11 @@ private:
         const bool mayImply =
             std::includes(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end()) ||
             std::includes(b.inputs.begin(), b.inputs.end(), a.inputs.begin(), a.inputs.end());
-        if (!mayImply || !a.full || !b.full) return std::nullopt;
+        if (!mayImply) return std::nullopt;
+        if (!a.full || !b.full) {
+            m_isIncomplete = true;
+            return std::nullopt;
+        }
         m_work += a.full->size() * b.full->size();
         const std::optional<ValueBox> common = anyCommon(*a.full, *b.full);
         if (!common) return std::nullopt;
@@ -236,7 +195,7 @@ private:
         const bool othersFire =
             anyRule([&](const RuleFacts& facts) { return facts.canFire && facts.inputs.count(input) == 0; });
         std::vector<ValueRange> uncovered;
-        if (isAskedFor) uncovered = rangesOf(cells, complementOf(coveredCells(input), cells.size()));
+        if (isAskedFor) uncovered = uncoveredRanges(m_facts, input, cells);
         for (const ValueRange& gap : partitionGaps(variable)) {
             const auto same = std::find_if(uncovered.begin(), uncovered.end(), [&](const ValueRange& range) {
                 return range.from == gap.from && range.to == gap.to;
@@ -304,7 +263,7 @@ private:
     std::vector<RuleFacts> m_facts;
     std::vector<SystemWarning> m_warnings;
     std::size_t m_work = 0;
-    bool m_isIncomplete = false;
+    bool m_isIncomplete = false, m_hasMoreContradictions = false;
 };
 
 } // namespace
@@ -312,11 +271,6 @@ private:
 std::vector<SystemWarning> systemWarnings(const FuzzySystem& system) {
     if (system.rules.empty()) return {{WarningKind::NoRule, "There is no rule: no output gets a value.", {}}};
     return WarningFinder(system).all();
-}
-
-std::vector<ValueRange> uncoveredRanges(const FuzzySystem& system, std::size_t input) {
-    const std::vector<ValueCell> cells = cellsOf(system.inputs[input]);
-    return rangesOf(cells, complementOf(WarningFinder(system).coveredCells(input), cells.size()));
 }
 
 } // namespace esm

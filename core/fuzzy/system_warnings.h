@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fuzzy/value_cells.h"
+#include "core/fuzzy/fuzzy_system.h"
 
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ struct SystemWarning {
         PartitionGap,   ///< values of an input that belong to no term
         UnusedTerm,
         UnusedVariable, ///< an input that no rule asks for, an output that no rule concludes
-        NotChecked      ///< rules too intricate or too many to be compared
+        NotChecked      ///< rules too intricate or too many to be compared, contradictions to be listed
     };
 
     Kind kind;
@@ -34,14 +34,9 @@ inline constexpr std::size_t mostContradictions = 50;
 /// inputs or one of them holds fully wherever the other does. Precondition: the system is valid.
 std::vector<SystemWarning> systemWarnings(const FuzzySystem& system);
 
-/// Whether it may bear on what comes out: all but words that nothing uses.
+/// Whether it may bear on what comes out: all but terms that nothing uses.
 inline bool bearsOnResults(const SystemWarning& warning) {
     return warning.kind != SystemWarning::Kind::UnusedTerm;
 }
-
-/// The values of an input's range for which every rule that asks for the input has the degree 0, whatever
-/// values of their ranges the other inputs have: exact between the corners of the terms, as far as
-/// RuleReach is. The whole range where no rule asks for it. Precondition: the system is valid.
-std::vector<ValueRange> uncoveredRanges(const FuzzySystem& system, std::size_t input);
 
 } // namespace esm

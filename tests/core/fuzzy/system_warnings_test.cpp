@@ -2,6 +2,8 @@
 
 #include "core/exchange/fuzzy_file.h"
 #include "core/fuzzy/inference.h"
+#include "core/fuzzy/rule_facts.h"
+#include "core/support/joined.h"
 #include "tests/core/fuzzy/age_and_zeal.h"
 
 #include <gmock/gmock.h>
@@ -32,6 +34,11 @@ std::vector<std::string> warnings(const std::vector<std::string>& rules, Warning
 std::vector<std::string> contradictions(const std::string& one, const std::string& other) {
     return warnings({"IF " + one + " THEN viscosity IS thin", "IF " + other + " THEN viscosity IS thick"},
                     WarningKind::Contradiction);
+}
+
+std::vector<ValueRange> uncoveredRanges(const FuzzySystem& system, std::size_t input) {
+    RuleReach reach(system);
+    return uncoveredRanges(factsOfRules(system, reach), input, reach.cells(input));
 }
 
 bool holdValue(const std::vector<ValueRange>& ranges, double value) {
@@ -105,6 +112,29 @@ std::vector<std::vector<bool>> firingBySampling(const FuzzySystem& system) {
                             fires[input][at[input]] = true;
             }
     return fires;
+}
+
+constexpr const char* notAllChecked =
+    "There are too many rules, or too intricate ones, to check all of them.";
+
+/// Inputs x0 to x17 (s, t), an input z of terms that do not meet, and an output y (low, high).
+FuzzySystem intricateSystem() {
+    FuzzySystem system;
+    for (int i = 0; i < 18; ++i)
+        system.inputs.push_back({"x" + std::to_string(i), 0, 9, {{"s", {0, 0, 4, 5}}, {"t", {4, 5, 9, 9}}}});
+    system.inputs.push_back({"z", 0, 300, {}});
+    for (int i = 0; i < 300; ++i)
+        system.inputs.back().terms.push_back({"t" + std::to_string(i), {i + 0.1, i + 0.2, i + 0.3, i + 0.4}});
+    system.outputs = {{"y", 0, 1, {{"low", {0, 0, 1, 1}}, {"high", {0, 0, 1, 1}}}}};
+    return system;
+}
+
+/// "(x0 IS s OR x1 IS t) AND …", which holds in 2ⁿ boxes for n pairs.
+std::string bracketPairs(int pairs) {
+    std::vector<std::string> parts;
+    for (int i = 0; i < pairs; ++i)
+        parts.push_back("(x" + std::to_string(2 * i) + " IS s OR x" + std::to_string(2 * i + 1) + " IS t)");
+    return joined(parts, " AND ");
 }
 
 } // namespace
@@ -227,20 +257,37 @@ TEST(SystemWarnings, FindInThePresetsOnlyThatAWordIsNotUsed) {
                 ElementsAre("No rule says that spring_const is large."));
 }
 
-TEST(SystemWarnings, TakeNotLongForManyIntricateRules) {
-    FuzzySystem system;
-    system.outputs = {{"y", 0, 1, {{"low", {0, 0, 1, 1}}, {"high", {0, 0, 1, 1}}}}};
-    std::string condition;
-    for (int i = 0; i < 12; ++i) {
-        const std::string name = "x" + std::to_string(i);
-        system.inputs.push_back({name, 0, 9, {{"s", {0, 0, 4, 5}}, {"t", {4, 5, 9, 9}}}});
-        if (i % 2)
-            condition +=
-                (i > 1 ? " AND (" : "(") + ("x" + std::to_string(i - 1)) + " IS s OR " + name + " IS t)";
-    }
-    for (int i = 0; i < 600; ++i)
-        system.rules.push_back(
-            parseRule(system, "IF " + condition + " THEN y IS " + (i % 2 ? "low" : "high")));
+TEST(SystemWarnings, SayThatThereAreMoreThanAreListed) {
+    FuzzySystem system = ageAndZealSystem();
+    for (int i = 0; i < 11; ++i)
+        system.rules.push_back(parseRule(system, "IF age IS old THEN viscosity IS thin AND mass IS small"));
+    system.rules.push_back(parseRule(system, "IF age IS old THEN viscosity IS thick"));
+    EXPECT_THAT(warningsOf(system, WarningKind::Contradiction), SizeIs(11));
+    EXPECT_THAT(warningsOf(system, WarningKind::NotChecked), IsEmpty());
+    for (int i = 0; i < 40; ++i)
+        system.rules.push_back(parseRule(system, "IF age IS old THEN viscosity IS thick"));
     EXPECT_THAT(warningsOf(system, WarningKind::Contradiction), SizeIs(mostContradictions));
-    EXPECT_EQ(systemWarnings(system).back().kind, WarningKind::NotChecked);
+    EXPECT_THAT(warningsOf(system, WarningKind::NotChecked),
+                ElementsAre("There are more contradictions than the 50 that are listed."));
+}
+
+TEST(SystemWarnings, SayThatARuleIsTooIntricateToBeCompared) {
+    FuzzySystem system = intricateSystem();
+    const std::string brackets = bracketPairs(9); // 512 boxes
+    system.rules = {parseRule(system, "IF " + brackets + " AND z IS t0 THEN y IS low"),
+                    parseRule(system, "IF " + brackets + " THEN y IS high")};
+    EXPECT_THAT(warningsOf(system, WarningKind::Contradiction), IsEmpty());
+    EXPECT_THAT(warningsOf(system, WarningKind::NotChecked), ElementsAre(notAllChecked));
+    system.rules.pop_back();
+    EXPECT_THAT(warningsOf(system, WarningKind::NotChecked), ElementsAre(notAllChecked))
+        << "where it fires is not known either";
+}
+
+TEST(SystemWarnings, TakeNotLongForManyIntricateRules) {
+    FuzzySystem system = intricateSystem();
+    for (int i = 0; i < 300; ++i)
+        system.rules.push_back(parseRule(system, "IF " + bracketPairs(6) + " AND z IS t" + std::to_string(i) +
+                                                     " THEN y IS " + (i % 2 ? "low" : "high")));
+    EXPECT_THAT(warningsOf(system, WarningKind::Contradiction), IsEmpty()) << "z tells the rules apart";
+    EXPECT_THAT(warningsOf(system, WarningKind::NotChecked), ElementsAre(notAllChecked));
 }
