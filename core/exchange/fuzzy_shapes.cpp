@@ -100,7 +100,13 @@ ShapeReading fromCorners(Trapezoid set) {
 /// From 0 at `start` to 1 at `end` and on; falling where the end lies left of the start.
 ShapeReading fromRamp(double start, double end) {
     if (start < end) return {{start, end, end, end}, false, true, {}};
-    return {{end, end, end, start}, true, false, {}};
+    if (end < start) return {{end, end, end, start}, true, false, {}};
+    throw InvalidModel("it begins where it ends"); // fuzzylite gives it the degree 0 everywhere
+}
+
+/// Of a curve from `start` to `end` that never runs to the left.
+void checkRises(const ShapeNumbers& n) {
+    if (!(n[0] < n[1])) throw InvalidModel("its start must lie before its end");
 }
 
 ShapeReading fromBell(const ShapeNumbers& n) {
@@ -148,9 +154,15 @@ const std::array knownShapes{
                    return ShapeReading{{n[0], n[0], n[0], n[0]}, false, false, {}};
                }},
     KnownShape{"sshape", nullptr, 2, straightened,
-               [](const ShapeNumbers& n) { return fromRamp(n[0], n[1]); }},
+               [](const ShapeNumbers& n) {
+                   checkRises(n);
+                   return fromRamp(n[0], n[1]);
+               }},
     KnownShape{"zshape", nullptr, 2, straightened,
-               [](const ShapeNumbers& n) { return fromRamp(n[1], n[0]); }},
+               [](const ShapeNumbers& n) {
+                   checkRises(n);
+                   return fromRamp(n[1], n[0]);
+               }},
     KnownShape{"pishape", nullptr, 4, straightened,
                [](const ShapeNumbers& n) {
                    return fromCorners({n[0], n[1], n[2], n[3]});

@@ -67,4 +67,8 @@ TEST(FuzzyShapes, ThatAreNoTrapezoidsAreRefused) {
     EXPECT_THROW(readShape("Sigmoid", {0, 0}), InvalidModel);
     EXPECT_THROW(readShape("Trapezoid", {0, 1, 2, 3, 0.5}), InvalidModel);
     EXPECT_THROW(readShape("", {}), InvalidModel);
+    EXPECT_THROW(readShape("Ramp", {3, 3}), InvalidModel);
+    for (const char* shape : {"SShape", "ZShape"})
+        for (const double end : {3.0, 2.0})
+            EXPECT_THROW(readShape(shape, {3, end}), InvalidModel) << shape << end;
 }
