@@ -13,7 +13,7 @@ constexpr std::size_t evenSteps = 128;
 constexpr double besideCorner = 1e-9;    ///< of the input's range
 constexpr double finestStep = 2e-9;      ///< of the input's range: what rises within it is a jump
 constexpr double smallestRise = 0.01;    ///< of the output's range
-constexpr std::size_t mostPoints = 6000; ///< of a curve; beyond them it is no finer than its even steps
+constexpr std::size_t mostPoints = 6000; ///< of a curve; behind them only what is asked for in any case
 
 /// Infers one output again and again: only by the rules that speak of it, in memory that stays.
 class OutputInference {
@@ -97,9 +97,11 @@ private:
 
     void goTo(const Place& left, const Place& right) {
         const bool isWhole = m_points >= mostPoints;
-        const bool isJoined = left.y && right.y && (isWhole || std::abs(*right.y - *left.y) <= m_rise);
+        const bool isNarrow = right.x - left.x <= finestStep * width();
+        const bool isJoined =
+            left.y && right.y && ((isWhole && !isNarrow) || std::abs(*right.y - *left.y) <= m_rise);
         const bool isGap = !left.y && !right.y;
-        if (isJoined || isGap || isWhole || right.x - left.x <= finestStep * width()) {
+        if (isJoined || isGap || isWhole || isNarrow) {
             add(right, isJoined);
             return;
         }

@@ -23,8 +23,9 @@ using ResponseCurve = std::vector<std::vector<ResponsePoint>>;
 
 /// The output over one input's range, the others held: at even steps, at the corners of the input's terms and
 /// just beside them, and ever closer where it is steep or ends, so that neighbouring points differ by at most
-/// a hundredth of the output's range and gaps begin where they do to 2 · 10⁻⁹ of the input's range.
-/// Preconditions as of infer(). @throws Cancelled
+/// a hundredth of the output's range and gaps begin where they do to 2 · 10⁻⁹ of the input's range. Where
+/// 6000 points are not enough for that, the rest is at the even steps and the corners alone and breaks at
+/// corners only. Preconditions as of infer(). @throws Cancelled
 ResponseCurve responseCurve(const FuzzySystem& system, const ResponseQuestion& question, std::size_t input,
                             const Progress& progress = {});
 

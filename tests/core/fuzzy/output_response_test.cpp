@@ -90,6 +90,21 @@ TEST(ResponseCurve, BreaksWhereTheOutputJumps) {
     EXPECT_NEAR(curve[2].front().output, 70, 1e-9);
 }
 
+TEST(ResponseCurve, BreaksAtCornersHoweverManyThereAre) {
+    constexpr std::size_t count = 2000; // 6000 points are fewer than those beside their corners
+    std::vector<Trapezoid> inputs, outputs;
+    const auto corner = [](std::size_t i) { return 10.0 * static_cast<double>(i) / count; };
+    for (std::size_t i = 0; i < count; ++i) {
+        inputs.push_back({corner(i), corner(i), corner(i + 1), corner(i + 1)});
+        outputs.push_back(i % 2 ? Trapezoid{60, 70, 70, 80} : Trapezoid{0, 10, 10, 20});
+    }
+    const ResponseCurve curve = curveOf(bridge(inputs, outputs));
+    EXPECT_EQ(curve.size(), count + count - 1) << "terms, and the corners between two of them";
+    for (const auto& piece : curve)
+        for (const ResponsePoint& point : piece)
+            ASSERT_NEAR(point.output, piece.front().output, 1e-9) << point.input;
+}
+
 TEST(ResponseCurve, SeesTermsNarrowerThanItsSteps) {
     const ResponseCurve curve = curveOf(
         bridge({{0, 0, 10, 10}, {3.3331, 3.3332, 3.3333, 3.3334}}, {{0, 10, 10, 20}, {60, 70, 70, 80}}));
