@@ -86,6 +86,10 @@ private:
 
 bool ParseGuard::key(string_t& key) {
     constexpr std::size_t mostMembers = 2000;
+    constexpr std::size_t longestKey = 1000; // bytes; places in messages are made of keys again and again
+    if (key.size() > longestKey)
+        throw InvalidModel("there is a key of " + std::to_string(key.size()) +
+                           " bytes; no name is that long");
     m_open.back().latest = key;
     if (!m_open.back().keys.insert(key).second)
         throw InvalidModel(place() + " is there twice; remove or rename one");

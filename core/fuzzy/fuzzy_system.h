@@ -3,6 +3,7 @@
 #include "core/fuzzy/fuzzy_rule.h"
 #include "core/fuzzy/norms.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct FuzzyTerm {
     std::string name;
     Trapezoid set;
 };
+
+inline constexpr std::size_t longestUnit = 500; ///< bytes, of a variable
 
 /// A named variable: a range and its ordered partition into named sets.
 struct FuzzyVariable {
@@ -58,9 +61,23 @@ inline constexpr std::size_t mostFuzzyConclusions = 4000; ///< of all rules toge
 /// What to say of more rules than there may be.
 std::string tooManyRules(std::size_t count);
 
+/// A variable of a system, or one of its terms, by index.
+struct FuzzyPart {
+    enum class List { Inputs, Outputs };
+    List list;
+    std::size_t variable;
+    std::optional<std::size_t> term = {};
+};
+
+struct FuzzyProblem {
+    std::string text;              ///< with the place in words: "inputs.zeal.terms.much: …"
+    std::optional<FuzzyPart> part; ///< that it is of; none of rules and of what is missing
+};
+
 /// Every problem of a system: names missing or twice, empty ranges and partitions, corners out of order,
 /// rules that name what is not there, that are nested too deeply or too many. Empty when the system can be
 /// evaluated.
-std::vector<std::string> validate(const FuzzySystem& system);
+std::vector<FuzzyProblem> problemsOf(const FuzzySystem& system);
+std::vector<std::string> validate(const FuzzySystem& system); ///< their texts
 
 } // namespace esm

@@ -14,6 +14,8 @@ bool isKeyword(const std::string& word, const char* keyword);
 /// Whether it is any of them.
 bool isKeyword(const std::string& word);
 
+inline constexpr std::size_t longestName = 500; ///< bytes, of a variable or a term
+
 /// Why a text cannot be the name of a variable or a term; empty where it can. A name stands as one word in a
 /// rule.
 std::string nameProblem(const std::string& name);

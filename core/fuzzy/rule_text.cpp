@@ -187,18 +187,13 @@ private:
     [[noreturn]] void fail(const Expectation& expectation) const {
         const std::string found =
             word().text.empty() ? "but the rule ends" : "but found \"" + word().text + "\"";
-        throw RuleError(placeOf(word()) + "expected " + expectation.inWords + ", " + found,
+        throw RuleError("expected " + expectation.inWords + ", " + found,
                         {word().column, word().length, expectation.alternatives});
     }
 
     [[noreturn]] static void failAsTooDeep(const RuleWord& word) {
-        throw RuleError(placeOf(word) + "brackets and NOT are nested deeper than " +
-                            std::to_string(deepestCondition),
+        throw RuleError("brackets and NOT are nested deeper than " + std::to_string(deepestCondition),
                         {word.column, word.length, {}});
-    }
-
-    static std::string placeOf(const RuleWord& word) {
-        return "column " + std::to_string(word.column) + ": ";
     }
 
     const FuzzySystem& m_system;

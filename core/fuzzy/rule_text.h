@@ -16,12 +16,15 @@ struct RuleMistake {
 /// The message names the column and what was expected.
 class RuleError : public InvalidModel {
 public:
-    RuleError(const std::string& message, RuleMistake mistake)
-        : InvalidModel(message), m_mistake(std::move(mistake)) {}
+    RuleError(std::string problem, RuleMistake mistake)
+        : InvalidModel("column " + std::to_string(mistake.column) + ": " + problem),
+          m_problem(std::move(problem)), m_mistake(std::move(mistake)) {}
 
+    const std::string& problem() const { return m_problem; } ///< without the column
     const RuleMistake& mistake() const { return m_mistake; }
 
 private:
+    std::string m_problem;
     RuleMistake m_mistake;
 };
 

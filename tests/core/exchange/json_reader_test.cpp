@@ -35,6 +35,12 @@ std::string objectOf(int members) {
     return text + "}";
 }
 
+TEST(ParseJson, RefusesKeysLongerThanAnyName) {
+    const auto withKey = [](std::size_t length) { return "{\"" + std::string(length, 'k') + "\": {}}"; };
+    EXPECT_EQ(parseError(withKey(1000)), "parsed");
+    EXPECT_THAT(parseError(withKey(1 << 20)), HasSubstr("there is a key of 1048576 bytes"));
+}
+
 TEST(ParseJson, KeepsTheOrderOfMembers) {
     EXPECT_EQ(parsed(R"({"b": 1, "a": [1.5, null, true]})").dump(), R"({"b":1,"a":[1.5,null,true]})");
 }

@@ -75,6 +75,29 @@ TEST(FuzzySystem, ReportsEveryProblemWithItsPlace) {
                 ElementsAre("inputs: there must be at least one", "outputs: there must be at least one"));
 }
 
+TEST(FuzzySystem, TellsThePartThatAProblemIsOf) {
+    FuzzySystem system = sound();
+    system.inputs[1].maximum = system.inputs[1].minimum;
+    system.outputs[0].terms[1].name = "";
+    system.rules[0].weight = 2;
+    const std::vector<FuzzyProblem> problems = problemsOf(system);
+    ASSERT_EQ(problems.size(), 3U);
+    EXPECT_EQ(problems[0].part->list, FuzzyPart::List::Inputs);
+    EXPECT_EQ(problems[0].part->variable, 1U);
+    EXPECT_FALSE(problems[0].part->term);
+    EXPECT_EQ(problems[1].part->list, FuzzyPart::List::Outputs);
+    EXPECT_EQ(problems[1].part->term, 1U);
+    EXPECT_FALSE(problems[2].part);
+}
+
+TEST(FuzzySystem, RefusesNamesAndUnitsWithoutEnd) {
+    FuzzySystem system = sound();
+    system.inputs[0].name = std::string(501, 'x');
+    system.inputs[1].unit = std::string(501, 'x');
+    EXPECT_THAT(validate(system), ElementsAre(HasSubstr(": a name may have 500 bytes, this one has 501"),
+                                              HasSubstr(".unit: may have 500 bytes")));
+}
+
 TEST(FuzzySystem, RefusesOutputSetsThatOnlyTouchTheRange) {
     const auto problemsOf = [](const Trapezoid& set) {
         FuzzySystem system = sound();

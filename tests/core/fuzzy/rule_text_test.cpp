@@ -169,6 +169,15 @@ TEST(Rule, ThatCannotBeReadTellsWhatToUnderlineAndWhatToOffer) {
     expectMistake("IF age IS old THEN viscosity IS thin WITH two", 43, 3, {});
 }
 
+TEST(Rule, ThatCannotBeReadSaysItWithoutTheColumnAsWell) {
+    try {
+        parseRule(ageAndZeal(), "IF age: IS old");
+        FAIL() << "accepted";
+    } catch (const RuleError& error) {
+        EXPECT_EQ("column 4: " + error.problem(), error.what());
+    }
+}
+
 TEST(Rule, NestedWithoutEndIsRefusedAtItsPlace) {
     const std::string leaf = "age IS old", end = " THEN viscosity IS thin";
     EXPECT_EQ(reread("IF " + repeated("(", 10000) + leaf + repeated(")", 10000) + end),
