@@ -40,11 +40,6 @@ FuzzyCondition withNotInside(const FuzzyCondition& condition, bool isNegated) {
     return result;
 }
 
-/// The laws hold for norms of one family.
-bool areDual(const FuzzyNorms& norms) {
-    return static_cast<int>(norms.conjunction) == static_cast<int>(norms.disjunction);
-}
-
 std::string fllRemark(const std::string& key, const std::string& text) {
     return "# " + key + ": " + asRemark(text);
 }

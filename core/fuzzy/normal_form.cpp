@@ -13,8 +13,7 @@ using Kind = FuzzyCondition::Kind;
 /// What the norms let be rewritten.
 struct Rewriting {
     explicit Rewriting(const FuzzyNorms& norms)
-        : drawsNotIn(static_cast<int>(norms.conjunction) == static_cast<int>(norms.disjunction)),
-          andIsIdempotent(norms.conjunction == TNorm::Minimum),
+        : drawsNotIn(areDual(norms)), andIsIdempotent(norms.conjunction == TNorm::Minimum),
           orIsIdempotent(norms.disjunction == TConorm::Maximum) {}
 
     bool drawsNotIn; ///< AND and OR are dual

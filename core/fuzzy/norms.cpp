@@ -26,6 +26,18 @@ bool operator==(const FuzzyNorms& one, const FuzzyNorms& other) {
            one.implication == other.implication && one.aggregation == other.aggregation;
 }
 
+TConorm dual(TNorm norm) {
+    return static_cast<TConorm>(norm); // they stand at the same places
+}
+
+TNorm dual(TConorm norm) {
+    return static_cast<TNorm>(norm);
+}
+
+bool areDual(const FuzzyNorms& norms) {
+    return dual(norms.conjunction) == norms.disjunction;
+}
+
 const char* normName(TNorm norm) {
     return tNorms[static_cast<std::size_t>(norm)];
 }

@@ -20,6 +20,13 @@ struct FuzzyNorms {
     TConorm aggregation = TConorm::Maximum; ///< what the sets of several rules make together
 };
 
+/// Of the same family: NOT (a AND b) is then NOT a OR NOT b, by De Morgan's laws.
+TConorm dual(TNorm norm);
+TNorm dual(TConorm norm);
+
+/// Whether AND and OR are.
+bool areDual(const FuzzyNorms& norms);
+
 bool operator==(const FuzzyNorms& one, const FuzzyNorms& other);
 
 /// Of two degrees, each 0 to 1.
