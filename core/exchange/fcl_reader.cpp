@@ -3,8 +3,10 @@
 #include "core/exchange/fcl_words.h"
 #include "core/exchange/text_lines.h"
 #include "core/fuzzy/keywords.h"
+#include "core/support/joined.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -12,12 +14,19 @@ namespace esm {
 
 namespace {
 
-/// "0 .. 10", with or without blanks.
-std::optional<std::pair<double, double>> rangeFrom(std::string_view text) {
+/// What a function block consists of, and what a rule block does; a name before them ends there.
+constexpr std::array blockKeywords{"VAR_INPUT", "VAR_OUTPUT", "VAR",     "FUZZIFY",
+                                   "DEFUZZIFY", "RULEBLOCK",  "OPTIONS", "END_FUNCTION_BLOCK"};
+constexpr std::array ruleBlockKeywords{"RULE", "AND", "OR", "ACT", "ACCU", "ENABLED", "END_RULEBLOCK"};
+
+/// "(0 .. 10)", also with := before it and a semicolon behind it.
+std::optional<std::pair<double, double>> rangeFrom(std::string text) {
+    const auto isMark = [](char c) { return std::string_view("():=;").find(c) != std::string_view::npos; };
+    text.erase(std::remove_if(text.begin(), text.end(), isMark), text.end());
     const std::size_t dots = text.find("..");
     if (dots == text.npos) return std::nullopt;
-    const auto minimum = wholeNumber<double>(trimmed(text.substr(0, dots)));
-    const auto maximum = wholeNumber<double>(trimmed(text.substr(dots + 2)));
+    const auto minimum = wholeNumber<double>(trimmed(std::string_view(text).substr(0, dots)));
+    const auto maximum = wholeNumber<double>(trimmed(std::string_view(text).substr(dots + 2)));
     if (!minimum || !maximum) return std::nullopt;
     return std::pair(*minimum, *maximum);
 }
@@ -30,7 +39,7 @@ public:
 
     FuzzyDraft read() {
         expect("FUNCTION_BLOCK");
-        const std::string name = restOfLine({"VAR_INPUT", "END_FUNCTION_BLOCK"});
+        const std::string name = restOfLine({blockKeywords.begin(), blockKeywords.end()});
         if (!m_draft.name && !name.empty()) m_draft.name = name;
         while (!is("END_FUNCTION_BLOCK"))
             block();
@@ -60,7 +69,7 @@ private:
         else if (is("OPTIONS"))
             skipBlock("END_OPTIONS");
         else
-            fail("VAR_INPUT, VAR_OUTPUT, FUZZIFY, DEFUZZIFY, RULEBLOCK or END_FUNCTION_BLOCK");
+            fail(joined({blockKeywords.begin(), blockKeywords.end() - 1}) + " or " + blockKeywords.back());
     }
 
     void skipBlock(const char* end) {
@@ -77,7 +86,7 @@ private:
             do {
                 const TextWord name = take("the name of a variable or END_VAR");
                 places.emplace(inSmallLetters(name.text), list.size());
-                list.push_back({{name}});
+                addVariable(list, {{name}});
             } while (accept(","));
             expect(":");
             statement();
@@ -85,24 +94,32 @@ private:
         }
     }
 
+    /// Of the variables from `first` on, which are declared together. They are many at most, and so may the
+    /// remarks be.
     void takeRemarks(std::vector<DraftVariable>& list, std::size_t first) {
+        DraftVariable said;
         for (const TextRemark& remark : remarksBeside(list[first].name.identifier.place)) {
-            if (const auto name = remarkFor("name", remark); name && first + 1 == list.size())
-                list[first].name.name = name;
-            for (std::size_t i = first; i < list.size(); ++i)
-                list[i].unit = remarkFor("unit", remark).value_or(list[i].unit);
-            if (!isKeyword(remark.text.substr(0, 5), "RANGE")) continue;
-            std::string text = remark.text.substr(5);
-            text.erase(std::remove_if(text.begin(), text.end(),
-                                      [](char c) {
-                                          return std::string_view("():=;").find(c) != std::string_view::npos;
-                                      }),
-                       text.end());
-            const auto range = rangeFrom(text);
-            if (!range) m_draft.warn(remark.place, "the range is not of the form RANGE(a .. b)");
-            for (std::size_t i = first; range && i < list.size(); ++i)
-                list[i].range = range;
+            if (const auto name = remarkFor("name", remark)) said.name.name = name;
+            if (const auto unit = unitFrom(remark)) said.unit = *unit;
+            if (const auto range = rangeIn(remark)) said.range = range;
         }
+        if (first + 1 == list.size()) list[first].name.name = said.name.name;
+        for (std::size_t i = first; i < list.size(); ++i) {
+            list[i].unit = said.unit;
+            list[i].range = said.range;
+        }
+    }
+
+    /// "RANGE(0 .. 10)"; other remarks may begin with the word as well.
+    std::optional<std::pair<double, double>> rangeIn(const TextRemark& remark) {
+        constexpr std::size_t length = 5;
+        const std::string text(
+            trimmed(std::string_view(remark.text).substr(std::min(length, remark.text.size()))));
+        const bool isRange = isKeyword(remark.text.substr(0, length), "RANGE") && !text.empty();
+        if (!isRange || (text.front() != '(' && text.front() != ':')) return std::nullopt;
+        const auto range = rangeFrom(text);
+        if (!range) m_draft.warn(remark.place, "the range is not of the form RANGE(a .. b)");
+        return range;
     }
 
     DraftVariable& declared(std::vector<DraftVariable>& list, const Places& places, const char* kind) {
@@ -125,7 +142,7 @@ private:
             if (accept("METHOD"))
                 method(output);
             else if (accept("ACCU"))
-                norm(m_draft.norms.aggregation);
+                settleNorm(m_draft, NormUse::Aggregation, named());
             else if (accept("DEFAULT"))
                 defaultValue();
             else
@@ -166,14 +183,14 @@ private:
         DraftName draftName{name};
         for (const TextRemark& remark : remarksBeside(name.place))
             if (const auto realName = remarkFor("name", remark)) draftName.name = realName;
-        variable.terms.push_back(draftTerm(m_draft, std::move(draftName), shape, numbers));
+        addTerm(variable, draftTerm(m_draft, std::move(draftName), shape, numbers));
     }
 
     void range(DraftVariable& variable) {
         const TextPlace place = word().place;
         std::string text;
         for (const TextWord& part : statement())
-            if (std::string_view("():=").find(part.text) == std::string_view::npos) text += part.text + " ";
+            text += (text.empty() ? "" : " ") + part.text;
         variable.range = rangeFrom(text);
         if (!variable.range) failAt(place, "expected := (a .. b), but found \"" + text + "\"");
     }
@@ -188,8 +205,6 @@ private:
                          "METHOD : " + name.text + " is not taken; values are the centre of gravity (COG)");
     }
 
-    template<class Norm> void norm(std::optional<Norm>& slot) { settleNorm(m_draft, slot, named()); }
-
     /// Without one, and with NC, what no rule reaches stays as it was.
     void defaultValue() {
         const TextPlace place = word().place;
@@ -200,27 +215,37 @@ private:
     }
 
     void ruleBlock() {
-        restOfLine({"AND", "OR", "ACT", "ACCU", "RULE", "END_RULEBLOCK"}); // its name
+        restOfLine({ruleBlockKeywords.begin(), ruleBlockKeywords.end()}); // its name
+        DraftRuleBlock block;
         while (!accept("END_RULEBLOCK")) {
             if (accept("AND"))
-                norm(m_draft.norms.conjunction);
+                block.norms.emplace_back(NormUse::Conjunction, named());
             else if (accept("OR"))
-                norm(m_draft.norms.disjunction);
+                block.norms.emplace_back(NormUse::Disjunction, named());
             else if (accept("ACT"))
-                norm(m_draft.norms.implication);
+                block.norms.emplace_back(NormUse::Implication, named());
             else if (accept("ACCU"))
-                norm(m_draft.norms.aggregation);
+                block.norms.emplace_back(NormUse::Aggregation, named());
             else if (is("ENABLED"))
-                unlessItSays("TRUE");
+                block.disabled = disabledHere();
             else if (accept("RULE"))
-                rule();
+                block.rules.push_back(rule());
             else
-                fail("RULE, AND, OR, ACT, ACCU or END_RULEBLOCK");
+                fail(joined({ruleBlockKeywords.begin(), ruleBlockKeywords.end() - 1}) + " or " +
+                     ruleBlockKeywords.back());
         }
+        takeBlock(m_draft, std::move(block));
+    }
+
+    /// The place, unless it says that the block is enabled.
+    std::optional<TextPlace> disabledHere() {
+        const TextPlace place = skip().place;
+        const std::vector<TextWord> words = statement();
+        return !words.empty() && isKeyword(words.back().text, "TRUE") ? std::nullopt : std::optional(place);
     }
 
     /// fuzzylite leaves out the semicolon.
-    void rule() {
+    DraftRule rule() {
         while (!is(":"))
             take("the number of the rule and \":\"");
         expect(":");
@@ -230,7 +255,7 @@ private:
         rule.end = word().place;
         if (isAtEnd()) fail("\";\"");
         accept(";");
-        m_draft.rules.push_back(std::move(rule));
+        return rule;
     }
 
     Places m_inputs, m_outputs;

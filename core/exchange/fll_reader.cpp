@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace esm {
 
@@ -39,7 +40,7 @@ public:
         m_draft.end = m_source.end;
         for (const TextRemark& remark : m_source.remarks) {
             if (const auto name = remarkFor("name", remark)) m_names[remark.place.line] = *name;
-            if (const auto unit = remarkFor("unit", remark)) m_units[remark.place.line] = *unit;
+            if (const auto unit = unitFrom(remark)) m_units[remark.place.line] = *unit;
         }
     }
 
@@ -57,6 +58,7 @@ public:
             isHead = false;
             line(fllLine(code, number));
         }
+        endBlock();
         return std::move(m_draft);
     }
 
@@ -70,11 +72,10 @@ private:
             if (!m_draft.name && !line.value.empty()) m_draft.name = line.value;
         } else if (is("INPUTVARIABLE") || is("OUTPUTVARIABLE")) {
             m_part = is("INPUTVARIABLE") ? Part::Input : Part::Output;
-            const TextPlace place = word(line, 0, "a name").place;
-            variables().push_back({{{line.value, place}, realName(line)}});
+            addVariable(variables(), {nameOf(line)});
         } else if (is("RULEBLOCK")) {
+            endBlock();
             m_part = Part::RuleBlock;
-            m_isEnabled = true;
         } else if (is("DESCRIPTION")) {
             description(line);
         } else if (m_part == Part::Engine) {
@@ -94,6 +95,13 @@ private:
         if (index >= line.words.size())
             failAt(line.end, std::string("expected ") + expected + ", but the line ends");
         return line.words[index];
+    }
+
+    /// Of a variable. One of a million words would be repeated in every problem.
+    DraftName nameOf(const FllLine& line) const {
+        const TextPlace place = word(line, 0, "a name").place;
+        if (line.words.size() > 1) failAt(place, nameProblem(line.words[0].text + " " + line.words[1].text));
+        return {line.words[0], realName(line)};
     }
 
     std::vector<DraftVariable>& variables() {
@@ -152,7 +160,7 @@ private:
     bool acceptOfOutput(DraftVariable& output, const FllLine& line) {
         const auto is = [&](const char* key) { return isKeyword(line.key.text, key); };
         if (is("AGGREGATION") || is("ACCUMULATION"))
-            norm(m_draft.norms.aggregation, line);
+            settleNorm(m_draft, NormUse::Aggregation, word(line, 0, "a norm"));
         else if (is("DEFUZZIFIER"))
             defuzzifier(output, line);
         else if (is("DEFAULT"))
@@ -177,11 +185,7 @@ private:
             failAt(line.words[1].place, "a term that is a formula cannot be taken");
         for (std::size_t i = 2; i < line.words.size(); ++i)
             numbers.push_back(numberAt(line.words[i]));
-        variable.terms.push_back(draftTerm(m_draft, std::move(name), shape, numbers));
-    }
-
-    template<class Norm> void norm(std::optional<Norm>& slot, const FllLine& line) {
-        settleNorm(m_draft, slot, word(line, 0, "a norm"));
+        addTerm(variable, draftTerm(m_draft, std::move(name), shape, numbers));
     }
 
     void defuzzifier(DraftVariable& output, const FllLine& line) {
@@ -197,44 +201,39 @@ private:
     void ruleBlock(const FllLine& line) {
         const auto is = [&](const char* key) { return isKeyword(line.key.text, key); };
         if (is("RULE"))
-            rule(line);
+            m_block.rules.push_back({line.words, line.end});
         else if (is("CONJUNCTION"))
-            norm(m_draft.norms.conjunction, line);
+            norm(NormUse::Conjunction, line);
         else if (is("DISJUNCTION"))
-            norm(m_draft.norms.disjunction, line);
+            norm(NormUse::Disjunction, line);
         else if (is("IMPLICATION"))
-            norm(m_draft.norms.implication, line);
+            norm(NormUse::Implication, line);
         else if (is("ACTIVATION"))
             activation(line);
         else if (is("ENABLED"))
-            enableRules(line);
+            m_block.disabled = flag(line) ? std::nullopt : std::optional(line.key.place);
         else
             failAtKey(line, "rule, conjunction, disjunction, implication, activation or enabled");
     }
 
-    void enableRules(const FllLine& line) {
-        m_isEnabled = flag(line);
-        warnUnless(m_isEnabled, line, "the rules of this block are not taken");
-    }
+    void norm(NormUse use, const FllLine& line) { m_block.norms.emplace_back(use, word(line, 0, "a norm")); }
 
     /// In fuzzylite 5 the implication went by this key.
     void activation(const FllLine& line) {
         const TextWord& name = word(line, 0, "General");
         if (foreignTNorm(name.text))
-            norm(m_draft.norms.implication, line);
+            norm(NormUse::Implication, line);
         else if (!isKeyword(name.text, "GENERAL") && !isKeyword(name.text, "NONE"))
             m_draft.warn(name.place, "the activation " + name.text + " is not taken; every rule fires");
     }
 
-    void rule(const FllLine& line) {
-        if (m_isEnabled) m_draft.rules.push_back({line.words, line.end});
-    }
+    void endBlock() { takeBlock(m_draft, std::exchange(m_block, {})); }
 
     SourceCode m_source;
     Remarks m_names; ///< real ones
     Remarks m_units;
     Part m_part = Part::Engine;
-    bool m_isEnabled = true; ///< the rule block
+    DraftRuleBlock m_block; ///< the last one so far
     FuzzyDraft m_draft;
 };
 

@@ -11,14 +11,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace esm {
 
 namespace {
-
-/// Places of what validate() speaks of, by its words for them ("inputs.zeal.terms.much").
-using PlacesOfParts = std::map<std::string, TextPlace>;
 
 template<class Norm>
 void settleAs(FuzzyDraft& draft, std::optional<Norm>& slot, const TextWord& word,
@@ -45,8 +41,8 @@ FuzzyNorms normsOf(const DraftNorms& draft) {
     FuzzyNorms norms;
     if (draft.conjunction) norms.conjunction = *draft.conjunction;
     if (draft.disjunction) norms.disjunction = *draft.disjunction;
-    if (draft.conjunction && !draft.disjunction) norms.disjunction = static_cast<TConorm>(norms.conjunction);
-    if (draft.disjunction && !draft.conjunction) norms.conjunction = static_cast<TNorm>(norms.disjunction);
+    if (draft.conjunction && !draft.disjunction) norms.disjunction = dual(norms.conjunction);
+    if (draft.disjunction && !draft.conjunction) norms.conjunction = dual(norms.disjunction);
     norms.implication = draft.implication.value_or(norms.implication);
     norms.aggregation = draft.aggregation.value_or(norms.aggregation);
     return norms;
@@ -84,54 +80,33 @@ FuzzyVariable variableFrom(FuzzyDraft& draft, const DraftVariable& source) {
     return variable;
 }
 
-void addPlaces(PlacesOfParts& places, const std::string& list, const std::vector<DraftVariable>& drafts,
-               const std::vector<FuzzyVariable>& variables) {
-    for (std::size_t i = 0; i < variables.size(); ++i) {
-        const std::string place = list + "." + variables[i].name;
-        places[place] = drafts[i].name.identifier.place;
-        for (std::size_t t = 0; t < variables[i].terms.size(); ++t)
-            places[place + ".terms." + variables[i].terms[t].name] = drafts[i].terms[t].name.identifier.place;
-    }
-}
-
-/// Of the smallest part that the problem speaks of, else the end of the file, where something is missing.
-TextPlace placeOfProblem(const PlacesOfParts& places, const std::string& problem, const TextPlace& end) {
-    std::string part = problem.substr(0, problem.find(": "));
-    for (;;) {
-        const auto found = places.find(part);
-        if (found != places.end()) return found->second;
-        const std::size_t dot = part.rfind('.');
-        if (dot == part.npos) return end;
-        part.erase(dot);
-    }
+/// Of the part that the problem is of, else the end of the file, where something is missing.
+TextPlace placeOfProblem(const FuzzyProblem& problem, const FuzzyDraft& draft) {
+    if (!problem.part) return draft.end;
+    const auto& list = problem.part->list == FuzzyPart::List::Inputs ? draft.inputs : draft.outputs;
+    const DraftVariable& variable = list[problem.part->variable];
+    const DraftName& name = problem.part->term ? variable.terms[*problem.part->term].name : variable.name;
+    return name.identifier.place;
 }
 
 void checkDraft(const FuzzyDraft& draft, const FuzzySystem& system) {
-    PlacesOfParts places;
-    addPlaces(places, "inputs", draft.inputs, system.inputs);
-    addPlaces(places, "outputs", draft.outputs, system.outputs);
-    std::vector<std::string> problems = validate(system);
-    for (std::string& problem : problems)
-        problem = placed(placeOfProblem(places, problem, draft.end), problem);
+    std::vector<std::string> problems;
+    for (const FuzzyProblem& problem : problemsOf(system))
+        problems.push_back(placed(placeOfProblem(problem, draft), problem.text));
     if (!problems.empty()) throw InvalidModel(problems);
 }
 
-/// As many as an object of JSON may have members.
-void checkCounts(const FuzzyDraft& draft) {
+void checkRuleCount(const FuzzyDraft& draft) {
+    if (draft.rules.size() <= mostFuzzyRules) return;
+    const DraftRule& rule = draft.rules[mostFuzzyRules];
+    failAt(rule.words.empty() ? rule.end : rule.words.front().place, tooManyRules(draft.rules.size()));
+}
+
+template<class Part> void addPart(std::vector<Part>& list, Part part, const std::string& kind) {
     constexpr std::size_t most = 2000;
-    for (const auto* variables : {&draft.inputs, &draft.outputs}) {
-        if (variables->size() > most)
-            failAt((*variables)[most].name.identifier.place,
-                   "there are more than " + std::to_string(most) + " variables");
-        for (const DraftVariable& variable : *variables)
-            if (variable.terms.size() > most)
-                failAt(variable.terms[most].name.identifier.place,
-                       "there are more than " + std::to_string(most) + " terms");
-    }
-    if (draft.rules.size() > mostFuzzyRules) {
-        const DraftRule& rule = draft.rules[mostFuzzyRules];
-        failAt(rule.words.empty() ? rule.end : rule.words.front().place, tooManyRules(draft.rules.size()));
-    }
+    if (list.size() == most)
+        failAt(part.name.identifier.place, "there are more than " + std::to_string(most) + " " + kind);
+    list.push_back(std::move(part));
 }
 
 /// A rule in one line, with the place in the file of each of its words.
@@ -157,8 +132,7 @@ RuleLine ruleLine(const DraftRule& rule) {
 
 [[noreturn]] void failInRule(const DraftRule& rule, const RuleLine& line, const RuleError& error) {
     constexpr std::array hedges{"any", "extremely", "more", "seldom", "somewhat", "very"};
-    const std::string message = error.what();
-    std::string problem = message.substr(message.find(": ") + 2);
+    std::string problem = error.problem();
     const RuleMistake& mistake = error.mistake();
     if (mistake.length == 0) failAt(rule.end, problem);
     const auto next = std::upper_bound(line.columns.begin(), line.columns.end(), mistake.column);
@@ -189,7 +163,8 @@ std::vector<std::string> placedWarnings(FuzzyDraft& draft) {
 
 std::string meantName(const DraftName& draft) {
     const std::string& identifier = draft.identifier.text;
-    return draft.name && isIdentifierOf(identifier, *draft.name) ? *draft.name : identifier;
+    const bool isOurs = draft.name && nameProblem(*draft.name).empty();
+    return isOurs && isIdentifierOf(identifier, *draft.name) ? *draft.name : identifier;
 }
 
 void giveRealNames(std::vector<FuzzyVariable>& variables, const std::vector<DraftVariable>& drafts) {
@@ -224,12 +199,44 @@ DraftTerm draftTerm(FuzzyDraft& draft, DraftName name, const std::string& shape,
     }
 }
 
-void settleNorm(FuzzyDraft& draft, std::optional<TNorm>& norm, const TextWord& name) {
-    settleAs(draft, norm, name, foreignTNorm(name.text));
+void settleNorm(FuzzyDraft& draft, NormUse use, const TextWord& name) {
+    DraftNorms& norms = draft.norms;
+    switch (use) {
+    case NormUse::Conjunction:
+        return settleAs(draft, norms.conjunction, name, foreignTNorm(name.text));
+    case NormUse::Disjunction:
+        return settleAs(draft, norms.disjunction, name, foreignTConorm(name.text));
+    case NormUse::Implication:
+        return settleAs(draft, norms.implication, name, foreignTNorm(name.text));
+    case NormUse::Aggregation:
+        return settleAs(draft, norms.aggregation, name, foreignTConorm(name.text));
+    }
 }
 
-void settleNorm(FuzzyDraft& draft, std::optional<TConorm>& norm, const TextWord& name) {
-    settleAs(draft, norm, name, foreignTConorm(name.text));
+void takeBlock(FuzzyDraft& draft, DraftRuleBlock block) {
+    if (block.disabled) {
+        draft.warn(*block.disabled, "the rule block is not enabled; its rules and norms are not taken");
+        return;
+    }
+    for (const auto& [use, name] : block.norms)
+        settleNorm(draft, use, name);
+    draft.rules.insert(draft.rules.end(), std::make_move_iterator(block.rules.begin()),
+                       std::make_move_iterator(block.rules.end()));
+}
+
+void addVariable(std::vector<DraftVariable>& list, DraftVariable variable) {
+    addPart(list, std::move(variable), "variables");
+}
+
+void addTerm(DraftVariable& variable, DraftTerm term) {
+    addPart(variable.terms, std::move(term), "terms");
+}
+
+std::optional<std::string> unitFrom(const TextRemark& remark) {
+    std::optional<std::string> unit = remarkFor("unit", remark);
+    if (unit && unit->size() > longestUnit)
+        failAt(remark.place, "a unit may have " + std::to_string(longestUnit) + " bytes");
+    return unit;
 }
 
 double numberAt(const TextWord& word) {
@@ -239,7 +246,7 @@ double numberAt(const TextWord& word) {
 }
 
 ImportedFuzzySystem finished(FuzzyDraft draft) {
-    checkCounts(draft);
+    checkRuleCount(draft);
     FuzzySystem system;
     system.name = draft.name.value_or("");
     system.description = draft.description;

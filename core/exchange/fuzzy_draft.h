@@ -36,6 +36,16 @@ struct DraftRule {
     TextPlace end;
 };
 
+/// What a norm is for.
+enum class NormUse { Conjunction, Disjunction, Implication, Aggregation };
+
+/// Rules with the norms that stand beside them.
+struct DraftRuleBlock {
+    std::vector<DraftRule> rules;
+    std::vector<std::pair<NormUse, TextWord>> norms; ///< by their names
+    std::optional<TextPlace> disabled = {};          ///< where the file says so
+};
+
 struct DraftNorms {
     std::optional<TNorm> conjunction, implication;
     std::optional<TConorm> disjunction, aggregation;
@@ -62,12 +72,21 @@ DraftTerm draftTerm(FuzzyDraft& draft, DraftName name, const std::string& shape,
 
 /// A norm by its name, unless that says that there is none; a system has one of each, so that the first one
 /// counts. @throws InvalidModel
-void settleNorm(FuzzyDraft& draft, std::optional<TNorm>& norm, const TextWord& name);
-void settleNorm(FuzzyDraft& draft, std::optional<TConorm>& norm, const TextWord& name);
+void settleNorm(FuzzyDraft& draft, NormUse use, const TextWord& name);
+
+/// Its rules and norms; neither of a disabled one. @throws InvalidModel
+void takeBlock(FuzzyDraft& draft, DraftRuleBlock block);
+
+/// As many as an object of JSON may have members. @throws InvalidModel with the place of one more
+void addVariable(std::vector<DraftVariable>& list, DraftVariable variable);
+void addTerm(DraftVariable& variable, DraftTerm term);
+
+/// A variable's unit from a remark for it. @throws InvalidModel with the place of one too long to be one
+std::optional<std::string> unitFrom(const TextRemark& remark);
 
 double numberAt(const TextWord& word); ///< @throws InvalidModel with the place
 
-/// @throws InvalidModel: what validate() and parseRule() say, with the place
+/// @throws InvalidModel: what problemsOf() and parseRule() say, with the place
 ImportedFuzzySystem finished(FuzzyDraft draft);
 
 } // namespace esm

@@ -66,8 +66,8 @@ std::string withLineFeeds(std::string_view text) {
 std::optional<char> fromHexadecimal(std::string_view digits) {
     unsigned value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-    if (digits.size() != 2 || error != std::errc() || end != digits.data() + digits.size() || value > ' ')
-        return std::nullopt;
+    const bool isRead = digits.size() == 2 && error == std::errc() && end == digits.data() + digits.size();
+    if (!isRead || value == 0 || value > ' ') return std::nullopt;
     return static_cast<char>(value);
 }
 
@@ -178,6 +178,8 @@ std::string asRemark(const std::string& text) {
             remark += "\\n";
         else if (c == ')' && i > 0 && text[i - 1] == '*')
             remark += "\\)";
+        else if (byte == 0) // is no letter, and is not read
+            continue;
         else if (byte < ' ' || (c == ' ' && isAtEnd))
             remark.append("\\x").append(1, digits[byte / 16]).append(1, digits[byte % 16]);
         else

@@ -57,7 +57,7 @@ std::string_view trimmed(std::string_view text);
 std::size_t letterCount(std::string_view text);
 std::string inSmallLetters(std::string text);
 
-/// A text that remarks of every form can hold on one line, and back.
+/// A text without zero bytes that remarks of every form can hold on one line, and back.
 std::string asRemark(const std::string& text);
 std::string fromRemark(std::string_view remark);
 

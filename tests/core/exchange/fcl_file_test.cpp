@@ -210,3 +210,48 @@ TEST(FclFile, IsReadInTimeHoweverLong) {
                 StartsWith("line 27, column 115: brackets and NOT"));
     EXPECT_THAT(wrong("TERM poor", terms + "TERM poor"), HasSubstr("more than 2000 terms"));
 }
+
+TEST(FclFile, IsReadInTimeHoweverManyRemarksStandBesideHoweverManyNames) {
+    std::string names = "v0", remarks;
+    for (int i = 1; i < 60000; ++i)
+        names += ",v" + std::to_string(i);
+    for (int i = 0; i < 40000; ++i)
+        remarks += "(*unit:x*)";
+    EXPECT_THAT(fclComplaint("food : REAL;", names + " : REAL; " + remarks),
+                HasSubstr("there are more than 2000 variables"));
+    names.resize(names.find(",v1990"));
+    EXPECT_THAT(fclComplaint("food : REAL;", "food, " + names + " : REAL; " + remarks),
+                HasSubstr("inputs.v0.terms: there must be at least one"));
+    EXPECT_THAT(fclComplaint("food : REAL;",
+                             "food, " + names + " : REAL; (*unit: " + std::string(1 << 20, 'x') + "*)"),
+                HasSubstr("a unit may have 500 bytes"));
+}
+
+TEST(FclFile, TakesNothingFromARuleBlockThatIsNotEnabled) {
+    const std::string disabled = "RULEBLOCK a ENABLED : FALSE; AND : PROD; ACCU : BSUM; RULE 1 : nonsense; "
+                                 "END_RULEBLOCK ";
+    const auto [system, warnings] =
+        readFcl(withReplaced(soundFcl(), "RULEBLOCK No1", disabled + "RULEBLOCK No1"));
+    EXPECT_EQ(system.rules.size(), 2U);
+    EXPECT_EQ(system.norms, FuzzyNorms());
+    ASSERT_EQ(warnings.size(), 2U);
+    EXPECT_EQ(warnings[1],
+              "line 23, column 13: the rule block is not enabled; its rules and norms are not taken");
+    EXPECT_EQ(fclWarnings("RULEBLOCK No1", "RULEBLOCK No1 ENABLED : TRUE;").size(), 1U);
+}
+
+TEST(FclFile, MayGoOnBehindANameOnTheSameLine) {
+    std::string text = soundFcl();
+    const std::size_t outputs = text.find("VAR_OUTPUT"), fuzzify = text.find("FUZZIFY service");
+    const std::string declared = text.substr(outputs, fuzzify - outputs);
+    text = withReplaced(text.erase(outputs, fuzzify - outputs), "FUNCTION_BLOCK tipper",
+                        "FUNCTION_BLOCK the tipper " + declared);
+    const FuzzySystem system = readFcl(text).system;
+    EXPECT_EQ(system.name, "the tipper");
+    EXPECT_EQ(system.outputs.size(), 1U);
+}
+
+TEST(FclFile, TakesForARangeOnlyWhatLooksLikeOne) {
+    EXPECT_EQ(fclWarnings("food : REAL;", "food : REAL; (* Range finder, mm *)").size(), 1U);
+    EXPECT_EQ(fclWarnings("food : REAL;", "food : REAL; (* range := (0 .. 9); *)").size(), 0U);
+}
