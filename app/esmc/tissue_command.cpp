@@ -208,7 +208,7 @@ Report runTissue(const TissueOptions& options, Context& context) {
     if (addsRegion) project.regions.push_back(region);
     saveProject(project, options.output);
     Report report = describe(addsRegion ? std::optional(region.name) : std::nullopt, region.rim > 0, result);
-    addPreset(report, preset, evaluateModel(project).tethers.size());
+    addPreset(report, preset, tetherCountOf(*project.network, project.scene));
     addSpringLaw(report, project.base.stiffening);
     addWritten(report, options.output);
     return report;

@@ -113,7 +113,9 @@ double mixed(double beneath, double above, double weight) {
 void lay(TissueModel& model, const Region& region) {
     const TissueValues values = evaluate(region).values;
     const std::vector<double> weights = nodeWeights(*model.network, region);
-    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    // What is reached with less than the weight of one node gets no more than its share: a rim that hardly
+    // touches a single node would else load the whole mass upon it.
+    const double sum = std::max(1.0, std::accumulate(weights.begin(), weights.end(), 0.0));
     for (std::size_t node = 0; node < weights.size(); ++node) {
         const double weight = weights[node];
         if (weight == 0) continue;
@@ -200,6 +202,13 @@ std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scen
     std::sort(fixed.begin(), fixed.end());
     fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
     return fixed;
+}
+
+std::size_t tetherCountOf(const SpringNetwork& network, const Scene& scene) {
+    std::size_t count = 0;
+    for (const TetherRule& rule : scene.tethers)
+        count += (network.restPositions.size() + rule.every - 1) / rule.every;
+    return count;
 }
 
 std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& model) {

@@ -70,8 +70,8 @@ struct RegionResult : RegionCount {
 /// Evaluates regions from the bottom up, then the scene's tethers and fixed nodes. In a soft rim the region's
 /// spring constant and viscosity mix with those beneath in proportion to its weight w, w·c + (1 − w)·c',
 /// which stays between both, is defined down to 0, and is how a spring takes the mean of its ends. Of its
-/// mass each node gets what is in proportion to w, all of them together exactly the region's mass, and keeps
-/// (1 − w) of what it weighed beneath.
+/// mass each node gets what is in proportion to w, all of them together exactly the region's mass (but Σw of
+/// it where the weights make less than one node), and keeps (1 − w) of what it weighed beneath.
 /// Precondition: the scene is valid for the network.
 /// @throws InvalidModel when a region sets inputs that its fuzzy system does not have
 TissueModel evaluateModel(const Project& project, const Scene& scene);
@@ -81,6 +81,9 @@ inline TissueModel evaluateModel(const Project& project) {
 
 /// The nodes that a scene fixes, in order, each once.
 std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scene& scene);
+
+/// How many tethers a scene's rules make.
+std::size_t tetherCountOf(const SpringNetwork& network, const Scene& scene);
 
 /// What of a scene has no effect on the model it was evaluated for: ellipsoids that hold no node, forces and
 /// paths of fixed nodes. Precondition: the scene is valid for the network.

@@ -139,6 +139,7 @@ TEST(Model, TakesTethersAndFixedNodesFromTheScene) {
     const TissueModel model = evaluateModel(project, scene);
     EXPECT_THAT(model.fixedNodes, ElementsAre(0, 1, 3, 8));
     ASSERT_EQ(model.tethers.size(), 3);
+    EXPECT_EQ(tetherCountOf(*model.network, scene), 3);
     EXPECT_EQ(model.tethers[2].node, 8);
     EXPECT_EQ(model.tethers[2].springConstant, 1.5);
     EXPECT_EQ(model.tethers[2].viscosity, 2.5);

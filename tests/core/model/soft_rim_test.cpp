@@ -129,6 +129,20 @@ TEST(SoftRim, KeepsTheRegionsMassAndWhatTheOthersKeep) {
     }
 }
 
+TEST(SoftRim, ThatHardlyTouchesANodeHardlyLoadsIt) {
+    Project project = row(30);
+    for (const double gap : {0.0011, 0.0015, 0.0019, 0.00199999}) {
+        project.regions = {lump(-0.005 - gap, 0.002)}; // node 0 alone lies in its rim
+        project.regions[0].held.mass = 0.7;
+        const double weight = nodeWeights(*project.network, project.regions[0])[0];
+        ASSERT_GT(weight, 0);
+        const TissueModel model = evaluateModel(project);
+        const double beneath = 0.1 / 30;
+        EXPECT_NEAR(model.mass[0], beneath + weight * (0.7 - beneath), 1e-12) << gap;
+        EXPECT_EQ(model.mass[1], beneath) << gap;
+    }
+}
+
 TEST(SoftRim, OfNoWidthGivesWhatASharpRegionGives) {
     Project project = row(30);
     project.regions = {lump(0.0035, 0), lump(0.0201, 1e-30)};
