@@ -4,6 +4,7 @@
 #include "core/exchange/fuzzy_shapes.h"
 #include "core/exchange/fuzzy_source.h"
 #include "core/fuzzy/rule_text.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 

@@ -5,6 +5,7 @@
 #include "core/exchange/fuzzy_source.h"
 #include "core/fuzzy/keywords.h"
 #include "core/fuzzy/rule_text.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 

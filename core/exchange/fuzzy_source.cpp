@@ -214,13 +214,4 @@ std::optional<std::string> remarkFor(const std::string& key, const TextRemark& r
     return fromRemark(trimmed(std::string_view(remark.text).substr(key.size() + 1)));
 }
 
-std::string exactText(double value) {
-    char buffer[32];
-    const auto [end, error] = std::to_chars(std::begin(buffer), std::end(buffer), value);
-    std::string text(buffer, error == std::errc() ? end : buffer);
-    const std::size_t exponent = text.find('e');
-    if (exponent != text.npos && text.find('.') == text.npos) text.insert(exponent, ".0");
-    return text;
-}
-
 } // namespace esm

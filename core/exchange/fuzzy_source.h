@@ -64,7 +64,4 @@ std::string fromRemark(std::string_view remark);
 /// "note: made up" for the key "note".
 std::optional<std::string> remarkFor(const std::string& key, const TextRemark& remark);
 
-/// The shortest decimals that read back the same, with a point where there is an exponent.
-std::string exactText(double value);
-
 } // namespace esm

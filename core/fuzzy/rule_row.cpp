@@ -2,9 +2,8 @@
 
 #include "core/fuzzy/keywords.h"
 #include "core/support/joined.h"
+#include "core/support/numbers.h"
 
-#include <charconv>
-#include <iterator>
 #include <sstream>
 
 namespace esm {
@@ -118,11 +117,6 @@ RuleRow unfinishedRow(const FuzzySystem& system, const std::string& line) {
     return row;
 }
 
-std::string weightInFull(double weight) {
-    char text[32];
-    return {text, std::to_chars(std::begin(text), std::end(text), weight).ptr};
-}
-
 } // namespace
 
 RuleRow rowOf(const FuzzySystem& system, const std::string& line) {
@@ -153,7 +147,7 @@ std::string lineOf(const FuzzySystem& system, const RuleRow& row) {
             conclusions.push_back(system.outputs[i].name + " IS " + system.outputs[i].terms[*term].name);
     return lineOf(RuleParts{row.condition.empty() ? joined(conditions, " AND ") : row.condition,
                             row.conclusions.empty() ? joined(conclusions, " AND ") : row.conclusions,
-                            row.weight == 1 ? std::string() : weightInFull(row.weight)});
+                            row.weight == 1 ? std::string() : exactText(row.weight)});
 }
 
 } // namespace esm

@@ -2,6 +2,7 @@
 
 #include "core/fuzzy/keywords.h"
 #include "core/support/joined.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -241,13 +242,6 @@ std::string conditionText(const std::vector<FuzzyVariable>& inputs, const FuzzyC
     return joined(parts, condition.kind == Kind::And ? " AND " : " OR ");
 }
 
-/// The shortest decimals that read back the same.
-std::string weightText(double weight) {
-    char text[32];
-    const auto [end, error] = std::to_chars(std::begin(text), std::end(text), weight);
-    return error == std::errc() ? std::string(text, end) : std::string();
-}
-
 } // namespace
 
 bool isKeyword(const std::string& word, const char* keyword) {
@@ -269,7 +263,7 @@ std::string ruleText(const FuzzySystem& system, const FuzzyRule& rule) {
         conclusions.push_back(propositionText(system.outputs, conclusion));
     std::string text =
         "IF " + conditionText(system.inputs, rule.condition) + " THEN " + joined(conclusions, " AND ");
-    if (rule.weight != 1) text += " WITH " + weightText(rule.weight);
+    if (rule.weight != 1) text += " WITH " + exactText(rule.weight);
     return text;
 }
 

@@ -1,8 +1,19 @@
 #include "core/support/numbers.h"
 
+#include <charconv>
+#include <iterator>
 #include <sstream>
 
 namespace esm {
+
+std::string exactText(double value) {
+    char buffer[32];
+    const auto [end, error] = std::to_chars(std::begin(buffer), std::end(buffer), value);
+    std::string text(buffer, error == std::errc() ? end : buffer);
+    const std::size_t exponent = text.find('e');
+    if (exponent != text.npos && text.find('.') == text.npos) text.insert(exponent, ".0");
+    return text;
+}
 
 std::string numberText(double value, int digits) {
     std::ostringstream text;

@@ -24,6 +24,10 @@ inline bool isMass(double value) {
     return value >= 1 / largestNumber && value <= largestNumber;
 }
 
+/// The shortest decimals that read back the same, with a point where there is an exponent, without which
+/// other languages take it for no number.
+std::string exactText(double value);
+
 /// A number for people, with as many significant digits at most.
 std::string numberText(double value, int digits = 6);
 

@@ -60,7 +60,7 @@ TEST(Rule, IsWrittenAsItIsRead) {
           "IF zeal IS NOT much OR age IS old AND age IS young THEN viscosity IS thin WITH 0.5",
           "IF NOT (age IS old OR zeal IS much) THEN viscosity IS thick WITH 0",
           "IF age IS old THEN viscosity IS thick WITH 0.30000000000000004",
-          "IF age IS old THEN viscosity IS thick WITH 1e-09"})
+          "IF age IS old THEN viscosity IS thick WITH 1.0e-09"})
         EXPECT_EQ(reread(text), text);
     EXPECT_EQ(reread("  if age\tis old And zeal iS nOT much\nthen viscosity Is thick With 0.5 "),
               "IF age IS old AND zeal IS NOT much THEN viscosity IS thick WITH 0.5");

@@ -19,6 +19,14 @@ TEST(Numbers, OfTissueAreBounded) {
     EXPECT_FALSE(isMass(0));
 }
 
+TEST(ExactText, ReadsBackTheSame) {
+    EXPECT_EQ(exactText(0.5), "0.5");
+    EXPECT_EQ(exactText(-3), "-3");
+    EXPECT_EQ(exactText(0.1 + 0.2), "0.30000000000000004");
+    EXPECT_EQ(exactText(1e-5), "1.0e-05");
+    EXPECT_EQ(exactText(1.5e30), "1.5e+30");
+}
+
 TEST(NumberText, HasSoManyDigitsAtMost) {
     EXPECT_EQ(numberText(0.5), "0.5");
     EXPECT_EQ(numberText(1.0 / 3), "0.333333");
