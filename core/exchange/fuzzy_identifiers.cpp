@@ -2,6 +2,7 @@
 
 #include "core/exchange/fuzzy_source.h"
 #include "core/support/joined.h"
+#include "core/support/letters.h"
 
 #include <set>
 
@@ -45,7 +46,7 @@ std::string identifierFor(const std::string& name) {
         if (isDigit && identifier.empty()) identifier += '_';
         if (isDigit || isLetter)
             identifier += c;
-        else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) // one for each letter
+        else if (startsLetter(c)) // one for each letter
             identifier += '_';
     }
     return identifier.empty() ? "unnamed" : identifier;

@@ -1,6 +1,7 @@
 #include "core/exchange/fuzzy_source.h"
 
 #include "core/support/errors.h"
+#include "core/support/letters.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,7 +15,7 @@ constexpr std::string_view blankLetters = " \t\n\f\v";
 void advancePlace(TextPlace& place, char c) {
     if (c == '\n')
         place = {place.line + 1, 1};
-    else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) // the other bytes of a letter are no column
+    else if (startsLetter(c))
         ++place.column;
 }
 
@@ -27,7 +28,7 @@ std::size_t letterLength(std::string_view text) {
     if (first < 0x80) return 1;
     const std::size_t length = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
     for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xC0) != 0x80) return 0;
+        if (i >= text.size() || startsLetter(text[i])) return 0;
     const bool isOverlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
     const bool isNoLetter = (first == 0xED && byte(1) > 0x9F) || (first == 0xF4 && byte(1) > 0x8F);
     return isOverlong || isNoLetter ? 0 : length;
@@ -121,8 +122,7 @@ SourceCode withoutRemarks(const std::string& text, const std::vector<RemarkForm>
             {place, std::string(trimmed(std::string_view(text).substr(begin, end - begin)))});
         const std::size_t next = endsWithLine ? end : end + form->end.size();
         for (; at < next; advancePlace(place, text[at++])) {
-            const bool startsLetter = (static_cast<unsigned char>(text[at]) & 0xC0) != 0x80;
-            if (startsLetter) source.code += text[at] == '\n' ? '\n' : ' ';
+            if (startsLetter(text[at])) source.code += text[at] == '\n' ? '\n' : ' ';
         }
     }
     return source;
@@ -155,8 +155,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::size_t letterCount(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), startsLetter));
 }
 
 std::string inSmallLetters(std::string text) {

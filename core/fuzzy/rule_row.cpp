@@ -1,10 +1,9 @@
 #include "core/fuzzy/rule_row.h"
 
 #include "core/fuzzy/keywords.h"
+#include "core/fuzzy/rule_words.h"
 #include "core/support/joined.h"
 #include "core/support/numbers.h"
-
-#include <sstream>
 
 namespace esm {
 
@@ -44,19 +43,27 @@ struct RuleParts {
     std::string condition, conclusions, weight;
 };
 
+/// The text between two bytes, without blanks around it.
+std::string partOf(const std::string& line, std::size_t begin, std::size_t end) {
+    while (begin < end && static_cast<unsigned char>(line[begin]) <= ' ')
+        ++begin;
+    while (begin < end && static_cast<unsigned char>(line[end - 1]) <= ' ')
+        --end;
+    return line.substr(begin, end - begin);
+}
+
 RuleParts partsOf(const std::string& line) {
+    const std::vector<RuleWord> words = ruleWords(line);
     RuleParts parts;
     std::string* part = &parts.condition;
-    std::istringstream words(line);
-    bool isFirst = true;
-    for (std::string word; words >> word; isFirst = false) {
-        if (isFirst && isKeyword(word, "IF")) continue;
-        if (isKeyword(word, "THEN"))
-            part = &parts.conclusions;
-        else if (isKeyword(word, "WITH"))
-            part = &parts.weight;
-        else
-            *part += (part->empty() ? "" : " ") + word;
+    std::size_t begin =
+        isKeyword(words.front().text, "IF") ? words.front().text.size() + words.front().begin : 0;
+    for (const RuleWord& word : words) {
+        const bool isThen = isKeyword(word.text, "THEN"), isWith = isKeyword(word.text, "WITH");
+        if (!isThen && !isWith && !word.text.empty()) continue;
+        *part = partOf(line, begin, word.begin);
+        part = isThen ? &parts.conclusions : &parts.weight;
+        begin = word.begin + word.text.size();
     }
     return parts;
 }
@@ -72,12 +79,10 @@ std::string lineOf(const RuleParts& parts) {
 
 /// Whether what a line lacks can only be a condition or conclusions.
 bool mayBeUnfinished(const std::string& line) {
-    std::istringstream words(line);
     int thens = 0, withs = 0;
-    std::string word;
-    while (words >> word) {
-        thens += isKeyword(word, "THEN");
-        withs += isKeyword(word, "WITH");
+    for (const RuleWord& word : ruleWords(line)) {
+        thens += isKeyword(word.text, "THEN");
+        withs += isKeyword(word.text, "WITH");
     }
     const RuleParts parts = partsOf(line);
     return thens == 1 && withs == (parts.weight.empty() ? 0 : 1) &&

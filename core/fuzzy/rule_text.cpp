@@ -1,6 +1,7 @@
 #include "core/fuzzy/rule_text.h"
 
 #include "core/fuzzy/keywords.h"
+#include "core/fuzzy/rule_words.h"
 #include "core/support/joined.h"
 #include "core/support/numbers.h"
 
@@ -13,34 +14,6 @@ namespace esm {
 namespace {
 
 using Kind = FuzzyCondition::Kind;
-
-struct RuleWord {
-    std::string text;
-    std::size_t column; ///< of its first letter, from 1
-    std::size_t length; ///< in letters
-};
-
-/// The last word is empty and stands for the end.
-std::vector<RuleWord> wordsOf(const std::string& text) {
-    std::vector<RuleWord> list;
-    std::size_t column = 0;
-    bool inWord = false;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool startsLetter = (byte & 0xC0) != 0x80; // the other bytes of a UTF-8 letter are no column
-        if (startsLetter) ++column;
-        if (byte <= ' ') {
-            inWord = false;
-            continue;
-        }
-        if (!inWord || isBracket(c)) list.push_back({"", column, 0});
-        list.back().text += c;
-        if (startsLetter) ++list.back().length;
-        inWord = !isBracket(c);
-    }
-    list.push_back({"", column + 1, 0});
-    return list;
-}
 
 /// What would have fitted at a place.
 struct Expectation {
@@ -77,7 +50,7 @@ Expectation wordsOr(std::vector<std::string> words, Expectation other) {
 class RuleParser {
 public:
     RuleParser(const FuzzySystem& system, const std::string& text)
-        : m_system(system), m_words(wordsOf(text)) {}
+        : m_system(system), m_words(ruleWords(text)) {}
 
     FuzzyRule parse() {
         FuzzyRule rule;

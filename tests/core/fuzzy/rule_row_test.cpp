@@ -52,6 +52,10 @@ TEST(RuleRow, MayBeUnfinished) {
         EXPECT_EQ(row.unread, "");
         EXPECT_EQ(lineOf(system, row), line);
     }
+    const RuleRow bracketed = rowOf(system, "IF(age IS old OR zeal IS much) THEN");
+    EXPECT_EQ(bracketed.unread, "");
+    EXPECT_EQ(lineOf(system, bracketed), "IF age IS old OR zeal IS much THEN");
+    EXPECT_EQ(rewritten("IF (age IS old)THEN WITH 0.5"), "IF age IS old THEN WITH 0.5");
     EXPECT_FALSE(rowOf(system, "IF THEN mass IS small").inputs[0]);
     EXPECT_FALSE(rowOf(system, "IF age IS old THEN").outputs[0]);
 }
