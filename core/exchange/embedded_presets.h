@@ -1,5 +1,9 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace esm {
@@ -12,5 +16,11 @@ struct EmbeddedPreset {
 
 std::vector<EmbeddedPreset> embeddedFuzzyPresets();
 std::vector<EmbeddedPreset> embeddedTissuePresets(); ///< of `presets/tissue/`
+
+std::vector<std::string> namesOf(const std::vector<EmbeddedPreset>& presets);
+
+/// None where there is no preset of the name.
+std::optional<nlohmann::ordered_json> jsonOf(const std::vector<EmbeddedPreset>& presets,
+                                             const std::string& name);
 
 } // namespace esm

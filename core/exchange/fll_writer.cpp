@@ -1,8 +1,7 @@
 #include "core/exchange/fll_file.h"
 #include "core/exchange/fuzzy_identifiers.h"
 #include "core/exchange/fuzzy_norm_names.h"
-#include "core/exchange/fuzzy_shapes.h"
-#include "core/exchange/fuzzy_source.h"
+#include "core/exchange/fuzzy_text_writer.h"
 #include "core/fuzzy/keywords.h"
 #include "core/fuzzy/rule_text.h"
 #include "core/support/numbers.h"
@@ -16,12 +15,8 @@ namespace {
 using ConditionKind = FuzzyCondition::Kind;
 
 /// Words of its rules.
-const std::vector<std::string>& fllReservedWords() {
-    static const std::vector<std::string> words{"any",  "extremely", "not",  "seldom", "somewhat",
-                                                "very", "if",        "is",   "and",    "or",
-                                                "then", "with",      "none", "nan",    "inf"};
-    return words;
-}
+constexpr const char* fllReservedWords =
+    "any extremely not seldom somewhat very if is and or then with none nan inf";
 
 bool hasNotBeforeBrackets(const FuzzyCondition& condition) {
     if (condition.kind == ConditionKind::Not && condition.parts.front().kind != ConditionKind::Is)
@@ -41,10 +36,6 @@ FuzzyCondition withNotInside(const FuzzyCondition& condition, bool isNegated) {
     return result;
 }
 
-std::string fllRemark(const std::string& key, const std::string& text) {
-    return "# " + key + ": " + asRemark(text);
-}
-
 /// Keywords in small letters.
 std::string fllRule(const FuzzySystem& system, const FuzzyRule& rule) {
     std::string text;
@@ -56,11 +47,11 @@ std::string fllRule(const FuzzySystem& system, const FuzzyRule& rule) {
 class FllWriter {
 public:
     explicit FllWriter(const FuzzySystem& original)
-        : m_original(original), m_identified(withIdentifiers(original, fllReservedWords())) {}
+        : m_original(original), m_identified(withIdentifiers(original, fllReservedWords)) {}
 
     ExportedFuzzySystem write() {
         const FuzzySystem& system = m_identified.system;
-        head();
+        m_text.head(m_original, "Engine:");
         for (std::size_t i = 0; i < system.inputs.size(); ++i) {
             variable("InputVariable: ", m_original.inputs[i], system.inputs[i]);
             terms(m_original.inputs[i], system.inputs[i], "Trapezoid");
@@ -68,30 +59,16 @@ public:
         for (std::size_t i = 0; i < system.outputs.size(); ++i)
             output(m_original.outputs[i], system.outputs[i]);
         rules();
-        return {std::move(m_text), std::move(m_identified.warnings)};
+        return {m_text.takeText(), std::move(m_identified.warnings)};
     }
 
 private:
-    void line(const std::string& text) { m_text.append(text).append("\n"); }
-
-    void head() {
-        const std::string name = identifierFor(m_original.name);
-        if (name != m_original.name) line(fllRemark("name", m_original.name));
-        if (!m_original.description.empty()) line(fllRemark("description", m_original.description));
-        if (!m_original.note.empty()) line(fllRemark("note", m_original.note));
-        line("Engine: " + name);
-    }
-
-    void named(const std::string& declaration, const std::string& name, const std::string& identifier) {
-        line(declaration + (name == identifier ? "" : " " + fllRemark("name", name)));
-    }
-
     void variable(const std::string& kind, const FuzzyVariable& original, const FuzzyVariable& variable) {
-        named(kind + variable.name, original.name, variable.name);
-        line("  enabled: true");
-        line("  range: " + exactText(variable.minimum) + " " + exactText(variable.maximum) +
-             (variable.unit.empty() ? "" : " " + fllRemark("unit", variable.unit)));
-        line("  lock-range: false");
+        m_text.line(kind + variable.name + m_text.realName(original.name, variable.name));
+        m_text.line("  enabled: true");
+        m_text.line("  range: " + exactText(variable.minimum) + " " + exactText(variable.maximum) +
+                    m_text.unit(variable));
+        m_text.line("  lock-range: false");
     }
 
     void terms(const FuzzyVariable& original, const FuzzyVariable& variable, const std::string& shape) {
@@ -101,33 +78,33 @@ private:
             if (shape != "Constant")
                 for (const double corner : {set.b, set.c, set.d})
                     text += " " + exactText(corner);
-            named(text, original.terms[t].name, name);
+            m_text.line(text + m_text.realName(original.terms[t].name, name));
         }
     }
 
     void output(const FuzzyVariable& original, const FuzzyVariable& output) {
-        const bool hasPoints = std::all_of(output.terms.begin(), output.terms.end(),
-                                           [](const FuzzyTerm& term) { return isSinglePoint(term.set); });
+        const bool hasPoints = hasPointsAlone(output);
         if (hasPoints)
             m_identified.warnings.push_back(
                 "the terms of " + original.name +
                 " are single points, of which fuzzylite takes the weighted average; it counts every rule");
         variable("OutputVariable: ", original, output);
-        line(std::string("  aggregation: ") + foreignNames(m_original.norms.aggregation).fll);
-        line(hasPoints ? "  defuzzifier: WeightedAverage TakagiSugeno" : "  defuzzifier: Centroid 200");
-        line("  default: nan");
-        line("  lock-previous: false");
+        m_text.line(std::string("  aggregation: ") + foreignNames(m_original.norms.aggregation).fll);
+        m_text.line(hasPoints ? "  defuzzifier: WeightedAverage TakagiSugeno"
+                              : "  defuzzifier: Centroid 200");
+        m_text.line("  default: nan");
+        m_text.line("  lock-previous: false");
         terms(original, output, hasPoints ? "Constant" : "Trapezoid");
     }
 
     void rules() {
         const FuzzyNorms& norms = m_original.norms;
-        line("RuleBlock: rules");
-        line("  enabled: true");
-        line(std::string("  conjunction: ") + foreignNames(norms.conjunction).fll);
-        line(std::string("  disjunction: ") + foreignNames(norms.disjunction).fll);
-        line(std::string("  implication: ") + foreignNames(norms.implication).fll);
-        line("  activation: General");
+        m_text.line("RuleBlock: rules");
+        m_text.line("  enabled: true");
+        m_text.line(std::string("  conjunction: ") + foreignNames(norms.conjunction).fll);
+        m_text.line(std::string("  disjunction: ") + foreignNames(norms.disjunction).fll);
+        m_text.line(std::string("  implication: ") + foreignNames(norms.implication).fll);
+        m_text.line("  activation: General");
         for (std::size_t i = 0; i < m_original.rules.size(); ++i)
             rule(i);
     }
@@ -143,12 +120,12 @@ private:
                     " has NOT before brackets, which fuzzylite does not read; with these norms it cannot be "
                     "said otherwise");
         }
-        line("  rule: " + fllRule(m_identified.system, rule));
+        m_text.line("  rule: " + fllRule(m_identified.system, rule));
     }
 
     const FuzzySystem& m_original;
     IdentifiedSystem m_identified;
-    std::string m_text;
+    FuzzyTextWriter m_text{{"#", "\n"}};
 };
 
 } // namespace

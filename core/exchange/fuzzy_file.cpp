@@ -10,7 +10,6 @@
 #include "core/support/joined.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace esm {
 
@@ -188,10 +187,6 @@ ImportedFuzzySystem importFuzzyFile(const std::filesystem::path& file) {
     return imported;
 }
 
-FuzzySystem readFuzzyFile(const std::filesystem::path& file) {
-    return importFuzzyFile(file).system;
-}
-
 bool isFuzzyFileName(const std::filesystem::path& file) {
     return languageOf(file) != FuzzyLanguage::Json || inSmallLetters(file.extension().string()) == ".json";
 }
@@ -208,16 +203,11 @@ ExportedFuzzySystem exportFuzzySystem(const FuzzySystem& system, const std::file
 }
 
 std::vector<std::string> fuzzyPresetNames() {
-    std::vector<std::string> names;
-    for (const EmbeddedPreset& preset : embeddedFuzzyPresets())
-        names.emplace_back(preset.name);
-    return names;
+    return namesOf(embeddedFuzzyPresets());
 }
 
 FuzzySystem fuzzyPreset(const std::string& name) {
-    for (const EmbeddedPreset& preset : embeddedFuzzyPresets())
-        if (name == preset.name)
-            return fuzzySystemFromJson(parseJson(preset.json, preset.json + std::strlen(preset.json)));
+    if (const auto json = jsonOf(embeddedFuzzyPresets(), name)) return fuzzySystemFromJson(*json);
     throw InvalidModel("there is no fuzzy system \"" + name + "\"; name a file or one of " +
                        joined(fuzzyPresetNames()));
 }

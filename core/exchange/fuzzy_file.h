@@ -32,9 +32,6 @@ struct ExportedFuzzySystem {
 /// @throws FileError
 ImportedFuzzySystem importFuzzyFile(const std::filesystem::path& file);
 
-/// The same without a word on what could not be taken: for those who show warnings elsewhere, or read JSON.
-FuzzySystem readFuzzyFile(const std::filesystem::path& file);
-
 /// Whether the ending is `.json`, `.fcl` or `.fll`, in any case.
 bool isFuzzyFileName(const std::filesystem::path& file);
 

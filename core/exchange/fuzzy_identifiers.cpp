@@ -13,8 +13,10 @@ namespace {
 /// Tells names apart by their letters whatever their case, as IEC 61131 does.
 class Identifiers {
 public:
-    explicit Identifiers(const std::vector<std::string>& reserved)
-        : m_taken(reserved.begin(), reserved.end()) {}
+    explicit Identifiers(const std::vector<TextWord>& reserved) {
+        for (const TextWord& word : reserved)
+            m_taken.insert(word.text);
+    }
 
     std::string next(const std::string& name) {
         const std::string plain = identifierFor(name);
@@ -60,7 +62,8 @@ bool isIdentifierOf(const std::string& identifier, const std::string& name) {
            (number.front() == '_' && number.find_first_not_of("0123456789", 1) == number.npos);
 }
 
-IdentifiedSystem withIdentifiers(const FuzzySystem& system, const std::vector<std::string>& reserved) {
+IdentifiedSystem withIdentifiers(const FuzzySystem& system, const std::string& reservedWords) {
+    const std::vector<TextWord> reserved = textWords(reservedWords, {}, "");
     IdentifiedSystem result{system, {}};
     std::vector<std::string> changes;
     Identifiers variables(reserved);

@@ -14,8 +14,8 @@ struct IdentifiedSystem {
     std::vector<std::string> warnings; ///< which names are written otherwise
 };
 
-/// @param reserved words that no name may be, in small letters
-IdentifiedSystem withIdentifiers(const FuzzySystem& system, const std::vector<std::string>& reserved);
+/// @param reserved words that no name may be, in small letters, between blanks
+IdentifiedSystem withIdentifiers(const FuzzySystem& system, const std::string& reserved);
 
 /// The name of a whole system as such a name.
 std::string identifierFor(const std::string& name);

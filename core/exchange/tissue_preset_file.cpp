@@ -7,8 +7,6 @@
 #include "core/support/errors.h"
 #include "core/support/joined.h"
 
-#include <cstring>
-
 namespace esm {
 
 using Json = nlohmann::ordered_json;
@@ -58,16 +56,11 @@ TissuePreset tissuePresetFromJson(const Json& json) {
 }
 
 std::vector<std::string> tissuePresetNames() {
-    std::vector<std::string> names;
-    for (const EmbeddedPreset& preset : embeddedTissuePresets())
-        names.emplace_back(preset.name);
-    return names;
+    return namesOf(embeddedTissuePresets());
 }
 
 TissuePreset tissuePreset(const std::string& name) {
-    for (const EmbeddedPreset& preset : embeddedTissuePresets())
-        if (name == preset.name)
-            return tissuePresetFromJson(parseJson(preset.json, preset.json + std::strlen(preset.json)));
+    if (const auto json = jsonOf(embeddedTissuePresets(), name)) return tissuePresetFromJson(*json);
     throw InvalidModel("there is no tissue \"" + name + "\"; there are " + joined(tissuePresetNames()));
 }
 

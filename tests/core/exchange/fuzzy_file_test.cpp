@@ -3,6 +3,7 @@
 #include "core/fuzzy/inference.h"
 #include "core/support/errors.h"
 #include "core/support/file_io.h"
+#include "tests/core/exchange/fuzzy_text_files.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
@@ -25,18 +26,12 @@ std::string sound() {
  "rules": ["IF zeal IS much AND age IS old THEN viscosity IS thick"]})";
 }
 
-std::string replaced(std::string text, const std::string& part, const std::string& by) {
-    const std::size_t place = text.find(part);
-    EXPECT_NE(place, std::string::npos) << part;
-    return text.replace(place, part.size(), by);
-}
-
 /// What reading the text as a file says.
 std::string complaint(const std::string& text) {
     const TemporaryFolder folder;
     writeFileAtomically(folder / "trial.json", text);
     try {
-        readFuzzyFile(folder / "trial.json");
+        importFuzzyFile(folder / "trial.json");
     } catch (const FileError& error) {
         EXPECT_THAT(error.what(), HasSubstr("trial.json: "));
         return error.what();
@@ -62,7 +57,7 @@ TEST(FuzzyFile, ComesBackAsItWasWritten) {
     system.inputs[0].terms[0].set.d = 1 + 0.1 + 0.2;
     system.note = "Grüße \"und\" mehr\n";
     writeFileAtomically(folder / "copy.json", toJson(system).dump(1));
-    EXPECT_EQ(toJson(readFuzzyFile(folder / "copy.json")), toJson(system));
+    EXPECT_EQ(toJson(importFuzzyFile(folder / "copy.json").system), toJson(system));
 }
 
 TEST(FuzzyFile, WritesNormsAndWeightsOnlyWhereTheyAreNotTheUsual) {
@@ -107,7 +102,7 @@ TEST(FuzzyFile, ReadsEveryNorm) {
 
 TEST(FuzzyFile, RefusesNormsThatThereAreNot) {
     const auto withNorms = [](const std::string& norms) {
-        return complaint(replaced(sound(), "\"rules\"", "\"norms\": " + norms + ", \"rules\""));
+        return complaint(withReplaced(sound(), "\"rules\"", "\"norms\": " + norms + ", \"rules\""));
     };
     EXPECT_EQ(withNorms("{}"), "accepted");
     EXPECT_THAT(
@@ -133,19 +128,20 @@ TEST(FuzzyFile, RefusesMoreRulesThanAnyoneReads) {
 
 TEST(FuzzyFile, NamesAnUnnamedSystemAfterItsFile) {
     const TemporaryFolder folder;
-    writeFileAtomically(folder / "liver.json", replaced(sound(), R"("name": "trial", )", ""));
-    EXPECT_EQ(readFuzzyFile(folder / "liver.json").name, "liver");
+    writeFileAtomically(folder / "liver.json", withReplaced(sound(), R"("name": "trial", )", ""));
+    EXPECT_EQ(importFuzzyFile(folder / "liver.json").system.name, "liver");
 }
 
 TEST(FuzzyFile, SaysWhichEncodingItIsIn) {
     EXPECT_EQ(complaint("\xEF\xBB\xBF" + sound()), "accepted");
-    EXPECT_THAT(complaint(replaced(sound(), "how", "h\xF6w")), HasSubstr("line 1, column 36: is not UTF-8"));
+    EXPECT_THAT(complaint(withReplaced(sound(), "how", "h\xF6w")),
+                HasSubstr("line 1, column 36: is not UTF-8"));
     EXPECT_THAT(complaint("\xFF\xFE{"), HasSubstr("is UTF-16 text; save it as UTF-8"));
 }
 
 TEST(FuzzyFile, SaysWhatIsWrongAndWhere) {
     const auto with = [](const std::string& part, const std::string& by) {
-        return complaint(replaced(sound(), part, by));
+        return complaint(withReplaced(sound(), part, by));
     };
     EXPECT_EQ(complaint(sound()), "accepted");
     EXPECT_THAT(complaint(""), HasSubstr("not valid JSON"));
@@ -188,7 +184,8 @@ TEST(FuzzyPreset, IsTheFileThatShips) {
         if (entry.is_regular_file()) files.push_back(entry.path().stem());
     EXPECT_THAT(fuzzyPresetNames(), testing::UnorderedElementsAreArray(files));
     for (const std::string& name : fuzzyPresetNames())
-        EXPECT_EQ(toJson(fuzzyPreset(name)), toJson(readFuzzyFile(folder / (name + ".json")))) << name;
+        EXPECT_EQ(toJson(fuzzyPreset(name)), toJson(importFuzzyFile(folder / (name + ".json")).system))
+            << name;
 }
 
 TEST(FuzzyPreset, IsThePublishedSystem) {
@@ -197,7 +194,7 @@ TEST(FuzzyPreset, IsThePublishedSystem) {
         ESM_SKIP_WITHOUT(file);
         FuzzySystem preset = fuzzyPreset(name);
         preset.description.clear(); // our own words
-        EXPECT_EQ(toJson(preset), toJson(readFuzzyFile(file))) << name;
+        EXPECT_EQ(toJson(preset), toJson(importFuzzyFile(file).system)) << name;
     }
 }
 
