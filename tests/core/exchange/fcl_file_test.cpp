@@ -2,10 +2,8 @@
 
 #include "core/fuzzy/rule_text.h"
 #include "tests/core/exchange/fuzzy_text_files.h"
-#include "tests/core/fuzzy/random_systems.h"
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 using namespace esm;
 using testing::ElementsAre;
@@ -49,33 +47,20 @@ END_FUNCTION_BLOCK
 )";
 }
 
-ImportedFuzzySystem readFcl(const std::string& text) {
-    return fuzzySystemFromFcl(bytesOf(text));
-}
+const TextLanguage fclLanguage{fuzzySystemFromFcl, toFcl};
 
 std::string fclComplaint(const std::string& part, const std::string& by) {
     return complaintOf(fuzzySystemFromFcl, withReplaced(soundFcl(), part, by));
 }
 
 std::vector<std::string> fclWarnings(const std::string& part, const std::string& by) {
-    return readFcl(withReplaced(soundFcl(), part, by)).warnings;
-}
-
-void expectBackFromFcl(const FuzzySystem& system) {
-    const ImportedFuzzySystem read = readFcl(toFcl(system).text);
-    EXPECT_EQ(toJson(read.system), toJson(system)) << toFcl(system).text;
-    EXPECT_THAT(read.warnings, IsEmpty());
+    return fclLanguage.readText(withReplaced(soundFcl(), part, by)).warnings;
 }
 
 } // namespace
 
 TEST(FclFile, ComesBackAsItWasWritten) {
-    for (const std::string& name : fuzzyPresetNames())
-        expectBackFromFcl(fuzzyPreset(name));
-    expectBackFromFcl(awkwardSystem());
-    RandomSystems systems(1);
-    for (int trial = 0; trial < 100; ++trial)
-        expectBackFromFcl(systems.next());
+    fclLanguage.expectAllBack(1);
 }
 
 TEST(FclFile, IsWrittenAsTheStandardHasIt) {
@@ -91,7 +76,7 @@ TEST(FclFile, IsWrittenAsTheStandardHasIt) {
 }
 
 TEST(FclFile, IsRead) {
-    const auto [system, warnings] = readFcl(soundFcl());
+    const auto [system, warnings] = fclLanguage.readText(soundFcl());
     EXPECT_EQ(system.name, "tipper");
     EXPECT_EQ(system.inputs[0].maximum, 9);
     EXPECT_EQ(system.inputs[0].terms[0].set.b, 0);
@@ -113,7 +98,7 @@ TEST(FclFile, IsReadAsOthersWriteIt) {
     text = withReplaced(text, "ACT : MIN;", "OR:ASUM; ACT : none;");
     text = withReplaced(text, "AND : MIN;", "");
     text = withReplaced(text, "food : REAL;", "food : REAL; // name: of a dish");
-    const auto [system, warnings] = readFcl("\xEF\xBB\xBF" + text);
+    const auto [system, warnings] = fclLanguage.readText("\xEF\xBB\xBF" + text);
     EXPECT_EQ(system.inputs[1].name, "food");
     EXPECT_THAT(warnings, IsEmpty());
     EXPECT_EQ(ruleText(system, system.rules[0]),
@@ -128,7 +113,7 @@ TEST(FclFile, NamesOfRulesAreThoseOfTheirDeclarations) {
     std::string text = withReplaced(soundFcl(), "TERM rancid", "TERM Poor");
     text = withReplaced(text, "food IS rancid", "FOOD IS POOR");
     text = withReplaced(text, "service IS poor", "Service IS pooR");
-    const FuzzySystem system = readFcl(text).system;
+    const FuzzySystem system = fclLanguage.readText(text).system;
     EXPECT_EQ(ruleText(system, system.rules[0]), "IF service IS poor OR food IS Poor THEN tip IS cheap");
 }
 
@@ -145,7 +130,7 @@ TEST(FclFile, TellsWhatItDidNotTake) {
                 StartsWith("line 10, column 8: the term poor: gaussian"));
     EXPECT_THAT(fclWarnings("VAR_OUTPUT", "VAR x : REAL; END_VAR VAR_OUTPUT").back(),
                 StartsWith("line 6, column 1: VAR"));
-    EXPECT_THAT(readFcl(soundFcl() + "FUNCTION_BLOCK x").warnings.back(),
+    EXPECT_THAT(fclLanguage.readText(soundFcl() + "FUNCTION_BLOCK x").warnings.back(),
                 StartsWith("line 31, column 1: what follows"));
 }
 
@@ -231,7 +216,7 @@ TEST(FclFile, TakesNothingFromARuleBlockThatIsNotEnabled) {
     const std::string disabled = "RULEBLOCK a ENABLED : FALSE; AND : PROD; ACCU : BSUM; RULE 1 : nonsense; "
                                  "END_RULEBLOCK ";
     const auto [system, warnings] =
-        readFcl(withReplaced(soundFcl(), "RULEBLOCK No1", disabled + "RULEBLOCK No1"));
+        fclLanguage.readText(withReplaced(soundFcl(), "RULEBLOCK No1", disabled + "RULEBLOCK No1"));
     EXPECT_EQ(system.rules.size(), 2U);
     EXPECT_EQ(system.norms, FuzzyNorms());
     ASSERT_EQ(warnings.size(), 2U);
@@ -246,7 +231,7 @@ TEST(FclFile, MayGoOnBehindANameOnTheSameLine) {
     const std::string declared = text.substr(outputs, fuzzify - outputs);
     text = withReplaced(text.erase(outputs, fuzzify - outputs), "FUNCTION_BLOCK tipper",
                         "FUNCTION_BLOCK the tipper " + declared);
-    const FuzzySystem system = readFcl(text).system;
+    const FuzzySystem system = fclLanguage.readText(text).system;
     EXPECT_EQ(system.name, "the tipper");
     EXPECT_EQ(system.outputs.size(), 1U);
 }

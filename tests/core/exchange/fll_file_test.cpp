@@ -3,10 +3,8 @@
 #include "core/exchange/fcl_file.h"
 #include "core/fuzzy/rule_text.h"
 #include "tests/core/exchange/fuzzy_text_files.h"
-#include "tests/core/fuzzy/random_systems.h"
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 using namespace esm;
 using testing::HasSubstr;
@@ -44,44 +42,33 @@ RuleBlock: light
 )";
 }
 
-ImportedFuzzySystem readFll(const std::string& text) {
-    return fuzzySystemFromFll(bytesOf(text));
-}
+const TextLanguage fllLanguage{fuzzySystemFromFll, toFll};
 
 std::string fllComplaint(const std::string& part, const std::string& by) {
     return complaintOf(fuzzySystemFromFll, withReplaced(soundFll(), part, by));
 }
 
 std::string fllWarning(const std::string& part, const std::string& by) {
-    const std::vector<std::string> warnings = readFll(withReplaced(soundFll(), part, by)).warnings;
+    const std::vector<std::string> warnings =
+        fllLanguage.readText(withReplaced(soundFll(), part, by)).warnings;
     return warnings.size() == 1 ? warnings[0] : std::to_string(warnings.size()) + " warnings";
-}
-
-void expectBackFromFll(const FuzzySystem& system) {
-    const ImportedFuzzySystem read = readFll(toFll(system).text);
-    EXPECT_EQ(toJson(read.system), toJson(system)) << toFll(system).text;
-    EXPECT_THAT(read.warnings, IsEmpty());
 }
 
 } // namespace
 
 TEST(FllFile, ComesBackAsItWasWritten) {
-    for (const std::string& name : fuzzyPresetNames())
-        expectBackFromFll(fuzzyPreset(name));
-    expectBackFromFll(awkwardSystem());
-    RandomSystems systems(2);
-    for (int trial = 0; trial < 100; ++trial)
-        expectBackFromFll(systems.next());
+    fllLanguage.expectAllBack(2);
 }
 
 TEST(FllFile, SaysNotBeforeBracketsOtherwise) {
-    const FuzzySystem system = readFll(withReplaced(soundFll(), "if Ambient is DARK",
-                                                    "if not (Ambient is DARK or Ambient is BRIGHT)"))
+    const FuzzySystem system = fllLanguage
+                                   .readText(withReplaced(soundFll(), "if Ambient is DARK",
+                                                          "if not (Ambient is DARK or Ambient is BRIGHT)"))
                                    .system;
     FuzzySystem written = system;
     written.rules[0] =
         parseRule(system, "IF Ambient IS NOT DARK AND Ambient IS NOT BRIGHT THEN Power IS HIGH");
-    EXPECT_EQ(readFll(toFll(system).text).system, written);
+    EXPECT_EQ(fllLanguage.readText(toFll(system).text).system, written);
     EXPECT_EQ(fuzzySystemFromFcl(bytesOf(toFcl(system).text)).system, system);
 }
 
@@ -96,7 +83,7 @@ TEST(FllFile, IsWrittenAsFuzzyliteHasIt) {
 }
 
 TEST(FllFile, IsRead) {
-    const auto [system, warnings] = readFll(soundFll());
+    const auto [system, warnings] = fllLanguage.readText(soundFll());
     EXPECT_THAT(warnings, IsEmpty());
     EXPECT_EQ(system.name, "dimmer");
     EXPECT_EQ(system.inputs[0].terms[0].set.c, 0.25);
@@ -112,7 +99,7 @@ TEST(FllFile, IsReadAsOlderOnesAreWritten) {
     text = withReplaced(text, "aggregation: Maximum", "ACCUMULATION: AlgebraicSum # more");
     text = withReplaced(text, "Triangle 0.000 0.250 0.500", "Triangle -inf 0.250 0.500 1.000\r");
     text = withReplaced(text, "Engine: dimmer\n", "Engine: dimmer\n  description: of a lamp\n");
-    const auto [system, warnings] = readFll("\xEF\xBB\xBF" + text);
+    const auto [system, warnings] = fllLanguage.readText("\xEF\xBB\xBF" + text);
     EXPECT_THAT(warnings, IsEmpty());
     EXPECT_EQ(system.description, "of a lamp");
     EXPECT_EQ(system.norms.implication, TNorm::BoundedDifference);
@@ -142,8 +129,9 @@ TEST(FllFile, TellsWhatItDidNotTake) {
         "rule: nonsense\nenabled: false\n";
     EXPECT_EQ(fllWarning("RuleBlock:", disabled + "RuleBlock:"),
               "line 22, column 1: the rule block is not enabled; its rules and norms are not taken");
-    EXPECT_EQ(readFll(withReplaced(soundFll(), "RuleBlock:", disabled + "RuleBlock:")).system.norms,
-              FuzzyNorms());
+    EXPECT_EQ(
+        fllLanguage.readText(withReplaced(soundFll(), "RuleBlock:", disabled + "RuleBlock:")).system.norms,
+        FuzzyNorms());
     EXPECT_THAT(fllWarning("RuleBlock:", "OutputVariable: y\n aggregation: BoundedSum\n term: x Constant 1\n "
                                          "term: y Constant 2\nRuleBlock:"),
                 HasSubstr("2 warnings")); // of the norm, and of the range

@@ -3,8 +3,10 @@
 #include "core/exchange/fuzzy_file.h"
 #include "core/support/errors.h"
 #include "core/support/file_io.h"
+#include "tests/core/fuzzy/random_systems.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <string>
 
@@ -51,3 +53,28 @@ inline esm::FuzzySystem awkwardSystem() {
                     esm::TConorm::ProbabilisticSum};
     return system;
 }
+
+/// A language that systems are written in as text.
+struct TextLanguage {
+    esm::ImportedFuzzySystem (*read)(const esm::Bytes& content);
+    esm::ExportedFuzzySystem (*write)(const esm::FuzzySystem& system);
+
+    esm::ImportedFuzzySystem readText(const std::string& text) const { return read(bytesOf(text)); }
+
+    void expectBack(const esm::FuzzySystem& system) const {
+        const std::string text = write(system).text;
+        const esm::ImportedFuzzySystem back = readText(text);
+        EXPECT_EQ(toJson(back.system), toJson(system)) << text;
+        EXPECT_TRUE(back.warnings.empty()) << text;
+    }
+
+    /// Of presets, of awkward names and sets, and of random systems.
+    void expectAllBack(unsigned seed) const {
+        for (const std::string& name : esm::fuzzyPresetNames())
+            expectBack(esm::fuzzyPreset(name));
+        expectBack(awkwardSystem());
+        RandomSystems systems(seed);
+        for (int trial = 0; trial < 100; ++trial)
+            expectBack(systems.next());
+    }
+};
