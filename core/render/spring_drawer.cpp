@@ -56,6 +56,7 @@ void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vecto
     if (nodes != m_nodes) {
         m_points.upload(nodes, frame);
         m_nodes = nodes;
+        ++m_pose;
     }
     // Where a surface is hidden nothing else puts the far springs behind the near ones. A few bare springs
     // need no such order, and would cut into their nodes' dots.
@@ -72,6 +73,21 @@ void SpringDrawer::takeNetwork(const RenderScene& scene) {
     if (scene.network == m_network) return;
     m_network = scene.network;
     m_cover = static_cast<float>(coverOver(scene));
+}
+
+bool SpringDrawer::SpringColours::operator==(const SpringColours& other) const {
+    return values == other.values && minimum == other.minimum && maximum == other.maximum;
+}
+
+std::optional<Colour> SpringDrawer::SpringColours::of(std::size_t spring) const {
+    if (!values || !std::isfinite((*values)[spring])) return std::nullopt;
+    const double range = maximum > minimum ? maximum - minimum : 1;
+    return rampColour(((*values)[spring] - minimum) / range);
+}
+
+SpringDrawer::SpringColours SpringDrawer::coloursOf(const RenderScene& scene) const {
+    if (!scene.springValues || scene.springValues->size() != m_network->springs.size()) return {};
+    return {scene.springValues, scene.springValueMinimum, scene.springValueMaximum};
 }
 
 SpringDrawer::Manner SpringDrawer::mannerOf(const RenderScene& scene, const Frame& frame) const {
@@ -93,49 +109,53 @@ void SpringDrawer::drawSprings(const RenderScene& scene, const Manner& manner, c
 
 void SpringDrawer::drawMarked(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
                               const Frame& frame) {
-    const std::vector<double>& weights = *scene.marked->weights;
-    if (weights.size() != m_nodes.size()) return;
+    if (scene.marked->weights->size() != m_nodes.size()) return;
     takeMarked(scene);
     lines.draw(m_points, m_markedSprings, {1, manner.lift, false}, frame);
-    std::vector<Eigen::Vector3d> places;
-    std::vector<float> strengths;
-    for (std::size_t node = 0; node < weights.size(); ++node) {
-        if (!(weights[node] > 0)) continue;
-        places.push_back(m_nodes[node]);
-        strengths.push_back(static_cast<float>(weights[node]));
-    }
-    m_markedPoints.upload(places, frame, strengths);
+    takeMarkedDots(scene.marked->weights, frame);
     const Eigen::Vector3f rgb = toFloat(scene.marked->colour);
     const float radius = manner.bare || manner.inside ? 5 : markedRadius;
     lines.drawDots(m_markedPoints, {{rgb.x(), rgb.y(), rgb.z(), 1}, radius, 0, manner.lift}, frame);
 }
 
+void SpringDrawer::takeMarkedDots(const std::shared_ptr<const std::vector<double>>& weights,
+                                  const Frame& frame) {
+    if (m_markedDots.choice == weights && m_markedDots.pose == m_pose) return;
+    m_markedDots = {weights, m_pose};
+    std::vector<Eigen::Vector3d> places;
+    std::vector<float> strengths;
+    for (std::size_t node = 0; node < weights->size(); ++node) {
+        if (!((*weights)[node] > 0)) continue;
+        places.push_back(m_nodes[node]);
+        strengths.push_back(static_cast<float>((*weights)[node]));
+    }
+    m_markedPoints.upload(places, frame, strengths);
+}
+
 /// Springs whose both ends are marked, as strongly as the less marked of them.
 void SpringDrawer::takeMarked(const RenderScene& scene) {
     const MarkedNodes& marked = *scene.marked;
-    const auto& values = scene.showSprings ? scene.springValues : nullptr;
-    if (m_markedNetwork == m_network && m_weights == marked.weights && m_markedValues == values &&
+    const SpringColours colours = scene.showSprings ? coloursOf(scene) : SpringColours{};
+    if (m_markedNetwork == m_network && m_weights == marked.weights && m_markedColours == colours &&
         m_markedColour == marked.colour)
         return;
     m_markedNetwork = m_network;
     m_weights = marked.weights;
-    m_markedValues = values;
+    m_markedColours = colours;
     m_markedColour = marked.colour;
     const auto& springs = m_network->springs;
-    const bool valued = values && values->size() == springs.size();
-    const double least = scene.springValueMinimum, range = scene.springValueMaximum - least;
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < springs.size(); ++i) {
         const auto [first, second, length] = springs[i];
         const double weight = std::min((*m_weights)[first], (*m_weights)[second]);
         if (!(weight > 0)) continue;
-        const bool hasValue = valued && range > 0 && std::isfinite((*values)[i]);
-        const Colour colour = hasValue ? rampColour(((*values)[i] - least) / range) : marked.colour;
+        const std::optional<Colour> ofValue = colours.of(i);
+        const Colour colour = ofValue.value_or(marked.colour);
         const auto alpha = static_cast<std::uint8_t>(std::lround(markedAlpha * weight));
         segments.push_back({first,
                             second,
                             {colour[0], colour[1], colour[2], alpha},
-                            hasValue ? markedValuedWidth : markedWidth});
+                            ofValue ? markedValuedWidth : markedWidth});
     }
     m_markedSprings.upload(segments);
 }
@@ -143,37 +163,33 @@ void SpringDrawer::takeMarked(const RenderScene& scene) {
 void SpringDrawer::drawFixed(const std::vector<std::uint32_t>& fixed, const Manner& manner,
                              const LineDrawer& lines, const Frame& frame) {
     if (fixed.empty()) return;
-    std::vector<Eigen::Vector3d> places;
-    places.reserve(fixed.size());
-    for (const std::uint32_t node : fixed)
-        places.push_back(m_nodes[node]);
-    m_fixedPoints.upload(places, frame);
+    if (m_fixedDots.choice != fixed || m_fixedDots.pose != m_pose) {
+        m_fixedDots = {fixed, m_pose};
+        std::vector<Eigen::Vector3d> places;
+        places.reserve(fixed.size());
+        for (const std::uint32_t node : fixed)
+            places.push_back(m_nodes[node]);
+        m_fixedPoints.upload(places, frame);
+    }
     const float radius = manner.bare || manner.inside ? 2 * fixedRadius : fixedRadius;
     lines.drawDots(m_fixedPoints, {dotPaint, radius, fixedEdge, manner.lift}, frame);
 }
 
 void SpringDrawer::takeSprings(const RenderScene& scene, bool overSurface) {
-    const bool same = m_springsNetwork == m_network && scene.springValues == m_values &&
-                      scene.springValueMinimum == m_minimum && scene.springValueMaximum == m_maximum &&
-                      overSurface == m_overSurface;
-    if (same) return;
+    const SpringColours colours = coloursOf(scene);
+    if (m_springsNetwork == m_network && m_colours == colours && overSurface == m_overSurface) return;
     m_springsNetwork = m_network;
-    m_values = scene.springValues;
-    m_minimum = scene.springValueMinimum;
-    m_maximum = scene.springValueMaximum;
+    m_colours = colours;
     m_overSurface = overSurface;
     const auto& springs = m_network->springs;
-    const bool valued = m_values && m_values->size() == springs.size();
-    const double range = m_maximum > m_minimum ? m_maximum - m_minimum : 1;
     const std::array<std::uint8_t, 4> quiet = overSurface ? std::array<std::uint8_t, 4>{44, 40, 46, 105}
                                                           : std::array<std::uint8_t, 4>{152, 161, 171, 190};
     std::vector<Segment> quietSegments, coloured;
     for (std::size_t i = 0; i < springs.size(); ++i) {
         const Spring& spring = springs[i];
-        if (valued && std::isfinite((*m_values)[i])) {
-            const Colour colour = rampColour(((*m_values)[i] - m_minimum) / range);
+        if (const std::optional<Colour> colour = colours.of(i)) {
             coloured.push_back(
-                {spring.first, spring.second, springPaint(colour, overSurface), colouredWidth});
+                {spring.first, spring.second, springPaint(*colour, overSurface), colouredWidth});
         } else {
             quietSegments.push_back({spring.first, spring.second, quiet, quietWidth});
         }

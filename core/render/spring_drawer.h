@@ -25,12 +25,30 @@ private:
         float lift;       ///< m, out of it
     };
 
+    /// What springs are coloured by.
+    struct SpringColours {
+        std::shared_ptr<const std::vector<double>> values; ///< null, or one per spring
+        double minimum = 0, maximum = 0;
+
+        bool operator==(const SpringColours& other) const;
+        /// None for a spring without a value.
+        std::optional<Colour> of(std::size_t spring) const;
+    };
+
+    /// What the marked dots, or the fixed ones, were uploaded for.
+    template<typename Choice> struct Dots {
+        Choice choice;
+        int pose = 0;
+    };
+
+    SpringColours coloursOf(const RenderScene& scene) const;
     Manner mannerOf(const RenderScene& scene, const Frame& frame) const;
     void takeNetwork(const RenderScene& scene);
     void takeSprings(const RenderScene& scene, bool overSurface);
     void drawSprings(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
                      const Frame& frame);
     void takeMarked(const RenderScene& scene);
+    void takeMarkedDots(const std::shared_ptr<const std::vector<double>>& weights, const Frame& frame);
     void drawMarked(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
                     const Frame& frame);
     void drawFixed(const std::vector<std::uint32_t>& fixed, const Manner& manner, const LineDrawer& lines,
@@ -41,13 +59,15 @@ private:
     SegmentSet m_quiet, m_coloured, m_markedSprings;
     std::shared_ptr<const SpringNetwork> m_network;
     std::shared_ptr<const SpringNetwork> m_springsNetwork, m_markedNetwork; ///< of the segments as uploaded
-    std::shared_ptr<const std::vector<double>> m_weights, m_markedValues; ///< of the marked ones as uploaded
+    std::shared_ptr<const std::vector<double>> m_weights; ///< of the marked springs as uploaded
+    SpringColours m_colours, m_markedColours;             ///< as uploaded
     std::optional<Colour> m_markedColour;
-    std::shared_ptr<const std::vector<double>> m_values;
-    double m_minimum = 0, m_maximum = 0;
     bool m_overSurface = false;
     float m_cover = 0;                    ///< m, between the springs and the surface over them
     std::vector<Eigen::Vector3d> m_nodes; ///< as last uploaded
+    int m_pose = 0;                       ///< counts what was uploaded of them
+    Dots<std::shared_ptr<const std::vector<double>>> m_markedDots;
+    Dots<std::vector<std::uint32_t>> m_fixedDots;
 };
 
 } // namespace esm

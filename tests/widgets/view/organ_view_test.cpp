@@ -125,6 +125,36 @@ TEST_F(OrganViewTest, TextureIsNotReadBeyondItsPatches) {
     EXPECT_EQ(strays, 0);
 }
 
+TEST_F(OrganViewTest, MarksFollowTheNodesAndTheScaleOfValues) {
+    const std::size_t nodes = scene.network->restPositions.size(), springs = scene.network->springs.size();
+    scene.showSprings = true;
+    scene.springValues = std::make_shared<const std::vector<double>>(springs, 1.0);
+    scene.marked = MarkedNodes{std::make_shared<const std::vector<double>>(nodes, 1.0)};
+    scene.fixedNodes = {0, std::uint32_t(nodes / 2)};
+    view.setScene(scene);
+    view.grabFramebuffer();
+    const auto afresh = [this] {
+        OrganView other;
+        other.resize(view.size());
+        other.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&other));
+        other.setScene(scene);
+        other.setCamera(view.camera());
+        return other.grabFramebuffer();
+    };
+    scene.springValueMaximum = 5;
+    view.setScene(scene);
+    EXPECT_EQ(view.grabFramebuffer(), afresh());
+    scene.nodePositions = scene.network->restPositions;
+    for (auto& position : scene.nodePositions)
+        position.x() += 0.02;
+    view.setScene(scene);
+    EXPECT_EQ(view.grabFramebuffer(), afresh());
+    scene.fixedNodes = {1};
+    view.setScene(scene);
+    EXPECT_EQ(view.grabFramebuffer(), afresh());
+}
+
 TEST_F(OrganViewTest, OverlaysArePainted) {
     const QImage plain = view.grabFramebuffer();
     view.setLegend(ViewLegend{"Spring constant", "N/m", 2.4, 81});
