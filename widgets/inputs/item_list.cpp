@@ -104,6 +104,12 @@ private:
 
 } // namespace
 
+int rowAfterDrop(int row, int under, DropPlace place) {
+    if (place == DropPlace::On) return under;
+    const int before = place == DropPlace::Below ? under + 1 : under;
+    return before > row ? before - 1 : before;
+}
+
 ItemList::ItemList(QPalette::ColorRole mark, QWidget* parent) : QListWidget(parent) {
     setItemDelegate(new RowDelegate(mark, this));
     setSelectionMode(QAbstractItemView::SingleSelection);
@@ -166,10 +172,16 @@ void ItemList::dropEvent(QDropEvent* event) {
     event->accept();
     if (event->source() != this || currentRow() < 0) return;
     const QModelIndex under = indexAt(event->pos());
-    int to = under.isValid() ? under.row() : count() - 1;
-    if (under.isValid() && dropIndicatorPosition() == BelowItem) ++to;
-    if (under.isValid() && dropIndicatorPosition() != OnItem && to > currentRow()) --to;
+    const DropPlace place = dropIndicatorPosition() == BelowItem   ? DropPlace::Below
+                            : dropIndicatorPosition() == AboveItem ? DropPlace::Above
+                                                                   : DropPlace::On;
+    const int to = under.isValid() ? rowAfterDrop(currentRow(), under.row(), place) : count() - 1;
     if (to != currentRow()) emit moveRequested(currentRow(), to);
+}
+
+void ItemList::resizeEvent(QResizeEvent* event) {
+    QListWidget::resizeEvent(event);
+    if (currentItem()) scrollToItem(currentItem());
 }
 
 void ItemList::paintEvent(QPaintEvent* event) {

@@ -17,6 +17,11 @@ struct ItemRow {
     bool renamable = true;
 };
 
+/// Where a row lands that is dropped on, above or below another.
+enum class DropPlace { On, Above, Below };
+/// The place that the dropped row gets, once it is taken out of its own.
+int rowAfterDrop(int row, int under, DropPlace place);
+
 /// A short list of named things, one of which is selected; a double click or F2 renames, Delete asks for
 /// removal, a drag or Ctrl with the arrow keys asks for another order.
 class ItemList : public QListWidget {
@@ -45,6 +50,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QString m_emptyText;

@@ -70,7 +70,27 @@ TEST_F(ItemListTest, CtrlAndArrowsAskForAnotherOrder) {
     EXPECT_EQ(selected.count(), 1);
 }
 
-TEST_F(ItemListTest, ADroppedRowAsksForItsNewPlace) {
+TEST(RowAfterDrop, IsWhereTheLineWasShown) {
+    EXPECT_EQ(rowAfterDrop(0, 2, DropPlace::Above), 1);
+    EXPECT_EQ(rowAfterDrop(0, 2, DropPlace::Below), 2);
+    EXPECT_EQ(rowAfterDrop(3, 1, DropPlace::Above), 1);
+    EXPECT_EQ(rowAfterDrop(3, 1, DropPlace::Below), 2);
+    EXPECT_EQ(rowAfterDrop(1, 1, DropPlace::Above), 1);
+    EXPECT_EQ(rowAfterDrop(1, 1, DropPlace::Below), 1);
+    EXPECT_EQ(rowAfterDrop(1, 0, DropPlace::Below), 1);
+    EXPECT_EQ(rowAfterDrop(0, 2, DropPlace::On), 2);
+    EXPECT_EQ(rowAfterDrop(2, 0, DropPlace::On), 0);
+}
+
+TEST_F(ItemListTest, KeepsTheSelectedRowInSightWhenItShrinks) {
+    std::vector<ItemRow> rows(12, ItemRow{"Lobe", "", Qt::red, {}, true});
+    list.resize(240, 500);
+    list.setRows(rows, 11);
+    list.resize(240, 100);
+    EXPECT_TRUE(list.viewport()->rect().contains(list.visualItemRect(list.item(11))));
+}
+
+TEST_F(ItemListTest, ADropFromElsewhereIsNoRow) {
     QSignalSpy moved(&list, &ItemList::moveRequested);
     QMimeData data;
     const QPoint end = list.visualItemRect(list.item(1)).center();
