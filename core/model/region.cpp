@@ -8,9 +8,6 @@ namespace esm {
 
 namespace {
 
-constexpr std::array<Parameter, 3> parameters{Parameter::SpringConstant, Parameter::Viscosity,
-                                              Parameter::Mass};
-
 bool setsParameter(const std::string& output, Parameter parameter) {
     switch (parameter) {
     case Parameter::SpringConstant:
@@ -36,9 +33,10 @@ void warnOfInputsOutOfRange(RegionTissue& tissue, const FuzzySystem& system,
 void warnOfOutputsNotReached(RegionTissue& tissue, const Region& region) {
     for (std::size_t i = 0; i < region.system->outputs.size(); ++i) {
         const std::string& name = region.system->outputs[i].name;
-        const bool isHeld = std::any_of(parameters.begin(), parameters.end(), [&](Parameter parameter) {
-            return setsParameter(name, parameter) && valueOf(region.held, parameter);
-        });
+        const bool isHeld =
+            std::any_of(everyParameter.begin(), everyParameter.end(), [&](Parameter parameter) {
+                return setsParameter(name, parameter) && valueOf(region.held, parameter);
+            });
         if (!tissue.inference.outputs[i] && !isHeld)
             tissue.warnings.push_back("no rule reaches " + name + ", which stays as it was");
     }
@@ -47,7 +45,7 @@ void warnOfOutputsNotReached(RegionTissue& tissue, const Region& region) {
 /// Outputs that set nothing because an earlier one sets the same, or because none has a parameter's name.
 void warnOfUselessOutputs(RegionTissue& tissue, const FuzzySystem& system) {
     bool setsAny = false;
-    for (const Parameter parameter : parameters) {
+    for (const Parameter parameter : everyParameter) {
         const std::optional<std::size_t> first = outputFor(system, parameter);
         if (!first) continue;
         setsAny = true;
@@ -70,7 +68,7 @@ void takeInferred(RegionTissue& tissue, const Region& region) {
     tissue.inference = infer(system, inputs);
     warnOfOutputsNotReached(tissue, region);
     warnOfUselessOutputs(tissue, system);
-    for (const Parameter parameter : parameters)
+    for (const Parameter parameter : everyParameter)
         if (const auto output = outputFor(system, parameter))
             valueOf(tissue.values, parameter) = tissue.inference.outputs[*output];
 }
@@ -104,6 +102,27 @@ std::optional<std::size_t> outputFor(const FuzzySystem& system, Parameter parame
     return std::nullopt;
 }
 
+std::optional<Parameter> parameterOf(const FuzzySystem& system, std::size_t output) {
+    for (const Parameter parameter : everyParameter)
+        if (outputFor(system, parameter) == output) return parameter;
+    return std::nullopt;
+}
+
+std::optional<double> valueOf(const NamedValues& values, const std::string& name) {
+    const auto found =
+        std::find_if(values.begin(), values.end(), [&](const auto& value) { return value.first == name; });
+    return found != values.end() ? std::optional(found->second) : std::nullopt;
+}
+
+void setInput(Region& region, const std::string& variable, double value) {
+    const auto found = std::find_if(region.inputs.begin(), region.inputs.end(),
+                                    [&](const auto& input) { return input.first == variable; });
+    if (found != region.inputs.end())
+        found->second = value;
+    else
+        region.inputs.emplace_back(variable, value);
+}
+
 double weightAt(const Region& region, const Eigen::Vector3d& point) {
     if (!region.ellipsoid) return 1;
     const Ellipsoid& ellipsoid = *region.ellipsoid;
@@ -118,7 +137,7 @@ double weightAt(const Region& region, const Eigen::Vector3d& point) {
 RegionTissue evaluate(const Region& region) {
     RegionTissue tissue;
     if (region.system) takeInferred(tissue, region);
-    for (const Parameter parameter : parameters)
+    for (const Parameter parameter : everyParameter)
         if (const auto held = valueOf(region.held, parameter)) valueOf(tissue.values, parameter) = held;
     dropImpossible(tissue, Parameter::SpringConstant, "spring constant");
     dropImpossible(tissue, Parameter::Viscosity, "viscosity");

@@ -19,12 +19,20 @@ struct TissueValues {
 
 /// One of them.
 enum class Parameter { SpringConstant, Viscosity, Mass };
+inline constexpr std::array<Parameter, 3> everyParameter{Parameter::SpringConstant, Parameter::Viscosity,
+                                                         Parameter::Mass};
 std::optional<double>& valueOf(TissueValues& values, Parameter parameter);
 std::optional<double> valueOf(const TissueValues& values, Parameter parameter);
 
 /// The output of a fuzzy system that sets a parameter, by its name: `spring_const` or `spring_constant`,
 /// `viscosity`, `mass`. The first where there are several; none without.
 std::optional<std::size_t> outputFor(const FuzzySystem& system, Parameter parameter);
+
+/// The parameter that an output sets: the other way round.
+std::optional<Parameter> parameterOf(const FuzzySystem& system, std::size_t output);
+
+/// The value of a name, if it has one.
+std::optional<double> valueOf(const NamedValues& values, const std::string& name);
 
 /// A part of the organ and how its tissue behaves. Kept as it was put in, and re-evaluated, so it stays
 /// editable.
@@ -37,6 +45,9 @@ struct Region {
     NamedValues inputs;                        ///< of the fuzzy system
     TissueValues held;                         ///< set by hand, in place of what the system infers
 };
+
+/// Sets or adds one input value.
+void setInput(Region& region, const std::string& variable, double value);
 
 /// How much of a place's tissue is the region's: 1 inside, and in the soft rim around the ellipsoid smoothly
 /// down to 0, 1 − 3t² + 2t³ at the share t of the rim's width. The rim lies outside, so that what the

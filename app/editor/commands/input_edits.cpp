@@ -1,7 +1,5 @@
 #include "app/editor/commands/input_edits.h"
 
-#include "app/editor/commands/region_edits.h"
-
 namespace esm {
 
 void editInputs(Document& document, std::size_t region, const NamedValues& inputs) {

@@ -124,15 +124,6 @@ std::optional<std::size_t> applyPreset(Project& project, std::optional<std::size
     return region;
 }
 
-void setInput(Region& region, const std::string& variable, double value) {
-    const auto found = std::find_if(region.inputs.begin(), region.inputs.end(),
-                                    [&](const auto& input) { return input.first == variable; });
-    if (found != region.inputs.end())
-        found->second = value;
-    else
-        region.inputs.emplace_back(variable, value);
-}
-
 bool canMoveRegion(const Project& project, std::size_t region, int above) {
     return canMoveItem(project.regions.size(), region, above, wholeOrganRegion(project) ? 1 : 0);
 }

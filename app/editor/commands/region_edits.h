@@ -30,9 +30,6 @@ std::size_t setSystem(Project& project, std::optional<std::size_t> region,
 std::optional<std::size_t> applyPreset(Project& project, std::optional<std::size_t> region,
                                        const TissuePreset& preset);
 
-/// Sets or adds one input value.
-void setInput(Region& region, const std::string& variable, double value);
-
 /// Lays a region over so many of those above it, or under those below it where `above` is below zero; the
 /// whole organ stays beneath.
 bool canMoveRegion(const Project& project, std::size_t region, int above);

@@ -10,9 +10,6 @@ namespace esm {
 
 namespace {
 
-constexpr std::array<Parameter, 3> parameters{Parameter::SpringConstant, Parameter::Viscosity,
-                                              Parameter::Mass};
-
 QWidget* emptyColumn(QVBoxLayout* into) {
     auto* column = new QWidget;
     auto* layout = new QVBoxLayout(column);
@@ -20,13 +17,6 @@ QWidget* emptyColumn(QVBoxLayout* into) {
     layout->setSpacing(14);
     into->addWidget(column);
     return column;
-}
-
-/// The tissue's parameter that an output sets.
-std::optional<Parameter> parameterSetBy(const FuzzySystem& system, std::size_t output) {
-    for (const Parameter parameter : parameters)
-        if (outputFor(system, parameter) == output) return parameter;
-    return std::nullopt;
 }
 
 /// Whether sliders for the one serve the other, with other terms.
@@ -48,12 +38,6 @@ NumberFormat sliderFormat(const FuzzyVariable& variable) {
     format.minimum = variable.minimum;
     format.maximum = variable.maximum;
     return format;
-}
-
-std::optional<double> inputValue(const Region& region, const std::string& variable) {
-    const auto found = std::find_if(region.inputs.begin(), region.inputs.end(),
-                                    [&](const auto& input) { return input.first == variable; });
-    return found != region.inputs.end() ? std::optional(found->second) : std::nullopt;
 }
 
 std::vector<FuzzyChoice::System> systemsOf(const Project& project) {
@@ -166,7 +150,7 @@ void TissuePanel::rebuild() {
     if (m_builtFor)
         for (std::size_t output = 0; output < m_builtFor->outputs.size(); ++output)
             addOutput(output);
-    for (const Parameter parameter : parameters) {
+    for (const Parameter parameter : everyParameter) {
         // The organ's mass stands beside its size.
         if (!shown && parameter != Parameter::Mass) addBaseParameter(parameter);
         if (shown && !(m_builtFor && outputFor(*m_builtFor, parameter))) addPlainParameter(parameter);
@@ -185,13 +169,14 @@ void TissuePanel::addInput(std::size_t index) {
         if (const auto selected = m_selection.region()) editInputs(m_document, *selected, {{name, value}});
     });
     connect(row, &LinguisticSlider::editingFinished, &m_document, &Document::finishGesture);
-    m_refreshers.emplace_back(
-        [row, name](const Region* shown, const RegionTissue&) { row->setValue(inputValue(*shown, name)); });
+    m_refreshers.emplace_back([row, name](const Region* shown, const RegionTissue&) {
+        row->setValue(valueOf(shown->inputs, name));
+    });
 }
 
 void TissuePanel::addOutput(std::size_t index) {
     const FuzzyVariable& variable = m_builtFor->outputs[index];
-    const auto parameter = parameterSetBy(*m_builtFor, index);
+    const auto parameter = parameterOf(*m_builtFor, index);
     const QString name = parameter ? parameterName(*parameter, Extent::Region) : readableName(variable.name);
     auto* row = new LinguisticSlider(
         variable, name, parameter ? parameterFormat(*parameter) : sliderFormat(variable), m_outputs);
