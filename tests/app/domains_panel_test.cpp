@@ -109,6 +109,30 @@ TEST_F(DomainsPanelTest, RulesFollowARenamedTerm) {
     EXPECT_TRUE(message().contains("already")) << message().toStdString();
     EXPECT_EQ(consistency().terms[3].name, "quite_bendy");
     EXPECT_EQ(terms()->item(3)->text(), "quite bendy");
+    EXPECT_TRUE(message().contains("already"));
+    undo();
+    EXPECT_EQ(system(), before);
+    EXPECT_TRUE(message().isEmpty()) << "its reason is gone";
+    rename(3, "soft");
+    EXPECT_FALSE(message().isEmpty());
+    window->findChild<Selection*>()->setRegion(0);
+    EXPECT_TRUE(message().isEmpty());
+}
+
+TEST_F(DomainsPanelTest, ATermIsAddedAndNamedInOneStep) {
+    const FuzzySystem before = system();
+    const int steps = edits();
+    for (auto* button : panel()->findChildren<QToolButton*>())
+        if (button->text() == "+ add") button->click();
+    auto* editor = terms()->findChild<QLineEdit*>();
+    ASSERT_TRUE(editor);
+    editor->setText("springy");
+    QTest::keyClick(editor, Qt::Key_Return);
+    ESM_EVENTUALLY(consistency().terms[partition()->term()].name == "springy");
+    EXPECT_EQ(edits(), steps + 1);
+    rename(static_cast<int>(partition()->term()), "elastic");
+    EXPECT_EQ(edits(), steps + 2);
+    undo();
     undo();
     EXPECT_EQ(system(), before);
 }
@@ -195,12 +219,18 @@ TEST_F(DomainsPanelTest, RangeAndUnitAreTyped) {
 
 TEST_F(DomainsPanelTest, VariablesAreAddedRenamedAndRemoved) {
     const FuzzySystem before = system();
+    const int steps = edits();
+    dialogs.expect([](QWidget*) { return true; }, [](QDialog* dialog) { dialog->reject(); });
+    trigger("Add input");
+    EXPECT_EQ(edits(), steps) << "nothing is added that has no name";
     dialogs.expect([](QWidget*) { return true; },
                    [](QDialog* dialog) {
+                       EXPECT_EQ(dialog->windowTitle(), "Add input");
                        dialog->findChild<QLineEdit*>()->setText("wetness");
                        dialog->accept();
                    });
     trigger("Add input");
+    EXPECT_EQ(edits(), steps + 1);
     ASSERT_EQ(system().inputs.size(), 2U);
     EXPECT_EQ(system().inputs[1].name, "wetness");
     EXPECT_EQ(child<QComboBox>("variableChoice")->currentText(), "wetness");
@@ -231,6 +261,20 @@ TEST_F(DomainsPanelTest, AnExpertStartsASystemOfHisOwn) {
     EXPECT_EQ(system().name, "mine");
     EXPECT_EQ(system().inputs, fuzzyPreset("susilap-g").inputs);
     EXPECT_EQ(project().regions.back().inputs[0].second, 7) << "a copy says the same";
+    dialogs.expect([](QWidget*) { return true; },
+                   [](QDialog* dialog) {
+                       dialog->findChild<QLineEdit*>()->setText("own");
+                       dialog->accept();
+                   });
+    choice->setCurrentIndex(choice->findText("New system…"));
+    emit choice->activated(choice->currentIndex());
+    dialogs.expect([](QWidget*) { return true; },
+                   [](QDialog* dialog) {
+                       EXPECT_EQ(dialog->findChild<QLineEdit*>()->text(), "own 2") << "a name that is free";
+                       dialog->reject();
+                   });
+    choice->setCurrentIndex(choice->findText("New system…"));
+    emit choice->activated(choice->currentIndex());
     choose("New system…", "bare");
     EXPECT_EQ(system().name, "bare");
     EXPECT_TRUE(system().rules.empty());
@@ -240,8 +284,7 @@ TEST_F(DomainsPanelTest, AnExpertStartsASystemOfHisOwn) {
 }
 
 TEST_F(DomainsPanelTest, TheSectionKeepsItsHeight) {
-    QTest::qWait(200); // until the column has its layout
-    const int height = panel()->height();
+    const int height = settledHeight(panel());
     auto* variables = child<QComboBox>("variableChoice");
     for (int row = 0; row < variables->count(); ++row) {
         variables->setCurrentIndex(row);

@@ -24,6 +24,17 @@ constexpr int patience = 60000;
 #define ESM_EVENTUALLY(condition)                                                                            \
     ASSERT_TRUE(QTest::qWaitFor([&] { return bool(condition); }, patience)) << #condition
 
+/// The height of a widget once its layout has come to rest.
+inline int settledHeight(const QWidget* widget) {
+    int height = -1;
+    for (int same = 0; same < 5;) {
+        QTest::qWait(40);
+        same = widget->height() == height ? same + 1 : 0;
+        height = widget->height();
+    }
+    return height;
+}
+
 /// Answers modal dialogs in the order in which they are expected, as a user would.
 class DialogScript : public QObject {
 public:

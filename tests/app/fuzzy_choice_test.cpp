@@ -6,6 +6,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <nlohmann/json.hpp>
+#include <QSignalSpy>
 #include <QWheelEvent>
 
 using namespace esm;
@@ -65,6 +66,22 @@ TEST_F(FuzzyChoiceTest, SaysWhatThereIsToChoose) {
                     .startsWith(QString::fromStdString(system.description)));
     choice.setSystem(std::make_shared<const FuzzySystem>(system));
     EXPECT_EQ(choice.description().toStdString(), system.description);
+}
+
+TEST_F(FuzzyChoiceTest, StaysFilledWhileACornerIsDragged) {
+    FuzzySystem own = fuzzyPreset(preset);
+    const auto drag = [&] {
+        own.inputs[0].terms[0].set.d += 0.1;
+        choice.setSystem(std::make_shared<const FuzzySystem>(own));
+    };
+    drag();
+    QSignalSpy filled(choice.model(), &QAbstractItemModel::rowsInserted);
+    drag();
+    EXPECT_EQ(filled.count(), 0);
+    EXPECT_EQ(choice.shownName(), QString::fromStdString(preset) + " (changed)");
+    choice.setSystem(std::make_shared<const FuzzySystem>(fuzzyPreset(preset)));
+    EXPECT_GT(filled.count(), 0);
+    EXPECT_EQ(choice.shownName(), QString::fromStdString(preset));
 }
 
 TEST_F(FuzzyChoiceTest, KnowsThePresetThatAnOlderProgramSaved) {

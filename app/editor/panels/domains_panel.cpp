@@ -1,15 +1,11 @@
 #include "app/editor/panels/domains_panel.h"
 
-#include "app/editor/commands/ask.h"
 #include "app/editor/commands/edit_system.h"
-#include "core/fuzzy/rule_text.h"
+#include "app/editor/commands/system_questions.h"
 #include "core/support/errors.h"
 #include "widgets/fuzzy/term_scale.h"
 #include "widgets/inputs/number_text.h"
 
-#include <QInputDialog>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QResizeEvent>
 
 #include <algorithm>
@@ -20,19 +16,7 @@ namespace {
 
 /// From here on the list of terms has its place beside the partition, pixels.
 constexpr int besideWidth = 620;
-constexpr std::size_t mostRulesShown = 5;
-
-QLabel* emptyText(QWidget* parent) {
-    auto* text = new QLabel(
-        QObject::tr("No fuzzy system yet. Choose one under Tissue above, or begin a new one there: its "
-                    "variables, and the terms that part each of them, are then drawn and changed here."),
-        parent);
-    text->setObjectName(QStringLiteral("noDomains"));
-    text->setWordWrap(true);
-    text->setProperty("quiet", true);
-    text->setAlignment(Qt::AlignTop);
-    return text;
-}
+const QString addingTerm = QStringLiteral("add term");
 
 QVBoxLayout* plainColumn(QWidget* widget) {
     auto* column = new QVBoxLayout(widget);
@@ -41,17 +25,10 @@ QVBoxLayout* plainColumn(QWidget* widget) {
     return column;
 }
 
-std::optional<double> inputOf(const Region& region, const std::string& variable) {
-    const auto found = std::find_if(region.inputs.begin(), region.inputs.end(),
-                                    [&](const auto& input) { return input.first == variable; });
-    return found != region.inputs.end() ? std::optional(found->second) : std::nullopt;
-}
-
 /// Held by hand, else inferred.
 std::optional<double> outputOf(const Region& region, std::size_t output) {
-    for (const Parameter parameter : {Parameter::SpringConstant, Parameter::Viscosity, Parameter::Mass})
-        if (outputFor(*region.system, parameter) == output)
-            if (const auto held = valueOf(region.held, parameter)) return held;
+    if (const auto parameter = parameterOf(*region.system, output))
+        if (const auto held = valueOf(region.held, *parameter)) return held;
     return evaluate(region).inference.outputs[output];
 }
 
@@ -68,20 +45,17 @@ QString valueInWords(const FuzzyVariable& variable, std::optional<double> value)
 } // namespace
 
 DomainsPanel::DomainsPanel(Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection), m_none(emptyText(this)),
-      m_content(new QWidget(this)) {
+    : QWidget(parent), m_document(document), m_selection(selection), m_content(new QWidget(this)) {
     QVBoxLayout* column = plainColumn(this);
-    column->addWidget(m_none);
     column->addWidget(m_content, 1);
     buildContent();
     connectPartition();
     connectTerms();
     connectVariables();
-    connect(&selection, &Selection::changed, this, &DomainsPanel::show);
+    connect(&selection, &Selection::changed, this, &DomainsPanel::showSystem);
     connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.mesh || change.regions) show();
+        if (change.mesh || change.regions) showSystem();
     });
-    show();
 }
 
 void DomainsPanel::buildContent() {
@@ -166,7 +140,12 @@ void DomainsPanel::resizeEvent(QResizeEvent* event) {
 void DomainsPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     // The terms' colours in the list are those of the theme.
-    if (event->type() == QEvent::PaletteChange) show();
+    if (event->type() == QEvent::PaletteChange) showSystem();
+}
+
+void DomainsPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showSystem();
 }
 
 std::shared_ptr<const FuzzySystem> DomainsPanel::system() const {
@@ -178,15 +157,17 @@ const FuzzyVariable* DomainsPanel::variable() const {
     return shown ? &variableAt(*shown, m_place) : nullptr;
 }
 
-void DomainsPanel::show() {
+void DomainsPanel::showSystem() {
     const auto shown = system();
-    m_none->setVisible(!shown);
-    m_content->setVisible(shown != nullptr);
-    if (!shown) return;
+    // What nobody looks at waits.
+    if (!shown || !isVisible()) return;
     const std::size_t variables = variablesOf(*shown, m_place.side).size();
     if (m_place.index >= variables) m_place.index = variables - 1;
-    if (shown->name != m_shownName || m_selection.region() != m_shownRegion) takeSpokenTerm();
-    m_shownName = shown->name;
+    const bool isOther = !m_shown || shown->name != m_shown->name || m_selection.region() != m_shownRegion;
+    if (isOther) takeSpokenTerm();
+    // What could not be done is of no interest where something else stands.
+    if (isOther || shown != m_shown) m_terms->setProblems({});
+    m_shown = shown;
     m_shownRegion = m_selection.region();
     m_term = std::min(m_term, variableAt(*shown, m_place).terms.size() - 1);
     m_variables->show(*shown, m_place);
@@ -210,14 +191,14 @@ std::optional<double> DomainsPanel::presentValue() const {
     if (!region || !system()) return std::nullopt;
     const Region& shown = m_document.project().regions[*region];
     if (m_place.side == FuzzySide::Outputs) return outputOf(shown, m_place.index);
-    return inputOf(shown, variable()->name);
+    return valueOf(shown.inputs, variable()->name);
 }
 
 void DomainsPanel::chooseVariable(const VariablePlace& place) {
     m_place = place;
-    m_terms->setMessage({});
+    m_terms->setProblems({});
     takeSpokenTerm();
-    show();
+    showSystem();
 }
 
 void DomainsPanel::takeSpokenTerm() {
@@ -233,7 +214,7 @@ void DomainsPanel::takeTerm(std::size_t term) {
     if (term == m_term) return;
     m_document.finishGesture();
     m_term = term;
-    show();
+    showSystem();
 }
 
 bool DomainsPanel::take(const QString& text, const std::function<void(Project&)>& change,
@@ -246,11 +227,11 @@ bool DomainsPanel::take(const QString& text, const std::function<void(Project&)>
                             .arg(mergeKey);
     try {
         m_document.edit(text, change, mergeKey.isEmpty() ? QString() : key, m_selection.region());
-        m_terms->setMessage({});
+        m_terms->setProblems({});
         return true;
     } catch (const InvalidModel& error) {
-        m_terms->setMessage(QString::fromStdString(error.problems().front()));
-        show();
+        m_terms->setProblems(error.problems());
+        showSystem();
         return false;
     }
 }
@@ -288,37 +269,17 @@ void DomainsPanel::setRange(double minimum, double maximum, TermsInRange terms) 
 
 void DomainsPanel::addTerm() {
     std::size_t added = 0;
-    const bool isAdded = edit(tr("Add term"), [&](const FuzzySystem& before) {
+    m_document.finishGesture();
+    const auto add = [&](const FuzzySystem& before) {
         AddedTerm after = withTermAdded(before, m_place);
         added = after.term;
         return std::move(after.system);
-    });
-    if (!isAdded) return;
-    takeTerm(added);
+    };
+    if (!edit(tr("Add term"), add, addingTerm)) return;
+    m_term = added;
+    showSystem();
+    m_added = added;
     m_terms->askName(added);
-}
-
-bool DomainsPanel::mayGo(const QString& what, const std::vector<std::size_t>& rules) {
-    if (rules.empty()) return true;
-    const auto shown = system();
-    QStringList texts;
-    for (std::size_t i = 0; i < std::min(rules.size(), mostRulesShown); ++i)
-        texts << QString::fromStdString(ruleText(*shown, shown->rules[rules[i]]));
-    if (rules.size() > mostRulesShown)
-        texts << tr("and %1 more").arg(countText(rules.size() - mostRulesShown));
-    return ask(*window(), [&] {
-        QMessageBox box(QMessageBox::Question, tr("Remove %1").arg(what),
-                        rules.size() == 1
-                            ? tr("With %1 goes the rule that speaks of it.").arg(what)
-                            : tr("With %1 go %2 rules that speak of it.").arg(what, countText(rules.size())),
-                        QMessageBox::Cancel, window());
-        box.setObjectName(QStringLiteral("rulesGoBox"));
-        box.setInformativeText(texts.join('\n'));
-        QPushButton* remove = box.addButton(tr("Remove"), QMessageBox::AcceptRole);
-        box.setDefaultButton(remove);
-        box.exec();
-        return box.clickedButton() == remove;
-    });
 }
 
 void DomainsPanel::removeTerm() {
@@ -327,7 +288,9 @@ void DomainsPanel::removeTerm() {
     const FuzzyVariable& from = variableAt(*shown, m_place);
     const QString name = QStringLiteral("“%1”").arg(readableName(from.terms[m_term].name));
     // The last one is refused without asking.
-    if (from.terms.size() > 1 && !mayGo(name, rulesGoingWith(*shown, m_place, m_term))) return;
+    if (from.terms.size() > 1 &&
+        !mayTakeRulesAlong(*window(), *shown, name, rulesGoingWith(*shown, m_place, m_term)))
+        return;
     edit(tr("Remove term"),
          [this](const FuzzySystem& before) { return withoutTerm(before, m_place, m_term); });
 }
@@ -343,41 +306,52 @@ void DomainsPanel::moveTerm(int by) {
 }
 
 void DomainsPanel::renameTerm(std::size_t term, const QString& typed) {
-    edit(tr("Rename term"), [&](const FuzzySystem& before) {
-        return withTermRenamed(before, m_place, term, ruleName(typed.toStdString()));
-    });
+    // The name that a term is given first belongs to its adding.
+    const QString mergeKey = m_added == term ? addingTerm : QString();
+    m_added.reset();
+    edit(
+        tr("Rename term"),
+        [&](const FuzzySystem& before) {
+            return withTermRenamed(before, m_place, term, ruleName(typed.toStdString()));
+        },
+        mergeKey);
+    m_document.finishGesture();
     // A name that was not taken goes, and the old one comes back.
     QMetaObject::invokeMethod(
-        this, [this] { show(); }, Qt::QueuedConnection);
+        this, [this] { showSystem(); }, Qt::QueuedConnection);
 }
 
 void DomainsPanel::addVariable(FuzzySide side) {
-    if (!edit(side == FuzzySide::Inputs ? tr("Add input") : tr("Add output"),
-              [&](const FuzzySystem& before) { return withVariableAdded(before, side); }))
-        return;
-    chooseVariable({side, variablesOf(*system(), side).size() - 1});
-    renameVariable();
+    const auto shown = system();
+    if (!shown) return;
+    const QString what = side == FuzzySide::Inputs ? tr("Add input") : tr("Add output");
+    const VariablePlace place{side, variablesOf(*shown, side).size()};
+    const auto name =
+        askVariableName(*window(), what, variableAt(withVariableAdded(*shown, side), place).name);
+    if (!name) return;
+    const auto add = [&](const FuzzySystem& before) {
+        FuzzySystem after = withVariableAdded(before, side);
+        return variableAt(after, place).name == *name ? after : withVariableRenamed(after, place, *name);
+    };
+    if (edit(what, add)) chooseVariable(place);
 }
 
 void DomainsPanel::renameVariable() {
     const FuzzyVariable* shown = variable();
     if (!shown) return;
-    bool accepted = false;
-    const QString name = ask(*window(), [&] {
-        return QInputDialog::getText(window(), tr("Rename variable"), tr("Name of the variable"),
-                                     QLineEdit::Normal, readableName(shown->name), &accepted);
-    });
-    if (!accepted) return;
-    edit(tr("Rename variable"), [&](const FuzzySystem& before) {
-        return withVariableRenamed(before, m_place, ruleName(name.toStdString()));
-    });
+    const auto name = askVariableName(*window(), tr("Rename variable"), shown->name);
+    if (!name) return;
+    edit(tr("Rename variable"),
+         [&](const FuzzySystem& before) { return withVariableRenamed(before, m_place, *name); });
 }
 
 void DomainsPanel::removeVariable() {
     const auto shown = system();
     if (!shown) return;
     const QString name = QStringLiteral("“%1”").arg(readableName(variableAt(*shown, m_place).name));
-    if (variablesOf(*shown, m_place.side).size() > 1 && !mayGo(name, rulesGoingWith(*shown, m_place))) return;
+    if (variablesOf(*shown, m_place.side).size() > 1 &&
+        !mayTakeRulesAlong(*window(), *shown, name, rulesGoingWith(*shown, m_place)))
+        return;
     edit(tr("Remove variable"),
          [this](const FuzzySystem& before) { return withoutVariable(before, m_place); });
 }

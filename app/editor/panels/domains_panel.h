@@ -26,6 +26,7 @@ public:
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     using SystemEdit = std::function<FuzzySystem(const FuzzySystem&)>;
@@ -35,7 +36,7 @@ private:
     void connectTerms();
     void connectVariables();
 
-    void show();
+    void showSystem();
     void showVariable(const FuzzySystem& system);
     std::optional<double> presentValue() const;
 
@@ -60,15 +61,15 @@ private:
     void renameVariable();
     void removeVariable();
     void moveVariable(int by);
-    bool mayGo(const QString& what, const std::vector<std::size_t>& rules);
 
     Document& m_document;
     Selection& m_selection;
     VariablePlace m_place;
     std::size_t m_term = 0;
-    std::string m_shownName; ///< of the system
+    std::optional<std::size_t> m_added; ///< the term that awaits its first name
+    std::shared_ptr<const FuzzySystem> m_shown;
     std::optional<std::size_t> m_shownRegion;
-    QLabel *m_none, *m_words;
+    QLabel* m_words;
     QWidget* m_content;
     QBoxLayout* m_halves;
     VariableChoice* m_variables;

@@ -3,7 +3,7 @@
 #include "app/editor/commands/ask.h"
 #include "app/editor/commands/attempt.h"
 #include "app/editor/commands/fuzzy_files.h"
-#include "core/exchange/fuzzy_file.h"
+#include "app/editor/commands/shipped_systems.h"
 #include "core/fuzzy/system_edits.h"
 #include "core/support/errors.h"
 #include "widgets/fuzzy/term_scale.h"
@@ -22,11 +22,6 @@ namespace {
 
 constexpr int nameRole = Qt::UserRole + 1, placeRole = Qt::UserRole + 2;
 
-bool isPreset(const std::string& name) {
-    const auto names = fuzzyPresetNames();
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// "robo-sim: consistency, sensitiveness, shiftability": what the user will be asked for.
 QString withInputs(const QString& name, const FuzzySystem& system) {
     QStringList inputs;
@@ -37,9 +32,9 @@ QString withInputs(const QString& name, const FuzzySystem& system) {
 
 } // namespace
 
-QString shownName(const FuzzySystem& system) {
-    const QString name = QString::fromStdString(system.name);
-    return isPreset(system.name) && !isFuzzyPreset(system) ? QObject::tr("%1 (changed)").arg(name) : name;
+bool FuzzyChoice::Entry::operator==(const Entry& other) const {
+    return text == other.text && name == other.name && toolTip == other.toolTip && kind == other.kind &&
+           place == other.place;
 }
 
 FuzzyChoice::FuzzyChoice(QWidget* parent) : QComboBox(parent) {
@@ -68,61 +63,64 @@ QString FuzzyChoice::whatItIs() {
 }
 
 void FuzzyChoice::recognise() {
-    m_isPreset = m_system && isFuzzyPreset(*m_system);
+    m_isPreset = m_system && isShipped(*m_system);
     if (!m_system)
         m_description = whatItIs();
     else
-        m_description = QString::fromStdString(m_isPreset ? fuzzyPreset(m_system->name).description
+        m_description = QString::fromStdString(m_isPreset ? shippedSystem(m_system->name)->description
                                                           : m_system->description);
     m_others.clear();
     for (const System& system : m_project) {
         const auto isIt = [&](const System& known) { return known == system || *known == *system; };
         if (!(m_system && isIt(m_system)) && std::none_of(m_others.begin(), m_others.end(), isIt) &&
-            !isFuzzyPreset(*system))
+            !isShipped(*system))
             m_others.push_back(system);
     }
 }
 
-void FuzzyChoice::add(const QString& name, Kind kind, const FuzzySystem& system) {
-    addItem(withInputs(name, system), kind);
-    setItemData(count() - 1, name, nameRole);
-    setItemData(count() - 1, QString::fromStdString(system.description + "\n\n" + system.note).trimmed(),
-                Qt::ToolTipRole);
+std::vector<FuzzyChoice::Entry> FuzzyChoice::entries() const {
+    std::vector<Entry> all;
+    const auto addSystem = [&](Kind kind, const FuzzySystem& system, uint place = 0) {
+        const QString name = kind == Preset ? QString::fromStdString(system.name) : esm::shownName(system);
+        all.push_back({withInputs(name, system), name,
+                       QString::fromStdString(system.description + "\n\n" + system.note).trimmed(), kind,
+                       place});
+    };
+    all.push_back({tr("no fuzzy system"), tr("no fuzzy system"), tr("Numbers only"), NoSystem});
+    for (const System& shipped : shippedSystems())
+        addSystem(Preset, *shipped);
+    if (m_system && !m_isPreset) addSystem(InUse, *m_system);
+    for (std::size_t i = 0; i < m_others.size(); ++i)
+        addSystem(Own, *m_others[i], static_cast<uint>(i));
+    all.push_back({tr("From file…"), {}, tr("Open a fuzzy system: JSON, FCL or FLL"), FromFile});
+    all.push_back({tr("New system…"), {}, tr("Begin a fuzzy system of your own, with no rule yet"), New});
+    if (!m_system) return all;
+    all.push_back({tr("Copy under another name…"),
+                   {},
+                   tr("Changes of the copy leave other regions as they are"),
+                   Copy});
+    all.push_back(
+        {tr("Save system as…"), {}, tr("Write this fuzzy system to a file: JSON, FCL or FLL"), ToFile});
+    return all;
 }
 
 void FuzzyChoice::fill() {
-    clear();
-    addItem(tr("no fuzzy system"), NoSystem);
-    setItemData(0, currentText(), nameRole);
-    setItemData(0, tr("Numbers only"), Qt::ToolTipRole);
-    for (const auto& name : fuzzyPresetNames())
-        add(QString::fromStdString(name), Preset, fuzzyPreset(name));
-    if (m_system) {
-        const QString name = QString::fromStdString(m_system->name);
-        if (m_isPreset) {
-            setCurrentIndex(findData(name, nameRole));
-        } else {
-            add(esm::shownName(*m_system), InUse, *m_system);
-            setCurrentIndex(count() - 1);
+    // While a corner is dragged the same is said again and again.
+    if (auto now = entries(); now != m_entries) {
+        m_entries = std::move(now);
+        clear();
+        for (const Entry& entry : m_entries) {
+            if (entry.kind == FromFile) insertSeparator(count());
+            addItem(entry.text, entry.kind);
+            setItemData(count() - 1, entry.name, nameRole);
+            setItemData(count() - 1, entry.place, placeRole);
+            setItemData(count() - 1, entry.toolTip, Qt::ToolTipRole);
         }
-    }
-    for (std::size_t i = 0; i < m_others.size(); ++i) {
-        add(esm::shownName(*m_others[i]), Own, *m_others[i]);
-        setItemData(count() - 1, static_cast<uint>(i), placeRole);
-    }
-    insertSeparator(count());
-    addItem(tr("From file…"), FromFile);
-    setItemData(count() - 1, tr("Open a fuzzy system: JSON, FCL or FLL"), Qt::ToolTipRole);
-    addItem(tr("New system…"), New);
-    setItemData(count() - 1, tr("Begin a fuzzy system of your own, with no rule yet"), Qt::ToolTipRole);
-    if (m_system) {
-        addItem(tr("Copy under another name…"), Copy);
-        setItemData(count() - 1, tr("Changes of the copy leave other regions as they are"), Qt::ToolTipRole);
-        addItem(tr("Save system as…"), ToFile);
-        setItemData(count() - 1, tr("Write this fuzzy system to a file: JSON, FCL or FLL"), Qt::ToolTipRole);
+        view()->setMinimumWidth(view()->sizeHintForColumn(0) + 16);
     }
     setToolTip(whatItIs());
-    view()->setMinimumWidth(view()->sizeHintForColumn(0) + 16);
+    const int inUse = m_system && !m_isPreset ? findData(InUse) : 0;
+    setCurrentIndex(m_isPreset ? findData(QString::fromStdString(m_system->name), nameRole) : inUse);
 }
 
 QString FuzzyChoice::shownName() const {
@@ -172,8 +170,7 @@ void FuzzyChoice::choose(int index) {
 void FuzzyChoice::choosePreset(const std::string& name) {
     // The same system again would only put its sliders back.
     if (m_system && m_system->name == name && m_isPreset) return;
-    attempt(window(), tr("The fuzzy system cannot be used"),
-            [&] { emit systemChosen(std::make_shared<const FuzzySystem>(fuzzyPreset(name))); });
+    emit systemChosen(shippedSystem(name));
 }
 
 void FuzzyChoice::chooseFile() {
@@ -195,17 +192,27 @@ std::string FuzzyChoice::askName(const QString& title, const QString& proposal) 
     return accepted ? name.trimmed().toStdString() : std::string();
 }
 
+bool FuzzyChoice::isTaken(const std::string& name) const {
+    const auto isIt = [&](const System& other) { return other && other->name == name; };
+    return shippedSystem(name) || isIt(m_system) || std::any_of(m_others.begin(), m_others.end(), isIt);
+}
+
+QString FuzzyChoice::freeName(const QString& name) const {
+    QString free = name;
+    for (int number = 2; isTaken(free.toStdString()); ++number)
+        free = QStringLiteral("%1 %2").arg(name).arg(number);
+    return free;
+}
+
 void FuzzyChoice::chooseNamed(Kind kind) {
     const bool copies = kind == Copy;
     const std::string name =
         askName(copies ? tr("Copy fuzzy system") : tr("New fuzzy system"),
-                copies ? tr("%1, own").arg(QString::fromStdString(m_system->name)) : tr("own"));
+                freeName(copies ? tr("%1, own").arg(QString::fromStdString(m_system->name)) : tr("own")));
     fill();
     if (name.empty()) return;
     attempt(window(), tr("The fuzzy system cannot be named so"), [&] {
-        const auto isTaken = [&](const System& other) { return other && other->name == name; };
-        if (isPreset(name) || isTaken(m_system) || std::any_of(m_others.begin(), m_others.end(), isTaken))
-            throw InvalidModel("there is a fuzzy system \"" + name + "\" already");
+        if (isTaken(name)) throw InvalidModel("there is a fuzzy system \"" + name + "\" already");
         FuzzySystem system = copies ? *m_system : newFuzzySystem(name);
         system.name = name;
         emit systemChosen(std::make_shared<const FuzzySystem>(std::move(system)));

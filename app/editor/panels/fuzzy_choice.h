@@ -9,9 +9,6 @@
 
 namespace esm {
 
-/// A system's name for people: one that was changed does not pass for the shipped one whose name it bears.
-QString shownName(const FuzzySystem& system);
-
 /// Chooses a fuzzy system: none, one that ships with the program, one of the project's own, one from a file,
 /// a new one, or a copy under another name; and saves the one in use. One that was changed is not taken for
 /// the shipped one whose name it bears.
@@ -43,19 +40,32 @@ protected:
 private:
     enum Kind { NoSystem, Preset, Own, InUse, FromFile, ToFile, New, Copy };
 
+    /// A row of the list.
+    struct Entry {
+        QString text, name, toolTip;
+        Kind kind;
+        uint place = 0; ///< among m_others
+
+        bool operator==(const Entry& other) const;
+    };
+
     void recognise();
+    std::vector<Entry> entries() const;
     void fill();
-    void add(const QString& name, Kind kind, const FuzzySystem& system);
     void choose(int index);
     void choosePreset(const std::string& name);
     void chooseFile();
     void saveFile();
     /// Asks for a name that is not taken. @return empty where there is none
     std::string askName(const QString& title, const QString& proposal);
+    bool isTaken(const std::string& name) const;
+    /// The name, with a number behind it where it is taken.
+    QString freeName(const QString& name) const;
     void chooseNamed(Kind kind);
 
     System m_system;
     std::vector<System> m_project, m_others;
+    std::vector<Entry> m_entries;
     bool m_isPreset = false;
     QString m_description;
 };

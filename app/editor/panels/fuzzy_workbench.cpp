@@ -1,8 +1,8 @@
 #include "app/editor/panels/fuzzy_workbench.h"
 
 #include "app/editor/commands/edit_system.h"
+#include "app/editor/commands/shipped_systems.h"
 #include "app/editor/panels/domains_panel.h"
-#include "app/editor/panels/fuzzy_choice.h"
 #include "app/editor/panels/rules_panel.h"
 #include "app/editor/panels/why_panel.h"
 #include "widgets/inputs/control_keys.h"
@@ -17,6 +17,18 @@ namespace esm {
 
 namespace {
 
+QLabel* whatToDo() {
+    auto* text = new QLabel(
+        QObject::tr("No fuzzy system yet. Choose one under Tissue above, or begin a new one there: "
+                    "its rules, the terms of its variables, and why it says what it says, are then "
+                    "shown and edited here."));
+    text->setObjectName(QStringLiteral("noSystem"));
+    text->setWordWrap(true);
+    text->setProperty("quiet", true);
+    text->setAlignment(Qt::AlignTop);
+    return text;
+}
+
 constexpr QSize smallestWindow(420, 360), usualWindow(900, 620);
 const QString geometryKey = QStringLiteral("fuzzyWindow");
 
@@ -24,7 +36,7 @@ const QString geometryKey = QStringLiteral("fuzzyWindow");
 
 FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, QWidget* parent)
     : Section({}, parent), m_document(document), m_selection(selection), m_content(new QWidget(this)),
-      m_tabs(new QTabBar(m_content)), m_panels(new QStackedWidget(m_content)),
+      m_pages(new QStackedWidget(m_content)), m_tabs(new QTabBar), m_panels(new QStackedWidget),
       m_elsewhere(new QWidget(this)) {
     m_tabs->setObjectName(QStringLiteral("workbenchTabs"));
     m_tabs->setAccessibleName(tr("Views of the fuzzy system"));
@@ -32,11 +44,17 @@ FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, QWidget
     m_tabs->setExpanding(false);
     m_tabs->setFocusPolicy(Qt::TabFocus);
     connect(m_tabs, &QTabBar::currentChanged, this, &FuzzyWorkbench::showTab);
-    auto* column = new QVBoxLayout(m_content);
+    auto* tabbed = new QWidget;
+    auto* column = new QVBoxLayout(tabbed);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     column->addWidget(m_tabs, 0, Qt::AlignLeft);
     column->addWidget(m_panels, 1);
+    m_pages->addWidget(whatToDo());
+    m_pages->addWidget(tabbed);
+    auto* whole = new QVBoxLayout(m_content);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(m_pages);
     body()->addWidget(m_content);
     body()->addWidget(m_elsewhere);
     m_elsewhere->hide();
@@ -45,11 +63,11 @@ FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, QWidget
     addTab(tr("Domains"), new DomainsPanel(document, selection));
     addTab(tr("Why"), new WhyPanel(document, selection));
 
-    connect(&selection, &Selection::changed, this, &FuzzyWorkbench::showName);
+    connect(&selection, &Selection::changed, this, &FuzzyWorkbench::showSystem);
     connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.regions || change.mesh) showName();
+        if (change.regions || change.mesh) showSystem();
     });
-    showName();
+    showSystem();
 }
 
 void FuzzyWorkbench::addTab(const QString& name, QWidget* panel) {
@@ -88,6 +106,11 @@ void FuzzyWorkbench::setWindowAction(QAction* action) {
         else
             moveToColumn();
     });
+}
+
+void FuzzyWorkbench::showSystem() {
+    m_pages->setCurrentIndex(selectedSystem(m_document, m_selection) ? 1 : 0);
+    showName();
 }
 
 void FuzzyWorkbench::showName() {

@@ -27,6 +27,7 @@ protected:
 private:
     void addTab(const QString& name, QWidget* panel);
     void showTab(int index);
+    void showSystem();
     void showName();
     void moveToWindow();
     void moveToColumn();
@@ -34,6 +35,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     QWidget* m_content;
+    QStackedWidget* m_pages; ///< what to do without a system, or the tabs
     QTabBar* m_tabs;
     QStackedWidget* m_panels;
     QWidget* m_elsewhere; ///< in the content's place while that is in the window

@@ -115,6 +115,15 @@ void TermList::setTerms(const FuzzyVariable& variable, std::size_t inHand, std::
     enable(m_remove, last > 0, tr("Remove the term (Del)"), tr("A variable has at least one term"));
 }
 
+void TermList::setProblems(const std::vector<std::string>& problems) {
+    QStringList lines;
+    for (const std::string& problem : problems)
+        lines << readableName(problem);
+    m_message->setToolTip(lines.join('\n'));
+    const QString more = lines.size() > 1 ? tr(" (and %1 more)").arg(lines.size() - 1) : QString();
+    m_message->setText(lines.isEmpty() ? QString() : lines.front() + more);
+}
+
 void TermList::setTall(bool tall) {
     m_list->setMaximumHeight(tall ? QWIDGETSIZE_MAX : shortHeight);
 }

@@ -20,8 +20,9 @@ public:
 
     /// Shows a variable's terms with the degrees of its present value, announcing nothing.
     void setTerms(const FuzzyVariable& variable, std::size_t inHand, std::optional<double> value);
-    /// Why something could not be done; there is room for it, so that nothing moves.
-    void setMessage(const QString& message) { m_message->setText(message); }
+    /// Why something could not be done; there is room for one reason, so that nothing moves, and all are in
+    /// the tool tip.
+    void setProblems(const std::vector<std::string>& problems);
     /// As high as the list is given room for, else of one height for every variable.
     void setTall(bool tall);
     /// Lets the user type the name of a term.

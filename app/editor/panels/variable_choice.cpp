@@ -50,8 +50,8 @@ VariableChoice::VariableChoice(QWidget* parent)
     m_addOutput = menu->addAction(tr("Add &output"), this, [this] { emit addRequested(FuzzySide::Outputs); });
     m_rename->setToolTip(tr("Give the variable another name; rules follow"));
     m_addInput->setToolTip(tr("Another slider that rules may ask about"));
-    m_addOutput->setToolTip(
-        tr("Another value that rules may conclude; spring_constant, viscosity and mass set the tissue"));
+    m_addOutput->setToolTip(tr(
+        "Another value that rules may conclude; “spring constant”, “viscosity” and “mass” set the tissue"));
     connect(m_list, qOverload<int>(&QComboBox::activated), this, [this](int row) {
         emit chosen({static_cast<FuzzySide>(m_list->itemData(row, SideRole).toInt()),
                      m_list->itemData(row, IndexRole).toUInt()});
@@ -60,14 +60,21 @@ VariableChoice::VariableChoice(QWidget* parent)
 
 void VariableChoice::show(const FuzzySystem& system, const VariablePlace& chosen) {
     const QSignalBlocker quiet(m_list);
-    m_list->clear();
-    addVariables(tr("Inputs"), FuzzySide::Inputs, system.inputs);
-    addVariables(tr("Outputs"), FuzzySide::Outputs, system.outputs);
-    for (int row = 0; row < m_list->count(); ++row)
-        if (m_list->itemData(row, IndexRole).isValid() &&
-            m_list->itemData(row, SideRole).toInt() == static_cast<int>(chosen.side) &&
-            m_list->itemData(row, IndexRole).toUInt() == chosen.index)
-            m_list->setCurrentIndex(row);
+    QStringList names{tr("Inputs")};
+    for (const FuzzyVariable& input : system.inputs)
+        names << readableName(input.name);
+    names << tr("Outputs");
+    for (const FuzzyVariable& output : system.outputs)
+        names << readableName(output.name);
+    // While a corner is dragged they stay.
+    if (names != m_names) {
+        m_names = names;
+        m_list->clear();
+        addVariables(tr("Inputs"), FuzzySide::Inputs, system.inputs);
+        addVariables(tr("Outputs"), FuzzySide::Outputs, system.outputs);
+    }
+    const std::size_t before = chosen.side == FuzzySide::Inputs ? 1 : system.inputs.size() + 2;
+    m_list->setCurrentIndex(static_cast<int>(before + chosen.index)); // behind the titles
     enableActions(system, chosen);
 }
 

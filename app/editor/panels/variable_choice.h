@@ -28,10 +28,10 @@ signals:
     void moveRequested(int by);
 
 private:
-    QAction* addAction(const QString& text, const QString& toolTip);
     void addVariables(const QString& title, FuzzySide side, const std::vector<FuzzyVariable>& variables);
     void enableActions(const FuzzySystem& system, const VariablePlace& chosen);
 
+    QStringList m_names; ///< in the list
     QComboBox* m_list;
     QToolButton* m_more;
     QAction *m_addInput, *m_addOutput, *m_rename, *m_up, *m_down, *m_remove;
