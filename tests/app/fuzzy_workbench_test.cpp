@@ -60,6 +60,19 @@ TEST_F(FuzzyWorkbenchTest, MovesIntoAWindowOfItsOwnAndBack) {
     EXPECT_EQ(ownWindow()->size(), QSize(700, 500));
 }
 
+TEST_F(FuzzyWorkbenchTest, SaysWhatToDoWithoutASystem) {
+    const auto* empty = child<QLabel>("noSystem");
+    const int height = settledHeight(window->findChild<FuzzyWorkbench*>());
+    EXPECT_FALSE(empty->isVisible());
+    window->findChild<Selection*>()->setRegion(std::nullopt);
+    EXPECT_TRUE(empty->isVisible());
+    EXPECT_FALSE(tabs()->isVisible());
+    window->findChild<Selection*>()->setRegion(project().regions.size() - 1);
+    EXPECT_FALSE(empty->isVisible());
+    EXPECT_TRUE(tabs()->isVisible());
+    EXPECT_EQ(settledHeight(window->findChild<FuzzyWorkbench*>()), height);
+}
+
 TEST_F(FuzzyWorkbenchTest, LeavesTheMainWindowsKeysInForce) {
     window->document().edit("mass", [](Project& p) { p.base.mass *= 2; });
     const int edits = window->document().undoStack()->index();

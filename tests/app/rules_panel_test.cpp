@@ -346,14 +346,3 @@ TEST_F(RulesPanelTest, LinksWarningsOnlyToTheRulesTheyAreAbout) {
     emit list->itemClicked(contradiction());
     EXPECT_EQ(edit->textCursor().blockNumber(), 2) << "the rules in force are not these lines";
 }
-
-TEST_F(RulesPanelTest, SaysWhatToDoWithoutASystem) {
-    EXPECT_TRUE(edit->isVisible());
-    selection().setRegion(std::nullopt);
-    EXPECT_FALSE(edit->isVisible());
-    QStringList said;
-    for (auto* label : panel->findChildren<QLabel*>())
-        if (label->isVisible()) said << label->text();
-    ASSERT_EQ(said.size(), 1);
-    EXPECT_TRUE(said[0].contains("No fuzzy system"));
-}

@@ -41,13 +41,9 @@ QPushButton* quietButton(const QString& text) {
 } // namespace
 
 RulesPanel::RulesPanel(Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection), m_pages(new QStackedWidget(this)),
-      m_views(new QStackedWidget), m_text(new RuleTextEdit), m_table(new RuleTable), m_none(new QLabel),
-      m_state(new QLabel), m_notes(new RuleNotes), m_rest(new QTimer(this)), m_check(new QTimer(this)) {
-    m_none->setText(tr("No fuzzy system yet: choose one above, and its rules are read and edited here."));
-    m_none->setWordWrap(true);
-    m_none->setProperty("quiet", true);
-    m_none->setAlignment(Qt::AlignTop);
+    : QWidget(parent), m_document(document), m_selection(selection), m_views(new QStackedWidget),
+      m_text(new RuleTextEdit), m_table(new RuleTable), m_state(new QLabel), m_notes(new RuleNotes),
+      m_rest(new QTimer(this)), m_check(new QTimer(this)) {
     m_text->setObjectName(QStringLiteral("ruleText"));
     m_table->setObjectName(QStringLiteral("ruleTable"));
     m_views->addWidget(m_text);
@@ -59,19 +55,13 @@ RulesPanel::RulesPanel(Document& document, Selection& selection, QWidget* parent
     m_state->setFixedHeight(2 * m_state->fontMetrics().lineSpacing() + 2);
     m_notes->setFixedHeight(6 * m_notes->fontMetrics().lineSpacing());
 
-    auto* rules = new QWidget;
-    auto* column = new QVBoxLayout(rules);
+    auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
     column->addWidget(buildTop());
     column->addWidget(m_views, 1);
     column->addWidget(m_state);
     column->addWidget(m_notes);
-    m_pages->addWidget(m_none);
-    m_pages->addWidget(rules);
-    auto* whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(m_pages);
 
     connectParts();
     follow();
@@ -140,7 +130,6 @@ void RulesPanel::follow(const EditedSystem& edited) {
     if (system != m_system) {
         if (!goesOn && isUnfinished()) m_drafts.keep(m_system, m_text->toPlainText());
         m_system = system;
-        m_pages->setCurrentIndex(system ? 1 : 0);
         if (goesOn)
             followSystem();
         else if (system)

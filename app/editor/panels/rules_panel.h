@@ -60,12 +60,11 @@ private:
 
     Document& m_document;
     Selection& m_selection;
-    QStackedWidget* m_pages; ///< nothing, or the rules
     QStackedWidget* m_views; ///< text, table
     RuleTextEdit* m_text;
     RuleTable* m_table;
     QAbstractButton *m_asText, *m_asTable, *m_apply, *m_putBack;
-    QLabel *m_none, *m_state;
+    QLabel* m_state;
     RuleNotes* m_notes;
     QTimer *m_rest, *m_check;
 

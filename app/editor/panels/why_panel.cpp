@@ -20,15 +20,8 @@ namespace {
 constexpr int widthForTwo = 640; ///< pixels, for two parts beside each other
 constexpr std::chrono::milliseconds patienceWithOld{250};
 
-/// The tissue's parameter that an output sets.
-std::optional<Parameter> outputParameter(const FuzzySystem& system, std::size_t output) {
-    for (const Parameter parameter : {Parameter::SpringConstant, Parameter::Viscosity, Parameter::Mass})
-        if (outputFor(system, parameter) == output) return parameter;
-    return std::nullopt;
-}
-
 QString outputUnit(const FuzzySystem& system, std::size_t output) {
-    const auto parameter = outputParameter(system, output);
+    const auto parameter = parameterOf(system, output);
     return parameter ? parameterFormat(*parameter).unit : QString::fromStdString(system.outputs[output].unit);
 }
 
@@ -83,8 +76,7 @@ std::size_t chosenIndex(const QComboBox* combo) {
 } // namespace
 
 WhyPanel::WhyPanel(Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection),
-      m_empty(quietText(tr("Nothing to explain yet: choose a fuzzy system for the tissue above."))),
+    : QWidget(parent), m_document(document), m_selection(selection), m_failure(quietText({})),
       m_choices(new QWidget), m_content(new QWidget), m_output(whyChooser("whyOutput", tr("Output"))),
       m_across(whyChooser("whyAcross", tr("Input of the curve"))),
       m_up(whyChooser("whyUp", tr("Second input of the map"))), m_rules(new RuleStrengths),
@@ -95,8 +87,10 @@ WhyPanel::WhyPanel(Document& document, Selection& selection, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
-    column->addWidget(m_empty, 0, Qt::AlignTop);
     column->addWidget(m_choices);
+    column->addWidget(m_failure, 0, Qt::AlignTop);
+    m_failure->setObjectName(QStringLiteral("whyFailure"));
+    m_failure->hide();
     column->addWidget(m_content, 1);
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setSpacing(8);
@@ -119,13 +113,12 @@ void WhyPanel::buildChoices() {
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(6);
     rows->addWidget(quietText(tr("Output")), 0, 0);
-    rows->addWidget(m_output, 0, 1, 1, 3);
+    rows->addWidget(m_output, 0, 1);
     rows->addWidget(quietText(tr("over")), 1, 0);
     rows->addWidget(m_across, 1, 1);
-    rows->addWidget(quietText(tr("and")), 1, 2);
-    rows->addWidget(m_up, 1, 3);
+    rows->addWidget(quietText(tr("and")), 2, 0);
+    rows->addWidget(m_up, 2, 1);
     rows->setColumnStretch(1, 1);
-    rows->setColumnStretch(3, 1);
     m_output->setToolTip(tr("The output that is explained"));
     m_across->setToolTip(tr("The input that the curve goes over, and the map across"));
     for (QComboBox* choice : {m_output, m_across, m_up})
@@ -200,9 +193,6 @@ const Region* WhyPanel::region() const {
 void WhyPanel::showSystem() {
     const Region* shown = region();
     const auto system = shown ? shown->system : nullptr;
-    m_empty->setVisible(!system);
-    m_choices->setVisible(system != nullptr);
-    m_content->setVisible(system != nullptr);
     // What nobody looks at waits.
     if (!isVisible()) return;
     if (system != m_system) {
@@ -270,11 +260,16 @@ void WhyPanel::ask() {
 
 void WhyPanel::showAnswer() {
     const WhyAnswer answer = m_finder.answer();
-    if (answer.explained < m_axesAsked || !m_system || !region()) return;
+    if (!m_system || !region()) return;
+    const bool hasFailed = answer.failed == m_asked;
+    m_failure->setVisible(hasFailed);
+    m_content->setVisible(!hasFailed);
+    if (hasFailed) m_failure->setText(tr("This cannot be explained: %1").arg(answer.failure));
+    if (answer.explained < m_axesAsked) return;
     m_rules->setExplanations(answer.rules);
     const std::optional<double> present = answer.output.value;
     m_conclusion->setExplanation(answer.output);
-    const auto parameter = outputParameter(*m_system, chosenIndex(m_output));
+    const auto parameter = parameterOf(*m_system, chosenIndex(m_output));
     m_conclusion->setHeld(parameter ? valueOf(region()->held, *parameter) : std::nullopt);
     m_curve->setPresent(answer.inputs[chosenIndex(m_across)], std::nullopt, present);
     m_map->setPresent(answer.inputs[chosenIndex(m_across)], answer.inputs[chosenIndex(m_up)], present);

@@ -2,7 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
-#include "app/editor/panels/explanation_finder.h"
+#include "app/editor/preview/explanation_finder.h"
 #include "widgets/fuzzy/conclusion_view.h"
 #include "widgets/fuzzy/response_curve_view.h"
 #include "widgets/fuzzy/response_map_view.h"
@@ -47,7 +47,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     ExplanationFinder m_finder;
-    QLabel* m_empty;
+    QLabel* m_failure; ///< in the content's place
     QWidget *m_choices, *m_content;
     QComboBox *m_output, *m_across, *m_up;
     RuleStrengths* m_rules;

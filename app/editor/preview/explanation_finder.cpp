@@ -1,4 +1,4 @@
-#include "app/editor/panels/explanation_finder.h"
+#include "app/editor/preview/explanation_finder.h"
 
 #include <chrono>
 
@@ -61,8 +61,22 @@ void ExplanationFinder::work() {
             tell([&](WhyAnswer& answer) { answer.complete = asked->number; });
         } catch (const Cancelled&) {
             continue; // another question waits
+        } catch (const std::bad_alloc&) {
+            giveUp(*asked, tr("there is not enough memory for it."));
+        } catch (const std::exception& error) {
+            giveUp(*asked, QString::fromStdString(error.what()));
         }
     }
+}
+
+/// Of this question; the next may be simpler.
+void ExplanationFinder::giveUp(const Asked& asked, const QString& reason) {
+    m_curveOf.reset();
+    m_mapOf.reset();
+    tell([&](WhyAnswer& answer) {
+        answer.complete = answer.failed = asked.number;
+        answer.failure = reason;
+    });
 }
 
 void ExplanationFinder::explain(const Asked& asked) {

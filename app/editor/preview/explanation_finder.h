@@ -5,6 +5,7 @@
 #include "core/fuzzy/output_response.h"
 
 #include <QObject>
+#include <QString>
 
 #include <memory>
 #include <mutex>
@@ -28,6 +29,8 @@ struct WhyAnswer {
     OutputExplanation output;
     std::shared_ptr<const ResponseCurve> curve;
     std::shared_ptr<const ResponseMap> map; ///< null without one; coarse at first where it takes its time
+    int failed = 0;                         ///< the latest question that could not be answered as a whole
+    QString failure;
     int complete = 0; ///< of the latest question that is answered as a whole, the map as fine as it will be
 };
 
@@ -55,6 +58,7 @@ private:
     };
 
     void work();
+    void giveUp(const Asked& asked, const QString& reason);
     void explain(const Asked& asked);
     void drawCurve(const Asked& asked);
     void drawMap(const Asked& asked);
