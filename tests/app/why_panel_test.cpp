@@ -1,6 +1,7 @@
 #include "app/editor/panels/why_panel.h"
 #include "core/exchange/fuzzy_file.h"
 #include "core/samples/samples.h"
+#include "widgets/inputs/number_text.h"
 
 #include <gtest/gtest.h>
 #include <QTest>

@@ -59,11 +59,7 @@ void ConclusionView::setHeld(std::optional<double> value) {
 }
 
 QString ConclusionView::textAt(std::optional<double> value) const {
-    if (value) {
-        const std::string words = inWords(m_output, *value);
-        const QString said = words == "none" ? tr("no term") : readableName(words);
-        return tr("%1: %2").arg(withUnit(*value, m_unit), said);
-    }
+    if (value) return tr("%1: %2").arg(withUnit(*value, m_unit), wordsFor(m_output, *value));
     const QString centre = m_explanation.value
                                ? tr("centre of gravity %1").arg(withUnit(*m_explanation.value, m_unit))
                                : tr("no rule reaches it");

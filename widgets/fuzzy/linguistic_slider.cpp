@@ -1,6 +1,5 @@
 #include "widgets/fuzzy/linguistic_slider.h"
 
-#include "core/fuzzy/inference.h"
 #include "widgets/fuzzy/small_font.h"
 
 #include <QSignalBlocker>
@@ -83,9 +82,7 @@ void LinguisticSlider::setValue(std::optional<double> value) {
 }
 
 QString LinguisticSlider::words() const {
-    if (!m_field->value()) return tr("no value");
-    const std::string words = inWords(m_variable, *m_field->value());
-    return words == "none" ? tr("between the words") : readableName(words);
+    return m_field->value() ? wordsFor(m_variable, *m_field->value()) : tr("no value");
 }
 
 void LinguisticSlider::showWords() {

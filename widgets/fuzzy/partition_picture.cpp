@@ -104,12 +104,11 @@ void PartitionPicture::paintAxis(QPainter& painter, const QPalette& palette) con
     painter.drawLine(m_plot.bottomLeft(), m_plot.topLeft());
     painter.setPen(palette.color(QPalette::PlaceholderText));
     const QRectF numbers(m_place.left(), m_plot.bottom() + aboveNumbers, m_place.width(), m_metrics.height());
-    const auto text = [this](double number) {
-        const QString unit = QString::fromStdString(m_scene.variable.unit);
-        return unit.isEmpty() ? numberText(number) : numberText(number) + ' ' + unit;
-    };
-    painter.drawText(numbers.adjusted(side - 2, 0, 0, 0), Qt::AlignLeft, text(m_scene.variable.minimum));
-    painter.drawText(numbers.adjusted(0, 0, -side + 2, 0), Qt::AlignRight, text(m_scene.variable.maximum));
+    const QString unit = QString::fromStdString(m_scene.variable.unit);
+    painter.drawText(numbers.adjusted(side - 2, 0, 0, 0), Qt::AlignLeft,
+                     withUnit(m_scene.variable.minimum, unit));
+    painter.drawText(numbers.adjusted(0, 0, -side + 2, 0), Qt::AlignRight,
+                     withUnit(m_scene.variable.maximum, unit));
 }
 
 void PartitionPicture::paintTerm(QPainter& painter, const QPalette& palette, std::size_t term) const {

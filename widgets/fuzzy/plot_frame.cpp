@@ -1,6 +1,6 @@
 #include "widgets/fuzzy/plot_frame.h"
 
-#include "widgets/inputs/number_text.h"
+#include "core/fuzzy/partition_edits.h"
 
 #include <QPalette>
 
@@ -24,19 +24,8 @@ int marksOver(double length, double perMark) {
 
 } // namespace
 
-QString withUnit(double value, const QString& unit) {
-    const QString number = numberText(value);
-    return unit.isEmpty() ? number : number + ' ' + unit;
-}
-
 std::vector<double> scaleMarks(const PlotRange& range, int most) {
-    const double rough = range.width() / most;
-    const double power = std::pow(10, std::floor(std::log10(rough)));
-    double step = power;
-    for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
-        step = factor * power;
-        if (step >= rough) break;
-    }
+    const double step = roundStep(range.width() / most);
     std::vector<double> marks;
     const double slack = 1e-9 * range.width();
     const double first = std::ceil((range.minimum - slack) / step);
@@ -79,18 +68,22 @@ void PlotFrame::drawAcross(QPainter& painter, const QPalette& palette) const {
     }
 }
 
-void PlotFrame::drawUp(QPainter& painter, const QPalette& palette) const {
+void PlotFrame::drawUpNumbers(QPainter& painter, const QPalette& palette, double perNumber) const {
     const QFontMetricsF metrics(painter.font());
-    for (const double mark : scaleMarks(m_up, marksOver(m_area.height(), rowsPerMark))) {
-        const double place = y(mark);
-        painter.setPen(palette.color(QPalette::Mid));
-        painter.drawLine(QPointF(m_area.left(), place), QPointF(m_area.right(), place));
-        painter.setPen(palette.color(QPalette::PlaceholderText));
+    painter.setPen(palette.color(QPalette::PlaceholderText));
+    for (const double mark : scaleMarks(m_up, marksOver(m_area.height(), perNumber))) {
         const QString text = markText(mark);
         painter.drawText(
-            QPointF(m_area.left() - 5 - metrics.horizontalAdvance(text), place + metrics.capHeight() / 2),
+            QPointF(m_area.left() - 5 - metrics.horizontalAdvance(text), y(mark) + metrics.capHeight() / 2),
             text);
     }
+}
+
+void PlotFrame::drawUp(QPainter& painter, const QPalette& palette) const {
+    painter.setPen(palette.color(QPalette::Mid));
+    for (const double mark : scaleMarks(m_up, marksOver(m_area.height(), rowsPerMark)))
+        painter.drawLine(QPointF(m_area.left(), y(mark)), QPointF(m_area.right(), y(mark)));
+    drawUpNumbers(painter, palette, rowsPerMark);
 }
 
 } // namespace esm

@@ -16,9 +16,6 @@ struct PlotRange {
     double width() const { return maximum - minimum; }
 };
 
-/// "16.26 N/m".
-QString withUnit(double value, const QString& unit);
-
 /// Round numbers within a range, at most so many.
 std::vector<double> scaleMarks(const PlotRange& range, int most);
 
@@ -38,7 +35,9 @@ public:
 
     /// The frame's background, its lower edge and numbers beneath it, in the painter's font.
     void drawAcross(QPainter& painter, const QPalette& palette) const;
-    /// Numbers at the left, and fine lines.
+    /// Numbers at the left, one in so many pixels at most.
+    void drawUpNumbers(QPainter& painter, const QPalette& palette, double perNumber) const;
+    /// The same with fine lines.
     void drawUp(QPainter& painter, const QPalette& palette) const;
 
 private:

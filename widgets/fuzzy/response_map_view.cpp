@@ -10,7 +10,7 @@ namespace esm {
 
 namespace {
 
-constexpr double mapLegendWidth = 10, mapLegendGap = 10; // pixels
+constexpr double mapLegendWidth = 10, mapLegendGap = 10, mapRowsPerMark = 34; // pixels
 
 } // namespace
 
@@ -102,13 +102,7 @@ void ResponseMapView::draw(QPainter& painter, const PlotFrame& frame) {
     if (!m_picture.isNull()) painter.drawImage(area, m_picture);
     frame.drawAcross(painter, palette());
     const QFontMetricsF metrics(painter.font());
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    for (const double mark : scaleMarks(m_up, std::max(2, static_cast<int>(area.height() / 34)))) {
-        const QString text = QString::number(mark, 'g', 6).replace('-', QChar(0x2212));
-        painter.drawText(QPointF(area.left() - 5 - metrics.horizontalAdvance(text),
-                                 frame.y(mark) + metrics.capHeight() / 2),
-                         text);
-    }
+    frame.drawUpNumbers(painter, palette(), mapRowsPerMark);
     painter.drawText(QPointF(area.left(), area.top() - 5), QChar(0x2191) + (' ' + m_upName));
     const QString acrossText = m_acrossName + ' ' + QChar(0x2192);
     painter.drawText(QPointF(area.right() - metrics.horizontalAdvance(acrossText),
@@ -128,8 +122,7 @@ void ResponseMapView::drawLegend(QPainter& painter, const PlotFrame& frame) cons
     const QFontMetricsF metrics(painter.font());
     painter.setPen(palette().color(QPalette::PlaceholderText));
     const auto label = [&](double value, double baseline) {
-        const QString unit = m_values.unit.isEmpty() ? QString() : ' ' + m_values.unit;
-        painter.drawText(QPointF(bar.right() + 5, baseline), numberText(value, 3) + unit);
+        painter.drawText(QPointF(bar.right() + 5, baseline), withUnit(value, m_values.unit, 3));
     };
     label(m_values.maximum, bar.top() + metrics.ascent());
     label(m_values.minimum, bar.bottom());

@@ -1,5 +1,6 @@
 #include "widgets/fuzzy/term_scale.h"
 
+#include "core/fuzzy/inference.h"
 #include "widgets/fuzzy/small_font.h"
 #include "widgets/fuzzy/term_layout.h"
 #include "widgets/inputs/number_text.h"
@@ -28,6 +29,11 @@ double coreMiddle(const FuzzyTerm& term) {
 
 QString readableName(const std::string& name) {
     return QString::fromStdString(name).replace('_', ' ');
+}
+
+QString wordsFor(const FuzzyVariable& variable, double value) {
+    const std::string words = inWords(variable, value);
+    return words == "none" ? QObject::tr("between the words") : readableName(words);
 }
 
 TermScale::TermScale(QWidget* parent) : QWidget(parent) {

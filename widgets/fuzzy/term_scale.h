@@ -12,6 +12,9 @@ namespace esm {
 /// A name as people read it: "very_small" is "very small".
 QString readableName(const std::string& name);
 
+/// "flexible 0.92, medium 0.08": the terms that a value belongs to, as people read them.
+QString wordsFor(const FuzzyVariable& variable, double value);
+
 /// The terms of a variable, each beneath the middle of its core on the slider above, in two rows where one is
 /// too narrow; a tick marks the place exactly. Terms the value belongs to stand out. A click on a term asks
 /// for the middle of its core.

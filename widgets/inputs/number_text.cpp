@@ -62,6 +62,11 @@ QString numberText(double value, int significantDigits) {
     return decimalText(value, std::clamp(significantDigits - 1 - exponent, 0, 8));
 }
 
+QString withUnit(double value, const QString& unit, int significantDigits) {
+    const QString number = numberText(value, significantDigits);
+    return unit.isEmpty() ? number : number + ' ' + unit;
+}
+
 QString decimalText(double value, int decimals) {
     if (!std::isfinite(value)) return QString(QChar(0x2013));
     const double unit = std::pow(10.0, -decimals);

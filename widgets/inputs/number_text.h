@@ -13,6 +13,9 @@ QString countText(std::size_t count);
 /// A number with at least four significant digits and a true minus sign: "16.26", "−0.4000", "2.400e−07".
 QString numberText(double value, int significantDigits = 4);
 
+/// "16.26 N/m"; the number alone where there is no unit.
+QString withUnit(double value, const QString& unit, int significantDigits = 4);
+
 /// A fixed number of decimals, for columns that must line up.
 QString decimalText(double value, int decimals);
 

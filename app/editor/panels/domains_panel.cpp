@@ -35,11 +35,8 @@ std::optional<double> outputOf(const Region& region, std::size_t output) {
 /// "5.500 kPa: flexible 0.92, medium 0.08"
 QString valueInWords(const FuzzyVariable& variable, std::optional<double> value) {
     if (!value) return QObject::tr("no value now");
-    const std::string words = inWords(variable, *value);
-    const QString unit = variable.unit.empty() ? QString() : ' ' + QString::fromStdString(variable.unit);
-    return QStringLiteral("%1%2: %3")
-        .arg(numberText(*value), unit,
-             words == "none" ? QObject::tr("between the words") : readableName(words));
+    return QStringLiteral("%1: %2").arg(withUnit(*value, QString::fromStdString(variable.unit)),
+                                        wordsFor(variable, *value));
 }
 
 } // namespace

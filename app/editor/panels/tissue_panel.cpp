@@ -2,7 +2,7 @@
 
 #include "app/editor/commands/input_edits.h"
 #include "app/editor/panels/tissue_preset_button.h"
-#include "widgets/fuzzy/plot_frame.h"
+#include "widgets/inputs/number_text.h"
 
 #include <algorithm>
 
