@@ -1,7 +1,7 @@
 #include "widgets/fuzzy/partition_editor.h"
 
+#include "widgets/fuzzy/small_font.h"
 #include "widgets/fuzzy/term_scale.h"
-#include "widgets/inputs/gesture.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QApplication>
@@ -49,12 +49,7 @@ PartitionEditor::PartitionEditor(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setSizePolicy(policy);
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.88);
-    setFont(small);
-    m_pause.setSingleShot(true);
-    m_pause.setInterval(pauseBetweenGestures);
-    connect(&m_pause, &QTimer::timeout, this, &PartitionEditor::gestureFinished);
+    setFont(smallFont(font()));
 }
 
 void PartitionEditor::setVariable(const FuzzyVariable& variable) {
@@ -130,7 +125,7 @@ void PartitionEditor::take(std::size_t term) {
 
 void PartitionEditor::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || m_hold) return event->ignore();
-    finishKeys();
+    m_keys.finish();
     if (const auto handle = handleAt(event->pos())) {
         take(handle->term);
         return hold(handle->corner, event->pos());
@@ -209,7 +204,7 @@ void PartitionEditor::takeCorner(std::optional<Corner> corner) {
 bool PartitionEditor::focusNextPrevChild(bool next) {
     const Corner last = next ? Corner::D : Corner::A;
     if (!hasFocus() || !hasTerm() || m_scene.corner == last) return QWidget::focusNextPrevChild(next);
-    finishKeys();
+    m_keys.finish();
     takeCorner(m_scene.corner ? neighbour(*m_scene.corner, next ? 1 : -1) : next ? Corner::A : Corner::D);
     return true;
 }
@@ -223,14 +218,8 @@ void PartitionEditor::focusInEvent(QFocusEvent* event) {
 
 void PartitionEditor::focusOutEvent(QFocusEvent* event) {
     QWidget::focusOutEvent(event);
-    finishKeys();
+    m_keys.finish();
     takeCorner(std::nullopt);
-}
-
-void PartitionEditor::finishKeys() {
-    if (!m_pause.isActive()) return;
-    m_pause.stop();
-    emit gestureFinished();
 }
 
 void PartitionEditor::keyPressEvent(QKeyEvent* event) {
@@ -240,7 +229,7 @@ void PartitionEditor::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
     case Qt::Key_Up:
     case Qt::Key_Down:
-        finishKeys();
+        m_keys.finish();
         return take((m_scene.term + (event->key() == Qt::Key_Down ? 1 : terms - 1)) % terms);
     case Qt::Key_Home:
         return stepTo(m_scene.variable.minimum);
@@ -263,7 +252,7 @@ void PartitionEditor::step(int direction, bool far) {
 
 void PartitionEditor::stepTo(double value) {
     if (!m_scene.corner) takeCorner(Corner::B);
-    m_pause.start();
+    m_keys.goOn();
     emit setEdited(m_scene.term, withCorner(m_scene.variable, m_scene.term, *m_scene.corner, value));
 }
 

@@ -1,11 +1,9 @@
 #pragma once
 
 #include "widgets/fuzzy/partition_picture.h"
+#include "widgets/inputs/gesture.h"
 
-#include <QTimer>
 #include <QWidget>
-
-#include <chrono>
 
 namespace esm {
 
@@ -33,7 +31,7 @@ public:
     QPoint placeOf(std::size_t term, Corner corner) const;
 
     /// How long the keys rest before what follows is another edit.
-    void setPause(std::chrono::milliseconds pause) { m_pause.setInterval(pause); }
+    void setPause(std::chrono::milliseconds pause) { m_keys.setPause(pause); }
 
     QSize sizeHint() const override { return {300, 168}; }
     QSize minimumSizeHint() const override { return {160, 140}; }
@@ -85,14 +83,13 @@ private:
     void takeBack();
     void step(int direction, bool far);
     void stepTo(double value);
-    void finishKeys();
     void takeCorner(std::optional<Corner> corner);
     void describe();
     QString explained(const QPoint& place) const;
 
     PartitionScene m_scene;
     std::optional<Hold> m_hold;
-    QTimer m_pause; ///< runs since the last step by a key
+    KeyRun m_keys{[this] { emit gestureFinished(); }};
 };
 
 } // namespace esm

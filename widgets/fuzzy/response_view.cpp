@@ -1,7 +1,6 @@
 #include "widgets/fuzzy/response_view.h"
 
 #include "widgets/fuzzy/small_font.h"
-#include "widgets/inputs/gesture.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -24,9 +23,6 @@ ResponseView::ResponseView(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    m_pause.setSingleShot(true);
-    m_pause.setInterval(pauseBetweenGestures);
-    connect(&m_pause, &QTimer::timeout, this, &ResponseView::gestureFinished);
 }
 
 void ResponseView::setInputs(std::optional<double> across, std::optional<double> up) {
@@ -85,7 +81,7 @@ std::optional<QPointF> ResponseView::spokenPlace() const {
 
 void ResponseView::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !isEnabled()) return;
-    finish();
+    m_keys.finish();
     m_isDragged = true;
     m_pointed = event->localPos();
     setFrom(event->localPos());
@@ -111,19 +107,13 @@ void ResponseView::keyPressEvent(QKeyEvent* event) {
     if (up != 0 && m_setUp && stepUp() > 0) y = *m_setUp + up * stepUp();
     if (!x && !y) return QWidget::keyPressEvent(event);
     if (x) x = std::clamp(*x, m_across.minimum, m_across.maximum);
-    m_pause.start();
+    m_keys.goOn();
     emit inputsSet(x, y);
-}
-
-void ResponseView::finish() {
-    if (!m_pause.isActive()) return;
-    m_pause.stop();
-    emit gestureFinished();
 }
 
 void ResponseView::focusOutEvent(QFocusEvent* event) {
     QWidget::focusOutEvent(event);
-    finish();
+    m_keys.finish();
 }
 
 void ResponseView::leaveEvent(QEvent*) {

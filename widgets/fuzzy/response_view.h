@@ -2,8 +2,8 @@
 
 #include "core/fuzzy/output_response.h"
 #include "widgets/fuzzy/plot_frame.h"
+#include "widgets/inputs/gesture.h"
 
-#include <QTimer>
 #include <QWidget>
 
 #include <optional>
@@ -58,12 +58,11 @@ protected:
 
 private:
     void setFrom(const QPointF& place);
-    void finish();
     std::optional<QPointF> spokenPlace() const;
 
     std::optional<double> m_setAcross, m_setUp;
     bool m_isStale = false;
-    QTimer m_pause; ///< runs since the last step by an arrow key
+    KeyRun m_keys{[this] { emit gestureFinished(); }};
 };
 
 } // namespace esm

@@ -1,5 +1,6 @@
 #include "widgets/fuzzy/rule_table.h"
 
+#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/icon.h"
 
@@ -225,8 +226,7 @@ bool RuleTable::answerKey(const QKeyEvent& key) {
         emit undoRequested();
         return true;
     }
-    if (key.matches(QKeySequence::Redo) ||
-        (key.key() == Qt::Key_Y && key.modifiers() == Qt::ControlModifier)) {
+    if (isRedo(key)) {
         emit redoRequested();
         return true;
     }
@@ -258,9 +258,7 @@ bool RuleTable::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         // Keys of the window that the table answers itself.
-        const bool isOwn = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||
-                           (key->key() == Qt::Key_Y && key->modifiers() == Qt::ControlModifier) ||
-                           key->key() == Qt::Key_Space;
+        const bool isOwn = key->matches(QKeySequence::Undo) || isRedo(*key) || key->key() == Qt::Key_Space;
         if (isOwn) event->accept();
         return isOwn;
     }

@@ -1,6 +1,7 @@
 #include "widgets/fuzzy/rule_text_edit.h"
 
 #include "core/fuzzy/keywords.h"
+#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QAbstractItemView>
@@ -40,11 +41,6 @@ bool endsWord(QChar c) {
 
 bool holdsNoWord(const QString& line) {
     return std::all_of(line.begin(), line.end(), [](QChar c) { return c <= ' '; });
-}
-
-bool isRedo(const QKeyEvent* event) {
-    return event->matches(QKeySequence::Redo) ||
-           (event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier);
 }
 
 } // namespace
@@ -181,7 +177,7 @@ void RuleTextEdit::takeChange() {
 bool RuleTextEdit::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->matches(QKeySequence::Undo) || isRedo(key)) {
+        if (key->matches(QKeySequence::Undo) || isRedo(*key)) {
             event->accept();
             return true;
         }
@@ -191,7 +187,7 @@ bool RuleTextEdit::event(QEvent* event) {
 
 void RuleTextEdit::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Undo)) return emit undoRequested();
-    if (isRedo(event)) return emit redoRequested();
+    if (isRedo(*event)) return emit redoRequested();
     if (event->key() == Qt::Key_Space && event->modifiers() == Qt::ControlModifier)
         return offerWords(Offer::Everything);
     if (isOffering()) {

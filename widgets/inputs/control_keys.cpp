@@ -4,7 +4,6 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
-#include <QKeyEvent>
 #include <QSlider>
 
 namespace esm {
@@ -36,13 +35,17 @@ public:
 
 class WheelFilter : public QObject {
 public:
-    using QObject::QObject;
+    WheelFilter(Turning turning, QObject* parent) : QObject(parent), m_turning(turning) {}
 
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return false;
+        if (event->type() != QEvent::Wheel) return false;
+        if (m_turning == Turning::WithFocus && static_cast<QWidget*>(watched)->hasFocus()) return false;
         event->ignore();
         return true;
     }
+
+private:
+    Turning m_turning;
 };
 
 } // namespace
@@ -51,10 +54,15 @@ void keepControlKeys(QWidget& window) {
     window.installEventFilter(new ControlKeysFilter(&window));
 }
 
-void guardFromWheel(QWidget& control) {
+bool isRedo(const QKeyEvent& key) {
+    return key.matches(QKeySequence::Redo) ||
+           (key.key() == Qt::Key_Y && key.modifiers() == Qt::ControlModifier);
+}
+
+void guardFromWheel(QWidget& control, Turning turning) {
     // The wheel itself must not give the focus.
     control.setFocusPolicy(Qt::StrongFocus);
-    control.installEventFilter(new WheelFilter(&control));
+    control.installEventFilter(new WheelFilter(turning, &control));
 }
 
 } // namespace esm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QKeyEvent>
 #include <QWidget>
 
 namespace esm {
@@ -8,7 +9,12 @@ namespace esm {
 /// key: Space presses buttons and opens choices, Home and End move sliders, choices and lists.
 void keepControlKeys(QWidget& window);
 
-/// Lets a choice turn with the wheel only while it has the focus, so that a panel scrolls beneath the mouse.
-void guardFromWheel(QWidget& control);
+/// The desktop's key for redoing, and Ctrl+Y on every desktop.
+bool isRedo(const QKeyEvent& key);
+
+enum class Turning { WithFocus, Never };
+/// Lets a choice turn with the wheel only while it has the focus, or not at all, so that a panel scrolls
+/// beneath the mouse.
+void guardFromWheel(QWidget& control, Turning turning = Turning::WithFocus);
 
 } // namespace esm

@@ -1,6 +1,5 @@
 #include "widgets/inputs/number_field.h"
 
-#include "widgets/inputs/gesture.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QHelpEvent>
@@ -18,9 +17,6 @@ NumberField::NumberField(NumberFormat format, QWidget* parent)
     : QLineEdit(parent), m_format(std::move(format)) {
     setAlignment(Qt::AlignRight);
     setObjectName(QStringLiteral("numberField"));
-    m_pause.setSingleShot(true);
-    m_pause.setInterval(pauseBetweenGestures);
-    connect(&m_pause, &QTimer::timeout, this, &NumberField::gestureFinished);
     connect(this, &QLineEdit::editingFinished, this, &NumberField::takeText);
     connect(this, &QLineEdit::textEdited, this, [this] { setRefusal({}); });
     showValue();
@@ -77,15 +73,9 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     const int direction = event->key() == Qt::Key_Up ? 1 : event->key() == Qt::Key_Down ? -1 : 0;
     if (direction == 0 || !m_value || isReadOnly()) return QLineEdit::keyPressEvent(event);
     const double step = m_format.step > 0 ? m_format.step : std::max(std::abs(*m_value) / 20, 1e-9);
-    m_pause.start();
+    m_keys.goOn();
     take(*m_value + direction * step * (event->modifiers() & Qt::ShiftModifier ? 10 : 1));
     selectAll();
-}
-
-void NumberField::finishSteps() {
-    if (!m_pause.isActive()) return;
-    m_pause.stop();
-    emit gestureFinished();
 }
 
 void NumberField::focusInEvent(QFocusEvent* event) {
@@ -96,7 +86,7 @@ void NumberField::focusInEvent(QFocusEvent* event) {
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
     QLineEdit::focusOutEvent(event);
-    finishSteps();
+    m_keys.finish();
 }
 
 void NumberField::takeText() {
@@ -109,7 +99,7 @@ void NumberField::takeText() {
     if (!ratio) return refuse(tr("“%1” is not understood: the unit is %2.").arg(typed->unit, m_format.unit));
     const double value = typed->number * *ratio / m_format.shownPerValue;
     if (value < m_format.minimum || value > m_format.maximum) return refuse(rangeText());
-    finishSteps();
+    m_keys.finish();
     take(value);
     emit gestureFinished();
 }

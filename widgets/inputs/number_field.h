@@ -1,7 +1,8 @@
 #pragma once
 
+#include "widgets/inputs/gesture.h"
+
 #include <QLineEdit>
-#include <QTimer>
 
 #include <chrono>
 #include <limits>
@@ -41,7 +42,7 @@ public:
     const QString& refusal() const { return m_refusal; }
 
     /// How long the arrow keys rest before what follows is another edit.
-    void setPause(std::chrono::milliseconds pause) { m_pause.setInterval(pause); }
+    void setPause(std::chrono::milliseconds pause) { m_keys.setPause(pause); }
 
     QSize sizeHint() const override;
 
@@ -58,7 +59,6 @@ protected:
 
 private:
     void takeText();
-    void finishSteps();
     void take(double value);
     void refuse(const QString& reason);
     void setRefusal(const QString& reason);
@@ -68,7 +68,7 @@ private:
     NumberFormat m_format;
     std::optional<double> m_value;
     QString m_emptyText{QChar(0x2013)}, m_refusal;
-    QTimer m_pause; ///< runs since the last step by an arrow key
+    KeyRun m_keys{[this] { emit gestureFinished(); }};
 };
 
 } // namespace esm

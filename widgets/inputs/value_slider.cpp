@@ -1,7 +1,5 @@
 #include "widgets/inputs/value_slider.h"
 
-#include "widgets/inputs/gesture.h"
-
 #include <QMouseEvent>
 #include <QStyle>
 #include <QStyleOptionSlider>
@@ -12,12 +10,9 @@ namespace esm {
 ValueSlider::ValueSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
     // Not by the wheel: it would take the focus from where the user types.
     setFocusPolicy(Qt::StrongFocus);
-    m_pause.setSingleShot(true);
-    m_pause.setInterval(pauseBetweenGestures);
-    connect(&m_pause, &QTimer::timeout, this, &ValueSlider::gestureFinished);
-    connect(this, &QSlider::sliderReleased, this, &ValueSlider::finish);
+    connect(this, &QSlider::sliderReleased, this, &ValueSlider::gestureFinished);
     connect(this, &QSlider::valueChanged, this, [this] {
-        if (!isSliderDown()) m_pause.start();
+        if (!isSliderDown()) m_keys.goOn();
     });
 }
 
@@ -35,7 +30,7 @@ void ValueSlider::bringHandleTo(int left) {
 void ValueSlider::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || isSliderDown()) return event->ignore();
     // What the keys or the wheel moved a moment ago is an edit of its own.
-    if (m_pause.isActive()) finish();
+    m_keys.finish();
     const QRect handle = handleRect();
     const bool onHandle = handle.contains(event->pos());
     m_grabbedAt = onHandle ? event->x() - handle.left() : handle.width() / 2;
@@ -60,12 +55,7 @@ void ValueSlider::wheelEvent(QWheelEvent* event) {
 
 void ValueSlider::focusOutEvent(QFocusEvent* event) {
     QSlider::focusOutEvent(event);
-    if (m_pause.isActive()) finish();
-}
-
-void ValueSlider::finish() {
-    m_pause.stop();
-    emit gestureFinished();
+    m_keys.finish();
 }
 
 } // namespace esm

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <QSlider>
-#include <QTimer>
+#include "widgets/inputs/gesture.h"
 
-#include <chrono>
+#include <QSlider>
 
 namespace esm {
 
@@ -20,7 +19,7 @@ public:
     int handleWidth() const { return handleRect().width(); }
 
     /// How long keys and wheel rest before what follows is another edit.
-    void setPause(std::chrono::milliseconds pause) { m_pause.setInterval(pause); }
+    void setPause(std::chrono::milliseconds pause) { m_keys.setPause(pause); }
 
 signals:
     /// The handle was let go, the focus left, or nothing moved for a moment: what follows is another edit.
@@ -36,9 +35,8 @@ protected:
 private:
     QRect handleRect() const;
     void bringHandleTo(int left);
-    void finish();
 
-    QTimer m_pause;
+    KeyRun m_keys{[this] { emit gestureFinished(); }};
     int m_grabbedAt = 0; ///< from the handle's left to where the mouse holds it, pixels
 };
 

@@ -7,12 +7,12 @@
 #include "core/fuzzy/system_edits.h"
 #include "core/support/errors.h"
 #include "widgets/fuzzy/term_scale.h"
+#include "widgets/inputs/control_keys.h"
 
 #include <QAbstractItemView>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QStylePainter>
-#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -42,7 +42,7 @@ FuzzyChoice::FuzzyChoice(QWidget* parent) : QComboBox(parent) {
     setAccessibleName(tr("Fuzzy system"));
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     setMinimumContentsLength(10);
-    setFocusPolicy(Qt::StrongFocus);
+    guardFromWheel(*this, Turning::Never); // to turn through the systems would lose what was set for each
     connect(this, qOverload<int>(&QComboBox::activated), this, &FuzzyChoice::choose);
     recognise();
     fill();
@@ -135,10 +135,6 @@ void FuzzyChoice::paintEvent(QPaintEvent*) {
     option.currentText = shownName();
     painter.drawComplexControl(QStyle::CC_ComboBox, option);
     painter.drawControl(QStyle::CE_ComboBoxLabel, option);
-}
-
-void FuzzyChoice::wheelEvent(QWheelEvent* event) {
-    event->ignore();
 }
 
 void FuzzyChoice::choose(int index) {

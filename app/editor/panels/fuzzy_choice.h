@@ -33,8 +33,6 @@ signals:
     void systemChosen(const std::shared_ptr<const esm::FuzzySystem>& system);
 
 protected:
-    /// The wheel scrolls the panel: turning through the systems would lose what was set for each.
-    void wheelEvent(QWheelEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

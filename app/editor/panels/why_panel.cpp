@@ -3,13 +3,13 @@
 #include "app/editor/commands/input_edits.h"
 #include "app/editor/panels/parameter_row.h"
 #include "widgets/fuzzy/term_scale.h"
+#include "widgets/inputs/control_keys.h"
 
 #include <QHBoxLayout>
 #include <QResizeEvent>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -32,14 +32,9 @@ QLabel* quietText(const QString& text) {
     return label;
 }
 
-/// The wheel scrolls the panel.
-class WheellessChooser : public QComboBox {
-protected:
-    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
-};
-
 QComboBox* whyChooser(const char* name, const QString& accessibleName) {
-    auto* combo = new WheellessChooser;
+    auto* combo = new QComboBox;
+    guardFromWheel(*combo);
     combo->setObjectName(QString::fromLatin1(name));
     combo->setAccessibleName(accessibleName);
     combo->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
