@@ -53,6 +53,9 @@ double relativeError(const Trajectory& trajectory, const Trajectory& reference);
 /// Of what was there before, halving a step leaves at most that, or it gains nothing: rounding spoils it.
 inline constexpr double leastGain = 0.9;
 
+/// A larger change of halving a step comes of steps that do not follow the motion yet, not of rounding.
+inline constexpr double unfollowedChange = 0.1;
+
 /// What is left of a trajectory's error, relative to its motion, from how much halving the step changed it
 /// and how much the halving before did (infinite: there was none). How much of what is left each halving
 /// takes away, two of them tell; one alone may have taken little.
@@ -66,13 +69,11 @@ public:
     /// Of the latest trajectory's error. Of changes that stand still the largest is taken: trajectories that
     /// differ by chance, as where an instrument touches, are no further from the truth than from each other.
     double remaining() const;
-    /// Whether the latest halvings gained nothing, and will not: changes larger than that come of steps that
-    /// do not follow the motion yet.
-    bool standsStill() const { return m_inVain >= mostInVain && m_largest < largeChange; }
+    /// Whether the latest halvings gained nothing, and will not.
+    bool standsStill() const { return m_inVain >= mostInVain && m_largest < unfollowedChange; }
 
 private:
     static constexpr int mostInVain = 2;
-    static constexpr double largeChange = 0.1;
 
     double m_last = std::numeric_limits<double>::infinity(), m_beforeLast = m_last;
     double m_largest = 0; ///< since the latest that gained

@@ -13,7 +13,6 @@ namespace esm {
 namespace {
 
 constexpr int mostHalvings = 30;
-constexpr double largeChange = 0.1; ///< more than rounding makes: steps do not follow the motion yet
 constexpr int mostInVain = 6;
 constexpr double followedShare =
     0.25; ///< of the error that is wanted, for a run that others are held against
@@ -108,7 +107,7 @@ public:
     bool isInVain(double change) {
         const bool gains = change <= leastGain * m_last;
         m_last = change;
-        return !gains && (change < largeChange || ++m_count > m_most);
+        return !gains && (change < unfollowedChange || ++m_count > m_most);
     }
     double last() const { return m_last; }
 
