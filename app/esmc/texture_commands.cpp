@@ -31,6 +31,10 @@ void declarePack(CLI::App& command, PackOptions& options) {
     command.add_option("--pages", options.atlas.pages, "Pages (1)")->transform(wholeNumber());
     command.add_option("--gap", options.atlas.gap, "Pixels between any two triangles (2)")
         ->transform(wholeNumber());
+    addChoice(command, "--layout", options.atlas.layout,
+              {{layoutName(AtlasLayout::Rows), AtlasLayout::Rows},
+               {layoutName(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows}},
+              "How triangles are laid side by side (matched_rows)");
 }
 
 void pack(Project& project) {
@@ -50,11 +54,9 @@ Report runPack(const PackOptions& options, Context& context) {
     saveProject(project, options.output);
     const Atlas& atlas = *project.atlas;
     Report report;
-    report.json = {{"utilisation", atlas.utilisation},
-                   {"texels_per_metre", atlas.texelsPerMetre},
-                   {"pages", atlas.options.pages},
-                   {"gap", atlas.options.gap},
-                   {"size", atlas.options.size}};
+    report.json = {{"utilisation", atlas.utilisation}, {"texels_per_metre", atlas.texelsPerMetre},
+                   {"pages", atlas.options.pages},     {"gap", atlas.options.gap},
+                   {"size", atlas.options.size},       {"layout", layoutName(atlas.options.layout)}};
     report.text.push_back(counted(static_cast<std::size_t>(atlas.options.pages), "page") + " of " +
                           std::to_string(atlas.options.size) + " × " + std::to_string(atlas.options.size) +
                           " pixels, " + inText(100 * atlas.utilisation) + " % used, " +

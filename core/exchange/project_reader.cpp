@@ -144,11 +144,21 @@ std::shared_ptr<const SpringNetwork> readNetwork(const JsonReader& arrays, Sourc
     return network;
 }
 
+/// Rows are all there was before files said so.
+AtlasLayout atlasLayoutFromJson(const JsonReader& reader) {
+    if (!reader.has("layout")) return AtlasLayout::Rows;
+    const JsonReader named = reader.member("layout");
+    const auto layout = layoutFromName(named.text());
+    if (named.json().is_string() && !layout) named.addProblem("should be rows or matched_rows");
+    return layout.value_or(AtlasLayout::Rows);
+}
+
 /// Bounded so that the numbers fit; what they come to together is checked with the whole project.
 AtlasOptions atlasOptionsFromJson(const JsonReader& reader) {
     return {static_cast<int>(reader.member("size").integer(1, texture_limits::largestPageSize)),
             static_cast<int>(reader.member("pages").integer(1, texture_limits::mostPages)),
-            static_cast<int>(reader.member("gap").integer(0, texture_limits::largestPageSize))};
+            static_cast<int>(reader.member("gap").integer(0, texture_limits::largestPageSize)),
+            atlasLayoutFromJson(reader)};
 }
 
 std::shared_ptr<const Atlas> readAtlas(const JsonReader& reader, const JsonReader& arrays, Source& source) {

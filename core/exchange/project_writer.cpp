@@ -64,7 +64,10 @@ void addBinding(const Binding& binding, Content& content) {
 }
 
 Json toJson(const AtlasOptions& options) {
-    return {{"size", options.size}, {"pages", options.pages}, {"gap", options.gap}};
+    return {{"size", options.size},
+            {"pages", options.pages},
+            {"gap", options.gap},
+            {"layout", layoutName(options.layout)}};
 }
 
 Json addAtlas(const Atlas& atlas, Content& content) {

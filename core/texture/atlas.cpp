@@ -1,7 +1,7 @@
 #include "core/texture/atlas.h"
 
 #include "core/support/errors.h"
-#include "core/texture/row_layout.h"
+#include "core/texture/matched_rows.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
@@ -63,8 +63,9 @@ Shapes shapesOf(const TriangleMesh& mesh) {
 }
 
 RowLayout layoutAt(const Shapes& shapes, const AtlasOptions& options, double scale) {
-    return layoutRows(shapes.all, scale,
-                      {static_cast<double>(options.size), static_cast<double>(options.gap)});
+    const RowPage page{static_cast<double>(options.size), static_cast<double>(options.gap)};
+    return options.layout == AtlasLayout::Rows ? layoutRows(shapes.all, scale, page)
+                                               : layoutMatchedRows(shapes.all, scale, page);
 }
 
 bool fits(const RowLayout& layout, const AtlasOptions& options) {
@@ -148,6 +149,16 @@ void assign(Atlas& atlas, const Shapes& shapes, const RowLayout& layout) {
 }
 
 } // namespace
+
+const char* layoutName(AtlasLayout layout) {
+    return layout == AtlasLayout::Rows ? "rows" : "matched_rows";
+}
+
+std::optional<AtlasLayout> layoutFromName(const std::string& name) {
+    for (const AtlasLayout layout : {AtlasLayout::Rows, AtlasLayout::MatchedRows})
+        if (name == layoutName(layout)) return layout;
+    return std::nullopt;
+}
 
 Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options) {
     checkOptions(options);

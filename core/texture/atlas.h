@@ -3,14 +3,26 @@
 #include "core/geometry/triangle_mesh.h"
 
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace esm {
+
+enum class AtlasLayout {
+    Rows,        ///< the source's rows of triangles [R 4.3.2.2]
+    MatchedRows, ///< rows in which slants are matched and patches may be mirrored
+};
+
+/// "rows", "matched_rows"
+const char* layoutName(AtlasLayout layout);
+std::optional<AtlasLayout> layoutFromName(const std::string& name);
 
 struct AtlasOptions {
     int size = 2048; ///< pixels, width and height of a page
     int pages = 1;
     int gap = 2; ///< pixels that stay free between any two patches
+    AtlasLayout layout = AtlasLayout::MatchedRows;
 };
 
 /// Where every triangle lies in texture space: one patch each, similar to its 3-D shape, one scale for all
@@ -24,7 +36,7 @@ struct Atlas {
     std::vector<std::uint16_t> page; ///< per triangle
 };
 
-/// The source's rows of triangles [R 4.3.2.2]. @throws InvalidModel when size, pages or gap cannot hold the
+/// As large as the pages allow. @throws InvalidModel when size, pages or gap cannot hold the
 /// mesh, naming the smallest size that can
 Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options);
 

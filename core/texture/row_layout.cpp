@@ -1,58 +1,10 @@
 #include "core/texture/row_layout.h"
 
-#include "core/texture/reach.h"
-
 #include <algorithm>
-#include <limits>
 
 namespace esm {
 
 namespace {
-
-constexpr double never = std::numeric_limits<double>::infinity();
-
-double leftEnd(const PatchCorners& corners) {
-    return std::min({corners[0].x(), corners[1].x(), corners[2].x()});
-}
-
-double rightEnd(const PatchCorners& corners) {
-    return std::max({corners[0].x(), corners[1].x(), corners[2].x()});
-}
-
-/// The patch in a row whose upper border is y = 0, not yet shifted to its place.
-PatchCorners cornersInRow(const PatchShape& shape, double scale, double rowHeight, bool pointsUp) {
-    const double base = scale * shape.base, foot = scale * shape.foot, height = scale * shape.height;
-    if (pointsUp) return {{{0, rowHeight}, {base, rowHeight}, {foot, rowHeight - height}}};
-    return {{{base, 0}, {0, 0}, {base - foot, height}}};
-}
-
-void shift(PatchCorners& corners, double x, double y) {
-    for (Eigen::Vector2d& corner : corners)
-        corner += Eigen::Vector2d(x, y);
-}
-
-/// Patches of the row being filled. `reach[i]` is the right end of the first i + 1 patches: once that lies a
-/// gap to the left of a new patch, no earlier patch can be near it.
-struct Row {
-    std::vector<PatchCorners> patches;
-    std::vector<double> reach;
-
-    double shiftFor(const PatchCorners& moving, double start, double gap) const {
-        double result = start;
-        const double left = leftEnd(moving);
-        for (std::size_t i = patches.size(); i-- > 0 && reach[i] + gap > left + result;)
-            result = std::max(result, clearingShift(patches[i], moving, gap));
-        return result;
-    }
-    void add(const PatchCorners& corners) {
-        reach.push_back(std::max(rightEnd(corners), reach.empty() ? -never : reach.back()));
-        patches.push_back(corners);
-    }
-    void clear() {
-        patches.clear();
-        reach.clear();
-    }
-};
 
 class RowFiller {
 public:
@@ -64,7 +16,7 @@ public:
 
     void place(const PatchShape& shape) {
         PatchCorners corners;
-        if (m_row.patches.empty() || !fits(shape, corners)) {
+        if (m_row.isEmpty() || !fits(shape, corners)) {
             startRow(m_scale * shape.height);
             fits(shape, corners);
         }
@@ -83,13 +35,13 @@ public:
 
 private:
     bool fits(const PatchShape& shape, PatchCorners& corners) const {
-        corners = cornersInRow(shape, m_scale, m_rowHeight, m_pointsUp);
+        corners = cornersInRow(shape, m_scale, m_rowHeight, {m_pointsUp, false});
         shift(corners, m_row.shiftFor(corners, m_border, m_gap), 0);
         return rightEnd(corners) <= m_end;
     }
 
     void startRow(double height) {
-        if (!m_row.patches.empty()) m_y += m_rowHeight + m_gap;
+        if (!m_row.isEmpty()) m_y += m_rowHeight + m_gap;
         if (m_y + height > m_end) {
             ++m_page;
             m_y = m_border;
@@ -103,30 +55,21 @@ private:
     double m_y = m_border, m_rowHeight = 0;
     int m_page = 0;
     bool m_pointsUp = true;
-    Row m_row;
+    PatchRow m_row;
     RowLayout m_layout;
 };
 
 } // namespace
 
-double clearingShift(const PatchCorners& placed, const PatchCorners& moving, double gap) {
-    double result = -never;
-    for (std::size_t edge = 0; edge < 3; ++edge) {
-        const std::size_t next = (edge + 1) % 3;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Eigen::Vector2d& v = placed[corner];
-            const Eigen::Vector2d& w = moving[corner];
-            result = std::max(result, v.x() - leftReach(moving[edge], moving[next], v.y(), gap));
-            result = std::max(result, rightReach(placed[edge], placed[next], w.y(), gap) - w.x());
-        }
-    }
-    return result;
+bool fitOnAPage(const std::vector<PatchShape>& shapes, double texelsPerMetre, const RowPage& page) {
+    const double room = page.size - page.gap;
+    return std::all_of(shapes.begin(), shapes.end(), [&](const PatchShape& shape) {
+        return std::max(shape.base, shape.height) * texelsPerMetre <= room;
+    });
 }
 
 RowLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const RowPage& page) {
-    const double room = page.size - page.gap;
-    for (const PatchShape& shape : shapes)
-        if (std::max(shape.base, shape.height) * texelsPerMetre > room) return {};
+    if (!fitOnAPage(shapes, texelsPerMetre, page)) return {};
     RowFiller filler(page, texelsPerMetre, shapes.size());
     for (const PatchShape& shape : shapes)
         filler.place(shape);

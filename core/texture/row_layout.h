@@ -1,22 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
-
-#include <array>
-#include <cstdint>
-#include <vector>
+#include "core/texture/patch_row.h"
 
 namespace esm {
-
-/// A triangle laid on its longest side [R fig. 4.8]: that side from (0, 0) to (base, 0), the third corner at
-/// (foot, height), counter-clockwise with y up, m. A degenerate triangle is a point: all three are 0.
-struct PatchShape {
-    double base = 0, foot = 0, height = 0;
-    std::uint32_t triangle = 0;
-    std::uint8_t firstCorner = 0; ///< the triangle's corner that lies at (0, 0)
-};
-
-using PatchCorners = std::array<Eigen::Vector2d, 3>; ///< in the shape's order, pixels, y down
 
 struct RowLayout {
     int pages = 0;                     ///< pages used; 0 when a patch exceeds a page, and all else empty
@@ -30,13 +16,12 @@ struct RowPage {
     double gap;  ///< pixels between any two patches; half of it stays free at the borders
 };
 
+/// Whether each of the shapes has room on a page, though perhaps no two of them.
+bool fitOnAPage(const std::vector<PatchShape>& shapes, double texelsPerMetre, const RowPage& page);
+
 /// Rows of triangles with the third corner alternately up and down [R 4.3.2.2]. The shapes come tallest
 /// first, so that a row's height is known when it starts. Every patch keeps the gap to all others, not just
 /// to the one before.
 RowLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const RowPage& page);
-
-/// The smallest shift to the right after which `moving`, which comes in from the right, keeps `gap` to
-/// `placed`. Minus infinity when the two pass above each other.
-double clearingShift(const PatchCorners& placed, const PatchCorners& moving, double gap);
 
 } // namespace esm

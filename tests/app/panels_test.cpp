@@ -191,6 +191,21 @@ TEST_F(PanelsTest, TheAtlasForgetsThatThereWasNoSurface) {
     EXPECT_TRUE(size->currentText().startsWith("3000")) << "a size that is not in the list is shown";
 }
 
+TEST_F(PanelsTest, TheAtlasIsPackedInTheLayoutThatIsChosen) {
+    auto* layout = child<QComboBox>("atlasLayout");
+    EXPECT_EQ(layout->currentText(), "matched rows");
+    const auto choose = [&](const char* name) {
+        layout->setCurrentText(name);
+        emit layout->activated(layout->currentIndex());
+        return window->document().project().atlas->utilisation;
+    };
+    const double inRows = choose("rows");
+    EXPECT_GT(choose("matched rows"), inRows);
+    window->document().undoStack()->undo();
+    EXPECT_EQ(layout->currentText(), "rows");
+    EXPECT_EQ(window->document().project().atlas->utilisation, inRows);
+}
+
 TEST_F(PanelsTest, FitTheirColumns) {
     const auto expectFit = [this](const char* state) {
         QTest::qWait(0);

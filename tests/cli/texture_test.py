@@ -68,6 +68,15 @@ class TextureTest(Case):
         self.assertTrue(0.2 < report["utilisation"] < 1)
         self.assertEqual(self.done("info", project)["textures"], 2)
 
+    def test_packs_denser_where_patches_are_matched(self):
+        project, uses = self.sample("liver"), []
+        for layout in ("rows", "matched_rows"):
+            report = self.done("texture", "pack", project, "--layout", layout, "-o", project)
+            self.assertEqual(report["layout"], layout)
+            uses.append(report["utilisation"])
+        self.assertGreater(uses[1], 1.05 * uses[0])
+        self.fails(2, "texture", "pack", project, "--layout", "spiral", "-o", project, naming="rows")
+
     def test_numbers_are_decimal_whatever_their_zeros(self):
         report = self.done("texture", "pack", self.sample("tube"), "--size", "0512", "--gap", "010", "-o", self.file("a.esm"))
         self.assertEqual((report["size"], report["gap"]), (512, 10))

@@ -61,7 +61,7 @@ bool same(const Scene& a, const Scene& b) {
 
 bool same(const TextureSettings& a, const TextureSettings& b) {
     return a.atlas.size == b.atlas.size && a.atlas.pages == b.atlas.pages && a.atlas.gap == b.atlas.gap &&
-           a.baseColour == b.baseColour;
+           a.atlas.layout == b.atlas.layout && a.baseColour == b.baseColour;
 }
 
 bool same(const BaseTissue& a, const BaseTissue& b) {

@@ -16,10 +16,10 @@ public:
 
 private:
     void show();
-    void pack(int size);
+    void pack();
 
     Document& m_document;
-    QComboBox* m_size;
+    QComboBox *m_size, *m_layout;
     QLabel *m_used, *m_texel;
 };
 
