@@ -240,3 +240,16 @@ TEST(FclFile, TakesForARangeOnlyWhatLooksLikeOne) {
     EXPECT_EQ(fclWarnings("food : REAL;", "food : REAL; (* Range finder, mm *)").size(), 1U);
     EXPECT_EQ(fclWarnings("food : REAL;", "food : REAL; (* range := (0 .. 9); *)").size(), 0U);
 }
+
+TEST(FclFile, ReadsNoZeroByteFromRemarks) {
+    EXPECT_EQ(fclLanguage.readText("(* note: a\\x00b\\x09c *)\n" + soundFcl()).system.note, "a\\x00b\tc");
+    FuzzySystem system = fuzzyPreset("susilap-g");
+    system.note = std::string("a\0b", 3);
+    EXPECT_EQ(fclLanguage.readText(toFcl(system).text).system.note, "ab");
+}
+
+TEST(FclFile, WritesNoExponentWithoutAPoint) {
+    FuzzySystem system = fuzzyPreset("susilap-g");
+    system.rules[0].weight = 1e-5;
+    EXPECT_THAT(toFcl(system).text, HasSubstr(" WITH 1.0e-05;"));
+}
