@@ -66,3 +66,9 @@ TEST(NumberText, SaysOneUnitInAnother) {
     EXPECT_FALSE(unitRatio("kg", "mm"));
     EXPECT_FALSE(unitRatio("234", "mm"));
 }
+
+TEST(WithUnit, LeavesNoGapWithoutOne) {
+    EXPECT_EQ(withUnit(16.26, "N/m"), "16.26 N/m");
+    EXPECT_EQ(withUnit(16.26, "N/m", 3), "16.3 N/m");
+    EXPECT_EQ(withUnit(2, {}), "2.000");
+}
