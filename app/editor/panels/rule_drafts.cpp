@@ -1,8 +1,17 @@
 #include "app/editor/panels/rule_drafts.h"
 
+#include "core/fuzzy/renamed_words.h"
+
 #include <algorithm>
 
 namespace esm {
+
+QString withNamesOf(const FuzzySystem& after, const FuzzySystem& before, const QString& rules) {
+    QStringList lines = rules.split('\n');
+    for (QString& line : lines)
+        line = QString::fromStdString(withNamesOf(after, before, line.toStdString()));
+    return lines.join('\n');
+}
 
 void RuleDrafts::keep(const System& system, const QString& text) {
     take(system);
@@ -20,8 +29,11 @@ std::optional<QString> RuleDrafts::take(const System& system) {
 
 void RuleDrafts::follow(const EditedSystem& edited) {
     if (!edited.before || !edited.after) return;
-    for (auto& [system, text] : m_texts)
-        if (same(system, edited.before)) system = edited.after;
+    for (auto& [system, text] : m_texts) {
+        if (!same(system, edited.before)) continue;
+        text = withNamesOf(*edited.after, *edited.before, text);
+        system = edited.after;
+    }
 }
 
 void RuleDrafts::forgetAllBut(const std::vector<Region>& regions) {

@@ -10,6 +10,9 @@
 
 namespace esm {
 
+/// Rules with the names that variables and terms have got since, line by line.
+QString withNamesOf(const FuzzySystem& after, const FuzzySystem& before, const QString& rules);
+
 /// Rules as text that is not in force, by the system that they are written for. Systems that are alike are
 /// one: what edits the one edits the other.
 class RuleDrafts {

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace esm {
 
@@ -129,9 +130,9 @@ void RulesPanel::follow(const EditedSystem& edited) {
         m_system && (same(system, m_system) || (same(edited.before, m_system) && same(edited.after, system)));
     if (system != m_system) {
         if (!goesOn && isUnfinished()) m_drafts.keep(m_system, m_text->toPlainText());
-        m_system = system;
+        const auto before = std::exchange(m_system, system);
         if (goesOn)
-            followSystem();
+            followSystem(*before);
         else if (system)
             showSystem();
         showAll();
@@ -140,9 +141,11 @@ void RulesPanel::follow(const EditedSystem& edited) {
 }
 
 /// Text that is not in force stays for what the system has become.
-void RulesPanel::followSystem() {
+void RulesPanel::followSystem(const FuzzySystem& before) {
     const bool wasInForce = m_isInForce;
     m_text->setSystem(*m_system);
+    const QString text = m_text->toPlainText(), renamed = withNamesOf(*m_system, before, text);
+    if (!wasInForce && renamed != text) m_text->showText(renamed);
     read();
     // What is in force, or is to be, is left as it is written.
     if (wasInForce && !m_isInForce) showText(QString::fromStdString(rulesText(*m_system)));

@@ -37,7 +37,7 @@ private:
     void connectParts();
     void follow(const EditedSystem& edited = {});
     void leaveOrgan();
-    void followSystem();
+    void followSystem(const FuzzySystem& before);
     void showSystem();
     void showText(const QString& text);
     void takeText();

@@ -206,7 +206,7 @@ bool FileController::saveTo(const std::filesystem::path& file) {
                     [&](const Progress&) { saveProject(project, file); });
         m_document.markSaved(file, project);
         noteOpened(file);
-        emit message(tr("Saved %1").arg(fileName(file)));
+        emit message((tr("Saved %1.").arg(fileName(file)) + ' ' + m_document.unfinished()).trimmed());
     });
 }
 
