@@ -5,10 +5,13 @@
 #include "app/esmc/trajectory_file.h"
 #include "core/dynamics/scene_accuracy.h"
 #include "core/dynamics/stability.h"
+#include "core/dynamics/swings.h"
 #include "core/model/tissue_digest.h"
 #include "core/support/joined.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace esm {
@@ -119,6 +122,44 @@ void addError(Report& report, const AccurateOutcome& accurate, std::vector<std::
             "more viscosity where it has next to none, or take the error for a part of the true one");
 }
 
+/// Sums up what a run gave, beside its outcome.
+struct MotionSeen {
+    std::vector<Eigen::Vector3d> start; ///< m, of the recorded nodes
+    double longestWay = 0;              ///< m, of one of them from its start
+    double farthestPlace = 0;           ///< m, the largest coordinate
+
+    void add(const std::vector<Eigen::Vector3d>& positions) {
+        if (start.empty()) start = positions;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            longestWay = std::max(longestWay, (positions[i] - start[i]).norm());
+            farthestPlace = std::max(farthestPlace, positions[i].cwiseAbs().maxCoeff());
+        }
+    }
+};
+
+/// Each step rounds places in single precision, and many short steps add that up.
+bool isSpoiltByRounding(const SceneOutcome& outcome, const MotionSeen& motion) {
+    constexpr double worthAWord = 0.003; // of the motion
+    const double rounding = std::numeric_limits<float>::epsilon() / 2 * motion.farthestPlace;
+    return static_cast<double>(outcome.steps) * rounding > worthAWord * motion.longestWay;
+}
+
+/// What makes the motion less exact than its step promises.
+std::vector<std::string> accuracyWarnings(const RunnableModel& model, const SimulationSettings& settings,
+                                          const SceneOutcome& outcome, const MotionSeen& motion) {
+    std::vector<std::string> warnings;
+    if (settings.precision == Precision::Float && isSpoiltByRounding(outcome, motion))
+        warnings.emplace_back("in single precision so many short steps may be off by percents of the motion: "
+                              "take --precision double, or measure the error with tradeoff");
+    if (hidesSwings(swingBounds(model.tissue, settings.damping), outcome.integrator, outcome.timeStep,
+                    model.scene.duration))
+        warnings.push_back(
+            std::string(integratorName(outcome.integrator)) +
+            " damps away swings of the tissue that are faster than its steps; with --max-error, "
+            "or with a shorter step, more of them is followed");
+    return warnings;
+}
+
 /// What of the scene had no effect on the run.
 std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutcome& outcome) {
     std::vector<std::string> warnings = sceneWarnings(model.scene, model.tissue);
@@ -155,6 +196,10 @@ SimulationSettings recommendedSettings(const RunnableModel& model, const Simulat
     return settings;
 }
 
+void append(std::vector<std::string>& list, const std::vector<std::string>& others) {
+    list.insert(list.end(), others.begin(), others.end());
+}
+
 AccurateOutcome runRequested(const SceneRun& run, const std::optional<double>& mostError,
                              const NewFrameSink& newSink, const Progress& progress) {
     if (mostError) return runSceneToError(run, *mostError, newSink, progress);
@@ -168,11 +213,16 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     std::vector<std::string> warnings;
     if (model.stepping && takesRecommended(options))
         settings = recommendedSettings(model, settings, warnings);
+    else if (model.stepping && options.integrator.empty() && options.timeStep.empty() && !options.mostError)
+        warnings.emplace_back("the recommended way to step is for other options than these: auto chose one");
     std::optional<TrajectoryFile> trajectory;
+    MotionSeen motion;
     const auto newSink = [&]() -> FrameSink {
         trajectory.emplace(options.output, recordedNodes(model.scene, model.tissue.mass.size()));
-        return [&trajectory](double time, const std::vector<Eigen::Vector3d>& positions) {
+        motion = {};
+        return [&](double time, const std::vector<Eigen::Vector3d>& positions) {
             trajectory->add(time, positions);
+            motion.add(positions);
         };
     };
     const AccurateOutcome accurate =
@@ -180,9 +230,11 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
                      progressOf(context, "simulating"));
     trajectory->commit();
     Report report = describe(accurate.outcome);
-    if (options.mostError) addError(report, accurate, warnings);
-    const std::vector<std::string> ofScene = warningsOf(model, accurate.outcome);
-    warnings.insert(warnings.end(), ofScene.begin(), ofScene.end());
+    if (options.mostError)
+        addError(report, accurate, warnings);
+    else
+        append(warnings, accuracyWarnings(model, settings, accurate.outcome, motion));
+    append(warnings, warningsOf(model, accurate.outcome));
     addWarnings(report, warnings);
     addWritten(report, options.output);
     return report;

@@ -17,10 +17,14 @@ constexpr int mostInVain = 6;
 constexpr double followedShare =
     0.25; ///< of the error that is wanted, for a run that others are held against
 
-[[noreturn]] void refuseError(double mostError, double step) {
+[[noreturn]] void refuseError(double mostError, double step, Precision precision) {
+    const std::string choices =
+        precision == Precision::Float
+            ? "single precision rounds each step: choose double, or allow a larger error"
+            : "allow a larger error, or choose another integrator";
     throw InvalidModel("an error of " + numberText(mostError) +
                        " of the motion is not reached; at a step of " + numberText(step) +
-                       " s shorter ones gain nothing: allow a larger error, or choose another integrator");
+                       " s shorter ones gain nothing: " + choices);
 }
 
 [[noreturn]] void refuseSwings(const SceneOutcome& outcome, double error, Integrator follower) {
@@ -157,7 +161,7 @@ public:
         if (!runs.outcome().stable)
             throw InvalidModel("at no step down to " + numberText(runs.outcome().timeStep) +
                                " s does the run come to its end: " + runs.outcome().outcome);
-        refuseError(m_mostError, runs.outcome().timeStep);
+        refuseError(m_mostError, runs.outcome().timeStep, m_run.settings.precision);
     }
 
 private:
@@ -167,7 +171,8 @@ private:
         if (steps && m_run.settings.integrator == Integrator::Auto)
             return AccuracySearch(following(*steps), m_mostError, m_progress).search(newSink);
         const std::optional<FollowedRun> followed = steps ? follow(*steps) : std::nullopt;
-        if (!followed && error > m_mostError) refuseError(m_mostError, runs.outcome().timeStep);
+        if (!followed && error > m_mostError)
+            refuseError(m_mostError, runs.outcome().timeStep, m_run.settings.precision);
         if (!followed) return {runs.outcome(), error, true};
         for (double last = std::numeric_limits<double>::infinity();; last = error) {
             error = followed->errorOf(runs);

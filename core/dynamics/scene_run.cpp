@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double tooShortToTime = 0.01; // s
+constexpr double tooShortToTime = 0.03; // s
 constexpr int mostRepeats = 5;
 constexpr double progressInterval = 0.1; // s
 constexpr double mostAtOnce = 16;        ///< on a whole tissue, so that a run can be stopped within a second

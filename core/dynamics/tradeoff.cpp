@@ -168,7 +168,7 @@ private:
                 runScene({m_level->run.model, m_level->run.surface, scene, settings}, keep, goesOn);
         } catch (const Cancelled&) {
             if (!measured.isOverTime) throw;
-            measured.problem = "took longer than " + numberText(mostSeconds) + " s";
+            measured.problem = "took longer than the " + numberText(mostSeconds) + " s that it may";
         }
         return measured;
     }
@@ -182,7 +182,12 @@ private:
             if (!start.problem.empty()) return start;
             const double seconds =
                 start.outcome.wallSeconds / steps * m_run.scene.duration / stepping.timeStep;
-            if (seconds > mostSeconds) return {{}, {}, "would take " + numberText(seconds) + " s", true};
+            if (seconds > mostSeconds)
+                return {{},
+                        {},
+                        "would take " + numberText(seconds, 2) + " s, more than the " +
+                            numberText(mostSeconds) + " s that it may",
+                        true};
             return run(stepping, m_run.scene.duration, mostSeconds);
         } catch (const InvalidModel& reason) {
             return {{}, {}, joined(reason.problems(), "; "), false};

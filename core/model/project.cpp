@@ -226,8 +226,14 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& mo
             warnings.push_back(sceneEntry(list, i) + ": node " + std::to_string(node) + " is fixed and " +
                                fate);
     };
-    for (std::size_t i = 0; i < scene.forces.size(); ++i)
-        warnIfFixed("forces", i, scene.forces[i].node, "does not give way");
+    for (std::size_t i = 0; i < scene.forces.size(); ++i) {
+        const NodeForce& force = scene.forces[i];
+        warnIfFixed("forces", i, force.node, "does not give way");
+        if (!(force.from < std::min(force.to, scene.duration)))
+            warnings.push_back(sceneEntry("forces", i) +
+                               ": it never acts; it should begin before its end, and "
+                               "before that of the scene");
+    }
     for (std::size_t i = 0; i < scene.moves.size(); ++i)
         warnIfFixed("moves", i, scene.moves[i].node, "does not follow its path");
     return warnings;

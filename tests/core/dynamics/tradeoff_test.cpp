@@ -133,7 +133,7 @@ TEST(Tradeoff, StopsWhatTakesLongerThanItsFirstSteps) {
     };
     const Tradeoff tradeoff = measureTradeoff({model, {}, scene}, {1, 0.3, 3 * forecast}, progress);
     EXPECT_THAT(tradeoff.leftOut, testing::Contains(testing::Field(&LeftOutRun::reason,
-                                                                   testing::HasSubstr("took longer than"))));
+                                                                   testing::HasSubstr("took longer than the"))));
     EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
 }
 
