@@ -51,13 +51,13 @@ TEST_F(FuzzyWorkbenchTest, MovesIntoAWindowOfItsOwnAndBack) {
     EXPECT_TRUE(ownWindow()->isVisible());
     EXPECT_FALSE(isInColumn());
     EXPECT_TRUE(ownWindow()->windowTitle().contains("susilap-g"));
-    ownWindow()->resize(700, 500);
+    ownWindow()->resize(800, 600);
     ownWindow()->close();
     EXPECT_FALSE(ownWindow()->isVisible());
     EXPECT_TRUE(isInColumn());
     EXPECT_FALSE(window->windowActions().fuzzyWindow->isChecked());
     press(Qt::Key_F8);
-    EXPECT_EQ(ownWindow()->size(), QSize(700, 500));
+    EXPECT_EQ(ownWindow()->size(), QSize(800, 600));
 }
 
 TEST_F(FuzzyWorkbenchTest, SaysWhatToDoWithoutASystem) {

@@ -255,9 +255,14 @@ TEST_F(PanelsTest, AValueBetweenTheWordsIsSaidSo) {
         const double middle = (system->inputs[0].minimum + system->inputs[0].maximum) / 2;
         for (FuzzyTerm& term : system->inputs[0].terms)
             term.set = {middle + 1, middle + 1, middle + 2, middle + 2};
+        system->inputs[0].terms.front().set = {middle - 2, middle - 2, middle - 1, middle - 1};
         p.regions.back().system = system;
     });
     EXPECT_EQ(degreesOf("input-consistency"), "between the words");
+    type(fieldOf("input-consistency"), "0");
+    EXPECT_EQ(degreesOf("input-consistency"), "below all words");
+    type(fieldOf("input-consistency"), "12");
+    EXPECT_EQ(degreesOf("input-consistency"), "above all words");
 }
 
 TEST_F(PanelsTest, SaysInputsAndOutputsInWordsWithTheirDegrees) {

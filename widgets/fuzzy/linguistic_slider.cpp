@@ -42,7 +42,10 @@ LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString&
     m_words->setObjectName(QStringLiteral("degrees"));
     m_words->setFont(smallFont(font()));
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_words->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_words->setWordWrap(true);
+    QSizePolicy asTallAsItsText(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    asTallAsItsText.setHeightForWidth(true);
+    m_words->setSizePolicy(asTallAsItsText);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -33,7 +33,13 @@ QString readableName(const std::string& name) {
 
 QString wordsFor(const FuzzyVariable& variable, double value) {
     const std::string words = inWords(variable, value);
-    return words == "none" ? QObject::tr("between the words") : readableName(words);
+    if (words != "none") return readableName(words);
+    const auto isAbove = [&](const FuzzyTerm& term) { return value > term.set.d; };
+    const auto isBelow = [&](const FuzzyTerm& term) { return value < term.set.a; };
+    const auto& terms = variable.terms;
+    if (std::all_of(terms.begin(), terms.end(), isAbove)) return QObject::tr("above all words");
+    if (std::all_of(terms.begin(), terms.end(), isBelow)) return QObject::tr("below all words");
+    return QObject::tr("between the words");
 }
 
 TermScale::TermScale(QWidget* parent) : QWidget(parent) {

@@ -116,7 +116,8 @@ ItemList::ItemList(QPalette::ColorRole mark, QWidget* parent) : QListWidget(pare
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    setDragDropMode(QAbstractItemView::InternalMove);
+    setDragDropMode(QAbstractItemView::DragDrop);
+    setDefaultDropAction(Qt::CopyAction);
     setFrameShape(QFrame::NoFrame);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     connect(this, &QListWidget::currentRowChanged, this, &ItemList::rowSelected);
@@ -166,11 +167,13 @@ void ItemList::keyPressEvent(QKeyEvent* event) {
         QListWidget::keyPressEvent(event);
 }
 
+void ItemList::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->source() == this) QListWidget::dragEnterEvent(event);
+}
+
 void ItemList::dropEvent(QDropEvent* event) {
-    // Who owns the rows moves them, and shows them anew.
-    event->setDropAction(Qt::CopyAction);
-    event->accept();
     if (event->source() != this || currentRow() < 0) return;
+    event->acceptProposedAction();
     const QModelIndex under = indexAt(event->pos());
     const DropPlace place = dropIndicatorPosition() == BelowItem   ? DropPlace::Below
                             : dropIndicatorPosition() == AboveItem ? DropPlace::Above

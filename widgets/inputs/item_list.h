@@ -48,7 +48,11 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    /// Who owns the rows moves them, and shows them anew: of a row that is moved the list would take the old
+    /// one away itself.
+    Qt::DropActions supportedDropActions() const override { return Qt::CopyAction; }
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 

@@ -4,6 +4,7 @@
 
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QStyle>
 #include <QToolTip>
 #include <QVariant>
@@ -76,6 +77,14 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     m_keys.goOn();
     take(*m_value + direction * step * (event->modifiers() & Qt::ShiftModifier ? 10 : 1));
     selectAll();
+}
+
+/// Words end at a number's point and before its unit.
+void NumberField::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton)
+        selectAll();
+    else
+        QLineEdit::mouseDoubleClickEvent(event);
 }
 
 void NumberField::focusInEvent(QFocusEvent* event) {

@@ -1,11 +1,18 @@
 #include "widgets/inputs/value_slider.h"
 
 #include <QMouseEvent>
+#include <QPainter>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QWheelEvent>
 
 namespace esm {
+
+namespace {
+
+constexpr qreal focusRing = 2; ///< pixels wide
+
+} // namespace
 
 ValueSlider::ValueSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
     // Not by the wheel: it would take the focus from where the user types.
@@ -51,6 +58,17 @@ void ValueSlider::wheelEvent(QWheelEvent* event) {
         QSlider::wheelEvent(event);
     else
         event->ignore();
+}
+
+void ValueSlider::paintEvent(QPaintEvent* event) {
+    QSlider::paintEvent(event);
+    if (!hasFocus()) return;
+    // A style sheet does not tell handles whether their slider has the focus.
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Text), focusRing));
+    constexpr qreal inside = focusRing / 2;
+    painter.drawEllipse(QRectF(handleRect()).adjusted(inside, inside, -inside, -inside));
 }
 
 void ValueSlider::focusOutEvent(QFocusEvent* event) {

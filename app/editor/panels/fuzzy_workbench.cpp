@@ -29,7 +29,7 @@ QLabel* whatToDo() {
     return text;
 }
 
-constexpr QSize smallestWindow(420, 360), usualWindow(900, 620);
+constexpr QSize smallestWindow(720, 560), usualWindow(900, 620);
 const QString geometryKey = QStringLiteral("fuzzyWindow");
 
 } // namespace
@@ -42,6 +42,7 @@ FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, QWidget
     m_tabs->setAccessibleName(tr("Views of the fuzzy system"));
     m_tabs->setDrawBase(false);
     m_tabs->setExpanding(false);
+    guardFromWheel(*m_tabs, Turning::Never);
     m_tabs->setFocusPolicy(Qt::TabFocus);
     connect(m_tabs, &QTabBar::currentChanged, this, &FuzzyWorkbench::showTab);
     auto* tabbed = new QWidget;
@@ -77,11 +78,11 @@ void FuzzyWorkbench::addTab(const QString& name, QWidget* panel) {
 }
 
 void FuzzyWorkbench::showTab(int index) {
-    // The panel in front says how much room it needs, not the tallest.
+    // The panel in front says how much room it needs, not the tallest, nor one that was arranged for another
+    // width.
     for (int i = 0; i < m_panels->count(); ++i) {
-        QWidget* panel = m_panels->widget(i);
-        panel->setSizePolicy(panel->sizePolicy().horizontalPolicy(),
-                             i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+        const auto policy = i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        m_panels->widget(i)->setSizePolicy(policy, policy);
     }
     m_panels->setCurrentIndex(index);
 }

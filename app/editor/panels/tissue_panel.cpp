@@ -3,6 +3,7 @@
 #include "app/editor/commands/input_edits.h"
 #include "app/editor/panels/tissue_preset_button.h"
 #include "widgets/inputs/number_text.h"
+#include "widgets/inputs/tab_order.h"
 
 #include <algorithm>
 
@@ -35,6 +36,7 @@ bool hasSameRows(const FuzzySystem& one, const FuzzySystem& other) {
 /// The range that the variable speaks of.
 NumberFormat sliderFormat(const FuzzyVariable& variable) {
     NumberFormat format;
+    format.unit = QString::fromStdString(variable.unit);
     format.minimum = variable.minimum;
     format.maximum = variable.maximum;
     return format;
@@ -155,6 +157,7 @@ void TissuePanel::rebuild() {
         if (!shown && parameter != Parameter::Mass) addBaseParameter(parameter);
         if (shown && !(m_builtFor && outputFor(*m_builtFor, parameter))) addPlainParameter(parameter);
     }
+    tabInLayoutOrder(*this);
 }
 
 void TissuePanel::addInput(std::size_t index) {

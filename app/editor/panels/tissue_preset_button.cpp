@@ -3,6 +3,7 @@
 #include "app/editor/commands/region_edits.h"
 #include "core/exchange/tissue_preset_file.h"
 
+#include <QCursor>
 #include <QMenu>
 
 namespace esm {
@@ -38,6 +39,11 @@ TissuePresetButton::TissuePresetButton(Document& document, Selection& selection,
     menu->setToolTipsVisible(true);
     setMenu(menu);
     connect(menu, &QMenu::aboutToShow, this, &TissuePresetButton::fill);
+    // While the menu is open, nobody tells the button that the mouse has left it.
+    connect(menu, &QMenu::aboutToHide, this, [this] {
+        setAttribute(Qt::WA_UnderMouse, rect().contains(mapFromGlobal(QCursor::pos())));
+        update();
+    });
     fill();
 }
 

@@ -90,6 +90,10 @@ TEST_F(ItemListTest, KeepsTheSelectedRowInSightWhenItShrinks) {
     EXPECT_TRUE(list.viewport()->rect().contains(list.visualItemRect(list.item(11))));
 }
 
+TEST_F(ItemListTest, ADragTakesNoRowAway) {
+    EXPECT_EQ(list.model()->supportedDragActions(), Qt::CopyAction);
+}
+
 TEST_F(ItemListTest, ADropFromElsewhereIsNoRow) {
     QSignalSpy moved(&list, &ItemList::moveRequested);
     QMimeData data;
