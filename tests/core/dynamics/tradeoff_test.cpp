@@ -132,8 +132,8 @@ TEST(Tradeoff, StopsWhatTakesLongerThanItsFirstSteps) {
         return true;
     };
     const Tradeoff tradeoff = measureTradeoff({model, {}, scene}, {1, 0.3, 3 * forecast}, progress);
-    EXPECT_THAT(tradeoff.leftOut, testing::Contains(testing::Field(&LeftOutRun::reason,
-                                                                   testing::HasSubstr("took longer than the"))));
+    EXPECT_THAT(tradeoff.leftOut, testing::Contains(testing::Field(
+                                      &LeftOutRun::reason, testing::HasSubstr("took longer than the"))));
     EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
 }
 
