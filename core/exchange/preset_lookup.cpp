@@ -7,6 +7,7 @@ namespace esm {
 
 std::vector<std::string> namesOf(const std::vector<EmbeddedPreset>& presets) {
     std::vector<std::string> names;
+    names.reserve(presets.size());
     for (const EmbeddedPreset& preset : presets)
         names.emplace_back(preset.name);
     return names;

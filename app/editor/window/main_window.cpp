@@ -178,16 +178,16 @@ void MainWindow::noteWhatIsLeftOut() {
     const Project& project = m_document->project();
     const Scene& scene = project.scene;
     QStringList parts;
-    // Who starts the program asked for no test run.
+    // Who starts the program asked for no scene.
     if (m_showsGreeting) return m_status->showNote({}, {});
     if (!scene.forces.empty()) parts << tr("At set times, forces act on nodes.");
     if (!scene.moves.empty()) parts << tr("At set times, nodes are moved.");
     if (scene.instrument) parts << tr("An instrument follows a path.");
     if (parts.isEmpty()) return m_status->showNote({}, {});
     parts.prepend(
-        tr("The project holds a test run for the command line. The window leaves it out and shows what "
-           "you do yourself; “esmc simulate” plays it and writes the motion to a file."));
-    m_status->showNote(tr("Not played here: the project's test run"), parts.join('\n'));
+        tr("The project holds a scene for the command line. The window leaves it out and shows what you do "
+           "yourself; “esmc simulate” plays it and writes the motion to a file."));
+    m_status->showNote(tr("Not played here: the project's scene"), parts.join('\n'));
 }
 
 void MainWindow::setTheme(bool light) {
