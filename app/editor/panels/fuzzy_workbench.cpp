@@ -29,6 +29,16 @@ QLabel* whatToDo() {
     return text;
 }
 
+/// The page in front says how much room it needs, not the tallest, nor one that was arranged for another
+/// width.
+void bringToFront(QStackedWidget& pages, int index) {
+    for (int i = 0; i < pages.count(); ++i) {
+        const auto policy = i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        pages.widget(i)->setSizePolicy(policy, policy);
+    }
+    pages.setCurrentIndex(index);
+}
+
 constexpr QSize smallestWindow(720, 560), usualWindow(900, 620);
 const QString geometryKey = QStringLiteral("fuzzyWindow");
 
@@ -78,13 +88,7 @@ void FuzzyWorkbench::addTab(const QString& name, QWidget* panel) {
 }
 
 void FuzzyWorkbench::showTab(int index) {
-    // The panel in front says how much room it needs, not the tallest, nor one that was arranged for another
-    // width.
-    for (int i = 0; i < m_panels->count(); ++i) {
-        const auto policy = i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-        m_panels->widget(i)->setSizePolicy(policy, policy);
-    }
-    m_panels->setCurrentIndex(index);
+    bringToFront(*m_panels, index);
 }
 
 void FuzzyWorkbench::setWindowAction(QAction* action) {
@@ -110,7 +114,7 @@ void FuzzyWorkbench::setWindowAction(QAction* action) {
 }
 
 void FuzzyWorkbench::showSystem() {
-    m_pages->setCurrentIndex(selectedSystem(m_document, m_selection) ? 1 : 0);
+    bringToFront(*m_pages, selectedSystem(m_document, m_selection) ? 1 : 0);
     showName();
 }
 
