@@ -54,8 +54,7 @@ Slants slantsOf(const PatchShape& shape) {
 class MatchedRowFiller {
 public:
     MatchedRowFiller(const std::vector<PatchShape>& shapes, double scale, const RowPage& page)
-        : m_shapes(shapes), m_scale(scale), m_gap(page.gap), m_border(page.gap / 2),
-          m_end(page.size - page.gap / 2), m_waiting(shapes.size()) {
+        : m_shapes(shapes), m_scale(scale), m_gap(page.gap), m_stack(page), m_waiting(shapes.size()) {
         m_slants.reserve(shapes.size());
         for (const PatchShape& shape : shapes)
             m_slants.push_back(slantsOf(shape));
@@ -69,8 +68,8 @@ public:
             while (placeNext()) {
             }
         }
-        m_layout.pages = m_page + 1;
-        m_layout.height = m_page * (m_end - m_border) + m_y + m_scale * m_rowHeight - m_border;
+        m_layout.pages = m_stack.pages();
+        m_layout.height = m_stack.totalHeight();
         return std::move(m_layout);
     }
 
@@ -81,21 +80,17 @@ private:
     };
 
     void startRow() {
-        if (!m_row.isEmpty()) m_y += m_scale * m_rowHeight + m_gap;
         m_rowHeight = m_shapes[m_waiting.first()].height;
-        if (m_y + m_scale * m_rowHeight > m_end) {
-            ++m_page;
-            m_y = m_border;
-        }
+        m_stack.startRow(m_scale * m_rowHeight);
         m_row.clear();
         m_pointsUp = true;
-        place({m_waiting.first(), 0, {true, false}}, m_border);
+        place({m_waiting.first(), 0, {true, false}}, m_stack.left());
     }
 
     bool placeNext() {
         if (m_waiting.isEmpty()) return false;
         const Choice best = bestMatch();
-        if (const double x = placeOf(best); rightEndAt(best, x) <= m_end) {
+        if (const double x = placeOf(best); rightEndAt(best, x) <= m_stack.right()) {
             place(best, x);
             return true;
         }
@@ -133,7 +128,7 @@ private:
                 if (area <= largest) break;
                 const Choice choice{i, link, {m_pointsUp, isMirrored}};
                 const double x = placeOf(choice);
-                if (rightEndAt(choice, x) > m_end) continue;
+                if (rightEndAt(choice, x) > m_stack.right()) continue;
                 largest = area;
                 best = {choice, x};
             }
@@ -146,7 +141,9 @@ private:
     PatchCorners cornersOf(const Choice& choice) const {
         return cornersInRow(m_shapes[choice.shape], m_scale, m_scale * m_rowHeight, choice.stance);
     }
-    double placeOf(const Choice& choice) const { return m_row.shiftFor(cornersOf(choice), m_border, m_gap); }
+    double placeOf(const Choice& choice) const {
+        return m_row.shiftFor(cornersOf(choice), m_stack.left(), m_gap);
+    }
     double rightEndAt(const Choice& choice, double x) const {
         return x + m_scale * m_shapes[choice.shape].base;
     }
@@ -155,9 +152,9 @@ private:
         PatchCorners corners = cornersOf(choice);
         shift(corners, x, 0);
         m_row.add(corners);
-        shift(corners, 0, m_y);
+        shift(corners, 0, m_stack.top());
         m_layout.corners[choice.shape] = corners;
-        m_layout.page[choice.shape] = static_cast<std::uint16_t>(std::min(m_page, 0xffff));
+        m_layout.page[choice.shape] = m_stack.page();
         m_slant = m_slants[choice.shape].right(choice.stance);
         m_pointsUp = !m_pointsUp;
         m_waiting.take(choice.link);
@@ -165,11 +162,11 @@ private:
 
     const std::vector<PatchShape>& m_shapes;
     std::vector<Slants> m_slants;
-    double m_scale, m_gap, m_border, m_end; ///< the latter three in pixels
+    double m_scale, m_gap; ///< pixels per m, pixels
+    RowStack m_stack;
     Waiting m_waiting;
-    double m_y = m_border, m_rowHeight = 0; ///< pixels, m
-    double m_slant = 0;                     ///< of the last patch's right side
-    int m_page = 0;
+    double m_rowHeight = 0; ///< m
+    double m_slant = 0;     ///< of the last patch's right side
     bool m_pointsUp = true;
     PatchRow m_row;
     RowLayout m_layout;

@@ -9,7 +9,7 @@ namespace {
 class RowFiller {
 public:
     RowFiller(const RowPage& page, double scale, std::size_t count)
-        : m_scale(scale), m_gap(page.gap), m_border(page.gap / 2), m_end(page.size - page.gap / 2) {
+        : m_scale(scale), m_gap(page.gap), m_stack(page) {
         m_layout.corners.reserve(count);
         m_layout.page.reserve(count);
     }
@@ -22,44 +22,54 @@ public:
         }
         m_row.add(corners);
         m_pointsUp = !m_pointsUp;
-        shift(corners, 0, m_y);
+        shift(corners, 0, m_stack.top());
         m_layout.corners.push_back(corners);
-        m_layout.page.push_back(static_cast<std::uint16_t>(std::min(m_page, 0xffff)));
+        m_layout.page.push_back(m_stack.page());
     }
 
     RowLayout finish() {
-        m_layout.pages = m_page + 1;
-        m_layout.height = m_page * (m_end - m_border) + m_y + m_rowHeight - m_border;
+        m_layout.pages = m_stack.pages();
+        m_layout.height = m_stack.totalHeight();
         return std::move(m_layout);
     }
 
 private:
     bool fits(const PatchShape& shape, PatchCorners& corners) const {
         corners = cornersInRow(shape, m_scale, m_rowHeight, {m_pointsUp, false});
-        shift(corners, m_row.shiftFor(corners, m_border, m_gap), 0);
-        return rightEnd(corners) <= m_end;
+        shift(corners, m_row.shiftFor(corners, m_stack.left(), m_gap), 0);
+        return rightEnd(corners) <= m_stack.right();
     }
 
     void startRow(double height) {
-        if (!m_row.isEmpty()) m_y += m_rowHeight + m_gap;
-        if (m_y + height > m_end) {
-            ++m_page;
-            m_y = m_border;
-        }
+        m_stack.startRow(height);
         m_rowHeight = height;
         m_pointsUp = true;
         m_row.clear();
     }
 
-    double m_scale, m_gap, m_border, m_end;
-    double m_y = m_border, m_rowHeight = 0;
-    int m_page = 0;
+    double m_scale, m_gap;
+    RowStack m_stack;
+    double m_rowHeight = 0; ///< pixels
     bool m_pointsUp = true;
     PatchRow m_row;
     RowLayout m_layout;
 };
 
 } // namespace
+
+void RowStack::startRow(double height) {
+    if (!m_isEmpty) m_y += m_height + m_gap;
+    if (m_y + height > m_end) {
+        ++m_page;
+        m_y = m_border;
+    }
+    m_height = height;
+    m_isEmpty = false;
+}
+
+std::uint16_t RowStack::page() const {
+    return static_cast<std::uint16_t>(std::min(m_page, 0xffff));
+}
 
 bool fitOnAPage(const std::vector<PatchShape>& shapes, double texelsPerMetre, const RowPage& page) {
     const double room = page.size - page.gap;
