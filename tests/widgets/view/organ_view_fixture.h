@@ -37,6 +37,16 @@ protected:
     }
 
     double aspect() const { return double(view.width()) / view.height(); }
+    /// An ellipsoid around the origin with its handles, m.
+    DrawnEllipsoid selectEllipsoid(const Eigen::Vector3d& radii) {
+        DrawnEllipsoid drawn;
+        drawn.shape.radii = radii;
+        drawn.selected = true;
+        scene.ellipsoids = {drawn};
+        view.setScene(scene);
+        view.setTool(ViewTool::Region);
+        return drawn;
+    }
     QPoint placeOf(const Eigen::Vector3d& point) const {
         const Eigen::Vector2d place = picturePoint(view.camera(), point, aspect()).value();
         return {qRound(place.x() * view.width()), qRound(place.y() * view.height())};

@@ -193,12 +193,7 @@ TEST_F(OrganViewTest, InstrumentShowsThroughTheOrgan) {
 }
 
 TEST_F(OrganViewTest, RegionIsTurnedByItsDots) {
-    DrawnEllipsoid drawn;
-    drawn.shape.radii = {0.06, 0.03, 0.03};
-    drawn.selected = true;
-    scene.ellipsoids = {drawn};
-    view.setScene(scene);
-    view.setTool(ViewTool::Region);
+    const DrawnEllipsoid drawn = selectEllipsoid({0.06, 0.03, 0.03});
     std::optional<Ellipsoid> shape;
     QObject::connect(&view, &OrganView::regionDragged, [&](int, const Ellipsoid& now) { shape = now; });
     const QPoint dot = placeOf({0.06, 0, 0}) + QPoint(26, 0);
@@ -213,12 +208,7 @@ TEST_F(OrganViewTest, RegionIsTurnedByItsDots) {
 
 TEST_F(OrganViewTest, OfHandlesCloseTogetherTheNearestIsTaken) {
     const double pixel = 0.06 / (placeOf({0.06, 0, 0}).x() - middle().x());
-    DrawnEllipsoid drawn;
-    drawn.shape.radii = {0.06, 3.5 * pixel, 0.03};
-    drawn.selected = true;
-    scene.ellipsoids = {drawn};
-    view.setScene(scene);
-    view.setTool(ViewTool::Region);
+    selectEllipsoid({0.06, 3.5 * pixel, 0.03});
     std::optional<Ellipsoid> shape;
     QObject::connect(&view, &OrganView::regionDragged, [&](int, const Ellipsoid& now) { shape = now; });
     const QPoint lower = placeOf({0, -3.5 * pixel, 0});
@@ -230,12 +220,7 @@ TEST_F(OrganViewTest, OfHandlesCloseTogetherTheNearestIsTaken) {
 }
 
 TEST_F(OrganViewTest, RimIsWidenedByTheDiamond) {
-    DrawnEllipsoid drawn;
-    drawn.shape.radii = {0.06, 0.06, 0.06};
-    drawn.selected = true;
-    scene.ellipsoids = {drawn};
-    view.setScene(scene);
-    view.setTool(ViewTool::Region);
+    const DrawnEllipsoid drawn = selectEllipsoid({0.06, 0.06, 0.06});
     double rim = -1;
     QObject::connect(&view, &OrganView::rimDragged, [&](int, double metres) { rim = metres; });
     const auto handles = regionHandles(drawn, view.camera(), 0.02);
