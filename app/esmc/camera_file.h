@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/render/camera.h"
+#include "core/texture/projector.h"
 
 #include <filesystem>
 
 namespace esm {
 
-/// A camera in the form of a perspective projector: `pose` (16 numbers, row-major, camera → model; x right, y
-/// up, looking along −z) and `fov` (vertical, degrees). @throws FileError with every problem
-Camera readCameraFile(const std::filesystem::path& file);
+/// A camera in the form of a perspective projector, see `docs/command-line.md`. Its intrinsics are in pixels
+/// of the picture that is drawn. @throws FileError with every problem
+Camera readCameraFile(const std::filesystem::path& file, PhotoSize picture);
 
 } // namespace esm

@@ -71,8 +71,8 @@ Camera freeCamera(const std::string& view) {
 using RequestedView = std::variant<StandardView, Camera>;
 
 /// Reads everything the line says of the camera, before the organ is read.
-RequestedView requestedView(const RenderOptions& options) {
-    if (!options.camera.empty()) return readCameraFile(options.camera);
+RequestedView requestedView(const RenderOptions& options, const PictureSize& size) {
+    if (!options.camera.empty()) return readCameraFile(options.camera, {size.width, size.height});
     if (const auto view = standardViewFromName(options.view)) return *view;
     return freeCamera(options.view);
 }
@@ -150,7 +150,7 @@ Report runRender(const RenderOptions& options, Context& context) {
     const PictureSize size = parseSize(options.size);
     const Shown named = parseWords(options.show, {"surface", "springs", "regions", "projectors"}, "--show");
     const Shown shown = named.empty() ? Shown{"surface"} : named;
-    const RequestedView view = requestedView(options);
+    const RequestedView view = requestedView(options, size);
     context.subject = options.project;
     const bool isPackage = isModelPackage(options.project);
     RenderScene scene = isPackage ? packageScene(loadPackage(options.project), shown)

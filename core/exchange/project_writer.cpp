@@ -129,6 +129,10 @@ Json toJson(const RepairReport& report) {
     return json;
 }
 
+bool needsPerspective(const PhotoLayer& layer) {
+    return layer.projector.kind == ProjectorKind::Perspective || layer.projector.falloff;
+}
+
 Json manifestOf(const Project& project, Content& content) {
     addMesh(*project.mesh, content);
     addNetwork(*project.network, content);
@@ -137,7 +141,8 @@ Json manifestOf(const Project& project, Content& content) {
     RegionsJson regions = toJson(project.regions);
     Json texture = toJson(project.texture.atlas);
     texture["baseColour"] = colourToJson(project.texture.baseColour);
-    const VersionNeeds needs = needsOf(project.regions, isBound, project.base.stiffening.has_value());
+    VersionNeeds needs = needsOf(project.regions, isBound, project.base.stiffening.has_value());
+    needs.perspective = std::any_of(project.photos.begin(), project.photos.end(), needsPerspective);
     Json manifest{{"format", layout::format},
                   {"version", versionOf(needs)},
                   {"program", ESM_VERSION},

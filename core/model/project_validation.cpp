@@ -56,13 +56,31 @@ void requireLength(Problems& problems, const std::string& name, double length) {
     problems.push_back(name + " must be from 1 micrometre to 1 kilometre");
 }
 
+void requireView(Problems& problems, const Projector& projector) {
+    using namespace texture_limits;
+    if (!projector.intrinsics) {
+        if (projector.fieldOfView >= narrowestView && projector.fieldOfView <= widestView) return;
+        problems.emplace_back("the projector's field of view must be from 0.1 to 170 degrees");
+        return;
+    }
+    const auto [fx, fy, cx, cy] = *projector.intrinsics;
+    if (!(std::min(fx, fy) > 0 && std::max(fx, fy) <= longestFocalLength))
+        problems.emplace_back("the projector's focal lengths must be above 0 and at most 1e7 pixels");
+    if (!(std::abs(cx) <= longestFocalLength && std::abs(cy) <= longestFocalLength))
+        problems.emplace_back("the projector's principal point must be at most 1e7 pixels away");
+}
+
 Problems photoProblems(const PhotoLayer& layer) {
     Problems problems;
     if (!layer.photo) problems.emplace_back("has no picture");
     if (!layer.projector.pose.matrix().allFinite())
         problems.emplace_back("the projector's place is not finite");
-    requireLength(problems, "the projector's width", layer.projector.width);
-    requireLength(problems, "the projector's height", layer.projector.height);
+    if (layer.projector.kind == ProjectorKind::Perspective) {
+        requireView(problems, layer.projector);
+    } else {
+        requireLength(problems, "the projector's width", layer.projector.width);
+        requireLength(problems, "the projector's height", layer.projector.height);
+    }
     requireValue(problems, "the blending width", layer.blendPixels, true);
     if (!(layer.opacity >= 0 && layer.opacity <= 1)) problems.emplace_back("the opacity must be from 0 to 1");
     return problems;

@@ -55,6 +55,18 @@ Vector3d corner(const AlignedBox3d& box, int index) {
 
 } // namespace
 
+Camera cameraOf(const Projector& projector, PhotoSize photo) {
+    const Intrinsics seen = intrinsicsOf(projector, photo);
+    Camera camera;
+    camera.eye = projector.pose.translation();
+    camera.target = camera.eye - projector.pose.linear().col(2);
+    camera.up = projector.pose.linear().col(1);
+    camera.verticalFieldOfView = 2 * std::atan(photo.height / (2 * seen.fy));
+    camera.stretch = seen.fx / seen.fy;
+    camera.centre = {seen.cx / photo.width, seen.cy / photo.height};
+    return camera;
+}
+
 std::optional<StandardView> standardViewFromName(const std::string& name) {
     constexpr std::pair<const char*, StandardView> names[] = {
         {"front", StandardView::Front}, {"back", StandardView::Back}, {"left", StandardView::Left},
@@ -163,8 +175,10 @@ Matrix4d projectionMatrix(const Camera& camera, double aspect, const AlignedBox3
     const double zNear = std::max(nearest * 0.99, zFar * 1e-3);
     const double scale = 1 / std::tan(camera.verticalFieldOfView / 2);
     Matrix4d projection = Matrix4d::Zero();
-    projection(0, 0) = scale / aspect;
+    projection(0, 0) = scale * camera.stretch / aspect;
     projection(1, 1) = scale;
+    projection(0, 2) = 1 - 2 * camera.centre.x();
+    projection(1, 2) = 2 * camera.centre.y() - 1;
     projection(2, 2) = -(zFar + zNear) / (zFar - zNear);
     projection(2, 3) = -2 * zFar * zNear / (zFar - zNear);
     projection(3, 2) = -1;
@@ -173,7 +187,8 @@ Matrix4d projectionMatrix(const Camera& camera, double aspect, const AlignedBox3
 
 Ray pickRay(const Camera& camera, double x, double y, double aspect) {
     const double slope = std::tan(camera.verticalFieldOfView / 2);
-    const Vector3d inCamera((2 * x - 1) * slope * aspect, (1 - 2 * y) * slope, -1);
+    const Vector3d inCamera(2 * (x - camera.centre.x()) * slope * aspect / camera.stretch,
+                            2 * (camera.centre.y() - y) * slope, -1);
     return {camera.eye, (cameraAxes(camera) * inCamera).normalized()};
 }
 
@@ -181,7 +196,8 @@ std::optional<Vector2d> picturePoint(const Camera& camera, const Vector3d& point
     const Vector3d inCamera = cameraAxes(camera).transpose() * (point - camera.eye);
     if (!(inCamera.z() < 0)) return std::nullopt;
     const double slope = std::tan(camera.verticalFieldOfView / 2) * -inCamera.z();
-    return Vector2d(0.5 + 0.5 * inCamera.x() / (slope * aspect), 0.5 - 0.5 * inCamera.y() / slope);
+    return Vector2d(camera.centre.x() + 0.5 * inCamera.x() * camera.stretch / (slope * aspect),
+                    camera.centre.y() - 0.5 * inCamera.y() / slope);
 }
 
 } // namespace esm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/surface_query.h"
+#include "core/texture/projector.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -16,7 +17,12 @@ struct Camera {
     Eigen::Vector3d target{0, 0, 0};  ///< m
     Eigen::Vector3d up{0, 1, 0};      ///< need not be at a right angle to the line of sight
     double verticalFieldOfView = 0.6; ///< rad
+    double stretch = 1;               ///< how much wider than high a square is drawn
+    Eigen::Vector2d centre{0.5, 0.5}; ///< where in the picture the line of sight ends, as in `pickRay`
 };
+
+/// The eye of a perspective projector, for pictures of its photo's aspect: they show what it throws.
+Camera cameraOf(const Projector& projector, PhotoSize photo);
 
 /// Standard views: front looks along −z (the eye at +z), right from +x, top from +y.
 enum class StandardView { Front, Back, Left, Right, Top, Bottom };

@@ -24,23 +24,27 @@ public:
                                                   const LitSurface& surface, std::uint32_t triangle,
                                                   const std::array<Eigen::Vector2d, 3>& patch);
 
-    /// Red, green, blue 0 to 255 and the layer's weight 0 to 1 in the texel: opacity × border × alpha, 0
-    /// where the photo's light does not come.
+    /// Red, green, blue 0 to 255 and the layer's weight 0 to 1 in the texel: opacity × border × alpha, with
+    /// falloff × that of the angle; 0 where the photo's light does not come.
     Eigen::Vector4f at(const PatchTexel& texel) const;
 
 private:
     TriangleProjection(const PhotoLayer& layer, const PhotoSampler& sampler, const LitSurface& surface)
         : m_layer(layer), m_sampler(sampler), m_surface(surface) {}
 
-    double borderWeight(const Eigen::Vector3d& place) const;
+    bool mayTakeColour() const;
+    double pyramidDepth(const Eigen::Vector3d& place) const;
+    double borderWeight(const Eigen::Vector2d& pixel) const;
+    double lightWeight(const Eigen::Vector3d& nearest) const;
     bool isHidden(const Eigen::Vector3d& nearest) const;
+    Eigen::Vector3d towardsLight(const Eigen::Vector3d& point) const; ///< of length 1
 
     const PhotoLayer& m_layer;
     const PhotoSampler& m_sampler;
     const LitSurface& m_surface;
-    Eigen::Matrix3d m_corners; ///< as columns, m
-    Eigen::Matrix3d m_places;  ///< of the corners, as columns: photo pixels and depth (m)
-    double m_depth = 0;        ///< in the photo's pyramid
+    Eigen::Matrix3d m_corners;                   ///< as columns, m
+    Eigen::Matrix<double, 4, 3> m_places;        ///< of the corners, as columns: as `photoMatrix` gives them
+    Eigen::Matrix<double, 3, 2> m_placePerTexel; ///< how the first three of them change over the patch
 };
 
 } // namespace esm

@@ -3,18 +3,61 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <optional>
+
 namespace esm {
 
-/// A parallel projector: the photo lies in its plane z = 0, centred on the origin, x right, y up, and is
-/// thrown along −z [R 4.3.2.3].
-struct Projector {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< projector → model, m
-    double width = 0.1, height = 0.1;                       ///< of the photo in space, m, > 0
-    bool occlusion = true; ///< colour only what the projector sees: facing it and not hidden
+enum class ProjectorKind {
+    Parallel,    ///< the photo lies in the plane z = 0, centred on the origin, and is thrown along −z
+    Perspective, ///< from an eye at the origin that looks along −z, as the camera saw it
 };
 
-/// Photo coordinates of a point: (0, 0) the top left corner, (1, 1) the bottom right, and the depth in front
-/// of the photo's plane (m).
-Eigen::Vector3d project(const Projector& projector, const Eigen::Vector3d& point);
+/// Width and height of a photo, pixels.
+struct PhotoSize {
+    int width, height;
+
+    double aspect() const { return static_cast<double>(width) / height; }
+};
+
+/// A pinhole camera in photo pixels: focal lengths, and the principal point from the photo's top left corner.
+struct Intrinsics {
+    double fx, fy; ///< > 0
+    double cx, cy;
+
+    bool operator==(const Intrinsics& other) const {
+        return fx == other.fx && fy == other.fy && cx == other.cx && cy == other.cy;
+    }
+};
+
+/// Where a photo is thrown from, x right and y up in its own space [R 4.3.2.3].
+struct Projector {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< projector → model, m
+    double width = 0.1, height = 0.1;                       ///< parallel: of the photo in space, m, > 0
+    bool occlusion = true; ///< colour only what the projector sees: not hidden, and facing it
+    ProjectorKind kind = ProjectorKind::Parallel;
+    double fieldOfView = 40;              ///< perspective: vertical, degrees, as a file says it
+    std::optional<Intrinsics> intrinsics; ///< perspective: in place of the field of view
+    bool falloff = false;                 ///< the weight falls with the angle, see `angleWeight`
+};
+bool operator==(const Projector& a, const Projector& b);
+
+/// The camera of a perspective projector; from a field of view one with square pixels and the principal point
+/// in the photo's middle.
+Intrinsics intrinsicsOf(const Projector& projector, PhotoSize photo);
+
+/// Takes a point of the model (x, y, z, 1; m) to the photo: the first three rows give (x·w, y·w, w) of its
+/// place in pixels from the top left corner, a pixel's centre at 0.5; the last its depth in front of the
+/// photo's plane or the eye (m). Where w ≤ 0 the projector sees nothing.
+Eigen::Matrix4d photoMatrix(const Projector& projector, PhotoSize photo);
+
+/// A point's place in the photo, pixels, and its depth (m), below 0 behind the plane of a parallel projector.
+/// Nothing for a point that is not before the eye of a perspective one.
+std::optional<Eigen::Vector3d> project(const Projector& projector, PhotoSize photo,
+                                       const Eigen::Vector3d& point);
+
+/// The share that surface takes at an angle to the light, by the cosine between its normal and the way to the
+/// projector: all up to 60°, nothing from 85° on, smoothly between (3t² − 2t³ of the angle). From either
+/// side.
+double angleWeight(double cosine);
 
 } // namespace esm

@@ -19,6 +19,8 @@ constexpr std::uint64_t mostPhotoPixels =
 constexpr std::uint64_t mostPixelsOfAllPhotos = std::uint64_t{1} << 29;
 
 constexpr double shortestPhoto = 1e-6, longestPhoto = 1e3; ///< m, width and height of a photo in space
+constexpr double narrowestView = 0.1, widestView = 170;    ///< degrees, a projector's vertical field of view
+constexpr double longestFocalLength = 1e7;                 ///< photo pixels, and the principal point's place
 
 } // namespace esm::texture_limits
 

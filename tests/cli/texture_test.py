@@ -1,3 +1,4 @@
+import math
 import struct
 import subprocess
 import time
@@ -108,6 +109,16 @@ class TextureTest(Case):
         self.assertEqual((width, height, len(rows)), (2048, 2048, 2048))
         self.assertGreater(len({row[i:i + 3] for row in rows[::64] for i in range(0, len(row) - 3, 256)}), 20)
 
+    def test_lays_a_photo_in_perspective(self):
+        project = self.sample("liver")
+        report = self.photographed(project, kind="perspective", fov=40)
+        self.assertTrue(report["texels"] > report["triangles"] > 0)
+        self.assertEqual(self.done("validate", project)["problems"], [])
+        measured = {"fx": 700, "fy": 700, "cx": 256, "cy": 256}
+        self.photographed(project, kind="perspective", intrinsics=measured, falloff=True)
+        self.assertEqual(self.done("validate", project)["problems"], [])
+        self.assertEqual(len(self.done("info", project)["photos"]), 2)
+
     def test_a_photo_that_misses_the_organ_is_kept_with_a_warning(self):
         project = self.sample("tube")
         pose = list(PROJECTOR["pose"])
@@ -173,7 +184,8 @@ class TextureTest(Case):
             self.fails(1, "texture", "photo", project, "--photo", self.file(name, content), "--projector", pose,
                        "-o", project, naming=name)
         for name, content in {"a.json": "", "b.json": "[1, 2]", "c.json": {**PROJECTOR, "pose": [0] * 16},
-                              "d.json": {**PROJECTOR, "width": -1}, "e.json": {**PROJECTOR, "kind": "fisheye"}}.items():
+                              "d.json": {**PROJECTOR, "width": -1}, "e.json": {**PROJECTOR, "kind": "fisheye"},
+                              "f.json": {**PROJECTOR, "kind": "perspective", "fov": 180}}.items():
             self.fails(1, "texture", "photo", project, "--photo", good, "--projector", self.file(name, content),
                        "-o", project, naming=name)
         self.assertEqual(project.read_bytes(), before)
@@ -242,6 +254,15 @@ class RenderTest(Case):
         self.assertAlmostEqual((columns[0] + columns[-1]) / 2, 59.5, delta=3)
         self.assertAlmostEqual((lines[0] + lines[-1]) / 2, 44.5, delta=3)
 
+    def test_a_camera_by_intrinsics_sees_as_one_by_its_field_of_view(self):
+        project, focal = self.sample("tube"), 45 / math.tan(math.radians(20))
+        pose = PROJECTOR["pose"]
+        intrinsics = {"fx": focal, "fy": focal, "cx": 60, "cy": 45}
+        seen = [self.rendered(project, "--camera", self.file("camera.json", {"pose": pose, **camera}))
+                for camera in ({"fov": 40}, {"intrinsics": intrinsics}, {"intrinsics": {**intrinsics, "cx": 80}})]
+        self.assertEqual(seen[0], seen[1])
+        self.assertNotEqual(seen[0], seen[2])
+
     def test_a_bad_camera_is_named_with_each_problem_once(self):
         project = self.sample("tube")
         good = {"kind": "perspective", "pose": PROJECTOR["pose"], "fov": 40}
@@ -249,7 +270,7 @@ class RenderTest(Case):
                                  ({"pose": [1, 2]}, "pose"), ({"pose": None}, "pose"), ({"kind": "parallel"}, "kind"),
                                  ({"pose": [2, *PROJECTOR["pose"][1:]]}, "pose"), ({"foc": 40}, "foc"),
                                  ({"intrinsics": {"fx": 900, "fy": 900, "cx": 320, "cy": 240}}, "intrinsics"),
-                                 ({"fov": None, "intrinsics": {"fx": 900}}, "intrinsics")):
+                                 ({"fov": None, "intrinsics": {"fx": 900, "fy": 900, "cx": 320}}, "intrinsics")):
             with self.subTest(changes):
                 camera = self.file("camera.json", {**good, **changes})
                 message = self.fails(1, "render", project, "-o", self.file("p.png"), "--camera", camera, naming=camera)

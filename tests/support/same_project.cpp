@@ -103,7 +103,7 @@ void expectSamePhotos(const Project& a, const Project& b) {
         EXPECT_TRUE(sameMatrix(p.projector.pose.matrix(), q.projector.pose.matrix()));
         EXPECT_TRUE(sameBits(p.projector.width, q.projector.width));
         EXPECT_TRUE(sameBits(p.projector.height, q.projector.height));
-        EXPECT_EQ(p.projector.occlusion, q.projector.occlusion);
+        EXPECT_TRUE(p.projector == q.projector);
         EXPECT_TRUE(sameBits(p.blendPixels, q.blendPixels));
         EXPECT_TRUE(sameBits(p.opacity, q.opacity));
         EXPECT_EQ(p.visible, q.visible);

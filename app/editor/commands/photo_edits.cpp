@@ -63,6 +63,7 @@ void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projec
     layer.name = std::filesystem::path(photo->fileName).stem().string();
     layer.photo = std::move(photo);
     layer.projector = projector;
+    layer.projector.falloff = true;
     project.photos.push_back(std::move(layer));
 }
 

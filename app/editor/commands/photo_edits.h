@@ -16,7 +16,8 @@ Projector projectorFromCamera(const Camera& camera, const Image& photo, const Tr
 /// that is too small
 Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options);
 
-/// A photo on top of the others, thrown by `projector`; `atlas` is taken where the project has none.
+/// A photo on top of the others, thrown by `projector` with falloff; `atlas` is taken where the project has
+/// none.
 void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projector& projector,
               std::shared_ptr<const Atlas> atlas);
 

@@ -85,10 +85,8 @@ bool sameReach(const Region& a, const Region& b) {
 }
 
 bool same(const PhotoLayer& a, const PhotoLayer& b) {
-    return a.name == b.name && a.photo == b.photo && a.projector.pose.matrix() == b.projector.pose.matrix() &&
-           a.projector.width == b.projector.width && a.projector.height == b.projector.height &&
-           a.projector.occlusion == b.projector.occlusion && a.blendPixels == b.blendPixels &&
-           a.opacity == b.opacity && a.visible == b.visible;
+    return a.name == b.name && a.photo == b.photo && a.projector == b.projector &&
+           a.blendPixels == b.blendPixels && a.opacity == b.opacity && a.visible == b.visible;
 }
 
 bool same(const Stepping& a, const Stepping& b) {

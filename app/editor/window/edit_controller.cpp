@@ -155,6 +155,7 @@ void EditController::projectFromCamera() {
         projector.width = layer.projector.width;
         projector.height = layer.projector.height;
         projector.occlusion = layer.projector.occlusion;
+        projector.falloff = layer.projector.falloff;
         layer.projector = projector;
     });
 }

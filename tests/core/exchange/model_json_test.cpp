@@ -82,6 +82,8 @@ TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
     EXPECT_EQ(versionOf({true, true, true}), 4);
     EXPECT_EQ(versionOf({false, false, false, true}), 5);
     EXPECT_EQ(versionOf({true, true, true, true}), 5);
+    EXPECT_EQ(versionOf({false, false, false, false, true}), 6);
+    EXPECT_EQ(versionOf({true, true, true, true, true}), 6);
 }
 
 TEST(ModelJson, TurnsPointsIntoOneListAndBack) {

@@ -46,6 +46,20 @@ TEST_F(ProjectFile, KeepsSoftRims) {
     expectSameProject(softProject(), loadProject(m_file));
 }
 
+TEST_F(ProjectFile, KeepsPerspectiveProjectors) {
+    Project project = richProject();
+    for (PhotoLayer& layer : project.photos)
+        layer.projector = {};
+    project.photos[0].projector.kind = ProjectorKind::Perspective;
+    project.photos[0].projector.fieldOfView = 100.0 / 3;
+    project.photos[1].projector.kind = ProjectorKind::Perspective;
+    project.photos[1].projector.intrinsics = Intrinsics{1e4 / 3, 900, -3, 0.1};
+    project.photos[2].projector.falloff = true;
+    saveProject(project, m_file);
+    expectSameProject(project, loadProject(m_file));
+    EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
+}
+
 TEST_F(ProjectFile, WithoutASpringLawHasLinearSprings) {
     changeManifest("/base", [](Json& base) { EXPECT_FALSE(base.contains("stiffening")); });
     EXPECT_FALSE(loadProject(m_file).base.stiffening);
@@ -62,7 +76,13 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(version(boundProject({Detail::Kind::Nodes, 20})), 2);
     EXPECT_EQ(version(biphasicProject()), 3);
     EXPECT_EQ(version(extendedInferenceProject()), 4);
-    EXPECT_EQ(version(softProject()), projectFileVersion);
+    EXPECT_EQ(version(softProject()), 5);
+    Project project = richProject();
+    project.photos[0].projector.falloff = true;
+    EXPECT_EQ(version(project), projectFileVersion);
+    project.photos[0].projector.falloff = false;
+    project.photos[0].projector.kind = ProjectorKind::Perspective;
+    EXPECT_EQ(version(project), projectFileVersion);
 }
 
 TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {

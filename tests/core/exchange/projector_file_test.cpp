@@ -96,13 +96,68 @@ TEST(ProjectorFile, RefusesAPhotoOfNoUsableSize) {
         }
 }
 
-TEST(ProjectorFile, SaysThatPerspectiveIsNotForThisVersion) {
-    const char* const poseOnly = R"("pose": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1])";
-    for (const char* rest : {R"("kind": "perspective", "fov": 60)", R"("kind": "perspective")",
-                             R"("fov": 60)", R"("intrinsics": {"fx": 1, "fy": 1, "cx": 0, "cy": 0})"})
-        EXPECT_THAT(problems(Json::parse("{" + std::string(poseOnly) + ", " + rest + "}")),
-                    ElementsAre(HasSubstr("parallel projection only")))
-            << rest;
+namespace {
+
+Json inPerspective(const std::string& rest) {
+    return Json::parse(R"({"pose": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1])" + rest + "}");
+}
+
+} // namespace
+
+TEST(ProjectorFile, ReadsAPerspectiveProjectorByFieldOfViewOrIntrinsics) {
+    for (const char* rest : {R"(, "kind": "perspective", "fov": 60)", R"(, "fov": 60)",
+                             R"(, "kind": "perspective", "fov": 60, "width": -1, "height": 0)"}) {
+        const Projector projector = projectorFromJson(inPerspective(rest));
+        EXPECT_EQ(projector.kind, ProjectorKind::Perspective) << rest;
+        EXPECT_EQ(projector.fieldOfView, 60);
+        EXPECT_FALSE(projector.intrinsics);
+    }
+    const Projector measured =
+        projectorFromJson(inPerspective(R"(, "intrinsics": {"fx": 900, "fy": 910, "cx": -1, "cy": 2.5})"));
+    EXPECT_EQ(measured.kind, ProjectorKind::Perspective);
+    EXPECT_EQ(measured.intrinsics, (Intrinsics{900, 910, -1, 2.5}));
+    EXPECT_EQ(projectorFromJson(valid()).kind, ProjectorKind::Parallel);
+}
+
+TEST(ProjectorFile, APerspectiveProjectorComesBackBitByBit) {
+    Projector projector;
+    projector.kind = ProjectorKind::Perspective;
+    projector.fieldOfView = 100.0 / 3;
+    projector.falloff = true;
+    EXPECT_TRUE(projectorFromJson(Json::parse(toJson(projector).dump())) == projector);
+    projector.fieldOfView = Projector().fieldOfView;
+    projector.intrinsics = Intrinsics{1000.0 / 3, 2000.0 / 7, 0.1, -0.2};
+    EXPECT_TRUE(projectorFromJson(Json::parse(toJson(projector).dump())) == projector);
+}
+
+TEST(ProjectorFile, FallsOffWithTheAngleOnlyWhereItSaysSo) {
+    Json json = valid();
+    EXPECT_FALSE(projectorFromJson(json).falloff);
+    json["falloff"] = true;
+    EXPECT_TRUE(projectorFromJson(json).falloff);
+    EXPECT_FALSE(toJson(Projector()).contains("falloff")) << "older programs read what they understand";
+}
+
+TEST(ProjectorFile, RefusesACameraThatCannotBeWithOneMessageEach) {
+    const std::pair<const char*, const char*> refusals[] = {
+        {R"(, "kind": "perspective")", "fov"},
+        {R"(, "fov": 0)", "fov must lie"},
+        {R"(, "fov": 180)", "fov must lie"},
+        {R"(, "fov": -40)", "fov must lie"},
+        {R"(, "fov": "wide")", "fov"},
+        {R"(, "fov": 60, "intrinsics": {"fx": 1, "fy": 1, "cx": 0, "cy": 0})", "leave one of them away"},
+        {R"(, "intrinsics": {"fx": 0, "fy": 1, "cx": 0, "cy": 0})", "intrinsics.fx must be above 0"},
+        {R"(, "intrinsics": {"fx": 1, "fy": -1, "cx": 0, "cy": 0})", "intrinsics.fy must be above 0"},
+        {R"(, "intrinsics": {"fx": 1, "fy": 1e9, "cx": 0, "cy": 0})", "intrinsics.fy"},
+        {R"(, "intrinsics": {"fx": 1, "fy": 1, "cx": 1e300, "cy": 0})", "intrinsics.cx"},
+        {R"(, "intrinsics": {"fx": 1, "fy": 1, "cx": 0})", "intrinsics.cy"},
+        {R"(, "intrinsics": {"fx": 1, "fy": 1, "cx": 0, "cy": 0, "k1": 0})", "k1"},
+        {R"(, "intrinsics": [1, 1, 0, 0])", "intrinsics"},
+        {R"(, "kind": "parallel", "fov": 60)", "perspective projector"},
+        {R"(, "kind": "parallel", "intrinsics": {})", "perspective projector"},
+        {R"(, "kind": "fisheye", "width": 1, "height": 1)", "kind must be"}};
+    for (const auto& [rest, problem] : refusals)
+        EXPECT_THAT(problems(inPerspective(rest)), ElementsAre(HasSubstr(problem))) << rest;
 }
 
 TEST(ProjectorFile, NamesTheFileInEveryMessage) {

@@ -221,4 +221,13 @@ TEST(Project, ReportsTexturesAndPhotosBeyondAllUse) {
     project.photos = {layer};
     EXPECT_THAT(validate(project),
                 ElementsAre(HasSubstr("projector's width"), HasSubstr("projector's height")));
+    Projector& projector = project.photos[0].projector;
+    projector.kind = ProjectorKind::Perspective;
+    EXPECT_TRUE(validate(project).empty()) << "width and height say nothing";
+    projector.fieldOfView = NAN;
+    EXPECT_THAT(validate(project), ElementsAre(HasSubstr("field of view")));
+    projector.intrinsics = Intrinsics{0, 1, NAN, 0};
+    EXPECT_THAT(validate(project), ElementsAre(HasSubstr("focal lengths"), HasSubstr("principal point")));
+    projector.intrinsics = Intrinsics{1, 1, 0, 0};
+    EXPECT_TRUE(validate(project).empty());
 }

@@ -142,7 +142,9 @@ TEST(Camera, PickRayOfTheCentreMeetsTheTarget) {
 
 TEST(Camera, PickRayAgreesWithTheMatrices) {
     const double aspect = 1.7;
-    const Camera camera = orbited(framedCamera(organBox, StandardView::Back, aspect), 0.7, 0.4);
+    Camera camera = orbited(framedCamera(organBox, StandardView::Back, aspect), 0.7, 0.4);
+    camera.stretch = 0.9;
+    camera.centre = {0.45, 0.62};
     for (const Eigen::Vector2d& at : {Eigen::Vector2d(0.1, 0.2), {0.9, 0.4}, {0.33, 0.95}}) {
         const Ray ray = pickRay(camera, at.x(), at.y(), aspect);
         const Vector3d point = ray.origin + 0.4 * ray.direction;
@@ -154,6 +156,22 @@ TEST(Camera, PickRayAgreesWithTheMatrices) {
         EXPECT_TRUE(back->isApprox(at, 1e-12));
     }
     EXPECT_FALSE(picturePoint(camera, camera.eye + (camera.eye - camera.target), aspect));
+}
+
+TEST(Camera, SeesWhatAPerspectiveProjectorThrows) {
+    Projector projector;
+    projector.kind = ProjectorKind::Perspective;
+    projector.pose =
+        Eigen::Translation3d(0.1, 0.2, 0.9) * Eigen::AngleAxisd(0.4, Vector3d(1, 2, 3).normalized());
+    const PhotoSize photo{640, 360};
+    const Vector3d point = projector.pose * Vector3d(0.03, -0.02, -0.5);
+    for (const bool isMeasured : {false, true}) {
+        if (isMeasured) projector.intrinsics = Intrinsics{500, 540, 300, 200};
+        const auto seen = picturePoint(cameraOf(projector, photo), point, photo.aspect());
+        const auto thrown = project(projector, photo, point);
+        EXPECT_NEAR(seen->x() * photo.width, thrown->x(), 1e-9);
+        EXPECT_NEAR(seen->y() * photo.height, thrown->y(), 1e-9);
+    }
 }
 
 TEST(Camera, AxesAreARotationHoweverUpIsGiven) {
