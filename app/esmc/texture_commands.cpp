@@ -31,9 +31,14 @@ void declarePack(CLI::App& command, PackOptions& options) {
     command.add_option("--pages", options.atlas.pages, "Pages (1)")->transform(wholeNumber());
     command.add_option("--gap", options.atlas.gap, "Pixels between any two triangles (2)")
         ->transform(wholeNumber());
+    command
+        .add_option("--texels-per-metre", options.atlas.texelsPerMetre,
+                    "As many pages as so many texels per metre take (default: as many as --pages hold)")
+        ->check(nonNegativeNumber());
     addChoice(command, "--layout", options.atlas.layout,
               {{layoutName(AtlasLayout::Rows), AtlasLayout::Rows},
-               {layoutName(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows}},
+               {layoutName(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows},
+               {layoutName(AtlasLayout::UnfoldedGroups), AtlasLayout::UnfoldedGroups}},
               "How triangles are laid side by side (matched_rows)");
 }
 
@@ -51,16 +56,23 @@ Report runPack(const PackOptions& options, Context& context) {
     Project project = loadProject(options.project);
     project.texture.atlas = options.atlas;
     pack(project);
+    project.texture.atlas = project.atlas->options;
     saveProject(project, options.output);
     const Atlas& atlas = *project.atlas;
+    const double seams = seamShare(*project.mesh, atlas);
     Report report;
-    report.json = {{"utilisation", atlas.utilisation}, {"texels_per_metre", atlas.texelsPerMetre},
-                   {"pages", atlas.options.pages},     {"gap", atlas.options.gap},
-                   {"size", atlas.options.size},       {"layout", layoutName(atlas.options.layout)}};
+    report.json = {{"utilisation", atlas.utilisation},
+                   {"texels_per_metre", atlas.texelsPerMetre},
+                   {"pages", atlas.options.pages},
+                   {"gap", atlas.options.gap},
+                   {"size", atlas.options.size},
+                   {"layout", layoutName(atlas.options.layout)},
+                   {"seam_share", seams}};
     report.text.push_back(counted(static_cast<std::size_t>(atlas.options.pages), "page") + " of " +
                           std::to_string(atlas.options.size) + " × " + std::to_string(atlas.options.size) +
                           " pixels, " + inText(100 * atlas.utilisation) + " % used, " +
                           inText(atlas.texelsPerMetre / 1000) + " pixels per mm");
+    report.text.push_back(inText(100 * seams) + " % of the edges are seams");
     addWritten(report, options.output);
     return report;
 }

@@ -149,7 +149,8 @@ AtlasLayout atlasLayoutFromJson(const JsonReader& reader) {
     if (!reader.has("layout")) return AtlasLayout::Rows;
     const JsonReader named = reader.member("layout");
     const auto layout = layoutFromName(named.text());
-    if (named.json().is_string() && !layout) named.addProblem("should be rows or matched_rows");
+    if (named.json().is_string() && !layout)
+        named.addProblem("should be rows, matched_rows or unfolded_groups");
     return layout.value_or(AtlasLayout::Rows);
 }
 
@@ -158,7 +159,8 @@ AtlasOptions atlasOptionsFromJson(const JsonReader& reader) {
     return {static_cast<int>(reader.member("size").integer(1, texture_limits::largestPageSize)),
             static_cast<int>(reader.member("pages").integer(1, texture_limits::mostPages)),
             static_cast<int>(reader.member("gap").integer(0, texture_limits::largestPageSize)),
-            atlasLayoutFromJson(reader)};
+            atlasLayoutFromJson(reader),
+            reader.has("texelsPerMetre") ? reader.member("texelsPerMetre").number() : 0};
 }
 
 std::shared_ptr<const Atlas> readAtlas(const JsonReader& reader, const JsonReader& arrays, Source& source) {

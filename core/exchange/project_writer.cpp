@@ -64,10 +64,12 @@ void addBinding(const Binding& binding, Content& content) {
 }
 
 Json toJson(const AtlasOptions& options) {
-    return {{"size", options.size},
-            {"pages", options.pages},
-            {"gap", options.gap},
-            {"layout", layoutName(options.layout)}};
+    Json json{{"size", options.size},
+              {"pages", options.pages},
+              {"gap", options.gap},
+              {"layout", layoutName(options.layout)}};
+    if (options.texelsPerMetre > 0) json["texelsPerMetre"] = options.texelsPerMetre;
+    return json;
 }
 
 Json addAtlas(const Atlas& atlas, Content& content) {

@@ -1,11 +1,16 @@
 #include "core/texture/atlas.h"
 
+#include "core/geometry/adjacency.h"
 #include "core/support/errors.h"
 #include "core/texture/matched_rows.h"
+#include "core/texture/row_layout.h"
+#include "core/texture/scale_search.h"
 #include "core/texture/texture_limits.h"
+#include "core/texture/unfolded_groups.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 
 namespace esm {
@@ -38,9 +43,9 @@ PatchShape shapeOf(const TriangleMesh& mesh, std::uint32_t triangle) {
     return shape;
 }
 
-/// What the search for a scale needs to know of all shapes.
+/// What the search for a scale needs to know of all triangles.
 struct Shapes {
-    std::vector<PatchShape> all; ///< tallest first
+    std::vector<PatchShape> all; ///< in the mesh's order
     double area = 0;             ///< m²
     double longest = 0;          ///< m, the longest side
     double smallestScale = 0;    ///< a patch has one texel on average; any less would be no texture
@@ -57,42 +62,54 @@ Shapes shapesOf(const TriangleMesh& mesh) {
         proper += shape.base > 0 ? 1 : 0;
     }
     if (shapes.area > 0) shapes.smallestScale = std::sqrt(static_cast<double>(proper) / shapes.area);
-    std::stable_sort(shapes.all.begin(), shapes.all.end(),
-                     [](const PatchShape& a, const PatchShape& b) { return a.height > b.height; });
     return shapes;
 }
 
-RowLayout layoutAt(const Shapes& shapes, const AtlasOptions& options, double scale) {
-    const RowPage page{static_cast<double>(options.size), static_cast<double>(options.gap)};
-    return options.layout == AtlasLayout::Rows ? layoutRows(shapes.all, scale, page)
-                                               : layoutMatchedRows(shapes.all, scale, page);
+PageRoom roomOf(const AtlasOptions& options) {
+    return {static_cast<double>(options.size), static_cast<double>(options.gap)};
 }
 
-bool fits(const RowLayout& layout, const AtlasOptions& options) {
-    return layout.pages > 0 && layout.pages <= options.pages;
+/// From the order of triangles and corners in which they were laid out to the mesh's.
+PatchLayout inMeshOrder(PatchLayout layout, const std::vector<PatchShape>& order) {
+    const PatchLayout laid = layout;
+    for (std::size_t i = 0; i < laid.corners.size(); ++i) {
+        const PatchShape& shape = order[i];
+        layout.page[shape.triangle] = laid.page[i];
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            layout.corners[shape.triangle][(shape.firstCorner + corner) % 3] = laid.corners[i][corner];
+    }
+    return layout;
 }
 
-/// The source's iteration [R 4.9, 4.10] down to a scale that fits. It slows down the nearer it comes, so
-/// halving the interval between the last two scales ends it. Precondition: the smallest scale fits.
-double largestScale(const Shapes& shapes, const AtlasOptions& options) {
+/// Single triangles in rows.
+LayoutAt layoutInRows(const Shapes& shapes) {
+    std::vector<PatchShape> sorted = shapes.all;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const PatchShape& a, const PatchShape& b) { return a.height > b.height; });
+    return [sorted = std::move(sorted)](const AtlasOptions& options, double scale) {
+        return inMeshOrder(options.layout == AtlasLayout::Rows
+                               ? layoutRows(sorted, scale, roomOf(options))
+                               : layoutMatchedRows(sorted, scale, roomOf(options)),
+                           sorted);
+    };
+}
+
+LayoutAt layoutInGroups(const TriangleMesh& mesh, const Shapes& shapes) {
+    const auto groups = std::make_shared<UnfoldedGroups>(mesh, shapes.all);
+    return [groups](const AtlasOptions& options, double scale) {
+        PatchLayout layout = groups->layoutAt(scale, roomOf(options), options.pages);
+        return inMeshOrder(std::move(layout), groups->order());
+    };
+}
+
+LayoutAt layoutOf(const TriangleMesh& mesh, const Shapes& shapes, AtlasLayout layout) {
+    return layout == AtlasLayout::UnfoldedGroups ? layoutInGroups(mesh, shapes) : layoutInRows(shapes);
+}
+
+ScaleRange rangeOf(const Shapes& shapes, const AtlasOptions& options) {
     const double room = options.size - options.gap;
-    const double available = room * options.pages;
-    double fitting = shapes.smallestScale;
-    double failing = std::min(std::sqrt(room * available / shapes.area), room / shapes.longest);
-    for (double scale = failing; scale > fitting;) {
-        const RowLayout layout = layoutAt(shapes, options, scale);
-        if (fits(layout, options)) {
-            fitting = scale;
-            break;
-        }
-        failing = scale;
-        scale *= std::sqrt(1 / (1 + std::max(layout.height - available, 0.05 * available) / (5 * available)));
-    }
-    while (failing > fitting * 1.0005) {
-        const double middle = (fitting + failing) / 2;
-        (fits(layoutAt(shapes, options, middle), options) ? fitting : failing) = middle;
-    }
-    return fitting;
+    return {shapes.smallestScale,
+            std::min(room * std::sqrt(options.pages / shapes.area), room / shapes.longest)};
 }
 
 /// The largest page of which there may be so many.
@@ -102,10 +119,10 @@ int largestSizeOf(int pages) {
 }
 
 /// The smallest page that holds the shapes at their smallest scale; 0 when none does.
-int smallestSize(const Shapes& shapes, AtlasOptions options) {
+int smallestSize(const LayoutAt& layoutAt, double smallestScale, AtlasOptions options) {
     const auto fitsAt = [&](int size) {
         options.size = size;
-        return fits(layoutAt(shapes, options, shapes.smallestScale), options);
+        return fits(layoutAt(options, smallestScale), options);
     };
     int failing = 0, fitting = largestSizeOf(options.pages);
     if (!fitsAt(fitting)) return 0;
@@ -116,17 +133,39 @@ int smallestSize(const Shapes& shapes, AtlasOptions options) {
     return fitting;
 }
 
-[[noreturn]] void refuseSize(const Shapes& shapes, const AtlasOptions& options) {
+[[noreturn]] void refuseSize(const TriangleMesh& mesh, const Shapes& shapes, const AtlasOptions& options) {
     const std::string what = "a texture of " + std::to_string(options.size) + " pixels cannot hold " +
                              std::to_string(shapes.all.size()) + " triangles with a gap of " +
                              std::to_string(options.gap) + " pixels on " + std::to_string(options.pages) +
                              (options.pages == 1 ? " page" : " pages");
-    const int size = smallestSize(shapes, options);
+    const int size = smallestSize(layoutOf(mesh, shapes, options.layout), shapes.smallestScale, options);
     if (size == 0)
         throw InvalidModel(what + ", nor does the largest of " +
                            std::to_string(largestSizeOf(options.pages)) +
                            "; use a smaller gap or more pages");
     throw InvalidModel(what + "; the smallest size that fits is " + std::to_string(size));
+}
+
+ScaledLayout largest(const TriangleMesh& mesh, const Shapes& shapes, const AtlasOptions& options) {
+    const auto search = options.layout == AtlasLayout::Rows ? largestBySource : largestByHeight;
+    ScaledLayout found = search(layoutOf(mesh, shapes, options.layout), options, rangeOf(shapes, options));
+    if (found.scale == 0) refuseSize(mesh, shapes, options);
+    return found;
+}
+
+ScaledLayout asDenseAsAsked(const TriangleMesh& mesh, const Shapes& shapes, AtlasOptions options) {
+    const std::int64_t pageTexels = std::int64_t{options.size} * options.size;
+    options.pages = static_cast<int>(
+        std::min<std::int64_t>(texture_limits::mostPages, texture_limits::mostTexels / pageTexels));
+    const double scale = options.texelsPerMetre, room = options.size - options.gap;
+    PatchLayout layout;
+    if (scale * scale * shapes.area < room * room * options.pages && scale * shapes.longest < room)
+        layout = layoutOf(mesh, shapes, options.layout)(options, scale);
+    if (!fits(layout, options))
+        throw InvalidModel("so many texels per metre do not fit on " + std::to_string(options.pages) +
+                           (options.pages == 1 ? " page of " : " pages of ") + std::to_string(options.size) +
+                           " pixels; use fewer, or larger pages");
+    return {scale, std::move(layout)};
 }
 
 /// A size below 1 is told which one fits, as any other that is too small.
@@ -136,26 +175,22 @@ void checkOptions(AtlasOptions options) {
     if (!problems.empty()) throw InvalidModel(problems);
 }
 
-/// From the shapes' order of triangles and corners to the mesh's.
-void assign(Atlas& atlas, const Shapes& shapes, const RowLayout& layout) {
-    atlas.corners.resize(shapes.all.size());
-    atlas.page.resize(shapes.all.size());
-    for (std::size_t i = 0; i < shapes.all.size(); ++i) {
-        const PatchShape& shape = shapes.all[i];
-        atlas.page[shape.triangle] = layout.page[i];
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            atlas.corners[shape.triangle][(shape.firstCorner + corner) % 3] = layout.corners[i][corner];
-    }
-}
-
 } // namespace
 
 const char* layoutName(AtlasLayout layout) {
-    return layout == AtlasLayout::Rows ? "rows" : "matched_rows";
+    switch (layout) {
+    case AtlasLayout::Rows:
+        return "rows";
+    case AtlasLayout::MatchedRows:
+        return "matched_rows";
+    case AtlasLayout::UnfoldedGroups:
+        break;
+    }
+    return "unfolded_groups";
 }
 
 std::optional<AtlasLayout> layoutFromName(const std::string& name) {
-    for (const AtlasLayout layout : {AtlasLayout::Rows, AtlasLayout::MatchedRows})
+    for (const AtlasLayout layout : atlasLayouts)
         if (name == layoutName(layout)) return layout;
     return std::nullopt;
 }
@@ -165,14 +200,37 @@ Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options) {
     const Shapes shapes = shapesOf(mesh);
     if (!(shapes.area > 0) || !std::isfinite(shapes.area))
         throw InvalidModel("the model has no surface to lay out; textures need triangles with an area");
-    if (!fits(layoutAt(shapes, options, shapes.smallestScale), options)) refuseSize(shapes, options);
+    ScaledLayout best =
+        options.texelsPerMetre > 0 ? asDenseAsAsked(mesh, shapes, options) : largest(mesh, shapes, options);
     Atlas atlas;
     atlas.options = options;
-    atlas.texelsPerMetre = largestScale(shapes, options);
-    assign(atlas, shapes, layoutAt(shapes, options, atlas.texelsPerMetre));
-    const double pageArea = static_cast<double>(options.size) * options.size * options.pages;
+    if (options.texelsPerMetre > 0) atlas.options.pages = best.layout.pages;
+    atlas.texelsPerMetre = best.scale;
+    atlas.corners = std::move(best.layout.corners);
+    atlas.page = std::move(best.layout.page);
+    const double pageArea = static_cast<double>(options.size) * options.size * atlas.options.pages;
     atlas.utilisation = shapes.area * atlas.texelsPerMetre * atlas.texelsPerMetre / pageArea;
     return atlas;
+}
+
+double seamShare(const TriangleMesh& mesh, const Atlas& atlas) {
+    std::size_t shared = 0, joined = 0;
+    const auto placeOf = [&](const TriangleSide& side, std::uint32_t vertex) {
+        const Triangle& corners = mesh.triangles[side.triangle];
+        const auto corner = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
+        return atlas.corners[side.triangle][static_cast<std::size_t>(corner)];
+    };
+    forEachEdge(sidesByEdge(mesh.triangles), [&](auto first, auto last) {
+        if (last - first < 2) return;
+        ++shared;
+        const auto second = first + 1;
+        joined += last - first == 2 && atlas.page[first->triangle] == atlas.page[second->triangle] &&
+                          placeOf(*first, first->edge.first) == placeOf(*second, first->edge.first) &&
+                          placeOf(*first, first->edge.second) == placeOf(*second, first->edge.second)
+                      ? 1
+                      : 0;
+    });
+    return shared > 0 ? 1 - static_cast<double>(joined) / static_cast<double>(shared) : 0;
 }
 
 } // namespace esm

@@ -1,9 +1,10 @@
 #include "core/texture/matched_rows.h"
 
+#include "core/texture/waiting_patches.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 namespace esm {
@@ -12,27 +13,6 @@ namespace {
 
 /// Of the tallest that wait, how many are looked at. More fill rows better, at a price.
 constexpr std::size_t mostCompared = 128;
-
-/// What waits to be placed, tallest first, in a chain from which any link can be taken.
-class Waiting {
-public:
-    explicit Waiting(std::size_t count) : m_next(count + 1) { std::iota(m_next.begin(), m_next.end(), 0U); }
-
-    bool isEmpty() const { return first() == m_next.size() - 1; }
-    std::uint32_t first() const { return m_next[0]; }
-
-    /// Calls `visit(shape, link)` for each of the first ones until it returns false.
-    template<class Visit> void forFirst(std::size_t most, const Visit& visit) const {
-        std::uint32_t link = 0;
-        for (std::size_t i = 0; i < most && m_next[link] != m_next.size() - 1; ++i, link = m_next[link] + 1)
-            if (!visit(m_next[link], link)) return;
-    }
-    void take(std::uint32_t link) { m_next[link] = m_next[m_next[link] + 1]; }
-
-private:
-    /// Behind link i, which is that of shape i − 1, comes this shape; link 0 is the chain's beginning.
-    std::vector<std::uint32_t> m_next;
-};
 
 /// Horizontal over vertical way of a patch's sides from the base to the third corner, both to the inside.
 struct Slants {
@@ -53,7 +33,7 @@ Slants slantsOf(const PatchShape& shape) {
 
 class MatchedRowFiller {
 public:
-    MatchedRowFiller(const std::vector<PatchShape>& shapes, double scale, const RowPage& page)
+    MatchedRowFiller(const std::vector<PatchShape>& shapes, double scale, const PageRoom& page)
         : m_shapes(shapes), m_scale(scale), m_gap(page.gap), m_stack(page), m_waiting(shapes.size()) {
         m_slants.reserve(shapes.size());
         for (const PatchShape& shape : shapes)
@@ -62,7 +42,7 @@ public:
         m_layout.page.resize(shapes.size());
     }
 
-    RowLayout fill() {
+    PatchLayout fill() {
         while (!m_waiting.isEmpty()) {
             startRow();
             while (placeNext()) {
@@ -164,18 +144,18 @@ private:
     std::vector<Slants> m_slants;
     double m_scale, m_gap; ///< pixels per m, pixels
     RowStack m_stack;
-    Waiting m_waiting;
+    WaitingPatches m_waiting;
     double m_rowHeight = 0; ///< m
     double m_slant = 0;     ///< of the last patch's right side
     bool m_pointsUp = true;
     PatchRow m_row;
-    RowLayout m_layout;
+    PatchLayout m_layout;
 };
 
 } // namespace
 
-RowLayout layoutMatchedRows(const std::vector<PatchShape>& shapes, double texelsPerMetre,
-                            const RowPage& page) {
+PatchLayout layoutMatchedRows(const std::vector<PatchShape>& shapes, double texelsPerMetre,
+                              const PageRoom& page) {
     if (!fitOnAPage(shapes, texelsPerMetre, page)) return {};
     return MatchedRowFiller(shapes, texelsPerMetre, page).fill();
 }

@@ -8,7 +8,7 @@ namespace {
 
 class RowFiller {
 public:
-    RowFiller(const RowPage& page, double scale, std::size_t count)
+    RowFiller(const PageRoom& page, double scale, std::size_t count)
         : m_scale(scale), m_gap(page.gap), m_stack(page) {
         m_layout.corners.reserve(count);
         m_layout.page.reserve(count);
@@ -27,7 +27,7 @@ public:
         m_layout.page.push_back(m_stack.page());
     }
 
-    RowLayout finish() {
+    PatchLayout finish() {
         m_layout.pages = m_stack.pages();
         m_layout.height = m_stack.totalHeight();
         return std::move(m_layout);
@@ -52,7 +52,7 @@ private:
     double m_rowHeight = 0; ///< pixels
     bool m_pointsUp = true;
     PatchRow m_row;
-    RowLayout m_layout;
+    PatchLayout m_layout;
 };
 
 } // namespace
@@ -71,14 +71,14 @@ std::uint16_t RowStack::page() const {
     return static_cast<std::uint16_t>(std::min(m_page, 0xffff));
 }
 
-bool fitOnAPage(const std::vector<PatchShape>& shapes, double texelsPerMetre, const RowPage& page) {
+bool fitOnAPage(const std::vector<PatchShape>& shapes, double texelsPerMetre, const PageRoom& page) {
     const double room = page.size - page.gap;
     return std::all_of(shapes.begin(), shapes.end(), [&](const PatchShape& shape) {
         return std::max(shape.base, shape.height) * texelsPerMetre <= room;
     });
 }
 
-RowLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const RowPage& page) {
+PatchLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const PageRoom& page) {
     if (!fitOnAPage(shapes, texelsPerMetre, page)) return {};
     RowFiller filler(page, texelsPerMetre, shapes.size());
     for (const PatchShape& shape : shapes)

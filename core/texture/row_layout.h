@@ -1,25 +1,13 @@
 #pragma once
 
-#include "core/texture/patch_row.h"
+#include "core/texture/patch_layout.h"
 
 namespace esm {
-
-struct RowLayout {
-    int pages = 0;                     ///< pages used; 0 when a patch exceeds a page, and all else empty
-    double height = 0;                 ///< pixels that all rows take, one page after the other
-    std::vector<PatchCorners> corners; ///< per shape
-    std::vector<std::uint16_t> page;   ///< per shape
-};
-
-struct RowPage {
-    double size; ///< pixels, width and height
-    double gap;  ///< pixels between any two patches; half of it stays free at the borders
-};
 
 /// Where rows come to lie, one below the other and page after page.
 class RowStack {
 public:
-    explicit RowStack(const RowPage& page)
+    explicit RowStack(const PageRoom& page)
         : m_gap(page.gap), m_border(page.gap / 2), m_end(page.size - page.gap / 2), m_y(m_border) {}
 
     /// Of so many pixels; on the next page where this one has no room left.
@@ -41,11 +29,11 @@ private:
 };
 
 /// Whether each of the shapes has room on a page, though perhaps no two of them.
-bool fitOnAPage(const std::vector<PatchShape>& shapes, double texelsPerMetre, const RowPage& page);
+bool fitOnAPage(const std::vector<PatchShape>& shapes, double texelsPerMetre, const PageRoom& page);
 
 /// Rows of triangles with the third corner alternately up and down [R 4.3.2.2]. The shapes come tallest
 /// first, so that a row's height is known when it starts. Every patch keeps the gap to all others, not just
 /// to the one before.
-RowLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const RowPage& page);
+PatchLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const PageRoom& page);
 
 } // namespace esm

@@ -35,6 +35,8 @@ std::vector<std::string> validate(const AtlasOptions& options) {
     if (options.gap > texture_limits::largestPageSize)
         problems.push_back("a gap of " + std::to_string(options.gap) +
                            " pixels is too wide; use a smaller gap");
+    if (!(options.texelsPerMetre >= 0 && options.texelsPerMetre <= texture_limits::mostTexelsPerMetre))
+        problems.push_back("the texels per metre that are asked for must be from 0 to 1e9");
     if (options.pages < 1 || options.pages > texture_limits::mostPages)
         problems.push_back(std::to_string(options.pages) + " pages are impossible; use 1 to " +
                            std::to_string(texture_limits::mostPages));

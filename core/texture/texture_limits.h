@@ -14,6 +14,8 @@ constexpr int largestPageSize = 16384; ///< pixels, width and height
 constexpr int mostPages = 64;
 constexpr std::int64_t mostTexels = std::int64_t{1} << 30; ///< of all pages together
 
+constexpr double mostTexelsPerMetre = 1e9;
+
 constexpr std::uint64_t mostPhotoPixels =
     std::uint64_t{largestPageSize} * largestPageSize; ///< a texture page is read like a photo
 constexpr std::uint64_t mostPixelsOfAllPhotos = std::uint64_t{1} << 29;

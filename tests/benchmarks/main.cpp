@@ -1,3 +1,4 @@
+#include "tests/benchmarks/atlas_packing.h"
 #ifdef ESM_HAS_BULLET
 #include "tests/benchmarks/bullet.h"
 #endif
@@ -16,7 +17,7 @@ namespace {
 
 std::vector<benchmarks::Ratio> (*const subjects[])(){
     benchmarks::registerExplicitStep, benchmarks::registerLocalPoke,  benchmarks::registerStiffTissue,
-    benchmarks::registerCriticalStep, benchmarks::registerSliderMove,
+    benchmarks::registerCriticalStep, benchmarks::registerSliderMove, benchmarks::registerAtlasPacking,
 #ifdef ESM_HAS_BULLET
     benchmarks::registerBullet,
 #endif

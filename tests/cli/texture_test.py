@@ -71,7 +71,7 @@ class TextureTest(Case):
 
     def test_packs_denser_where_patches_are_matched(self):
         project, uses = self.sample("liver"), []
-        for layout in ("rows", "matched_rows"):
+        for layout in ("rows", "matched_rows", "unfolded_groups"):
             report = self.done("texture", "pack", project, "--layout", layout, "-o", project)
             self.assertEqual(report["layout"], layout)
             uses.append(report["utilisation"])

@@ -20,7 +20,7 @@ private:
 
     Document& m_document;
     QComboBox *m_size, *m_layout;
-    QLabel *m_used, *m_texel;
+    QLabel *m_used, *m_texel, *m_seams;
 };
 
 } // namespace esm

@@ -59,9 +59,27 @@ double patchDistance(const Patch& a, const Patch& b) {
     return distance;
 }
 
-/// The smallest distance of any two patches on one page, 1000 when all are farther than the gap's
-/// neighbourhood.
-double smallestDistance(const Atlas& atlas) {
+/// Whether two triangles have a corner in common, on the surface and in the texture.
+bool touch(const TriangleMesh& mesh, const Atlas& atlas, std::size_t a, std::size_t b) {
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            if (mesh.triangles[a][i] == mesh.triangles[b][j] && atlas.corners[a][i] == atlas.corners[b][j])
+                return true;
+    return false;
+}
+
+/// Without a millionth of its size along its sides.
+Patch shrunk(const Patch& patch) {
+    const Eigen::Vector2d middle = (patch[0] + patch[1] + patch[2]) / 3;
+    Patch result;
+    for (std::size_t i = 0; i < 3; ++i)
+        result[i] = middle + (1 - 1e-6) * (patch[i] - middle);
+    return result;
+}
+
+/// The smallest distance of any two triangles on one page that do not touch, 1000 when all are farther than
+/// the gap's neighbourhood; 0 where some overlap.
+double smallestDistance(const TriangleMesh& mesh, const Atlas& atlas) {
     constexpr double cellSize = 32;
     std::map<std::array<int, 3>, std::vector<std::size_t>> cells;
     const double reach = atlas.options.gap + 1.0;
@@ -75,8 +93,13 @@ double smallestDistance(const Atlas& atlas) {
         for (int y = low.y(); y <= high.y(); ++y) {
             for (int x = low.x(); x <= high.x(); ++x) {
                 std::vector<std::size_t>& cell = cells[{atlas.page[i], x, y}];
-                for (const std::size_t other : cell)
-                    smallest = std::min(smallest, patchDistance(atlas.corners[i], atlas.corners[other]));
+                for (const std::size_t other : cell) {
+                    const Patch &a = atlas.corners[i], &b = atlas.corners[other];
+                    if (!touch(mesh, atlas, i, other))
+                        smallest = std::min(smallest, patchDistance(a, b));
+                    else if (!areSeparated(shrunk(a), shrunk(b)))
+                        return 0;
+                }
                 if (cell.empty() || cell.back() != i) cell.push_back(i);
             }
         }
@@ -149,7 +172,7 @@ TEST_P(AtlasOf, KeepsShapesAndTheGapBetweenAllPatches) {
     ASSERT_EQ(atlas.corners.size(), given.mesh.triangles.size());
     ASSERT_EQ(atlas.page.size(), given.mesh.triangles.size());
     expectWithinPages(atlas);
-    EXPECT_GE(smallestDistance(atlas), given.options.gap - 1e-6);
+    EXPECT_GE(smallestDistance(given.mesh, atlas), given.options.gap - 1e-6);
     EXPECT_LT(largestDeviation(given.mesh, atlas), 1e-3);
     double area = 0;
     for (const Patch& patch : atlas.corners) {
@@ -166,7 +189,7 @@ namespace {
 
 std::vector<AtlasCase> atlasCases() {
     std::vector<AtlasCase> cases;
-    for (const AtlasLayout layout : {AtlasLayout::Rows, AtlasLayout::MatchedRows}) {
+    for (const AtlasLayout layout : atlasLayouts) {
         const auto add = [&](const char* name, TriangleMesh mesh, AtlasOptions options) {
             options.layout = layout;
             cases.push_back({name, std::move(mesh), options});
@@ -201,8 +224,10 @@ double mostUse(const TriangleMesh& mesh, const AtlasOptions& options) {
 } // namespace
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, AtlasOf, testing::ValuesIn(atlasCases()), [](const auto& info) {
-    return std::string(info.param.name) +
-           (info.param.options.layout == AtlasLayout::Rows ? "InRows" : "InMatchedRows");
+    return std::string(info.param.name) + (info.param.options.layout == AtlasLayout::Rows ? "InRows"
+                                           : info.param.options.layout == AtlasLayout::MatchedRows
+                                               ? "InMatchedRows"
+                                               : "InUnfoldedGroups");
 });
 
 TEST(Atlas, UsesThePagesAsWellAsTheSource) {
@@ -221,11 +246,56 @@ TEST(Atlas, MatchedRowsComeNearWhatTrianglesCanUseAtAll) {
     }
 }
 
+TEST(Atlas, UnfoldedGroupsHaveFewSeams) {
+    const AtlasOptions options{2048, 1, 2, AtlasLayout::UnfoldedGroups};
+    for (const TriangleMesh& mesh : {lumpySurface(100, 100), lumpySurface(30, 200), flatSquare(0.1, 50)}) {
+        const Atlas atlas = packAtlas(mesh, options);
+        EXPECT_LT(seamShare(mesh, atlas), 0.45);
+        EXPECT_GT(atlas.utilisation, 0.5);
+    }
+}
+
+TEST(Atlas, UnfoldedGroupsOfSmallTrianglesUseMoreThanSingleOnesCould) {
+    const TriangleMesh mesh = lumpySurface(100, 100);
+    const AtlasOptions options{1024, 1, 2, AtlasLayout::UnfoldedGroups};
+    EXPECT_GT(packAtlas(mesh, options).utilisation, mostUse(mesh, options));
+}
+
+TEST(Atlas, EveryEdgeOfSingleTrianglesIsASeam) {
+    const TriangleMesh mesh = lumpySurface(20, 20);
+    EXPECT_EQ(seamShare(mesh, packAtlas(mesh, {512, 1, 2, AtlasLayout::MatchedRows})), 1);
+}
+
 TEST(Atlas, MorePagesGiveMoreTexels) {
     const TriangleMesh mesh = lumpySurface(30, 40);
-    const double one = packAtlas(mesh, {256, 1, 2}).texelsPerMetre,
-                 four = packAtlas(mesh, {256, 4, 2}).texelsPerMetre;
-    EXPECT_GT(four, 1.9 * one);
+    for (const AtlasLayout layout : atlasLayouts) {
+        const double one = packAtlas(mesh, {256, 1, 2, layout}).texelsPerMetre,
+                     four = packAtlas(mesh, {256, 4, 2, layout}).texelsPerMetre;
+        EXPECT_GT(four, 1.9 * one) << layoutName(layout);
+    }
+}
+
+TEST(Atlas, TakesAsManyPagesAsTheTexelsAskedForNeed) {
+    const TriangleMesh mesh = lumpySurface(30, 40);
+    for (const AtlasLayout layout : atlasLayouts) {
+        const double one = packAtlas(mesh, {256, 1, 2, layout}).texelsPerMetre;
+        const Atlas atlas = packAtlas(mesh, {256, 1, 2, layout, 2 * one});
+        EXPECT_EQ(atlas.texelsPerMetre, 2 * one);
+        EXPECT_TRUE(atlas.options.pages >= 3 && atlas.options.pages <= 5) << atlas.options.pages;
+        EXPECT_GE(smallestDistance(mesh, atlas), 2 - 1e-6);
+        expectWithinPages(atlas);
+        EXPECT_EQ(packAtlas(mesh, {256, 1, 2, layout, one / 4}).options.pages, 1);
+        EXPECT_THAT(refusal(mesh, {256, 1, 2, layout, 20 * one}), HasSubstr("64 pages of 256 pixels"));
+    }
+    EXPECT_THAT(refusal(mesh, {256, 1, 2, AtlasLayout::Rows, -1}), HasSubstr("texels per metre"));
+}
+
+TEST(Atlas, UnfoldsNothingAcrossEdgesThatBranchOrTurnTheInsideOut) {
+    TriangleMesh branching{{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, 1}},
+                           {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
+    TriangleMesh turned{{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}}, {{0, 1, 2}, {0, 1, 3}}};
+    for (const TriangleMesh& mesh : {branching, turned})
+        EXPECT_EQ(seamShare(mesh, packAtlas(mesh, {64, 1, 2, AtlasLayout::UnfoldedGroups})), 1);
 }
 
 TEST(Atlas, GivesDegenerateTrianglesAPlaceOfTheirOwn) {
@@ -235,12 +305,14 @@ TEST(Atlas, GivesDegenerateTrianglesAPlaceOfTheirOwn) {
     mesh.triangles.push_back({4, 5, 4});
     mesh.vertices.push_back((mesh.vertices[20] + mesh.vertices[21]) / 2);
     mesh.triangles.push_back({20, 21, static_cast<std::uint32_t>(mesh.vertices.size() - 1)});
-    const Atlas atlas = packAtlas(mesh, {512, 1, 2});
-    for (std::size_t i = proper; i < mesh.triangles.size(); ++i)
-        for (const Eigen::Vector2d& corner : atlas.corners[i])
-            EXPECT_EQ(corner, atlas.corners[i][0]);
-    EXPECT_GE(smallestDistance(atlas), 2 - 1e-6);
-    expectWithinPages(atlas);
+    for (const AtlasLayout layout : atlasLayouts) {
+        const Atlas atlas = packAtlas(mesh, {512, 1, 2, layout});
+        for (std::size_t i = proper; i < mesh.triangles.size(); ++i)
+            for (const Eigen::Vector2d& corner : atlas.corners[i])
+                EXPECT_EQ(corner, atlas.corners[i][0]);
+        EXPECT_GE(smallestDistance(mesh, atlas), 2 - 1e-6);
+        expectWithinPages(atlas);
+    }
 }
 
 TEST(Atlas, NamesTheSmallestSizeThatFits) {

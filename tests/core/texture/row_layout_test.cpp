@@ -28,7 +28,7 @@ std::vector<PatchShape> someShapes() {
 TEST(RowLayout, KeepsEveryShapeOnItsPage) {
     const std::vector<PatchShape> shapes = someShapes();
     constexpr double scale = 20, size = 64, gap = 2;
-    const RowLayout layout = layoutRows(shapes, scale, {size, gap});
+    const PatchLayout layout = layoutRows(shapes, scale, {size, gap});
     ASSERT_EQ(layout.corners.size(), shapes.size());
     EXPECT_GT(layout.pages, 1);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
