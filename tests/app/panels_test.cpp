@@ -201,6 +201,10 @@ TEST_F(PanelsTest, TheAtlasIsPackedInTheLayoutThatIsChosen) {
     };
     const double inRows = choose("rows");
     EXPECT_GT(choose("matched rows"), inRows);
+    EXPECT_EQ(child<QLabel>("atlasSeams")->text(), "100 % of edges");
+    choose("unfolded groups");
+    EXPECT_NE(child<QLabel>("atlasSeams")->text(), "100 % of edges");
+    window->document().undoStack()->undo();
     window->document().undoStack()->undo();
     EXPECT_EQ(layout->currentText(), "rows");
     EXPECT_EQ(window->document().project().atlas->utilisation, inRows);
