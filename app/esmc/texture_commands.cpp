@@ -209,6 +209,7 @@ void addTextureCommands(CLI::App& app, Context& context) {
         Command<PackOptions>{"pack", "Give every triangle its place in the texture", declarePack, runPack});
     addCommand(*texture, context,
                Command<PhotoOptions>{"photo", "Lay a photograph on the organ", declarePhoto, runPhoto});
+    addFitCommand(*texture, context);
     addCommand(*texture, context,
                Command<BakeOptions>{"bake", "Write the textures as PNG", declareBake, runBake});
 }

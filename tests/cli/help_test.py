@@ -5,7 +5,7 @@ import unittest
 from esmc import ESMC, Case, command
 
 COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scene", "simulate", "stability", "extremes", "tradeoff",
-            "texture", "export", "validate", "render", "fuzzy eval", "fuzzy convert", "texture pack", "texture photo", "texture bake"]
+            "texture", "export", "validate", "render", "fuzzy eval", "fuzzy convert", "texture pack", "texture photo", "texture fit", "texture bake"]
 
 
 class HelpTest(Case):
@@ -100,7 +100,7 @@ class HelpTest(Case):
         message = self.fails(2, "learn", "a.esm", "--scene", "b.json")
         for name in COMMANDS[:14]:
             self.assertIn(name, message)
-        self.assertIn("pack, photo, bake", self.fails(2, "texture", "fit", "a.esm"))
+        self.assertIn("pack, photo, fit, bake", self.fails(2, "texture", "warp", "a.esm"))
 
     def test_json_and_threads_stand_before_or_after_the_command(self):
         project = self.sample("tube")

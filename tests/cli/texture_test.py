@@ -1,3 +1,4 @@
+import json
 import math
 import struct
 import subprocess
@@ -189,6 +190,78 @@ class TextureTest(Case):
             self.fails(1, "texture", "photo", project, "--photo", good, "--projector", self.file(name, content),
                        "-o", project, naming=name)
         self.assertEqual(project.read_bytes(), before)
+
+
+LANDMARKS = [(-.04, .03, .02), (.05, .02, -.01), (.01, -.04, .03), (-.03, -.02, -.02), (.03, .04, .04), (0, 0, .05),
+             (-.05, 0, .01), (.02, -.01, -.04), (.045, -.035, .015), (-.02, .045, -.03)]
+
+
+class FitTest(Case):
+    """An eye 0.3 m before the organ that looks along -z, and a photo of 512 × 512 pixels."""
+
+    def pairs(self, count, focal=600, shift=lambda i: (0, 0), mirrored=False):
+        text = "photo_x,photo_y,x,y,z\n"
+        for i, (x, y, z) in enumerate(LANDMARKS[:count]):
+            u, v = 256 + focal * x / (.3 - z) + shift(i)[0], 256 - focal * y / (.3 - z) + shift(i)[1]
+            text += f"{512 - u if mirrored else u!r},{v!r},{x!r},{y!r},{z!r}\n"
+        return self.file("pairs.csv", text)
+
+    def line(self, pairs, *options):
+        project, photo = self.sample("liver"), self.file("photo.png")
+        self.done("sample", "vessels", "-o", photo)
+        self.assertEqual(read_png(photo)[:2], (512, 512))
+        return ["texture", "fit", project, "--photo", photo, "--pairs", pairs, *options]
+
+    def assertStandsBefore(self, projector):
+        expected = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, .3, 0, 0, 0, 1]
+        for found, true in zip(projector["pose"], expected):
+            self.assertAlmostEqual(found, true, delta=1e-5)
+
+    def test_finds_the_pose_and_writes_it(self):
+        pose = self.file("pose.json")
+        line = self.line(self.pairs(8), "--intrinsics", "600,600,256,256", "-o", pose)
+        report = self.done(*line)
+        self.assertKeys(report, {"projector": dict, "reprojection_error_px": float, "errors_px": list, "outliers": list})
+        self.assertStandsBefore(report["projector"])
+        self.assertLess(report["reprojection_error_px"], .1)
+        self.assertEqual((len(report["errors_px"]), report["outliers"], report["focal_length"]), (8, [], "given"))
+        self.assertEqual(report["projector"]["intrinsics"], {"fx": 600, "fy": 600, "cx": 256, "cy": 256})
+        self.assertEqual(json.loads(pose.read_text()), report["projector"])
+        self.done("texture", "photo", line[2], "--photo", line[4], "--projector", pose, "-o", line[2])
+        self.assertEqual(self.done(*line), report)
+
+    def test_finds_the_focal_length_from_six_pairs(self):
+        report = self.done(*self.line(self.pairs(6, focal=450)))
+        self.assertStandsBefore(report["projector"])
+        self.assertAlmostEqual(report["projector"]["fov"], 2 * math.degrees(math.atan(256 / 450)), places=3)
+        self.assertEqual((report["focal_length"], report["warnings"]), ("measured", []))
+
+    def test_assumes_a_field_of_view_aloud(self):
+        report = self.done(*self.line(self.pairs(4, focal=256 / math.tan(math.radians(30)))))
+        self.assertEqual((report["focal_length"], report["projector"]["fov"]), ("assumed", 60))
+        self.assertEqual(len(report["warnings"]), 1)
+
+    def test_names_the_pairs_that_do_not_belong(self):
+        wrong = {2: (30, -20), 6: (-15, 25)}
+        pairs = self.pairs(10, shift=lambda i: wrong.get(i, (0, 0)))
+        report = self.done(*self.line(pairs, "--intrinsics", "600,600,256,256"))
+        self.assertEqual(report["outliers"], [3, 7])
+        self.assertAlmostEqual(report["errors_px"][2], math.hypot(30, 20), delta=.1)
+        self.assertStandsBefore(report["projector"])
+
+    def test_refuses_what_tells_no_pose_and_writes_nothing(self):
+        pose, header = self.file("pose.json"), "photo_x,photo_y,x,y,z\n"
+        on_a_line = header + "".join(f"{i * 10},{i * 20},{i / 100},0,{i / 50}\n" for i in range(6))
+        for pairs, problem in ((3, "4 or more"), (header, "4 or more"), (on_a_line, "line"),
+                               (10, "mirrored"), (header + "1,2,3,4\n", "line 2"),
+                               (header + "1,2,3,4,5\n1,2,x,4,5\n", "line 3"), ("1,2,3,4,5\n", "line 1")):
+            pairs = self.pairs(pairs, mirrored=pairs == 10) if isinstance(pairs, int) else self.file("pairs.csv", pairs)
+            with self.subTest(problem):
+                message = self.fails(1, *self.line(pairs, "--intrinsics", "600,600,256,256", "-o", pose), naming=pairs)
+                self.assertIn(problem, message)
+        for intrinsics in ("1,2,3", "0,1,1,1", "1,-1,0,0", "a,b,c,d", "1,1,nan,1", "1e300,1,0,0"):
+            self.fails(2, *self.line(self.pairs(8), f"--intrinsics={intrinsics}", "-o", pose))
+        self.assertFalse(pose.exists())
 
 
 class RenderTest(Case):

@@ -1,0 +1,124 @@
+#include "app/esmc/arguments.h"
+#include "app/esmc/commands.h"
+#include "core/exchange/pairs_file.h"
+#include "core/exchange/project_file.h"
+#include "core/exchange/projector_file.h"
+#include "core/support/atomic_file.h"
+#include "core/texture/texture_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+/// Landmarks further from the organ's box than this share of its diagonal are hardly in metres.
+constexpr double farShare = 0.5;
+
+struct FitOptions {
+    std::string project, photo, pairs, intrinsics, output;
+};
+
+void declareFit(CLI::App& command, FitOptions& options) {
+    command.add_option("project", options.project, "Project to read (.esm)")->required();
+    command.add_option("--photo", options.photo, "Photograph (PNG or JPEG)")->required();
+    command
+        .add_option("--pairs", options.pairs, "Landmarks: photo_x,photo_y,x,y,z, pixels and metres (.csv)")
+        ->required();
+    command.add_option("--intrinsics", options.intrinsics,
+                       "FX,FY,CX,CY of the photograph's camera, pixels; without, found from six pairs");
+    command.add_option("-o,--output", options.output, "Projector file to write (.json)")
+        ->check(writtenAs(".json"));
+}
+
+std::optional<Intrinsics> parseIntrinsics(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    const std::vector<double> numbers = parseNumbers(text, "--intrinsics");
+    if (numbers.size() != 4) throw UsageError("--intrinsics: give four numbers, FX,FY,CX,CY, in pixels");
+    const Intrinsics camera{numbers[0], numbers[1], numbers[2], numbers[3]};
+    constexpr double most = texture_limits::longestFocalLength;
+    if (!(std::min(camera.fx, camera.fy) > 0 && std::max(camera.fx, camera.fy) <= most))
+        throw UsageError("--intrinsics: the focal lengths FX and FY must be above 0 and at most 1e7 pixels");
+    if (std::abs(camera.cx) > most || std::abs(camera.cy) > most)
+        throw UsageError("--intrinsics: the principal point CX, CY must be within 1e7 pixels");
+    return camera;
+}
+
+std::vector<std::string> fitWarnings(const PoseFit& fit, const std::vector<LandmarkPair>& pairs,
+                                     const TriangleMesh& mesh) {
+    std::vector<std::string> warnings;
+    Eigen::AlignedBox3d near = boundingBox(mesh.vertices);
+    const double reach = farShare * near.diagonal().norm();
+    const auto isFar = [&](const LandmarkPair& pair) { return near.exteriorDistance(pair.organ) > reach; };
+    if (std::any_of(pairs.begin(), pairs.end(), isFar))
+        warnings.emplace_back(
+            "some landmarks lie far from the organ: x, y and z are metres in its own space");
+    if (fit.focalLength == FocalLength::Assumed)
+        warnings.push_back("the pairs do not tell the focal length: a vertical field of view of " +
+                           inText(assumedFieldOfView) +
+                           " degrees was assumed; give six pairs or more, well "
+                           "spread, or --intrinsics");
+    return warnings;
+}
+
+const char* nameOf(FocalLength focalLength) {
+    if (focalLength == FocalLength::Given) return "given";
+    return focalLength == FocalLength::Measured ? "measured" : "assumed";
+}
+
+Report describe(const PoseFit& fit) {
+    Report report;
+    Json errors = Json::array(), outliers = Json::array();
+    std::string strangers;
+    for (std::size_t i = 0; i < fit.errors.size(); ++i) {
+        errors.push_back(std::isfinite(fit.errors[i]) ? Json(fit.errors[i]) : Json());
+        if (!fit.outliers[i]) continue;
+        outliers.push_back(i + 1);
+        strangers += (strangers.empty() ? "" : ", ") + std::to_string(i + 1);
+    }
+    report.json = {{"projector", toJson(fit.projector)},
+                   {"reprojection_error_px", fit.error},
+                   {"errors_px", errors},
+                   {"outliers", outliers},
+                   {"focal_length", nameOf(fit.focalLength)}};
+    report.text.push_back(toJson(fit.projector).dump());
+    report.text.push_back("off by " + inText(fit.error) + " pixels, focal length " + nameOf(fit.focalLength));
+    if (!strangers.empty())
+        report.text.push_back("pairs that do not fit the others, and do not count: " + strangers);
+    return report;
+}
+
+void writeProjector(const Projector& projector, const std::filesystem::path& file,
+                    Interruption& interruption) {
+    AtomicFile output(file);
+    output.write(toJson(projector).dump(2) + "\n");
+    interruption.disarm();
+    output.commit();
+}
+
+Report runFit(const FitOptions& options, Context& context) {
+    const std::optional<Intrinsics> intrinsics = parseIntrinsics(options.intrinsics);
+    context.subject = options.project;
+    const Project project = loadProject(options.project);
+    const std::shared_ptr<const Photo> photo = loadPhoto(options.photo);
+    const std::vector<LandmarkPair> pairs = readPairsFile(options.pairs);
+    context.subject = options.pairs;
+    const PoseFit fit = fitPose(pairs, {{photo->image.width, photo->image.height}, intrinsics});
+    Report report = describe(fit);
+    addWarnings(report, fitWarnings(fit, pairs, *project.mesh));
+    if (options.output.empty()) return report;
+    writeProjector(fit.projector, options.output, context.interruption);
+    addWritten(report, options.output);
+    return report;
+}
+
+} // namespace
+
+void addFitCommand(CLI::App& texture, Context& context) {
+    addCommand(texture, context,
+               Command<FitOptions>{"fit", "Find where a photograph was taken from, by landmarks", declareFit,
+                                   runFit});
+}
+
+} // namespace esm

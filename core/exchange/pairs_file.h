@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/texture/pose_fit.h"
+
+#include <filesystem>
+
+namespace esm {
+
+/// Landmarks as CSV `photo_x,photo_y,x,y,z` under a line of these names; photo pixels and metres. Empty lines
+/// say nothing. @throws FileError naming the line
+std::vector<LandmarkPair> readPairsFile(const std::filesystem::path& file);
+
+} // namespace esm
