@@ -15,7 +15,7 @@ Projector perspectiveFrom(const nlohmann::ordered_json& json) {
     if (json.is_object() && reader.has("kind") && json["kind"] != "perspective")
         reader.member("kind").addProblem("must be \"perspective\" for a camera");
     if (json.is_object()) asProjector["kind"] = "perspective";
-    const Projector projector = projectorFromJson(JsonReader(asProjector, "", problems));
+    Projector projector = projectorFromJson(JsonReader(asProjector, "", problems));
     if (!problems.empty()) throw InvalidModel(std::move(problems));
     return projector;
 }

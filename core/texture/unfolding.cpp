@@ -20,7 +20,7 @@ constexpr double leastFill = 0.85, leastFillOfTwo = 0.5;
 constexpr std::size_t mostTriangles = 16;
 
 /// Corners nearer than this share of the group's size are one, and triangles that overlap less only touch.
-constexpr double touching = 1e-6;
+constexpr double touchTolerance = 1e-6;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -157,7 +157,7 @@ private:
 
     /// Whether it neither overlaps the group nor comes too near to a triangle that it does not touch.
     bool hasRoom(const UnfoldedGroup& group, const Candidate& candidate) const {
-        const double least = touching * std::sqrt(group.area);
+        const double least = touchTolerance * std::sqrt(group.area);
         for (std::size_t i = 0; i < group.triangles.size(); ++i) {
             const Flat& other = group.corners[i];
             const double apart =
