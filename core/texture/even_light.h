@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/texture/image.h"
+
+namespace esm {
+
+/// Takes slow changes of brightness over the photo away, `strength` 0 (none) to 1 (all). Only pixels with
+/// alpha count, so that a dark outside does not brighten the rim; no pixel becomes more than three times as
+/// bright or as dark.
+void evenLight(Image& photo, double strength);
+
+} // namespace esm

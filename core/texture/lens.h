@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/texture/image.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+
+namespace esm {
+
+enum class LensKind { Pinhole, Fisheye };
+
+/// How a lens bends straight lines, in OpenCV's models and in photo pixels from the top left corner.
+struct Lens {
+    LensKind kind = LensKind::Pinhole;
+    double fx = 1, fy = 1, cx = 0, cy = 0;
+    std::array<double, 5> coefficients{}; ///< k1 k2 p1 p2 k3; of a fisheye k1 k2 k3 k4, and 0
+
+    bool operator==(const Lens& o) const {
+        return kind == o.kind && fx == o.fx && fy == o.fy && cx == o.cx && cy == o.cy &&
+               coefficients == o.coefficients;
+    }
+};
+
+/// Where the photo shows what a lens without distortion would show at `place`.
+Eigen::Vector2d distorted(const Lens& lens, const Eigen::Vector2d& place);
+
+/// The photo as a lens without distortion would have taken it, of the same size; alpha 0 where it has
+/// nothing.
+Image undistorted(const Image& photo, const Lens& lens);
+
+} // namespace esm
