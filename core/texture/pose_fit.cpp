@@ -90,9 +90,9 @@ struct Candidate {
 };
 
 std::vector<bool> within(const std::vector<double>& errors, double tolerance) {
-    std::vector<bool> counts;
-    for (const double error : errors)
-        counts.push_back(error <= tolerance);
+    std::vector<bool> counts(errors.size());
+    std::transform(errors.begin(), errors.end(), counts.begin(),
+                   [=](double error) { return error <= tolerance; });
     return counts;
 }
 
