@@ -17,7 +17,7 @@ using Flat = std::array<Eigen::Vector2d, 3>; ///< counter-clockwise
 /// A group grows while triangles fill so much of its convex hull, and to so many triangles: larger and more
 /// ragged ones have fewer seams, but leave more of a page empty.
 constexpr double leastFill = 0.85, leastFillOfTwo = 0.5;
-constexpr std::size_t mostTriangles = 16;
+constexpr std::size_t mostInGroup = 16;
 
 /// Corners nearer than this share of the group's size are one, and triangles that overlap less only touch.
 constexpr double touchTolerance = 1e-6;
@@ -208,7 +208,7 @@ private:
         std::vector<Candidate> candidates;
         if (!isFlat(seed)) addNeighbours({seed, group.corners[0]}, candidates);
         Polygon hull = convexHull({group.corners[0].begin(), group.corners[0].end()});
-        while (group.triangles.size() < mostTriangles) {
+        while (group.triangles.size() < mostInGroup) {
             Choice choice = bestChoice(group.area, hull, candidates);
             if (choice.fill < (group.triangles.size() > 1 ? leastFill : leastFillOfTwo)) break;
             const Candidate candidate = candidates[choice.candidate];
