@@ -6,6 +6,7 @@
 #include "core/exchange/image_file.h"
 #include "core/exchange/project_file.h"
 #include "core/offscreen/offscreen.h"
+#include "core/render/drawn_shape.h"
 #include "core/texture/composite.h"
 
 #include <algorithm>
@@ -102,12 +103,14 @@ void addRegions(RenderScene& scene, const std::vector<Region>& regions) {
 }
 
 void addPhotos(RenderScene& scene, const std::vector<PhotoLayer>& photos) {
+    const Eigen::AlignedBox3d organ = boundingBox(scene.mesh->vertices);
     for (const PhotoLayer& layer : photos)
         if (layer.visible)
             scene.projectors.push_back({layer.projector,
                                         {layer.photo, &layer.photo->image},
                                         false,
-                                        scene.texturePages && layer.opacity > 0});
+                                        scene.texturePages && layer.opacity > 0,
+                                        shownDepth(layer.projector, organ)});
 }
 
 using Shown = std::vector<std::string>;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace esm {
 namespace {
@@ -27,6 +28,21 @@ std::vector<Vector3d> ellipsoidCurve(const Ellipsoid& ellipsoid, const Vector3d&
             ellipsoid.centre + ellipsoid.orientation * ellipsoid.radii.cwiseProduct(unit);
     }
     return curve;
+}
+
+/// Of the farthest point's depth: nearer than that, surface is beside or around the eye.
+constexpr double nearShare = 0.2;
+
+/// How far before a projector a box begins and ends; (0, 0) for an empty one.
+std::pair<double, double> depthsOf(const Projector& projector, const Eigen::AlignedBox3d& box) {
+    if (box.isEmpty()) return {0, 0};
+    std::pair<double, double> depths{HUGE_VAL, -HUGE_VAL};
+    for (int i = 0; i < 8; ++i) {
+        const Vector3d corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+        const double depth = -(projector.pose.inverse() * corner).z();
+        depths = {std::min(depths.first, depth), std::max(depths.second, depth)};
+    }
+    return depths;
 }
 
 } // namespace
@@ -56,19 +72,22 @@ std::vector<Vector3d> drawnVertices(const RenderScene& scene, const std::vector<
     return drawnPositions(*scene.mesh, *scene.network, nodes);
 }
 
-std::array<Vector3d, 8> projectorBox(const Projector& projector, const Eigen::AlignedBox3d& shown) {
-    double depth = 0.25 * std::max(projector.width, projector.height);
-    if (!shown.isEmpty()) {
-        for (int i = 0; i < 8; ++i) {
-            const Vector3d corner = shown.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-            depth = std::max(depth, -(projector.pose.inverse() * corner).z() * 1.02);
-        }
-    }
+double shownDepth(const Projector& projector, const Eigen::AlignedBox3d& organ) {
+    if (projector.kind == ProjectorKind::Parallel) return 0;
+    const auto [nearest, farthest] = depthsOf(projector, organ);
+    if (!(farthest > 0)) return 0.1; // the organ lies behind
+    return nearest > nearShare * farthest ? 0.9 * nearest : 0.5 * nearShare * farthest;
+}
+
+std::array<Vector3d, 8> projectorBox(const DrawnProjector& drawn, const Eigen::AlignedBox3d& shown) {
+    const Projector& projector = drawn.projector;
+    const auto front = photoCorners(projector, drawn.size(), drawn.depth);
+    const double size = std::max((front[1] - front[0]).norm(), (front[3] - front[0]).norm());
+    const double depth = std::max(drawn.depth + 0.25 * size, depthsOf(projector, shown).second * 1.02);
+    const auto back = photoCorners(projector, drawn.size(), depth);
     std::array<Vector3d, 8> corners;
-    const double x = projector.width / 2, y = projector.height / 2;
-    const std::array<Eigen::Vector2d, 4> face{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}};
-    for (std::size_t i = 0; i < 8; ++i)
-        corners[i] = projector.pose * Vector3d(face[i % 4].x(), face[i % 4].y(), i < 4 ? 0 : -depth);
+    std::copy(front.begin(), front.end(), corners.begin());
+    std::copy(back.begin(), back.end(), corners.begin() + 4);
     return corners;
 }
 

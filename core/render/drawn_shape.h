@@ -18,9 +18,13 @@ std::vector<Eigen::Vector3d> drawnNodes(const RenderScene& scene);
 std::vector<Eigen::Vector3d> drawnVertices(const RenderScene& scene,
                                            const std::vector<Eigen::Vector3d>& nodes);
 
-/// The eight corners of a projector's box: the photo's plane (bottom left, bottom right, top right, top
-/// left), then the same at the box's far end, just behind everything that `shown` holds.
-std::array<Eigen::Vector3d, 8> projectorBox(const Projector& projector, const Eigen::AlignedBox3d& shown);
+/// How far before a projector its photo is shown: none for a parallel one; before a perspective one between
+/// the eye and the organ, near the eye where that stands beside or inside the organ.
+double shownDepth(const Projector& projector, const Eigen::AlignedBox3d& organ);
+
+/// The eight corners of a projector's box or frustum: the shown photo (bottom left, bottom right, top right,
+/// top left), then the same at the far end, just behind everything that `shown` holds.
+std::array<Eigen::Vector3d, 8> projectorBox(const DrawnProjector& drawn, const Eigen::AlignedBox3d& shown);
 
 /// The closed curve along which an ellipsoid's outline is seen from `eye`; empty from inside it.
 std::vector<Eigen::Vector3d> silhouette(const Ellipsoid& ellipsoid, const Eigen::Vector3d& eye);

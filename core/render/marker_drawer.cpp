@@ -54,9 +54,9 @@ std::optional<Ellipsoid> ballOf(const DrawnSphere& sphere) {
     return isDrawableShape(ball) ? std::optional(ball) : std::nullopt;
 }
 
-bool isDrawableShape(const Projector& projector) {
-    return projector.pose.matrix().allFinite() && isDrawable(projector.pose.translation()) &&
-           isDrawable({projector.width, projector.height, 0});
+bool isDrawableShape(const DrawnProjector& drawn, const Eigen::AlignedBox3d& shown) {
+    const std::array<Vector3d, 8> corners = projectorBox(drawn, shown);
+    return std::all_of(corners.begin(), corners.end(), isDrawable);
 }
 
 std::array<std::uint8_t, 4> withAlpha(const Colour& colour, std::uint8_t alpha) {
@@ -150,9 +150,9 @@ void MarkerDrawer::drawTransparent(const RenderScene& scene, const Eigen::Aligne
     if (scene.instrument) drawHiddenInstrument(*scene.instrument, frame);
     Curves curves, outlines;
     for (const DrawnProjector& drawn : scene.projectors) {
-        if (!isDrawableShape(drawn.projector)) continue;
+        if (!isDrawableShape(drawn, shown)) continue;
         drawBoxFaces(drawn, shown, frame);
-        curves.addBox(projectorBox(drawn.projector, shown), drawn.selected);
+        curves.addBox(projectorBox(drawn, shown), drawn.selected);
     }
     for (const DrawnEllipsoid& drawn : scene.ellipsoids) {
         if (!isDrawableShape(drawn.shape)) continue;
@@ -203,7 +203,7 @@ void MarkerDrawer::drawBall(const GlProgram& program, const Ellipsoid& ellipsoid
 
 void MarkerDrawer::drawBoxFaces(const DrawnProjector& drawn, const Eigen::AlignedBox3d& shown,
                                 const Frame& frame) {
-    const std::array<Vector3d, 8> corners = projectorBox(drawn.projector, shown);
+    const std::array<Vector3d, 8> corners = projectorBox(drawn, shown);
     const Vector4f glass = withAlpha(amber, drawn.selected ? 0.06F : 0.03F);
     drawQuad({corners[4], corners[5], corners[7], corners[6]}, glass, nullptr, frame);
     for (std::size_t i = 0; i < 4; ++i) {

@@ -28,7 +28,7 @@ Eigen::AlignedBox3d wholeBox(const RenderScene& scene, const Eigen::AlignedBox3d
         for (const double side : {-1.0, 1.0})
             extend(box, drawn.shape.centre.array() + side * (drawn.shape.radii.maxCoeff() + drawn.rim));
     for (const DrawnProjector& drawn : scene.projectors)
-        for (const Eigen::Vector3d& corner : projectorBox(drawn.projector, organ))
+        for (const Eigen::Vector3d& corner : projectorBox(drawn, organ))
             extend(box, corner);
     if (scene.instrument)
         for (const double side : {-1.0, 1.0})

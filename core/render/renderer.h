@@ -37,6 +37,11 @@ struct DrawnProjector {
     std::shared_ptr<const Image> photo; ///< shown half-transparently on the box's face; may be null
     bool selected = false;
     bool isLaid = false; ///< the scene's texture shows the photo on the organ
+    double depth = 0;    ///< m, where the photo is shown: see `shownDepth`
+
+    PhotoSize size() const {
+        return photo && !photo->empty() ? PhotoSize{photo->width, photo->height} : PhotoSize{1, 1};
+    }
 };
 
 struct DrawnSphere {

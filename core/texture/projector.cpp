@@ -43,6 +43,21 @@ Intrinsics intrinsicsOf(const Projector& projector, PhotoSize photo) {
     return {focal, focal, 0.5 * photo.width, 0.5 * photo.height};
 }
 
+std::array<Eigen::Vector3d, 4> photoCorners(const Projector& projector, PhotoSize photo, double depth) {
+    double left = -projector.width / 2, top = projector.height / 2, right = -left, bottom = -top;
+    if (projector.kind == ProjectorKind::Perspective) {
+        const auto [fx, fy, cx, cy] = intrinsicsOf(projector, photo);
+        left = -cx / fx * depth;
+        right = (photo.width - cx) / fx * depth;
+        top = cy / fy * depth;
+        bottom = (cy - photo.height) / fy * depth;
+    }
+    return {projector.pose * Eigen::Vector3d(left, bottom, -depth),
+            projector.pose * Eigen::Vector3d(right, bottom, -depth),
+            projector.pose * Eigen::Vector3d(right, top, -depth),
+            projector.pose * Eigen::Vector3d(left, top, -depth)};
+}
+
 Eigen::Matrix4d photoMatrix(const Projector& projector, PhotoSize photo) {
     return fromOwnSpace(projector, photo) * projector.pose.inverse().matrix();
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <array>
 #include <optional>
 
 namespace esm {
@@ -44,6 +45,10 @@ bool operator==(const Projector& a, const Projector& b);
 /// The camera of a perspective projector; from a field of view one with square pixels and the principal point
 /// in the photo's middle.
 Intrinsics intrinsicsOf(const Projector& projector, PhotoSize photo);
+
+/// The photo's corners in space, m: bottom left, bottom right, top right, top left; of a perspective
+/// projector so far before the eye, of a parallel one behind its plane.
+std::array<Eigen::Vector3d, 4> photoCorners(const Projector& projector, PhotoSize photo, double depth);
 
 /// Takes a point of the model (x, y, z, 1; m) to the photo: the first three rows give (x·w, y·w, w) of its
 /// place in pixels from the top left corner, a pixel's centre at 0.5; the last its depth in front of the

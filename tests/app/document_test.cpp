@@ -2,6 +2,7 @@
 #include "app/editor/commands/region_edits.h"
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "core/geometry/surface_query.h"
 #include "core/samples/samples.h"
 
 #include <gtest/gtest.h>
@@ -185,5 +186,54 @@ TEST(PhotoEdits, AProjectorStandsBetweenTheEyeAndTheOrgan) {
             EXPECT_GE((vertex - projector.pose.translation()).dot(towards), 0);
         const double depth = (projector.pose.translation() - camera.eye).dot(towards);
         EXPECT_GT(depth, 0);
+    }
+}
+
+TEST(PhotoEdits, APerspectivePhotoFromTheCameraShowsWhatIsSeen) {
+    const Project project = makeSample("liver");
+    Image photo;
+    photo.width = 160;
+    photo.height = 90;
+    photo.pixels.resize(4 * 160 * 90);
+    Projector before;
+    before.kind = ProjectorKind::Perspective;
+    before.falloff = true;
+    before.intrinsics = Intrinsics{1, 1, 0, 0};
+    const double aspect = 16.0 / 9;
+    const Camera camera =
+        orbited(framedCamera(boundingBox(project.mesh->vertices), StandardView::Left, aspect), 0.3, 0.4);
+    const Projector projector = aimedByCamera(before, camera, photo, *project.mesh);
+    EXPECT_TRUE(projector.falloff);
+    for (std::size_t i = 0; i < project.mesh->vertices.size(); i += 97) {
+        const Eigen::Vector3d& vertex = project.mesh->vertices[i];
+        const auto seen = picturePoint(camera, vertex, aspect);
+        const auto thrown = esm::project(projector, {160, 90}, vertex);
+        EXPECT_NEAR(160 * seen->x(), thrown->x(), 1e-6);
+        EXPECT_NEAR(90 * seen->y(), thrown->y(), 1e-6);
+    }
+}
+
+TEST(PhotoEdits, AProjectorOfAnotherKindLiesInTheSamePlace) {
+    const Project project = makeSample("liver");
+    Image photo;
+    photo.width = 160;
+    photo.height = 80;
+    photo.pixels.resize(4 * 160 * 80);
+    const Camera camera = framedCamera(boundingBox(project.mesh->vertices), StandardView::Front, 2);
+    const Projector parallel = projectorFromCamera(camera, photo, *project.mesh);
+    const Projector perspective = ofKind(ProjectorKind::Perspective, parallel, photo, *project.mesh);
+    const Projector back = ofKind(ProjectorKind::Parallel, perspective, photo, *project.mesh);
+    const Eigen::Vector3d sight = -parallel.pose.linear().col(2);
+    const auto hit = SurfaceQuery(project.mesh->vertices, project.mesh->triangles)
+                         .firstHit({parallel.pose.translation(), sight});
+    ASSERT_TRUE(hit);
+    const Eigen::Vector3d middle = parallel.pose.translation() + hit->distance * sight;
+    const Eigen::Vector3d corner =
+        middle + parallel.pose.linear() * Eigen::Vector3d(parallel.width / 2, -parallel.height / 2, 0);
+    for (const Projector& projector : {parallel, perspective, back}) {
+        EXPECT_TRUE(
+            esm::project(projector, {160, 80}, middle)->head<2>().isApprox(Eigen::Vector2d(80, 40), 1e-6));
+        EXPECT_TRUE(
+            esm::project(projector, {160, 80}, corner)->head<2>().isApprox(Eigen::Vector2d(160, 80), 1e-6));
     }
 }

@@ -13,12 +13,12 @@ Vector3d shift(const DragPlane& plane, const Ray& ray) {
     return now ? Vector3d(*now - plane.point) : Vector3d(Vector3d::Zero());
 }
 
-template<typename Drawn, typename Shape>
-int shapeUnder(const std::vector<Drawn>& shapes, Shape Drawn::*shape, const Ray& ray) {
+template<typename Drawn, typename ShapeOf>
+int shapeUnder(const std::vector<Drawn>& shapes, ShapeOf shapeOf, const Ray& ray) {
     int found = -1;
     double nearest = HUGE_VAL;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        const std::optional<double> distance = distanceTo(shapes[i].*shape, ray);
+        const std::optional<double> distance = distanceTo(shapeOf(shapes[i]), ray);
         if (!distance) continue;
         if (shapes[i].selected) return static_cast<int>(i);
         if (*distance >= nearest) continue;
@@ -63,7 +63,7 @@ Projector dragged(const ProjectorMove& drag, const Ray& ray) {
 }
 
 Projector dragged(const ProjectorScale& drag, const Ray& ray, Proportions proportions) {
-    return scaled(drag.start, ray, proportions);
+    return scaled(drag.start, drag.handle, ray, proportions);
 }
 
 DragPlane picturePlane(const Camera& camera, const Vector3d& point) {
@@ -71,11 +71,16 @@ DragPlane picturePlane(const Camera& camera, const Vector3d& point) {
 }
 
 int ellipsoidUnder(const RenderScene& scene, const Ray& ray) {
-    return shapeUnder(scene.ellipsoids, &DrawnEllipsoid::shape, ray);
+    return shapeUnder(
+        scene.ellipsoids, [](const DrawnEllipsoid& drawn) { return drawn.shape; }, ray);
+}
+
+PhotoFace faceOf(const DrawnProjector& drawn) {
+    return {drawn.projector, drawn.size(), drawn.depth};
 }
 
 int projectorUnder(const RenderScene& scene, const Ray& ray) {
-    return shapeUnder(scene.projectors, &DrawnProjector::projector, ray);
+    return shapeUnder(scene.projectors, faceOf, ray);
 }
 
 } // namespace esm

@@ -41,7 +41,8 @@ struct ProjectorMove {
 };
 struct ProjectorScale {
     int index;
-    Projector start;
+    PhotoFace start;
+    std::size_t handle;
 };
 struct InstrumentSweep {
     DragPlane plane;
@@ -66,6 +67,7 @@ DragPlane picturePlane(const Camera& camera, const Eigen::Vector3d& point);
 
 /// The ellipsoid under a ray, the selected one first, else the nearest; −1 for none.
 int ellipsoidUnder(const RenderScene& scene, const Ray& ray);
+PhotoFace faceOf(const DrawnProjector& drawn);
 /// The same for the projectors' photos.
 int projectorUnder(const RenderScene& scene, const Ray& ray);
 

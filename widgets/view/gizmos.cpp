@@ -1,5 +1,8 @@
 #include "widgets/view/gizmos.h"
 
+#include "core/support/angles.h"
+#include "core/texture/texture_limits.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +14,54 @@ using Eigen::Vector3d;
 constexpr double smallestShare = 0.02; // of its size before: an axis cannot be drawn shut
 constexpr double grazing = 1e-3;       // sine of the angle below which a ray runs along a plane
 
-DragPlane photoPlane(const Projector& projector) {
-    return {projector.pose.translation(), projector.pose.linear().col(2)};
+DragPlane photoPlane(const PhotoFace& photo) {
+    const Eigen::Isometry3d& pose = photo.projector.pose;
+    return {pose * Vector3d(0, 0, -photo.depth), pose.linear().col(2)};
+}
+
+/// Lower and upper corner in the projector's own space, m.
+Eigen::AlignedBox2d ownBox(const PhotoFace& photo) {
+    const auto corners = photoCorners(photo.projector, photo.size, photo.depth);
+    const Eigen::Isometry3d toOwn = photo.projector.pose.inverse();
+    return {Eigen::Vector2d((toOwn * corners[0]).head<2>()), Eigen::Vector2d((toOwn * corners[2]).head<2>())};
+}
+
+/// How much wider and higher a photo becomes, by where the ray points on its plane.
+struct Growth {
+    double wider, higher;
+};
+
+Growth growthOf(const Eigen::AlignedBox2d& box, const Eigen::Vector2d& point, std::size_t handle, bool kept) {
+    // From the line of sight to the drawn border; half the size where that lies outside the photo.
+    const auto reach = [&](Eigen::Index axis) {
+        const double border = std::abs(point[axis] < 0 ? box.min()[axis] : box.max()[axis]);
+        return std::max(border, 0.05 * box.sizes()[axis]);
+    };
+    const double width = reach(0), height = reach(1);
+    Growth growth{std::abs(point.x()) / width, std::abs(point.y()) / height};
+    const bool isEdge = handle >= 4, isAcross = handle % 2 == 1;
+    if (isEdge) {
+        const double along = isAcross ? growth.wider : growth.higher;
+        growth = kept ? Growth{along, along} : isAcross ? Growth{along, 1} : Growth{1, along};
+    } else if (kept) {
+        growth.wider = growth.higher = (growth.wider * width * width + growth.higher * height * height) /
+                                       (width * width + height * height);
+    }
+    return {std::max(growth.wider, smallestShare), std::max(growth.higher, smallestShare)};
+}
+
+void grow(Projector& projector, const Growth& growth) {
+    if (projector.kind == ProjectorKind::Parallel) {
+        projector.width *= growth.wider;
+        projector.height *= growth.higher;
+    } else if (projector.intrinsics) {
+        projector.intrinsics->fx /= growth.wider;
+        projector.intrinsics->fy /= growth.higher;
+    } else {
+        const double slope = growth.higher * std::tan(toRadians(projector.fieldOfView) / 2);
+        projector.fieldOfView = std::clamp(toDegrees(2 * std::atan(slope)), texture_limits::narrowestView,
+                                           texture_limits::widestView);
+    }
 }
 
 } // namespace
@@ -39,12 +88,11 @@ std::optional<double> distanceTo(const Ellipsoid& ellipsoid, const Ray& ray) {
     return (-b - std::sqrt(discriminant)) / a;
 }
 
-std::optional<double> distanceTo(const Projector& projector, const Ray& ray) {
-    const std::optional<Vector3d> point = meet(ray, photoPlane(projector));
+std::optional<double> distanceTo(const PhotoFace& photo, const Ray& ray) {
+    const std::optional<Vector3d> point = meet(ray, photoPlane(photo));
     if (!point) return std::nullopt;
-    const Vector3d local = projector.pose.inverse() * *point;
-    if (std::abs(local.x()) > projector.width / 2 || std::abs(local.y()) > projector.height / 2)
-        return std::nullopt;
+    const Vector3d local = photo.projector.pose.inverse() * *point;
+    if (!ownBox(photo).contains(Eigen::Vector2d(local.head<2>()))) return std::nullopt;
     return (*point - ray.origin).norm();
 }
 
@@ -59,10 +107,14 @@ std::array<Vector3d, 6> handles(const Ellipsoid& ellipsoid) {
     return ends;
 }
 
-std::array<Vector3d, 4> handles(const Projector& projector) {
-    const double x = projector.width / 2, y = projector.height / 2;
-    return {projector.pose * Vector3d(-x, -y, 0), projector.pose * Vector3d(x, -y, 0),
-            projector.pose * Vector3d(x, y, 0), projector.pose * Vector3d(-x, y, 0)};
+std::array<Vector3d, photoHandles> handles(const PhotoFace& photo) {
+    const auto corners = photoCorners(photo.projector, photo.size, photo.depth);
+    std::array<Vector3d, photoHandles> places;
+    for (std::size_t i = 0; i < 4; ++i) {
+        places[i] = corners[i];
+        places[4 + i] = (corners[i] + corners[(i + 1) % 4]) / 2;
+    }
+    return places;
 }
 
 Ellipsoid scaled(const Ellipsoid& ellipsoid, std::size_t handle, const Ray& ray) {
@@ -80,20 +132,15 @@ Ellipsoid scaled(const Ellipsoid& ellipsoid, std::size_t handle, const Ray& ray)
     return result;
 }
 
-Projector scaled(const Projector& projector, const Ray& ray, Proportions proportions) {
-    const std::optional<Vector3d> point = meet(ray, photoPlane(projector));
-    if (!point) return projector;
-    const Vector3d local = projector.pose.inverse() * *point;
-    double wider = 2 * std::abs(local.x()) / projector.width,
-           higher = 2 * std::abs(local.y()) / projector.height;
-    if (proportions == Proportions::Kept) {
-        const double widthSquared = projector.width * projector.width;
-        const double heightSquared = projector.height * projector.height;
-        wider = higher = (wider * widthSquared + higher * heightSquared) / (widthSquared + heightSquared);
-    }
-    Projector result = projector;
-    result.width *= std::max(wider, smallestShare);
-    result.height *= std::max(higher, smallestShare);
+Projector scaled(const PhotoFace& photo, std::size_t handle, const Ray& ray, Proportions proportions) {
+    const std::optional<Vector3d> point = meet(ray, photoPlane(photo));
+    if (!point) return photo.projector;
+    const Vector3d local = photo.projector.pose.inverse() * *point;
+    const bool hasOneFreedom =
+        photo.projector.kind == ProjectorKind::Perspective && !photo.projector.intrinsics;
+    const bool kept = hasOneFreedom || (handle < 4 && proportions == Proportions::Kept);
+    Projector result = photo.projector;
+    grow(result, growthOf(ownBox(photo), local.head<2>(), handle, kept));
     return result;
 }
 

@@ -18,24 +18,38 @@ struct DragPlane {
 /// Where a ray meets a plane; nothing when it runs along it or the plane lies behind.
 std::optional<Eigen::Vector3d> meet(const Ray& ray, const DragPlane& plane);
 
+/// A projector's photo where it is shown: see `shownDepth`.
+struct PhotoFace {
+    // NOLINTNEXTLINE(google-explicit-constructor): a parallel projector's photo needs no more
+    PhotoFace(const Projector& thrownBy, PhotoSize photo = {1, 1}, double shownAt = 0)
+        : projector(thrownBy), size(photo), depth(shownAt) {}
+
+    Projector projector;
+    PhotoSize size;
+    double depth; ///< m
+};
+
 /// Distance along the ray to an ellipsoid, m; nothing when it misses or begins inside.
 std::optional<double> distanceTo(const Ellipsoid& ellipsoid, const Ray& ray);
 /// Distance along the ray to a projector's photo, m.
-std::optional<double> distanceTo(const Projector& projector, const Ray& ray);
+std::optional<double> distanceTo(const PhotoFace& photo, const Ray& ray);
 
 /// The ends of an ellipsoid's axes: +x, −x, +y, −y, +z, −z.
 std::array<Eigen::Vector3d, 6> handles(const Ellipsoid& ellipsoid);
-/// A photo's corners: bottom left, bottom right, top right, top left.
-std::array<Eigen::Vector3d, 4> handles(const Projector& projector);
+/// A photo's corners, bottom left, bottom right, top right, top left; then the middles of its edges, bottom,
+/// right, top, left.
+constexpr std::size_t photoHandles = 8;
+std::array<Eigen::Vector3d, photoHandles> handles(const PhotoFace& photo);
 
 /// The ellipsoid with one axis as long as the ray asks for; its centre stays. `handle` counts as in
 /// `handles`.
 Ellipsoid scaled(const Ellipsoid& ellipsoid, std::size_t handle, const Ray& ray);
 enum class Proportions { Kept, Free };
 
-/// The projector with a corner drawn to the ray; its centre stays. With its proportions kept, the corner goes
-/// along its diagonal to where it is nearest to the point that the ray points at; else to that point, width
-/// and height each on its own.
-Projector scaled(const Projector& projector, const Ray& ray, Proportions proportions);
+/// The projector with a handle drawn to the ray; its centre stays, or its eye. A corner whose proportions are
+/// kept goes along its diagonal to where it is nearest to the point that the ray points at; else to that
+/// point, width and height each on its own. The middle of an edge changes only the width or the height. A
+/// field of view has one freedom: all of its handles keep the proportions.
+Projector scaled(const PhotoFace& photo, std::size_t handle, const Ray& ray, Proportions proportions);
 
 } // namespace esm

@@ -140,10 +140,11 @@ std::optional<Drag> OrganView::regionDragAt(const QPointF& place, const Ray& ray
 std::optional<Drag> OrganView::cornerDragAt(const QPointF& place) const {
     const int selected = selectedIndex(m_scene.projectors);
     if (m_tool != ViewTool::Projector || selected < 0) return std::nullopt;
-    const Projector& projector = m_scene.projectors[static_cast<std::size_t>(selected)].projector;
-    for (const Vector3d& corner : handles(projector)) {
-        const auto seen = placeOf(corner);
-        if (seen && distance(*seen, place) <= handleReach) return ProjectorScale{selected, projector};
+    const PhotoFace photo = faceOf(m_scene.projectors[static_cast<std::size_t>(selected)]);
+    const auto places = handles(photo);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto seen = placeOf(places[i]);
+        if (seen && distance(*seen, place) <= handleReach) return ProjectorScale{selected, photo, i};
     }
     return std::nullopt;
 }
@@ -158,9 +159,9 @@ std::optional<Drag> OrganView::projectorDragAt(const QPointF& place, const Ray& 
     if (auto corner = cornerDragAt(place)) return corner;
     const int under = projectorUnder(m_scene, ray);
     if (under < 0) return std::nullopt;
-    const Projector& projector = m_scene.projectors[static_cast<std::size_t>(under)].projector;
-    const Vector3d grabbed = ray.origin + *distanceTo(projector, ray) * ray.direction.normalized();
-    return ProjectorMove{under, projector, {grabbed, projector.pose.linear().col(2)}};
+    const PhotoFace photo = faceOf(m_scene.projectors[static_cast<std::size_t>(under)]);
+    const Vector3d grabbed = ray.origin + *distanceTo(photo, ray) * ray.direction.normalized();
+    return ProjectorMove{under, photo.projector, {grabbed, photo.projector.pose.linear().col(2)}};
 }
 
 void OrganView::followDrag(const QPointF& place, Proportions proportions) {
@@ -284,8 +285,8 @@ std::vector<PaintedHandle> OrganView::projectorHandles() const {
     std::vector<PaintedHandle> painted;
     const int selected = selectedIndex(m_scene.projectors);
     if (selected < 0) return painted;
-    for (const Vector3d& corner : handles(m_scene.projectors[static_cast<std::size_t>(selected)].projector))
-        if (const auto place = placeOf(corner)) painted.push_back({*place});
+    for (const Vector3d& handle : handles(faceOf(m_scene.projectors[static_cast<std::size_t>(selected)])))
+        if (const auto place = placeOf(handle)) painted.push_back({*place});
     return painted;
 }
 

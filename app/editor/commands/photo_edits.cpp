@@ -2,9 +2,13 @@
 
 #include "app/editor/commands/move_item.h"
 
+#include "core/geometry/surface_query.h"
+#include "core/support/angles.h"
 #include "core/support/errors.h"
+#include "core/texture/texture_limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace esm {
@@ -22,7 +26,64 @@ double nearestDepth(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& eye,
     return nearest;
 }
 
+PhotoSize sizeOf(const Image& photo) {
+    return photo.empty() ? PhotoSize{1, 1} : PhotoSize{photo.width, photo.height};
+}
+
+/// How far before the projector its middle meets the organ, or else the organ's middle lies.
+double depthOfOrgan(const Projector& projector, const TriangleMesh& mesh) {
+    const Eigen::Vector3d origin = projector.pose.translation(), towards = -projector.pose.linear().col(2);
+    const auto hit = SurfaceQuery(mesh.vertices, mesh.triangles).firstHit({origin, towards});
+    if (hit && hit->distance > 0) return hit->distance;
+    const Eigen::AlignedBox3d box = boundingBox(mesh.vertices);
+    const double middle = (box.center() - origin).dot(towards);
+    return middle > 0 ? middle : 0.5 * box.diagonal().norm();
+}
+
+/// Lengths that files can hold.
+double photoLength(double metres) {
+    return std::clamp(metres, texture_limits::shortestPhoto, texture_limits::longestPhoto);
+}
+
 } // namespace
+
+Projector aimedByCamera(const Projector& before, const Camera& camera, const Image& photo,
+                        const TriangleMesh& mesh) {
+    Projector projector = before;
+    if (before.kind == ProjectorKind::Parallel) {
+        projector.pose = projectorFromCamera(camera, photo, mesh).pose;
+        return projector;
+    }
+    projector.pose.linear() = cameraAxes(camera);
+    projector.pose.translation() = camera.eye;
+    projector.intrinsics.reset();
+    projector.fieldOfView = toDegrees(camera.verticalFieldOfView);
+    return projector;
+}
+
+Projector ofKind(ProjectorKind kind, const Projector& before, const Image& photo, const TriangleMesh& mesh) {
+    if (kind == before.kind) return before;
+    const double depth = depthOfOrgan(before, mesh);
+    Projector projector = before;
+    projector.kind = kind;
+    if (kind == ProjectorKind::Perspective) {
+        projector.fieldOfView = Projector().fieldOfView;
+        projector.intrinsics.reset();
+        const double distance = before.height / (2 * std::tan(toRadians(projector.fieldOfView) / 2));
+        projector.pose.translation() += (distance - depth) * before.pose.linear().col(2);
+        return projector;
+    }
+    const auto corners = photoCorners(before, sizeOf(photo), depth);
+    projector.width = photoLength((corners[1] - corners[0]).norm());
+    projector.height = photoLength((corners[3] - corners[0]).norm());
+    const Eigen::Vector3d towards = -before.pose.linear().col(2);
+    const Eigen::AlignedBox3d box = boundingBox(mesh.vertices);
+    const double inFront = nearestDepth(box, before.pose.translation(), towards);
+    const double setBack = std::max(0.0, std::min(inFront - 0.04 * box.diagonal().norm(), depth));
+    projector.pose.translation() = (corners[0] + corners[2]) / 2 + (setBack - depth) * towards;
+    projector.intrinsics.reset();
+    return projector;
+}
 
 Projector projectorFromCamera(const Camera& camera, const Image& photo, const TriangleMesh& mesh) {
     const auto box = boundingBox(mesh.vertices);

@@ -12,6 +12,14 @@ namespace esm {
 /// and 40 % of the organ's size.
 Projector projectorFromCamera(const Camera& camera, const Image& photo, const TriangleMesh& mesh);
 
+/// The selected photo thrown from where the camera looks, as its kind does it: a perspective one shows
+/// exactly what is seen, its height filling the picture's; a parallel one keeps its size.
+Projector aimedByCamera(const Projector& before, const Camera& camera, const Image& photo,
+                        const TriangleMesh& mesh);
+
+/// The same projector of another kind, its photo in the same place and size where its middle meets the organ.
+Projector ofKind(ProjectorKind kind, const Projector& before, const Image& photo, const TriangleMesh& mesh);
+
 /// Packs the mesh; where the size cannot hold it, doubles the size up to 8192. @throws InvalidModel when even
 /// that is too small
 Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options);

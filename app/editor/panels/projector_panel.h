@@ -5,6 +5,7 @@
 #include "widgets/inputs/section.h"
 #include "widgets/inputs/vector_field.h"
 
+#include <QComboBox>
 #include <QPushButton>
 
 namespace esm {
@@ -21,12 +22,17 @@ public:
 
 private:
     void show();
+    void showKind(const Projector* projector);
+    void chooseKind();
+    double verticalFieldOfView() const;
     /// @param mergeKey of edits that become one step while a gesture lasts
     void edit(const QString& text, const std::function<void(Projector&)>& change, const QString& mergeKey);
 
     Document& m_document;
     Selection& m_selection;
-    NumberField *m_width, *m_height;
+    QComboBox* m_kind;
+    NumberField *m_width, *m_height, *m_fieldOfView;
+    ValueRows *m_parallelRows, *m_perspectiveRows; ///< what only one kind has
     VectorField *m_position, *m_turned;
     QPushButton* m_fromCamera;
 };

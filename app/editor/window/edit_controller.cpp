@@ -151,12 +151,7 @@ void EditController::projectFromCamera() {
     if (!selected) return;
     m_document.edit(tr("Photo from camera"), [&](Project& project) {
         PhotoLayer& layer = project.photos[*selected];
-        Projector projector = projectorFromCamera(m_camera(), layer.photo->image, *project.mesh);
-        projector.width = layer.projector.width;
-        projector.height = layer.projector.height;
-        projector.occlusion = layer.projector.occlusion;
-        projector.falloff = layer.projector.falloff;
-        layer.projector = projector;
+        layer.projector = aimedByCamera(layer.projector, m_camera(), layer.photo->image, *project.mesh);
     });
 }
 

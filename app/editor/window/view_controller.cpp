@@ -1,6 +1,7 @@
 #include "app/editor/window/view_controller.h"
 
 #include "app/editor/window/actions.h"
+#include "core/render/drawn_shape.h"
 #include "widgets/inputs/number_text.h"
 
 #include <algorithm>
@@ -182,7 +183,8 @@ void ViewController::addProjector(RenderScene& scene) {
     // The picture is part of the photo: one owner for both.
     const std::shared_ptr<const Image> picture(layer.photo, &layer.photo->image);
     const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
-    scene.projectors.push_back({layer.projector, picture, true, isLaid});
+    const double depth = shownDepth(layer.projector, boundingBox(m_document.project().mesh->vertices));
+    scene.projectors.push_back({layer.projector, picture, true, isLaid, depth});
 }
 
 void ViewController::addSprings(RenderScene& scene) {
