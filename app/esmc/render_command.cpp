@@ -106,9 +106,7 @@ void addPhotos(RenderScene& scene, const std::vector<PhotoLayer>& photos) {
     const Eigen::AlignedBox3d organ = boundingBox(scene.mesh->vertices);
     for (const PhotoLayer& layer : photos)
         if (layer.visible)
-            scene.projectors.push_back({layer.projector,
-                                        {layer.photo, &layer.photo->image},
-                                        false,
+            scene.projectors.push_back({layer.projector, pictureOf(layer), false,
                                         scene.texturePages && layer.opacity > 0,
                                         shownDepth(layer.projector, organ)});
 }

@@ -1,5 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/preparation_options.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/projector_file.h"
@@ -80,6 +81,7 @@ Report runPack(const PackOptions& options, Context& context) {
 struct PhotoOptions {
     std::string project, output, photo, projector, name;
     double blend = PhotoLayer().blendPixels;
+    PreparationOptions preparation;
 };
 
 void declarePhoto(CLI::App& command, PhotoOptions& options) {
@@ -94,6 +96,7 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
         .add_option("--blend", options.blend, "Pixels of the photograph over which its border fades in (24)")
         ->check(nonNegativeNumber());
     command.add_option("--name", options.name, "The layer's name (default: the photograph's)");
+    declarePreparation(command, options.preparation);
 }
 
 Report describe(const PhotoLayer& layer, const LayerCoverage& covered) {
@@ -116,11 +119,14 @@ Report runPhoto(const PhotoOptions& options, Context& context) {
     layer.projector = readProjectorFile(options.projector);
     layer.blendPixels = options.blend;
     layer.name = options.name.empty() ? fs::path(options.photo).stem().string() : options.name;
+    const Report found = prepareLayer(layer, options.preparation);
     packIfNeeded(project);
     const LayerCoverage covered = coverage(*project.mesh, *project.atlas, layer);
     project.photos.push_back(layer);
     saveProject(project, options.output);
     Report report = describe(layer, covered);
+    report.json.update(found.json);
+    report.text.insert(report.text.end(), found.text.begin(), found.text.end());
     addWritten(report, options.output);
     return report;
 }

@@ -15,6 +15,7 @@ struct VersionNeeds {
     bool extendedInference = false; ///< norms, weights, OR or NOT in a fuzzy system: version 4
     bool softRims = false;          ///< regions that fade into what lies beneath: version 5
     bool perspective = false;       ///< photos thrown in perspective or with falloff: version 6
+    bool preparation = false;       ///< photos that are prepared: version 7
 };
 
 /// What the regions and their fuzzy systems need, with what else does.

@@ -1,4 +1,5 @@
 #include "core/exchange/model_json.h"
+#include "core/exchange/preparation_json.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/project_layout.h"
 #include "core/exchange/projector_file.h"
@@ -52,14 +53,24 @@ public:
         const PhotoFormat format = inspectPhoto(encoded);
         const std::uint64_t most = texture_limits::mostPhotoPixels;
         if (format.width > 0 && format.height > 0 && format.width <= most / format.height) {
-            const std::uint64_t pixels = format.width * format.height;
-            if (pixels > m_pixels)
-                throw FileError(name,
-                                "has more pixels than the project's other photos leave room for; use fewer "
-                                "or smaller photos");
-            m_pixels -= pixels;
+            takePixels(format.width * format.height, name);
         }
         return decodePhoto(name, std::move(encoded));
+    }
+
+    /// Prepares a layer's photo, where the picture has room beside the other ones.
+    void prepare(const JsonReader& reader, PhotoLayer& layer) {
+        const PhotoPreparation preparation = preparationFromJson(reader);
+        if (!layer.photo || preparation.isNothing()) return;
+        try {
+            takePixels(layer.photo->image.pixels.size() / 4, layer.photo->fileName);
+            esm::prepare(layer, preparation);
+        } catch (const InvalidModel& error) {
+            for (const std::string& problem : error.problems())
+                reader.addProblem("is not usable: " + problem);
+        } catch (const FileError& error) {
+            reader.addProblem(std::string("is not usable: ") + error.what());
+        }
     }
 
     /// The numbers of an array in groups of `components`.
@@ -103,6 +114,13 @@ public:
     }
 
 private:
+    void takePixels(std::uint64_t pixels, const std::string& name) {
+        if (pixels > m_pixels)
+            throw FileError(name, "has more pixels than the project's other photos leave room for; use fewer "
+                                  "or smaller photos");
+        m_pixels -= pixels;
+    }
+
     const ZipReader& m_archive;
     std::vector<std::string>& m_problems;
     std::set<std::string> m_named;
@@ -226,6 +244,7 @@ std::vector<PhotoLayer> readPhotos(const JsonReader& reader, Source& source) {
         layer.blendPixels = json.member("blendPixels").number();
         layer.opacity = json.member("opacity").number();
         layer.visible = json.member("visible").flag();
+        if (json.has("preparation")) source.prepare(json.member("preparation"), layer);
         layers.push_back(std::move(layer));
     }
     return layers;

@@ -1,4 +1,5 @@
 #include "core/exchange/model_json.h"
+#include "core/exchange/preparation_json.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/project_layout.h"
 #include "core/exchange/projector_file.h"
@@ -113,13 +114,15 @@ std::size_t addPhotoFile(const Photo& photo, Json& files, Content& content,
 Json addPhotos(const std::vector<PhotoLayer>& layers, Content& content) {
     Json files = Json::array(), list = Json::array();
     std::vector<const Photo*> added;
-    for (const PhotoLayer& layer : layers)
+    for (const PhotoLayer& layer : layers) {
         list.push_back({{"name", layer.name},
                         {"file", addPhotoFile(*layer.photo, files, content, added)},
                         {"projector", esm::toJson(layer.projector)},
                         {"blendPixels", layer.blendPixels},
                         {"opacity", layer.opacity},
                         {"visible", layer.visible}});
+        if (!layer.preparation.isNothing()) list.back()["preparation"] = esm::toJson(layer.preparation);
+    }
     return {{"files", std::move(files)}, {"layers", std::move(list)}};
 }
 
@@ -145,6 +148,8 @@ Json manifestOf(const Project& project, Content& content) {
     texture["baseColour"] = colourToJson(project.texture.baseColour);
     VersionNeeds needs = needsOf(project.regions, isBound, project.base.stiffening.has_value());
     needs.perspective = std::any_of(project.photos.begin(), project.photos.end(), needsPerspective);
+    needs.preparation = std::any_of(project.photos.begin(), project.photos.end(),
+                                    [](const PhotoLayer& layer) { return !layer.preparation.isNothing(); });
     Json manifest{{"format", layout::format},
                   {"version", versionOf(needs)},
                   {"program", ESM_VERSION},

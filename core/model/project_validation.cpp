@@ -83,16 +83,24 @@ Problems photoProblems(const PhotoLayer& layer) {
     }
     requireValue(problems, "the blending width", layer.blendPixels, true);
     if (!(layer.opacity >= 0 && layer.opacity <= 1)) problems.emplace_back("the opacity must be from 0 to 1");
+    if (layer.photo) {
+        const Problems found =
+            validate(layer.preparation, layer.photo->image.width, layer.photo->image.height);
+        problems.insert(problems.end(), found.begin(), found.end());
+    }
     return problems;
 }
 
-/// Pixels of all photos together, each counted once however often it is laid.
+/// Pixels of all photos and prepared pictures together, each counted once however often it is laid.
 std::uint64_t photoPixels(const Project& project) {
-    std::set<const Photo*> counted;
+    std::set<const Image*> counted;
     std::uint64_t pixels = 0;
-    for (const PhotoLayer& layer : project.photos)
-        if (layer.photo && counted.insert(layer.photo.get()).second)
+    for (const PhotoLayer& layer : project.photos) {
+        if (layer.photo && counted.insert(&layer.photo->image).second)
             pixels += layer.photo->image.pixels.size() / 4;
+        if (layer.prepared && counted.insert(layer.prepared.get()).second)
+            pixels += layer.prepared->pixels.size() / 4;
+    }
     return pixels;
 }
 

@@ -59,8 +59,9 @@ public:
 
 private:
     void add(const PhotoLayer& layer) {
-        auto& sampler = m_samplers[layer.photo.get()];
-        if (!sampler) sampler = std::make_unique<PhotoSampler>(layer.photo->image);
+        const Image& picture = *pictureOf(layer); // which the layer keeps
+        auto& sampler = m_samplers[&picture];
+        if (!sampler) sampler = std::make_unique<PhotoSampler>(picture);
         m_layers.emplace_back(&layer, sampler.get());
         if (layer.projector.occlusion && !m_query)
             m_query.emplace(m_surface.mesh.vertices, m_surface.mesh.triangles);
@@ -69,7 +70,7 @@ private:
     const Atlas& m_atlas;
     LitSurface m_surface;
     std::optional<SurfaceQuery> m_query;
-    std::map<const Photo*, std::unique_ptr<PhotoSampler>> m_samplers;
+    std::map<const Image*, std::unique_ptr<PhotoSampler>> m_samplers;
     std::vector<std::pair<const PhotoLayer*, const PhotoSampler*>> m_layers;
 };
 

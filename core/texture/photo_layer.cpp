@@ -105,4 +105,17 @@ std::shared_ptr<const Photo> decodePhoto(std::string name, Bytes encoded) {
     return makePhoto(shown, std::move(name), std::move(encoded));
 }
 
+std::shared_ptr<const Image> pictureOf(const PhotoLayer& layer) {
+    if (layer.prepared) return layer.prepared;
+    return {layer.photo, &layer.photo->image}; // the photo owns both
+}
+
+void prepare(PhotoLayer& layer, const PhotoPreparation& preparation) {
+    std::shared_ptr<const Image> picture;
+    if (!preparation.isNothing())
+        picture = std::make_shared<const Image>(prepared(layer.photo->image, preparation));
+    layer.preparation = preparation;
+    layer.prepared = std::move(picture);
+}
+
 } // namespace esm

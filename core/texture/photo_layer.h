@@ -2,6 +2,7 @@
 
 #include "core/support/file_io.h"
 #include "core/texture/image.h"
+#include "core/texture/photo_preparation.h"
 #include "core/texture/projector.h"
 
 #include <filesystem>
@@ -25,7 +26,16 @@ struct PhotoLayer {
     double blendPixels = 24; ///< photo pixels over which the weight rises from 0 at the border to 1 [R 4.3.3]
     double opacity = 1;      ///< 0 to 1
     bool visible = true;
+    PhotoPreparation preparation;
+    std::shared_ptr<const Image> prepared; ///< what it makes of the photo; null where it does nothing
 };
+
+/// What the projector throws: the prepared picture, or the photo's own.
+std::shared_ptr<const Image> pictureOf(const PhotoLayer& layer);
+
+/// Gives a layer another preparation and the picture that comes of it, or leaves it as it was.
+/// @throws InvalidModel with what validate() finds
+void prepare(PhotoLayer& layer, const PhotoPreparation& preparation);
 
 /// Decodes a photo. @throws FileError when it is missing, not an image, damaged or too large
 std::shared_ptr<const Photo> loadPhoto(const std::filesystem::path& file);

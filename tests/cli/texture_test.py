@@ -62,6 +62,28 @@ class TextureTest(Case):
         self.done("sample", "vessels", "-o", photo)
         return self.done("texture", "photo", project, "--photo", photo, "--projector", pose, "-o", project)
 
+    def test_prepares_photos(self):
+        project, photo = self.sample("liver"), self.file("photo.png")
+        pose = self.file("projector.json", PROJECTOR)
+        lens = self.file("lens.json", {"kind": "pinhole", "fx": 900, "fy": 900, "cx": 256, "cy": 256,
+                                       "coefficients": [-0.1, 0, 0, 0, 0]})
+        self.done("sample", "serosa", "-o", photo)
+        given = ("texture", "photo", project, "--photo", photo, "--projector", pose)
+        plain = self.done(*given, "-o", self.file("plain.esm"))
+        prepared = self.file("prepared.esm")
+        report = self.done(*given, "--round-field", "--fill-highlights", "--white-balance", "--even-light", "0.5",
+                           "--lens", lens, "--crop", "0 0 64 64", "-o", prepared)
+        self.assertIsNone(report["round_field"])
+        self.assertTrue(0 <= report["highlights_filled"] < 1)
+        self.assertIn("white_balance", report)
+        self.assertLess(report["texels"], plain["texels"])
+        self.assertEqual(self.done("validate", prepared)["problems"], [])
+        self.fails(2, *given, "--crop", "0 0 64", "-o", project, naming="--crop")
+        self.fails(2, *given, "--even-light", "2", "-o", project, naming="--even-light")
+        self.fails(1, *given, "--crop", "0 0 64 99999", "-o", project, naming="crop")
+        bad = self.file("bad.json", {"kind": "mirror"})
+        self.fails(1, *given, "--lens", bad, "-o", project, naming="pinhole")
+
     def test_packs(self):
         project = self.sample("liver")
         report = self.done("texture", "pack", project, "--size", "512", "--pages", "2", "--gap", "3", "-o", project)

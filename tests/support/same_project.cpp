@@ -107,6 +107,8 @@ void expectSamePhotos(const Project& a, const Project& b) {
         EXPECT_TRUE(sameBits(p.blendPixels, q.blendPixels));
         EXPECT_TRUE(sameBits(p.opacity, q.opacity));
         EXPECT_EQ(p.visible, q.visible);
+        EXPECT_TRUE(p.preparation == q.preparation);
+        EXPECT_EQ(pictureOf(p)->pixels, pictureOf(q)->pixels);
     }
 }
 

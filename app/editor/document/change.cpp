@@ -86,7 +86,8 @@ bool sameReach(const Region& a, const Region& b) {
 
 bool same(const PhotoLayer& a, const PhotoLayer& b) {
     return a.name == b.name && a.photo == b.photo && a.projector == b.projector &&
-           a.blendPixels == b.blendPixels && a.opacity == b.opacity && a.visible == b.visible;
+           a.blendPixels == b.blendPixels && a.opacity == b.opacity && a.visible == b.visible &&
+           a.preparation == b.preparation;
 }
 
 bool same(const Stepping& a, const Stepping& b) {

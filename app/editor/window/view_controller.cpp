@@ -180,11 +180,9 @@ void ViewController::addProjector(RenderScene& scene) {
     const auto selected = m_selection.photo();
     if (!m_textureWorkspace || !selected) return;
     const PhotoLayer& layer = m_document.project().photos[*selected];
-    // The picture is part of the photo: one owner for both.
-    const std::shared_ptr<const Image> picture(layer.photo, &layer.photo->image);
     const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
     const double depth = shownDepth(layer.projector, boundingBox(m_document.project().mesh->vertices));
-    scene.projectors.push_back({layer.projector, picture, true, isLaid, depth});
+    scene.projectors.push_back({layer.projector, pictureOf(layer), true, isLaid, depth});
 }
 
 void ViewController::addSprings(RenderScene& scene) {

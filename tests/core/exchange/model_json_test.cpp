@@ -84,6 +84,7 @@ TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
     EXPECT_EQ(versionOf({true, true, true, true}), 5);
     EXPECT_EQ(versionOf({false, false, false, false, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true}), 6);
+    EXPECT_EQ(versionOf({true, true, true, true, true, true}), 7);
 }
 
 TEST(ModelJson, TurnsPointsIntoOneListAndBack) {

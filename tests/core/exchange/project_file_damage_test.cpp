@@ -56,10 +56,10 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
 }
 
 TEST_F(ProjectFile, ANewerVersionSaysSo) {
-    saveWithManifest("/version", 7);
+    saveWithManifest("/version", 8);
     EXPECT_THAT(loadingError(),
-                HasSubstr("organ.esm: was made by a newer version (7) of the program; this one reads "
-                          "up to 6; update the program"));
+                HasSubstr("organ.esm: was made by a newer version (8) of the program; this one reads "
+                          "up to 7; update the program"));
 }
 
 /// A second file entry that names the first one's bytes again.

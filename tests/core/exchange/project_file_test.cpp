@@ -79,9 +79,11 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(version(softProject()), 5);
     Project project = richProject();
     project.photos[0].projector.falloff = true;
-    EXPECT_EQ(version(project), projectFileVersion);
+    EXPECT_EQ(version(project), 6);
     project.photos[0].projector.falloff = false;
     project.photos[0].projector.kind = ProjectorKind::Perspective;
+    EXPECT_EQ(version(project), 6);
+    project.photos[0].preparation.evenLight = 0.5;
     EXPECT_EQ(version(project), projectFileVersion);
 }
 
@@ -96,6 +98,42 @@ TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {
 TEST_F(ProjectFile, KeepsAModelWithoutSurfaceRegionsOrPhotos) {
     saveProject(bareProject(), m_file);
     expectSameProject(bareProject(), loadProject(m_file));
+}
+
+TEST_F(ProjectFile, KeepsHowPhotosAreMadeReady) {
+    Project project = richProject();
+    PhotoPreparation pinhole, fisheye;
+    pinhole.field = RoundField{20.25, 1.0 / 3, 11, 2.5};
+    pinhole.highlightThreshold = 200;
+    pinhole.evenLight = 0.7;
+    pinhole.whiteBalance = ColourGains{0.9, 1, 1.0 / 0.9};
+    pinhole.lens = Lens{LensKind::Pinhole, 30, 31, 20, 19, {-0.1, 0.01, 0.001, 1.0 / 3000, 0.002}};
+    pinhole.crop = PhotoCrop{1, 2, 12, 11};
+    fisheye.lens = Lens{LensKind::Fisheye, 9, 9, 8, 8, {-0.1, 0.01, 0.001, 1.0 / 3000, 0}};
+    prepare(project.photos[0], pinhole);
+    prepare(project.photos[1], fisheye);
+    saveProject(project, m_file);
+    expectSameProject(project, loadProject(m_file));
+    EXPECT_EQ(loadProject(m_file).photos[2].prepared, nullptr);
+}
+
+TEST_F(ProjectFile, NamesWhatIsWrongWithAPreparation) {
+    for (
+        const auto& [preparation, naming] : std::vector<std::pair<const char*, const char*>>{
+            {R"({"evenLight": 2})", "strength of even light"},
+            {R"({"highlights": 0})", "preparation.highlights"},
+            {R"({"whiteBalance": [1, 2]})", "preparation.whiteBalance"},
+            {R"({"whiteBalance": [1, 1, 99]})", "gains of white balance"},
+            {R"({"crop": {"x": 0, "y": 0, "width": 9999, "height": 1}})", "a part of the photo"},
+            {R"({"roundField": {"centre": [1, 1], "radius": 0, "trim": 2}})", "the round field"},
+            {R"({"lens": {"kind": "mirror", "fx": 1, "fy": 1, "cx": 0, "cy": 0, "coefficients": [0,0,0,0,0]}})",
+             "pinhole"},
+            {R"({"lens": {"kind": "fisheye", "fx": 0, "fy": 1, "cx": 0, "cy": 0, "coefficients": [0,0,0,0]}})",
+             "focal length"}}) {
+        changeManifest("/photos/layers/0",
+                       [&](Json& layer) { layer["preparation"] = Json::parse(preparation); });
+        EXPECT_THAT(loadingError(), testing::HasSubstr(naming)) << preparation;
+    }
 }
 
 TEST_F(ProjectFile, SharesWhatWasShared) {

@@ -167,6 +167,22 @@ TEST(Photo, ThatMemoryCannotHoldIsNotCalledDamaged) {
     cv::Mat::setDefaultAllocator(usual);
 }
 
+TEST(Photo, IsItsOwnPictureUntilItIsPrepared) {
+    PhotoLayer layer;
+    layer.photo = decodePhoto("a.png", encoded(".png", noise(64, 48, CV_8UC3)));
+    EXPECT_EQ(pictureOf(layer).get(), &layer.photo->image);
+    PhotoPreparation cropped;
+    cropped.crop = PhotoCrop{0, 0, 10, 10};
+    prepare(layer, cropped);
+    EXPECT_EQ(pictureOf(layer)->at(20, 20)[3], 0);
+    EXPECT_EQ(PhotoLayer(layer).prepared, layer.prepared);
+    cropped.crop->width = 65;
+    EXPECT_THROW(prepare(layer, cropped), InvalidModel);
+    EXPECT_EQ(layer.preparation.crop->width, 10);
+    prepare(layer, {});
+    EXPECT_EQ(pictureOf(layer).get(), &layer.photo->image);
+}
+
 TEST(Photo, NamesTheFileThatCannotBeRead) {
     const TemporaryFolder folder;
     EXPECT_THROW(loadPhoto(folder / "missing.png"), FileError);
