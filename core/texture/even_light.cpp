@@ -12,8 +12,8 @@ namespace esm {
 
 namespace {
 
-constexpr int coarse = 192;   ///< pixels of the longer side at which light is looked at
-constexpr double darkest = 8; ///< luminance below which noise would count for light
+constexpr int coarse = 192;        ///< pixels of the longer side at which light is looked at
+constexpr double darkestLight = 8; ///< luminance below which noise would count for light
 constexpr double strongestGain = 3;
 constexpr int degrees = 4;
 constexpr int termCount = (degrees + 1) * (degrees + 2) / 2;
@@ -67,10 +67,10 @@ std::optional<SlowLight> fittedLight(const cv::Mat& small) {
     double sum = 0, weights = 0;
     for (int y = 0; y < small.rows; ++y)
         for (int x = 0; x < small.cols; ++x) {
-            const cv::Vec2f light = small.at<cv::Vec2f>(y, x);
+            const cv::Vec2f& light = small.at<cv::Vec2f>(y, x);
             const double weight = light[1];
             if (!(weight > 0.01)) continue;
-            const double level = std::log(std::max(darkest, light[0] / weight));
+            const double level = std::log(std::max(darkestLight, light[0] / weight));
             const Terms terms = termsOf(small, x, y);
             normal += weight * terms * terms.transpose();
             right += weight * level * terms;
