@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/render/camera.h"
-#include "core/texture/projector.h"
+#include "core/texture/projection/projector.h"
 
 #include <filesystem>
 

@@ -2,7 +2,7 @@
 
 #include "app/esmc/arguments.h"
 #include "app/esmc/report.h"
-#include "core/texture/photo_layer.h"
+#include "core/texture/layers/photo_layer.h"
 
 #include <string>
 

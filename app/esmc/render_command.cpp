@@ -7,7 +7,7 @@
 #include "core/exchange/project_file.h"
 #include "core/offscreen/offscreen.h"
 #include "core/render/drawn_shape.h"
-#include "core/texture/composite.h"
+#include "core/texture/layers/composite.h"
 
 #include <algorithm>
 #include <variant>

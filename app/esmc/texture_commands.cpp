@@ -5,7 +5,7 @@
 #include "core/exchange/project_file.h"
 #include "core/exchange/projector_file.h"
 #include "core/support/atomic_file.h"
-#include "core/texture/composite.h"
+#include "core/texture/layers/composite.h"
 
 #include <filesystem>
 #include <list>

@@ -2,7 +2,7 @@
 
 #include "core/exchange/model_json.h"
 #include "core/support/errors.h"
-#include "core/texture/photo_format.h"
+#include "core/texture/photo/photo_format.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "core/exchange/package_layout.h"
 #include "core/exchange/region_json.h"
 #include "core/support/errors.h"
-#include "core/texture/composite.h"
+#include "core/texture/layers/composite.h"
 
 #include <algorithm>
 #include <cmath>

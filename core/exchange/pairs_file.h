@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/texture/pose_fit.h"
+#include "core/texture/projection/pose_fit.h"
 
 #include <filesystem>
 

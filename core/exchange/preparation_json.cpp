@@ -31,10 +31,10 @@ Lens lensFromJson(const JsonReader& reader) {
         lens.kind = LensKind::Fisheye;
     else if (kind.json() != "pinhole" && !kind.json().is_null())
         kind.addProblem("must be \"pinhole\" or \"fisheye\"");
-    lens.fx = reader.member("fx").number();
-    lens.fy = reader.member("fy").number();
-    lens.cx = reader.member("cx").number();
-    lens.cy = reader.member("cy").number();
+    lens.camera.fx = reader.member("fx").number();
+    lens.camera.fy = reader.member("fy").number();
+    lens.camera.cx = reader.member("cx").number();
+    lens.camera.cy = reader.member("cy").number();
     const std::size_t count = lens.kind == LensKind::Fisheye ? 4 : 5;
     const std::vector<double> coefficients = reader.member("coefficients").numbers(count);
     for (std::size_t i = 0; i < coefficients.size() && i < count; ++i)
@@ -48,10 +48,10 @@ Json toJson(const Lens& lens) {
     for (std::size_t i = 0; i < (isFisheye ? 4 : 5); ++i)
         coefficients.push_back(lens.coefficients[i]);
     return {{"kind", isFisheye ? "fisheye" : "pinhole"},
-            {"fx", lens.fx},
-            {"fy", lens.fy},
-            {"cx", lens.cx},
-            {"cy", lens.cy},
+            {"fx", lens.camera.fx},
+            {"fy", lens.camera.fy},
+            {"cx", lens.camera.cx},
+            {"cy", lens.camera.cy},
             {"coefficients", std::move(coefficients)}};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/exchange/json_reader.h"
-#include "core/texture/photo_preparation.h"
+#include "core/texture/photo/photo_preparation.h"
 
 #include <filesystem>
 

@@ -8,7 +8,7 @@
 #include "core/exchange/zip_archive.h"
 #include "core/support/byte_order.h"
 #include "core/support/errors.h"
-#include "core/texture/photo_format.h"
+#include "core/texture/photo/photo_format.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>

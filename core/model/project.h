@@ -6,8 +6,8 @@
 #include "core/model/scene.h"
 #include "core/model/stepping.h"
 #include "core/model/tissue_model.h"
-#include "core/texture/atlas.h"
-#include "core/texture/photo_layer.h"
+#include "core/texture/atlas/atlas.h"
+#include "core/texture/layers/photo_layer.h"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/surface_query.h"
-#include "core/texture/projector.h"
+#include "core/texture/projection/projector.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

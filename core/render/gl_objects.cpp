@@ -1,6 +1,6 @@
 #include "core/render/gl_objects.h"
 
-#include "core/texture/photo_sampler.h"
+#include "core/texture/photo/photo_sampler.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -4,9 +4,9 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/model/spring_network.h"
 #include "core/render/camera.h"
-#include "core/texture/atlas.h"
+#include "core/texture/atlas/atlas.h"
 #include "core/texture/image.h"
-#include "core/texture/projector.h"
+#include "core/texture/projection/projector.h"
 
 #include <array>
 #include <cstdint>

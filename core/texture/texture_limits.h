@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/texture/atlas.h"
+#include "core/texture/atlas/atlas.h"
 
 #include <cstdint>
 #include <string>

@@ -25,6 +25,14 @@ Project tubeWithThreeRegions() {
     return project;
 }
 
+Image blankPhoto(int width, int height) {
+    Image photo;
+    photo.width = width;
+    photo.height = height;
+    photo.pixels.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    return photo;
+}
+
 } // namespace
 
 TEST(Document, MergesADragIntoOneStep) {
@@ -171,10 +179,7 @@ TEST(RegionEdits, KeepTheWholeOrganBeneath) {
 TEST(PhotoEdits, AProjectorStandsBetweenTheEyeAndTheOrgan) {
     const Project project = makeSample("liver");
     const auto box = boundingBox(project.mesh->vertices);
-    Image photo;
-    photo.width = 200;
-    photo.height = 100;
-    photo.pixels.resize(4 * 200 * 100);
+    const Image photo = blankPhoto(200, 100);
     for (const auto view : {StandardView::Front, StandardView::Left, StandardView::Top}) {
         const Camera camera = framedCamera(box, view, 1.5);
         const Projector projector = projectorFromCamera(camera, photo, *project.mesh);
@@ -191,10 +196,7 @@ TEST(PhotoEdits, AProjectorStandsBetweenTheEyeAndTheOrgan) {
 
 TEST(PhotoEdits, APerspectivePhotoFromTheCameraShowsWhatIsSeen) {
     const Project project = makeSample("liver");
-    Image photo;
-    photo.width = 160;
-    photo.height = 90;
-    photo.pixels.resize(4 * 160 * 90);
+    const Image photo = blankPhoto(160, 90);
     Projector before;
     before.kind = ProjectorKind::Perspective;
     before.falloff = true;
@@ -215,10 +217,7 @@ TEST(PhotoEdits, APerspectivePhotoFromTheCameraShowsWhatIsSeen) {
 
 TEST(PhotoEdits, AProjectorOfAnotherKindLiesInTheSamePlace) {
     const Project project = makeSample("liver");
-    Image photo;
-    photo.width = 160;
-    photo.height = 80;
-    photo.pixels.resize(4 * 160 * 80);
+    const Image photo = blankPhoto(160, 80);
     const Camera camera = framedCamera(boundingBox(project.mesh->vertices), StandardView::Front, 2);
     const Projector parallel = projectorFromCamera(camera, photo, *project.mesh);
     const Projector perspective = ofKind(ProjectorKind::Perspective, parallel, photo, *project.mesh);

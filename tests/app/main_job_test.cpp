@@ -144,7 +144,7 @@ public:
 
     void sizePhoto() {
         const Projector before = project().photos[0].projector;
-        drag(placeOf(handles(before)[2]), {24, -12});
+        drag(placeOf(handles(PhotoFace{before})[2]), {24, -12});
         const Projector after = project().photos[0].projector;
         EXPECT_GT(after.width, before.width);
         EXPECT_GT(after.height, before.height);

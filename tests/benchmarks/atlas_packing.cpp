@@ -1,6 +1,6 @@
 #include "tests/benchmarks/atlas_packing.h"
 
-#include "core/texture/atlas.h"
+#include "core/texture/atlas/atlas.h"
 #include "tests/support/test_surfaces.h"
 
 #include <memory>

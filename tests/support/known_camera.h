@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/texture/projector.h"
+#include "core/texture/projection/projector.h"
 #include "tests/support/shared_data.h"
 
 #include <fstream>

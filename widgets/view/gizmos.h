@@ -2,7 +2,7 @@
 
 #include "core/geometry/ellipsoid.h"
 #include "core/geometry/surface_query.h"
-#include "core/texture/projector.h"
+#include "core/texture/projection/projector.h"
 
 #include <array>
 #include <optional>
@@ -20,13 +20,9 @@ std::optional<Eigen::Vector3d> meet(const Ray& ray, const DragPlane& plane);
 
 /// A projector's photo where it is shown: see `shownDepth`.
 struct PhotoFace {
-    // NOLINTNEXTLINE(google-explicit-constructor): a parallel projector's photo needs no more
-    PhotoFace(const Projector& thrownBy, PhotoSize photo = {1, 1}, double shownAt = 0)
-        : projector(thrownBy), size(photo), depth(shownAt) {}
-
     Projector projector;
-    PhotoSize size;
-    double depth; ///< m
+    PhotoSize size{1, 1};
+    double depth = 0; ///< m
 };
 
 /// Distance along the ray to an ellipsoid, m; nothing when it misses or begins inside.

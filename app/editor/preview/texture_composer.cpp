@@ -1,6 +1,6 @@
 #include "app/editor/preview/texture_composer.h"
 
-#include "core/texture/composite.h"
+#include "core/texture/layers/composite.h"
 
 #include <chrono>
 

@@ -5,7 +5,7 @@
 #include "core/exchange/mesh_file.h"
 #include "core/exchange/model_json.h"
 #include "core/exchange/project_file.h"
-#include "core/texture/composite.h"
+#include "core/texture/layers/composite.h"
 #include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/overwrite.h"
 #include "tests/core/exchange/rounded_tissue.h"

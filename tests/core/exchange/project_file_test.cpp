@@ -107,9 +107,9 @@ TEST_F(ProjectFile, KeepsHowPhotosAreMadeReady) {
     pinhole.highlightThreshold = 200;
     pinhole.evenLight = 0.7;
     pinhole.whiteBalance = ColourGains{0.9, 1, 1.0 / 0.9};
-    pinhole.lens = Lens{LensKind::Pinhole, 30, 31, 20, 19, {-0.1, 0.01, 0.001, 1.0 / 3000, 0.002}};
+    pinhole.lens = Lens{LensKind::Pinhole, {30, 31, 20, 19}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0.002}};
     pinhole.crop = PhotoCrop{1, 2, 12, 11};
-    fisheye.lens = Lens{LensKind::Fisheye, 9, 9, 8, 8, {-0.1, 0.01, 0.001, 1.0 / 3000, 0}};
+    fisheye.lens = Lens{LensKind::Fisheye, {9, 9, 8, 8}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0}};
     prepare(project.photos[0], pinhole);
     prepare(project.photos[1], fisheye);
     saveProject(project, m_file);

@@ -1,7 +1,7 @@
 #include "core/exchange/mesh_file.h"
 #include "core/geometry/repair.h"
 #include "core/offscreen/offscreen.h"
-#include "core/texture/composite.h"
+#include "core/texture/layers/composite.h"
 #include "tests/support/known_camera.h"
 #include "tests/support/shared_data.h"
 

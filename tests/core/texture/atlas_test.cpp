@@ -1,4 +1,4 @@
-#include "core/texture/atlas.h"
+#include "core/texture/atlas/atlas.h"
 
 #include "core/support/errors.h"
 #include "tests/support/test_surfaces.h"

@@ -1,83 +1,20 @@
-#include "core/texture/composite.h"
+#include "core/texture/layers/composite.h"
 
 #include "core/exchange/mesh_file.h"
 #include "core/geometry/repair.h"
 #include "core/support/errors.h"
+#include "tests/core/texture/painted_pages.h"
 #include "tests/support/shared_data.h"
-#include "tests/support/test_meshes.h"
 #include "tests/support/test_surfaces.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <functional>
 #include <tbb/global_control.h>
 
 using namespace esm;
-using Colour = std::array<std::uint8_t, 4>;
+using namespace esm::test;
 
 namespace {
-
-constexpr std::array<std::uint8_t, 3> baseColour{200, 101, 50};
-
-std::shared_ptr<const Photo> makePhoto(int width, int height,
-                                       const std::function<Colour(int x, int y)>& colour) {
-    auto photo = std::make_shared<Photo>();
-    photo->image.width = width;
-    photo->image.height = height;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (const std::uint8_t channel : colour(x, y))
-                photo->image.pixels.push_back(channel);
-    return photo;
-}
-
-std::shared_ptr<const Photo> plainPhoto(const Colour& colour) {
-    return makePhoto(8, 8, [&](int, int) { return colour; });
-}
-
-/// Thrown from z = 1 m straight down onto the origin.
-PhotoLayer layerFromAbove(std::shared_ptr<const Photo> photo, double width) {
-    PhotoLayer layer;
-    layer.photo = std::move(photo);
-    layer.projector.pose.translation().z() = 1;
-    layer.projector.width = layer.projector.height = width;
-    layer.blendPixels = 0;
-    return layer;
-}
-
-Colour pixelAt(const Image& page, int x, int y) {
-    const std::uint8_t* pixel = page.at(x, y);
-    return {pixel[0], pixel[1], pixel[2], pixel[3]};
-}
-
-/// Calls `visit(surface point, colour, triangle)` for every texel whose centre lies inside a patch, and fails
-/// where there are too few to tell anything.
-void forEachTexelInside(
-    const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Image>& pages,
-    const std::function<void(const Eigen::Vector3d&, const Colour&, std::size_t)>& visit) {
-    std::size_t visited = 0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto& patch = atlas.corners[i];
-        Eigen::AlignedBox2d box;
-        for (const Eigen::Vector2d& corner : patch)
-            box.extend(corner);
-        Eigen::Matrix2d sides;
-        sides << patch[1] - patch[0], patch[2] - patch[0];
-        for (int y = int(box.min().y()); y <= int(box.max().y()); ++y) {
-            for (int x = int(box.min().x()); x <= int(box.max().x()); ++x) {
-                const Eigen::Vector2d w = sides.inverse() * (Eigen::Vector2d(x + 0.5, y + 0.5) - patch[0]);
-                if (w.minCoeff() < 0 || w.sum() > 1) continue;
-                ++visited;
-                const Triangle& t = mesh.triangles[i];
-                visit((1 - w.sum()) * mesh.vertices[t[0]] + w.x() * mesh.vertices[t[1]] +
-                          w.y() * mesh.vertices[t[2]],
-                      pixelAt(pages[atlas.page[i]], x, y), i);
-            }
-        }
-    }
-    EXPECT_GT(visited, 2000U);
-}
 
 /// A square of 0.1 m at z = 0 and a smaller one of 0.04 m above its middle, both seen from above.
 TriangleMesh squareUnderSquare() {
@@ -89,14 +26,6 @@ TriangleMesh squareUnderSquare() {
         mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     return mesh;
 }
-
-bool isNear(const Colour& colour, const Colour& expected, int tolerance) {
-    for (std::size_t i = 0; i < 3; ++i)
-        if (std::abs(int(colour[i]) - int(expected[i])) > tolerance) return false;
-    return true;
-}
-
-constexpr Colour base{200, 101, 50, 255}, green{0, 255, 0, 255};
 
 } // namespace
 
@@ -117,28 +46,17 @@ TEST(Composite, KeepsASquareOfACheckerboardWhereItIs) {
     const Atlas atlas = packAtlas(mesh, {1024, 1, 2});
     // 8 × 8 squares of 32 pixels over 0.08 m; the one at the top left is red, so that no mirroring goes
     // unseen.
-    const auto photo = makePhoto(256, 256, [](int x, int y) {
-        if (x < 32 && y < 32) return Colour{255, 0, 0, 255};
-        return (x / 32 + y / 32) % 2 == 0 ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 255};
-    });
-    const std::vector<Image> pages = composite(mesh, atlas, {layerFromAbove(photo, 0.08)}, baseColour);
+    const std::vector<Image> pages =
+        composite(mesh, atlas, {layerFromAbove(checkerboard(), 0.08)}, baseColour);
     int compared = 0;
-    forEachTexelInside(
-        mesh, atlas, pages, [&](const Eigen::Vector3d& point, const Colour& colour, std::size_t) {
-            const double column = (point.x() + 0.04) / 0.01, row = (0.04 - point.y()) / 0.01;
-            const double fromLine =
-                std::min(std::abs(column - std::round(column)), std::abs(row - std::round(row)));
-            if (fromLine < 2 / (0.01 * atlas.texelsPerMetre))
-                return; // within two texels of a line colours mix
-            Colour expected = base;
-            if (column > 0 && column < 8 && row > 0 && row < 8) {
-                expected =
-                    (int(column) + int(row)) % 2 == 0 ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 255};
-                if (column < 1 && row < 1) expected = {255, 0, 0, 255};
-            }
-            ++compared;
-            EXPECT_EQ(colour, expected) << point.transpose();
-        });
+    forEachTexelInside(mesh, atlas, pages,
+                       [&](const Eigen::Vector3d& point, const Colour& colour, std::size_t) {
+                           const double column = (point.x() + 0.04) / 0.01, row = (0.04 - point.y()) / 0.01;
+                           if (fromLine(column, row) < 2 / (0.01 * atlas.texelsPerMetre))
+                               return; // within two texels of a line colours mix
+                           ++compared;
+                           EXPECT_EQ(colour, colourOfSquare(column, row)) << point.transpose();
+                       });
     EXPECT_GT(compared, 100000);
 }
 
@@ -238,133 +156,6 @@ TEST(Composite, LeavesWhatLiesBehindThePhotosPlane) {
                            [](const Eigen::Vector3d& point, const Colour& colour, std::size_t) {
                                ASSERT_EQ(colour, point.z() < 0.025 ? green : base);
                            });
-    }
-}
-
-namespace {
-
-/// Of 0.1 m, around the origin.
-TriangleMesh centredCube() {
-    return repair(test::cubeSoup(0.1, Eigen::Vector3d::Constant(-0.05))).mesh;
-}
-
-TriangleMesh turnedInsideOut(TriangleMesh mesh) {
-    for (Triangle& triangle : mesh.triangles)
-        std::swap(triangle[1], triangle[2]);
-    return mesh;
-}
-
-/// From an eye 0.3 m away from the origin, at so many degrees from the z axis, with 8 × 8 squares of 32
-/// pixels.
-PhotoLayer checkerboardInPerspective(double degrees) {
-    PhotoLayer layer;
-    layer.photo = makePhoto(256, 256, [](int x, int y) {
-        if (x < 32 && y < 32) return Colour{255, 0, 0, 255};
-        return (x / 32 + y / 32) % 2 == 0 ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 255};
-    });
-    layer.projector.pose =
-        Eigen::AngleAxisd(degrees * M_PI / 180, Eigen::Vector3d::UnitX()) * Eigen::Translation3d(0, 0, 0.3);
-    layer.projector.kind = ProjectorKind::Perspective;
-    layer.projector.fieldOfView = 14;
-    layer.blendPixels = 0;
-    return layer;
-}
-
-} // namespace
-
-TEST(Composite, KeepsTheSquaresOfAPerspectivePhotoSeenAtSixtyDegrees) {
-    const TriangleMesh mesh = flatSquare(0.1, 2); // few triangles: nothing is linear over one of them
-    const Atlas atlas = packAtlas(mesh, {1024, 1, 2});
-    const PhotoLayer layer = checkerboardInPerspective(60);
-    const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
-    int compared = 0;
-    forEachTexelInside(
-        mesh, atlas, pages, [&](const Eigen::Vector3d& point, const Colour& colour, std::size_t) {
-            // The eye's own geometry, without the projector's functions.
-            const Eigen::Vector3d seen = layer.projector.pose.inverse() * point;
-            const double edge = std::tan(7 * M_PI / 180);
-            const double column = 4 + 4 * seen.x() / (-seen.z() * edge),
-                         row = 4 - 4 * seen.y() / (-seen.z() * edge);
-            // Seen slantwise, a texel is up to so many squares high or wide, and so far colours mix.
-            const double mixed = 2 * 4 / (0.25 * edge * atlas.texelsPerMetre);
-            if (std::min(std::abs(column - std::round(column)), std::abs(row - std::round(row))) < mixed)
-                return;
-            Colour expected = base;
-            if (column > 0 && column < 8 && row > 0 && row < 8) {
-                expected =
-                    (int(column) + int(row)) % 2 == 0 ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 255};
-                if (column < 1 && row < 1) expected = {255, 0, 0, 255};
-            }
-            ++compared;
-            ASSERT_EQ(colour, expected) << point.transpose() << ", column " << column << ", row " << row;
-        });
-    EXPECT_GT(compared, 100000);
-}
-
-TEST(Composite, ColoursFromAnEyeInsideWhatThePhotoShows) {
-    for (const TriangleMesh& mesh : {centredCube(), turnedInsideOut(centredCube())}) {
-        const Atlas atlas = packAtlas(mesh, {512, 1, 2});
-        PhotoLayer layer;
-        layer.photo = plainPhoto(green);
-        layer.blendPixels = 0;
-        layer.projector.kind = ProjectorKind::Perspective; // in the cube's middle, looking along −z
-        layer.projector.fieldOfView = 150;                 // reaches around the corners of the far wall
-        const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
-        const double slope = std::tan(75 * M_PI / 180);
-        forEachTexelInside(
-            mesh, atlas, pages, [&](const Eigen::Vector3d& point, const Colour& colour, std::size_t) {
-                const double edge = std::max(std::abs(point.x()), std::abs(point.y())) + slope * point.z();
-                if (std::abs(edge) < 1e-3) return;
-                ASSERT_EQ(colour, edge < 0 ? green : base) << point.transpose();
-            });
-    }
-}
-
-TEST(Composite, ColoursNothingThroughAWallThatAnEyeLooksAt) {
-    const TriangleMesh mesh = centredCube();
-    const Atlas atlas = packAtlas(mesh, {512, 1, 2});
-    PhotoLayer layer;
-    layer.photo = plainPhoto(green);
-    layer.blendPixels = 0;
-    layer.projector.kind = ProjectorKind::Perspective;
-    layer.projector.pose.translation().z() = 0.3;
-    layer.projector.fieldOfView = 60;
-    for (const bool occlusion : {true, false}) {
-        layer.projector.occlusion = occlusion;
-        const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
-        forEachTexelInside(mesh, atlas, pages,
-                           [&](const Eigen::Vector3d& point, const Colour& colour, std::size_t) {
-                               const bool isFront = point.z() > 0.05 - 1e-9;
-                               if (!isFront && point.z() > 0.0495) return; // the front's very border
-                               ASSERT_EQ(colour, isFront || !occlusion ? green : base) << point.transpose();
-                           });
-    }
-}
-
-TEST(Composite, FadesAPhotoWhereSurfaceSlantsOnlyWhenAsked) {
-    const TriangleMesh mesh = flatSquare(0.1, 3);
-    const Atlas atlas = packAtlas(mesh, {256, 1, 2});
-    PhotoLayer layer = layerFromAbove(plainPhoto({0, 255, 0, 255}), 0.5);
-    layer.projector.pose =
-        Eigen::AngleAxisd(72.5 * M_PI / 180, Eigen::Vector3d::UnitX()) * Eigen::Translation3d(0, 0, 1);
-    for (const bool falloff : {false, true}) {
-        layer.projector.falloff = falloff;
-        const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
-        forEachTexelInside(mesh, atlas, pages, [&](auto&, const Colour& colour, std::size_t) {
-            ASSERT_TRUE(isNear(colour, falloff ? Colour{100, 178, 25, 255} : green, 1));
-        });
-    }
-}
-
-TEST(Composite, TakesNothingFromAnEyeInTheSurface) {
-    const TriangleMesh mesh = flatSquare(0.1, 3);
-    const Atlas atlas = packAtlas(mesh, {128, 1, 2});
-    PhotoLayer layer = checkerboardInPerspective(0);
-    for (const double height : {0.0, 1e-300, 1e-12, -1e-12}) {
-        layer.projector.pose =
-            Eigen::Translation3d(0, 0, height) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX());
-        EXPECT_NO_THROW(composite(mesh, atlas, {layer}, baseColour));
-        EXPECT_NO_THROW(coverage(mesh, atlas, layer));
     }
 }
 

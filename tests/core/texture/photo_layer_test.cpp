@@ -1,4 +1,4 @@
-#include "core/texture/photo_layer.h"
+#include "core/texture/layers/photo_layer.h"
 
 #include "core/support/errors.h"
 #include "tests/support/shared_data.h"

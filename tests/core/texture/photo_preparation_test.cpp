@@ -1,7 +1,7 @@
-#include "core/texture/photo_preparation.h"
+#include "core/texture/photo/photo_preparation.h"
 
 #include "core/support/errors.h"
-#include "core/texture/photo_layer.h"
+#include "core/texture/layers/photo_layer.h"
 #include "tests/support/shared_data.h"
 
 #include <gtest/gtest.h>
@@ -50,8 +50,8 @@ Image roundPhoto(double cx, double cy, double radius) {
 }
 
 Lens bentLens(LensKind kind) {
-    return kind == LensKind::Pinhole ? Lens{kind, 300, 300, 322, 238, {-0.25, 0.05, 0.002, -0.001, 0}}
-                                     : Lens{kind, 300, 300, 322, 238, {-0.02, 0.01, 0, 0, 0}};
+    return kind == LensKind::Pinhole ? Lens{kind, {300, 300, 322, 238}, {-0.25, 0.05, 0.002, -0.001, 0}}
+                                     : Lens{kind, {300, 300, 322, 238}, {-0.02, 0.01, 0, 0, 0}};
 }
 
 /// The column at which a bright line crosses a row, by its centre of gravity near `about`.
@@ -82,7 +82,7 @@ TEST(PhotoPreparation, NamesEveryProblem) {
     bad.highlightThreshold = 0;
     bad.evenLight = nan;
     bad.whiteBalance = ColourGains{1, nan, 1};
-    bad.lens = Lens{LensKind::Pinhole, 0, 1, nan, 0, {1e9, 0, 0, 0, 0}};
+    bad.lens = Lens{LensKind::Pinhole, {0, 1, nan, 0}, {1e9, 0, 0, 0, 0}};
     bad.crop = PhotoCrop{10, 0, std::numeric_limits<int>::max(), 5};
     EXPECT_EQ(validate(bad, 100, 80).size(), 9U);
     EXPECT_THROW(prepared(drawnPhoto(4, 4, [](int, int) -> Channels { return {}; }), bad), InvalidModel);
@@ -250,5 +250,5 @@ TEST(Lens, WithoutDistortionKeepsThePhoto) {
     const Image photo = drawnPhoto(32, 24, [](int x, int y) -> Channels {
         return {scattered(x, y, 255), x, y, 255};
     });
-    EXPECT_EQ(undistorted(photo, {LensKind::Pinhole, 30, 30, 16, 12, {}}).pixels, photo.pixels);
+    EXPECT_EQ(undistorted(photo, {LensKind::Pinhole, {30, 30, 16, 12}, {}}).pixels, photo.pixels);
 }

@@ -1,4 +1,4 @@
-#include "core/texture/photo_sampler.h"
+#include "core/texture/photo/photo_sampler.h"
 
 #include <gtest/gtest.h>
 

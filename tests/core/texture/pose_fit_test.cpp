@@ -1,4 +1,4 @@
-#include "core/texture/pose_fit.h"
+#include "core/texture/projection/pose_fit.h"
 
 #include "core/support/errors.h"
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "core/texture/projector.h"
+#include "core/texture/projection/projector.h"
 
 #include <gtest/gtest.h>
 

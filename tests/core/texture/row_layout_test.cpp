@@ -1,4 +1,4 @@
-#include "core/texture/row_layout.h"
+#include "core/texture/atlas/row_layout.h"
 
 #include <gtest/gtest.h>
 

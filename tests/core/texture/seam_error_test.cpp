@@ -1,4 +1,4 @@
-#include "core/texture/composite.h"
+#include "core/texture/layers/composite.h"
 
 #include "tests/support/test_surfaces.h"
 

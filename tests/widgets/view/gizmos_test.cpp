@@ -77,23 +77,23 @@ TEST(Gizmos, AnAxisCannotBeDrawnShut) {
 TEST(Gizmos, ProjectorCornerKeepsTheProportions) {
     const Projector projector = slanted();
     const Vector3d corner(projector.width / 2, projector.height / 2, 0);
-    const Projector twice =
-        scaled(projector, 2, towards(eye, projector.pose * Vector3d(2 * corner)), Proportions::Kept);
+    const Projector twice = scaled(PhotoFace{projector}, 2,
+                                   towards(eye, projector.pose * Vector3d(2 * corner)), Proportions::Kept);
     EXPECT_NEAR(twice.width, 2 * projector.width, 1e-9);
     EXPECT_NEAR(twice.height, 2 * projector.height, 1e-9);
-    const Projector beside =
-        scaled(projector, 2, towards(eye, projector.pose * Vector3d(0.06, -0.01, 0)), Proportions::Kept);
+    const Projector beside = scaled(
+        PhotoFace{projector}, 2, towards(eye, projector.pose * Vector3d(0.06, -0.01, 0)), Proportions::Kept);
     EXPECT_NEAR(beside.width / beside.height, projector.width / projector.height, 1e-9);
     EXPECT_GT(beside.width, projector.width);
     const Projector shut =
-        scaled(projector, 2, towards(eye, projector.pose.translation()), Proportions::Kept);
+        scaled(PhotoFace{projector}, 2, towards(eye, projector.pose.translation()), Proportions::Kept);
     EXPECT_GT(shut.height, 0);
 }
 
 TEST(Gizmos, ProjectorCornerScalesWidthAndHeightApart) {
     const Projector projector = slanted();
     const Vector3d corner = projector.pose * Vector3d(0.06, -0.01, 0);
-    const Projector result = scaled(projector, 2, towards(eye, corner), Proportions::Free);
+    const Projector result = scaled(PhotoFace{projector}, 2, towards(eye, corner), Proportions::Free);
     EXPECT_NEAR(result.width, 0.12, 1e-9);
     EXPECT_NEAR(result.height, 0.02, 1e-9);
     EXPECT_TRUE(result.pose.isApprox(projector.pose));
@@ -104,7 +104,7 @@ TEST(Gizmos, TheMiddleOfAnEdgeScalesWidthOrHeightAlone) {
     const Vector3d place = projector.pose * Vector3d(0.06, 0.04, 0);
     for (const std::size_t handle : {4U, 5U, 6U, 7U}) {
         const bool isAcross = handle % 2 == 1;
-        const Projector result = scaled(projector, handle, towards(eye, place), Proportions::Kept);
+        const Projector result = scaled(PhotoFace{projector}, handle, towards(eye, place), Proportions::Kept);
         EXPECT_NEAR(result.width, isAcross ? 0.12 : projector.width, 1e-9);
         EXPECT_NEAR(result.height, isAcross ? projector.height : 0.08, 1e-9);
     }
@@ -114,7 +114,7 @@ TEST(Gizmos, HandlesOfAPerspectivePhotoChangeItsFieldOfView) {
     Projector projector = slanted();
     projector.kind = ProjectorKind::Perspective;
     projector.fieldOfView = 40;
-    const PhotoFace photo(projector, {300, 200}, 0.2);
+    const PhotoFace photo{projector, {300, 200}, 0.2};
     const auto places = handles(photo);
     const Vector3d sight = projector.pose * Vector3d(0, 0, -0.2);
     for (std::size_t handle = 0; handle < photoHandles; ++handle) {
@@ -122,7 +122,7 @@ TEST(Gizmos, HandlesOfAPerspectivePhotoChangeItsFieldOfView) {
         EXPECT_FALSE(distanceTo(photo, towards(eye, sight + 1.01 * (places[handle] - sight))));
         const Vector3d wanted = sight + 1.5 * (places[handle] - sight);
         const Projector result = scaled(photo, handle, towards(eye, wanted), Proportions::Free);
-        EXPECT_TRUE(handles({result, photo.size, photo.depth})[handle].isApprox(wanted, 1e-9));
+        EXPECT_TRUE(handles(PhotoFace{result, photo.size, photo.depth})[handle].isApprox(wanted, 1e-9));
         EXPECT_TRUE(result.pose.isApprox(projector.pose));
     }
     const Projector shut = scaled(photo, 2, towards(eye, sight), Proportions::Kept);

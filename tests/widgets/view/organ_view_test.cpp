@@ -1,6 +1,6 @@
 #include "tests/widgets/view/organ_view_fixture.h"
 
-#include "core/texture/patch_scan.h"
+#include "core/texture/layers/patch_scan.h"
 
 #include <QSignalSpy>
 

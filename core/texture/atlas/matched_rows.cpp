@@ -1,0 +1,163 @@
+#include "core/texture/atlas/matched_rows.h"
+
+#include "core/texture/atlas/waiting_patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace esm {
+
+namespace {
+
+/// Of the tallest that wait, how many are looked at. More fill rows better, at a price.
+constexpr std::size_t mostCompared = 128;
+
+/// Horizontal over vertical way of a patch's sides from the base to the third corner, both to the inside.
+struct Slants {
+    double first = 0, second = 0; ///< at the base's first and second corner
+
+    double left(const PatchStance& stance) const {
+        return stance.pointsUp == stance.isMirrored ? second : first;
+    }
+    double right(const PatchStance& stance) const {
+        return stance.pointsUp == stance.isMirrored ? first : second;
+    }
+};
+
+Slants slantsOf(const PatchShape& shape) {
+    if (!(shape.height > 0)) return {};
+    return {shape.foot / shape.height, (shape.base - shape.foot) / shape.height};
+}
+
+class MatchedRowFiller {
+public:
+    MatchedRowFiller(const std::vector<PatchShape>& shapes, double scale, const PageRoom& page)
+        : m_shapes(shapes), m_scale(scale), m_gap(page.gap), m_stack(page), m_waiting(shapes.size()) {
+        m_slants.reserve(shapes.size());
+        for (const PatchShape& shape : shapes)
+            m_slants.push_back(slantsOf(shape));
+        m_layout.corners.resize(shapes.size());
+        m_layout.page.resize(shapes.size());
+    }
+
+    PatchLayout fill() {
+        while (!m_waiting.isEmpty()) {
+            startRow();
+            while (placeNext()) {
+            }
+        }
+        m_layout.pages = m_stack.pages();
+        m_layout.height = m_stack.totalHeight();
+        return std::move(m_layout);
+    }
+
+private:
+    struct Choice {
+        std::uint32_t shape, link;
+        PatchStance stance;
+    };
+
+    void startRow() {
+        m_rowHeight = m_shapes[m_waiting.first()].height;
+        m_stack.startRow(m_scale * m_rowHeight);
+        m_row.clear();
+        m_pointsUp = true;
+        place({m_waiting.first(), 0, {true, false}}, m_stack.left());
+    }
+
+    bool placeNext() {
+        if (m_waiting.isEmpty()) return false;
+        const Choice best = bestMatch();
+        if (const double x = placeOf(best); rightEndAt(best, x) <= m_stack.right()) {
+            place(best, x);
+            return true;
+        }
+        return placeLargestThatFits();
+    }
+
+    /// The one that leaves least of the row empty for its own area.
+    Choice bestMatch() const {
+        Choice best{m_waiting.first(), 0, {m_pointsUp, false}};
+        double least = std::numeric_limits<double>::infinity();
+        m_waiting.forFirst(mostCompared, [&](std::uint32_t i, std::uint32_t link) {
+            const PatchShape& shape = m_shapes[i];
+            // Those that follow are less tall.
+            const double tooLow = (m_rowHeight - shape.height) / shape.height;
+            if (!(tooLow < least)) return false;
+            for (const bool isMirrored : {false, true}) {
+                const PatchStance stance{m_pointsUp, isMirrored};
+                const double apart = std::abs(m_slants[i].left(stance) - m_slant) * shape.height / shape.base;
+                if (tooLow + apart >= least) continue;
+                least = tooLow + apart;
+                best = {i, link, stance};
+            }
+            return true;
+        });
+        return best;
+    }
+
+    /// At the end of a row, where the best match has no place.
+    bool placeLargestThatFits() {
+        std::optional<std::pair<Choice, double>> best;
+        double largest = 0;
+        m_waiting.forFirst(mostCompared, [&](std::uint32_t i, std::uint32_t link) {
+            const double area = m_shapes[i].base * m_shapes[i].height;
+            for (const bool isMirrored : {false, true}) {
+                if (area <= largest) break;
+                const Choice choice{i, link, {m_pointsUp, isMirrored}};
+                const double x = placeOf(choice);
+                if (rightEndAt(choice, x) > m_stack.right()) continue;
+                largest = area;
+                best = {choice, x};
+            }
+            return true;
+        });
+        if (best) place(best->first, best->second);
+        return best.has_value();
+    }
+
+    PatchCorners cornersOf(const Choice& choice) const {
+        return cornersInRow(m_shapes[choice.shape], m_scale, m_scale * m_rowHeight, choice.stance);
+    }
+    double placeOf(const Choice& choice) const {
+        return m_row.shiftFor(cornersOf(choice), m_stack.left(), m_gap);
+    }
+    double rightEndAt(const Choice& choice, double x) const {
+        return x + m_scale * m_shapes[choice.shape].base;
+    }
+
+    void place(const Choice& choice, double x) {
+        PatchCorners corners = cornersOf(choice);
+        shift(corners, x, 0);
+        m_row.add(corners);
+        shift(corners, 0, m_stack.top());
+        m_layout.corners[choice.shape] = corners;
+        m_layout.page[choice.shape] = m_stack.page();
+        m_slant = m_slants[choice.shape].right(choice.stance);
+        m_pointsUp = !m_pointsUp;
+        m_waiting.take(choice.link);
+    }
+
+    const std::vector<PatchShape>& m_shapes;
+    std::vector<Slants> m_slants;
+    double m_scale, m_gap; ///< pixels per m, pixels
+    RowStack m_stack;
+    WaitingPatches m_waiting;
+    double m_rowHeight = 0; ///< m
+    double m_slant = 0;     ///< of the last patch's right side
+    bool m_pointsUp = true;
+    PatchRow m_row;
+    PatchLayout m_layout;
+};
+
+} // namespace
+
+PatchLayout layoutMatchedRows(const std::vector<PatchShape>& shapes, double texelsPerMetre,
+                              const PageRoom& page) {
+    if (!fitOnAPage(shapes, texelsPerMetre, page)) return {};
+    return MatchedRowFiller(shapes, texelsPerMetre, page).fill();
+}
+
+} // namespace esm

@@ -1,0 +1,38 @@
+#include "core/texture/atlas/unfolded_groups.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+/// The scale for which groups are unfolded lies below the one that is asked for, since the search for the
+/// largest goes up and down a little.
+constexpr double margin = 0.9;
+
+} // namespace
+
+PatchLayout UnfoldedGroups::layoutAt(double texelsPerMetre, const PageRoom& page, int mostPages) {
+    if (texelsPerMetre < m_smallestScale) unfoldFor(margin * texelsPerMetre, page.gap);
+    return layoutGroups(m_groups, texelsPerMetre, page, mostPages);
+}
+
+void UnfoldedGroups::unfoldFor(double texelsPerMetre, double gap) {
+    m_smallestScale = texelsPerMetre;
+    std::vector<std::pair<TurnedGroup, std::vector<std::uint32_t>>> groups;
+    for (UnfoldedGroup& group : unfold(m_mesh, m_shapes, gap / texelsPerMetre))
+        groups.emplace_back(turned(group), std::move(group.triangles));
+    std::stable_sort(groups.begin(), groups.end(),
+                     [](const auto& a, const auto& b) { return a.first.height > b.first.height; });
+    m_groups.clear();
+    m_order.clear();
+    for (auto& [group, triangles] : groups) {
+        m_groups.push_back(std::move(group));
+        for (const std::uint32_t triangle : triangles) {
+            m_order.push_back(m_shapes[triangle]);
+            m_order.back().firstCorner = 0;
+        }
+    }
+}
+
+} // namespace esm

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+#include "core/support/progress.h"
+#include "core/texture/atlas/atlas.h"
+#include "core/texture/layers/photo_layer.h"
+
+#include <array>
+#include <vector>
+
+namespace esm {
+
+/// Lays the photos over the base colour, from the first to the last, by scanning every patch from the surface
+/// [R 4.3.2.3]; weights are opacity × border × alpha, mixed in sRGB values [R 4.3.3]. Pure: the same input
+/// gives the same pages, whatever the number of threads. Texels around the patches are filled with the
+/// patches' colours, so that filtering shows no dark seams.
+/// @throws InvalidModel for a layout of another surface or beyond its pages; Cancelled
+std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
+                             const std::vector<PhotoLayer>& layers, std::array<std::uint8_t, 3> baseColour,
+                             const Progress& progress = {});
+
+/// What one layer covers.
+struct LayerCoverage {
+    std::size_t texels = 0;    ///< texels inside a patch to which the layer gives a weight above 0
+    std::size_t triangles = 0; ///< triangles whose patch touches a texel with such a weight
+};
+/// @throws InvalidModel as composite() does
+LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const PhotoLayer& layer);
+
+/// The largest difference of colour (0 to 255) across any edge that two triangles share, compared at points
+/// along the edge with bilinear filtering.
+double seamError(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Image>& pages);
+
+} // namespace esm

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/geometry/surface_query.h"
+#include "core/texture/layers/patch_scan.h"
+#include "core/texture/layers/photo_layer.h"
+#include "core/texture/photo/photo_sampler.h"
+
+#include <optional>
+
+namespace esm {
+
+/// The surface that a projector's light meets.
+struct LitSurface {
+    const TriangleMesh& mesh;
+    const SurfaceQuery* query; ///< null when no layer asks what is hidden
+    double tolerance;          ///< m, how far surface may lie before another without hiding it
+};
+
+/// One layer as the patch of one triangle sees it.
+class TriangleProjection {
+public:
+    /// Nothing when no point of the patch can take colour from the layer.
+    static std::optional<TriangleProjection> make(const PhotoLayer& layer, const PhotoSampler& sampler,
+                                                  const LitSurface& surface, std::uint32_t triangle,
+                                                  const std::array<Eigen::Vector2d, 3>& patch);
+
+    /// Red, green, blue 0 to 255 and the layer's weight 0 to 1 in the texel: opacity × border × alpha, with
+    /// falloff × that of the angle; 0 where the photo's light does not come.
+    Eigen::Vector4f at(const PatchTexel& texel) const;
+
+private:
+    TriangleProjection(const PhotoLayer& layer, const PhotoSampler& sampler, const LitSurface& surface)
+        : m_layer(layer), m_sampler(sampler), m_surface(surface) {}
+
+    bool mayTakeColour() const;
+    double pyramidDepth(const Eigen::Vector3d& place) const;
+    double borderWeight(const Eigen::Vector2d& pixel) const;
+    double lightWeight(const Eigen::Vector3d& nearest) const;
+    bool isHidden(const Eigen::Vector3d& nearest) const;
+    Eigen::Vector3d towardsLight(const Eigen::Vector3d& point) const; ///< of length 1
+
+    const PhotoLayer& m_layer;
+    const PhotoSampler& m_sampler;
+    const LitSurface& m_surface;
+    Eigen::Matrix3d m_corners;                   ///< as columns, m
+    Eigen::Matrix<double, 4, 3> m_places;        ///< of the corners, as columns: as `photoMatrix` gives them
+    Eigen::Matrix<double, 3, 2> m_placePerTexel; ///< how the first three of them change over the patch
+};
+
+} // namespace esm

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "core/texture/atlas/atlas.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace esm {
+
+/// Some rows of a page and the patches whose surroundings reach into them. Every texel lies in exactly one
+/// band, so that bands can be filled by any number of threads with the same result.
+struct PageBand {
+    int page, firstRow, endRow;
+    std::vector<std::uint32_t> triangles; ///< in the mesh's order
+};
+
+/// Texels around a patch that take its colours: enough for bilinear filtering and for what the gap leaves
+/// free.
+double fillReach(const AtlasOptions& options);
+
+/// All pages in bands, from top to bottom.
+std::vector<PageBand> pageBands(const Atlas& atlas);
+
+/// A texel seen from a patch.
+struct PatchTexel {
+    int x, y;
+    double distance;          ///< of its centre from the patch, texels; 0 inside
+    Eigen::Vector3d nearest;  ///< the patch's point nearest to its centre, weights of the triangle's corners
+    Eigen::Vector3d extended; ///< its centre in the triangle's plane, the same where it lies inside
+};
+
+/// A patch with its inverse map from texels to the triangle's corners. One without area has no inverse: it
+/// is scanned like a point, and every texel near it sees the triangle's middle. Precondition: the corners lie
+/// on the page.
+class PatchScan {
+public:
+    explicit PatchScan(const std::array<Eigen::Vector2d, 3>& corners);
+
+    /// Calls `visit(PatchTexel)` for every texel of the band within `reach` of the patch.
+    template<class Visit>
+    void forEachTexel(const PageBand& band, int pageSize, double reach, Visit visit) const {
+        const int first = std::max(band.firstRow, static_cast<int>(std::floor(m_top - reach)));
+        const int end = std::min(band.endRow, static_cast<int>(std::ceil(m_bottom + reach)) + 1);
+        for (int y = first; y < end; ++y) {
+            const auto [left, right] = span(y + 0.5, reach);
+            if (left > right) continue;
+            const int last = std::min(pageSize - 1, static_cast<int>(std::floor(right - 0.5)));
+            for (int x = std::max(0, static_cast<int>(std::ceil(left - 0.5))); x <= last; ++x)
+                visit(texel(x, y));
+        }
+    }
+
+private:
+    /// The points of a line within `reach` of the patch.
+    std::pair<double, double> span(double y, double reach) const;
+    PatchTexel texel(int x, int y) const;
+    Eigen::Vector3d weights(const Eigen::Vector2d& point) const;
+
+    std::array<Eigen::Vector2d, 3> m_corners;
+    Eigen::Matrix2d
+        m_inverse; ///< from the first corner's offset to the weights of the other two; 0 for a point
+    bool m_isPoint;
+    double m_top, m_bottom;
+};
+
+/// Owners of a band's texels: the nearest patch, the mesh's first among equals.
+class BandOwners {
+public:
+    static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+
+    BandOwners(const Atlas& atlas, const PageBand& band, double reach);
+    std::uint32_t at(int x, int y) const { return m_owner[index(x, y)]; }
+
+private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y - m_firstRow) * static_cast<std::size_t>(m_width) +
+               static_cast<std::size_t>(x);
+    }
+
+    int m_firstRow, m_width;
+    std::vector<std::uint32_t> m_owner;
+};
+
+} // namespace esm

@@ -1,0 +1,62 @@
+#include "core/texture/layers/composite.h"
+#include "core/texture/photo/bilinear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace esm {
+
+namespace {
+
+/// An edge as one of its triangles has it, from the smaller vertex to the larger.
+struct Side {
+    const Image* page;
+    Eigen::Vector2d start, end; ///< pixels
+};
+
+Eigen::Vector3d filtered(const Image& page, const Eigen::Vector2d& point) {
+    const BilinearPlace place = bilinearPlace(page, point.x(), point.y());
+    const auto colour = [&](int column, int row) {
+        const std::uint8_t* pixel = page.at(column, row);
+        return Eigen::Vector3d(pixel[0], pixel[1], pixel[2]);
+    };
+    const auto mixed = [&](int row) -> Eigen::Vector3d {
+        return (1 - place.u) * colour(place.left, row) + place.u * colour(place.right, row);
+    };
+    return (1 - place.v) * mixed(place.top) + place.v * mixed(place.bottom);
+}
+
+/// Compared at every texel of the edge's length and at its ends.
+double difference(const Side& a, const Side& b) {
+    const int steps = 1 + static_cast<int>(std::ceil((a.end - a.start).norm()));
+    double largest = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const double t = static_cast<double>(i) / steps;
+        const Eigen::Vector3d here = filtered(*a.page, a.start + t * (a.end - a.start));
+        const Eigen::Vector3d there = filtered(*b.page, b.start + t * (b.end - b.start));
+        largest = std::max(largest, (here - there).cwiseAbs().maxCoeff());
+    }
+    return largest;
+}
+
+} // namespace
+
+double seamError(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Image>& pages) {
+    std::map<Edge, Side> firstSides;
+    double largest = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            std::size_t from = corner, to = (corner + 1) % 3;
+            if (mesh.triangles[i][from] > mesh.triangles[i][to]) std::swap(from, to);
+            if (atlas.corners[i][from] == atlas.corners[i][to]) continue; // a point shows no edge
+            const Side side{&pages[atlas.page[i]], atlas.corners[i][from], atlas.corners[i][to]};
+            const auto [first, isNew] =
+                firstSides.emplace(Edge{mesh.triangles[i][from], mesh.triangles[i][to]}, side);
+            if (!isNew) largest = std::max(largest, difference(first->second, side));
+        }
+    }
+    return largest;
+}
+
+} // namespace esm

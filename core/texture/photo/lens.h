@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/texture/image.h"
+#include "core/texture/intrinsics.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+
+namespace esm {
+
+enum class LensKind { Pinhole, Fisheye };
+
+/// How a lens bends straight lines, in OpenCV's models.
+struct Lens {
+    LensKind kind = LensKind::Pinhole;
+    Intrinsics camera{1, 1, 0, 0};
+    std::array<double, 5> coefficients{}; ///< k1 k2 p1 p2 k3; of a fisheye k1 k2 k3 k4, and 0
+
+    bool operator==(const Lens& o) const {
+        return kind == o.kind && camera == o.camera && coefficients == o.coefficients;
+    }
+};
+
+/// Where the photo shows what a lens without distortion would show at `place`.
+Eigen::Vector2d distorted(const Lens& lens, const Eigen::Vector2d& place);
+
+/// The photo as a lens without distortion would have taken it, of the same size; alpha 0 where it has
+/// nothing.
+Image undistorted(const Image& photo, const Lens& lens);
+
+} // namespace esm

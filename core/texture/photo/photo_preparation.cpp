@@ -1,0 +1,104 @@
+#include "core/texture/photo/photo_preparation.h"
+
+#include "core/support/errors.h"
+#include "core/texture/texture_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <tbb/parallel_for.h>
+
+namespace esm {
+
+namespace {
+
+using Problems = std::vector<std::string>;
+
+constexpr double mostTrim = 90; ///< percent
+constexpr double largestCoefficient = 1e3;
+
+bool isWithin(double value, double least, double most) {
+    return value >= least && value <= most; // not so for NaN
+}
+
+void checkField(const RoundField& field, Problems& problems) {
+    const double far = texture_limits::longestFocalLength;
+    if (!isWithin(field.radius, 1, far) || !isWithin(field.centreX, -far, far) ||
+        !isWithin(field.centreY, -far, far))
+        problems.emplace_back(
+            "the round field must have a radius of 1 to 1e7 pixels and a centre within 1e7");
+    if (!isWithin(field.trim, 0, mostTrim))
+        problems.emplace_back("the round field must be trimmed by 0 to 90 %");
+}
+
+void checkLens(const Lens& lens, Problems& problems) {
+    const double most = texture_limits::longestFocalLength;
+    for (const double focal : {lens.camera.fx, lens.camera.fy})
+        if (!(focal > 0) || focal > most) {
+            problems.emplace_back("the lens must have a focal length above 0 and up to 1e7 pixels");
+            break;
+        }
+    if (!isWithin(lens.camera.cx, -most, most) || !isWithin(lens.camera.cy, -most, most))
+        problems.emplace_back("the lens must have its centre within 1e7 pixels");
+    const auto isSane = [](double c) { return isWithin(c, -largestCoefficient, largestCoefficient); };
+    if (!std::all_of(lens.coefficients.begin(), lens.coefficients.end(), isSane))
+        problems.emplace_back("the lens's coefficients must lie between -1000 and 1000");
+}
+
+void checkCrop(const PhotoCrop& crop, int width, int height, Problems& problems) {
+    const auto end = [](int place, int size) { return std::int64_t{place} + size; };
+    if (crop.width < 1 || crop.height < 1 || crop.x < 0 || crop.y < 0 || end(crop.x, crop.width) > width ||
+        end(crop.y, crop.height) > height)
+        problems.push_back("the crop must be a part of the photo of " + std::to_string(width) + " × " +
+                           std::to_string(height) + " pixels");
+}
+
+void keepOnly(const PhotoCrop& crop, Image& photo) {
+    tbb::parallel_for(0, photo.height, [&](int y) {
+        const bool isRowKept = y >= crop.y && y - crop.y < crop.height;
+        for (int x = 0; x < photo.width; ++x)
+            if (!isRowKept || x < crop.x || x - crop.x >= crop.width) photo.at(x, y)[3] = 0;
+    });
+}
+
+} // namespace
+
+bool PhotoPreparation::isNothing() const {
+    return *this == PhotoPreparation();
+}
+
+bool PhotoPreparation::operator==(const PhotoPreparation& o) const {
+    return field == o.field && highlightThreshold == o.highlightThreshold && evenLight == o.evenLight &&
+           whiteBalance == o.whiteBalance && lens == o.lens && crop == o.crop;
+}
+
+std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height) {
+    Problems problems;
+    if (preparation.field) checkField(*preparation.field, problems);
+    if (preparation.highlightThreshold && !isWithin(*preparation.highlightThreshold, 1, 255))
+        problems.emplace_back("the threshold of highlights must lie between 1 and 255");
+    if (!isWithin(preparation.evenLight, 0, 1))
+        problems.emplace_back("the strength of even light must lie between 0 and 1");
+    if (preparation.whiteBalance &&
+        !std::all_of(preparation.whiteBalance->begin(), preparation.whiteBalance->end(),
+                     [](double gain) { return isWithin(gain, smallestGain, largestGain); }))
+        problems.emplace_back("the gains of white balance must lie between 0.25 and 4");
+    if (preparation.lens) checkLens(*preparation.lens, problems);
+    if (preparation.crop) checkCrop(*preparation.crop, width, height, problems);
+    return problems;
+}
+
+Image prepared(const Image& photo, const PhotoPreparation& preparation) {
+    const Problems problems = validate(preparation, photo.width, photo.height);
+    if (!problems.empty()) throw InvalidModel(problems);
+    Image picture = photo;
+    if (preparation.field) maskField(picture, *preparation.field);
+    if (preparation.highlightThreshold) fillHighlights(picture, *preparation.highlightThreshold);
+    evenLight(picture, preparation.evenLight);
+    if (preparation.whiteBalance) multiplyColours(picture, *preparation.whiteBalance);
+    if (preparation.lens) picture = undistorted(picture, *preparation.lens);
+    if (preparation.crop) keepOnly(*preparation.crop, picture);
+    return picture;
+}
+
+} // namespace esm

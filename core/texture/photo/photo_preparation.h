@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/texture/image.h"
+#include "core/texture/photo/even_light.h"
+#include "core/texture/photo/highlights.h"
+#include "core/texture/photo/lens.h"
+#include "core/texture/photo/photo_colours.h"
+#include "core/texture/photo/round_field.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+/// What stays of a photo, in pixels from its top left corner.
+struct PhotoCrop {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const PhotoCrop& o) const {
+        return x == o.x && y == o.y && width == o.width && height == o.height;
+    }
+};
+
+/// What is done to a photo before it is laid on the organ; by default nothing. Applied in this order, so that
+/// the field lies on the photo as it was taken and the crop on what comes out.
+struct PhotoPreparation {
+    std::optional<RoundField> field;       ///< alpha 0 outside
+    std::optional<int> highlightThreshold; ///< 1 to 255, of the darkest channel: pixels above it are filled
+    double evenLight = 0;                  ///< 0 to 1
+    std::optional<ColourGains> whiteBalance;
+    std::optional<Lens> lens;
+    std::optional<PhotoCrop> crop; ///< alpha 0 outside
+
+    bool isNothing() const;
+    bool operator==(const PhotoPreparation& other) const;
+    bool operator!=(const PhotoPreparation& other) const { return !(*this == other); }
+};
+
+/// Every problem of a preparation for a photo of that size. Empty when all is well.
+std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height);
+
+/// The photo as the preparation makes it, of the same size. Pure, and the same with any number of threads.
+/// @throws InvalidModel with what validate() finds
+Image prepared(const Image& photo, const PhotoPreparation& preparation);
+
+} // namespace esm
