@@ -116,7 +116,7 @@ Report describeProject(const std::filesystem::path& file) {
     report.json["kind"] = "project";
     addRegions(report, project.regions);
     Json photos = Json::array();
-    for (const PhotoLayer& layer : project.photos) {
+    for (const TextureLayer& layer : project.layers) {
         const Image& image = layer.photo->image;
         photos.push_back(
             {{"name", layer.name}, {"file", layer.photo->fileName}, {"size", {image.width, image.height}}});

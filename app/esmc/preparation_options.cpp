@@ -84,7 +84,7 @@ void declarePreparation(CLI::App& command, PreparationOptions& options) {
                        "Keep only this part, \"x y width height\" in pixels of the photograph");
 }
 
-Report prepareLayer(PhotoLayer& layer, const PreparationOptions& options) {
+Report prepareLayer(TextureLayer& layer, const PreparationOptions& options) {
     const Image& photo = layer.photo->image;
     Report report;
     PhotoPreparation preparation;

@@ -2,7 +2,7 @@
 
 #include "app/esmc/arguments.h"
 #include "app/esmc/report.h"
-#include "core/texture/layers/photo_layer.h"
+#include "core/texture/layers/texture_layer.h"
 
 #include <string>
 
@@ -18,6 +18,6 @@ struct PreparationOptions {
 void declarePreparation(CLI::App& command, PreparationOptions& options);
 
 /// Prepares the layer's photo, and reports what the steps found. @throws FileError, InvalidModel
-Report prepareLayer(PhotoLayer& layer, const PreparationOptions& options);
+Report prepareLayer(TextureLayer& layer, const PreparationOptions& options);
 
 } // namespace esm

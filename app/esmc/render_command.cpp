@@ -102,9 +102,9 @@ void addRegions(RenderScene& scene, const std::vector<Region>& regions) {
             scene.ellipsoids.push_back({*region.ellipsoid, region.colour, false, region.rim});
 }
 
-void addPhotos(RenderScene& scene, const std::vector<PhotoLayer>& photos) {
+void addPhotos(RenderScene& scene, const std::vector<TextureLayer>& photos) {
     const Eigen::AlignedBox3d organ = boundingBox(scene.mesh->vertices);
-    for (const PhotoLayer& layer : photos)
+    for (const TextureLayer& layer : photos)
         if (layer.visible)
             scene.projectors.push_back({layer.projector, pictureOf(layer), false,
                                         scene.texturePages && layer.opacity > 0,
@@ -122,15 +122,15 @@ RenderScene projectScene(const Project& project, const Shown& shown, Context& co
     scene.mesh = project.mesh;
     scene.network = project.network;
     scene.baseColour = project.texture.baseColour;
-    if (project.atlas && !project.photos.empty()) {
+    if (project.atlas && !project.layers.empty()) {
         scene.atlas = project.atlas;
         scene.texturePages = std::make_shared<const std::vector<Image>>(
-            composite(*project.mesh, *project.atlas, project.photos, project.texture.baseColour,
+            composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
                       progressOf(context, "baking")));
     }
     if (shows(shown, "springs")) colourSprings(scene, evaluateModel(project));
     if (shows(shown, "regions")) addRegions(scene, project.regions);
-    if (shows(shown, "projectors")) addPhotos(scene, project.photos);
+    if (shows(shown, "projectors")) addPhotos(scene, project.layers);
     return scene;
 }
 

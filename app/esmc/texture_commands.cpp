@@ -80,7 +80,7 @@ Report runPack(const PackOptions& options, Context& context) {
 
 struct PhotoOptions {
     std::string project, output, photo, projector, name;
-    double blend = PhotoLayer().blendPixels;
+    double blend = TextureLayer().blendPixels;
     PreparationOptions preparation;
 };
 
@@ -99,7 +99,7 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
     declarePreparation(command, options.preparation);
 }
 
-Report describe(const PhotoLayer& layer, const LayerCoverage& covered) {
+Report describe(const TextureLayer& layer, const LayerCoverage& covered) {
     Report report;
     report.json = {{"layer", layer.name}, {"texels", covered.texels}, {"triangles", covered.triangles}};
     report.text.push_back("photo " + layer.name + ": " + counted(covered.triangles, "triangle") + ", " +
@@ -114,7 +114,7 @@ Report describe(const PhotoLayer& layer, const LayerCoverage& covered) {
 Report runPhoto(const PhotoOptions& options, Context& context) {
     context.subject = options.project;
     Project project = loadProject(options.project);
-    PhotoLayer layer;
+    TextureLayer layer;
     layer.photo = loadPhoto(options.photo);
     layer.projector = readProjectorFile(options.projector);
     layer.blendPixels = options.blend;
@@ -122,7 +122,7 @@ Report runPhoto(const PhotoOptions& options, Context& context) {
     const Report found = prepareLayer(layer, options.preparation);
     packIfNeeded(project);
     const LayerCoverage covered = coverage(*project.mesh, *project.atlas, layer);
-    project.photos.push_back(layer);
+    project.layers.push_back(layer);
     saveProject(project, options.output);
     Report report = describe(layer, covered);
     report.json.update(found.json);
@@ -189,7 +189,7 @@ Report runBake(const BakeOptions& options, Context& context) {
     context.subject = options.project;
     Project project = loadProject(options.project);
     packIfNeeded(project);
-    const std::vector<Image> pages = composite(*project.mesh, *project.atlas, project.photos,
+    const std::vector<Image> pages = composite(*project.mesh, *project.atlas, project.layers,
                                                project.texture.baseColour, progressOf(context, "baking"));
     const double seams = seamError(*project.mesh, *project.atlas, pages);
     writePages(encoded(pages, project.atlas->texelsPerMetre, context), options.folder, context.interruption);

@@ -349,11 +349,11 @@ Ingredients prepare(const Project& project, const Progress& progress) {
     const TriangleMesh& mesh = *project.mesh;
     if (mesh.triangles.empty())
         result.atlas = nullptr;
-    else if (!result.atlas && !project.photos.empty())
+    else if (!result.atlas && !project.layers.empty())
         result.atlas = std::make_shared<Atlas>(packAtlas(mesh, project.texture.atlas));
     const Progress firstHalf = [&](double fraction) { return !progress || progress(0.5 * fraction); };
     if (result.atlas)
-        result.pages = composite(mesh, *result.atlas, project.photos, project.texture.baseColour, firstHalf);
+        result.pages = composite(mesh, *result.atlas, project.layers, project.texture.baseColour, firstHalf);
     return result;
 }
 

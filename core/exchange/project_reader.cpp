@@ -59,7 +59,7 @@ public:
     }
 
     /// Prepares a layer's photo, where the picture has room beside the other ones.
-    void prepare(const JsonReader& reader, PhotoLayer& layer) {
+    void prepare(const JsonReader& reader, TextureLayer& layer) {
         const PhotoPreparation preparation = preparationFromJson(reader);
         if (!layer.photo || preparation.isNothing()) return;
         try {
@@ -226,13 +226,13 @@ std::shared_ptr<const Photo> readPhotoFile(const JsonReader& reader, Source& sou
     }
 }
 
-std::vector<PhotoLayer> readPhotos(const JsonReader& reader, Source& source) {
+std::vector<TextureLayer> readPhotos(const JsonReader& reader, Source& source) {
     std::vector<std::shared_ptr<const Photo>> files;
     for (const JsonReader& file : reader.member("files").elements())
         files.push_back(readPhotoFile(file, source));
-    std::vector<PhotoLayer> layers;
+    std::vector<TextureLayer> layers;
     for (const JsonReader& json : reader.member("layers").elements()) {
-        PhotoLayer layer;
+        TextureLayer layer;
         layer.name = json.member("name").text();
         const auto place = static_cast<std::size_t>(json.member("file").count());
         if (place < files.size())
@@ -261,7 +261,7 @@ Project readContent(const JsonReader& manifest, Source& source) {
     project.regions = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
     project.scene = readScene(manifest.member("scene"));
     if (manifest.has("stepping")) project.stepping = steppingFromJson(manifest.member("stepping"));
-    project.photos = readPhotos(manifest.member("photos"), source);
+    project.layers = readPhotos(manifest.member("photos"), source);
     project.texture.atlas = atlasOptionsFromJson(manifest.member("texture"));
     project.texture.baseColour = colourFromJson(manifest.member("texture").member("baseColour"));
     if (manifest.has("atlas")) project.atlas = readAtlas(manifest.member("atlas"), arrays, source);

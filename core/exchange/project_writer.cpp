@@ -111,10 +111,10 @@ std::size_t addPhotoFile(const Photo& photo, Json& files, Content& content,
     return place;
 }
 
-Json addPhotos(const std::vector<PhotoLayer>& layers, Content& content) {
+Json addPhotos(const std::vector<TextureLayer>& layers, Content& content) {
     Json files = Json::array(), list = Json::array();
     std::vector<const Photo*> added;
-    for (const PhotoLayer& layer : layers) {
+    for (const TextureLayer& layer : layers) {
         list.push_back({{"name", layer.name},
                         {"file", addPhotoFile(*layer.photo, files, content, added)},
                         {"projector", esm::toJson(layer.projector)},
@@ -134,7 +134,7 @@ Json toJson(const RepairReport& report) {
     return json;
 }
 
-bool needsPerspective(const PhotoLayer& layer) {
+bool needsPerspective(const TextureLayer& layer) {
     return layer.projector.kind == ProjectorKind::Perspective || layer.projector.falloff;
 }
 
@@ -147,9 +147,9 @@ Json manifestOf(const Project& project, Content& content) {
     Json texture = toJson(project.texture.atlas);
     texture["baseColour"] = colourToJson(project.texture.baseColour);
     VersionNeeds needs = needsOf(project.regions, isBound, project.base.stiffening.has_value());
-    needs.perspective = std::any_of(project.photos.begin(), project.photos.end(), needsPerspective);
-    needs.preparation = std::any_of(project.photos.begin(), project.photos.end(),
-                                    [](const PhotoLayer& layer) { return !layer.preparation.isNothing(); });
+    needs.perspective = std::any_of(project.layers.begin(), project.layers.end(), needsPerspective);
+    needs.preparation = std::any_of(project.layers.begin(), project.layers.end(),
+                                    [](const TextureLayer& layer) { return !layer.preparation.isNothing(); });
     Json manifest{{"format", layout::format},
                   {"version", versionOf(needs)},
                   {"program", ESM_VERSION},
@@ -159,7 +159,7 @@ Json manifestOf(const Project& project, Content& content) {
                   {"fuzzySystems", std::move(regions.systems)},
                   {"regions", std::move(regions.regions)},
                   {"scene", toJson(project.scene)},
-                  {"photos", addPhotos(project.photos, content)},
+                  {"photos", addPhotos(project.layers, content)},
                   {"texture", std::move(texture)}};
     if (project.stepping) manifest["stepping"] = esm::toJson(*project.stepping);
     if (project.atlas) manifest["atlas"] = addAtlas(*project.atlas, content);
@@ -170,7 +170,7 @@ Json manifestOf(const Project& project, Content& content) {
 /// What would make a file that cannot be loaded again.
 std::vector<std::string> problemsOf(const Project& project, const Json& manifest, const Content& content) {
     std::vector<std::string> problems = content.problems;
-    for (const PhotoLayer& layer : project.photos) {
+    for (const TextureLayer& layer : project.layers) {
         if (layer.photo->encoded.empty()) problems.push_back("the photo " + layer.name + " has no file");
         try {
             projectorFromJson(esm::toJson(layer.projector));

@@ -7,7 +7,7 @@
 #include "core/model/stepping.h"
 #include "core/model/tissue_model.h"
 #include "core/texture/atlas/atlas.h"
-#include "core/texture/layers/photo_layer.h"
+#include "core/texture/layers/texture_layer.h"
 
 #include <memory>
 #include <optional>
@@ -41,7 +41,7 @@ struct Project {
     std::vector<Region> regions; ///< from the first to the last; a later one lies over an earlier one
     Scene scene;
     std::optional<MeasuredStepping> stepping; ///< that is recommended; none until measured
-    std::vector<PhotoLayer> photos;           ///< from the lowest to the topmost
+    std::vector<TextureLayer> layers;         ///< from the lowest to the topmost
     TextureSettings texture;
     std::shared_ptr<const Atlas> atlas; ///< null until packed
 };

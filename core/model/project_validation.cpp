@@ -70,7 +70,7 @@ void requireView(Problems& problems, const Projector& projector) {
         problems.emplace_back("the projector's principal point must be at most 1e7 pixels away");
 }
 
-Problems photoProblems(const PhotoLayer& layer) {
+Problems photoProblems(const TextureLayer& layer) {
     Problems problems;
     if (!layer.photo) problems.emplace_back("has no picture");
     if (!layer.projector.pose.matrix().allFinite())
@@ -95,7 +95,7 @@ Problems photoProblems(const PhotoLayer& layer) {
 std::uint64_t photoPixels(const Project& project) {
     std::set<const Image*> counted;
     std::uint64_t pixels = 0;
-    for (const PhotoLayer& layer : project.photos) {
+    for (const TextureLayer& layer : project.layers) {
         if (layer.photo && counted.insert(&layer.photo->image).second)
             pixels += layer.photo->image.pixels.size() / 4;
         if (layer.prepared && counted.insert(layer.prepared.get()).second)
@@ -150,9 +150,9 @@ std::vector<std::string> validate(const Project& project) {
     for (std::size_t i = 0; i < project.regions.size(); ++i)
         addUnder(problems, "region " + std::to_string(i + 1) + " (" + project.regions[i].name + ")",
                  regionProblems(project.regions[i]));
-    for (std::size_t i = 0; i < project.photos.size(); ++i)
-        addUnder(problems, "photo " + std::to_string(i + 1) + " (" + project.photos[i].name + ")",
-                 photoProblems(project.photos[i]));
+    for (std::size_t i = 0; i < project.layers.size(); ++i)
+        addUnder(problems, "photo " + std::to_string(i + 1) + " (" + project.layers[i].name + ")",
+                 photoProblems(project.layers[i]));
     addUnder(problems, "texture", textureProblems(project));
     // Only sound parts can be evaluated together.
     if (problems.empty()) addUnder(problems, "model", validate(evaluateModel(project)));

@@ -143,7 +143,7 @@ TEST_F(FileControllerTest, TakesADroppedProjectMeshAndPhoto) {
         .write(reinterpret_cast<const char*>(photo->encoded.data()),
                static_cast<std::streamsize>(photo->encoded.size()));
     drop({picture});
-    ESM_EVENTUALLY(project().photos.size() == 1);
+    ESM_EVENTUALLY(project().layers.size() == 1);
     EXPECT_TRUE(window->windowActions().texture->isChecked());
 
     dialogs.expectNamed("importDialog", [](QDialog* dialog) { dialog->accept(); });

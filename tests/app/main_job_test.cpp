@@ -131,7 +131,7 @@ public:
         ASSERT_TRUE(dialogs.isDone());
         EXPECT_TRUE(window->windowActions().texture->isChecked());
         ASSERT_EQ(window->view().tool(), ViewTool::Projector);
-        ASSERT_EQ(project().photos.size(), 1U);
+        ASSERT_EQ(project().layers.size(), 1U);
         ASSERT_NE(project().atlas, nullptr);
         ESM_EVENTUALLY(window->view().scene().texturePages);
         const auto& pages = *window->view().scene().texturePages;
@@ -143,9 +143,9 @@ public:
     }
 
     void sizePhoto() {
-        const Projector before = project().photos[0].projector;
+        const Projector before = project().layers[0].projector;
         drag(placeOf(handles(PhotoFace{before})[2]), {24, -12});
-        const Projector after = project().photos[0].projector;
+        const Projector after = project().layers[0].projector;
         EXPECT_GT(after.width, before.width);
         EXPECT_GT(after.height, before.height);
         EXPECT_EQ(after.pose.matrix(), before.pose.matrix());
@@ -182,10 +182,10 @@ public:
         ASSERT_EQ(project().regions.size(), 1U);
         EXPECT_EQ(project().regions[0].inputs, saved.regions[0].inputs);
         EXPECT_EQ(project().regions[0].ellipsoid->radii, saved.regions[0].ellipsoid->radii);
-        ASSERT_EQ(project().photos.size(), 1U);
-        EXPECT_EQ(project().photos[0].photo->encoded, saved.photos[0].photo->encoded);
-        EXPECT_EQ(project().photos[0].projector.width, saved.photos[0].projector.width);
-        EXPECT_EQ(project().photos[0].projector.pose.matrix(), saved.photos[0].projector.pose.matrix());
+        ASSERT_EQ(project().layers.size(), 1U);
+        EXPECT_EQ(project().layers[0].photo->encoded, saved.layers[0].photo->encoded);
+        EXPECT_EQ(project().layers[0].projector.width, saved.layers[0].projector.width);
+        EXPECT_EQ(project().layers[0].projector.pose.matrix(), saved.layers[0].projector.pose.matrix());
         ESM_EVENTUALLY(window->view().scene().texturePages);
     }
 

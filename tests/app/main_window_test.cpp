@@ -190,12 +190,12 @@ TEST_F(MainWindowTest, RemovesWhatIsSelectedFromTheMenu) {
     actions.removeRegion->trigger();
     EXPECT_TRUE(project().regions.empty());
     edit([](Project& p) {
-        PhotoLayer layer;
+        TextureLayer layer;
         layer.photo = makeSamplePhoto("serosa");
-        p.photos = {layer};
+        p.layers = {layer};
     });
     actions.removePhoto->trigger();
-    EXPECT_TRUE(project().photos.empty());
+    EXPECT_TRUE(project().layers.empty());
 }
 
 TEST_F(MainWindowTest, ExplainsTheStepInPlainWords) {
@@ -261,9 +261,9 @@ TEST_F(MainWindowTest, SaysThatAPhotoNeedsASurface) {
 
 TEST_F(MainWindowTest, ThePhotosBoxStandsInItsWorkspaceAlone) {
     edit([](Project& p) {
-        PhotoLayer layer;
+        TextureLayer layer;
         layer.photo = makeSamplePhoto("serosa");
-        p.photos = {layer};
+        p.layers = {layer};
     });
     EXPECT_TRUE(window->view().scene().projectors.empty());
     press(Qt::Key_2, Qt::ControlModifier);

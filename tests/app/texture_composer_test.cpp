@@ -9,9 +9,9 @@ using namespace esm;
 TEST(TextureComposer, WorksUntilTheLastRequestIsDone) {
     Project project = makeSample("ventricle");
     project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, {1024, 1, 2}));
-    PhotoLayer layer;
+    TextureLayer layer;
     layer.photo = makeSamplePhoto("serosa");
-    project.photos = {layer};
+    project.layers = {layer};
     TextureComposer composer;
     EXPECT_FALSE(composer.isWorking());
     int composed = 0;
@@ -24,7 +24,7 @@ TEST(TextureComposer, WorksUntilTheLastRequestIsDone) {
         composer.compose(project);
     ESM_EVENTUALLY(composed > 0 && !composer.isWorking());
     EXPECT_TRUE(pagesAreThere);
-    project.photos.clear();
+    project.layers.clear();
     composer.compose(project);
     ESM_EVENTUALLY(!composer.isWorking());
     EXPECT_EQ(composer.pages(), nullptr) << "nothing is left to compose";

@@ -92,9 +92,9 @@ void expectSameScene(const Scene& a, const Scene& b) {
 }
 
 void expectSamePhotos(const Project& a, const Project& b) {
-    ASSERT_EQ(a.photos.size(), b.photos.size());
-    for (std::size_t i = 0; i < a.photos.size(); ++i) {
-        const PhotoLayer &p = a.photos[i], &q = b.photos[i];
+    ASSERT_EQ(a.layers.size(), b.layers.size());
+    for (std::size_t i = 0; i < a.layers.size(); ++i) {
+        const TextureLayer &p = a.layers[i], &q = b.layers[i];
         EXPECT_EQ(p.name, q.name);
         EXPECT_EQ(p.photo->fileName, q.photo->fileName);
         EXPECT_EQ(p.photo->encoded, q.photo->encoded);

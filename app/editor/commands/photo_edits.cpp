@@ -120,24 +120,24 @@ void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projec
         project.texture.atlas = atlas->options;
         project.atlas = std::move(atlas);
     }
-    PhotoLayer layer;
+    TextureLayer layer;
     layer.name = std::filesystem::path(photo->fileName).stem().string();
     layer.photo = std::move(photo);
     layer.projector = projector;
     layer.projector.falloff = true;
-    project.photos.push_back(std::move(layer));
+    project.layers.push_back(std::move(layer));
 }
 
 void removePhoto(Project& project, std::size_t photo) {
-    project.photos.erase(project.photos.begin() + static_cast<std::ptrdiff_t>(photo));
+    project.layers.erase(project.layers.begin() + static_cast<std::ptrdiff_t>(photo));
 }
 
 bool canMovePhoto(const Project& project, std::size_t photo, int above) {
-    return canMoveItem(project.photos.size(), photo, above);
+    return canMoveItem(project.layers.size(), photo, above);
 }
 
 void movePhoto(Project& project, std::size_t photo, int above) {
-    if (canMovePhoto(project, photo, above)) moveItem(project.photos, photo, above);
+    if (canMovePhoto(project, photo, above)) moveItem(project.layers, photo, above);
 }
 
 } // namespace esm

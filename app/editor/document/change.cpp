@@ -84,7 +84,7 @@ bool sameReach(const Region& a, const Region& b) {
     return same(a.ellipsoid, b.ellipsoid) && a.rim == b.rim;
 }
 
-bool same(const PhotoLayer& a, const PhotoLayer& b) {
+bool same(const TextureLayer& a, const TextureLayer& b) {
     return a.name == b.name && a.photo == b.photo && a.projector == b.projector &&
            a.blendPixels == b.blendPixels && a.opacity == b.opacity && a.visible == b.visible &&
            a.preparation == b.preparation;
@@ -109,7 +109,7 @@ Change difference(const Project& before, const Project& after) {
     change.regions = !sameItems(before.regions, after.regions);
     change.scene = !same(before.scene, after.scene);
     change.stepping = !same(before.stepping, after.stepping);
-    change.photos = !sameItems(before.photos, after.photos);
+    change.layers = !sameItems(before.layers, after.layers);
     change.texture = !same(before.texture, after.texture) || before.atlas != after.atlas;
     return change;
 }

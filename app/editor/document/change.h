@@ -17,15 +17,15 @@ struct Change {
     bool regions = false;
     bool scene = false;
     bool stepping = false; ///< how the motion is computed
-    bool photos = false;
+    bool layers = false;
     bool texture = false; ///< texture settings or the packed atlas
     EditedSystem system{};
 
-    bool any() const { return name || mesh || tissue || regions || scene || stepping || photos || texture; }
+    bool any() const { return name || mesh || tissue || regions || scene || stepping || layers || texture; }
     /// What the simulation runs on.
     bool model() const { return mesh || tissue || regions || scene; }
     /// What the composed texture is made of.
-    bool picture() const { return mesh || photos || texture; }
+    bool picture() const { return mesh || layers || texture; }
 
     static Change everything() { return {true, true, true, true, true, true, true, true, {}}; }
 };
@@ -36,7 +36,7 @@ bool same(const std::shared_ptr<const FuzzySystem>& a, const std::shared_ptr<con
 bool same(const Region& a, const Region& b);
 /// Whether both reach the same places: their ellipsoids and soft rims.
 bool sameReach(const Region& a, const Region& b);
-bool same(const PhotoLayer& a, const PhotoLayer& b);
+bool same(const TextureLayer& a, const TextureLayer& b);
 bool same(const Stepping& a, const Stepping& b);
 bool same(const std::optional<MeasuredStepping>& a, const std::optional<MeasuredStepping>& b);
 Change difference(const Project& before, const Project& after);

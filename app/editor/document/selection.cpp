@@ -74,9 +74,9 @@ void Selection::followDocument(const Change& change) {
     region = follow(region, m_regions, project.regions);
     if (whole && project.regions.size() < m_regions.size() && region && project.regions[*region].ellipsoid)
         region.reset();
-    photo = follow(photo, m_photos, project.photos);
+    photo = follow(photo, m_photos, project.layers);
     m_regions = project.regions;
-    m_photos = project.photos;
+    m_photos = project.layers;
     if (region == m_region && photo == m_photo) return;
     m_region = region;
     m_photo = photo;

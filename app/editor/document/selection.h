@@ -36,7 +36,7 @@ private:
     Document& m_document;
     std::optional<std::size_t> m_region, m_photo;
     std::vector<Region> m_regions; ///< as they were when the selection last looked
-    std::vector<PhotoLayer> m_photos;
+    std::vector<TextureLayer> m_photos;
 };
 
 } // namespace esm

@@ -25,7 +25,7 @@ PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent
     connectControls();
     connect(&selection, &Selection::changed, this, &PhotoPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.photos) show();
+        if (change.layers) show();
     });
     show();
 }
@@ -58,21 +58,21 @@ void PhotoPanel::connectControls() {
         connect(field, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
     connect(m_blend, &NumberField::valueEdited, this, [this](double pixels) {
         edit(
-            tr("Set blending"), [=](PhotoLayer& layer) { layer.blendPixels = pixels; },
+            tr("Set blending"), [=](TextureLayer& layer) { layer.blendPixels = pixels; },
             QStringLiteral("blending"));
     });
     connect(m_visible, &QCheckBox::clicked, this, [this](bool on) {
-        edit(on ? tr("Show photo") : tr("Hide photo"), [=](PhotoLayer& layer) { layer.visible = on; });
+        edit(on ? tr("Show photo") : tr("Hide photo"), [=](TextureLayer& layer) { layer.visible = on; });
     });
     connect(m_occlusion, &QCheckBox::clicked, this, [this](bool on) {
         edit(tr("Set what the projector reaches"),
-             [=](PhotoLayer& layer) { layer.projector.occlusion = on; });
+             [=](TextureLayer& layer) { layer.projector.occlusion = on; });
     });
 }
 
 void PhotoPanel::show() {
     const auto selected = m_selection.photo();
-    const PhotoLayer* layer = selected ? &m_document.project().photos[*selected] : nullptr;
+    const TextureLayer* layer = selected ? &m_document.project().layers[*selected] : nullptr;
     setTitle(layer ? tr("Photo · %1").arg(QString::fromStdString(layer->name)) : tr("Photo"));
     showUse(layer);
     showPicture(layer ? layer->photo : nullptr);
@@ -114,15 +114,15 @@ void PhotoPanel::showPicture(const std::shared_ptr<const Photo>& photo) {
 
 void PhotoPanel::setOpacity(double opacity) {
     edit(
-        tr("Set opacity"), [=](PhotoLayer& layer) { layer.opacity = opacity; }, QStringLiteral("opacity"));
+        tr("Set opacity"), [=](TextureLayer& layer) { layer.opacity = opacity; }, QStringLiteral("opacity"));
 }
 
-void PhotoPanel::edit(const QString& text, const std::function<void(PhotoLayer&)>& change,
+void PhotoPanel::edit(const QString& text, const std::function<void(TextureLayer&)>& change,
                       const QString& mergeKey) {
     const auto selected = m_selection.photo();
     if (!selected) return;
     m_document.edit(
-        text, [&](Project& project) { change(project.photos[*selected]); },
+        text, [&](Project& project) { change(project.layers[*selected]); },
         mergeKey.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(mergeKey).arg(*selected));
 }
 

@@ -24,7 +24,7 @@ private:
     void showUse(bool hasPhoto);
     void setOpacity(double opacity);
     /// @param mergeKey of edits that become one step while a gesture lasts
-    void edit(const QString& text, const std::function<void(PhotoLayer&)>& change,
+    void edit(const QString& text, const std::function<void(TextureLayer&)>& change,
               const QString& mergeKey = {});
     void showPicture(const std::shared_ptr<const Photo>& photo);
 

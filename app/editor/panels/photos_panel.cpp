@@ -15,7 +15,7 @@ PhotosPanel::PhotosPanel(Document& document, Selection& selection, QWidget* pare
     list()->setEmptyText(tr("No photo yet. Add one, or drop a picture on the organ."));
     connect(&selection, &Selection::changed, this, &PhotosPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.photos) show();
+        if (change.layers) show();
     });
     PhotosPanel::show();
 }
@@ -30,8 +30,8 @@ void PhotosPanel::show() {
     const Project& project = m_document.project();
     std::vector<ItemRow> rows;
     std::map<std::shared_ptr<const Photo>, QPixmap> inUse;
-    for (std::size_t i = project.photos.size(); i-- > 0;) {
-        const PhotoLayer& layer = project.photos[i];
+    for (std::size_t i = project.layers.size(); i-- > 0;) {
+        const TextureLayer& layer = project.layers[i];
         const QString note = layer.visible ? tr("%1 %").arg(qRound(layer.opacity * 100)) : tr("hidden");
         inUse[layer.photo] = picture(layer.photo);
         rows.push_back({QString::fromStdString(layer.name), note, {}, inUse[layer.photo], true});
@@ -64,7 +64,7 @@ void PhotosPanel::removeLayer(std::size_t layer) {
 }
 
 void PhotosPanel::renameLayer(std::size_t layer, const std::string& name) {
-    m_document.edit(tr("Rename photo"), [&](Project& project) { project.photos[layer].name = name; });
+    m_document.edit(tr("Rename photo"), [&](Project& project) { project.layers[layer].name = name; });
 }
 
 } // namespace esm

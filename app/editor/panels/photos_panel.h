@@ -17,7 +17,7 @@ public:
 
 protected:
     void show() override;
-    std::size_t layerCount() const override { return m_document.project().photos.size(); }
+    std::size_t layerCount() const override { return m_document.project().layers.size(); }
     std::optional<std::size_t> selectedLayer() const override { return m_selection.photo(); }
     void selectLayer(std::optional<std::size_t> layer) override { m_selection.setPhoto(layer); }
     bool canMoveLayer(std::size_t layer, int above) const override;

@@ -88,14 +88,14 @@ ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget
         connect(field, &VectorField::gestureFinished, &document, &Document::finishGesture);
     connect(&selection, &Selection::changed, this, &ProjectorPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.photos) show();
+        if (change.layers) show();
     });
     show();
 }
 
 void ProjectorPanel::show() {
     const auto selected = m_selection.photo();
-    const Projector* projector = selected ? &m_document.project().photos[*selected].projector : nullptr;
+    const Projector* projector = selected ? &m_document.project().layers[*selected].projector : nullptr;
     const QString why = tr("No photo is selected");
     enable(m_width, projector, tr("Width of the thrown photo"), why);
     enable(m_height, projector, tr("Height of the thrown photo"), why);
@@ -128,7 +128,7 @@ void ProjectorPanel::showKind(const Projector* projector) {
 
 /// Degrees; of measured intrinsics, what they come to.
 double ProjectorPanel::verticalFieldOfView() const {
-    const PhotoLayer& layer = m_document.project().photos[*m_selection.photo()];
+    const TextureLayer& layer = m_document.project().layers[*m_selection.photo()];
     const Image& photo = layer.photo->image;
     if (!layer.projector.intrinsics) return layer.projector.fieldOfView;
     return toDegrees(2 * std::atan(photo.height / (2 * layer.projector.intrinsics->fy)));
@@ -139,7 +139,7 @@ void ProjectorPanel::chooseKind() {
     if (!selected) return;
     const auto kind = static_cast<ProjectorKind>(m_kind->currentData().toInt());
     m_document.edit(tr("Choose kind of projector"), [&](Project& project) {
-        PhotoLayer& layer = project.photos[*selected];
+        TextureLayer& layer = project.layers[*selected];
         layer.projector = ofKind(kind, layer.projector, layer.photo->image, *project.mesh);
     });
 }
@@ -153,7 +153,7 @@ void ProjectorPanel::edit(const QString& text, const std::function<void(Projecto
     const auto selected = m_selection.photo();
     if (selected)
         m_document.edit(
-            text, [&](Project& project) { change(project.photos[*selected].projector); },
+            text, [&](Project& project) { change(project.layers[*selected].projector); },
             QStringLiteral("%1 %2").arg(mergeKey).arg(*selected));
 }
 

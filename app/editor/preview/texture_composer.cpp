@@ -52,9 +52,9 @@ void TextureComposer::compose(const Request& request) {
             return !m_requests.isObsolete(
                 [&](const Request& next) { return next.project.atlas != project.atlas; });
         };
-        if (project.atlas && !project.photos.empty())
+        if (project.atlas && !project.layers.empty())
             pages = std::make_shared<const std::vector<Image>>(
-                composite(*project.mesh, *project.atlas, project.photos, project.texture.baseColour, goOn));
+                composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, goOn));
     } catch (const Cancelled&) {
         return;
     } catch (const std::exception& error) {

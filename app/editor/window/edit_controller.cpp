@@ -150,7 +150,7 @@ void EditController::projectFromCamera() {
     const auto selected = m_selection.photo();
     if (!selected) return;
     m_document.edit(tr("Photo from camera"), [&](Project& project) {
-        PhotoLayer& layer = project.photos[*selected];
+        TextureLayer& layer = project.layers[*selected];
         layer.projector = aimedByCamera(layer.projector, m_camera(), layer.photo->image, *project.mesh);
     });
 }

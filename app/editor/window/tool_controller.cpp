@@ -66,7 +66,7 @@ void ToolController::allow(QAction* action, ViewTool tool, const QString& does, 
 void ToolController::updateHint() {
     const bool moves = m_view.tool() == ViewTool::Pull || m_view.tool() == ViewTool::Instrument;
     const PreviewStatus status = m_preview.status();
-    if (m_actions.texture->isChecked() && m_document.project().photos.empty())
+    if (m_actions.texture->isChecked() && m_document.project().layers.empty())
         return m_view.setHint(m_actions.addPhoto->isEnabled()
                                   ? tr("No photo yet: Ctrl+P adds one, or drop a picture on the organ")
                                   : m_actions.addPhoto->toolTip());

@@ -102,7 +102,7 @@ void ViewController::followDocument(const Change& change) {
 void ViewController::composePhotos() {
     const Project& project = m_document.project();
     m_composer.compose(project);
-    if (project.photos.empty() || !project.atlas) return endRedrawing({});
+    if (project.layers.empty() || !project.atlas) return endRedrawing({});
     if (!m_redrawing.isActive()) m_redrawing.start(redrawingPatience);
 }
 
@@ -139,7 +139,7 @@ void ViewController::rebuildScene() {
     if (frame.network == project.network) scene.nodePositions = frame.positions;
     scene.baseColour = project.texture.baseColour;
     const auto atlas = m_composer.atlas();
-    if (atlas && atlas == project.atlas && !project.photos.empty()) {
+    if (atlas && atlas == project.atlas && !project.layers.empty()) {
         scene.atlas = atlas;
         scene.texturePages = m_composer.pages();
     }
@@ -179,7 +179,7 @@ void ViewController::markRegion(RenderScene& scene) {
 void ViewController::addProjector(RenderScene& scene) {
     const auto selected = m_selection.photo();
     if (!m_textureWorkspace || !selected) return;
-    const PhotoLayer& layer = m_document.project().photos[*selected];
+    const TextureLayer& layer = m_document.project().layers[*selected];
     const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
     const double depth = shownDepth(layer.projector, boundingBox(m_document.project().mesh->vertices));
     scene.projectors.push_back({layer.projector, pictureOf(layer), true, isLaid, depth});
@@ -250,7 +250,7 @@ void ViewController::dragProjector(const Projector& projector) {
     const auto selected = m_selection.photo();
     if (!selected) return;
     m_document.edit(
-        tr("Place photo"), [&](Project& project) { project.photos[*selected].projector = projector; },
+        tr("Place photo"), [&](Project& project) { project.layers[*selected].projector = projector; },
         QStringLiteral("projector %1").arg(*selected));
 }
 

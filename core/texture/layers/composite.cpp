@@ -33,11 +33,11 @@ void checkAtlas(const TriangleMesh& mesh, const Atlas& atlas) {
 /// What all bands share: the shown layers, each photo's pyramid once, and the surface for shadows.
 class Painter {
 public:
-    Painter(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<PhotoLayer>& layers)
+    Painter(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<TextureLayer>& layers)
         : m_atlas(atlas), m_surface{mesh, nullptr,
                                     hidingTolerance * boundingBox(mesh.vertices).diagonal().norm()} {
         checkAtlas(mesh, atlas);
-        for (const PhotoLayer& layer : layers)
+        for (const TextureLayer& layer : layers)
             if (layer.visible && layer.opacity > 0 && !layer.photo->image.empty()) add(layer);
         if (m_query) m_surface.query = &*m_query;
     }
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    void add(const PhotoLayer& layer) {
+    void add(const TextureLayer& layer) {
         const Image& picture = *pictureOf(layer); // which the layer keeps
         auto& sampler = m_samplers[&picture];
         if (!sampler) sampler = std::make_unique<PhotoSampler>(picture);
@@ -71,7 +71,7 @@ private:
     LitSurface m_surface;
     std::optional<SurfaceQuery> m_query;
     std::map<const Image*, std::unique_ptr<PhotoSampler>> m_samplers;
-    std::vector<std::pair<const PhotoLayer*, const PhotoSampler*>> m_layers;
+    std::vector<std::pair<const TextureLayer*, const PhotoSampler*>> m_layers;
 };
 
 /// Photos are mixed in sRGB values, as the source does and as picture editors do.
@@ -115,7 +115,7 @@ Image filledPage(int size, const std::array<std::uint8_t, 3>& colour) {
 } // namespace
 
 std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
-                             const std::vector<PhotoLayer>& layers, std::array<std::uint8_t, 3> baseColour,
+                             const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
                              const Progress& progress) {
     const Painter painter(mesh, atlas, layers);
     std::vector<Image> pages(static_cast<std::size_t>(atlas.options.pages),
@@ -133,8 +133,8 @@ std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
     return pages;
 }
 
-LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const PhotoLayer& layer) {
-    const std::vector<PhotoLayer> only{layer};
+LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const TextureLayer& layer) {
+    const std::vector<TextureLayer> only{layer};
     const Painter painter(mesh, atlas, only);
     const PageBand whole{0, 0, atlas.options.size, {}};
     std::vector<LayerCoverage> covered(mesh.triangles.size());

@@ -3,7 +3,7 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/support/progress.h"
 #include "core/texture/atlas/atlas.h"
-#include "core/texture/layers/photo_layer.h"
+#include "core/texture/layers/texture_layer.h"
 
 #include <array>
 #include <vector>
@@ -16,7 +16,7 @@ namespace esm {
 /// patches' colours, so that filtering shows no dark seams.
 /// @throws InvalidModel for a layout of another surface or beyond its pages; Cancelled
 std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
-                             const std::vector<PhotoLayer>& layers, std::array<std::uint8_t, 3> baseColour,
+                             const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
                              const Progress& progress = {});
 
 /// What one layer covers.
@@ -25,7 +25,7 @@ struct LayerCoverage {
     std::size_t triangles = 0; ///< triangles whose patch touches a texel with such a weight
 };
 /// @throws InvalidModel as composite() does
-LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const PhotoLayer& layer);
+LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const TextureLayer& layer);
 
 /// The largest difference of colour (0 to 255) across any edge that two triangles share, compared at points
 /// along the edge with bilinear filtering.

@@ -30,7 +30,7 @@ double pixelsPerTexel(const Eigen::Vector3d& place, const Eigen::Matrix<double, 
 
 } // namespace
 
-std::optional<TriangleProjection> TriangleProjection::make(const PhotoLayer& layer,
+std::optional<TriangleProjection> TriangleProjection::make(const TextureLayer& layer,
                                                            const PhotoSampler& sampler,
                                                            const LitSurface& surface, std::uint32_t triangle,
                                                            const std::array<Eigen::Vector2d, 3>& patch) {

@@ -2,7 +2,7 @@
 
 #include "core/geometry/surface_query.h"
 #include "core/texture/layers/patch_scan.h"
-#include "core/texture/layers/photo_layer.h"
+#include "core/texture/layers/texture_layer.h"
 #include "core/texture/photo/photo_sampler.h"
 
 #include <optional>
@@ -20,7 +20,7 @@ struct LitSurface {
 class TriangleProjection {
 public:
     /// Nothing when no point of the patch can take colour from the layer.
-    static std::optional<TriangleProjection> make(const PhotoLayer& layer, const PhotoSampler& sampler,
+    static std::optional<TriangleProjection> make(const TextureLayer& layer, const PhotoSampler& sampler,
                                                   const LitSurface& surface, std::uint32_t triangle,
                                                   const std::array<Eigen::Vector2d, 3>& patch);
 
@@ -29,7 +29,7 @@ public:
     Eigen::Vector4f at(const PatchTexel& texel) const;
 
 private:
-    TriangleProjection(const PhotoLayer& layer, const PhotoSampler& sampler, const LitSurface& surface)
+    TriangleProjection(const TextureLayer& layer, const PhotoSampler& sampler, const LitSurface& surface)
         : m_layer(layer), m_sampler(sampler), m_surface(surface) {}
 
     bool mayTakeColour() const;
@@ -39,7 +39,7 @@ private:
     bool isHidden(const Eigen::Vector3d& nearest) const;
     Eigen::Vector3d towardsLight(const Eigen::Vector3d& point) const; ///< of length 1
 
-    const PhotoLayer& m_layer;
+    const TextureLayer& m_layer;
     const PhotoSampler& m_sampler;
     const LitSurface& m_surface;
     Eigen::Matrix3d m_corners;                   ///< as columns, m

@@ -73,9 +73,9 @@ Scene fullScene() {
     return scene;
 }
 
-std::vector<PhotoLayer> someLayers() {
+std::vector<TextureLayer> someLayers() {
     const auto first = gradientPhoto("bild eins.PNG", 40), second = gradientPhoto("b", 16);
-    PhotoLayer below, above, again;
+    TextureLayer below, above, again;
     below.name = "below";
     below.photo = first;
     below.projector.pose =
@@ -112,7 +112,7 @@ Project richProject(std::uint32_t rings) {
     project.scene = fullScene();
     project.stepping = MeasuredStepping{
         {Integrator::Rk4, 0.1 / 3, Precision::Float}, 1.0 / 7, 1e-300 / 3, "0123456789abcdef"};
-    project.photos = someLayers();
+    project.layers = someLayers();
     project.texture.atlas = {128, 1, 1};
     project.texture.baseColour = {9, 200, 31};
     project.atlas = std::make_shared<Atlas>(packAtlas(*project.mesh, project.texture.atlas));

@@ -77,7 +77,7 @@ TEST_F(ModelPackageFile, HoldsTheBakedTextureAndItsPlaces) {
     const Project project = richProject();
     const ModelPackage package = exported(project);
     const std::vector<Image> pages =
-        composite(*project.mesh, *project.atlas, project.photos, project.texture.baseColour);
+        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour);
     ASSERT_EQ(package.textures.size(), 1U);
     EXPECT_EQ(package.textures[0].pixels, pages[0].pixels);
     ASSERT_TRUE(package.atlas);
@@ -95,7 +95,7 @@ TEST_F(ModelPackageFile, PacksAnAtlasForPhotosThatHaveNone) {
     const ModelPackage package = exported(project);
     ASSERT_EQ(package.textures.size(), 1U);
     EXPECT_EQ(package.textures[0].pixels, packed.textures[0].pixels);
-    project.photos.clear();
+    project.layers.clear();
     EXPECT_TRUE(exported(project).textures.empty());
     EXPECT_EQ(exported(project).atlas, nullptr);
 }
@@ -103,7 +103,7 @@ TEST_F(ModelPackageFile, PacksAnAtlasForPhotosThatHaveNone) {
 TEST_F(ModelPackageFile, IsReadByAStrangersReader) {
     Project project = richProject();
     expectReadIndependently(project, m_folder.path());
-    project.photos.clear();
+    project.layers.clear();
     project.atlas = nullptr;
     project.regions.clear();
     project.scene = {};
@@ -145,7 +145,7 @@ TEST_F(ModelPackageFile, SpreadsTheTextureOverPages) {
 TEST_F(ModelPackageFile, DrawnVerticesMayOutnumberTheNodes) {
     Project project = richProject();
     project.atlas = nullptr;
-    project.photos.clear();
+    project.layers.clear();
     auto network = std::make_shared<SpringNetwork>(*project.network);
     // The last two vertices hang on node 0, as where the drawn surface is finer than the simulated one.
     network->vertexNodes[46] = network->vertexNodes[47] = 0;
@@ -159,7 +159,7 @@ TEST_F(ModelPackageFile, HoldsHowFewerNodesCarryTheSurface) {
         Project project = boundProject(detail);
         expectReadIndependently(project, m_folder.path());
         expectSameTissue(exported(project).tissue, evaluateModel(project));
-        project.photos.clear();
+        project.layers.clear();
         project.atlas = nullptr;
         expectReadIndependently(project, m_folder.path());
         expectSameTissue(exported(project).tissue, evaluateModel(project));

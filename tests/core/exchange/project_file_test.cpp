@@ -48,13 +48,13 @@ TEST_F(ProjectFile, KeepsSoftRims) {
 
 TEST_F(ProjectFile, KeepsPerspectiveProjectors) {
     Project project = richProject();
-    for (PhotoLayer& layer : project.photos)
+    for (TextureLayer& layer : project.layers)
         layer.projector = {};
-    project.photos[0].projector.kind = ProjectorKind::Perspective;
-    project.photos[0].projector.fieldOfView = 100.0 / 3;
-    project.photos[1].projector.kind = ProjectorKind::Perspective;
-    project.photos[1].projector.intrinsics = Intrinsics{1e4 / 3, 900, -3, 0.1};
-    project.photos[2].projector.falloff = true;
+    project.layers[0].projector.kind = ProjectorKind::Perspective;
+    project.layers[0].projector.fieldOfView = 100.0 / 3;
+    project.layers[1].projector.kind = ProjectorKind::Perspective;
+    project.layers[1].projector.intrinsics = Intrinsics{1e4 / 3, 900, -3, 0.1};
+    project.layers[2].projector.falloff = true;
     saveProject(project, m_file);
     expectSameProject(project, loadProject(m_file));
     EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
@@ -78,12 +78,12 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(version(extendedInferenceProject()), 4);
     EXPECT_EQ(version(softProject()), 5);
     Project project = richProject();
-    project.photos[0].projector.falloff = true;
+    project.layers[0].projector.falloff = true;
     EXPECT_EQ(version(project), 6);
-    project.photos[0].projector.falloff = false;
-    project.photos[0].projector.kind = ProjectorKind::Perspective;
+    project.layers[0].projector.falloff = false;
+    project.layers[0].projector.kind = ProjectorKind::Perspective;
     EXPECT_EQ(version(project), 6);
-    project.photos[0].preparation.evenLight = 0.5;
+    project.layers[0].preparation.evenLight = 0.5;
     EXPECT_EQ(version(project), projectFileVersion);
 }
 
@@ -110,11 +110,11 @@ TEST_F(ProjectFile, KeepsHowPhotosAreMadeReady) {
     pinhole.lens = Lens{LensKind::Pinhole, {30, 31, 20, 19}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0.002}};
     pinhole.crop = PhotoCrop{1, 2, 12, 11};
     fisheye.lens = Lens{LensKind::Fisheye, {9, 9, 8, 8}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0}};
-    prepare(project.photos[0], pinhole);
-    prepare(project.photos[1], fisheye);
+    prepare(project.layers[0], pinhole);
+    prepare(project.layers[1], fisheye);
     saveProject(project, m_file);
     expectSameProject(project, loadProject(m_file));
-    EXPECT_EQ(loadProject(m_file).photos[2].prepared, nullptr);
+    EXPECT_EQ(loadProject(m_file).layers[2].prepared, nullptr);
 }
 
 TEST_F(ProjectFile, NamesWhatIsWrongWithAPreparation) {
@@ -140,7 +140,7 @@ TEST_F(ProjectFile, SharesWhatWasShared) {
     saveProject(richProject(), m_file);
     const Project loaded = loadProject(m_file);
     EXPECT_EQ(loaded.regions[0].system, loaded.regions[1].system);
-    EXPECT_EQ(loaded.photos[0].photo, loaded.photos[2].photo);
+    EXPECT_EQ(loaded.layers[0].photo, loaded.layers[2].photo);
 }
 
 TEST_F(ProjectFile, KeysThatAreNotKnownAreIgnored) {
@@ -205,7 +205,7 @@ TEST_F(ProjectFile, AProjectWithProblemsIsNotSavedOverAGoodOne) {
     bad.base.mass = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(saveProject(bad, m_file), FileError);
     bad = richProject();
-    bad.photos[0].projector.pose.linear() *= 2;
+    bad.layers[0].projector.pose.linear() *= 2;
     EXPECT_THROW(saveProject(bad, m_file), FileError);
     bad = richProject();
     auto atlas = std::make_shared<Atlas>(*bad.atlas);

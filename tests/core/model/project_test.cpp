@@ -189,8 +189,8 @@ TEST(Project, ReportsTheProblemsOfAllItsParts) {
     region.held.viscosity = -3;
     region.rim = NAN;
     project.regions = {region};
-    project.photos = {{}};
-    project.photos[0].projector.width = NAN;
+    project.layers = {{}};
+    project.layers[0].projector.width = NAN;
     EXPECT_THAT(validate(project),
                 ElementsAre(HasSubstr("organ's mass"), HasSubstr("the strain"), HasSubstr("the factor"),
                             HasSubstr("scene: duration"), HasSubstr("forces[0]"),
@@ -214,14 +214,14 @@ TEST(Project, ReportsTexturesAndPhotosBeyondAllUse) {
 
     project.texture.atlas = {};
     project.atlas = nullptr;
-    PhotoLayer layer;
+    TextureLayer layer;
     layer.photo = std::make_shared<Photo>();
     layer.projector.width = 1e-308;
     layer.projector.height = 1e4;
-    project.photos = {layer};
+    project.layers = {layer};
     EXPECT_THAT(validate(project),
                 ElementsAre(HasSubstr("projector's width"), HasSubstr("projector's height")));
-    Projector& projector = project.photos[0].projector;
+    Projector& projector = project.layers[0].projector;
     projector.kind = ProjectorKind::Perspective;
     EXPECT_TRUE(validate(project).empty()) << "width and height say nothing";
     projector.fieldOfView = NAN;

@@ -44,7 +44,7 @@ TEST(KnownCamera, GivesItsPictureBackFromTheOrgan) {
     convertToMetres(soup, LengthUnit::Millimetre, UpAxis::Y);
     const auto mesh = std::make_shared<const TriangleMesh>(repair(soup).mesh);
     const auto atlas = std::make_shared<const Atlas>(packAtlas(*mesh, {4096, 1, 2}));
-    PhotoLayer layer;
+    TextureLayer layer;
     layer.photo = loadPhoto(knownCameraFolder() / "synthetic-left.png");
     layer.projector = knownCamera();
     layer.blendPixels = 0;
@@ -57,7 +57,7 @@ TEST(KnownCamera, GivesItsPictureBackFromTheOrgan) {
     scene.unlit = true;
     scene.baseColour = {255, 0, 0};
     scene.backgroundTop = scene.backgroundBottom = {255, 0, 0};
-    const auto drawn = [&](const PhotoLayer& shown) {
+    const auto drawn = [&](const TextureLayer& shown) {
         scene.texturePages =
             std::make_shared<const std::vector<Image>>(composite(*mesh, *atlas, {shown}, scene.baseColour));
         return renderOffscreen(scene, cameraOf(layer.projector, size), size.width, size.height);
@@ -65,7 +65,7 @@ TEST(KnownCamera, GivesItsPictureBackFromTheOrgan) {
     auto green = std::make_shared<Photo>(*layer.photo);
     for (std::size_t i = 0; i < green->image.pixels.size(); ++i)
         green->image.pixels[i] = i % 4 == 1 || i % 4 == 3 ? 255 : 0;
-    PhotoLayer plain = layer;
+    TextureLayer plain = layer;
     plain.photo = green;
     const Image mask = loadPhoto(knownCameraFolder() / "mask-left.png")->image;
     const Difference found = compare(drawn(layer), photo, mask, drawn(plain));

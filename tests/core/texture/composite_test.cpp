@@ -63,10 +63,10 @@ TEST(Composite, KeepsASquareOfACheckerboardWhereItIs) {
 TEST(Composite, MixesAHalfTransparentPhotoEvenly) {
     const TriangleMesh mesh = flatSquare(0.1, 3);
     const Atlas atlas = packAtlas(mesh, {256, 1, 2});
-    const PhotoLayer byAlpha = layerFromAbove(plainPhoto({0, 255, 0, 51}), 0.3);
-    PhotoLayer byOpacity = layerFromAbove(plainPhoto(green), 0.3);
+    const TextureLayer byAlpha = layerFromAbove(plainPhoto({0, 255, 0, 51}), 0.3);
+    TextureLayer byOpacity = layerFromAbove(plainPhoto(green), 0.3);
     byOpacity.opacity = 0.5;
-    const auto expectEverywhere = [&](const PhotoLayer& layer, const Colour& expected) {
+    const auto expectEverywhere = [&](const TextureLayer& layer, const Colour& expected) {
         const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
         forEachTexelInside(mesh, atlas, pages,
                            [&](auto&, const Colour& colour, std::size_t) { ASSERT_EQ(colour, expected); });
@@ -78,8 +78,8 @@ TEST(Composite, MixesAHalfTransparentPhotoEvenly) {
 TEST(Composite, LaysLaterPhotosOverEarlierOnes) {
     const TriangleMesh mesh = flatSquare(0.1, 3);
     const Atlas atlas = packAtlas(mesh, {256, 1, 2});
-    std::vector<PhotoLayer> layers{layerFromAbove(plainPhoto(green), 0.3),
-                                   layerFromAbove(plainPhoto({0, 0, 255, 255}), 0.3)};
+    std::vector<TextureLayer> layers{layerFromAbove(plainPhoto(green), 0.3),
+                                     layerFromAbove(plainPhoto({0, 0, 255, 255}), 0.3)};
     const auto expectAll = [&](const Colour& expected) {
         const std::vector<Image> pages = composite(mesh, atlas, layers, baseColour);
         forEachTexelInside(mesh, atlas, pages,
@@ -98,7 +98,7 @@ TEST(Composite, WeighsThePhotoLinearlyFromItsBorder) {
     const TriangleMesh mesh = flatSquare(0.1, 3);
     const Atlas atlas = packAtlas(mesh, {1024, 1, 2});
     const auto photo = makePhoto(100, 50, [](int, int) { return green; });
-    PhotoLayer layer = layerFromAbove(photo, 0.1);
+    TextureLayer layer = layerFromAbove(photo, 0.1);
     layer.projector.height = 0.05; // 1 mm per pixel both ways
     layer.blendPixels = 20;
     const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
@@ -114,7 +114,7 @@ TEST(Composite, WeighsThePhotoLinearlyFromItsBorder) {
 TEST(Composite, ColoursOnlyWhatTheProjectorSees) {
     const TriangleMesh mesh = squareUnderSquare();
     const Atlas atlas = packAtlas(mesh, {512, 1, 2});
-    const PhotoLayer layer = layerFromAbove(plainPhoto(green), 0.3);
+    const TextureLayer layer = layerFromAbove(plainPhoto(green), 0.3);
     const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
     int lit = 0, hidden = 0;
     forEachTexelInside(mesh, atlas, pages,
@@ -134,7 +134,7 @@ TEST(Composite, ColoursHiddenAndBackSidesOnlyWithoutOcclusion) {
     for (Triangle& triangle : mesh.triangles)
         std::swap(triangle[1], triangle[2]);
     const Atlas atlas = packAtlas(mesh, {512, 1, 2});
-    PhotoLayer layer = layerFromAbove(plainPhoto(green), 0.3);
+    TextureLayer layer = layerFromAbove(plainPhoto(green), 0.3);
     const std::vector<Image> untouched = composite(mesh, atlas, {layer}, baseColour);
     layer.projector.occlusion = false;
     const std::vector<Image> touched = composite(mesh, atlas, {layer}, baseColour);
@@ -147,7 +147,7 @@ TEST(Composite, ColoursHiddenAndBackSidesOnlyWithoutOcclusion) {
 TEST(Composite, LeavesWhatLiesBehindThePhotosPlane) {
     const TriangleMesh mesh = squareUnderSquare();
     const Atlas atlas = packAtlas(mesh, {512, 1, 2});
-    PhotoLayer layer = layerFromAbove(plainPhoto(green), 0.3);
+    TextureLayer layer = layerFromAbove(plainPhoto(green), 0.3);
     layer.projector.pose.translation().z() = 0.025; // between the two squares
     for (const bool occlusion : {false, true}) {
         layer.projector.occlusion = occlusion;
@@ -190,7 +190,7 @@ TEST(Composite, IsTheSameWithAnyNumberOfThreads) {
     const auto photo = makePhoto(300, 200, [](int x, int y) {
         return Colour{std::uint8_t(x * 7), std::uint8_t(y * 11), std::uint8_t(x * y), std::uint8_t(x + y)};
     });
-    const std::vector<PhotoLayer> layers{layerFromAbove(photo, 0.15), layerFromAbove(photo, 0.1)};
+    const std::vector<TextureLayer> layers{layerFromAbove(photo, 0.15), layerFromAbove(photo, 0.1)};
     const auto composeWith = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         return composite(mesh, atlas, layers, baseColour);
@@ -204,7 +204,7 @@ TEST(Composite, IsTheSameWithAnyNumberOfThreads) {
 TEST(Composite, StopsWhenToldTo) {
     const TriangleMesh mesh = flatSquare(0.1, 3);
     const Atlas atlas = packAtlas(mesh, {256, 1, 2});
-    const std::vector<PhotoLayer> layers{layerFromAbove(plainPhoto(green), 0.1)};
+    const std::vector<TextureLayer> layers{layerFromAbove(plainPhoto(green), 0.1)};
     EXPECT_THROW(composite(mesh, atlas, layers, baseColour, [](double) { return false; }), Cancelled);
 }
 
@@ -213,14 +213,14 @@ TEST(Composite, RefusesTheLayoutOfAnotherSurfaceOrBeyondThePage) {
     Atlas atlas = packAtlas(mesh, {256, 1, 2});
     EXPECT_THROW(composite(flatSquare(0.1, 4), atlas, {}, baseColour), InvalidModel);
     atlas.corners[0][0].y() = 1e300;
-    const PhotoLayer layer = layerFromAbove(plainPhoto(green), 0.3);
+    const TextureLayer layer = layerFromAbove(plainPhoto(green), 0.3);
     EXPECT_THROW(composite(mesh, atlas, {layer}, baseColour), InvalidModel);
     EXPECT_THROW(coverage(mesh, atlas, layer), InvalidModel);
 }
 
 TEST(Composite, GivesPatchesWithoutAreaAColourLikePoints) {
     const TriangleMesh mesh = flatSquare(0.1, 3);
-    const PhotoLayer layer = layerFromAbove(plainPhoto(green), 0.3);
+    const TextureLayer layer = layerFromAbove(plainPhoto(green), 0.3);
     for (const double off : {0.0, 1e-300, 1e-14, 1e-9}) {
         Atlas atlas = packAtlas(mesh, {256, 1, 2});
         atlas.corners[0] = {Eigen::Vector2d(10, 10), {30, 30 + off}, {50, 50}};
@@ -234,7 +234,7 @@ TEST(Composite, GivesPatchesWithoutAreaAColourLikePoints) {
 TEST(Composite, TakesNoColourFromPlacesThatAreNotFinite) {
     const TriangleMesh mesh = flatSquare(0.1, 3);
     const Atlas atlas = packAtlas(mesh, {256, 1, 2});
-    PhotoLayer layer = layerFromAbove(plainPhoto(green), 1e-308);
+    TextureLayer layer = layerFromAbove(plainPhoto(green), 1e-308);
     layer.projector.occlusion = false;
     forEachTexelInside(mesh, atlas, composite(mesh, atlas, {layer}, baseColour),
                        [](auto&, const Colour& colour, std::size_t) { ASSERT_EQ(colour, base); });
@@ -243,7 +243,7 @@ TEST(Composite, TakesNoColourFromPlacesThatAreNotFinite) {
 TEST(Coverage, CountsTexelsAndTriangles) {
     const TriangleMesh mesh = flatSquare(0.1, 4);
     const Atlas atlas = packAtlas(mesh, {512, 1, 2});
-    PhotoLayer layer = layerFromAbove(plainPhoto(green), 0.3);
+    TextureLayer layer = layerFromAbove(plainPhoto(green), 0.3);
     const LayerCoverage all = coverage(mesh, atlas, layer);
     EXPECT_EQ(all.triangles, mesh.triangles.size());
     EXPECT_NEAR(double(all.texels), atlas.utilisation * 512 * 512, 0.01 * 512 * 512);
@@ -263,7 +263,7 @@ TEST(SeamError, IsSmallForASmoothPhotoAndSeesAForeignColour) {
     const auto photo = makePhoto(64, 64, [](int x, int y) {
         return Colour{std::uint8_t(2 * x + 40), std::uint8_t(2 * y + 60), std::uint8_t(x + y), 255};
     });
-    PhotoLayer layer = layerFromAbove(photo, 0.4);
+    TextureLayer layer = layerFromAbove(photo, 0.4);
     layer.projector.occlusion = false;
     std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
     EXPECT_LE(seamError(mesh, atlas, pages), 2);
@@ -278,7 +278,7 @@ TEST(Composite, LaysARealPhotoOnARealLiver) {
     const TriangleMesh mesh = repair(readMeshFile(sharedData("meshes/VH_M_Liver.glb"))).mesh;
     const Atlas atlas = packAtlas(mesh, {1024, 1, 1});
     const Eigen::AlignedBox3d box = boundingBox(mesh.vertices);
-    PhotoLayer layer;
+    TextureLayer layer;
     layer.photo = loadPhoto(sharedData("images/lap-liver-gallbladder.jpg"));
     layer.projector.pose.translation() = box.center() + Eigen::Vector3d(0, 0, box.sizes().z());
     layer.projector.width = 0.4;

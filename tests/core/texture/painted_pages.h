@@ -56,8 +56,8 @@ inline double fromLine(double column, double row) {
 }
 
 /// Thrown from z = 1 m straight down onto the origin.
-inline PhotoLayer layerFromAbove(std::shared_ptr<const Photo> photo, double width) {
-    PhotoLayer layer;
+inline TextureLayer layerFromAbove(std::shared_ptr<const Photo> photo, double width) {
+    TextureLayer layer;
     layer.photo = std::move(photo);
     layer.projector.pose.translation().z() = 1;
     layer.projector.width = layer.projector.height = width;

@@ -24,8 +24,8 @@ TriangleMesh turnedInsideOut(TriangleMesh mesh) {
 
 /// From an eye 0.3 m away from the origin, at so many degrees from the z axis, with 8 × 8 squares of 32
 /// pixels.
-PhotoLayer checkerboardInPerspective(double degrees) {
-    PhotoLayer layer;
+TextureLayer checkerboardInPerspective(double degrees) {
+    TextureLayer layer;
     layer.photo = checkerboard();
     layer.projector.pose =
         Eigen::AngleAxisd(degrees * M_PI / 180, Eigen::Vector3d::UnitX()) * Eigen::Translation3d(0, 0, 0.3);
@@ -40,7 +40,7 @@ PhotoLayer checkerboardInPerspective(double degrees) {
 TEST(PerspectivePhoto, KeepsTheSquaresOfAPerspectivePhotoSeenAtSixtyDegrees) {
     const TriangleMesh mesh = flatSquare(0.1, 2); // few triangles: nothing is linear over one of them
     const Atlas atlas = packAtlas(mesh, {1024, 1, 2});
-    const PhotoLayer layer = checkerboardInPerspective(60);
+    const TextureLayer layer = checkerboardInPerspective(60);
     const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
     int compared = 0;
     forEachTexelInside(mesh, atlas, pages,
@@ -64,7 +64,7 @@ TEST(PerspectivePhoto, KeepsTheSquaresOfAPerspectivePhotoSeenAtSixtyDegrees) {
 TEST(PerspectivePhoto, ColoursFromAnEyeInsideWhatThePhotoShows) {
     for (const TriangleMesh& mesh : {centredCube(), turnedInsideOut(centredCube())}) {
         const Atlas atlas = packAtlas(mesh, {512, 1, 2});
-        PhotoLayer layer;
+        TextureLayer layer;
         layer.photo = plainPhoto(green);
         layer.blendPixels = 0;
         layer.projector.kind = ProjectorKind::Perspective; // in the cube's middle, looking along −z
@@ -83,7 +83,7 @@ TEST(PerspectivePhoto, ColoursFromAnEyeInsideWhatThePhotoShows) {
 TEST(PerspectivePhoto, ColoursNothingThroughAWallThatAnEyeLooksAt) {
     const TriangleMesh mesh = centredCube();
     const Atlas atlas = packAtlas(mesh, {512, 1, 2});
-    PhotoLayer layer;
+    TextureLayer layer;
     layer.photo = plainPhoto(green);
     layer.blendPixels = 0;
     layer.projector.kind = ProjectorKind::Perspective;
@@ -104,7 +104,7 @@ TEST(PerspectivePhoto, ColoursNothingThroughAWallThatAnEyeLooksAt) {
 TEST(PerspectivePhoto, FadesAPhotoWhereSurfaceSlantsOnlyWhenAsked) {
     const TriangleMesh mesh = flatSquare(0.1, 3);
     const Atlas atlas = packAtlas(mesh, {256, 1, 2});
-    PhotoLayer layer = layerFromAbove(plainPhoto({0, 255, 0, 255}), 0.5);
+    TextureLayer layer = layerFromAbove(plainPhoto({0, 255, 0, 255}), 0.5);
     layer.projector.pose =
         Eigen::AngleAxisd(72.5 * M_PI / 180, Eigen::Vector3d::UnitX()) * Eigen::Translation3d(0, 0, 1);
     for (const bool falloff : {false, true}) {
@@ -119,7 +119,7 @@ TEST(PerspectivePhoto, FadesAPhotoWhereSurfaceSlantsOnlyWhenAsked) {
 TEST(PerspectivePhoto, TakesNothingFromAnEyeInTheSurface) {
     const TriangleMesh mesh = flatSquare(0.1, 3);
     const Atlas atlas = packAtlas(mesh, {128, 1, 2});
-    PhotoLayer layer = checkerboardInPerspective(0);
+    TextureLayer layer = checkerboardInPerspective(0);
     for (const double height : {0.0, 1e-300, 1e-12, -1e-12}) {
         layer.projector.pose =
             Eigen::Translation3d(0, 0, height) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX());

@@ -1,7 +1,7 @@
 #include "core/texture/photo/photo_preparation.h"
 
 #include "core/support/errors.h"
-#include "core/texture/layers/photo_layer.h"
+#include "core/texture/layers/texture_layer.h"
 #include "tests/support/shared_data.h"
 
 #include <gtest/gtest.h>

@@ -1,25 +1,16 @@
 #pragma once
 
-#include "core/support/file_io.h"
-#include "core/texture/image.h"
+#include "core/texture/photo/photo.h"
 #include "core/texture/photo/photo_preparation.h"
 #include "core/texture/projection/projector.h"
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
 namespace esm {
 
-/// A photograph: its file as it was read, and its pixels. Immutable once loaded.
-struct Photo {
-    std::string fileName; ///< without folder
-    Bytes encoded;        ///< the file's bytes, kept so that a project loses nothing
-    Image image;
-};
-
 /// A photo on the organ. Never baked in: layers are composed anew when one changes.
-struct PhotoLayer {
+struct TextureLayer {
     std::string name;
     std::shared_ptr<const Photo> photo; ///< never null
     Projector projector;
@@ -31,15 +22,10 @@ struct PhotoLayer {
 };
 
 /// What the projector throws: the prepared picture, or the photo's own.
-std::shared_ptr<const Image> pictureOf(const PhotoLayer& layer);
+std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);
 
 /// Gives a layer another preparation and the picture that comes of it, or leaves it as it was.
 /// @throws InvalidModel with what validate() finds
-void prepare(PhotoLayer& layer, const PhotoPreparation& preparation);
-
-/// Decodes a photo. @throws FileError when it is missing, not an image, damaged or too large
-std::shared_ptr<const Photo> loadPhoto(const std::filesystem::path& file);
-/// The same from bytes; `name` stands in messages.
-std::shared_ptr<const Photo> decodePhoto(std::string name, Bytes encoded);
+void prepare(TextureLayer& layer, const PhotoPreparation& preparation);
 
 } // namespace esm

@@ -1,4 +1,4 @@
-#include "core/texture/layers/photo_layer.h"
+#include "core/texture/photo/photo.h"
 
 #include "core/support/errors.h"
 #include "core/texture/photo/photo_format.h"
@@ -103,19 +103,6 @@ std::shared_ptr<const Photo> loadPhoto(const std::filesystem::path& file) {
 std::shared_ptr<const Photo> decodePhoto(std::string name, Bytes encoded) {
     const std::filesystem::path shown = name;
     return makePhoto(shown, std::move(name), std::move(encoded));
-}
-
-std::shared_ptr<const Image> pictureOf(const PhotoLayer& layer) {
-    if (layer.prepared) return layer.prepared;
-    return {layer.photo, &layer.photo->image}; // the photo owns both
-}
-
-void prepare(PhotoLayer& layer, const PhotoPreparation& preparation) {
-    std::shared_ptr<const Image> picture;
-    if (!preparation.isNothing())
-        picture = std::make_shared<const Image>(prepared(layer.photo->image, preparation));
-    layer.preparation = preparation;
-    layer.prepared = std::move(picture);
 }
 
 } // namespace esm

@@ -1,4 +1,4 @@
-#include "core/texture/layers/photo_layer.h"
+#include "core/texture/photo/photo.h"
 
 #include "core/support/errors.h"
 #include "tests/support/shared_data.h"
@@ -168,14 +168,14 @@ TEST(Photo, ThatMemoryCannotHoldIsNotCalledDamaged) {
 }
 
 TEST(Photo, IsItsOwnPictureUntilItIsPrepared) {
-    PhotoLayer layer;
+    TextureLayer layer;
     layer.photo = decodePhoto("a.png", encoded(".png", noise(64, 48, CV_8UC3)));
     EXPECT_EQ(pictureOf(layer).get(), &layer.photo->image);
     PhotoPreparation cropped;
     cropped.crop = PhotoCrop{0, 0, 10, 10};
     prepare(layer, cropped);
     EXPECT_EQ(pictureOf(layer)->at(20, 20)[3], 0);
-    EXPECT_EQ(PhotoLayer(layer).prepared, layer.prepared);
+    EXPECT_EQ(TextureLayer(layer).prepared, layer.prepared);
     cropped.crop->width = 65;
     EXPECT_THROW(prepare(layer, cropped), InvalidModel);
     EXPECT_EQ(layer.preparation.crop->width, 10);
