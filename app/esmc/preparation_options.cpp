@@ -25,11 +25,9 @@ std::string gainsInText(const ColourGains& gains) {
     return inText(gains[0]) + ", " + inText(gains[1]) + ", " + inText(gains[2]);
 }
 
-/// What steps find in the photo is stored as numbers, so that it stays what it was seen to be.
-void findField(const Image& photo, PhotoPreparation& preparation, Report& report) {
-    preparation.field = findRoundField(photo);
+void reportField(const std::optional<RoundField>& field, Report& report) {
     report.json["round_field"] = nullptr;
-    if (const auto& field = preparation.field) {
+    if (field) {
         report.json["round_field"] = {
             {"centre", {field->centreX, field->centreY}}, {"radius", field->radius}, {"trim", field->trim}};
         report.text.push_back("round field: radius " + inText(field->radius) + " pixels around " +
@@ -40,29 +38,16 @@ void findField(const Image& photo, PhotoPreparation& preparation, Report& report
     }
 }
 
-/// The share that is filled of what the field leaves.
-void countHighlights(const Image& photo, const PhotoPreparation& preparation, Report& report) {
-    PhotoPreparation field;
-    field.field = preparation.field;
-    Image picture = prepared(photo, field);
-    std::size_t shown = 0;
-    for (std::size_t i = 3; i < picture.pixels.size(); i += 4)
-        shown += picture.pixels[i] > 0 ? 1 : 0;
-    const std::size_t filled = fillHighlights(picture, *preparation.highlightThreshold);
-    const double share = shown > 0 ? static_cast<double>(filled) / static_cast<double>(shown) : 0;
+void reportHighlights(double share, Report& report) {
     report.json["highlights_filled"] = share;
     report.text.push_back("highlights: " + inText(100 * share) + " % filled");
 }
 
-void findGains(const Image& photo, PhotoPreparation& preparation, Report& report) {
-    PhotoPreparation before = preparation;
-    before.lens.reset();
-    before.crop.reset();
-    preparation.whiteBalance = findWhiteBalance(prepared(photo, before));
+void reportGains(const std::optional<ColourGains>& gains, Report& report) {
     report.json["white_balance"] = nullptr;
-    if (preparation.whiteBalance) {
-        report.json["white_balance"] = *preparation.whiteBalance;
-        report.text.push_back("white balance: red, green, blue × " + gainsInText(*preparation.whiteBalance));
+    if (gains) {
+        report.json["white_balance"] = *gains;
+        report.text.push_back("white balance: red, green, blue × " + gainsInText(*gains));
     } else {
         report.text.emplace_back("white balance: nothing nearly grey found to go by");
     }
@@ -90,14 +75,14 @@ Report prepareLayer(TextureLayer& layer, const PreparationOptions& options) {
     PhotoPreparation preparation;
     if (!options.crop.empty()) preparation.crop = parseCrop(options.crop);
     if (!options.lens.empty()) preparation.lens = readLensFile(options.lens);
-    if (options.roundField) findField(photo, preparation, report);
-    if (options.fillHighlights) {
-        preparation.highlightThreshold = usualHighlightThreshold;
-        countHighlights(photo, preparation, report);
-    }
+    if (options.fillHighlights) preparation.highlightThreshold = usualHighlightThreshold;
     preparation.evenLight = options.evenLight;
-    if (options.whiteBalance) findGains(photo, preparation, report);
+    // What steps find in the photo is stored as numbers, so that it stays what it was seen to be.
+    preparation = withFound(preparation, photo, {options.roundField, options.whiteBalance});
     prepare(layer, preparation);
+    if (options.roundField) reportField(preparation.field, report);
+    if (options.fillHighlights) reportHighlights(highlightShare(photo, preparation), report);
+    if (options.whiteBalance) reportGains(preparation.whiteBalance, report);
     return report;
 }
 

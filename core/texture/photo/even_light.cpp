@@ -20,22 +20,37 @@ constexpr int termCount = (degrees + 1) * (degrees + 2) / 2;
 
 using Terms = Eigen::Matrix<double, termCount, 1>;
 
-/// Luminance × weight, and weight, of which a coarse picture holds enough.
-cv::Mat weightedLuminance(const Image& photo) {
-    cv::Mat weighted(photo.height, photo.width, CV_32FC2);
-    tbb::parallel_for(0, photo.height, [&](int y) {
-        for (int x = 0; x < photo.width; ++x) {
+/// Mean luminance of the part of the photo that a coarse pixel stands for, and how much of it counts.
+cv::Vec2f meanLuminance(const Image& photo, const cv::Rect& part) {
+    double luminance = 0, weight = 0;
+    for (int y = part.y; y < part.y + part.height; ++y)
+        for (int x = part.x; x < part.x + part.width; ++x) {
             const std::uint8_t* p = photo.at(x, y);
-            const float luminance = 0.2126F * p[0] + 0.7152F * p[1] + 0.0722F * p[2];
-            const float weight = static_cast<float>(p[3]) / 255;
-            weighted.at<cv::Vec2f>(y, x) = {luminance * weight, weight};
+            luminance += p[3] * (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]);
+            weight += p[3];
+        }
+    if (!(weight > 0)) return {0, 0};
+    return {static_cast<float>(luminance / weight), static_cast<float>(weight / (255.0 * part.area()))};
+}
+
+/// Luminance and weight, of which a coarse picture holds enough. What is nearly black has no light to even.
+cv::Mat coarseLuminance(const Image& photo) {
+    const double scale = std::min(1.0, static_cast<double>(coarse) / std::max(photo.width, photo.height));
+    const int width = std::max(1, static_cast<int>(std::lround(photo.width * scale)));
+    const int height = std::max(1, static_cast<int>(std::lround(photo.height * scale)));
+    const auto begin = [](int part, int parts, int size) {
+        return static_cast<int>(static_cast<std::int64_t>(part) * size / parts);
+    };
+    cv::Mat small(height, width, CV_32FC2);
+    tbb::parallel_for(0, height, [&](int y) {
+        const int top = begin(y, height, photo.height), bottom = begin(y + 1, height, photo.height);
+        for (int x = 0; x < width; ++x) {
+            const int left = begin(x, width, photo.width), right = begin(x + 1, width, photo.width);
+            cv::Vec2f mean = meanLuminance(photo, {left, top, right - left, bottom - top});
+            if (mean[0] < darkestLight) mean[1] = 0;
+            small.at<cv::Vec2f>(y, x) = mean;
         }
     });
-    const double scale = std::min(1.0, static_cast<double>(coarse) / std::max(photo.width, photo.height));
-    const cv::Size size(std::max(1, static_cast<int>(std::lround(photo.width * scale))),
-                        std::max(1, static_cast<int>(std::lround(photo.height * scale))));
-    cv::Mat small;
-    cv::resize(weighted, small, size, 0, 0, cv::INTER_AREA);
     return small;
 }
 
@@ -54,61 +69,81 @@ Terms termsOf(const cv::Mat& small, int x, int y) {
     return termsAt((x + 0.5 - 0.5 * small.cols) / half, (y + 0.5 - 0.5 * small.rows) / half);
 }
 
-/// The logarithm of the light as it changes slowly over the photo, and its mean.
-struct SlowLight {
-    Terms factors;
-    double mean;
-};
-
-std::optional<SlowLight> fittedLight(const cv::Mat& small) {
+/// The logarithm of the light as it changes slowly over the photo; nothing where nothing counts.
+std::optional<Terms> slowLight(const cv::Mat& small) {
     Eigen::Matrix<double, termCount, termCount> normal =
         Eigen::Matrix<double, termCount, termCount>::Identity() * 1e-6;
     Terms right = Terms::Zero();
-    double sum = 0, weights = 0;
+    double weights = 0;
     for (int y = 0; y < small.rows; ++y)
         for (int x = 0; x < small.cols; ++x) {
-            const cv::Vec2f& light = small.at<cv::Vec2f>(y, x);
-            const double weight = light[1];
-            if (!(weight > 0.01)) continue;
-            const double level = std::log(std::max(darkestLight, light[0] / weight));
+            const auto [luminance, weight] = small.at<cv::Vec2f>(y, x).val;
+            if (!(weight > 0.01F)) continue;
             const Terms terms = termsOf(small, x, y);
             normal += weight * terms * terms.transpose();
-            right += weight * level * terms;
-            sum += weight * level;
+            right += weight * std::log(static_cast<double>(luminance)) * terms;
             weights += weight;
         }
     if (!(weights > 0)) return std::nullopt;
-    return SlowLight{normal.ldlt().solve(right), sum / weights};
+    return Terms(normal.ldlt().solve(right));
+}
+
+/// Scales gains so that the photo is as bright on the whole as it was.
+void keepBrightness(const cv::Mat& small, cv::Mat& gains) {
+    double before = 0, after = 0;
+    for (int y = 0; y < small.rows; ++y)
+        for (int x = 0; x < small.cols; ++x) {
+            const cv::Vec2f& light = small.at<cv::Vec2f>(y, x);
+            before += static_cast<double>(light[0]) * light[1];
+            after += static_cast<double>(light[0]) * light[1] * gains.at<float>(y, x);
+        }
+    gains *= before / after;
+    gains = cv::min(cv::max(gains, 1 / strongestGain), strongestGain);
 }
 
 /// What to multiply with, coarse; empty where nothing counts.
 cv::Mat coarseGains(const Image& photo, double strength) {
-    const cv::Mat small = weightedLuminance(photo);
-    const std::optional<SlowLight> light = fittedLight(small);
+    const cv::Mat small = coarseLuminance(photo);
+    const std::optional<Terms> light = slowLight(small);
     if (!light) return {};
-    const double strongest = std::log(strongestGain);
+    const double strongest = std::log(strongestGain), middle = light->dot(termsAt(0, 0));
     cv::Mat gains(small.size(), CV_32F);
     for (int y = 0; y < small.rows; ++y)
         for (int x = 0; x < small.cols; ++x) {
-            const double gain = light->mean - light->factors.dot(termsOf(small, x, y));
+            const double gain = middle - light->dot(termsOf(small, x, y));
             gains.at<float>(y, x) =
                 static_cast<float>(std::exp(strength * std::clamp(gain, -strongest, strongest)));
         }
+    keepBrightness(small, gains);
     return gains;
+}
+
+/// The gains of a row of the photo, between those of the coarse rows around it.
+cv::Mat gainsOfRow(const cv::Mat& gains, int y, const cv::Size& photo) {
+    const float place = std::clamp((static_cast<float>(y) + 0.5F) * static_cast<float>(gains.rows) /
+                                           static_cast<float>(photo.height) -
+                                       0.5F,
+                                   0.0F, static_cast<float>(gains.rows - 1));
+    const int above = static_cast<int>(place), below = std::min(above + 1, gains.rows - 1);
+    const float share = place - static_cast<float>(above);
+    const cv::Mat coarseRow = (1 - share) * gains.row(above) + share * gains.row(below);
+    cv::Mat row;
+    cv::resize(coarseRow, row, {photo.width, 1}, 0, 0, cv::INTER_LINEAR);
+    return row;
 }
 
 } // namespace
 
 void evenLight(Image& photo, double strength) {
     if (photo.empty() || !(strength > 0)) return;
-    cv::Mat gains = coarseGains(photo, strength);
+    const cv::Mat gains = coarseGains(photo, strength);
     if (gains.empty()) return;
-    cv::resize(gains, gains, {photo.width, photo.height}, 0, 0, cv::INTER_LINEAR);
     tbb::parallel_for(0, photo.height, [&](int y) {
+        const cv::Mat row = gainsOfRow(gains, y, {photo.width, photo.height});
         for (int x = 0; x < photo.width; ++x)
             for (int channel = 0; channel < 3; ++channel) {
                 std::uint8_t& value = photo.at(x, y)[channel];
-                const float lit = static_cast<float>(value) * gains.at<float>(y, x) + 0.5F;
+                const float lit = static_cast<float>(value) * row.at<float>(0, x) + 0.5F;
                 value = static_cast<std::uint8_t>(std::min(lit, 255.0F));
             }
     });

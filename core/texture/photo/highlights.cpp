@@ -4,52 +4,111 @@
 #include <opencv2/photo.hpp>
 
 #include <algorithm>
+#include <numeric>
+#include <tbb/parallel_for.h>
+#include <vector>
 
 namespace esm {
 
 namespace {
 
-constexpr int rim = 2;
+constexpr int narrowestRim = 2;
 constexpr double inpaintRadius = 4;
+constexpr int surroundingPixels = 12; ///< pixels around a highlight in which its surroundings are looked for
+constexpr int darkestSource = 32;     ///< brightest channel; what is darker is no tissue to fill from
 
-cv::Mat opaquePixels(const Image& photo) {
+bool isOpaque(const std::uint8_t* pixel) {
+    return pixel[3] > 0;
+}
+
+/// 255 where the photo's pixel `is` so, else 0.
+template<typename Is> cv::Mat maskOf(const Image& photo, const Is& is) {
     cv::Mat mask(photo.height, photo.width, CV_8U);
-    for (int y = 0; y < photo.height; ++y)
+    tbb::parallel_for(0, photo.height, [&](int y) {
         for (int x = 0; x < photo.width; ++x)
-            mask.at<std::uint8_t>(y, x) = photo.at(x, y)[3] > 0 ? 255 : 0;
+            mask.at<std::uint8_t>(y, x) = is(photo.at(x, y)) ? 255 : 0;
+    });
     return mask;
 }
 
-cv::Mat brightPixels(const Image& photo, int threshold) {
-    cv::Mat mask(photo.height, photo.width, CV_8U);
-    for (int y = 0; y < photo.height; ++y)
-        for (int x = 0; x < photo.width; ++x) {
-            const std::uint8_t* pixel = photo.at(x, y);
-            const bool bright = pixel[3] > 0 && std::min({pixel[0], pixel[1], pixel[2]}) > threshold;
-            mask.at<std::uint8_t>(y, x) = bright ? 255 : 0;
-        }
+/// The soft edge of a highlight, which the camera's optics and its compression leave, grows with the photo.
+int rimOf(const Image& photo) {
+    return std::max(narrowestRim, std::max(photo.width, photo.height) / 480);
+}
+
+cv::Mat highlightMask(const Image& photo, int threshold) {
+    const cv::Mat bright = maskOf(photo, [&](const std::uint8_t* p) {
+        return isOpaque(p) && std::min({p[0], p[1], p[2]}) > threshold;
+    });
+    const int width = 2 * rimOf(photo) + 1;
+    cv::Mat mask;
+    cv::dilate(bright, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width}));
+    cv::bitwise_and(mask, maskOf(photo, isOpaque), mask);
     return mask;
+}
+
+/// The photo and which of its pixels a highlight must not be filled from, at best and at any rate.
+struct Surroundings {
+    cv::Mat colours, noTissue, nothing;
+
+    /// The part of the photo filled, or an empty picture where there is nothing to fill it from.
+    cv::Mat filled(const cv::Rect& part) const {
+        for (const cv::Mat& unusable : {noTissue, nothing}) {
+            if (cv::countNonZero(unusable(part)) == part.area()) continue;
+            cv::Mat result;
+            cv::inpaint(colours(part), unusable(part), result, inpaintRadius, cv::INPAINT_TELEA);
+            return result;
+        }
+        return {};
+    }
+};
+
+Surroundings surroundingsOf(const Image& photo, const cv::Mat& mask) {
+    Surroundings around;
+    around.noTissue = mask | maskOf(photo, [](const std::uint8_t* p) {
+                          return !isOpaque(p) || std::max({p[0], p[1], p[2]}) < darkestSource;
+                      });
+    around.nothing = mask | maskOf(photo, [](const std::uint8_t* p) { return !isOpaque(p); });
+    const cv::Mat all(photo.height, photo.width, CV_8UC4, const_cast<std::uint8_t*>(photo.pixels.data()));
+    cv::cvtColor(all, around.colours, cv::COLOR_RGBA2RGB);
+    return around;
+}
+
+cv::Rect partAround(const cv::Mat& boxes, int highlight, const cv::Size& size) {
+    const int* box = boxes.ptr<int>(highlight);
+    return cv::Rect(box[cv::CC_STAT_LEFT] - surroundingPixels, box[cv::CC_STAT_TOP] - surroundingPixels,
+                    box[cv::CC_STAT_WIDTH] + 2 * surroundingPixels,
+                    box[cv::CC_STAT_HEIGHT] + 2 * surroundingPixels) &
+           cv::Rect({}, size);
 }
 
 } // namespace
 
+std::size_t countHighlights(const Image& photo, int threshold) {
+    return photo.empty() ? 0 : static_cast<std::size_t>(cv::countNonZero(highlightMask(photo, threshold)));
+}
+
 std::size_t fillHighlights(Image& photo, int threshold) {
     if (photo.empty()) return 0;
-    const cv::Mat opaque = opaquePixels(photo);
-    cv::Mat mask = brightPixels(photo, threshold);
-    cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * rim + 1, 2 * rim + 1}));
-    cv::bitwise_and(mask, opaque, mask);
-    const int filled = cv::countNonZero(mask);
-    if (filled == 0 || filled == cv::countNonZero(opaque)) return 0;
-    cv::Mat colours, result;
-    cv::cvtColor(cv::Mat(photo.height, photo.width, CV_8UC4, photo.pixels.data()), colours,
-                 cv::COLOR_RGBA2RGB);
-    cv::inpaint(colours, mask, result, inpaintRadius, cv::INPAINT_TELEA);
-    for (int y = 0; y < photo.height; ++y)
-        for (int x = 0; x < photo.width; ++x)
-            if (mask.at<std::uint8_t>(y, x) != 0)
-                std::copy_n(result.ptr<std::uint8_t>(y, x), 3, photo.at(x, y));
-    return static_cast<std::size_t>(filled);
+    const cv::Mat mask = highlightMask(photo, threshold);
+    cv::Mat labels, boxes, middles;
+    const int count = cv::connectedComponentsWithStats(mask, labels, boxes, middles);
+    if (count <= 1) return 0;
+    const Surroundings around = surroundingsOf(photo, mask);
+    std::vector<std::size_t> filled(static_cast<std::size_t>(count), 0);
+    // One by one, so that the cost goes with what is filled; they do not touch each other.
+    tbb::parallel_for(1, count, [&](int highlight) {
+        const cv::Rect part = partAround(boxes, highlight, mask.size());
+        const cv::Mat result = around.filled(part);
+        if (result.empty()) return;
+        for (int y = 0; y < part.height; ++y)
+            for (int x = 0; x < part.width; ++x) {
+                if (labels.at<int>(part.y + y, part.x + x) != highlight) continue;
+                std::copy_n(result.ptr<std::uint8_t>(y, x), 3, photo.at(part.x + x, part.y + y));
+                ++filled[static_cast<std::size_t>(highlight)];
+            }
+    });
+    return std::accumulate(filled.begin(), filled.end(), std::size_t{0});
 }
 
 } // namespace esm

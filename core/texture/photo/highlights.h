@@ -8,10 +8,14 @@ namespace esm {
 
 constexpr int usualHighlightThreshold = 235;
 
-/// Fills pixels whose darkest channel lies above the threshold, and a rim of two pixels around them, from
-/// their surroundings (Telea 2004, An image inpainting technique based on the fast marching method). All
-/// others, and transparent ones, stay as they are. Nothing is filled where nothing else is left. @returns
-/// pixels filled
+/// Pixels whose darkest channel lies above the threshold, and a rim around them of two pixels or, in a large
+/// photo, a 480th of its longer side.
+std::size_t countHighlights(const Image& photo, int threshold);
+
+/// Fills them from the tissue around them (Telea 2004, An image inpainting technique based on the fast
+/// marching method), which is what is neither transparent nor nearly black; from what is nearly black where
+/// there is nothing else. All other pixels stay as they are, and a highlight that has nothing around it.
+/// @returns pixels filled
 std::size_t fillHighlights(Image& photo, int threshold);
 
 } // namespace esm

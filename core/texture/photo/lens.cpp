@@ -35,7 +35,6 @@ Eigen::Vector2d distorted(const Lens& lens, const Eigen::Vector2d& place) {
 }
 
 Image undistorted(const Image& photo, const Lens& lens) {
-    const PhotoSampler sampler(photo);
     Image straight;
     straight.width = photo.width;
     straight.height = photo.height;
@@ -45,8 +44,7 @@ Image undistorted(const Image& photo, const Lens& lens) {
         for (int x = 0; x < photo.width; ++x) {
             const Eigen::Vector2d from = distorted(lens, {x + 0.5, y + 0.5});
             if (!from.allFinite() || !all.contains(from)) continue;
-            Eigen::Vector4f colour = sampler.at(from.x(), from.y(), 0);
-            colour.w() *= 255;
+            const Eigen::Vector4f colour = weightedColourAt(photo, from.x(), from.y());
             for (int channel = 0; channel < 4; ++channel)
                 straight.at(x, y)[channel] = static_cast<std::uint8_t>(std::lround(colour[channel]));
         }

@@ -8,7 +8,7 @@ namespace esm {
 std::optional<ColourGains> findWhiteBalance(const Image& photo) {
     constexpr int tooDark = 24, tooBright = 240;
     constexpr int strongestColour = 40; ///< percent of the brightest channel
-    std::array<std::uint64_t, 3> sums{};
+    std::array<double, 3> sums{};
     std::uint64_t counted = 0, seen = 0;
     for (std::size_t i = 0; i < photo.pixels.size(); i += 4) {
         const std::uint8_t* pixel = &photo.pixels[i];
@@ -17,14 +17,14 @@ std::optional<ColourGains> findWhiteBalance(const Image& photo) {
         const auto [least, most] = std::minmax({int{pixel[0]}, int{pixel[1]}, int{pixel[2]}});
         if (least < tooDark || most > tooBright || 100 * (most - least) > strongestColour * most) continue;
         ++counted;
+        const double grey = 1 - 100.0 * (most - least) / (strongestColour * most);
         for (std::size_t channel = 0; channel < 3; ++channel)
-            sums[channel] += pixel[channel];
+            sums[channel] += grey * grey * pixel[channel];
     }
-    if (counted == 0 || 100 * counted < seen) return std::nullopt;
+    if (100 * counted < seen || !(sums[0] > 0)) return std::nullopt;
     ColourGains gains{};
     for (std::size_t channel = 0; channel < 3; ++channel)
-        gains[channel] =
-            std::clamp(static_cast<double>(sums[1]) / static_cast<double>(sums[channel]), 0.5, 2.0);
+        gains[channel] = std::clamp(sums[1] / sums[channel], 0.5, 2.0);
     return gains;
 }
 

@@ -61,6 +61,13 @@ void keepOnly(const PhotoCrop& crop, Image& photo) {
     });
 }
 
+/// The photo without what is left out before anything is done to it.
+Image shownOf(const Image& photo, const PhotoPreparation& preparation) {
+    Image shown = photo;
+    if (preparation.field) maskField(shown, *preparation.field);
+    return shown;
+}
+
 } // namespace
 
 bool PhotoPreparation::isNothing() const {
@@ -88,14 +95,33 @@ std::vector<std::string> validate(const PhotoPreparation& preparation, int width
     return problems;
 }
 
-Image prepared(const Image& photo, const PhotoPreparation& preparation) {
+PhotoPreparation withFound(PhotoPreparation preparation, const Image& photo, StepsToFind steps) {
+    if (steps.field) preparation.field = findRoundField(photo);
+    if (steps.whiteBalance) preparation.whiteBalance = findWhiteBalance(shownOf(photo, preparation));
+    return preparation;
+}
+
+double highlightShare(const Image& photo, const PhotoPreparation& preparation) {
+    if (!preparation.highlightThreshold) return 0;
+    const Image shown = shownOf(photo, preparation);
+    std::size_t pixels = 0;
+    for (std::size_t i = 3; i < shown.pixels.size(); i += 4)
+        pixels += shown.pixels[i] > 0 ? 1 : 0;
+    if (pixels == 0) return 0;
+    return static_cast<double>(countHighlights(shown, *preparation.highlightThreshold)) /
+           static_cast<double>(pixels);
+}
+
+Image prepared(const Image& photo, const PhotoPreparation& preparation, const Progress& progress) {
     const Problems problems = validate(preparation, photo.width, photo.height);
     if (!problems.empty()) throw InvalidModel(problems);
-    Image picture = photo;
-    if (preparation.field) maskField(picture, *preparation.field);
+    Image picture = shownOf(photo, preparation);
+    reportProgress(progress, 0.2);
     if (preparation.highlightThreshold) fillHighlights(picture, *preparation.highlightThreshold);
+    reportProgress(progress, 0.4);
     evenLight(picture, preparation.evenLight);
     if (preparation.whiteBalance) multiplyColours(picture, *preparation.whiteBalance);
+    reportProgress(progress, 0.6);
     if (preparation.lens) picture = undistorted(picture, *preparation.lens);
     if (preparation.crop) keepOnly(*preparation.crop, picture);
     return picture;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/progress.h"
 #include "core/texture/image.h"
 #include "core/texture/photo/even_light.h"
 #include "core/texture/photo/highlights.h"
@@ -39,8 +40,20 @@ struct PhotoPreparation {
 /// Every problem of a preparation for a photo of that size. Empty when all is well.
 std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height);
 
+/// Steps whose numbers are to be found in the photo itself.
+struct StepsToFind {
+    bool field = false, whiteBalance = false;
+    bool any() const { return field || whiteBalance; }
+};
+
+/// The preparation with those steps as the photo shows them, absent where nothing is found.
+PhotoPreparation withFound(PhotoPreparation preparation, const Image& photo, StepsToFind steps);
+
+/// The share of what the field leaves that counts for highlights and is filled, 0 to 1; 0 without that step.
+double highlightShare(const Image& photo, const PhotoPreparation& preparation);
+
 /// The photo as the preparation makes it, of the same size. Pure, and the same with any number of threads.
-/// @throws InvalidModel with what validate() finds
-Image prepared(const Image& photo, const PhotoPreparation& preparation);
+/// @throws InvalidModel with what validate() finds, Cancelled between two steps
+Image prepared(const Image& photo, const PhotoPreparation& preparation, const Progress& progress = {});
 
 } // namespace esm

@@ -23,7 +23,9 @@ struct WeightedColour {
     }
 };
 
-Eigen::Vector4f bilinear(const Image& image, double x, double y) {
+} // namespace
+
+Eigen::Vector4f weightedColourAt(const Image& image, double x, double y) {
     const BilinearPlace place = bilinearPlace(image, x, y);
     const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
     WeightedColour mean;
@@ -33,8 +35,6 @@ Eigen::Vector4f bilinear(const Image& image, double x, double y) {
     mean.add(image.at(place.right, place.bottom), u * v);
     return mean.colour();
 }
-
-} // namespace
 
 Image halved(const Image& image) {
     Image half;
@@ -69,9 +69,9 @@ Eigen::Vector4f PhotoSampler::at(double x, double y, double depth) const {
     const auto fine = static_cast<std::size_t>(depth);
     const auto share = static_cast<float>(depth - static_cast<double>(fine));
     const double scale = std::ldexp(1.0, -static_cast<int>(fine));
-    Eigen::Vector4f colour = bilinear(level(fine), x * scale, y * scale);
+    Eigen::Vector4f colour = weightedColourAt(level(fine), x * scale, y * scale);
     if (share > 0) {
-        const Eigen::Vector4f coarse = bilinear(level(fine + 1), x * scale / 2, y * scale / 2);
+        const Eigen::Vector4f coarse = weightedColourAt(level(fine + 1), x * scale / 2, y * scale / 2);
         const float alpha = (1 - share) * colour.w() + share * coarse.w();
         if (alpha > 0)
             colour.head<3>() =

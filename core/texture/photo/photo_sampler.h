@@ -11,6 +11,10 @@ namespace esm {
 /// The picture at half its width and height, rounded up. Colours count by their alpha.
 Image halved(const Image& image);
 
+/// Red, green, blue and alpha, 0 to 255, between the pixels around a place; colours count by their alpha. The
+/// place is in pixels from the top left corner, a pixel's centre at 0.5. Precondition: it is finite.
+Eigen::Vector4f weightedColourAt(const Image& image, double x, double y);
+
 /// Reads a photo between its pixels and at any size: a pyramid of halved pictures, so that a photo seen
 /// smaller than its pixels does not flicker [R 4.3.2.4]. Colours count by their alpha, so transparent pixels
 /// do not bleed.

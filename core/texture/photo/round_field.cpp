@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cmath>
 #include <tbb/parallel_for.h>
@@ -21,11 +22,12 @@ struct Circle {
     double distance(const Eigen::Vector2d& point) const { return std::abs((point - centre).norm() - radius); }
 };
 
-constexpr int darkest = 40;            ///< brightest level that passes for the dark outside
-constexpr int aboveDark = 8;           ///< levels by which the field exceeds it
-constexpr int linesPerSide = 400;      ///< rows and columns that are searched
-constexpr int trials = 600;            ///< of three points
-constexpr double fewestInliers = 0.35; ///< share of the border points on the circle
+constexpr int darkest = 40; ///< brightest level that passes for the dark outside
+constexpr std::array<int, 3> aboveDark{8, 16,
+                                       32}; ///< levels by which the field exceeds it, with a glow around it
+constexpr int linesPerSide = 400;           ///< rows and columns that are searched
+constexpr int trials = 600;                 ///< of three points
+constexpr double fewestInliers = 0.35;      ///< share of the border points on the circle
 constexpr std::size_t arcs = 36, fewestArcs = 12;
 
 /// The brightest channel, without the noise of single pixels; a straight border stays where it is.
@@ -139,16 +141,16 @@ bool goesRound(const Points& points, const Circle& circle) {
     return seen.count() >= fewestArcs;
 }
 
-} // namespace
+/// A circle and how many of the border points lie on it, 0 to 1.
+struct FittedCircle {
+    Circle circle;
+    double share;
+};
 
-std::optional<RoundField> findRoundField(const Image& photo) {
-    if (photo.width < 32 || photo.height < 32) return std::nullopt;
-    const cv::Mat grey = brightness(photo);
-    const int dark = darkLevel(grey);
-    if (dark > darkest) return std::nullopt;
-    const Points points = borderPoints(grey, dark + aboveDark);
+std::optional<FittedCircle> fittedBorder(const cv::Mat& grey, int level) {
+    const Points points = borderPoints(grey, level);
     if (points.size() < 40) return std::nullopt;
-    const double size = std::max(photo.width, photo.height);
+    const double size = std::max(grey.cols, grey.rows);
     Points on = largestConsensus(points, std::max(1.5, 0.004 * size), 0.75 * size);
     std::optional<Circle> circle = fitted(on);
     for (int i = 0; i < 5 && circle; ++i) {
@@ -156,9 +158,26 @@ std::optional<RoundField> findRoundField(const Image& photo) {
         circle = fitted(on);
     }
     if (!circle || !goesRound(on, *circle)) return std::nullopt;
-    if (static_cast<double>(on.size()) < fewestInliers * static_cast<double>(points.size()))
-        return std::nullopt;
-    return RoundField{circle->centre.x(), circle->centre.y(), circle->radius, RoundField().trim};
+    const double share = static_cast<double>(on.size()) / static_cast<double>(points.size());
+    if (share < fewestInliers) return std::nullopt;
+    return FittedCircle{*circle, share};
+}
+
+} // namespace
+
+std::optional<RoundField> findRoundField(const Image& photo) {
+    if (photo.width < 32 || photo.height < 32) return std::nullopt;
+    const cv::Mat grey = brightness(photo);
+    const int dark = darkLevel(grey);
+    if (dark > darkest) return std::nullopt;
+    std::optional<FittedCircle> best;
+    for (const int above : aboveDark) {
+        const auto found = fittedBorder(grey, dark + above);
+        if (found && (!best || found->share > best->share)) best = found;
+    }
+    if (!best) return std::nullopt;
+    const Circle& circle = best->circle;
+    return RoundField{circle.centre.x(), circle.centre.y(), circle.radius, RoundField().trim};
 }
 
 void maskField(Image& photo, const RoundField& field) {

@@ -148,6 +148,30 @@ TEST(RoundField, IsFoundInALaparoscopicPhoto) {
     EXPECT_NEAR(field->radius, 703, 6);
 }
 
+TEST(RoundField, IsFoundWithAGlowAroundIt) {
+    Image photo = roundPhoto(320, 240, 200);
+    for (int y = 0; y < photo.height; ++y)
+        for (int x = 0; x < photo.width; ++x) {
+            const double outside = std::hypot(x + 0.5 - 320, y + 0.5 - 240) - 203;
+            if (outside < 0) continue;
+            const int glow = std::max(0, 20 - static_cast<int>(outside / (x > 320 ? 4 : 2)));
+            std::fill_n(photo.at(x, y), 3, static_cast<std::uint8_t>(glow));
+        }
+    const auto field = findRoundField(photo);
+    ASSERT_TRUE(field);
+    EXPECT_NEAR(field->radius, 200, 1);
+}
+
+TEST(RoundField, IsFoundInASinusPhoto) {
+    ESM_SKIP_WITHOUT(sharedData("images/sinus-sfm/00004584.jpg"));
+    const auto field = findRoundField(loadPhoto(sharedData("images/sinus-sfm/00004584.jpg"))->image);
+    ASSERT_TRUE(field);
+    // By eye: the field spans the columns 467 to 1522 at its widest, at the row 540.
+    EXPECT_NEAR(field->centreX, 994, 6);
+    EXPECT_NEAR(field->centreY, 540, 12);
+    EXPECT_NEAR(field->radius, 527, 6);
+}
+
 TEST(RoundField, IsMaskedWithAnEdgeOfOnePixel) {
     Image photo = drawnPhoto(100, 100, [](int, int) -> Channels { return {9, 9, 9, 255}; });
     maskField(photo, {50, 50, 40, 10});
@@ -179,6 +203,47 @@ TEST(Highlights, AreFilledFromTheirSurroundingsAndNothingElseChanges) {
     EXPECT_GE(count, 69U);
     Image white = drawnPhoto(8, 8, [](int, int) -> Channels { return {255, 255, 255, 255}; });
     EXPECT_EQ(fillHighlights(white, 235), 0U);
+}
+
+TEST(Highlights, AtTheRimAreFilledFromTissueAlone) {
+    // A bright spot between tissue at the left and, at the right, what is black or left out.
+    for (const int alpha : {0, 255}) {
+        Image photo = drawnPhoto(80, 60, [&](int x, int y) -> Channels {
+            if (x >= 50) return {0, 0, 0, alpha};
+            if (x >= 38 && std::abs(y - 30) < 8) return {255, 255, 255, 255};
+            return {150, 60, 50, 255};
+        });
+        const std::size_t count = countHighlights(photo, 235);
+        EXPECT_GE(count, 180U);
+        EXPECT_EQ(fillHighlights(photo, 235), count);
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 50; ++x) {
+                EXPECT_NEAR(photo.at(x, y)[0], 150, 5) << x << ' ' << y;
+                EXPECT_NEAR(photo.at(x, y)[1], 60, 5) << x << ' ' << y;
+            }
+    }
+}
+
+TEST(EvenLight, KeepsThePhotoAsBrightAndDoesNotSeeBlackAround) {
+    const auto isInside = [](int x, int y) { return std::hypot(x - 320, y - 240) < 220; };
+    Image photo = drawnPhoto(640, 480, [&](int x, int y) -> Channels {
+        const int level = isInside(x, y) ? 60 + x / 5 : 0;
+        return {level, level, level, 255};
+    });
+    const auto mean = [&](const Image& image) {
+        double sum = 0, count = 0;
+        for (int y = 0; y < 480; ++y)
+            for (int x = 0; x < 640; ++x)
+                if (isInside(x, y)) {
+                    sum += image.at(x, y)[0];
+                    ++count;
+                }
+        return sum / count;
+    };
+    const double before = mean(photo);
+    evenLight(photo, 1);
+    EXPECT_NEAR(mean(photo), before, 1.5);
+    EXPECT_NEAR(photo.at(150, 240)[0], photo.at(490, 240)[0], 5);
 }
 
 TEST(EvenLight, TakesAVignetteAwayAndDoesNotSeeTheOutside) {
@@ -221,6 +286,39 @@ TEST(WhiteBalance, MakesTintedGreyGrey) {
     }
     EXPECT_FALSE(findWhiteBalance(drawnPhoto(9, 9, [](int, int) -> Channels { return {200, 40, 30, 255}; })));
     EXPECT_FALSE(findWhiteBalance({}));
+}
+
+TEST(WhiteBalance, GoesByWhatIsNearestToGrey) {
+    // A grey drape under a bluish lamp beside pink tissue of the same extent.
+    const auto gains = findWhiteBalance(drawnPhoto(64, 64, [](int x, int) -> Channels {
+        return x < 32 ? Channels{171, 180, 189, 255} : Channels{200, 130, 130, 255};
+    }));
+    ASSERT_TRUE(gains);
+    EXPECT_NEAR((*gains)[0], 180.0 / 171, 0.02);
+    EXPECT_NEAR((*gains)[2], 180.0 / 189, 0.02);
+}
+
+TEST(PhotoPreparation, FindsTheLampByWhatHighlightsShow) {
+    // Only the soft rims of highlights are nearly grey: to fill highlights must not hide them.
+    const Image photo = drawnPhoto(120, 120, [](int x, int y) -> Channels {
+        const double distance = std::hypot(x % 30 - 15, y % 30 - 15);
+        if (distance < 3) return {255, 255, 255, 255};
+        if (distance < 5) return {200, 180, 160, 255};
+        return {180, 60, 50, 255};
+    });
+    PhotoPreparation filled;
+    filled.highlightThreshold = 235;
+    const PhotoPreparation found = withFound(filled, photo, {false, true});
+    ASSERT_TRUE(found.whiteBalance);
+    EXPECT_NEAR((*found.whiteBalance)[0], 0.9, 0.01);
+    EXPECT_FALSE(withFound(filled, photo, {true, false}).field);
+    EXPECT_GT(highlightShare(photo, filled), 0.03);
+    EXPECT_EQ(highlightShare(photo, {}), 0);
+}
+
+TEST(PhotoPreparation, CanBeCancelled) {
+    const Image photo = roundPhoto(320, 240, 210);
+    EXPECT_THROW(prepared(photo, {}, [](double) { return false; }), Cancelled);
 }
 
 TEST(Lens, StraightensLines) {
