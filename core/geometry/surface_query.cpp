@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace esm {
 
@@ -47,6 +48,8 @@ struct SurfaceQuery::Implementation {
 
     Implementation(const std::vector<Eigen::Vector3d>& initialPositions,
                    std::vector<Triangle> initialTriangles);
+
+    struct Nearest;
 
     void setPositions(const std::vector<Eigen::Vector3d>& newPositions);
     void commitScene();
@@ -168,6 +171,46 @@ std::optional<RayHit> SurfaceQuery::firstHit(const Ray& ray) const {
     const double distance = edgeOn ? hitInFloat : std::max(0.0, -fromA.dot(normal) / across);
     const Eigen::Vector3d place = ray.origin + distance * direction;
     return RayHit{triangle, nearestWeights(place, a, b, c), distance};
+}
+
+struct SurfaceQuery::Implementation::Nearest {
+    const Implementation& surface;
+    Eigen::Vector3d point;
+    std::optional<RayHit> best;
+
+    /// Keeps what lies as near as the best in reach, so that the tree's order does not choose among equals.
+    static bool visit(RTCPointQueryFunctionArguments* arguments) {
+        constexpr double slack = 1 + 1e-5;
+        auto& self = *static_cast<Nearest*>(arguments->userPtr);
+        const std::uint32_t triangle = arguments->primID;
+        const Eigen::Vector3d &a = self.surface.corner(triangle, 0), &b = self.surface.corner(triangle, 1),
+                              &c = self.surface.corner(triangle, 2);
+        const Eigen::Vector3d weights = nearestWeights(self.point, a, b, c);
+        const double distance = (weights.x() * a + weights.y() * b + weights.z() * c - self.point).norm();
+        if (self.best &&
+            std::make_pair(distance, triangle) >= std::make_pair(self.best->distance, self.best->triangle))
+            return false;
+        self.best = RayHit{triangle, weights, distance};
+        const double reach = slack * distance * self.surface.scale + 1e-5;
+        arguments->query->radius = std::min(arguments->query->radius, static_cast<float>(reach));
+        return true;
+    }
+};
+
+std::optional<RayHit> SurfaceQuery::nearest(const Eigen::Vector3d& point) const {
+    const Implementation& surface = *m_implementation;
+    if (!point.allFinite() || surface.triangles.empty()) return std::nullopt;
+    const Eigen::Vector3f place = surface.scaled(point);
+    RTCPointQuery query{};
+    query.x = place.x();
+    query.y = place.y();
+    query.z = place.z();
+    query.radius = std::numeric_limits<float>::infinity();
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    Implementation::Nearest nearest{surface, point, std::nullopt};
+    rtcPointQuery(surface.scene.get(), &query, &context, &Implementation::Nearest::visit, &nearest);
+    return nearest.best;
 }
 
 bool SurfaceQuery::isBlocked(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin) const {

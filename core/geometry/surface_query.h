@@ -36,6 +36,11 @@ public:
     /// The first triangle that a ray meets, from either side.
     std::optional<RayHit> firstHit(const Ray& ray) const;
 
+    /// The surface's point nearest to a point, its distance being the one between them; of points equally
+    /// near that of the first triangle. Nothing for a place that is not finite and a surface without
+    /// triangles.
+    std::optional<RayHit> nearest(const Eigen::Vector3d& point) const;
+
     /// True when anything lies between the two points, `margin` (m) left free at both ends.
     bool isBlocked(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin) const;
 

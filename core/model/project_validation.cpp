@@ -71,8 +71,9 @@ void requireView(Problems& problems, const Projector& projector) {
 }
 
 Problems photoProblems(const TextureLayer& layer) {
-    Problems problems;
-    if (!layer.photo) problems.emplace_back("has no picture");
+    Problems problems = paintingProblems(layer);
+    if (!layer.photo && !layer.preparation.isNothing())
+        problems.emplace_back("prepares a photo, but has none");
     if (!layer.projector.pose.matrix().allFinite())
         problems.emplace_back("the projector's place is not finite");
     if (layer.projector.kind == ProjectorKind::Perspective) {

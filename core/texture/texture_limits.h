@@ -24,6 +24,9 @@ constexpr double shortestPhoto = 1e-6, longestPhoto = 1e3; ///< m, width and hei
 constexpr double narrowestView = 0.1, widestView = 170;    ///< degrees, a projector's vertical field of view
 constexpr double longestFocalLength = 1e7;                 ///< photo pixels, and the principal point's place
 
+constexpr std::size_t mostStrokes = 10'000;        ///< painted on one layer
+constexpr std::size_t mostBrushPoints = 1'000'000; ///< of all strokes of a layer
+
 } // namespace esm::texture_limits
 
 namespace esm {

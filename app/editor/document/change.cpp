@@ -87,7 +87,7 @@ bool sameReach(const Region& a, const Region& b) {
 bool same(const TextureLayer& a, const TextureLayer& b) {
     return a.name == b.name && a.photo == b.photo && a.projector == b.projector &&
            a.blendPixels == b.blendPixels && a.opacity == b.opacity && a.visible == b.visible &&
-           a.preparation == b.preparation;
+           a.preparation == b.preparation && a.blending == b.blending && a.strokes == b.strokes;
 }
 
 bool same(const Stepping& a, const Stepping& b) {

@@ -10,8 +10,9 @@
 
 namespace esm {
 
-/// Lays the photos over the base colour, from the first to the last, by scanning every patch from the surface
-/// [R 4.3.2.3]; weights are opacity × border × alpha, mixed in sRGB values [R 4.3.3]. Pure: the same input
+/// Lays the layers over the base colour, from the first to the last, by scanning every patch from the surface
+/// [R 4.3.2.3]: mixes what lies beneath with what the layer's blending makes of it and the layer's colour, by
+/// opacity × mask × border × alpha, in sRGB values [R 4.3.3]. Pure: the same input
 /// gives the same pages, whatever the number of threads. Texels around the patches are filled with the
 /// patches' colours, so that filtering shows no dark seams.
 /// @throws InvalidModel for a layout of another surface or beyond its pages; Cancelled

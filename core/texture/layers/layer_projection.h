@@ -16,7 +16,7 @@ struct LitSurface {
     double tolerance;          ///< m, how far surface may lie before another without hiding it
 };
 
-/// One layer as the patch of one triangle sees it.
+/// The photo of a layer as the patch of one triangle sees it.
 class TriangleProjection {
 public:
     /// Nothing when no point of the patch can take colour from the layer.

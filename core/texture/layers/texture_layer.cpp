@@ -1,10 +1,64 @@
 #include "core/texture/layers/texture_layer.h"
 
+#include "core/support/offenders.h"
+#include "core/texture/texture_limits.h"
+
+#include <algorithm>
+
 namespace esm {
+
+namespace {
+
+bool paints(const std::shared_ptr<const BrushStroke>& stroke) {
+    return laysColour(stroke->kind);
+}
+
+std::size_t pointsOf(const BrushStrokes& strokes) {
+    std::size_t points = 0;
+    for (const auto& stroke : strokes)
+        points += stroke->path.size();
+    return points;
+}
+
+} // namespace
+
+const char* blendingName(Blending blending) {
+    constexpr std::array<const char*, 3> names{"normal", "multiply", "multi_band"};
+    return names[static_cast<std::size_t>(blending)];
+}
+
+std::optional<Blending> blendingFromName(const std::string& name) {
+    for (const Blending blending : blendings)
+        if (name == blendingName(blending)) return blending;
+    return std::nullopt;
+}
 
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer) {
     if (layer.prepared) return layer.prepared;
+    if (!layer.photo) return nullptr;
     return {layer.photo, &layer.photo->image}; // the photo owns both
+}
+
+bool isShown(const TextureLayer& layer) {
+    if (!layer.visible || !(layer.opacity > 0)) return false;
+    if (layer.photo) return !layer.photo->image.empty();
+    return std::any_of(layer.strokes.begin(), layer.strokes.end(), paints);
+}
+
+std::vector<std::string> paintingProblems(const TextureLayer& layer) {
+    std::vector<std::string> problems;
+    if (!layer.photo && layer.blending == Blending::MultiBand)
+        problems.emplace_back("only a photo can be blended in bands");
+    if (layer.photo && std::any_of(layer.strokes.begin(), layer.strokes.end(), paints))
+        problems.emplace_back("colours are painted on a photo; they need a layer of their own");
+    if (layer.strokes.size() > texture_limits::mostStrokes ||
+        pointsOf(layer.strokes) > texture_limits::mostBrushPoints)
+        problems.push_back("more was painted on it than the " + std::to_string(texture_limits::mostStrokes) +
+                           " strokes or " + std::to_string(texture_limits::mostBrushPoints) +
+                           " points that a layer can hold; begin another layer");
+    for (std::size_t i = 0; i < layer.strokes.size(); ++i)
+        addUnder(problems, "stroke " + std::to_string(i + 1), validate(*layer.strokes[i]));
+    return problems;
 }
 
 void prepare(TextureLayer& layer, const PhotoPreparation& preparation) {

@@ -1,30 +1,58 @@
 #pragma once
 
+#include "core/texture/layers/brush_stroke.h"
 #include "core/texture/photo/photo.h"
 #include "core/texture/photo/photo_preparation.h"
 #include "core/texture/projection/projector.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace esm {
 
-/// A photo on the organ. Never baked in: layers are composed anew when one changes.
+/// How a layer's colour mixes with what lies beneath.
+enum class Blending {
+    Normal,    ///< hides it
+    Multiply,  ///< darkens it: the product of both, sRGB values from 0 to 1
+    MultiBand, ///< passes into it without a seam: coarse differences of colour over a wide border, details
+               ///< over a narrow one; of photos only
+};
+
+inline constexpr std::array<Blending, 3> blendings{Blending::Normal, Blending::Multiply, Blending::MultiBand};
+
+/// As files name it: `normal`, `multiply`, `multi_band`.
+const char* blendingName(Blending blending);
+std::optional<Blending> blendingFromName(const std::string& name);
+
+/// A photo on the organ, or what was painted there. Never baked in: layers are composed anew when one
+/// changes.
 struct TextureLayer {
     std::string name;
-    std::shared_ptr<const Photo> photo; ///< never null
+    std::shared_ptr<const Photo> photo; ///< null in a layer that is only painted
     Projector projector;
     double blendPixels = 24; ///< photo pixels over which the weight rises from 0 at the border to 1 [R 4.3.3]
     double opacity = 1;      ///< 0 to 1
     bool visible = true;
     PhotoPreparation preparation;
     std::shared_ptr<const Image> prepared; ///< what it makes of the photo; null where it does nothing
+    Blending blending = Blending::Normal;
+    /// In the order in which they were painted. Erasing and restoring ones make the layer's mask; colour and
+    /// clone brushes are for layers without a photo, where painting over what was erased shows again.
+    BrushStrokes strokes;
 };
 
-/// What the projector throws: the prepared picture, or the photo's own.
+/// What the projector throws: the prepared picture, or the photo's own; null without a photo.
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);
 
-/// Gives a layer another preparation and the picture that comes of it, or leaves it as it was.
+/// Whether a layer can be seen anywhere.
+bool isShown(const TextureLayer& layer);
+
+/// Every problem of how a layer blends and of what was painted on it. Empty when all is well.
+std::vector<std::string> paintingProblems(const TextureLayer& layer);
+
+/// Gives a layer another preparation and the picture that comes of it, or leaves it as it was. Precondition:
+/// it has a photo, or nothing is done to it.
 /// @throws InvalidModel with what validate() finds
 void prepare(TextureLayer& layer, const PhotoPreparation& preparation);
 

@@ -1,4 +1,6 @@
 #include "core/geometry/surface_query.h"
+
+#include "core/geometry/nearest_weights.h"
 #include "core/support/errors.h"
 #include "tests/support/test_meshes.h"
 
@@ -81,6 +83,32 @@ TEST_P(SurfaceQueryAt, FirstHitAgreesWithEveryTriangleAskedInTurn) {
 INSTANTIATE_TEST_SUITE_P(Placements, SurfaceQueryAt,
                          testing::Values(Placement{1, {0, 0, 0}}, Placement{0.004, {1.7, -0.3, 0.9}},
                                          Placement{250, {-90, 4000, 12}}));
+
+TEST(SurfaceQuery, FindsTheNearestPointAsAskingEveryTriangleDoes) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> anywhere(-2, 2);
+    for (const double scale : {1.0, 0.005}) {
+        const Eigen::Vector3d shift(3, -1, 2);
+        const TriangleMesh mesh = placed(torus(20, 12), scale, shift);
+        const SurfaceQuery query(mesh.vertices, mesh.triangles);
+        for (int i = 0; i < 200; ++i) {
+            const Eigen::Vector3d point =
+                scale * Eigen::Vector3d(anywhere(random), anywhere(random), anywhere(random)) + shift;
+            double least = std::numeric_limits<double>::infinity();
+            for (const Triangle& t : mesh.triangles) {
+                const Eigen::Vector3d w =
+                    nearestWeights(point, mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+                least = std::min(least, (w[0] * mesh.vertices[t[0]] + w[1] * mesh.vertices[t[1]] +
+                                         w[2] * mesh.vertices[t[2]] - point)
+                                            .norm());
+            }
+            const auto nearest = query.nearest(point);
+            ASSERT_TRUE(nearest);
+            ASSERT_DOUBLE_EQ(nearest->distance, least);
+        }
+        EXPECT_FALSE(query.nearest({NAN, 0, 0}));
+    }
+}
 
 TEST(SurfaceQuery, MeetsTheSurfaceFromEitherSideAndFromFarAway) {
     const TriangleMesh mesh = torus(48, 24);

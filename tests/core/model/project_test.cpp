@@ -190,13 +190,14 @@ TEST(Project, ReportsTheProblemsOfAllItsParts) {
     region.rim = NAN;
     project.regions = {region};
     project.layers = {{}};
+    project.layers[0].blending = Blending::MultiBand;
     project.layers[0].projector.width = NAN;
     EXPECT_THAT(validate(project),
                 ElementsAre(HasSubstr("organ's mass"), HasSubstr("the strain"), HasSubstr("the factor"),
                             HasSubstr("scene: duration"), HasSubstr("forces[0]"),
                             HasSubstr("region 1 (tumour): ellipsoid"),
                             HasSubstr("the soft rim must be 0 or more"),
-                            HasSubstr("the viscosity must be 0 or more"), HasSubstr("has no picture"),
+                            HasSubstr("the viscosity must be 0 or more"), HasSubstr("blended in bands"),
                             HasSubstr("width")));
     EXPECT_THAT(validate(Project{}), ElementsAre(HasSubstr("no organ")));
 }

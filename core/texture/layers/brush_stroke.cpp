@@ -1,0 +1,111 @@
+#include "core/texture/layers/brush_stroke.h"
+
+#include "core/texture/texture_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+/// A triangle without area looks every way.
+bool looksAlong(const Eigen::Vector3d& normal, const BrushPoint& point) {
+    return normal.dot(point.normal) > 0 || normal.isZero(0);
+}
+
+/// From 0 at a segment's start to 1 at its end.
+double fractionNearest(const Eigen::Vector3d& fromStart, const Eigen::Vector3d& along, double squaredLength) {
+    return squaredLength > 0 ? std::clamp(fromStart.dot(along) / squaredLength, 0.0, 1.0) : 0;
+}
+
+bool isShare(double value) {
+    return value >= 0 && value <= 1;
+}
+
+bool isSound(const BrushPoint& point) {
+    return point.place.allFinite() && point.normal.allFinite() && !point.normal.isZero(0);
+}
+
+} // namespace
+
+const char* brushName(BrushKind kind) {
+    constexpr std::array<const char*, 4> names{"erase", "restore", "colour", "clone"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+bool BrushStroke::operator==(const BrushStroke& other) const {
+    return kind == other.kind && radius == other.radius && softness == other.softness &&
+           strength == other.strength && colour == other.colour && shift == other.shift && path == other.path;
+}
+
+bool operator==(const BrushStrokes& a, const BrushStrokes& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const auto& x, const auto& y) { return x == y || *x == *y; });
+}
+
+std::vector<std::string> validate(const BrushStroke& stroke) {
+    std::vector<std::string> problems;
+    if (!(stroke.radius >= texture_limits::shortestPhoto && stroke.radius <= texture_limits::longestPhoto))
+        problems.emplace_back("the brush's radius must be from 1 micrometre to 1 kilometre");
+    if (!isShare(stroke.softness)) problems.emplace_back("the brush's softness must be from 0 to 1");
+    if (!isShare(stroke.strength)) problems.emplace_back("the brush's strength must be from 0 to 1");
+    if (!stroke.shift.allFinite())
+        problems.emplace_back("the way to the place that is cloned must be finite");
+    if (stroke.path.empty()) problems.emplace_back("the path has no point");
+    if (!std::all_of(stroke.path.begin(), stroke.path.end(), isSound))
+        problems.emplace_back("the path has a point without a finite place or a direction");
+    return problems;
+}
+
+Eigen::AlignedBox3d reachOf(const BrushStroke& stroke) {
+    Eigen::AlignedBox3d box;
+    for (const BrushPoint& point : stroke.path)
+        box.extend(point.place);
+    const Eigen::Vector3d radius = Eigen::Vector3d::Constant(stroke.radius);
+    return {box.min() - radius, box.max() + radius};
+}
+
+double strokeProfile(const BrushStroke& stroke, double distance) {
+    const double left = stroke.radius - distance, soft = stroke.softness * stroke.radius;
+    if (left < 0) return 0;
+    if (left >= soft) return stroke.strength;
+    const double t = left / soft;
+    return stroke.strength * t * t * (3 - 2 * t);
+}
+
+std::optional<StrokeOnTriangle> StrokeOnTriangle::make(const BrushStroke& stroke,
+                                                       const Eigen::Matrix3d& corners, double margin) {
+    const Eigen::Vector3d normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
+    const Eigen::Vector3d middle = corners.rowwise().mean();
+    const double size = (corners.colwise() - middle).colwise().norm().maxCoeff();
+    const double reach = stroke.radius + size + margin;
+    StrokeOnTriangle on;
+    on.m_stroke = &stroke;
+    for (std::size_t i = 0; i < stroke.path.size(); ++i) {
+        const BrushPoint& start = stroke.path[i];
+        const BrushPoint& end = stroke.path[std::min(i + 1, stroke.path.size() - 1)];
+        if (i > 0 && i + 1 == stroke.path.size()) break; // the last point ends the segment before
+        const Segment segment{start.place, end.place - start.place, (end.place - start.place).squaredNorm(),
+                              looksAlong(normal, start), looksAlong(normal, end)};
+        if (!segment.startFaces && !segment.endFaces) continue;
+        const Eigen::Vector3d fromStart = middle - start.place;
+        const double t = fractionNearest(fromStart, segment.along, segment.squaredLength);
+        if ((fromStart - t * segment.along).squaredNorm() <= reach * reach) on.m_segments.push_back(segment);
+    }
+    if (on.m_segments.empty()) return std::nullopt;
+    return on;
+}
+
+double StrokeOnTriangle::weightAt(const Eigen::Vector3d& point) const {
+    double weight = 0;
+    for (const Segment& segment : m_segments) {
+        const Eigen::Vector3d fromStart = point - segment.start;
+        const double t = fractionNearest(fromStart, segment.along, segment.squaredLength);
+        if (!(t < 0.5 ? segment.startFaces : segment.endFaces)) continue;
+        weight = std::max(weight, strokeProfile(*m_stroke, (fromStart - t * segment.along).norm()));
+    }
+    return weight;
+}
+
+} // namespace esm

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+enum class BrushKind {
+    Erase,   ///< takes the layer away
+    Restore, ///< brings back what was erased
+    Colour,  ///< lays a colour
+    Clone,   ///< lays what lies beneath the layer at another place
+};
+
+inline constexpr std::array<BrushKind, 4> brushKinds{BrushKind::Erase, BrushKind::Restore, BrushKind::Colour,
+                                                     BrushKind::Clone};
+
+/// As files name it: `erase`, `restore`, `colour`, `clone`.
+const char* brushName(BrushKind kind);
+
+/// Whether a brush lays colour instead of changing the layer's mask.
+inline bool laysColour(BrushKind kind) {
+    return kind == BrushKind::Colour || kind == BrushKind::Clone;
+}
+
+/// A place on the surface over which a brush was led.
+struct BrushPoint {
+    Eigen::Vector3d place;  ///< m
+    Eigen::Vector3d normal; ///< of the surface there, length > 0
+
+    bool operator==(const BrushPoint& other) const { return place == other.place && normal == other.normal; }
+};
+
+/// What one movement of a brush does to the surface around its path, in space and not in texels: it lies
+/// where it lay however the texture is packed. Its weight is greatest over the path, so that nothing builds
+/// up where it crosses itself.
+struct BrushStroke {
+    BrushKind kind = BrushKind::Erase;
+    double radius = 0.005;                ///< m
+    double softness = 0.5;                ///< share of the radius over which the weight falls to 0, 0 to 1
+    double strength = 1;                  ///< weight in the middle, 0 to 1
+    std::array<std::uint8_t, 3> colour{}; ///< sRGB, of a colour brush
+    Eigen::Vector3d shift{
+        Eigen::Vector3d::Zero()}; ///< m, of a clone brush, from where it paints to its source
+    std::vector<BrushPoint> path; ///< at least one point; joined by straight lines
+
+    bool operator==(const BrushStroke& other) const;
+};
+
+/// Never null; shared, so that a copy of a layer costs little.
+using BrushStrokes = std::vector<std::shared_ptr<const BrushStroke>>;
+
+bool operator==(const BrushStrokes& a, const BrushStrokes& b);
+
+/// Every problem of a stroke. Empty when all is well.
+std::vector<std::string> validate(const BrushStroke& stroke);
+
+/// All that a stroke may reach.
+Eigen::AlignedBox3d reachOf(const BrushStroke& stroke);
+
+/// The weight at a distance (m) from the path: `strength` up to the soft part of the radius, from there down
+/// to 0 as 3t² − 2t³.
+double strokeProfile(const BrushStroke& stroke, double distance);
+
+/// A stroke as one triangle meets it.
+class StrokeOnTriangle {
+public:
+    /// Nothing where the stroke stays away from the triangle or looks at its other side: a brush does not
+    /// paint through a thin wall.
+    /// @param corners of the triangle as columns, m
+    /// @param margin m around the triangle in which weights are asked for
+    static std::optional<StrokeOnTriangle> make(const BrushStroke& stroke, const Eigen::Matrix3d& corners,
+                                                double margin);
+
+    const BrushStroke& stroke() const { return *m_stroke; }
+
+    /// 0 to `strength`, at a point of the triangle's plane.
+    double weightAt(const Eigen::Vector3d& point) const;
+
+private:
+    struct Segment {
+        Eigen::Vector3d start, along;
+        double squaredLength;
+        bool startFaces, endFaces; ///< whether the triangle looks the same way as the path there
+    };
+
+    const BrushStroke* m_stroke = nullptr;
+    std::vector<Segment> m_segments;
+};
+
+} // namespace esm

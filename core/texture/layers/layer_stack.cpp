@@ -1,0 +1,167 @@
+#include "core/texture/layers/layer_stack.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+/// Surface this share of the model's size apart hides nothing: the rays know points only to single precision.
+constexpr double hidingTolerance = 1e-4;
+
+/// Texels around a patch whose colours are asked for, in which a stroke may begin.
+constexpr double strokeMargin = 3;
+
+bool clones(const TextureLayer& layer) {
+    return std::any_of(layer.strokes.begin(), layer.strokes.end(),
+                       [](const auto& stroke) { return stroke->kind == BrushKind::Clone; });
+}
+
+bool needsQuery(const TextureLayer& layer) {
+    return (layer.photo && layer.projector.occlusion) || clones(layer);
+}
+
+std::shared_ptr<const PreparedLayer> preparedLayer(const TextureLayer& layer) {
+    auto made = std::make_shared<PreparedLayer>();
+    made->layer = layer;
+    made->picture = pictureOf(layer);
+    if (made->picture) made->sampler = std::make_unique<const PhotoSampler>(*made->picture);
+    for (const auto& stroke : layer.strokes)
+        made->strokeReach.push_back(reachOf(*stroke));
+    return made;
+}
+
+/// Metres of the surface in one texel of the patch; 0 for a patch without extent.
+double metresPerTexel(const Eigen::Matrix3d& corners, const Patch& patch) {
+    const double metres = (corners.col(1) - corners.col(0)).norm() + (corners.col(2) - corners.col(0)).norm();
+    const double texels = (patch[1] - patch[0]).norm() + (patch[2] - patch[0]).norm();
+    return texels > 0 ? metres / texels : 0;
+}
+
+Eigen::Vector3f blended(Blending blending, const Eigen::Vector3f& beneath, const Eigen::Vector3f& colour) {
+    return blending == Blending::Multiply ? beneath.cwiseProduct(colour) / 255 : colour;
+}
+
+} // namespace
+
+LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
+                       const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour)
+    : m_surface{mesh, nullptr, hidingTolerance * boundingBox(mesh.vertices).diagonal().norm()},
+      m_patches(patches), m_baseColour(baseColour[0], baseColour[1], baseColour[2]) {
+    std::vector<TextureLayer> shown;
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(shown), isShown);
+    if (std::any_of(shown.begin(), shown.end(), needsQuery))
+        m_query = std::make_shared<const SurfaceQuery>(mesh.vertices, mesh.triangles);
+    m_surface.query = m_query.get();
+    for (const TextureLayer& layer : shown)
+        m_layers.push_back(preparedLayer(layer));
+}
+
+Eigen::Vector3f
+LayerStack::colourNear(const Eigen::Vector3d& point, std::size_t layers, int follows,
+                       std::unordered_map<std::uint32_t, std::unique_ptr<TriangleLayers>>& known) const {
+    const std::optional<RayHit> hit = m_query->nearest(point);
+    if (!hit) return m_baseColour;
+    auto& source = known[hit->triangle];
+    if (!source) source = std::make_unique<TriangleLayers>(*this, hit->triangle, layers, follows);
+    return source->colour({0, 0, 0, hit->barycentric, hit->barycentric});
+}
+
+Eigen::Vector4f LayerOnTriangle::at(const PatchTexel& texel) const {
+    if (!m_projection) return painted(m_corners * texel.extended);
+    Eigen::Vector4f colour = m_projection->at(texel);
+    if (colour.w() > 0 && !m_strokes.empty()) colour.w() *= mask(m_corners * texel.extended);
+    return colour;
+}
+
+float LayerOnTriangle::mask(const Eigen::Vector3d& point) const {
+    float mask = 1;
+    for (const StrokeOnTriangle& stroke : m_strokes) {
+        const auto weight = static_cast<float>(stroke.weightAt(point));
+        const float target = stroke.stroke().kind == BrushKind::Erase ? 0 : 1;
+        mask += weight * (target - mask);
+    }
+    return mask;
+}
+
+Eigen::Vector4f LayerOnTriangle::painted(const Eigen::Vector3d& point) const {
+    Eigen::Vector3f colour = Eigen::Vector3f::Zero();
+    float cover = 0, mask = 1;
+    for (const StrokeOnTriangle& stroke : m_strokes) {
+        const auto weight = static_cast<float>(stroke.weightAt(point));
+        if (!(weight > 0)) continue;
+        const float target = stroke.stroke().kind == BrushKind::Erase ? 0 : 1;
+        mask += weight * (target - mask);
+        if (!laysColour(stroke.stroke().kind)) continue;
+        const float together = cover + weight * (1 - cover);
+        colour += weight / together * (colourOf(stroke.stroke(), point) - colour);
+        cover = together;
+    }
+    return {colour.x(), colour.y(), colour.z(), cover * mask * static_cast<float>(m_prepared->layer.opacity)};
+}
+
+Eigen::Vector3f LayerOnTriangle::colourOf(const BrushStroke& stroke, const Eigen::Vector3d& point) const {
+    if (stroke.kind == BrushKind::Clone)
+        return m_stack->colourNear(point + stroke.shift, m_place, m_follows - 1, m_sources);
+    return {static_cast<float>(stroke.colour[0]), static_cast<float>(stroke.colour[1]),
+            static_cast<float>(stroke.colour[2])};
+}
+
+TriangleLayers::TriangleLayers(const LayerStack& stack, std::uint32_t triangle, std::size_t layers,
+                               int follows)
+    : m_stack(&stack) {
+    for (std::size_t place = 0; place < layers; ++place)
+        if (auto layer = reaching(place, triangle, follows)) m_layers.push_back(std::move(*layer));
+}
+
+std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::uint32_t triangle,
+                                                        int follows) const {
+    const LitSurface& surface = m_stack->m_surface;
+    const Patch& patch = m_stack->m_patches[triangle];
+    LayerOnTriangle on;
+    on.m_stack = m_stack;
+    on.m_prepared = m_stack->m_layers[place].get();
+    on.m_place = place;
+    on.m_follows = follows;
+    const TextureLayer& layer = on.m_prepared->layer;
+    if (layer.photo) {
+        const auto projection =
+            TriangleProjection::make(layer, *on.m_prepared->sampler, surface, triangle, patch);
+        if (!projection) return std::nullopt;
+        on.m_projection.emplace(*projection);
+    }
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = 0; i < 3; ++i) {
+        on.m_corners.col(static_cast<Eigen::Index>(i)) =
+            surface.mesh.vertices[surface.mesh.triangles[triangle][i]];
+        box.extend(on.m_corners.col(static_cast<Eigen::Index>(i)));
+    }
+    const double margin = strokeMargin * metresPerTexel(on.m_corners, patch);
+    const Eigen::Vector3d around = Eigen::Vector3d::Constant(margin);
+    const Eigen::AlignedBox3d asked(box.min() - around, box.max() + around);
+    bool laysColour = false;
+    for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+        const BrushStroke& stroke = *layer.strokes[i];
+        if (!on.m_prepared->strokeReach[i].intersects(asked)) continue;
+        if (stroke.kind == BrushKind::Clone && follows == 0) continue;
+        auto met = StrokeOnTriangle::make(stroke, on.m_corners, margin);
+        if (!met) continue;
+        laysColour = laysColour || esm::laysColour(stroke.kind);
+        on.m_strokes.push_back(std::move(*met));
+    }
+    if (!layer.photo && !laysColour) return std::nullopt;
+    return on;
+}
+
+Eigen::Vector3f TriangleLayers::colour(const PatchTexel& texel) const {
+    Eigen::Vector3f colour = m_stack->m_baseColour;
+    for (const LayerOnTriangle& layer : m_layers) {
+        const Eigen::Vector4f own = layer.at(texel);
+        if (!(own.w() > 0)) continue;
+        colour += own.w() * (blended(layer.blending(), colour, own.head<3>()) - colour);
+    }
+    return colour;
+}
+
+} // namespace esm

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "core/texture/layers/layer_projection.h"
+
+#include <array>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace esm {
+
+using Patch = std::array<Eigen::Vector2d, 3>; ///< a triangle's corners in a picture, pixels
+
+/// A layer with what is made once for all its triangles.
+struct PreparedLayer {
+    TextureLayer layer;
+    std::shared_ptr<const Image> picture; ///< that is thrown; null without a photo
+    std::unique_ptr<const PhotoSampler> sampler;
+    std::vector<Eigen::AlignedBox3d> strokeReach; ///< of each stroke
+};
+
+class LayerOnTriangle;
+class TriangleLayers;
+
+/// The layers that are shown on a surface, and what all threads share that ask for their colours. Immutable.
+class LayerStack {
+public:
+    /// @param mesh outlives the stack
+    /// @param patches outlive the stack; each triangle's place in the picture whose pixels are asked for, by
+    /// whose size photos are read
+    LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
+               const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour);
+    LayerStack(const LayerStack&) = delete;
+    LayerStack& operator=(const LayerStack&) = delete;
+
+    bool isEmpty() const { return m_layers.empty(); }
+    const LitSurface& surface() const { return m_surface; }
+    const Eigen::Vector3f& baseColour() const { return m_baseColour; }
+
+    /// Red, green, blue, 0 to 255, of the surface nearest to a point, made by the lowest layers.
+    /// @param layers how many
+    /// @param follows how many clones of clones are followed
+    /// @param known triangles that were asked for before
+    Eigen::Vector3f
+    colourNear(const Eigen::Vector3d& point, std::size_t layers, int follows,
+               std::unordered_map<std::uint32_t, std::unique_ptr<TriangleLayers>>& known) const;
+
+private:
+    friend class TriangleLayers;
+
+    LitSurface m_surface;
+    const std::vector<Patch>& m_patches;
+    Eigen::Vector3f m_baseColour;
+    std::shared_ptr<const SurfaceQuery> m_query; ///< null where nothing asks for it
+    std::vector<std::shared_ptr<const PreparedLayer>> m_layers;
+};
+
+/// One layer as the patch of one triangle sees it.
+class LayerOnTriangle {
+public:
+    /// Red, green, blue 0 to 255 and the weight 0 to 1 in the texel: that of the photo × mask, or what is
+    /// painted × mask × opacity.
+    Eigen::Vector4f at(const PatchTexel& texel) const;
+    Blending blending() const { return m_prepared->layer.blending; }
+
+private:
+    friend class TriangleLayers;
+
+    Eigen::Vector4f painted(const Eigen::Vector3d& point) const;
+    float mask(const Eigen::Vector3d& point) const;
+    Eigen::Vector3f colourOf(const BrushStroke& stroke, const Eigen::Vector3d& point) const;
+
+    const LayerStack* m_stack = nullptr;
+    const PreparedLayer* m_prepared = nullptr;
+    std::size_t m_place = 0; ///< in the stack
+    int m_follows = 0;       ///< clones of clones
+    Eigen::Matrix3d m_corners;
+    std::optional<TriangleProjection> m_projection;
+    std::vector<StrokeOnTriangle> m_strokes;
+    mutable std::unordered_map<std::uint32_t, std::unique_ptr<TriangleLayers>> m_sources; ///< of clones
+};
+
+/// The layers that may reach one triangle, from the lowest to the topmost. For one thread.
+class TriangleLayers {
+public:
+    /// Clones of clones that are followed: enough for any painting, and a bound for what a file may ask for.
+    static constexpr int deepestClone = 3;
+
+    TriangleLayers(const LayerStack& stack, std::uint32_t triangle)
+        : TriangleLayers(stack, triangle, stack.m_layers.size(), deepestClone) {}
+    /// Of the lowest layers only, how many.
+    TriangleLayers(const LayerStack& stack, std::uint32_t triangle, std::size_t layers, int follows);
+
+    const std::vector<LayerOnTriangle>& layers() const { return m_layers; }
+
+    /// Red, green, blue, 0 to 255. Mixed in sRGB values, as the source does and as picture editors do.
+    Eigen::Vector3f colour(const PatchTexel& texel) const;
+
+private:
+    std::optional<LayerOnTriangle> reaching(std::size_t place, std::uint32_t triangle, int follows) const;
+
+    const LayerStack* m_stack;
+    std::vector<LayerOnTriangle> m_layers;
+};
+
+} // namespace esm
