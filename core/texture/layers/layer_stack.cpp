@@ -46,12 +46,14 @@ Eigen::Vector3f blended(Blending blending, const Eigen::Vector3f& beneath, const
 } // namespace
 
 LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
-                       const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour)
+                       const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
+                       std::shared_ptr<const SurfaceQuery> query)
     : m_surface{mesh, nullptr, hidingTolerance * boundingBox(mesh.vertices).diagonal().norm()},
-      m_patches(patches), m_baseColour(baseColour[0], baseColour[1], baseColour[2]) {
+      m_patches(patches), m_baseColour(baseColour[0], baseColour[1], baseColour[2]),
+      m_query(std::move(query)) {
     std::vector<TextureLayer> shown;
     std::copy_if(layers.begin(), layers.end(), std::back_inserter(shown), isShown);
-    if (std::any_of(shown.begin(), shown.end(), needsQuery))
+    if (!m_query && std::any_of(shown.begin(), shown.end(), needsQuery))
         m_query = std::make_shared<const SurfaceQuery>(mesh.vertices, mesh.triangles);
     m_surface.query = m_query.get();
     for (const TextureLayer& layer : shown)

@@ -28,8 +28,10 @@ public:
     /// @param mesh outlives the stack
     /// @param patches outlive the stack; each triangle's place in the picture whose pixels are asked for, by
     /// whose size photos are read
+    /// @param query of the mesh, where there is one already
     LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
-               const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour);
+               const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
+               std::shared_ptr<const SurfaceQuery> query = nullptr);
     LayerStack(const LayerStack&) = delete;
     LayerStack& operator=(const LayerStack&) = delete;
 

@@ -1,0 +1,120 @@
+#include "core/texture/layers/surface_beneath.h"
+
+#include "core/texture/layers/layer_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tbb/parallel_for.h>
+
+namespace esm {
+
+namespace {
+
+constexpr int rowsPerTask = 8, tasksPerReport = 8;
+
+/// The ray on which a projector throws a pixel of its photo.
+Ray thrownRay(const Projector& projector, PhotoSize photo, const Eigen::Vector2d& pixel) {
+    if (projector.kind == ProjectorKind::Perspective) {
+        const Intrinsics camera = intrinsicsOf(projector, photo);
+        const Eigen::Vector3d direction((pixel.x() - camera.cx) / camera.fx,
+                                        (camera.cy - pixel.y()) / camera.fy, -1);
+        return {projector.pose.translation(), projector.pose.linear() * direction};
+    }
+    const Eigen::Vector3d origin((pixel.x() / photo.width - 0.5) * projector.width,
+                                 (0.5 - pixel.y() / photo.height) * projector.height, 0);
+    return {projector.pose * origin, -projector.pose.linear().col(2)};
+}
+
+/// Rows of a picture, and the layers on the triangles that they meet.
+class SeenRows {
+public:
+    SeenRows(const LayerStack& stack, const SurfaceQuery& query, const PhotoPlane& plane)
+        : m_stack(stack), m_query(query), m_plane(plane) {}
+
+    void fill(int firstRow, int endRow, Image& picture) {
+        const double perColumn = static_cast<double>(m_plane.photo.width) / picture.width;
+        const double perRow = static_cast<double>(m_plane.photo.height) / picture.height;
+        for (int y = firstRow; y < endRow; ++y)
+            for (int x = 0; x < picture.width; ++x)
+                show({(x + 0.5) * perColumn, (y + 0.5) * perRow}, picture.at(x, y));
+    }
+
+private:
+    void show(const Eigen::Vector2d& place, std::uint8_t* pixel) {
+        const auto hit = m_query.firstHit(thrownRay(m_plane.projector, m_plane.photo, place));
+        if (!hit || !takesColour(hit->triangle)) return;
+        const auto layers = m_known.try_emplace(hit->triangle, m_stack, hit->triangle).first;
+        const Eigen::Vector3f colour = layers->second.colour({0, 0, 0, hit->barycentric, hit->barycentric});
+        for (int channel = 0; channel < 3; ++channel)
+            pixel[channel] = static_cast<std::uint8_t>(std::clamp(colour[channel] + 0.5F, 0.0F, 255.0F));
+        pixel[3] = 255;
+    }
+
+    /// As TriangleProjection has it: light along parallel rays colours no surface that faces away.
+    bool takesColour(std::uint32_t triangle) const {
+        const Projector& projector = m_plane.projector;
+        if (projector.kind != ProjectorKind::Parallel || !projector.occlusion) return true;
+        const TriangleMesh& mesh = m_stack.surface().mesh;
+        const Triangle& t = mesh.triangles[triangle];
+        const Eigen::Vector3d normal =
+            (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
+        return normal.dot(projector.pose.linear().col(2)) > 0;
+    }
+
+    const LayerStack& m_stack;
+    const SurfaceQuery& m_query;
+    const PhotoPlane& m_plane;
+    std::unordered_map<std::uint32_t, TriangleLayers> m_known;
+};
+
+} // namespace
+
+std::vector<Patch> patchesIn(const PhotoPlane& plane, const TriangleMesh& mesh) {
+    const Eigen::Matrix4d matrix = photoMatrix(plane.projector, plane.photo);
+    const Eigen::Array2d scale(static_cast<double>(plane.picture.width) / plane.photo.width,
+                               static_cast<double>(plane.picture.height) / plane.photo.height);
+    std::vector<Patch> patches;
+    patches.reserve(mesh.triangles.size());
+    for (const Triangle& triangle : mesh.triangles) {
+        Patch patch;
+        bool isSeen = true;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eigen::Vector4d seen = matrix * mesh.vertices[triangle[i]].homogeneous();
+            isSeen = isSeen && seen.z() > 0;
+            patch[i] = (seen.head<2>() / seen.z()).array() * scale;
+        }
+        if (!isSeen) patch.fill(Eigen::Vector2d::Zero());
+        patches.push_back(patch);
+    }
+    return patches;
+}
+
+Image surfaceBeneath(const LayerStack& stack, const SurfaceQuery& query, const PhotoPlane& plane,
+                     const Progress& progress) {
+    Image picture;
+    picture.width = plane.picture.width;
+    picture.height = plane.picture.height;
+    picture.pixels.resize(4 * static_cast<std::size_t>(picture.width) *
+                          static_cast<std::size_t>(picture.height));
+    const int tasks = (picture.height + rowsPerTask - 1) / rowsPerTask;
+    for (int first = 0; first < tasks; first += tasksPerReport) {
+        reportProgress(progress, static_cast<double>(first) / tasks);
+        tbb::parallel_for(first, std::min(first + tasksPerReport, tasks), [&](int task) {
+            const int row = task * rowsPerTask;
+            SeenRows(stack, query, plane).fill(row, std::min(row + rowsPerTask, picture.height), picture);
+        });
+    }
+    reportProgress(progress, 1);
+    return picture;
+}
+
+Image surfaceBeneath(const TriangleMesh& mesh, const std::vector<TextureLayer>& beneath,
+                     std::array<std::uint8_t, 3> baseColour, const PhotoPlane& plane,
+                     const Progress& progress) {
+    const auto query = std::make_shared<const SurfaceQuery>(mesh.vertices, mesh.triangles);
+    const std::vector<Patch> patches = patchesIn(plane, mesh);
+    const LayerStack stack(mesh, patches, beneath, baseColour, query);
+    return surfaceBeneath(stack, *query, plane, progress);
+}
+
+} // namespace esm
