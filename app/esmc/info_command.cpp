@@ -110,6 +110,28 @@ Report describePackage(const std::filesystem::path& file) {
     return report;
 }
 
+/// A layer that is only painted has neither file nor size.
+Json layerInJson(const TextureLayer& layer) {
+    Json json{{"name", layer.name}, {"file", nullptr}, {"size", nullptr}};
+    if (layer.photo) {
+        json["file"] = layer.photo->fileName;
+        json["size"] = {layer.photo->image.width, layer.photo->image.height};
+    }
+    json["blending"] = blendingName(layer.blending);
+    json["strokes"] = layer.strokes.size();
+    return json;
+}
+
+std::string layerInText(const TextureLayer& layer) {
+    std::vector<std::string> parts;
+    if (layer.photo) parts.push_back(layer.photo->fileName);
+    if (layer.blending != Blending::Normal)
+        parts.push_back(std::string(blendingName(layer.blending)) + " blending");
+    if (!layer.strokes.empty() || !layer.photo)
+        parts.push_back(counted(layer.strokes.size(), "brush stroke"));
+    return (layer.photo ? "photo " : "painted layer ") + layer.name + ": " + joined(parts);
+}
+
 Report describeProject(const std::filesystem::path& file) {
     const Project project = loadProject(file);
     Report report = modelReport(project);
@@ -117,10 +139,8 @@ Report describeProject(const std::filesystem::path& file) {
     addRegions(report, project.regions);
     Json photos = Json::array();
     for (const TextureLayer& layer : project.layers) {
-        const Image& image = layer.photo->image;
-        photos.push_back(
-            {{"name", layer.name}, {"file", layer.photo->fileName}, {"size", {image.width, image.height}}});
-        report.text.push_back("photo " + layer.name + ": " + layer.photo->fileName);
+        photos.push_back(layerInJson(layer));
+        report.text.push_back(layerInText(layer));
     }
     report.json["photos"] = std::move(photos);
     addTextures(report, project.atlas ? static_cast<std::size_t>(project.texture.atlas.pages) : 0);

@@ -105,7 +105,7 @@ void addRegions(RenderScene& scene, const std::vector<Region>& regions) {
 void addPhotos(RenderScene& scene, const std::vector<TextureLayer>& photos) {
     const Eigen::AlignedBox3d organ = boundingBox(scene.mesh->vertices);
     for (const TextureLayer& layer : photos)
-        if (layer.visible)
+        if (layer.visible && layer.photo)
             scene.projectors.push_back({layer.projector, pictureOf(layer), false,
                                         scene.texturePages && layer.opacity > 0,
                                         shownDepth(layer.projector, organ)});

@@ -81,6 +81,7 @@ Report runPack(const PackOptions& options, Context& context) {
 struct PhotoOptions {
     std::string project, output, photo, projector, name;
     double blend = TextureLayer().blendPixels;
+    Blending blending = Blending::Normal;
     PreparationOptions preparation;
 };
 
@@ -95,6 +96,11 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
     command
         .add_option("--blend", options.blend, "Pixels of the photograph over which its border fades in (24)")
         ->check(nonNegativeNumber());
+    addChoice(command, "--blending", options.blending,
+              {{blendingName(Blending::Normal), Blending::Normal},
+               {blendingName(Blending::Multiply), Blending::Multiply},
+               {blendingName(Blending::MultiBand), Blending::MultiBand}},
+              "How it mixes with what lies beneath (normal)");
     command.add_option("--name", options.name, "The layer's name (default: the photograph's)");
     declarePreparation(command, options.preparation);
 }
@@ -118,6 +124,7 @@ Report runPhoto(const PhotoOptions& options, Context& context) {
     layer.photo = loadPhoto(options.photo);
     layer.projector = readProjectorFile(options.projector);
     layer.blendPixels = options.blend;
+    layer.blending = options.blending;
     layer.name = options.name.empty() ? fs::path(options.photo).stem().string() : options.name;
     const Report found = prepareLayer(layer, options.preparation);
     packIfNeeded(project);

@@ -16,6 +16,7 @@ struct VersionNeeds {
     bool softRims = false;          ///< regions that fade into what lies beneath: version 5
     bool perspective = false;       ///< photos thrown in perspective or with falloff: version 6
     bool preparation = false;       ///< photos that are prepared: version 7
+    bool painting = false;          ///< layers painted or blended otherwise than by hiding: version 8
 };
 
 /// What the regions and their fuzzy systems need, with what else does.

@@ -23,6 +23,7 @@ constexpr const char* bindingSurface = "binding/surface.u32";
 constexpr const char* bindingLines = "binding/lines.u32";
 constexpr const char* atlasCorners = "atlas/corners.f64";
 constexpr const char* atlasPages = "atlas/pages.u32";
+constexpr const char* brushPoints = "painting/points.f64";
 
 /// Bytes after decompression; what claims more is refused instead of filling the memory.
 constexpr std::uint64_t largestManifest = std::uint64_t{64} << 20;

@@ -1,4 +1,5 @@
 #include "core/exchange/model_json.h"
+#include "core/exchange/painting_json.h"
 #include "core/exchange/preparation_json.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/project_layout.h"
@@ -226,25 +227,45 @@ std::shared_ptr<const Photo> readPhotoFile(const JsonReader& reader, Source& sou
     }
 }
 
-std::vector<TextureLayer> readPhotos(const JsonReader& reader, Source& source) {
-    std::vector<std::shared_ptr<const Photo>> files;
+using PhotoFiles = std::vector<std::shared_ptr<const Photo>>;
+
+std::shared_ptr<const Photo> photoOf(const JsonReader& layer, const PhotoFiles& files) {
+    const std::size_t place = layer.member("file").count();
+    if (place < files.size()) return files[place];
+    layer.addProblem("names photo file " + std::to_string(place) + ", but there are " +
+                     std::to_string(files.size()));
+    return nullptr;
+}
+
+/// Hiding what lies beneath is all there was before files said so.
+Blending blendingFromJson(const JsonReader& layer) {
+    if (!layer.has("blending")) return Blending::Normal;
+    const JsonReader named = layer.member("blending");
+    const auto blending = blendingFromName(named.text());
+    if (named.json().is_string() && !blending) named.addProblem("should be normal, multiply or multi-band");
+    return blending.value_or(Blending::Normal);
+}
+
+std::vector<TextureLayer> readLayers(const JsonReader& reader, const JsonReader& arrays, Source& source) {
+    PhotoFiles files;
     for (const JsonReader& file : reader.member("files").elements())
         files.push_back(readPhotoFile(file, source));
+    std::vector<double> points;
+    if (arrays.has(layout::brushPoints))
+        points = source.numbers(arrays, layout::brushPoints, numbersPerBrushPoint);
+    std::size_t nextPoint = 0;
     std::vector<TextureLayer> layers;
     for (const JsonReader& json : reader.member("layers").elements()) {
         TextureLayer layer;
         layer.name = json.member("name").text();
-        const auto place = static_cast<std::size_t>(json.member("file").count());
-        if (place < files.size())
-            layer.photo = files[place];
-        else
-            json.addProblem("names photo file " + std::to_string(place) + ", but there are " +
-                            std::to_string(files.size()));
+        if (json.has("file")) layer.photo = photoOf(json, files);
         layer.projector = projectorFromJson(json.member("projector"));
         layer.blendPixels = json.member("blendPixels").number();
         layer.opacity = json.member("opacity").number();
         layer.visible = json.member("visible").flag();
         if (json.has("preparation")) source.prepare(json.member("preparation"), layer);
+        layer.blending = blendingFromJson(json);
+        if (json.has("strokes")) layer.strokes = strokesFromJson(json.member("strokes"), points, nextPoint);
         layers.push_back(std::move(layer));
     }
     return layers;
@@ -261,7 +282,7 @@ Project readContent(const JsonReader& manifest, Source& source) {
     project.regions = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
     project.scene = readScene(manifest.member("scene"));
     if (manifest.has("stepping")) project.stepping = steppingFromJson(manifest.member("stepping"));
-    project.layers = readPhotos(manifest.member("photos"), source);
+    project.layers = readLayers(manifest.member("photos"), arrays, source);
     project.texture.atlas = atlasOptionsFromJson(manifest.member("texture"));
     project.texture.baseColour = colourFromJson(manifest.member("texture").member("baseColour"));
     if (manifest.has("atlas")) project.atlas = readAtlas(manifest.member("atlas"), arrays, source);

@@ -1,4 +1,5 @@
 #include "core/exchange/model_json.h"
+#include "core/exchange/painting_json.h"
 #include "core/exchange/preparation_json.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/project_layout.h"
@@ -114,15 +115,20 @@ std::size_t addPhotoFile(const Photo& photo, Json& files, Content& content,
 Json addPhotos(const std::vector<TextureLayer>& layers, Content& content) {
     Json files = Json::array(), list = Json::array();
     std::vector<const Photo*> added;
+    std::vector<double> points;
     for (const TextureLayer& layer : layers) {
-        list.push_back({{"name", layer.name},
-                        {"file", addPhotoFile(*layer.photo, files, content, added)},
-                        {"projector", esm::toJson(layer.projector)},
-                        {"blendPixels", layer.blendPixels},
-                        {"opacity", layer.opacity},
-                        {"visible", layer.visible}});
-        if (!layer.preparation.isNothing()) list.back()["preparation"] = esm::toJson(layer.preparation);
+        Json json{{"name", layer.name}};
+        if (layer.photo) json["file"] = addPhotoFile(*layer.photo, files, content, added);
+        json["projector"] = esm::toJson(layer.projector);
+        json["blendPixels"] = layer.blendPixels;
+        json["opacity"] = layer.opacity;
+        json["visible"] = layer.visible;
+        if (!layer.preparation.isNothing()) json["preparation"] = esm::toJson(layer.preparation);
+        if (layer.blending != Blending::Normal) json["blending"] = blendingName(layer.blending);
+        if (!layer.strokes.empty()) json["strokes"] = esm::toJson(layer.strokes, points);
+        list.push_back(std::move(json));
     }
+    if (!points.empty()) content.add(layout::brushPoints, points);
     return {{"files", std::move(files)}, {"layers", std::move(list)}};
 }
 
@@ -138,6 +144,10 @@ bool needsPerspective(const TextureLayer& layer) {
     return layer.projector.kind == ProjectorKind::Perspective || layer.projector.falloff;
 }
 
+bool needsPainting(const TextureLayer& layer) {
+    return !layer.photo || layer.blending != Blending::Normal || !layer.strokes.empty();
+}
+
 Json manifestOf(const Project& project, Content& content) {
     addMesh(*project.mesh, content);
     addNetwork(*project.network, content);
@@ -150,6 +160,7 @@ Json manifestOf(const Project& project, Content& content) {
     needs.perspective = std::any_of(project.layers.begin(), project.layers.end(), needsPerspective);
     needs.preparation = std::any_of(project.layers.begin(), project.layers.end(),
                                     [](const TextureLayer& layer) { return !layer.preparation.isNothing(); });
+    needs.painting = std::any_of(project.layers.begin(), project.layers.end(), needsPainting);
     Json manifest{{"format", layout::format},
                   {"version", versionOf(needs)},
                   {"program", ESM_VERSION},
@@ -171,7 +182,8 @@ Json manifestOf(const Project& project, Content& content) {
 std::vector<std::string> problemsOf(const Project& project, const Json& manifest, const Content& content) {
     std::vector<std::string> problems = content.problems;
     for (const TextureLayer& layer : project.layers) {
-        if (layer.photo->encoded.empty()) problems.push_back("the photo " + layer.name + " has no file");
+        if (layer.photo && layer.photo->encoded.empty())
+            problems.push_back("the photo " + layer.name + " has no file");
         try {
             projectorFromJson(esm::toJson(layer.projector));
         } catch (const InvalidModel& error) {

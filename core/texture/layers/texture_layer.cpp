@@ -23,7 +23,7 @@ std::size_t pointsOf(const BrushStrokes& strokes) {
 } // namespace
 
 const char* blendingName(Blending blending) {
-    constexpr std::array<const char*, 3> names{"normal", "multiply", "multi_band"};
+    constexpr std::array<const char*, 3> names{"normal", "multiply", "multi-band"};
     return names[static_cast<std::size_t>(blending)];
 }
 

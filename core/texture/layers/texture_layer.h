@@ -21,7 +21,7 @@ enum class Blending {
 
 inline constexpr std::array<Blending, 3> blendings{Blending::Normal, Blending::Multiply, Blending::MultiBand};
 
-/// As files name it: `normal`, `multiply`, `multi_band`.
+/// As files name it: `normal`, `multiply`, `multi-band`.
 const char* blendingName(Blending blending);
 std::optional<Blending> blendingFromName(const std::string& name);
 

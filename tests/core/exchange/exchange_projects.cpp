@@ -148,6 +148,30 @@ Project softProject() {
     return project;
 }
 
+Project paintedProject() {
+    Project project = richProject();
+    const auto stroke = [](BrushKind kind) {
+        BrushStroke made;
+        made.kind = kind;
+        made.radius = 0.01 / 3;
+        made.softness = 1.0 / 7;
+        made.strength = 0.1 + 0.2;
+        made.path = {{{0.05, 1.0 / 30, 0}, {0, 0, 1}}, {{0.06, 0, -0.0}, {1e-9, 1, 1.0 / 3}}};
+        if (kind == BrushKind::Colour) made.colour = {9, 255, 0};
+        if (kind == BrushKind::Clone) made.shift = {0.01, -1.0 / 70, 1e-300};
+        return std::make_shared<const BrushStroke>(made);
+    };
+    project.layers[0].blending = Blending::Multiply;
+    project.layers[0].strokes = {stroke(BrushKind::Erase), stroke(BrushKind::Restore)};
+    project.layers[1].blending = Blending::MultiBand;
+    TextureLayer painted;
+    painted.name = "painted";
+    painted.blending = Blending::Multiply;
+    painted.strokes = {stroke(BrushKind::Colour), stroke(BrushKind::Clone), stroke(BrushKind::Erase)};
+    project.layers.push_back(painted);
+    return project;
+}
+
 Project bareProject() {
     Project project;
     project.name = "motion model";

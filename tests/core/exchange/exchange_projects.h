@@ -25,6 +25,9 @@ Project extendedInferenceProject();
 /// The same organ with a region that fades into what lies beneath.
 Project softProject();
 
+/// The same organ with strokes of every brush, layers that blend in every way and one without a photo.
+Project paintedProject();
+
 /// Nodes and springs without a surface, as the uterus' motion model.
 Project bareProject();
 

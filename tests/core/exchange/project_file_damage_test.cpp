@@ -56,10 +56,10 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
 }
 
 TEST_F(ProjectFile, ANewerVersionSaysSo) {
-    saveWithManifest("/version", 8);
+    saveWithManifest("/version", 9);
     EXPECT_THAT(loadingError(),
-                HasSubstr("organ.esm: was made by a newer version (8) of the program; this one reads "
-                          "up to 7; update the program"));
+                HasSubstr("organ.esm: was made by a newer version (9) of the program; this one reads "
+                          "up to 8; update the program"));
 }
 
 /// A second file entry that names the first one's bytes again.
@@ -126,6 +126,33 @@ TEST_F(ProjectFile, ABiphasicLawThatIsNoneIsRefusedByItsName) {
         changeManifest("/base", [&law = law](Json& base) { base["stiffening"] = law; });
         EXPECT_THAT(loadingError(), HasSubstr(named)) << law;
     }
+}
+
+TEST_F(ProjectFile, StrokesAndBlendingThatAreNoneAreRefusedByTheirName) {
+    const std::string place = "/photos/layers/";
+    const std::vector<std::pair<std::string, std::pair<Json, const char*>>> cases{
+        {"0/blending", {"screen", "blending should be normal, multiply"}},
+        {"0/blending", {3, "blending"}},
+        {"3/blending", {"multi-band", "only a photo"}},
+        {"0/strokes", {7, "strokes"}},
+        {"0/strokes/0/brush", {"pencil", "strokes[0].brush"}},
+        {"0/strokes/0/brush", {nullptr, "strokes[0].brush"}},
+        {"0/strokes/0/radius", {-1, "stroke 1: the brush's radius"}},
+        {"0/strokes/0/radius", {1e4, "stroke 1: the brush's radius"}},
+        {"0/strokes/0/softness", {1.5, "softness"}},
+        {"0/strokes/0/strength", {"full", "strength"}},
+        {"0/strokes/0/points", {0, "points"}},
+        {"0/strokes/0/points", {1000000, "points"}},
+        {"3/strokes/0/colour", {{1, 2}, "colour"}},
+        {"3/strokes/1/shift", {{1, 2}, "shift"}},
+    };
+    for (const auto& [pointer, damage] : cases) {
+        changeManifestOf(paintedProject(), place + pointer,
+                         [&value = damage.first](Json& old) { old = value; });
+        EXPECT_THAT(loadingError(), HasSubstr(damage.second)) << pointer;
+    }
+    changeManifestOf(paintedProject(), "/arrays/painting~1points.f64", [](Json& count) { count = 7; });
+    EXPECT_THAT(loadingError(), HasSubstr("painting/points.f64"));
 }
 
 TEST_F(ProjectFile, ARimThatIsNoneIsRefusedByItsName) {

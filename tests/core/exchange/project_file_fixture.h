@@ -30,7 +30,12 @@ protected:
 
     /// Saves the rich project with one entry of its archive changed.
     template<typename Change> void saveChanged(const std::string& name, const Change& change) const {
-        saveProject(richProject(), m_file);
+        saveChangedOf(richProject(), name, change);
+    }
+
+    template<typename Change>
+    void saveChangedOf(const Project& project, const std::string& name, const Change& change) const {
+        saveProject(project, m_file);
         const Bytes bytes = readFile(m_file);
         const ZipReader archive(bytes);
         const Bytes text = archive.read(project_layout::manifest, 1 << 20);
@@ -49,7 +54,12 @@ protected:
 
     /// The same with one value of the manifest changed.
     template<typename Change> void changeManifest(const std::string& pointer, const Change& change) const {
-        saveChanged(project_layout::manifest, [&](auto&, ZipEntry& entry) {
+        changeManifestOf(richProject(), pointer, change);
+    }
+
+    template<typename Change>
+    void changeManifestOf(const Project& project, const std::string& pointer, const Change& change) const {
+        saveChangedOf(project, project_layout::manifest, [&](auto&, ZipEntry& entry) {
             Json manifest = Json::parse(entry.content.begin(), entry.content.end());
             change(manifest.at(Json::json_pointer(pointer)));
             const std::string text = manifest.dump();

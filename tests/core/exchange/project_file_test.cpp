@@ -60,6 +60,12 @@ TEST_F(ProjectFile, KeepsPerspectiveProjectors) {
     EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
 }
 
+TEST_F(ProjectFile, KeepsWhatIsPaintedAndHowLayersBlend) {
+    saveProject(paintedProject(), m_file);
+    expectSameProject(paintedProject(), loadProject(m_file));
+    EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
+}
+
 TEST_F(ProjectFile, WithoutASpringLawHasLinearSprings) {
     changeManifest("/base", [](Json& base) { EXPECT_FALSE(base.contains("stiffening")); });
     EXPECT_FALSE(loadProject(m_file).base.stiffening);
@@ -84,7 +90,10 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     project.layers[0].projector.kind = ProjectorKind::Perspective;
     EXPECT_EQ(version(project), 6);
     project.layers[0].preparation.evenLight = 0.5;
-    EXPECT_EQ(version(project), projectFileVersion);
+    EXPECT_EQ(version(project), 7);
+    project.layers[0].blending = Blending::Multiply;
+    EXPECT_EQ(version(project), 8);
+    EXPECT_EQ(version(paintedProject()), projectFileVersion);
 }
 
 TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {
