@@ -57,7 +57,7 @@ std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
                              const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
                              const Progress& progress) {
     checkAtlas(mesh, atlas);
-    const LayerStack stack(mesh, atlas.corners, layers, baseColour);
+    const LayerStack stack(mesh, atlas.corners, layers, baseColour, nullptr, progress);
     std::vector<Image> pages(static_cast<std::size_t>(atlas.options.pages),
                              filledPage(atlas.options.size, baseColour));
     if (stack.isEmpty()) return pages;
@@ -74,7 +74,9 @@ std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
 
 LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const TextureLayer& layer) {
     checkAtlas(mesh, atlas);
-    const LayerStack stack(mesh, atlas.corners, {layer}, {});
+    TextureLayer only = layer;
+    only.blending = Blending::Normal; // which decides colours, and not what they cover
+    const LayerStack stack(mesh, atlas.corners, {only}, {});
     const PageBand whole{0, 0, atlas.options.size, {}};
     std::vector<LayerCoverage> covered(mesh.triangles.size());
     tbb::parallel_for(std::size_t{0}, covered.size(), [&](std::size_t i) {

@@ -1,5 +1,8 @@
 #include "core/texture/layers/layer_stack.h"
 
+#include "core/texture/layers/multi_band.h"
+#include "core/texture/layers/surface_beneath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,16 +16,20 @@ constexpr double hidingTolerance = 1e-4;
 /// Texels around a patch whose colours are asked for, in which a stroke may begin.
 constexpr double strokeMargin = 3;
 
+/// Photo pixels over which a photo fades in that is blended in bands: its colours do before.
+constexpr double bandedBorder = 4;
+
 bool clones(const TextureLayer& layer) {
     return std::any_of(layer.strokes.begin(), layer.strokes.end(),
                        [](const auto& stroke) { return stroke->kind == BrushKind::Clone; });
 }
 
 bool needsQuery(const TextureLayer& layer) {
-    return (layer.photo && layer.projector.occlusion) || clones(layer);
+    return (layer.photo && layer.projector.occlusion) || clones(layer) ||
+           layer.blending == Blending::MultiBand;
 }
 
-std::shared_ptr<const PreparedLayer> preparedLayer(const TextureLayer& layer) {
+std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer) {
     auto made = std::make_shared<PreparedLayer>();
     made->layer = layer;
     made->picture = pictureOf(layer);
@@ -47,7 +54,7 @@ Eigen::Vector3f blended(Blending blending, const Eigen::Vector3f& beneath, const
 
 LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
                        const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
-                       std::shared_ptr<const SurfaceQuery> query)
+                       std::shared_ptr<const SurfaceQuery> query, const Progress& progress)
     : m_surface{mesh, nullptr, hidingTolerance * boundingBox(mesh.vertices).diagonal().norm()},
       m_patches(patches), m_baseColour(baseColour[0], baseColour[1], baseColour[2]),
       m_query(std::move(query)) {
@@ -56,8 +63,27 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
     if (!m_query && std::any_of(shown.begin(), shown.end(), needsQuery))
         m_query = std::make_shared<const SurfaceQuery>(mesh.vertices, mesh.triangles);
     m_surface.query = m_query.get();
-    for (const TextureLayer& layer : shown)
-        m_layers.push_back(preparedLayer(layer));
+    for (const TextureLayer& layer : shown) {
+        auto made = preparedLayer(layer);
+        if (layer.blending == Blending::MultiBand) blendInBands(*made, progress);
+        m_layers.push_back(std::move(made));
+    }
+}
+
+LayerStack::LayerStack(const LayerStack& stack, const std::vector<Patch>& patches)
+    : m_surface(stack.m_surface), m_patches(patches), m_baseColour(stack.m_baseColour),
+      m_query(stack.m_query), m_layers(stack.m_layers) {}
+
+void LayerStack::blendInBands(PreparedLayer& made, const Progress& progress) const {
+    const auto goOn = [&](double) { return !progress || progress(0); };
+    const PhotoSize photo{made.picture->width, made.picture->height};
+    const PhotoPlane plane{made.layer.projector, photo, comparedSize(photo)};
+    const std::vector<Patch> patches = patchesIn(plane, m_surface.mesh);
+    const Image beneath = surfaceBeneath(LayerStack(*this, patches), *m_query, plane, goOn);
+    made.picture = std::make_shared<const Image>(
+        blendedInBands(*made.picture, *made.sampler, beneath, made.layer.blendPixels));
+    made.sampler = std::make_unique<const PhotoSampler>(*made.picture);
+    made.layer.blendPixels = std::min(made.layer.blendPixels, bandedBorder);
 }
 
 Eigen::Vector3f

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/progress.h"
 #include "core/texture/layers/layer_projection.h"
 
 #include <array>
@@ -14,7 +15,7 @@ using Patch = std::array<Eigen::Vector2d, 3>; ///< a triangle's corners in a pic
 /// A layer with what is made once for all its triangles.
 struct PreparedLayer {
     TextureLayer layer;
-    std::shared_ptr<const Image> picture; ///< that is thrown; null without a photo
+    std::shared_ptr<const Image> picture; ///< that is thrown, blended in bands or not; null without a photo
     std::unique_ptr<const PhotoSampler> sampler;
     std::vector<Eigen::AlignedBox3d> strokeReach; ///< of each stroke
 };
@@ -29,9 +30,10 @@ public:
     /// @param patches outlive the stack; each triangle's place in the picture whose pixels are asked for, by
     /// whose size photos are read
     /// @param query of the mesh, where there is one already
+    /// @throws Cancelled while photos are blended in bands
     LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
                const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
-               std::shared_ptr<const SurfaceQuery> query = nullptr);
+               std::shared_ptr<const SurfaceQuery> query = nullptr, const Progress& progress = {});
     LayerStack(const LayerStack&) = delete;
     LayerStack& operator=(const LayerStack&) = delete;
 
@@ -49,6 +51,10 @@ public:
 
 private:
     friend class TriangleLayers;
+
+    /// The same layers seen in another picture.
+    LayerStack(const LayerStack& stack, const std::vector<Patch>& patches);
+    void blendInBands(PreparedLayer& layer, const Progress& progress) const;
 
     LitSurface m_surface;
     const std::vector<Patch>& m_patches;

@@ -1,0 +1,132 @@
+#include "core/texture/layers/multi_band.h"
+
+#include "core/texture/photo/bilinear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <tbb/parallel_for.h>
+#include <vector>
+
+namespace esm {
+
+namespace {
+
+constexpr int longestSide = 1024;   ///< pixels
+constexpr float borderPerPixel = 4; ///< of a band's own pixels, over which it fades
+constexpr int smallestLevel = 4;    ///< pixels, of the coarsest band's shorter side
+
+/// The photo in a smaller size, red, green, blue 0 to 255 and alpha 0 to 1.
+cv::Mat reduced(const PhotoSampler& sampler, const cv::Size& size) {
+    cv::Mat picture(size, CV_32FC4);
+    const double perColumn = static_cast<double>(sampler.width()) / size.width;
+    const double perRow = static_cast<double>(sampler.height()) / size.height;
+    const double depth = std::log2(std::max(perColumn, perRow));
+    tbb::parallel_for(0, size.height, [&](int y) {
+        for (int x = 0; x < size.width; ++x) {
+            const Eigen::Vector4f colour = sampler.at((x + 0.5) * perColumn, (y + 0.5) * perRow, depth);
+            picture.at<cv::Vec4f>(y, x) = {colour.x(), colour.y(), colour.z(), colour.w()};
+        }
+    });
+    return picture;
+}
+
+/// What lies beneath less the photo; 0 where either is not known.
+cv::Mat differenceFrom(const cv::Mat& photo, const Image& beneath) {
+    cv::Mat difference(photo.size(), CV_32FC3, cv::Scalar::all(0));
+    for (int y = 0; y < photo.rows; ++y) {
+        for (int x = 0; x < photo.cols; ++x) {
+            const std::uint8_t* under = beneath.at(x, y);
+            const auto& over = photo.at<cv::Vec4f>(y, x);
+            if (under[3] == 0 || !(over[3] > 0)) continue;
+            for (int channel = 0; channel < 3; ++channel)
+                difference.at<cv::Vec3f>(y, x)[channel] = static_cast<float>(under[channel]) - over[channel];
+        }
+    }
+    return difference;
+}
+
+/// Pixels from the border of what a photo shows, 0 outside.
+cv::Mat depthInside(const cv::Mat& photo) {
+    cv::Mat shown(photo.rows + 2, photo.cols + 2, CV_8U, cv::Scalar(0)), distance;
+    for (int y = 0; y < photo.rows; ++y)
+        for (int x = 0; x < photo.cols; ++x)
+            shown.at<std::uint8_t>(y + 1, x + 1) = photo.at<cv::Vec4f>(y, x)[3] > 0 ? 255 : 0;
+    cv::distanceTransform(shown, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return distance({1, 1, photo.cols, photo.rows}).clone();
+}
+
+/// A band of the difference as much as it is left out of the photo: wholly at the border, where depth is 0.
+cv::Mat faded(const cv::Mat& band, const cv::Mat& depth, float border) {
+    cv::Mat here, result(band.size(), CV_32FC3);
+    cv::resize(depth, here, band.size(), 0, 0, cv::INTER_AREA);
+    for (int y = 0; y < band.rows; ++y) {
+        for (int x = 0; x < band.cols; ++x) {
+            const float t = std::clamp(here.at<float>(y, x) / border, 0.0F, 1.0F);
+            result.at<cv::Vec3f>(y, x) = (1 - t * t * (3 - 2 * t)) * band.at<cv::Vec3f>(y, x);
+        }
+    }
+    return result;
+}
+
+/// How many times the difference is halved until its pixels fade over `widest` pixels.
+int coarsestLevel(const cv::Size& size, double widest) {
+    int level = 0;
+    while (borderPerPixel * std::ldexp(1.0, level + 1) <= widest &&
+           std::min(size.width, size.height) >> (level + 1) >= smallestLevel)
+        ++level;
+    return level;
+}
+
+/// What is added to the photo.
+cv::Mat correction(const cv::Mat& difference, const cv::Mat& depth, int levels, float border) {
+    if (levels == 0) return faded(difference, depth, border);
+    cv::Mat coarse, back, above;
+    cv::pyrDown(difference, coarse);
+    cv::pyrUp(coarse, back, difference.size());
+    cv::pyrUp(correction(coarse, depth, levels - 1, 2 * border), above, difference.size());
+    return faded(difference - back, depth, border) + above;
+}
+
+/// Adds the correction to a row of the photo.
+void correctRow(const Image& photo, const cv::Mat& added, int y, Image& picture) {
+    const Image size{added.cols, added.rows, {}};
+    const double perColumn = static_cast<double>(added.cols) / photo.width;
+    const double row = (y + 0.5) * added.rows / photo.height;
+    for (int x = 0; x < photo.width; ++x) {
+        const BilinearPlace p = bilinearPlace(size, (x + 0.5) * perColumn, row);
+        const auto u = static_cast<float>(p.u), v = static_cast<float>(p.v);
+        const cv::Vec3f more = (1 - v) * ((1 - u) * added.at<cv::Vec3f>(p.top, p.left) +
+                                          u * added.at<cv::Vec3f>(p.top, p.right)) +
+                               v * ((1 - u) * added.at<cv::Vec3f>(p.bottom, p.left) +
+                                    u * added.at<cv::Vec3f>(p.bottom, p.right));
+        const std::uint8_t* from = photo.at(x, y);
+        std::uint8_t* to = picture.at(x, y);
+        for (int channel = 0; channel < 3; ++channel)
+            to[channel] = static_cast<std::uint8_t>(
+                std::clamp(static_cast<float>(from[channel]) + more[channel] + 0.5F, 0.0F, 255.0F));
+        to[3] = from[3];
+    }
+}
+
+} // namespace
+
+PhotoSize comparedSize(PhotoSize photo) {
+    while (std::max(photo.width, photo.height) > longestSide)
+        photo = {(photo.width + 1) / 2, (photo.height + 1) / 2};
+    return photo;
+}
+
+Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, double border) {
+    const cv::Size size(beneath.width, beneath.height);
+    const cv::Mat small = reduced(sampler, size);
+    const double widest =
+        std::max(0.25 * std::min(size.width, size.height), border * size.width / photo.width);
+    const cv::Mat added = correction(differenceFrom(small, beneath), depthInside(small),
+                                     coarsestLevel(size, widest), borderPerPixel);
+    Image picture{photo.width, photo.height, std::vector<std::uint8_t>(photo.pixels.size())};
+    tbb::parallel_for(0, photo.height, [&](int y) { correctRow(photo, added, y, picture); });
+    return picture;
+}
+
+} // namespace esm

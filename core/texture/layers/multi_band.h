@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/texture/image.h"
+#include "core/texture/intrinsics.h"
+#include "core/texture/photo/photo_sampler.h"
+
+namespace esm {
+
+/// The size in which a photo is compared with what lies beneath: its own, halved until no side is longer than
+/// 1024 pixels. What is finer needs no wide border.
+PhotoSize comparedSize(PhotoSize photo);
+
+/// A photo blended in bands (Burt and Adelson, A Multiresolution Spline, 1983) into what lies beneath it: the
+/// difference between both, in a Laplacian pyramid, is added to the photo so that at the border of what the
+/// photo shows nothing of it is left out; each band fades over a border of four times its own wavelength, the
+/// coarsest over a quarter of the photo's shorter side or `border`, where that is wider. So colours pass
+/// gradually and details do not mix. Deterministic with any number of threads.
+/// @param sampler of the photo
+/// @param beneath the same plane in `comparedSize()` pixels, alpha 0 where nothing is to be compared with
+/// @param border photo pixels
+Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, double border);
+
+} // namespace esm

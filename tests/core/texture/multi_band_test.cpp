@@ -1,0 +1,115 @@
+#include "core/texture/layers/multi_band.h"
+
+#include "tests/core/texture/painted_pages.h"
+#include "tests/support/test_surfaces.h"
+
+#include <tbb/global_control.h>
+
+using namespace esm;
+using namespace esm::test;
+
+namespace {
+
+constexpr int size = 200;
+
+/// Grey around `mean` with stripes two pixels wide that differ by `detail` from it.
+std::shared_ptr<const Photo> stripes(int mean, int detail) {
+    return makePhoto(size, size, [=](int x, int) {
+        const auto value = static_cast<std::uint8_t>(mean + (x / 2 % 2 == 0 ? detail : -detail));
+        return Colour{value, value, value, 255};
+    });
+}
+
+Image inBands(const Image& photo, const Image& beneath) {
+    return blendedInBands(photo, PhotoSampler(photo), beneath, 24);
+}
+
+/// The mean of four pixels in a row, in which stripes vanish.
+double mean(const Image& image, int x, int y) {
+    double sum = 0;
+    for (int i = 0; i < 4; ++i)
+        sum += image.at(x + i, y)[0];
+    return sum / 4;
+}
+
+TextureLayer banded(std::shared_ptr<const Photo> photo, double width) {
+    TextureLayer layer = layerFromAbove(std::move(photo), width);
+    layer.blending = Blending::MultiBand;
+    return layer;
+}
+
+} // namespace
+
+TEST(MultiBand, ChangesNothingWhereBothAreTheSame) {
+    const Image photo = stripes(120, 20)->image;
+    EXPECT_EQ(inBands(photo, photo).pixels, photo.pixels);
+    const TriangleMesh mesh = flatSquare(0.1, 4);
+    const Atlas atlas = packAtlas(mesh, {512, 1, 2});
+    const TextureLayer below = layerFromAbove(stripes(120, 20), 0.08);
+    const Image without = composite(mesh, atlas, {below}, baseColour).front();
+    const Image with = composite(mesh, atlas, {below, banded(stripes(120, 20), 0.08)}, baseColour).front();
+    for (std::size_t i = 0; i < with.pixels.size(); ++i)
+        ASSERT_NEAR(int(with.pixels[i]), int(without.pixels[i]), 1);
+}
+
+TEST(MultiBand, PassesIntoAnotherBrightnessWithoutAStepAndKeepsDetail) {
+    const Image photo = stripes(90, 20)->image, beneath = stripes(150, 0)->image;
+    const Image blended = inBands(photo, beneath);
+    EXPECT_NEAR(int(blended.at(0, size / 2)[0]), 150, 8) << "at the border it is what lies beneath";
+    EXPECT_NEAR(mean(blended, size / 2, size / 2), 90, 6) << "in the middle the photo";
+    for (int x = 0; x + 8 < size; ++x)
+        ASSERT_LT(std::abs(mean(blended, x, size / 2) - mean(blended, x + 4, size / 2)), 12) << x;
+    for (int x = 12; x + 14 < size; x += 4)
+        ASSERT_NEAR(blended.at(x, size / 2)[0] - blended.at(x + 2, size / 2)[0], 40, 8) << x;
+}
+
+TEST(MultiBand, LeavesNoStepOnTheSurface) {
+    const TriangleMesh mesh = flatSquare(0.1, 4);
+    const Atlas atlas = packAtlas(mesh, {512, 1, 2});
+    const auto largestAtBorder = [&](Blending blending) {
+        TextureLayer layer = layerFromAbove(plainPhoto({90, 90, 90, 255}), 0.06);
+        layer.photo = stripes(90, 0);
+        layer.blending = blending;
+        int largest = 0;
+        forEachTexelInside(mesh, atlas, composite(mesh, atlas, {layer}, {150, 150, 150}),
+                           [&](const Eigen::Vector3d& point, const Colour& colour, std::size_t) {
+                               const double inside =
+                                   0.03 - std::max(std::abs(point.x()), std::abs(point.y()));
+                               if (inside > 0 && inside < 0.0005)
+                                   largest = std::max(largest, 150 - int(colour[0]));
+                           });
+        return largest;
+    };
+    EXPECT_EQ(largestAtBorder(Blending::Normal), 60);
+    EXPECT_LT(largestAtBorder(Blending::MultiBand), 10);
+}
+
+TEST(MultiBand, LeavesWhatIsTransparentAndWhatNothingLiesBeneath) {
+    Image photo = stripes(90, 20)->image, beneath = stripes(150, 0)->image;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size / 2; ++x)
+            photo.at(x, y)[3] = beneath.at(size - 1 - x, y)[3] = 0;
+    const Image blended = inBands(photo, beneath);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            ASSERT_EQ(blended.at(x, y)[3], photo.at(x, y)[3]);
+    EXPECT_EQ(blended.pixels, photo.pixels) << "nowhere are both known";
+}
+
+TEST(MultiBand, IsTheSameWithAnyNumberOfThreads) {
+    const TriangleMesh mesh = lumpySurface(30, 40);
+    const Atlas atlas = packAtlas(mesh, {512, 1, 2});
+    const std::vector<TextureLayer> layers{layerFromAbove(checkerboard(), 0.15), banded(stripes(90, 20), 0.1),
+                                           banded(stripes(200, 30), 0.12)};
+    const auto composeWith = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        return composite(mesh, atlas, layers, baseColour).front().pixels;
+    };
+    EXPECT_EQ(composeWith(1), composeWith(2));
+}
+
+TEST(MultiBand, ComparesLargePhotosInASmallerSize) {
+    EXPECT_EQ(comparedSize({4001, 3000}).width, 1001);
+    EXPECT_EQ(comparedSize({4001, 3000}).height, 750);
+    EXPECT_EQ(comparedSize({1024, 10}).width, 1024);
+}
