@@ -1,7 +1,7 @@
 #include "core/texture/layers/composite.h"
 
 #include "core/support/errors.h"
-#include "core/texture/layers/layer_stack.h"
+#include "core/texture/layers/page_painter.h"
 #include "core/texture/layers/patch_scan.h"
 #include "core/texture/texture_limits.h"
 
@@ -12,9 +12,6 @@ namespace esm {
 
 namespace {
 
-/// Bands between two reports of progress.
-constexpr std::size_t bandsPerReport = 16;
-
 /// Half a texel's diagonal: a patch within it touches the texel, even where it is too small to hold any
 /// centre.
 constexpr double touching = 0.70711;
@@ -22,24 +19,6 @@ constexpr double touching = 0.70711;
 void checkAtlas(const TriangleMesh& mesh, const Atlas& atlas) {
     const std::vector<std::string> problems = validate(atlas, mesh.triangles.size());
     if (!problems.empty()) throw InvalidModel(problems);
-}
-
-void paintBand(const LayerStack& stack, const Atlas& atlas, const PageBand& band, Image& page) {
-    const double reach = fillReach(atlas.options);
-    const BandOwners owners(atlas, band, reach);
-    for (const std::uint32_t triangle : band.triangles) {
-        const TriangleLayers layers(stack, triangle);
-        if (layers.layers().empty()) continue;
-        PatchScan(atlas.corners[triangle])
-            .forEachTexel(band, page.width, reach, [&](const PatchTexel& texel) {
-                if (owners.at(texel.x, texel.y) != triangle) return;
-                const Eigen::Vector3f colour = layers.colour(texel);
-                std::uint8_t* pixel = page.at(texel.x, texel.y);
-                for (int channel = 0; channel < 3; ++channel)
-                    pixel[channel] =
-                        static_cast<std::uint8_t>(std::clamp(colour[channel] + 0.5F, 0.0F, 255.0F));
-            });
-    }
 }
 
 Image filledPage(int size, const std::array<std::uint8_t, 3>& colour) {
@@ -55,28 +34,29 @@ Image filledPage(int size, const std::array<std::uint8_t, 3>& colour) {
 
 std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
                              const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
-                             const Progress& progress) {
+                             CompositionCache& cache, const Progress& progress) {
     checkAtlas(mesh, atlas);
-    const LayerStack stack(mesh, atlas.corners, layers, baseColour, nullptr, progress);
+    const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, progress);
     std::vector<Image> pages(static_cast<std::size_t>(atlas.options.pages),
                              filledPage(atlas.options.size, baseColour));
-    if (stack.isEmpty()) return pages;
-    const std::vector<PageBand> bands = pageBands(atlas);
-    for (std::size_t first = 0; first < bands.size(); first += bandsPerReport) {
-        reportProgress(progress, static_cast<double>(first) / static_cast<double>(bands.size()));
-        tbb::parallel_for(first, std::min(first + bandsPerReport, bands.size()), [&](std::size_t i) {
-            paintBand(stack, atlas, bands[i], pages[static_cast<std::size_t>(bands[i].page)]);
-        });
-    }
-    reportProgress(progress, 1);
+    if (!stack.isEmpty()) paintPages(stack, atlas, {}, pages, progress);
+    cache.finish();
     return pages;
+}
+
+std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
+                             const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
+                             const Progress& progress) {
+    CompositionCache cache;
+    return composite(mesh, atlas, layers, baseColour, cache, progress);
 }
 
 LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const TextureLayer& layer) {
     checkAtlas(mesh, atlas);
     TextureLayer only = layer;
     only.blending = Blending::Normal; // which decides colours, and not what they cover
-    const LayerStack stack(mesh, atlas.corners, {only}, {});
+    CompositionCache cache;
+    const LayerStack stack(mesh, atlas.corners, {only}, {}, cache);
     const PageBand whole{0, 0, atlas.options.size, {}};
     std::vector<LayerCoverage> covered(mesh.triangles.size());
     tbb::parallel_for(std::size_t{0}, covered.size(), [&](std::size_t i) {

@@ -3,6 +3,7 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/support/progress.h"
 #include "core/texture/atlas/atlas.h"
+#include "core/texture/layers/composition_cache.h"
 #include "core/texture/layers/texture_layer.h"
 
 #include <array>
@@ -19,6 +20,25 @@ namespace esm {
 std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
                              const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
                              const Progress& progress = {});
+
+/// The same, with what a composition of the surface before left.
+std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
+                             const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
+                             CompositionCache& cache, const Progress& progress = {});
+
+/// What was composed before for the same surface and atlas.
+struct Composition {
+    std::vector<TextureLayer> layers;
+    std::array<std::uint8_t, 3> baseColour{};
+    std::shared_ptr<const std::vector<Image>> pages; ///< null before anything was composed
+};
+
+/// The pages that composite() makes, bit by bit, but only what changed is composed: the triangles that a
+/// changed layer reaches before or after. Takes what composite() takes.
+std::vector<Image> recomposite(const TriangleMesh& mesh, const Atlas& atlas, const Composition& before,
+                               const std::vector<TextureLayer>& layers,
+                               std::array<std::uint8_t, 3> baseColour, CompositionCache& cache,
+                               const Progress& progress = {});
 
 /// What one layer covers.
 struct LayerCoverage {

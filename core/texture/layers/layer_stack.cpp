@@ -29,11 +29,10 @@ bool needsQuery(const TextureLayer& layer) {
            layer.blending == Blending::MultiBand;
 }
 
-std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer) {
+std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, CompositionCache& cache) {
     auto made = std::make_shared<PreparedLayer>();
     made->layer = layer;
-    made->picture = pictureOf(layer);
-    if (made->picture) made->sampler = std::make_unique<const PhotoSampler>(*made->picture);
+    if (layer.photo) made->thrown = cache.sampled(pictureOf(layer));
     for (const auto& stroke : layer.strokes)
         made->strokeReach.push_back(reachOf(*stroke));
     return made;
@@ -54,19 +53,26 @@ Eigen::Vector3f blended(Blending blending, const Eigen::Vector3f& beneath, const
 
 LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
                        const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
-                       std::shared_ptr<const SurfaceQuery> query, const Progress& progress)
+                       CompositionCache& cache, const Progress& progress)
     : m_surface{mesh, nullptr, hidingTolerance * boundingBox(mesh.vertices).diagonal().norm()},
-      m_patches(patches), m_baseColour(baseColour[0], baseColour[1], baseColour[2]),
-      m_query(std::move(query)) {
+      m_patches(patches), m_baseColour(baseColour[0], baseColour[1], baseColour[2]) {
     std::vector<TextureLayer> shown;
-    std::copy_if(layers.begin(), layers.end(), std::back_inserter(shown), isShown);
-    if (!m_query && std::any_of(shown.begin(), shown.end(), needsQuery))
-        m_query = std::make_shared<const SurfaceQuery>(mesh.vertices, mesh.triangles);
-    m_surface.query = m_query.get();
-    for (const TextureLayer& layer : shown) {
-        auto made = preparedLayer(layer);
-        if (layer.blending == Blending::MultiBand) blendInBands(*made, progress);
+    for (const TextureLayer& layer : layers) {
+        if (!isShown(layer)) continue;
+        if (!m_query && needsQuery(layer)) m_query = cache.queryOf(mesh);
+        m_surface.query = m_query.get();
+        auto made = preparedLayer(layer, cache);
+        if (layer.blending == Blending::MultiBand) {
+            auto blended = cache.banded(layer, shown, baseColour);
+            if (!blended) {
+                blended = blendedInBands(*made, progress);
+                cache.keep({layer, shown, baseColour, *blended});
+            }
+            made->thrown = std::move(*blended);
+            made->layer.blendPixels = std::min(layer.blendPixels, bandedBorder);
+        }
         m_layers.push_back(std::move(made));
+        shown.push_back(layer);
     }
 }
 
@@ -74,16 +80,16 @@ LayerStack::LayerStack(const LayerStack& stack, const std::vector<Patch>& patche
     : m_surface(stack.m_surface), m_patches(patches), m_baseColour(stack.m_baseColour),
       m_query(stack.m_query), m_layers(stack.m_layers) {}
 
-void LayerStack::blendInBands(PreparedLayer& made, const Progress& progress) const {
+SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, const Progress& progress) const {
     const auto goOn = [&](double) { return !progress || progress(0); };
-    const PhotoSize photo{made.picture->width, made.picture->height};
+    const Image& picture = *made.thrown.picture;
+    const PhotoSize photo{picture.width, picture.height};
     const PhotoPlane plane{made.layer.projector, photo, comparedSize(photo)};
     const std::vector<Patch> patches = patchesIn(plane, m_surface.mesh);
     const Image beneath = surfaceBeneath(LayerStack(*this, patches), *m_query, plane, goOn);
-    made.picture = std::make_shared<const Image>(
-        blendedInBands(*made.picture, *made.sampler, beneath, made.layer.blendPixels));
-    made.sampler = std::make_unique<const PhotoSampler>(*made.picture);
-    made.layer.blendPixels = std::min(made.layer.blendPixels, bandedBorder);
+    const auto blended = std::make_shared<const Image>(
+        esm::blendedInBands(picture, *made.thrown.sampler, beneath, made.layer.blendPixels));
+    return {blended, std::make_shared<const PhotoSampler>(*blended)};
 }
 
 Eigen::Vector3f
@@ -155,7 +161,7 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
     const TextureLayer& layer = on.m_prepared->layer;
     if (layer.photo) {
         const auto projection =
-            TriangleProjection::make(layer, *on.m_prepared->sampler, surface, triangle, patch);
+            TriangleProjection::make(layer, *on.m_prepared->thrown.sampler, surface, triangle, patch);
         if (!projection) return std::nullopt;
         on.m_projection.emplace(*projection);
     }

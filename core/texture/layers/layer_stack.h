@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/progress.h"
+#include "core/texture/layers/composition_cache.h"
 #include "core/texture/layers/layer_projection.h"
 
 #include <array>
@@ -15,8 +16,7 @@ using Patch = std::array<Eigen::Vector2d, 3>; ///< a triangle's corners in a pic
 /// A layer with what is made once for all its triangles.
 struct PreparedLayer {
     TextureLayer layer;
-    std::shared_ptr<const Image> picture; ///< that is thrown, blended in bands or not; null without a photo
-    std::unique_ptr<const PhotoSampler> sampler;
+    SampledPicture thrown;                        ///< as it is, or blended in bands
     std::vector<Eigen::AlignedBox3d> strokeReach; ///< of each stroke
 };
 
@@ -29,11 +29,10 @@ public:
     /// @param mesh outlives the stack
     /// @param patches outlive the stack; each triangle's place in the picture whose pixels are asked for, by
     /// whose size photos are read
-    /// @param query of the mesh, where there is one already
     /// @throws Cancelled while photos are blended in bands
     LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
                const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
-               std::shared_ptr<const SurfaceQuery> query = nullptr, const Progress& progress = {});
+               CompositionCache& cache, const Progress& progress = {});
     LayerStack(const LayerStack&) = delete;
     LayerStack& operator=(const LayerStack&) = delete;
 
@@ -54,7 +53,7 @@ private:
 
     /// The same layers seen in another picture.
     LayerStack(const LayerStack& stack, const std::vector<Patch>& patches);
-    void blendInBands(PreparedLayer& layer, const Progress& progress) const;
+    SampledPicture blendedInBands(const PreparedLayer& layer, const Progress& progress) const;
 
     LitSurface m_surface;
     const std::vector<Patch>& m_patches;

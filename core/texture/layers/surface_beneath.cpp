@@ -111,10 +111,10 @@ Image surfaceBeneath(const LayerStack& stack, const SurfaceQuery& query, const P
 Image surfaceBeneath(const TriangleMesh& mesh, const std::vector<TextureLayer>& beneath,
                      std::array<std::uint8_t, 3> baseColour, const PhotoPlane& plane,
                      const Progress& progress) {
-    const auto query = std::make_shared<const SurfaceQuery>(mesh.vertices, mesh.triangles);
+    CompositionCache cache;
     const std::vector<Patch> patches = patchesIn(plane, mesh);
-    const LayerStack stack(mesh, patches, beneath, baseColour, query);
-    return surfaceBeneath(stack, *query, plane, progress);
+    const LayerStack stack(mesh, patches, beneath, baseColour, cache, progress);
+    return surfaceBeneath(stack, *cache.queryOf(mesh), plane, progress);
 }
 
 } // namespace esm

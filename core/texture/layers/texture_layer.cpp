@@ -39,6 +39,15 @@ std::shared_ptr<const Image> pictureOf(const TextureLayer& layer) {
     return {layer.photo, &layer.photo->image}; // the photo owns both
 }
 
+bool throwsTheSame(const TextureLayer& a, const TextureLayer& b) {
+    return pictureOf(a) == pictureOf(b) && a.projector == b.projector && a.blendPixels == b.blendPixels;
+}
+
+bool looksTheSame(const TextureLayer& a, const TextureLayer& b) {
+    return throwsTheSame(a, b) && a.opacity == b.opacity && a.visible == b.visible &&
+           a.blending == b.blending && a.strokes == b.strokes;
+}
+
 bool isShown(const TextureLayer& layer) {
     if (!layer.visible || !(layer.opacity > 0)) return false;
     if (layer.photo) return !layer.photo->image.empty();

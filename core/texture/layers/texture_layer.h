@@ -45,6 +45,12 @@ struct TextureLayer {
 /// What the projector throws: the prepared picture, or the photo's own; null without a photo.
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);
 
+/// Whether two layers throw the same picture in the same way.
+bool throwsTheSame(const TextureLayer& a, const TextureLayer& b);
+
+/// Whether two layers look the same, whatever their names.
+bool looksTheSame(const TextureLayer& a, const TextureLayer& b);
+
 /// Whether a layer can be seen anywhere.
 bool isShown(const TextureLayer& layer);
 

@@ -1,0 +1,94 @@
+#include "core/texture/layers/changed_triangles.h"
+
+#include <algorithm>
+#include <tbb/parallel_for.h>
+
+namespace esm {
+
+namespace {
+
+using Layers = std::vector<TextureLayer>;
+
+Layers shownOf(const Layers& layers) {
+    Layers shown;
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(shown), isShown);
+    return shown;
+}
+
+bool sameBesidesStrokes(const TextureLayer& a, const TextureLayer& b) {
+    return throwsTheSame(a, b) && a.opacity == b.opacity && a.blending == b.blending;
+}
+
+/// The longest rows of layers that are the same in both lists but for strokes: length by the places from
+/// which on they are compared.
+std::vector<std::vector<std::size_t>> commonLengths(const Layers& before, const Layers& after) {
+    std::vector<std::vector<std::size_t>> length(before.size() + 1,
+                                                 std::vector<std::size_t>(after.size() + 1, 0));
+    for (std::size_t i = before.size(); i-- > 0;)
+        for (std::size_t j = after.size(); j-- > 0;)
+            length[i][j] = sameBesidesStrokes(before[i], after[j])
+                               ? length[i + 1][j + 1] + 1
+                               : std::max(length[i + 1][j], length[i][j + 1]);
+    return length;
+}
+
+/// Whether a layer's colour depends on more than the texel beneath it.
+bool looksAround(const TextureLayer& layer) {
+    return layer.blending == Blending::MultiBand ||
+           std::any_of(layer.strokes.begin(), layer.strokes.end(),
+                       [](const auto& stroke) { return stroke->kind == BrushKind::Clone; });
+}
+
+/// What strokes were added or taken away, as of layers that are only painted, which reach as far.
+void addChangedStrokes(const TextureLayer& before, const TextureLayer& after, Layers& changed) {
+    const auto [mine, theirs] =
+        std::mismatch(before.strokes.begin(), before.strokes.end(), after.strokes.begin(),
+                      after.strokes.end(), [](const auto& a, const auto& b) { return a == b || *a == *b; });
+    BrushStrokes differing(mine, before.strokes.end());
+    differing.insert(differing.end(), theirs, after.strokes.end());
+    TextureLayer reach;
+    for (const auto& stroke : differing) {
+        BrushStroke painted = *stroke;
+        painted.kind = BrushKind::Colour;
+        reach.strokes.push_back(std::make_shared<const BrushStroke>(std::move(painted)));
+    }
+    changed.push_back(std::move(reach));
+}
+
+/// Layers that reach all that may have changed.
+Layers changedLayers(const Layers& before, const Layers& after) {
+    const auto common = commonLengths(before, after);
+    Layers changed;
+    std::size_t i = 0, j = 0;
+    while (i < before.size() || j < after.size()) {
+        if (i < before.size() && j < after.size() && sameBesidesStrokes(before[i], after[j])) {
+            if (!changed.empty() && (looksAround(before[i]) || looksAround(after[j])))
+                changed.insert(changed.end(), {before[i], after[j]});
+            else if (!(before[i].strokes == after[j].strokes))
+                addChangedStrokes(before[i], after[j], changed);
+            ++i, ++j;
+        } else if (j == after.size() || (i < before.size() && common[i + 1][j] >= common[i][j + 1])) {
+            changed.push_back(before[i++]);
+        } else {
+            changed.push_back(after[j++]);
+        }
+    }
+    for (TextureLayer& layer : changed)
+        layer.blending = Blending::Normal; // which decides no reach
+    return changed;
+}
+
+} // namespace
+
+TriangleMarks changedTriangles(const TriangleMesh& mesh, const std::vector<Patch>& patches,
+                               const Layers& before, const Layers& after, CompositionCache& cache) {
+    TriangleMarks marks(mesh.triangles.size(), 0);
+    const LayerStack changed(mesh, patches, changedLayers(shownOf(before), shownOf(after)), {}, cache);
+    tbb::parallel_for(std::size_t{0}, marks.size(), [&](std::size_t triangle) {
+        const TriangleLayers layers(changed, static_cast<std::uint32_t>(triangle));
+        marks[triangle] = layers.layers().empty() ? 0 : 1;
+    });
+    return marks;
+}
+
+} // namespace esm

@@ -1,0 +1,52 @@
+#include "core/texture/layers/composition_cache.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+/// Finds an item that was used or takes it over from before.
+template<typename Item, typename Same>
+const Item* usedAgain(std::vector<Item>& used, std::vector<Item>& before, const Same& same) {
+    const auto found = std::find_if(used.begin(), used.end(), same);
+    if (found != used.end()) return &*found;
+    const auto old = std::find_if(before.begin(), before.end(), same);
+    if (old == before.end()) return nullptr;
+    used.push_back(std::move(*old));
+    before.erase(old);
+    return &used.back();
+}
+
+} // namespace
+
+std::shared_ptr<const SurfaceQuery> CompositionCache::queryOf(const TriangleMesh& mesh) {
+    if (!m_query) m_query = std::make_shared<const SurfaceQuery>(mesh.vertices, mesh.triangles);
+    return m_query;
+}
+
+SampledPicture CompositionCache::sampled(const std::shared_ptr<const Image>& picture) {
+    const auto same = [&](const SampledPicture& item) { return item.picture == picture; };
+    if (const SampledPicture* known = usedAgain(m_sampled.used, m_sampled.before, same)) return *known;
+    m_sampled.used.push_back({picture, std::make_shared<const PhotoSampler>(*picture)});
+    return m_sampled.used.back();
+}
+
+std::optional<SampledPicture> CompositionCache::banded(const TextureLayer& layer,
+                                                       const std::vector<TextureLayer>& beneath,
+                                                       std::array<std::uint8_t, 3> baseColour) {
+    const auto same = [&](const BandedPicture& item) {
+        return item.baseColour == baseColour && throwsTheSame(item.layer, layer) &&
+               std::equal(beneath.begin(), beneath.end(), item.beneath.begin(), item.beneath.end(),
+                          looksTheSame);
+    };
+    const BandedPicture* known = usedAgain(m_banded.used, m_banded.before, same);
+    return known ? std::optional(known->blended) : std::nullopt;
+}
+
+void CompositionCache::finish() {
+    m_sampled = {{}, std::move(m_sampled.used)};
+    m_banded = {{}, std::move(m_banded.used)};
+}
+
+} // namespace esm

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/support/progress.h"
+#include "core/texture/atlas/atlas.h"
+#include "core/texture/layers/layer_stack.h"
+
+namespace esm {
+
+/// Marks of triangles, not 0 where one is meant.
+using TriangleMarks = std::vector<std::uint8_t>;
+
+/// Fills the texels of the patches and around them.
+/// @param only the triangles whose texels are filled; of all that layers reach, where empty
+/// @throws Cancelled
+void paintPages(const LayerStack& stack, const Atlas& atlas, const TriangleMarks& only,
+                std::vector<Image>& pages, const Progress& progress);
+
+} // namespace esm

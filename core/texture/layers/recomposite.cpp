@@ -1,0 +1,36 @@
+#include "core/texture/layers/changed_triangles.h"
+#include "core/texture/layers/composite.h"
+#include "core/texture/layers/page_painter.h"
+#include "core/texture/texture_limits.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+bool belongTo(const std::vector<Image>& pages, const Atlas& atlas) {
+    return pages.size() == static_cast<std::size_t>(atlas.options.pages) &&
+           std::all_of(pages.begin(), pages.end(), [&](const Image& page) {
+               return page.width == atlas.options.size && page.height == atlas.options.size;
+           });
+}
+
+} // namespace
+
+std::vector<Image> recomposite(const TriangleMesh& mesh, const Atlas& atlas, const Composition& before,
+                               const std::vector<TextureLayer>& layers,
+                               std::array<std::uint8_t, 3> baseColour, CompositionCache& cache,
+                               const Progress& progress) {
+    const bool canGoOn = before.pages && before.baseColour == baseColour && belongTo(*before.pages, atlas) &&
+                         validate(atlas, mesh.triangles.size()).empty();
+    if (!canGoOn) return composite(mesh, atlas, layers, baseColour, cache, progress);
+    const TriangleMarks changed = changedTriangles(mesh, atlas.corners, before.layers, layers, cache);
+    const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, progress);
+    std::vector<Image> pages = *before.pages;
+    paintPages(stack, atlas, changed, pages, progress);
+    cache.finish();
+    return pages;
+}
+
+} // namespace esm
