@@ -1,6 +1,9 @@
 #include "core/exchange/pairs_file.h"
 
 #include "core/exchange/text_lines.h"
+#include "core/support/file_io.h"
+#include "core/support/numbers.h"
+#include "core/texture/texture_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +15,6 @@ namespace esm {
 namespace {
 
 constexpr std::string_view pairsHeader = "photo_x,photo_y,x,y,z";
-constexpr std::size_t mostPairs = 10000;
 
 std::string_view bare(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(" \t");
@@ -59,11 +61,20 @@ std::vector<LandmarkPair> readPairsFile(const std::filesystem::path& file) {
             throw FileError(file, "line " + std::to_string(lines.number()) +
                                       " is no pair: give five finite numbers, " + std::string(pairsHeader) +
                                       ", in pixels and metres");
-        if (pairs.size() == mostPairs)
-            throw FileError(file, "has more than " + std::to_string(mostPairs) + " pairs");
+        if (pairs.size() == texture_limits::mostLandmarks)
+            throw FileError(file,
+                            "has more than " + std::to_string(texture_limits::mostLandmarks) + " pairs");
         pairs.push_back(*pair);
     }
     return pairs;
+}
+
+void writePairsFile(const std::vector<LandmarkPair>& pairs, const std::filesystem::path& file) {
+    std::string text = std::string(pairsHeader) + "\n";
+    for (const auto& [photo, organ] : pairs)
+        text += exactText(photo.x()) + ',' + exactText(photo.y()) + ',' + exactText(organ.x()) + ',' +
+                exactText(organ.y()) + ',' + exactText(organ.z()) + '\n';
+    writeFileAtomically(file, text);
 }
 
 } // namespace esm

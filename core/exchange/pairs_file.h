@@ -10,4 +10,8 @@ namespace esm {
 /// say nothing. @throws FileError naming the line
 std::vector<LandmarkPair> readPairsFile(const std::filesystem::path& file);
 
+/// The same, with decimals that read back as the same numbers; written atomically.
+/// @throws FileError where it cannot be written
+void writePairsFile(const std::vector<LandmarkPair>& pairs, const std::filesystem::path& file);
+
 } // namespace esm

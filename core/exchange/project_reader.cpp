@@ -246,6 +246,15 @@ Blending blendingFromJson(const JsonReader& layer) {
     return blending.value_or(Blending::Normal);
 }
 
+std::vector<LandmarkPair> readLandmarks(const JsonReader& reader) {
+    std::vector<LandmarkPair> landmarks;
+    for (const JsonReader& pair : reader.elements()) {
+        const std::vector<double> photo = pair.member("photo").numbers(2);
+        if (photo.size() == 2) landmarks.push_back({{photo[0], photo[1]}, pair.member("organ").vector()});
+    }
+    return landmarks;
+}
+
 std::vector<TextureLayer> readLayers(const JsonReader& reader, const JsonReader& arrays, Source& source) {
     PhotoFiles files;
     for (const JsonReader& file : reader.member("files").elements())
@@ -266,6 +275,7 @@ std::vector<TextureLayer> readLayers(const JsonReader& reader, const JsonReader&
         if (json.has("preparation")) source.prepare(json.member("preparation"), layer);
         layer.blending = blendingFromJson(json);
         if (json.has("strokes")) layer.strokes = strokesFromJson(json.member("strokes"), points, nextPoint);
+        if (json.has("landmarks")) layer.landmarks = readLandmarks(json.member("landmarks"));
         layers.push_back(std::move(layer));
     }
     return layers;

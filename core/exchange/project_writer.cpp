@@ -112,6 +112,13 @@ std::size_t addPhotoFile(const Photo& photo, Json& files, Content& content,
     return place;
 }
 
+Json toJson(const std::vector<LandmarkPair>& landmarks) {
+    Json list = Json::array();
+    for (const auto& [photo, organ] : landmarks)
+        list.push_back({{"photo", {photo.x(), photo.y()}}, {"organ", {organ.x(), organ.y(), organ.z()}}});
+    return list;
+}
+
 Json addPhotos(const std::vector<TextureLayer>& layers, Content& content) {
     Json files = Json::array(), list = Json::array();
     std::vector<const Photo*> added;
@@ -126,6 +133,7 @@ Json addPhotos(const std::vector<TextureLayer>& layers, Content& content) {
         if (!layer.preparation.isNothing()) json["preparation"] = esm::toJson(layer.preparation);
         if (layer.blending != Blending::Normal) json["blending"] = blendingName(layer.blending);
         if (!layer.strokes.empty()) json["strokes"] = esm::toJson(layer.strokes, points);
+        if (!layer.landmarks.empty()) json["landmarks"] = toJson(layer.landmarks);
         list.push_back(std::move(json));
     }
     if (!points.empty()) content.add(layout::brushPoints, points);
@@ -161,6 +169,8 @@ Json manifestOf(const Project& project, Content& content) {
     needs.preparation = std::any_of(project.layers.begin(), project.layers.end(),
                                     [](const TextureLayer& layer) { return !layer.preparation.isNothing(); });
     needs.painting = std::any_of(project.layers.begin(), project.layers.end(), needsPainting);
+    needs.landmarks = std::any_of(project.layers.begin(), project.layers.end(),
+                                  [](const TextureLayer& layer) { return !layer.landmarks.empty(); });
     Json manifest{{"format", layout::format},
                   {"version", versionOf(needs)},
                   {"program", ESM_VERSION},

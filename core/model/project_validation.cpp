@@ -84,6 +84,8 @@ Problems photoProblems(const TextureLayer& layer) {
     }
     requireValue(problems, "the blending width", layer.blendPixels, true);
     if (!(layer.opacity >= 0 && layer.opacity <= 1)) problems.emplace_back("the opacity must be from 0 to 1");
+    if (layer.landmarks.size() > texture_limits::mostLandmarks)
+        problems.push_back("has more than " + std::to_string(texture_limits::mostLandmarks) + " landmarks");
     if (layer.photo) {
         const Problems found =
             validate(layer.preparation, layer.photo->image.width, layer.photo->image.height);

@@ -2,6 +2,7 @@
 
 #include "core/texture/atlas/atlas.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ constexpr std::uint64_t mostPixelsOfAllPhotos = std::uint64_t{1} << 29;
 constexpr double shortestPhoto = 1e-6, longestPhoto = 1e3; ///< m, width and height of a photo in space
 constexpr double narrowestView = 0.1, widestView = 170;    ///< degrees, a projector's vertical field of view
 constexpr double longestFocalLength = 1e7;                 ///< photo pixels, and the principal point's place
+constexpr std::size_t mostLandmarks = 10000;               ///< of one photo
 
 constexpr std::size_t mostStrokes = 10'000;        ///< painted on one layer
 constexpr std::size_t mostBrushPoints = 1'000'000; ///< of all strokes of a layer

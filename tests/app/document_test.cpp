@@ -80,8 +80,19 @@ TEST(Document, SaysWhatChanged) {
     EXPECT_TRUE(changed([](Project& p) { addRegion(p, Eigen::Vector3d::Zero()); }).regions);
     EXPECT_TRUE(changed([](Project& p) { p.scene.gravity.y() = -9.81; }).scene);
     EXPECT_TRUE(changed([](Project& p) { p.texture.atlas.size = 512; }).texture);
+    EXPECT_TRUE(changed([](Project& p) { p.texture.atlas.texelsPerMetre = 512; }).texture);
     EXPECT_TRUE(changed([](Project& p) { p.mesh = std::make_shared<TriangleMesh>(*p.mesh); }).mesh);
     EXPECT_FALSE(changed([](Project&) {}).any());
+}
+
+TEST(Document, TellsLandmarksFromWhatLiesOnTheOrgan) {
+    Project before = makeSample("liver");
+    ASSERT_FALSE(before.layers.empty());
+    Project after = before;
+    after.layers[0].landmarks.push_back({{1, 2}, {3, 4, 5}});
+    EXPECT_TRUE(difference(before, after).landmarks);
+    EXPECT_TRUE(difference(before, after).any());
+    EXPECT_FALSE(difference(before, after).picture());
 }
 
 TEST(Document, ForgetsItsStepsWithAnotherProject) {

@@ -114,6 +114,7 @@ void expectSamePhotos(const Project& a, const Project& b) {
         EXPECT_TRUE(p.preparation == q.preparation);
         EXPECT_EQ(p.blending, q.blending);
         EXPECT_TRUE(p.strokes == q.strokes);
+        EXPECT_EQ(p.landmarks, q.landmarks);
     }
 }
 

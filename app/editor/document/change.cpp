@@ -61,7 +61,8 @@ bool same(const Scene& a, const Scene& b) {
 
 bool same(const TextureSettings& a, const TextureSettings& b) {
     return a.atlas.size == b.atlas.size && a.atlas.pages == b.atlas.pages && a.atlas.gap == b.atlas.gap &&
-           a.atlas.layout == b.atlas.layout && a.baseColour == b.baseColour;
+           a.atlas.layout == b.atlas.layout && a.atlas.texelsPerMetre == b.atlas.texelsPerMetre &&
+           a.baseColour == b.baseColour;
 }
 
 bool same(const BaseTissue& a, const BaseTissue& b) {
@@ -110,6 +111,9 @@ Change difference(const Project& before, const Project& after) {
     change.scene = !same(before.scene, after.scene);
     change.stepping = !same(before.stepping, after.stepping);
     change.layers = !sameItems(before.layers, after.layers);
+    change.landmarks =
+        !sameList(before.layers, after.layers,
+                  [](const TextureLayer& a, const TextureLayer& b) { return a.landmarks == b.landmarks; });
     change.texture = !same(before.texture, after.texture) || before.atlas != after.atlas;
     return change;
 }

@@ -16,18 +16,21 @@ struct Change {
     bool tissue = false; ///< the whole organ's base tissue
     bool regions = false;
     bool scene = false;
-    bool stepping = false; ///< how the motion is computed
-    bool layers = false;
-    bool texture = false; ///< texture settings or the packed atlas
+    bool stepping = false;  ///< how the motion is computed
+    bool layers = false;    ///< what lies on the organ
+    bool landmarks = false; ///< of any photo
+    bool texture = false;   ///< texture settings or the packed atlas
     EditedSystem system{};
 
-    bool any() const { return name || mesh || tissue || regions || scene || stepping || layers || texture; }
+    bool any() const {
+        return name || mesh || tissue || regions || scene || stepping || layers || landmarks || texture;
+    }
     /// What the simulation runs on.
     bool model() const { return mesh || tissue || regions || scene; }
     /// What the composed texture is made of.
     bool picture() const { return mesh || layers || texture; }
 
-    static Change everything() { return {true, true, true, true, true, true, true, true, {}}; }
+    static Change everything() { return {true, true, true, true, true, true, true, true, true, {}}; }
 };
 
 /// Whether both are alike in all they hold, or both missing.
@@ -36,6 +39,7 @@ bool same(const std::shared_ptr<const FuzzySystem>& a, const std::shared_ptr<con
 bool same(const Region& a, const Region& b);
 /// Whether both reach the same places: their ellipsoids and soft rims.
 bool sameReach(const Region& a, const Region& b);
+/// But for landmarks, which only say where the photo was to be placed.
 bool same(const TextureLayer& a, const TextureLayer& b);
 bool same(const Stepping& a, const Stepping& b);
 bool same(const std::optional<MeasuredStepping>& a, const std::optional<MeasuredStepping>& b);

@@ -3,11 +3,13 @@
 #include "core/texture/layers/brush_stroke.h"
 #include "core/texture/photo/photo.h"
 #include "core/texture/photo/photo_preparation.h"
+#include "core/texture/projection/landmark_pair.h"
 #include "core/texture/projection/projector.h"
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace esm {
 
@@ -40,6 +42,7 @@ struct TextureLayer {
     /// In the order in which they were painted. Erasing and restoring ones make the layer's mask; colour and
     /// clone brushes are for layers without a photo, where painting over what was erased shows again.
     BrushStrokes strokes;
+    std::vector<LandmarkPair> landmarks; ///< that place the photo, in pixels of the picture that is thrown
 };
 
 /// What the projector throws: the prepared picture, or the photo's own; null without a photo.

@@ -1,17 +1,12 @@
 #pragma once
 
+#include "core/texture/projection/landmark_pair.h"
 #include "core/texture/projection/projector.h"
 
 #include <string>
 #include <vector>
 
 namespace esm {
-
-/// The same landmark in a photo and on an organ.
-struct LandmarkPair {
-    Eigen::Vector2d photo; ///< pixels from the top left corner
-    Eigen::Vector3d organ; ///< m
-};
 
 enum class FocalLength {
     Given,    ///< with the intrinsics

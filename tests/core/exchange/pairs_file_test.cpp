@@ -28,7 +28,6 @@ protected:
         return "accepted";
     }
 
-private:
     TemporaryFolder m_folder;
 };
 
@@ -62,4 +61,11 @@ TEST_F(PairsFile, AsksForTheColumnsNames) {
         EXPECT_NE(refusal(text), "accepted") << text;
     EXPECT_THAT(refusal("1,2,3,4,5\n"), HasSubstr("line 1 should be photo_x,photo_y,x,y,z"));
     EXPECT_THAT(refusal(header + std::string("1,2,\0,4,5\n", 10)), HasSubstr("is not CSV text"));
+}
+
+TEST_F(PairsFile, ReadsWhatWasWritten) {
+    const std::vector<LandmarkPair> pairs{{{1.0 / 3, 2e-9}, {-0.1, 1e-3, 4e20}}, {{0, -5}, {1, 2, 3}}};
+    writePairsFile(pairs, m_folder / "written.csv");
+    EXPECT_EQ(readPairsFile(m_folder / "written.csv"), pairs);
+    EXPECT_THROW(writePairsFile(pairs, m_folder / "missing" / "written.csv"), FileError);
 }

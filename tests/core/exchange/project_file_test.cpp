@@ -1,6 +1,7 @@
 #include "tests/core/exchange/project_file_fixture.h"
 
 #include "core/exchange/fuzzy_file.h"
+#include "core/texture/texture_limits.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/same_project.h"
 
@@ -94,6 +95,9 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     project.layers[0].blending = Blending::Multiply;
     EXPECT_EQ(version(project), 8);
     EXPECT_EQ(version(paintedProject()), projectFileVersion);
+    Project marked = richProject();
+    marked.layers[0].landmarks = {{{1, 2}, {3, 4, 5}}};
+    EXPECT_EQ(version(marked), 8);
 }
 
 TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {
@@ -124,6 +128,28 @@ TEST_F(ProjectFile, KeepsHowPhotosAreMadeReady) {
     saveProject(project, m_file);
     expectSameProject(project, loadProject(m_file));
     EXPECT_EQ(loadProject(m_file).layers[2].prepared, nullptr);
+}
+
+TEST_F(ProjectFile, KeepsLandmarks) {
+    Project project = richProject();
+    project.layers[1].landmarks = {{{1.0 / 3, 20}, {0.1, -1.0 / 7, 1e-9}}, {{-3, 4.5}, {0, 2, 3}}};
+    saveProject(project, m_file);
+    expectSameProject(project, loadProject(m_file));
+    EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
+}
+
+TEST_F(ProjectFile, NamesWhatIsWrongWithLandmarks) {
+    for (const auto& [landmarks, naming] : std::vector<std::pair<const char*, const char*>>{
+             {R"({})", "landmarks"},
+             {R"([{"photo": [1], "organ": [1, 2, 3]}])", "landmarks[0].photo"},
+             {R"([{"photo": [1, 2], "organ": [1, "two", 3]}])", "landmarks[0].organ"},
+             {R"([{"photo": [1, 2]}])", "landmarks[0].organ"}}) {
+        changeManifest("/photos/layers/0", [&](Json& layer) { layer["landmarks"] = Json::parse(landmarks); });
+        EXPECT_THAT(loadingError(), testing::HasSubstr(naming)) << landmarks;
+    }
+    Project project = richProject();
+    project.layers[0].landmarks.resize(texture_limits::mostLandmarks + 1, {{1, 2}, {3, 4, 5}});
+    EXPECT_THROW(saveProject(project, m_file), FileError);
 }
 
 TEST_F(ProjectFile, NamesWhatIsWrongWithAPreparation) {
