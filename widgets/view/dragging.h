@@ -44,11 +44,14 @@ struct ProjectorScale {
     PhotoFace start;
     std::size_t handle;
 };
+struct LandmarkMove {
+    int number;
+};
 struct InstrumentSweep {
     DragPlane plane;
 };
 using Drag = std::variant<PullDrag, RegionMove, RegionScale, RegionTurn, RimSize, ProjectorMove,
-                          ProjectorScale, InstrumentSweep>;
+                          ProjectorScale, LandmarkMove, InstrumentSweep>;
 
 /// Where the pulled node is to go, m; nothing where the ray misses the plane. The other functions give what
 /// the drag makes of the shape it started with, which stays where the ray misses.

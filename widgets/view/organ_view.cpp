@@ -58,6 +58,11 @@ void OrganView::setLegend(std::optional<ViewLegend> legend) {
     update();
 }
 
+void OrganView::setMarks(std::vector<OrganMark> marks) {
+    m_marks = std::move(marks);
+    update();
+}
+
 void OrganView::setHint(const QString& hint) {
     m_hint = hint;
     update();
@@ -67,7 +72,8 @@ void OrganView::setTool(ViewTool tool) {
     if (tool == m_tool) return;
     letGo();
     m_tool = tool;
-    setCursor(tool == ViewTool::Place ? Qt::CrossCursor : Qt::ArrowCursor);
+    const bool points = tool == ViewTool::Place || tool == ViewTool::Landmark;
+    setCursor(points ? Qt::CrossCursor : Qt::ArrowCursor);
     update();
     emit toolChanged(tool);
     if (tool == ViewTool::Instrument && underMouse()) moveInstrument(mapFromGlobal(QCursor::pos()));
@@ -177,6 +183,7 @@ void OrganView::paintOverlay() {
         paintHandles(painter, paintedRegionHandles(), style.palette.color(QPalette::Highlight));
     if (m_tool == ViewTool::Projector)
         paintHandles(painter, projectorHandles(), style.palette.color(QPalette::LinkVisited));
+    if (m_tool == ViewTool::Landmark) paintMarks(painter, paintedMarks(), style.palette);
     if (m_legend) paintLegend(painter, style, *m_legend);
     paintHint(painter, style, hint(), m_legend.has_value());
     paintAxisCube(painter, camera(), cubeSquare(size()), style.palette);

@@ -3,6 +3,7 @@
 #include "core/render/renderer.h"
 #include "widgets/view/camera_controller.h"
 #include "widgets/view/dragging.h"
+#include "widgets/view/marks.h"
 #include "widgets/view/overlay.h"
 #include "widgets/view/picking.h"
 #include "widgets/view/view_tool.h"
@@ -18,6 +19,12 @@ namespace esm {
 
 /// The kind of surface that the view draws on; a program makes it the default before its first window.
 QSurfaceFormat viewFormat();
+
+/// A landmark on the organ at rest.
+struct OrganMark {
+    Eigen::Vector3d point; ///< m
+    MarkLook look;
+};
 
 /// Shows an organ and what stands around it; tells what the user does to it. Knows no document: a scene goes
 /// in, intents come out, and nothing moves until a new scene says so. Only the camera and the sphere
@@ -38,6 +45,8 @@ public:
     void setNodePositions(std::vector<Eigen::Vector3d> positions);
 
     void setLegend(std::optional<ViewLegend> legend);
+    /// Shown with the tool Landmark.
+    void setMarks(std::vector<OrganMark> marks);
     /// The line at the bottom; empty shows the tool's own.
     void setHint(const QString& hint);
     QString hint() const { return m_hint.isEmpty() ? toolHint(m_tool) : m_hint; }
@@ -66,6 +75,12 @@ signals:
     /// @param anew a new one, whichever is selected
     void spotPicked(const esm::SurfaceSpot& spot, bool anew);
     void regionPicked(int index);
+    /// A click on the surface with the tool Landmark, on the organ at rest.
+    void landmarkPicked(const Eigen::Vector3d& point);
+    void markSelected(int number);
+    /// Where on the organ at rest the drag takes a mark; again and again until `markDropped`.
+    void markDragged(int number, const Eigen::Vector3d& point);
+    void markDropped();
     /// A node is to follow the mouse: target in m. `pullReleased` always ends what `pullStarted` began.
     void pullStarted(quint32 node);
     void pullMoved(quint32 node, const Eigen::Vector3d& target);
@@ -104,6 +119,8 @@ private:
     void endDrag();
     void click(const QMouseEvent& event);
     void clickSpot(const QPointF& place, bool anew);
+    void clickLandmark(const QPointF& place);
+    std::optional<PickedPoint> pickAt(const QPointF& place);
     void moveInstrument(const QPointF& place);
     void pushInstrument(double notches, const QPointF& place);
     void removeInstrument();
@@ -116,6 +133,7 @@ private:
     std::optional<RegionHandle> regionHandleAt(const QPointF& place) const;
     std::vector<PaintedHandle> paintedRegionHandles() const;
     std::vector<PaintedHandle> projectorHandles() const;
+    std::vector<PaintedMark> paintedMarks();
     void drawScene();
     void paintOverlay();
     static QString cannotBeShown(const std::exception& problem);
@@ -129,6 +147,7 @@ private:
     ViewTool m_tool = ViewTool::Select;
     std::optional<ViewLegend> m_legend;
     QString m_hint;
+    std::vector<OrganMark> m_marks;
     std::optional<Drag> m_drag;
     std::optional<QPointF> m_pressed; ///< where the left button went down, while it may still become a click
     double m_instrumentRadius = 0.01; ///< m

@@ -87,6 +87,10 @@ std::optional<Drag> OrganView::dragAt(const QPointF& place) {
     case ViewTool::Select:
     case ViewTool::Place:
         return std::nullopt;
+    case ViewTool::Landmark: {
+        const std::optional<int> mark = markAt(paintedMarks(), place);
+        return mark ? std::optional<Drag>(LandmarkMove{*mark}) : std::nullopt;
+    }
     case ViewTool::Region:
         return regionDragAt(place, ray);
     case ViewTool::Projector:
@@ -98,8 +102,7 @@ std::optional<Drag> OrganView::dragAt(const QPointF& place) {
     case ViewTool::Pull:
         break;
     }
-    const double tolerance = nodeReach / height() * camera().verticalFieldOfView;
-    const std::optional<PickedPoint> picked = m_picker.pick(m_scene, ray, tolerance);
+    const std::optional<PickedPoint> picked = pickAt(place);
     if (!picked) return std::nullopt;
     return PullDrag{picked->node, picturePlane(camera(), picked->point),
                     picked->nodePosition - picked->point};
@@ -181,6 +184,8 @@ void OrganView::followDrag(const QPointF& place, Proportions proportions) {
         emit projectorDragged(shift->index, dragged(*shift, ray));
     } else if (const auto* size = std::get_if<ProjectorScale>(&drag)) {
         emit projectorDragged(size->index, dragged(*size, ray, proportions));
+    } else if (const auto* landmark = std::get_if<LandmarkMove>(&drag)) {
+        if (const auto picked = pickAt(place)) emit markDragged(landmark->number, picked->spot.point);
     } else if (const auto* sweep = std::get_if<InstrumentSweep>(&drag)) {
         m_instrument = meet(ray, sweep->plane);
         showInstrument();
@@ -192,6 +197,7 @@ void OrganView::endDrag() {
     if (!m_drag) return;
     const Drag ended = *m_drag;
     m_drag.reset();
+    if (std::holds_alternative<LandmarkMove>(ended)) return emit markDropped();
     if (std::holds_alternative<PullDrag>(ended))
         emit pullReleased();
     else if (!std::holds_alternative<InstrumentSweep>(ended))
@@ -201,6 +207,7 @@ void OrganView::endDrag() {
 void OrganView::click(const QMouseEvent& event) {
     const QPointF place = event.localPos();
     if (m_tool == ViewTool::Place) return clickSpot(place, event.modifiers().testFlag(Qt::ControlModifier));
+    if (m_tool == ViewTool::Landmark) return clickLandmark(place);
     const Ray ray = rayAt(place);
     const int region = m_tool == ViewTool::Projector ? -1 : ellipsoidUnder(m_scene, ray);
     const int projector = m_tool == ViewTool::Region ? -1 : projectorUnder(m_scene, ray);
@@ -209,14 +216,20 @@ void OrganView::click(const QMouseEvent& event) {
     if (!picks) return;
     if (region >= 0) return emit regionPicked(region);
     if (projector >= 0) return;
-    const auto picked = m_picker.pick(m_scene, ray, nodeReach / height() * camera().verticalFieldOfView);
-    if (picked) emit pointPicked(picked->node, picked->point);
+    if (const auto picked = pickAt(place)) emit pointPicked(picked->node, picked->point);
 }
 
 void OrganView::clickSpot(const QPointF& place, bool anew) {
-    const double tolerance = nodeReach / height() * camera().verticalFieldOfView;
-    if (const auto picked = m_picker.pick(m_scene, rayAt(place), tolerance))
-        emit spotPicked(picked->spot, anew);
+    if (const auto picked = pickAt(place)) emit spotPicked(picked->spot, anew);
+}
+
+void OrganView::clickLandmark(const QPointF& place) {
+    if (const auto mark = markAt(paintedMarks(), place)) return emit markSelected(*mark);
+    if (const auto picked = pickAt(place)) emit landmarkPicked(picked->spot.point);
+}
+
+std::optional<PickedPoint> OrganView::pickAt(const QPointF& place) {
+    return m_picker.pick(m_scene, rayAt(place), nodeReach / height() * camera().verticalFieldOfView);
 }
 
 void OrganView::moveInstrument(const QPointF& place) {
@@ -287,6 +300,20 @@ std::vector<PaintedHandle> OrganView::projectorHandles() const {
     if (selected < 0) return painted;
     for (const Vector3d& handle : handles(faceOf(m_scene.projectors[static_cast<std::size_t>(selected)])))
         if (const auto place = placeOf(handle)) painted.push_back({*place});
+    return painted;
+}
+
+std::vector<PaintedMark> OrganView::paintedMarks() {
+    constexpr double hidingShare = 1e-3; // of the way to the eye, by which surface must lie nearer
+    std::vector<PaintedMark> painted;
+    for (const OrganMark& mark : m_marks) {
+        const auto place = placeOf(mark.point);
+        if (!place) continue;
+        const double distance = (mark.point - camera().eye).norm();
+        const auto first = m_picker.pick(m_scene, {camera().eye, mark.point - camera().eye}, 0);
+        const bool isHidden = first && (first->point - camera().eye).norm() < (1 - hidingShare) * distance;
+        painted.push_back({*place, mark.look, isHidden});
+    }
     return painted;
 }
 

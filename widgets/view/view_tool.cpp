@@ -37,6 +37,10 @@ ToolWords wordsOf(ViewTool tool) {
         return {
             translated("Drag the photo to place it · corners scale it, with Shift width and height apart"),
             translated("Alt to turn the view")};
+    case ViewTool::Landmark:
+        return {translated("Click a point in the photo, then the same point on the organ · drag a mark to "
+                           "move it"),
+                translated("drag elsewhere to turn the view")};
     }
     return {};
 }

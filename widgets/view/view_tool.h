@@ -11,7 +11,8 @@ enum class ViewTool {
     Instrument, ///< moves the sphere instrument over the surface
     Region,     ///< moves, sizes and turns a region's ellipsoid, and widens its rim
     Place,      ///< turns the view; a click lays a region on the surface
-    Projector   ///< moves and scales a photo's projector
+    Projector,  ///< moves and scales a photo's projector
+    Landmark    ///< turns the view; a click says where a point of the photo lies
 };
 
 /// What only this tool does, in one line.

@@ -14,7 +14,8 @@ namespace {
 constexpr int mostRecentFiles = 8;
 
 QString folderKey(FileKind kind) {
-    constexpr std::array<const char*, 5> names{"project", "mesh", "photo", "package", "fuzzySystem"};
+    constexpr std::array<const char*, 6> names{"project", "mesh",        "photo",
+                                               "package", "fuzzySystem", "landmarks"};
     return QStringLiteral("folders/") + QLatin1String(names[static_cast<std::size_t>(kind)]);
 }
 

@@ -162,6 +162,9 @@ void ActionMaker::makeTools() {
     a.projector =
         makeTool(make(tr("P&hoto"), QKeySequence(Qt::Key_J), tr("Move and size the photo's projector")),
                  QStringLiteral("photo"));
+    a.landmarks = makeTool(make(tr("Land&marks"), QKeySequence(Qt::Key_M),
+                                tr("Place the photo by points that it shares with the organ")),
+                           QStringLiteral("landmark"));
     a.pull->setChecked(true);
     a.letGo =
         make(tr("L&et go"), QKeySequence(Qt::Key_Escape), tr("End a drag and take the instrument away"));

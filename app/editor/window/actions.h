@@ -25,7 +25,7 @@ struct Actions {
     QAction *play, *reset, *letGo;
     QAction *about, *keys;
     QActionGroup* tools;
-    QAction *look, *pull, *instrument, *region, *place, *projector;
+    QAction *look, *pull, *instrument, *region, *place, *projector, *landmarks;
     QActionGroup* workspaces;
     QAction *tissue, *texture;
 };

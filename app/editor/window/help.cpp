@@ -49,7 +49,8 @@ QString toolRows(const Actions& a) {
     for (const auto& [action, tool] :
          {std::pair(a.look, ViewTool::Select), std::pair(a.pull, ViewTool::Pull),
           std::pair(a.instrument, ViewTool::Instrument), std::pair(a.region, ViewTool::Region),
-          std::pair(a.place, ViewTool::Place), std::pair(a.projector, ViewTool::Projector)})
+          std::pair(a.place, ViewTool::Place), std::pair(a.projector, ViewTool::Projector),
+          std::pair(a.landmarks, ViewTool::Landmark)})
         rows += row(keysOf(action), QObject::tr("%1: %2").arg(action->text().remove('&'), toolUse(tool)));
     return rows + actionRow(a.letGo);
 }

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QScrollArea>
+#include <QSplitter>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -139,7 +140,7 @@ void buildToolStrip(QMainWindow& window, const Actions& a) {
     strip->setIconSize({20, 20});
     strip->addActions({a.look, a.pull, a.instrument});
     strip->addSeparator();
-    strip->addActions({a.region, a.place, a.projector});
+    strip->addActions({a.region, a.place, a.projector, a.landmarks});
     for (QAction* tool : a.tools->actions()) {
         auto* button = qobject_cast<QToolButton*>(strip->widgetForAction(tool));
         button->setFocusPolicy(Qt::TabFocus);
@@ -205,6 +206,17 @@ QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QSt
     dock->setWidget(scroll);
     window.addDockWidget(side, dock);
     return dock;
+}
+
+QWidget* sideBySide(QWidget* left, QWidget* right) {
+    auto* splitter = new QSplitter(Qt::Horizontal);
+    splitter->setChildrenCollapsible(false);
+    splitter->setHandleWidth(3);
+    for (QWidget* view : {left, right}) {
+        splitter->addWidget(view);
+        splitter->setStretchFactor(splitter->indexOf(view), 1);
+    }
+    return splitter;
 }
 
 } // namespace esm

@@ -22,4 +22,7 @@ void buildTopBar(QMainWindow& window, const Actions& actions, QWidget* toolOptio
 QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QString& title,
                          std::initializer_list<QWidget*> panels);
 
+/// Two views that share the middle of the window; a hidden one leaves it to the other.
+QWidget* sideBySide(QWidget* left, QWidget* right);
+
 } // namespace esm

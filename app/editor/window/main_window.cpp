@@ -4,6 +4,7 @@
 #include "app/editor/panels/atlas_panel.h"
 #include "app/editor/panels/ellipsoid_panel.h"
 #include "app/editor/panels/fuzzy_workbench.h"
+#include "app/editor/panels/landmarks_panel.h"
 #include "app/editor/panels/model_panel.h"
 #include "app/editor/panels/photo_panel.h"
 #include "app/editor/panels/photos_panel.h"
@@ -56,7 +57,10 @@ MainWindow::MainWindow(Project project)
     m_title->setObjectName(QStringLiteral("documentName"));
     menuBar()->setCornerWidget(m_title, Qt::TopRightCorner);
 
-    setCentralWidget(m_view);
+    m_landmarking = new Landmarking(*m_document, *m_selection, this);
+    auto* photo = new PhotoView;
+    m_landmarkController = new LandmarkController(*m_view, *photo, *m_landmarking);
+    setCentralWidget(sideBySide(photo, m_view));
     buildMenus(*this, m_actions);
     buildTopBar(*this, m_actions, new InstrumentOptions(*m_view, *m_viewController));
     buildToolStrip(*this, m_actions);
@@ -85,6 +89,8 @@ void MainWindow::buildPanels() {
     regions->setAddAction(m_actions.addRegion);
     photos->setAddAction(m_actions.addPhoto);
     projector->setFromCameraAction(m_actions.fromCamera);
+    auto* landmarks = new LandmarksPanel(*m_landmarking);
+    landmarks->setToolAction(m_actions.landmarks);
     auto* workbench = new FuzzyWorkbench(*m_document, *m_selection);
     workbench->setWindowAction(m_actions.fuzzyWindow);
 
@@ -97,7 +103,7 @@ void MainWindow::buildPanels() {
         *this, Qt::RightDockWidgetArea, tr("Tissue"),
         {new TissuePanel(*m_document, *m_selection), workbench, new AccuracyPanel(*m_document, *m_preview)});
     m_textureRight = buildColumn(*this, Qt::RightDockWidgetArea, tr("Photo"),
-                                 {new PhotoPanel(*m_document, *m_selection), projector});
+                                 {new PhotoPanel(*m_document, *m_selection), projector, landmarks});
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({m_tissueLeft, m_tissueRight}, {leftWidth, rightWidth}, Qt::Horizontal);
@@ -109,6 +115,7 @@ void MainWindow::connectParts() {
     m_files->connectActions(m_actions);
     m_edits->connectActions(m_actions);
     m_play->connectActions(m_actions);
+    m_landmarkController->connectActions(m_actions);
     connect(m_viewController, &ViewController::touched, m_play, &PlayController::endGentleMotion);
     connect(m_view, &OrganView::drawn, m_status, &StatusLine::countPicture);
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);

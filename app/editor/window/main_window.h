@@ -6,6 +6,7 @@
 #include "app/editor/window/actions.h"
 #include "app/editor/window/edit_controller.h"
 #include "app/editor/window/file_controller.h"
+#include "app/editor/window/landmark_controller.h"
 #include "app/editor/window/play_controller.h"
 #include "app/editor/window/status_line.h"
 #include "app/editor/window/tool_controller.h"
@@ -63,6 +64,8 @@ private:
     Autosave* m_autosave;
     EditController* m_edits;
     PlayController* m_play;
+    Landmarking* m_landmarking;
+    LandmarkController* m_landmarkController;
     StatusLine* m_status;
     QLabel* m_title;
     QDockWidget *m_tissueLeft, *m_tissueRight, *m_textureLeft, *m_textureRight;

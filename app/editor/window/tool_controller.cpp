@@ -16,6 +16,7 @@ void ToolController::connectActions(const Actions& actions) {
     bind(actions.region, ViewTool::Region);
     bind(actions.place, ViewTool::Place);
     bind(actions.projector, ViewTool::Projector);
+    bind(actions.landmarks, ViewTool::Landmark);
     m_view.setTool(ViewTool::Pull);
     connect(actions.letGo, &QAction::triggered, &m_view, &OrganView::letGo);
     connect(actions.texture, &QAction::toggled, this, &ToolController::updateTools);
@@ -48,11 +49,14 @@ void ToolController::updateTools() {
           none && !texture ? tr("There is no region yet: Ctrl+R adds one") : unseen);
     allow(m_actions.place, ViewTool::Place,
           withShortcut(tr("Lay a region on the surface with a click"), m_actions.place), unseen);
+    const QString noPhoto = !texture               ? tr("Photos are placed in the workspace Texture (Ctrl+2)")
+                            : !m_selection.photo() ? tr("There is no photo yet: Ctrl+P adds one")
+                                                   : QString();
     allow(m_actions.projector, ViewTool::Projector,
-          withShortcut(tr("Move and size the photo's projector"), m_actions.projector),
-          !texture               ? tr("Photos are placed in the workspace Texture (Ctrl+2)")
-          : !m_selection.photo() ? tr("There is no photo yet: Ctrl+P adds one")
-                                 : QString());
+          withShortcut(tr("Move and size the photo's projector"), m_actions.projector), noPhoto);
+    allow(m_actions.landmarks, ViewTool::Landmark,
+          withShortcut(tr("Place the photo by points that it shares with the organ"), m_actions.landmarks),
+          noPhoto);
     updateHint();
 }
 
