@@ -35,7 +35,7 @@ VersionNeeds needsOf(const std::vector<Region>& regions, bool binding, bool stif
 }
 
 int versionOf(const VersionNeeds& needs) {
-    if (needs.painting || needs.landmarks) return 8;
+    if (needs.painting || needs.landmarks || needs.maskedPhotos) return 8;
     if (needs.preparation) return 7;
     if (needs.perspective) return 6;
     if (needs.softRims) return 5;

@@ -18,6 +18,7 @@ struct VersionNeeds {
     bool preparation = false;       ///< photos that are prepared: version 7
     bool painting = false;          ///< layers painted or blended otherwise than by hiding: version 8
     bool landmarks = false;         ///< photos with landmarks: version 8
+    bool maskedPhotos = false;      ///< photos with strokes, or their colours matched: version 8
 };
 
 /// What the regions and their fuzzy systems need, with what else does.

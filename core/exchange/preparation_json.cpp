@@ -3,6 +3,8 @@
 #include "core/support/errors.h"
 #include "core/texture/texture_limits.h"
 
+#include <algorithm>
+
 namespace esm {
 
 using Json = nlohmann::ordered_json;
@@ -55,6 +57,51 @@ Json toJson(const Lens& lens) {
             {"coefficients", std::move(coefficients)}};
 }
 
+std::vector<PhotoStroke> strokesFromJson(const JsonReader& reader) {
+    std::vector<PhotoStroke> strokes;
+    for (const JsonReader& element : reader.elements()) {
+        PhotoStroke stroke;
+        const JsonReader path = element.member("path");
+        const std::vector<double> numbers = path.numbers(path.json().size());
+        if (numbers.empty() || numbers.size() % 2 != 0)
+            path.addProblem("must have an x and a y for each place");
+        for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+            stroke.path.emplace_back(numbers[i], numbers[i + 1]);
+        stroke.radius = element.member("radius").number();
+        stroke.softness = element.member("softness").number();
+        stroke.takesBack = element.member("takesBack").flag();
+        strokes.push_back(std::move(stroke));
+    }
+    return strokes;
+}
+
+Json toJson(const std::vector<PhotoStroke>& strokes) {
+    Json list = Json::array();
+    for (const PhotoStroke& stroke : strokes) {
+        Json path = Json::array();
+        for (const Eigen::Vector2d& place : stroke.path) {
+            path.push_back(place.x());
+            path.push_back(place.y());
+        }
+        list.push_back({{"path", std::move(path)},
+                        {"radius", stroke.radius},
+                        {"softness", stroke.softness},
+                        {"takesBack", stroke.takesBack}});
+    }
+    return list;
+}
+
+ColourMatch matchFromJson(const JsonReader& reader) {
+    ColourMatch match;
+    const auto read = [&](const char* key, std::array<double, 3>& values) {
+        const std::vector<double> numbers = reader.member(key).numbers(3);
+        if (numbers.size() == 3) std::copy(numbers.begin(), numbers.end(), values.begin());
+    };
+    read("scale", match.scale);
+    read("offset", match.offset);
+    return match;
+}
+
 PhotoCrop cropFromJson(const JsonReader& reader) {
     PhotoCrop crop;
     const auto pixels = [&](const char* key) {
@@ -76,10 +123,12 @@ Json toJson(const PhotoCrop& crop) {
 PhotoPreparation preparationFromJson(const JsonReader& reader) {
     PhotoPreparation preparation;
     if (reader.has("roundField")) preparation.field = fieldFromJson(reader.member("roundField"));
+    if (reader.has("strokes")) preparation.strokes = strokesFromJson(reader.member("strokes"));
     if (reader.has("highlights"))
         preparation.highlightThreshold = static_cast<int>(reader.member("highlights").integer(1, 255));
     if (reader.has("evenLight")) preparation.evenLight = reader.member("evenLight").number();
     if (reader.has("whiteBalance")) preparation.whiteBalance = gainsFromJson(reader.member("whiteBalance"));
+    if (reader.has("colourMatch")) preparation.match = matchFromJson(reader.member("colourMatch"));
     if (reader.has("lens")) preparation.lens = lensFromJson(reader.member("lens"));
     if (reader.has("crop")) preparation.crop = cropFromJson(reader.member("crop"));
     return preparation;
@@ -90,9 +139,12 @@ Json toJson(const PhotoPreparation& preparation) {
     if (const auto& field = preparation.field)
         json["roundField"] = {
             {"centre", {field->centreX, field->centreY}}, {"radius", field->radius}, {"trim", field->trim}};
+    if (!preparation.strokes.empty()) json["strokes"] = toJson(preparation.strokes);
     if (preparation.highlightThreshold) json["highlights"] = *preparation.highlightThreshold;
     if (preparation.evenLight != 0) json["evenLight"] = preparation.evenLight;
     if (preparation.whiteBalance) json["whiteBalance"] = *preparation.whiteBalance;
+    if (preparation.match)
+        json["colourMatch"] = {{"scale", preparation.match->scale}, {"offset", preparation.match->offset}};
     if (preparation.lens) json["lens"] = toJson(*preparation.lens);
     if (preparation.crop) json["crop"] = toJson(*preparation.crop);
     return json;

@@ -171,6 +171,10 @@ Json manifestOf(const Project& project, Content& content) {
     needs.painting = std::any_of(project.layers.begin(), project.layers.end(), needsPainting);
     needs.landmarks = std::any_of(project.layers.begin(), project.layers.end(),
                                   [](const TextureLayer& layer) { return !layer.landmarks.empty(); });
+    needs.maskedPhotos =
+        std::any_of(project.layers.begin(), project.layers.end(), [](const TextureLayer& layer) {
+            return !layer.preparation.strokes.empty() || layer.preparation.match;
+        });
     Json manifest{{"format", layout::format},
                   {"version", versionOf(needs)},
                   {"program", ESM_VERSION},

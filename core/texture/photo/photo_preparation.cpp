@@ -16,6 +16,7 @@ using Problems = std::vector<std::string>;
 
 constexpr double mostTrim = 90; ///< percent
 constexpr double largestCoefficient = 1e3;
+constexpr double widestBrush = 5000; ///< pixels
 
 bool isWithin(double value, double least, double most) {
     return value >= least && value <= most; // not so for NaN
@@ -45,6 +46,31 @@ void checkLens(const Lens& lens, Problems& problems) {
         problems.emplace_back("the lens's coefficients must lie between -1000 and 1000");
 }
 
+void checkStrokes(const std::vector<PhotoStroke>& strokes, Problems& problems) {
+    const double far = texture_limits::longestFocalLength;
+    const auto isPlace = [&](const Eigen::Vector2d& place) {
+        return isWithin(place.x(), -far, far) && isWithin(place.y(), -far, far);
+    };
+    const auto isSound = [&](const PhotoStroke& stroke) {
+        return !stroke.path.empty() && std::all_of(stroke.path.begin(), stroke.path.end(), isPlace) &&
+               isWithin(stroke.radius, 0.5, widestBrush) && isWithin(stroke.softness, 0, 1);
+    };
+    if (!std::all_of(strokes.begin(), strokes.end(), isSound))
+        problems.emplace_back(
+            "strokes must have places within 1e7 pixels, a radius of 0.5 to 5000 pixels and a "
+            "softness of 0 to 1");
+}
+
+void checkMatch(const ColourMatch& match, Problems& problems) {
+    const auto all = [](const std::array<double, 3>& values, double least, double most) {
+        return std::all_of(values.begin(), values.end(),
+                           [=](double value) { return isWithin(value, least, most); });
+    };
+    if (!all(match.scale, smallestSpread, largestSpread) || !all(match.offset, -largestShift, largestShift))
+        problems.emplace_back(
+            "matched colours must have scales of 0.5 to 2 and offsets between -300 and 300");
+}
+
 void checkCrop(const PhotoCrop& crop, int width, int height, Problems& problems) {
     const auto end = [](int place, int size) { return std::int64_t{place} + size; };
     if (crop.width < 1 || crop.height < 1 || crop.x < 0 || crop.y < 0 || end(crop.x, crop.width) > width ||
@@ -65,6 +91,7 @@ void keepOnly(const PhotoCrop& crop, Image& photo) {
 Image shownOf(const Image& photo, const PhotoPreparation& preparation) {
     Image shown = photo;
     if (preparation.field) maskField(shown, *preparation.field);
+    maskStrokes(shown, preparation.strokes);
     return shown;
 }
 
@@ -75,13 +102,15 @@ bool PhotoPreparation::isNothing() const {
 }
 
 bool PhotoPreparation::operator==(const PhotoPreparation& o) const {
-    return field == o.field && highlightThreshold == o.highlightThreshold && evenLight == o.evenLight &&
-           whiteBalance == o.whiteBalance && lens == o.lens && crop == o.crop;
+    return field == o.field && strokes == o.strokes && highlightThreshold == o.highlightThreshold &&
+           evenLight == o.evenLight && whiteBalance == o.whiteBalance && match == o.match && lens == o.lens &&
+           crop == o.crop;
 }
 
 std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height) {
     Problems problems;
     if (preparation.field) checkField(*preparation.field, problems);
+    checkStrokes(preparation.strokes, problems);
     if (preparation.highlightThreshold && !isWithin(*preparation.highlightThreshold, 1, 255))
         problems.emplace_back("the threshold of highlights must lie between 1 and 255");
     if (!isWithin(preparation.evenLight, 0, 1))
@@ -90,6 +119,7 @@ std::vector<std::string> validate(const PhotoPreparation& preparation, int width
         !std::all_of(preparation.whiteBalance->begin(), preparation.whiteBalance->end(),
                      [](double gain) { return isWithin(gain, smallestGain, largestGain); }))
         problems.emplace_back("the gains of white balance must lie between 0.25 and 4");
+    if (preparation.match) checkMatch(*preparation.match, problems);
     if (preparation.lens) checkLens(*preparation.lens, problems);
     if (preparation.crop) checkCrop(*preparation.crop, width, height, problems);
     return problems;
@@ -121,6 +151,7 @@ Image prepared(const Image& photo, const PhotoPreparation& preparation, const Pr
     reportProgress(progress, 0.4);
     evenLight(picture, preparation.evenLight);
     if (preparation.whiteBalance) multiplyColours(picture, *preparation.whiteBalance);
+    if (preparation.match) applyMatch(picture, *preparation.match);
     reportProgress(progress, 0.6);
     if (preparation.lens) picture = undistorted(picture, *preparation.lens);
     if (preparation.crop) keepOnly(*preparation.crop, picture);

@@ -85,6 +85,7 @@ TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
     EXPECT_EQ(versionOf({false, false, false, false, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true, true}), 7);
+    EXPECT_EQ(versionOf({true, true, true, true, true, true, true}), 8);
 }
 
 TEST(ModelJson, TurnsPointsIntoOneListAndBack) {

@@ -92,6 +92,13 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(version(project), 6);
     project.layers[0].preparation.evenLight = 0.5;
     EXPECT_EQ(version(project), 7);
+    project.layers[0].preparation.strokes = {PhotoStroke{{{1, 2}}, 3, 0, false}};
+    EXPECT_EQ(version(project), 8);
+    project.layers[0].preparation.strokes.clear();
+    project.layers[0].preparation.match = ColourMatch();
+    EXPECT_EQ(version(project), 8);
+    project.layers[0].preparation.match.reset();
+    EXPECT_EQ(version(project), 7);
     project.layers[0].blending = Blending::Multiply;
     EXPECT_EQ(version(project), 8);
     EXPECT_EQ(version(paintedProject()), projectFileVersion);
@@ -117,6 +124,8 @@ TEST_F(ProjectFile, KeepsHowPhotosAreMadeReady) {
     Project project = richProject();
     PhotoPreparation pinhole, fisheye;
     pinhole.field = RoundField{20.25, 1.0 / 3, 11, 2.5};
+    pinhole.strokes = {{{{1, 1.0 / 3}, {5, 6}}, 4.5, 0.25, false}, {{{2, 2}}, 1, 0, true}};
+    pinhole.match = ColourMatch{{1.0 / 0.9, 1, 0.7}, {-1.0 / 3, 5, 6}};
     pinhole.highlightThreshold = 200;
     pinhole.evenLight = 0.7;
     pinhole.whiteBalance = ColourGains{0.9, 1, 1.0 / 0.9};
@@ -156,6 +165,10 @@ TEST_F(ProjectFile, NamesWhatIsWrongWithAPreparation) {
     for (
         const auto& [preparation, naming] : std::vector<std::pair<const char*, const char*>>{
             {R"({"evenLight": 2})", "strength of even light"},
+            {R"({"strokes": [{"path": [1], "radius": 3, "softness": 0, "takesBack": false}]})", "x and a y"},
+            {R"({"strokes": [{"path": [], "radius": 3, "softness": 0, "takesBack": false}]})", "x and a y"},
+            {R"({"strokes": [{"path": [1, 2], "radius": 0, "softness": 0, "takesBack": false}]})", "strokes"},
+            {R"({"colourMatch": {"scale": [9, 1, 1], "offset": [0, 0, 0]}})", "matched colours"},
             {R"({"highlights": 0})", "preparation.highlights"},
             {R"({"whiteBalance": [1, 2]})", "preparation.whiteBalance"},
             {R"({"whiteBalance": [1, 1, 99]})", "gains of white balance"},

@@ -83,8 +83,10 @@ TEST(PhotoPreparation, NamesEveryProblem) {
     bad.evenLight = nan;
     bad.whiteBalance = ColourGains{1, nan, 1};
     bad.lens = Lens{LensKind::Pinhole, {0, 1, nan, 0}, {1e9, 0, 0, 0, 0}};
+    bad.strokes = {PhotoStroke{{{1, nan}}, 0, 2, false}};
+    bad.match = ColourMatch{{0, 1, 1}, {0, nan, 0}};
     bad.crop = PhotoCrop{10, 0, std::numeric_limits<int>::max(), 5};
-    EXPECT_EQ(validate(bad, 100, 80).size(), 9U);
+    EXPECT_EQ(validate(bad, 100, 80).size(), 11U);
     EXPECT_THROW(prepared(drawnPhoto(4, 4, [](int, int) -> Channels { return {}; }), bad), InvalidModel);
     EXPECT_TRUE(validate({}, 100, 80).empty());
 }
@@ -95,6 +97,8 @@ TEST(PhotoPreparation, IsTheSameWithAnyNumberOfThreads) {
     all.highlightThreshold = 30;
     all.evenLight = 0.7;
     all.whiteBalance = ColourGains{0.9, 1, 1.1};
+    all.strokes = {{{{100, 100}, {200, 150}}, 20, 0.5, false}};
+    all.match = ColourMatch{{1.1, 0.9, 1}, {-5, 3, 2}};
     all.lens = bentLens(LensKind::Pinhole);
     all.crop = PhotoCrop{10, 10, 600, 400};
     const Image photo = roundPhoto(320, 240, 210);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/texture/image.h"
+
+#include <array>
+#include <optional>
+
+namespace esm {
+
+/// What the lightness and the two colour axes of CIE L*a*b* (D65) are multiplied with, and what is added
+/// then.
+struct ColourMatch {
+    std::array<double, 3> scale{1, 1, 1};
+    std::array<double, 3> offset{0, 0, 0};
+    bool operator==(const ColourMatch& o) const { return scale == o.scale && offset == o.offset; }
+};
+
+constexpr double smallestSpread = 0.5, largestSpread = 2; ///< of a match's scales
+constexpr double largestShift = 300;                      ///< of a match's offsets
+
+/// Gives the photo the mean colour and the spread of what lies beneath it (Reinhard et al. 2001, Color
+/// transfer between images), over the pixels where both have alpha; both must have one size. Spreads change
+/// by a factor of 0.5 to 2. Nothing where fewer than 100 pixels count.
+std::optional<ColourMatch> matchColours(const Image& photo, const Image& beneath);
+
+void applyMatch(Image& photo, const ColourMatch& match);
+
+} // namespace esm

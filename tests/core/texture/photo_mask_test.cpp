@@ -1,0 +1,67 @@
+#include "core/texture/photo/photo_mask.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace esm;
+
+namespace {
+
+Image whitePhoto(int width, int height) {
+    Image image{width, height, {}};
+    image.pixels.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
+    return image;
+}
+
+} // namespace
+
+TEST(PhotoMask, LeavesOutWhatTheBrushTouches) {
+    Image photo = whitePhoto(100, 60);
+    maskStrokes(photo, {{{{20, 30}, {70, 30}}, 8, 0, false}});
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 100; ++x) {
+            const double px = x + 0.5, distance = std::hypot(px - std::clamp(px, 20.0, 70.0), y + 0.5 - 30);
+            const int alpha = photo.at(x, y)[3];
+            EXPECT_TRUE(distance > 7.49 || alpha == 0) << x << ' ' << y;
+            EXPECT_TRUE(distance < 8.51 || alpha == 255) << x << ' ' << y;
+            EXPECT_EQ(photo.at(x, y)[0], 255);
+        }
+}
+
+TEST(PhotoMask, ASoftBrushFadesAndDoesNotAddUpAlongItsPath) {
+    Image dab = whitePhoto(100, 100), there = dab;
+    maskStrokes(dab, {{{{50, 50}}, 40, 1, false}});
+    // To and fro over one place covers it once.
+    maskStrokes(there, {{{{50, 50}, {50.1, 50}, {50, 50}}, 40, 1, false}});
+    EXPECT_LT(dab.at(50, 50)[3], 4);
+    EXPECT_NEAR(dab.at(70, 50)[3], 128, 4);
+    EXPECT_EQ(dab.at(95, 50)[3], 255);
+    for (int x = 0; x < 100; ++x)
+        EXPECT_NEAR(there.at(x, 50)[3], dab.at(x, 50)[3], 2);
+}
+
+TEST(PhotoMask, TakesBackInOrderAndNoMoreThanThePhotoHas) {
+    Image photo = whitePhoto(40, 40);
+    for (int y = 0; y < 40; ++y)
+        photo.at(20, y)[3] = 100;
+    const PhotoStroke out{{{20, 20}}, 10, 0, false}, back{{{20, 20}}, 5, 0, true};
+    Image both = photo, wrong = photo;
+    maskStrokes(both, {out, back});
+    maskStrokes(wrong, {back, out});
+    EXPECT_EQ(both.at(20, 20)[3], 100);
+    EXPECT_EQ(both.at(19, 20)[3], 255);
+    EXPECT_EQ(both.at(19, 12)[3], 0);
+    EXPECT_EQ(wrong.at(19, 20)[3], 0);
+}
+
+TEST(PhotoMask, MayLeaveThePhoto) {
+    Image photo = whitePhoto(30, 20);
+    const Image before = photo;
+    maskStrokes(photo, {{{{-500, -500}}, 20, 0.5, false}, {{{1e7, 5}}, 20, 0.5, false}});
+    EXPECT_EQ(photo.pixels, before.pixels);
+    maskStrokes(photo, {{{{-50, 10}, {80, 10}}, 5, 0, false}});
+    EXPECT_EQ(photo.at(0, 10)[3], 0);
+    EXPECT_EQ(photo.at(29, 10)[3], 0);
+    EXPECT_EQ(photo.at(15, 1)[3], 255);
+}
