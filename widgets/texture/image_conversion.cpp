@@ -7,6 +7,16 @@ QImage toQImage(const Image& image) {
         .copy();
 }
 
+QImage smaller(const Image& image, const QSize& size) {
+    if (image.empty()) return {};
+    const QImage whole(image.pixels.data(), image.width, image.height, 4 * image.width,
+                       QImage::Format_RGBA8888);
+    const QSize fitting = whole.size().scaled(size.boundedTo(whole.size()), Qt::KeepAspectRatio);
+    return fitting == whole.size()
+               ? whole.copy()
+               : whole.scaled(fitting.expandedTo({1, 1}), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+}
+
 QImage thumbnail(const Image& image, int side) {
     if (image.empty()) return {};
     const QImage whole(image.pixels.data(), image.width, image.height, 4 * image.width,

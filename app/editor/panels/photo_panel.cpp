@@ -2,7 +2,6 @@
 
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
-#include "widgets/texture/image_conversion.h"
 
 #include <QVariant>
 
@@ -10,14 +9,8 @@
 
 namespace esm {
 
-namespace {
-
-constexpr int pictureHeight = 150;
-
-} // namespace
-
 PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent)
-    : Section(tr("Photo"), parent), m_document(document), m_selection(selection), m_picture(new QLabel(this)),
+    : Section(tr("Layer"), parent), m_document(document), m_selection(selection),
       m_visible(new QCheckBox(tr("V&isible"), this)),
       m_occlusion(new QCheckBox(tr("Only what the pro&jector sees"), this)), m_opacity(new ValueSlider(this)),
       m_opacityField(new NumberField(shareFormat(), this)), m_blend(new NumberField(pixelFormat(), this)) {
@@ -31,16 +24,11 @@ PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent
 }
 
 void PhotoPanel::layOut() {
-    m_picture->setFixedHeight(pictureHeight);
-    m_picture->setAlignment(Qt::AlignCenter);
-    m_picture->setProperty("quiet", true);
-    m_picture->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_opacity->setRange(0, 100);
     m_opacity->setObjectName(QStringLiteral("opacitySlider"));
     m_opacity->setAccessibleName(tr("Opacity"));
     auto* rows = new ValueRows(this);
     rows->addField(tr("&Opacity"), m_opacityField);
-    body()->addWidget(m_picture);
     body()->addWidget(rows);
     body()->addWidget(m_opacity);
     auto* blendRow = new ValueRows(this);
@@ -73,9 +61,7 @@ void PhotoPanel::connectControls() {
 void PhotoPanel::show() {
     const auto selected = m_selection.photo();
     const TextureLayer* layer = selected ? &m_document.project().layers[*selected] : nullptr;
-    setTitle(layer ? tr("Photo · %1").arg(QString::fromStdString(layer->name)) : tr("Photo"));
     showUse(layer);
-    showPicture(layer ? layer->photo : nullptr);
     const QSignalBlocker quiet(m_opacity);
     m_opacityField->setValue(layer ? std::optional(layer->opacity) : std::nullopt);
     m_blend->setValue(layer ? std::optional(layer->blendPixels) : std::nullopt);
@@ -93,23 +79,6 @@ void PhotoPanel::showUse(bool hasPhoto) {
     enable(m_opacity, hasPhoto, opacity, why);
     enable(m_opacityField, hasPhoto, opacity, why);
     enable(m_blend, hasPhoto, tr("Photo pixels from the border over which the photo fades in"), why);
-}
-
-void PhotoPanel::showPicture(const std::shared_ptr<const Photo>& photo) {
-    if (photo && photo == m_shown) return;
-    m_shown = photo;
-    if (!photo) {
-        m_picture->setText(tr("Select or add a photo"));
-        m_picture->setToolTip({});
-        return;
-    }
-    const QImage picture = toQImage(photo->image);
-    m_picture->setPixmap(QPixmap::fromImage(
-        picture.scaled(280, pictureHeight, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
-    m_picture->setToolTip(tr("%1, %2 × %3 pixels")
-                              .arg(QString::fromStdString(photo->fileName))
-                              .arg(photo->image.width)
-                              .arg(photo->image.height));
 }
 
 void PhotoPanel::setOpacity(double opacity) {

@@ -10,7 +10,7 @@
 
 namespace esm {
 
-/// The selected photo: how it looks, how strongly and where it shows.
+/// The selected photo as a layer: how strongly and where it shows.
 class PhotoPanel : public Section {
     Q_OBJECT
 
@@ -26,15 +26,12 @@ private:
     /// @param mergeKey of edits that become one step while a gesture lasts
     void edit(const QString& text, const std::function<void(TextureLayer&)>& change,
               const QString& mergeKey = {});
-    void showPicture(const std::shared_ptr<const Photo>& photo);
 
     Document& m_document;
     Selection& m_selection;
-    QLabel* m_picture;
     QCheckBox *m_visible, *m_occlusion;
     ValueSlider* m_opacity;
     NumberField *m_opacityField, *m_blend;
-    std::shared_ptr<const Photo> m_shown;
 };
 
 } // namespace esm

@@ -8,6 +8,7 @@
 #include "app/editor/panels/model_panel.h"
 #include "app/editor/panels/photo_panel.h"
 #include "app/editor/panels/photos_panel.h"
+#include "app/editor/panels/preparation_panel.h"
 #include "app/editor/panels/projector_panel.h"
 #include "app/editor/panels/regions_panel.h"
 #include "app/editor/panels/tissue_panel.h"
@@ -43,8 +44,8 @@ std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
 
 MainWindow::MainWindow(Project project)
     : m_document(new Document(std::move(project), this)), m_selection(new Selection(*m_document)),
-      m_preview(new Preview(this)), m_actions(createActions(this, m_document->undoStack())),
-      m_view(new OrganView(this)),
+      m_preparations(new PreparationEdits(*m_document, *m_selection)), m_preview(new Preview(this)),
+      m_actions(createActions(this, m_document->undoStack())), m_view(new OrganView(this)),
       m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
       m_tools(new ToolController(*m_view, *m_document, *m_selection, *m_preview)) {
     const auto camera = [this] { return m_view->camera(); };
@@ -85,6 +86,7 @@ MainWindow::~MainWindow() {
 void MainWindow::buildPanels() {
     auto* regions = new RegionsPanel(*m_document, *m_selection);
     auto* photos = new PhotosPanel(*m_document, *m_selection);
+    auto* preparation = new PreparationPanel(*m_document, *m_preparations);
     auto* projector = new ProjectorPanel(*m_document, *m_selection);
     regions->setAddAction(m_actions.addRegion);
     photos->setAddAction(m_actions.addPhoto);
@@ -103,7 +105,7 @@ void MainWindow::buildPanels() {
         *this, Qt::RightDockWidgetArea, tr("Tissue"),
         {new TissuePanel(*m_document, *m_selection), workbench, new AccuracyPanel(*m_document, *m_preview)});
     m_textureRight = buildColumn(*this, Qt::RightDockWidgetArea, tr("Photo"),
-                                 {new PhotoPanel(*m_document, *m_selection), projector, landmarks});
+                                 {preparation, new PhotoPanel(*m_document, *m_selection), projector, landmarks});
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({m_tissueLeft, m_tissueRight}, {leftWidth, rightWidth}, Qt::Horizontal);

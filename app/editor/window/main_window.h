@@ -2,6 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/preview/preparation_edits.h"
 #include "app/editor/preview/preview.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/edit_controller.h"
@@ -55,6 +56,7 @@ private:
     Document* m_document;
     bool m_showsGreeting = true; ///< the organ that the window began with
     Selection* m_selection;
+    PreparationEdits* m_preparations;
     Preview* m_preview;
     Actions m_actions;
     OrganView* m_view;

@@ -1,0 +1,68 @@
+#include "app/editor/preview/photo_preparer.h"
+
+#include "widgets/texture/image_conversion.h"
+
+namespace esm {
+
+namespace {
+
+constexpr QSize smallPicture(280, 220); // pixels; twice what a panel shows, for dense screens
+
+} // namespace
+
+PhotoPreparer::PhotoPreparer(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
+
+PhotoPreparer::~PhotoPreparer() {
+    m_requests.stop();
+    m_thread.join();
+}
+
+int PhotoPreparer::prepare(PreparationRequest request) {
+    m_requests.put({std::move(request), ++m_asked});
+    return m_asked;
+}
+
+PreparedPhoto PhotoPreparer::result() const {
+    const std::lock_guard lock(m_mutex);
+    return m_result;
+}
+
+void PhotoPreparer::work() {
+    while (const auto asked = m_requests.take()) {
+        PreparedPhoto result;
+        try {
+            result = answer(*asked);
+        } catch (const Cancelled&) {
+            continue; // another request waits
+        } catch (const std::bad_alloc&) {
+            result.failure = tr("there is not enough memory for it.");
+        } catch (const std::exception& error) {
+            result.failure = QString::fromStdString(error.what());
+        }
+        result.number = asked->number;
+        {
+            const std::lock_guard lock(m_mutex);
+            m_result = std::move(result);
+        }
+        emit prepared();
+    }
+}
+
+PreparedPhoto PhotoPreparer::answer(const Asked& asked) const {
+    const auto goOn = [&](double) { return !m_requests.isObsolete(); };
+    const PreparationRequest& request = asked.request;
+    const Image& photo = request.photo->image;
+    PreparedPhoto result;
+    result.photo = request.photo;
+    result.preparation = withFound(request.preparation, photo, request.find);
+    reportProgress(goOn, 0);
+    result.picture = request.known;
+    if (!result.picture && !result.preparation.isNothing())
+        result.picture = std::make_shared<const Image>(esm::prepared(photo, result.preparation, goOn));
+    result.highlightShare = highlightShare(photo, result.preparation);
+    result.before = smaller(photo, smallPicture);
+    result.after = result.picture ? smaller(*result.picture, smallPicture) : result.before;
+    return result;
+}
+
+} // namespace esm
