@@ -70,6 +70,16 @@ cv::Mat decode(const Bytes& encoded, bool isJpeg) {
     }
 }
 
+/// The picture turned and mirrored as its orientation says that it is to be shown.
+cv::Mat upright(cv::Mat picture, int orientation) {
+    const bool isMirrored = orientation == 2 || orientation == 4 || orientation == 5 || orientation == 7;
+    if (orientation == 3 || orientation == 4) cv::rotate(picture, picture, cv::ROTATE_180);
+    if (orientation == 5 || orientation == 6) cv::rotate(picture, picture, cv::ROTATE_90_CLOCKWISE);
+    if (orientation == 7 || orientation == 8) cv::rotate(picture, picture, cv::ROTATE_90_COUNTERCLOCKWISE);
+    if (isMirrored) cv::flip(picture, picture, 1);
+    return picture;
+}
+
 /// @param shown the file as messages name it
 std::shared_ptr<const Photo> makePhoto(const std::filesystem::path& shown, std::string name, Bytes encoded) {
     const PhotoFormat format = inspectPhoto(encoded);
@@ -77,7 +87,7 @@ std::shared_ptr<const Photo> makePhoto(const std::filesystem::path& shown, std::
     if (format.width > texture_limits::mostPhotoPixels / format.height)
         throw FileError(shown, "is larger than 268 megapixels (" + std::to_string(format.width) + " × " +
                                    std::to_string(format.height) + "); scale it down");
-    const cv::Mat rgba = decode(encoded, format.isJpeg);
+    const cv::Mat rgba = upright(decode(encoded, format.isJpeg), format.orientation);
     if (rgba.empty())
         throw FileError(shown,
                         "is damaged or of a rare kind and cannot be decoded; save it as PNG or JPEG again");

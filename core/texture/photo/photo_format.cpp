@@ -42,6 +42,20 @@ std::uint32_t checksum(const Bytes& bytes, std::size_t place, std::size_t size) 
     return static_cast<std::uint32_t>(crc32_z(0, bytes.data() + place, size));
 }
 
+/// The orientation tag of EXIF data, which is a TIFF file without a picture; 1 where it has none.
+int exifOrientation(const Bytes& exif) {
+    const bool isLittle = exif.size() > 1 && exif[0] == 'I';
+    const Cursor cursor(exif, isLittle ? ByteOrder::Little : ByteOrder::Big);
+    const std::size_t directory = cursor.number(4, 4);
+    const std::size_t entries = cursor.number(directory, 2);
+    for (std::size_t i = 0; i < entries && cursor.holds(directory + 2 + 12 * i, 12); ++i) {
+        const std::size_t entry = directory + 2 + 12 * i;
+        const std::uint32_t value = cursor.number(entry + 8, 2);
+        if (cursor.number(entry, 2) == 274 && value >= 1 && value <= 8) return static_cast<int>(value);
+    }
+    return 1;
+}
+
 PhotoFormat inspectPng(const Bytes& encoded) {
     const Cursor cursor(encoded, ByteOrder::Big);
     PhotoFormat format;
@@ -55,6 +69,10 @@ PhotoFormat inspectPng(const Bytes& encoded) {
         if (checksum(encoded, place + 4, 4 + length) != cursor.number(place + 8 + length, 4)) {
             format.problem = damaged;
             return format;
+        }
+        if (cursor.startsWith("eXIf", place + 4)) {
+            const auto begin = encoded.begin() + static_cast<std::ptrdiff_t>(place + 8);
+            format.orientation = exifOrientation(Bytes(begin, begin + static_cast<std::ptrdiff_t>(length)));
         }
         place += frame + length;
     }

@@ -61,6 +61,38 @@ Bytes withOrientation(Bytes jpeg, std::uint8_t orientation) {
     return jpeg;
 }
 
+/// A chunk of a PNG with its length and checksum.
+Bytes chunk(const std::string& name, const Bytes& content) {
+    Bytes bytes;
+    const auto add = [&](std::uint32_t number) {
+        for (const int shift : {24, 16, 8, 0})
+            bytes.push_back(std::uint8_t(number >> shift));
+    };
+    add(static_cast<std::uint32_t>(content.size()));
+    bytes.insert(bytes.end(), name.begin(), name.end());
+    bytes.insert(bytes.end(), content.begin(), content.end());
+    add(static_cast<std::uint32_t>(crc32_z(0, bytes.data() + 4, bytes.size() - 4)));
+    return bytes;
+}
+
+constexpr std::ptrdiff_t endOfPngHeader = 33;
+
+/// A PNG with an EXIF orientation tag put in after its header, in Intel's order of bytes.
+Bytes withExif(Bytes png, std::uint8_t orientation) {
+    const Bytes exif = chunk("eXIf", {'I', 'I', '*', 0, 8, 0,           0, 0, 1, 0, 0x12, 1, 3,
+                                      0,   1,   0,   0, 0, orientation, 0, 0, 0, 0, 0,    0, 0});
+    png.insert(png.begin() + endOfPngHeader, exif.begin(), exif.end());
+    return png;
+}
+
+Bytes numbersOf(std::initializer_list<std::uint32_t> numbers) {
+    Bytes bytes;
+    for (const std::uint32_t number : numbers)
+        for (const int shift : {24, 16, 8, 0})
+            bytes.push_back(std::uint8_t(number >> shift));
+    return bytes;
+}
+
 } // namespace
 
 TEST(Photo, KeepsColoursAlphaAndTheFileItself) {
@@ -84,15 +116,32 @@ TEST(Photo, ReadsGreyAnd16BitPictures) {
                   (std::array<int, 4>{255, 2, 3, 255}));
 }
 
-TEST(Photo, TurnsAJpegUpright) {
-    cv::Mat picture(32, 64, CV_8UC3, cv::Scalar(0, 0, 0));
-    picture.colRange(0, 32).setTo(cv::Scalar(255, 255, 255));
-    const auto photo =
-        decodePhoto("a.jpg", withOrientation(encoded(".jpg", picture), 6)); // turn clockwise to show
-    ASSERT_EQ(photo->image.width, 32);
-    ASSERT_EQ(photo->image.height, 64);
-    EXPECT_GT(pixelAt(*photo, 16, 8)[0], 240);
-    EXPECT_LT(pixelAt(*photo, 16, 56)[0], 15);
+TEST(Photo, TurnsPicturesUprightHoweverTheyWereTaken) {
+    // The file's quarters, from its top left corner: red, green / blue, white.
+    cv::Mat picture(32, 64, CV_8UC3, cv::Scalar(255, 255, 255));
+    picture(cv::Rect(0, 0, 32, 16)).setTo(cv::Scalar(0, 0, 255));
+    picture(cv::Rect(32, 0, 32, 16)).setTo(cv::Scalar(0, 255, 0));
+    picture(cv::Rect(0, 16, 32, 16)).setTo(cv::Scalar(255, 0, 0));
+    // What is seen in the quarters of the upright picture; EXIF 2.3, 4.6.4 A: row 0 and column 0 of the file
+    // lie top left, top right, bottom right, bottom left, left top, right top, right bottom, left bottom.
+    const std::vector<std::string> seen{"rgbw", "grwb", "wbgr", "bwrg", "rbgw", "brwg", "wgbr", "gwrb"};
+    for (const char* ending : {".jpg", ".png"})
+        for (std::uint8_t orientation = 1; orientation <= 8; ++orientation) {
+            const Bytes bytes = encoded(ending, picture);
+            const auto photo =
+                decodePhoto("a", ending == std::string(".jpg") ? withOrientation(bytes, orientation)
+                                                               : withExif(bytes, orientation));
+            const Image& image = photo->image;
+            ASSERT_EQ(image.width, orientation < 5 ? 64 : 32) << ending << int(orientation);
+            std::string quarters;
+            for (const int y : {image.height / 4, 3 * image.height / 4})
+                for (const int x : {image.width / 4, 3 * image.width / 4}) {
+                    const auto [red, green, blue, alpha] = pixelAt(*photo, x, y);
+                    quarters += red > 128 ? (green > 128 ? 'w' : 'r') : green > 128 ? 'g' : 'b';
+                    EXPECT_EQ(alpha, 255);
+                }
+            EXPECT_EQ(quarters, seen[orientation - 1U]) << ending << int(orientation);
+        }
 }
 
 TEST(Photo, RefusesATruncatedFileWhereverItIsCut) {
@@ -126,12 +175,8 @@ TEST(Photo, RefusesADamagedPng) {
 
 TEST(Photo, DecodersPrintNothing) {
     Bytes strange = encoded(".png", noise(8, 8, CV_8UC4));
-    Bytes profile{0, 0, 0, 4, 'i', 'C', 'C', 'P', 'x', 0, 0, 'y'};
-    const auto checksum = static_cast<std::uint32_t>(crc32_z(0, profile.data() + 4, profile.size() - 4));
-    for (const int shift : {24, 16, 8, 0})
-        profile.push_back(std::uint8_t(checksum >> shift));
-    constexpr std::ptrdiff_t endOfHeader = 33;
-    strange.insert(strange.begin() + endOfHeader, profile.begin(), profile.end());
+    const Bytes profile = chunk("iCCP", {'x', 0, 0, 'y'});
+    strange.insert(strange.begin() + endOfPngHeader, profile.begin(), profile.end());
     Bytes damaged = encoded(".jpg", noise(64, 48, CV_8UC3));
     damaged.erase(damaged.end() - 200, damaged.end() - 2);
     Bytes tiff = encoded(".tiff", noise(64, 48, CV_8UC3));
@@ -149,6 +194,48 @@ TEST(Photo, RefusesWhatIsNoPictureOrTooLarge) {
     Bytes lying = encoded(".bmp", noise(8, 8, CV_8UC3));
     lying[21] = lying[25] = 0x7f; // claims two thousand million pixels each way
     EXPECT_THAT(refusal(lying), HasSubstr("268 megapixels"));
+}
+
+TEST(Photo, ReadsPalettesWithAndWithoutHoles) {
+    const Bytes header{0, 0, 0, 2, 0, 0, 0, 1, 8, 3, 0, 0, 0};
+    const Bytes row{0, 0, 1}; // without a filter, the colours 0 and 1
+    Bytes packed(64);
+    uLongf size = packed.size();
+    ASSERT_EQ(compress(packed.data(), &size, row.data(), row.size()), Z_OK);
+    packed.resize(size);
+    for (const bool hasHole : {false, true}) {
+        Bytes png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+        std::vector<Bytes> chunks{chunk("IHDR", header), chunk("PLTE", {200, 30, 40, 10, 20, 250})};
+        if (hasHole) chunks.push_back(chunk("tRNS", {255, 0}));
+        chunks.push_back(chunk("IDAT", packed));
+        chunks.push_back(chunk("IEND", {}));
+        for (const Bytes& part : chunks)
+            png.insert(png.end(), part.begin(), part.end());
+        const auto photo = decodePhoto("a.png", png);
+        EXPECT_EQ(pixelAt(*photo, 0, 0), (std::array<int, 4>{200, 30, 40, 255}));
+        EXPECT_EQ(pixelAt(*photo, 1, 0)[3], hasHole ? 0 : 255);
+    }
+}
+
+TEST(Photo, OfAnAnimatedPngIsItsFirstPicture) {
+    Bytes png = encoded(".png", cv::Mat(4, 4, CV_8UC3, cv::Scalar(0, 0, 255)));
+    const Bytes control = chunk("acTL", numbersOf({2, 0}));
+    png.insert(png.begin() + endOfPngHeader, control.begin(), control.end());
+    EXPECT_EQ(pixelAt(*decodePhoto("a.png", png), 1, 1), (std::array<int, 4>{255, 0, 0, 255}));
+}
+
+TEST(Photo, RefusesOtherAnimationsAndImpossibleSizes) {
+    const std::string gif("GIF89a\x01\x00\x01\x00", 10), webp("RIFF\x10\x00\x00\x00WEBPVP8X", 16);
+    for (const std::string& file : {gif, webp})
+        EXPECT_THAT(refusal(Bytes(file.begin(), file.end())),
+                    HasSubstr("liver.jpg: is not a PNG, JPEG, BMP or TIFF picture; convert it"));
+    Bytes huge{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    Bytes header = numbersOf({60000, 60000});
+    for (const int rest : {8, 2, 0, 0, 0})
+        header.push_back(std::uint8_t(rest));
+    for (const Bytes& part : {chunk("IHDR", header), chunk("IEND", {})})
+        huge.insert(huge.end(), part.begin(), part.end());
+    EXPECT_THAT(refusal(huge), HasSubstr("is larger than 268 megapixels (60000 × 60000); scale it down"));
 }
 
 TEST(Photo, ThatMemoryCannotHoldIsNotCalledDamaged) {
