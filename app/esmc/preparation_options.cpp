@@ -1,6 +1,7 @@
 #include "app/esmc/preparation_options.h"
 
 #include "core/exchange/preparation_json.h"
+#include "core/texture/layers/surface_match.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,16 @@ void reportGains(const std::optional<ColourGains>& gains, Report& report) {
     }
 }
 
+void reportMatch(const std::optional<ColourMatch>& match, Report& report) {
+    report.json["colour_match"] = nullptr;
+    if (match) {
+        report.json["colour_match"] = {{"scale", match->scale}, {"offset", match->offset}};
+        report.text.emplace_back("colours: matched to what lies beneath");
+    } else {
+        report.text.emplace_back("colours: not matched, the photograph meets too little of the surface");
+    }
+}
+
 } // namespace
 
 void declarePreparation(CLI::App& command, PreparationOptions& options) {
@@ -64,12 +75,13 @@ void declarePreparation(CLI::App& command, PreparationOptions& options) {
         .add_option("--even-light", options.evenLight, "Even uneven light out, from 0 (not) to 1 (wholly)")
         ->check(numberWithin(0, 1));
     command.add_flag("--white-balance", options.whiteBalance, "Make what is nearly grey grey");
+    command.add_flag("--match-colours", options.matchColours, "Give it the colours of the surface beneath");
     command.add_option("--lens", options.lens, "Straighten what this lens bends (.json)");
     command.add_option("--crop", options.crop,
                        "Keep only this part, \"x y width height\" in pixels of the photograph");
 }
 
-Report prepareLayer(TextureLayer& layer, const PreparationOptions& options) {
+Report prepareLayer(const Project& project, TextureLayer& layer, const PreparationOptions& options) {
     const Image& photo = layer.photo->image;
     Report report;
     PhotoPreparation preparation;
@@ -79,10 +91,14 @@ Report prepareLayer(TextureLayer& layer, const PreparationOptions& options) {
     preparation.evenLight = options.evenLight;
     // What steps find in the photo is stored as numbers, so that it stays what it was seen to be.
     preparation = withFound(preparation, photo, {options.roundField, options.whiteBalance});
+    layer.preparation = preparation;
+    if (options.matchColours)
+        preparation.match = matchToSurface(*project.mesh, project.layers, project.texture.baseColour, layer);
     prepare(layer, preparation);
     if (options.roundField) reportField(preparation.field, report);
     if (options.fillHighlights) reportHighlights(highlightShare(photo, preparation), report);
     if (options.whiteBalance) reportGains(preparation.whiteBalance, report);
+    if (options.matchColours) reportMatch(preparation.match, report);
     return report;
 }
 

@@ -2,7 +2,7 @@
 
 #include "app/esmc/arguments.h"
 #include "app/esmc/report.h"
-#include "core/texture/layers/texture_layer.h"
+#include "core/model/project.h"
 
 #include <string>
 
@@ -10,14 +10,15 @@ namespace esm {
 
 /// How a photograph is to be prepared, as the command line says it.
 struct PreparationOptions {
-    bool roundField = false, fillHighlights = false, whiteBalance = false;
+    bool roundField = false, fillHighlights = false, whiteBalance = false, matchColours = false;
     double evenLight = 0;
     std::string lens, crop;
 };
 
 void declarePreparation(CLI::App& command, PreparationOptions& options);
 
-/// Prepares the layer's photo, and reports what the steps found. @throws FileError, InvalidModel
-Report prepareLayer(TextureLayer& layer, const PreparationOptions& options);
+/// Prepares the photo of a layer that comes to lie on the project's other ones, and reports what the steps
+/// found. @throws FileError, InvalidModel
+Report prepareLayer(const Project& project, TextureLayer& layer, const PreparationOptions& options);
 
 } // namespace esm

@@ -126,7 +126,7 @@ Report runPhoto(const PhotoOptions& options, Context& context) {
     layer.blendPixels = options.blend;
     layer.blending = options.blending;
     layer.name = options.name.empty() ? fs::path(options.photo).stem().string() : options.name;
-    const Report found = prepareLayer(layer, options.preparation);
+    const Report found = prepareLayer(project, layer, options.preparation);
     packIfNeeded(project);
     const LayerCoverage covered = coverage(*project.mesh, *project.atlas, layer);
     project.layers.push_back(layer);

@@ -72,10 +72,11 @@ class TextureTest(Case):
         plain = self.done(*given, "-o", self.file("plain.esm"))
         prepared = self.file("prepared.esm")
         report = self.done(*given, "--round-field", "--fill-highlights", "--white-balance", "--even-light", "0.5",
-                           "--lens", lens, "--crop", "0 0 64 64", "-o", prepared)
+                           "--match-colours", "--lens", lens, "--crop", "0 0 64 64", "-o", prepared)
         self.assertIsNone(report["round_field"])
         self.assertTrue(0 <= report["highlights_filled"] < 1)
         self.assertIn("white_balance", report)
+        self.assertEqual(len(report["colour_match"]["scale"]), 3)
         self.assertLess(report["texels"], plain["texels"])
         self.assertEqual(self.done("validate", prepared)["problems"], [])
         self.fails(2, *given, "--crop", "0 0 64", "-o", project, naming="--crop")
@@ -83,6 +84,25 @@ class TextureTest(Case):
         self.fails(1, *given, "--crop", "0 0 64 99999", "-o", project, naming="crop")
         bad = self.file("bad.json", {"kind": "mirror"})
         self.fails(1, *given, "--lens", bad, "-o", project, naming="pinhole")
+
+    def test_bad_pictures_leave_the_project_as_it_was(self):
+        def chunk(kind, body):
+            return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        project, pose, good = self.sample("liver"), self.file("projector.json", PROJECTOR), self.file("good.png")
+        self.done("sample", "serosa", "-o", good)
+        header = chunk(b"IHDR", struct.pack(">IIBBBBB", 60000, 60000, 8, 2, 0, 0, 0))
+        before = project.read_bytes()
+        for name, content, naming in (
+                ("text.png", b"text", "not a PNG, JPEG, BMP or TIFF"),
+                ("none.jpg", b"", "empty"),
+                ("cut.png", good.read_bytes()[:5000], "ends before the picture does"),
+                ("huge.png", b"\x89PNG\r\n\x1a\n" + header + chunk(b"IEND", b""), "268 megapixels"),
+                ("moving.gif", b"GIF89a" + bytes(20), "convert it to PNG or JPEG")):
+            picture = self.file(name)
+            picture.write_bytes(content)
+            self.fails(1, "texture", "photo", project, "--photo", picture, "--projector", pose, "-o", project,
+                       naming=naming)
+            self.assertEqual(project.read_bytes(), before)
 
     def test_packs(self):
         project = self.sample("liver")

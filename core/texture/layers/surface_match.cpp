@@ -1,0 +1,28 @@
+#include "core/texture/layers/surface_match.h"
+
+#include "core/texture/photo/photo_sampler.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+constexpr int enoughPixels = 512; ///< of the longer side, for means and spreads
+
+} // namespace
+
+std::optional<ColourMatch> matchToSurface(const TriangleMesh& mesh, const std::vector<TextureLayer>& beneath,
+                                          std::array<std::uint8_t, 3> baseColour, const TextureLayer& layer,
+                                          const Progress& progress) {
+    PhotoPreparation unmatched = layer.preparation;
+    unmatched.match.reset();
+    Image photo = prepared(layer.photo->image, unmatched, progress);
+    const PhotoSize whole{photo.width, photo.height};
+    while (std::max(photo.width, photo.height) > enoughPixels)
+        photo = halved(photo);
+    const PhotoPlane plane{layer.projector, whole, {photo.width, photo.height}};
+    return matchColours(photo, surfaceBeneath(mesh, beneath, baseColour, plane, progress));
+}
+
+} // namespace esm
