@@ -70,7 +70,8 @@ PreparationPanel::PreparationPanel(Document& document, PreparationEdits& edits, 
       m_field(addStep(tr("Roun&d field"), "roundField")), m_strokes(addStep(tr("Brushed out"), "brushedOut")),
       m_highlights(addStep(tr("Hi&ghlights"), "highlights")),
       m_evenLight(addStep(tr("Even &light"), "evenLight", m_evenLightField)),
-      m_whiteBalance(addStep(tr("&White balance"), "whiteBalance")), m_lens(addStep(tr("Le&ns"), "lens")),
+      m_whiteBalance(addStep(tr("&White balance"), "whiteBalance")),
+      m_match(addStep(tr("&Match colour beneath"), "matchColour")), m_lens(addStep(tr("Le&ns"), "lens")),
       m_crop(addStep(tr("Crop"), "crop")), m_large(new QPushButton(tr("Brush, straighten, crop…"), this)) {
     layOut();
     connectControls();
@@ -162,6 +163,12 @@ void PreparationPanel::connectControls() {
             QStringLiteral("even light"));
     });
     connect(m_evenLightField, &NumberField::gestureFinished, &m_edits, &PreparationEdits::finishGesture);
+    connect(m_match.box, &QCheckBox::clicked, this, [this](bool on) {
+        m_edits.edit(on ? tr("Match colour beneath") : tr("Keep colour"), [=](PreparationWish& wish) {
+            wish.preparation.match.reset();
+            wish.find.match = on;
+        });
+    });
     connectKept(m_strokes, &PhotoPreparation::strokes, tr("Use brush mask"));
     connectKept(m_lens, &PhotoPreparation::lens, tr("Straighten photo"));
     connectKept(m_crop, &PhotoPreparation::crop, tr("Crop photo"));
@@ -215,7 +222,7 @@ void PreparationPanel::showWords(Step& step, bool on, const QString& words) {
 void PreparationPanel::showSteps(const TextureLayer* layer) {
     const PreparationWish wish = m_edits.wanted();
     const PhotoPreparation& wanted = wish.preparation;
-    const StepsToFind missing = m_edits.missing();
+    const SoughtSteps missing = m_edits.missing();
     if (!layer || layer->photo != m_lastOf) {
         m_last = {};
         m_last.evenLight = usualEvenLight;
@@ -238,6 +245,11 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
               : wanted.whiteBalance  ? gainsText(*wanted.whiteBalance)
               : missing.whiteBalance ? tr("not found: nothing is grey")
                                      : QString());
+    showWords(m_match, wanted.match || wish.find.match,
+              wish.find.match ? tr("comparing…")
+              : wanted.match  ? tr("matched")
+              : missing.match ? tr("meets no surface")
+                              : QString());
     showWords(m_strokes, !wanted.strokes.empty(),
               wanted.strokes.empty() ? QString() : strokesText(wanted.strokes.size()));
     showWords(m_lens, wanted.lens.has_value(),
@@ -254,6 +266,10 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
     enable(m_evenLight.box, layer, tr("Take slow changes of brightness over the photo away"), none);
     enable(m_evenLightField, layer, tr("From 0, as it is, to 1, as even as can be"), none);
     enable(m_whiteBalance.box, layer, tr("Make grey what is nearly grey, by the colour of the lamp"), none);
+    enable(m_match.box, layer,
+           tr("Give the photo the mean colour and contrast of what lies beneath it now; tick anew when that "
+              "changes"),
+           none);
     enable(m_strokes.box, layer && !m_last.strokes.empty(), tr("Leave out what the brush painted over"),
            first);
     enable(m_lens.box, layer && m_last.lens, tr("Straighten what the lens bends"), first);

@@ -1,5 +1,6 @@
 #include "app/editor/preview/photo_preparer.h"
 
+#include "core/texture/layers/surface_match.h"
 #include "widgets/texture/image_conversion.h"
 
 namespace esm {
@@ -7,6 +8,17 @@ namespace esm {
 namespace {
 
 constexpr QSize smallPicture(280, 220); // pixels; twice what a panel shows, for dense screens
+
+std::optional<ColourMatch> matched(const PreparationRequest& request, const PhotoPreparation& preparation,
+                                   const Progress& progress) {
+    if (!request.laid) return std::nullopt;
+    const auto& [project, place] = *request.laid;
+    TextureLayer layer = project.layers[place];
+    layer.preparation = preparation;
+    const std::vector<TextureLayer> beneath(project.layers.begin(),
+                                            project.layers.begin() + static_cast<std::ptrdiff_t>(place));
+    return matchToSurface(*project.mesh, beneath, project.texture.baseColour, layer, progress);
+}
 
 } // namespace
 
@@ -55,7 +67,7 @@ PreparedPhoto PhotoPreparer::answer(const Asked& asked) const {
     PreparedPhoto result;
     result.photo = request.photo;
     result.preparation = withFound(request.preparation, photo, request.find);
-    reportProgress(goOn, 0);
+    if (request.find.match) result.preparation.match = matched(request, result.preparation, goOn);
     result.picture = request.known;
     if (!result.picture && !result.preparation.isNothing())
         result.picture = std::make_shared<const Image>(esm::prepared(photo, result.preparation, goOn));

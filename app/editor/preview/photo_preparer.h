@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/preview/latest_input.h"
+#include "core/model/project.h"
 #include "core/texture/photo/photo.h"
 #include "core/texture/photo/photo_preparation.h"
 
@@ -14,11 +15,24 @@
 
 namespace esm {
 
+/// Steps that are to be found in the photo, or by the surface that it is laid on.
+struct SoughtSteps : StepsToFind {
+    bool match = false;
+    bool any() const { return StepsToFind::any() || match; }
+};
+
+/// A layer where it lies.
+struct LaidLayer {
+    Project project;
+    std::size_t layer;
+};
+
 /// A photo, how it is to be prepared, and what is to be found in it first.
 struct PreparationRequest {
     std::shared_ptr<const Photo> photo;
     PhotoPreparation preparation;
-    StepsToFind find;
+    SoughtSteps find;
+    std::optional<LaidLayer> laid;      ///< to match the surface beneath; none where that is not sought
     std::shared_ptr<const Image> known; ///< the picture that comes of it, where it is known already
 };
 

@@ -83,7 +83,9 @@ bool PreparationEdits::beginEdit(const Edit& edit) {
     PreparationWish wish{layer.preparation, {}};
     edit.change(wish);
     if (wish.preparation == layer.preparation && !wish.find.any()) return false;
-    const int number = m_preparer.prepare({layer.photo, wish.preparation, wish.find, nullptr});
+    PreparationRequest request{layer.photo, wish.preparation, wish.find, std::nullopt, nullptr};
+    if (wish.find.match) request.laid = LaidLayer{m_document.project(), *place};
+    const int number = m_preparer.prepare(std::move(request));
     m_running = Running{edit, wish, layer.preparation, number};
     return true;
 }
@@ -91,7 +93,8 @@ bool PreparationEdits::beginEdit(const Edit& edit) {
 void PreparationEdits::look() {
     const TextureLayer* selected = layer();
     if (!selected || (m_shown.photo == selected->photo && m_shown.picture == selected->prepared)) return;
-    const int number = m_preparer.prepare({selected->photo, selected->preparation, {}, selected->prepared});
+    const int number =
+        m_preparer.prepare({selected->photo, selected->preparation, {}, std::nullopt, selected->prepared});
     m_running = Running{std::nullopt, {selected->preparation, {}}, selected->preparation, number};
 }
 
@@ -125,10 +128,11 @@ void PreparationEdits::finish(const Running& done, const PreparedPhoto& result) 
     }
     if (place == m_selection.photo()) {
         m_shown = result;
-        const StepsToFind& sought = done.wish.find;
+        const SoughtSteps& sought = done.wish.find;
         if (sought.field || result.preparation.field) m_missing.field = !result.preparation.field;
         if (sought.whiteBalance || result.preparation.whiteBalance)
             m_missing.whiteBalance = !result.preparation.whiteBalance;
+        if (sought.match || result.preparation.match) m_missing.match = !result.preparation.match;
     }
     if (done.edit->gesture != m_doneGesture) m_document.finishGesture();
     m_doneGesture = done.edit->gesture;

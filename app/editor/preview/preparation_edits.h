@@ -11,7 +11,7 @@ namespace esm {
 /// What a preparation is to become: its numbers, and steps that are to be found in the photo.
 struct PreparationWish {
     PhotoPreparation preparation;
-    StepsToFind find;
+    SoughtSteps find;
 };
 
 /// Edits of how the selected photo is prepared. The picture is computed beside the window, and the document
@@ -36,8 +36,8 @@ public:
     PreparationWish wanted() const;
     /// What is known of the selected photo; null while nothing is.
     const PreparedPhoto* shown() const;
-    /// Steps that were looked for in the selected photo in vain.
-    StepsToFind missing() const { return m_missing; }
+    /// Steps that were looked for in vain for the selected photo.
+    SoughtSteps missing() const { return m_missing; }
     bool isWorking() const { return m_running || !m_waiting.empty(); }
 
 signals:
@@ -74,7 +74,7 @@ private:
     std::deque<Edit> m_waiting;
     std::optional<Running> m_running;
     PreparedPhoto m_shown;
-    StepsToFind m_missing;
+    SoughtSteps m_missing;
     int m_gesture = 0, m_doneGesture = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "app/editor/panels/fuzzy_workbench.h"
 #include "app/editor/panels/landmarks_panel.h"
 #include "app/editor/panels/model_panel.h"
+#include "app/editor/panels/photo_dialog.h"
 #include "app/editor/panels/photo_panel.h"
 #include "app/editor/panels/photos_panel.h"
 #include "app/editor/panels/preparation_panel.h"
@@ -93,6 +94,7 @@ void MainWindow::buildPanels() {
     projector->setFromCameraAction(m_actions.fromCamera);
     auto* landmarks = new LandmarksPanel(*m_landmarking);
     landmarks->setToolAction(m_actions.landmarks);
+    connect(preparation, &PreparationPanel::largeViewAsked, this, &MainWindow::showLargePhoto);
     auto* workbench = new FuzzyWorkbench(*m_document, *m_selection);
     workbench->setWindowAction(m_actions.fuzzyWindow);
 
@@ -109,6 +111,16 @@ void MainWindow::buildPanels() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({m_tissueLeft, m_tissueRight}, {leftWidth, rightWidth}, Qt::Horizontal);
+}
+
+void MainWindow::showLargePhoto() {
+    if (!m_largePhoto) {
+        m_largePhoto = new PhotoDialog(*m_document, *m_preparations, this);
+        m_largePhoto->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    m_largePhoto->show();
+    m_largePhoto->raise();
+    m_largePhoto->activateWindow();
 }
 
 void MainWindow::connectParts() {

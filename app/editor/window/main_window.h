@@ -13,8 +13,10 @@
 #include "app/editor/window/tool_controller.h"
 #include "app/editor/window/view_controller.h"
 
+#include <QDialog>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QPointer>
 
 namespace esm {
 
@@ -46,6 +48,7 @@ protected:
 
 private:
     void buildPanels();
+    void showLargePhoto();
     void connectParts();
     void connectWorkspaces();
     void showWorkspace();
@@ -70,6 +73,7 @@ private:
     LandmarkController* m_landmarkController;
     StatusLine* m_status;
     QLabel* m_title;
+    QPointer<QDialog> m_largePhoto;
     QDockWidget *m_tissueLeft, *m_tissueRight, *m_textureLeft, *m_textureRight;
 };
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/editor/preview/preparation_edits.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/texture/photo_canvas.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+
+namespace esm {
+
+/// The selected photo in a window of its own: text and overlays are brushed out, lines drawn along what
+/// should be straight, and a frame cut out. Every change is an edit of the document at once.
+class PhotoDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    PhotoDialog(Document& document, PreparationEdits& edits, QWidget* parent = nullptr);
+
+private:
+    QHBoxLayout* toolRow();
+    QWidget* brushPage();
+    QWidget* linesPage();
+    QWidget* cropPage();
+    QHBoxLayout* closeRow(Document& document);
+    void chooseTool(PhotoTool tool);
+    void changeBrush(double factor);
+    void showPhoto();
+    void showPicture(const TextureLayer& layer);
+    void showHint(const QString& problem = {});
+    void straighten();
+    void setCrop(const std::optional<PhotoCrop>& crop);
+    void editCropField(int PhotoCrop::*part, double value);
+
+    PreparationEdits& m_edits;
+    PhotoCanvas* m_canvas;
+    QStackedWidget* m_pages;
+    QButtonGroup* m_tools;
+    NumberField *m_radius, *m_softness;
+    QComboBox* m_lens;
+    QPushButton *m_straighten, *m_clearLines, *m_whole;
+    QLabel *m_lineCount, *m_hint;
+    std::vector<std::pair<int PhotoCrop::*, NumberField*>> m_cropFields;
+    std::shared_ptr<const Photo> m_photo;    ///< that is shown
+    std::shared_ptr<const Image> m_prepared; ///< that is shown for the crop; null for the photo itself
+};
+
+} // namespace esm
