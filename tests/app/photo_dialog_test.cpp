@@ -31,6 +31,8 @@ protected:
         selection.setPhoto(0);
         dialog = std::make_unique<PhotoDialog>(document, edits);
         dialog->show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(dialog.get()));
+        QApplication::setActiveWindow(dialog.get());
         canvas = dialog->findChild<PhotoCanvas*>();
     }
     const TextureLayer& layer() const { return document.project().layers[0]; }
@@ -63,7 +65,6 @@ protected:
 } // namespace
 
 TEST_F(PhotoDialogTest, LeavesOutWhatIsBrushedOverAndTakesItBack) {
-    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog.get()));
     dialog->findChild<NumberField*>("photoBrushRadius")->setValue(15);
     choose(Qt::Key_B);
     drag(100, 100, 300, 100);
@@ -84,7 +85,6 @@ TEST_F(PhotoDialogTest, LeavesOutWhatIsBrushedOverAndTakesItBack) {
 }
 
 TEST_F(PhotoDialogTest, StraightensByDrawnLines) {
-    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog.get()));
     const double half = 0.5 * std::hypot(photoWidth, photoHeight);
     const Lens known{LensKind::Pinhole, {half, half, 200, 160}, {-0.2, 0, 0, 0, 0}};
     auto* straighten = dialog->findChild<QPushButton*>("straightenPhoto");
@@ -100,7 +100,6 @@ TEST_F(PhotoDialogTest, StraightensByDrawnLines) {
 }
 
 TEST_F(PhotoDialogTest, SaysWhyLinesDoNotDo) {
-    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog.get()));
     choose(Qt::Key_L);
     const Lens none{LensKind::Pinhole, {100, 100, 200, 160}, {}};
     draw(none, {0, 160}, {400, 160});
@@ -111,7 +110,6 @@ TEST_F(PhotoDialogTest, SaysWhyLinesDoNotDo) {
 }
 
 TEST_F(PhotoDialogTest, CropsByAFrameAndByNumbers) {
-    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog.get()));
     choose(Qt::Key_C);
     drag(50, 40, 250, 240);
     ESM_EVENTUALLY(!edits.isWorking());
