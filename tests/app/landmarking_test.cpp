@@ -1,7 +1,10 @@
 #include "app/editor/preview/landmarking.h"
+#include "core/exchange/mesh_file.h"
 #include "core/exchange/pairs_file.h"
+#include "core/geometry/surface_query.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
+#include "tests/support/known_camera.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/view/photo_view.h"
 
@@ -41,7 +44,7 @@ protected:
         return vertices[(i * 7919) % vertices.size()];
     }
     Eigen::Vector2d seen(const Eigen::Vector3d& point) const {
-        return project(truth, size(), point)->head<2>();
+        return esm::project(truth, size(), point)->head<2>();
     }
     void setPair(std::size_t i) {
         landmarking.pickPixel(seen(vertex(i)));
@@ -178,6 +181,76 @@ TEST_F(LandmarksInTheWindow, AreSetInThePhotoAndOnTheOrgan) {
     EXPECT_EQ(project().layers[0].landmarks, std::vector<LandmarkPair>{pair});
     window->windowActions().look->trigger();
     EXPECT_FALSE(photo->isVisible());
+}
+
+/// Points of the organ that both the photo's camera and the view see, and whose places in the photo lie
+/// apart.
+std::vector<Eigen::Vector3d> landmarksOf(const TriangleMesh& mesh, const Projector& camera, PhotoSize photo,
+                                         std::size_t count) {
+    const SurfaceQuery query(mesh.vertices, mesh.triangles);
+    const std::vector<Eigen::Vector3d> normals = vertexNormals(mesh.vertices, mesh.triangles);
+    std::vector<Eigen::Vector3d> found;
+    for (std::size_t i = 0; i < mesh.vertices.size() && found.size() < count; i += 37) {
+        const Eigen::Vector3d& point = mesh.vertices[i];
+        const auto seen = esm::project(camera, photo, point);
+        const Eigen::Vector3d eye = camera.pose.translation();
+        const bool isInside = seen && seen->x() > 60 && seen->y() > 60 && seen->x() < photo.width - 60 &&
+                              seen->y() < photo.height - 60;
+        // At the outline half a pixel of the view lies beside the organ.
+        const bool isFacing = (eye - point).normalized().dot(normals[i]) > 0.4;
+        if (!isInside || !isFacing || query.isBlocked(point, eye, 1e-3)) continue;
+        const bool isApart = std::all_of(found.begin(), found.end(), [&](const Eigen::Vector3d& other) {
+            return (esm::project(camera, photo, other)->head<2>() - seen->head<2>()).norm() > 150;
+        });
+        if (isApart) found.push_back(point);
+    }
+    return found;
+}
+
+TEST_F(LandmarksInTheWindow, GiveAKnownCameraBackFromEightClicks) {
+    ESM_SKIP_WITHOUT(knownCameraFolder());
+    PolygonSoup soup = readMeshFile(sharedData("meshes/sks-liver-H07.ply"));
+    convertToMetres(soup, LengthUnit::Millimetre, UpAxis::Y);
+    Project before = makeProject("H07", repair(soup));
+    before.layers.resize(1);
+    before.layers[0].photo = loadPhoto(knownCameraFolder() / "synthetic-left.png");
+    const Image& image = before.layers[0].photo->image;
+    const PhotoSize size{image.width, image.height};
+    const Projector truth = knownCamera();
+    open(before);
+    window->windowActions().texture->trigger();
+    window->windowActions().landmarks->trigger();
+    auto* photo = child<PhotoView>("photoView");
+    OrganView& organ = window->view();
+    ESM_EVENTUALLY(photo->isVisible() && organ.height() > 200);
+    QTest::qWait(200);
+    organ.setCamera(cameraOf(truth, size));
+    const auto landmarks = landmarksOf(*before.mesh, truth, size, 8);
+    ASSERT_EQ(landmarks.size(), 8U);
+    for (const Eigen::Vector3d& landmark : landmarks) {
+        const Eigen::Vector2d pixel = esm::project(truth, size, landmark)->head<2>();
+        QTest::mouseClick(photo, Qt::LeftButton, Qt::NoModifier, photo->placeOf(pixel).toPoint());
+        const auto seen =
+            picturePoint(organ.camera(), landmark, double(organ.width()) / std::max(1, organ.height()));
+        ASSERT_TRUE(seen);
+        QTest::mouseClick(&organ, Qt::LeftButton, Qt::NoModifier,
+                          QPoint(qRound(seen->x() * organ.width()), qRound(seen->y() * organ.height())));
+        QTest::qWait(20);
+    }
+    ASSERT_EQ(project().layers[0].landmarks.size(), 8U);
+    ESM_EVENTUALLY(project().layers[0].projector.kind == ProjectorKind::Perspective);
+    QTest::qWait(1500);
+    const Projector& found = project().layers[0].projector;
+    const double extent = boundingBox(before.mesh->vertices).diagonal().norm();
+    double worst = 0;
+    for (const Eigen::Vector3d& landmark : landmarks)
+        worst = std::max(worst, (esm::project(found, size, landmark)->head<2>() -
+                                 esm::project(truth, size, landmark)->head<2>())
+                                    .norm());
+    EXPECT_LT(worst, 12) << "photo pixels; one pixel of the view is two or three of the photo";
+    EXPECT_LT((found.pose.translation() - truth.pose.translation()).norm(), 0.1 * extent);
+    std::cout << "worst " << worst << " px, eye off "
+              << 1000 * (found.pose.translation() - truth.pose.translation()).norm() << " mm\n";
 }
 
 TEST_F(LandmarksInTheWindow, AreLoadedAndSaved) {

@@ -7,7 +7,7 @@
 
 namespace esm {
 
-/// Between landmarks, the organ's view and the photo's, which stands beside it while the tool is in hand.
+/// Between landmarks, the organ's view and the photo's, which stands above it while the tool is in hand.
 class LandmarkController : public QObject {
     Q_OBJECT
 

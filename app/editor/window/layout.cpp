@@ -208,11 +208,11 @@ QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QSt
     return dock;
 }
 
-QWidget* sideBySide(QWidget* left, QWidget* right) {
-    auto* splitter = new QSplitter(Qt::Horizontal);
+QWidget* stacked(QWidget* above, QWidget* below) {
+    auto* splitter = new QSplitter(Qt::Vertical);
     splitter->setChildrenCollapsible(false);
     splitter->setHandleWidth(3);
-    for (QWidget* view : {left, right}) {
+    for (QWidget* view : {above, below}) {
         splitter->addWidget(view);
         splitter->setStretchFactor(splitter->indexOf(view), 1);
     }

@@ -23,6 +23,6 @@ QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QSt
                          std::initializer_list<QWidget*> panels);
 
 /// Two views that share the middle of the window; a hidden one leaves it to the other.
-QWidget* sideBySide(QWidget* left, QWidget* right);
+QWidget* stacked(QWidget* above, QWidget* below);
 
 } // namespace esm

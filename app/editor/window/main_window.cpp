@@ -62,7 +62,7 @@ MainWindow::MainWindow(Project project)
     m_landmarking = new Landmarking(*m_document, *m_selection, this);
     auto* photo = new PhotoView;
     m_landmarkController = new LandmarkController(*m_view, *photo, *m_landmarking);
-    setCentralWidget(sideBySide(photo, m_view));
+    setCentralWidget(stacked(photo, m_view));
     buildMenus(*this, m_actions);
     buildTopBar(*this, m_actions, new InstrumentOptions(*m_view, *m_viewController));
     buildToolStrip(*this, m_actions);

@@ -54,6 +54,7 @@ void ViewController::connectView() {
         m_preview.setInstrument(Sphere{centre, m_instrumentRadius});
     });
     connect(&m_view, &OrganView::instrumentRemoved, this, [this] { m_preview.setInstrument(std::nullopt); });
+    connect(&m_view, &OrganView::toolChanged, this, &ViewController::rebuildScene);
     connect(&m_view, &OrganView::regionPicked, this, &ViewController::pickRegion);
     connect(&m_view, &OrganView::regionDragged, this, &ViewController::dragRegion);
     connect(&m_view, &OrganView::rimDragged, this, &ViewController::dragRim);
@@ -178,7 +179,8 @@ void ViewController::markRegion(RenderScene& scene) {
 
 void ViewController::addProjector(RenderScene& scene) {
     const auto selected = m_selection.photo();
-    if (!m_textureWorkspace || !selected) return;
+    // Landmarks are set on the bare organ.
+    if (!m_textureWorkspace || !selected || m_view.tool() == ViewTool::Landmark) return;
     const TextureLayer& layer = m_document.project().layers[*selected];
     const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
     const double depth = shownDepth(layer.projector, boundingBox(m_document.project().mesh->vertices));
