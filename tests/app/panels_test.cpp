@@ -210,6 +210,36 @@ TEST_F(PanelsTest, TheAtlasIsPackedInTheLayoutThatIsChosen) {
     EXPECT_EQ(window->document().project().atlas->utilisation, inRows);
 }
 
+TEST_F(PanelsTest, TheAtlasHasAsManyPagesAsTheTexelTakes) {
+    const auto atlas = [this] { return window->document().project().atlas; };
+    auto* size = child<QComboBox>("atlasSize");
+    size->setCurrentText("512 × 512");
+    emit size->activated(size->currentIndex());
+    const double filled = atlas()->texelsPerMetre;
+    ASSERT_EQ(atlas()->options.pages, 1);
+    auto* texel = child<NumberField>("atlasTexel");
+    auto* fills = child<QCheckBox>("atlasFills");
+    EXPECT_NEAR(*texel->value(), 1 / filled, 1e-3 / filled);
+    EXPECT_TRUE(fills->isChecked());
+    emit texel->valueEdited(1 / (2 * filled));
+    EXPECT_NEAR(atlas()->texelsPerMetre, 2 * filled, 1e-6 * filled);
+    EXPECT_GE(atlas()->options.pages, 4);
+    EXPECT_EQ(child<QLabel>("atlasPages")->text(), QString::number(atlas()->options.pages));
+    EXPECT_FALSE(fills->isChecked());
+    fills->click();
+    EXPECT_EQ(atlas()->options.pages, 1);
+    EXPECT_NEAR(atlas()->texelsPerMetre, filled, 0.02 * filled);
+    window->document().undoStack()->undo();
+    EXPECT_NEAR(atlas()->texelsPerMetre, 2 * filled, 1e-6 * filled);
+    EXPECT_FALSE(fills->isChecked());
+    DialogScript script;
+    script.expectButton("problemBox", QMessageBox::Ok);
+    emit texel->valueEdited(1e-7);
+    EXPECT_TRUE(script.isDone());
+    EXPECT_NEAR(atlas()->texelsPerMetre, 2 * filled, 1e-6 * filled) << "what cannot be packed stays undone";
+    EXPECT_NEAR(*texel->value(), 1 / (2 * filled), 1e-3 / filled);
+}
+
 TEST_F(PanelsTest, FitTheirColumns) {
     const auto expectFit = [this](const char* state) {
         QTest::qWait(0);

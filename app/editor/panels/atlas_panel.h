@@ -1,8 +1,10 @@
 #pragma once
 
 #include "app/editor/document/document.h"
+#include "widgets/inputs/number_field.h"
 #include "widgets/inputs/section.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 
 namespace esm {
@@ -15,12 +17,17 @@ public:
     explicit AtlasPanel(Document& document, QWidget* parent = nullptr);
 
 private:
+    void connectControls();
     void show();
-    void pack();
+    void showUse();
+    void pack(const AtlasOptions& options);
+    void fill(bool on);
 
     Document& m_document;
     QComboBox *m_size, *m_layout;
-    QLabel *m_used, *m_texel, *m_seams;
+    NumberField* m_texel;
+    QCheckBox* m_fills;
+    QLabel *m_pages, *m_used, *m_seams;
 };
 
 } // namespace esm
