@@ -1,5 +1,6 @@
 #include "core/render/drawn_shape.h"
 
+#include "core/geometry/adjacency.h"
 #include "core/support/angles.h"
 
 #include <Eigen/Geometry>
@@ -70,6 +71,11 @@ std::vector<Vector3d> drawnVertices(const RenderScene& scene, const std::vector<
         !std::all_of(vertexNodes.begin(), vertexNodes.end(), isKnown))
         return scene.mesh->vertices;
     return drawnPositions(*scene.mesh, *scene.network, nodes);
+}
+
+bool isSolid(const TriangleMesh& mesh) {
+    const EdgeCounts counts = countEdges(sidesByEdge(mesh.triangles));
+    return counts.isClosed() && counts.nonManifold == 0 && enclosedVolume(mesh) > 0;
 }
 
 double shownDepth(const Projector& projector, const Eigen::AlignedBox3d& organ) {

@@ -18,6 +18,9 @@ std::vector<Eigen::Vector3d> drawnNodes(const RenderScene& scene);
 std::vector<Eigen::Vector3d> drawnVertices(const RenderScene& scene,
                                            const std::vector<Eigen::Vector3d>& nodes);
 
+/// Whether every triangle that faces away is hidden by others, seen from outside.
+bool isSolid(const TriangleMesh& mesh);
+
 /// How far before a projector its photo is shown: none for a parallel one; before a perspective one between
 /// the eye and the organ, near the eye where that stands beside or inside the organ.
 double shownDepth(const Projector& projector, const Eigen::AlignedBox3d& organ);

@@ -36,12 +36,17 @@ Eigen::AlignedBox3d wholeBox(const RenderScene& scene, const Eigen::AlignedBox3d
     return box;
 }
 
+bool isThrown(const RenderScene& scene) {
+    return scene.thrown && scene.thrown->photo && !scene.thrown->photo->empty() &&
+           scene.thrown->opacity > 0 && scene.showSurface && scene.mesh && !scene.mesh->triangles.empty();
+}
+
 } // namespace
 
 struct Renderer::Implementation {
     explicit Implementation(const Resolver& resolver)
         : gl(resolver), background(gl, shaders::backgroundVertex(), shaders::backgroundFragment()),
-          emptyArray(gl), surface(gl), springs(gl), lines(gl), markers(gl) {}
+          emptyArray(gl), surface(gl), projection(gl), springs(gl), lines(gl), markers(gl) {}
 
     void drawBackground(const RenderScene& scene, const Frame& frame) const;
     Frame frameFor(const RenderScene& scene, const Camera& camera, const PictureSize& size,
@@ -53,6 +58,7 @@ struct Renderer::Implementation {
     GlProgram background;
     GlVertexArray emptyArray;
     SurfaceDrawer surface;
+    PhotoProjection projection;
     SpringDrawer springs;
     LineDrawer lines;
     MarkerDrawer markers;
@@ -69,10 +75,12 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, const Pictur
     const std::vector<Eigen::Vector3d> vertices = drawnVertices(scene, nodes);
     const Eigen::AlignedBox3d organ = boundingBox(vertices).merged(boundingBox(nodes));
     const Frame frame = parts.frameFor(scene, camera, size, wholeBox(scene, organ));
+    const bool throws = isThrown(scene);
+    if (throws) parts.projection.take(*scene.thrown, scene.mesh, frame);
     parts.prepare(size);
     parts.drawBackground(scene, frame);
     parts.gl.Enable(GL_DEPTH_TEST);
-    if (scene.showSurface) parts.surface.draw(scene, vertices, frame);
+    if (scene.showSurface) parts.surface.draw(scene, vertices, frame, throws ? &parts.projection : nullptr);
     if (scene.instrument) parts.markers.drawInstrument(*scene.instrument, frame);
     parts.gl.Enable(GL_BLEND);
     parts.springs.draw(scene, nodes, parts.lines, frame);
@@ -130,7 +138,8 @@ void Renderer::Implementation::tidy() const {
     gl.UseProgram(0);
     for (const GLenum target : std::array<GLenum, 2>{GL_ARRAY_BUFFER, GL_TEXTURE_BUFFER})
         gl.BindBuffer(target, 0);
-    for (const GLenum unit : std::array<GLenum, 2>{GL_TEXTURE1, GL_TEXTURE0}) {
+    for (const GLenum unit :
+         std::array<GLenum, 5>{GL_TEXTURE4, GL_TEXTURE3, GL_TEXTURE2, GL_TEXTURE1, GL_TEXTURE0}) {
         gl.ActiveTexture(unit);
         gl.BindTexture(GL_TEXTURE_2D, 0);
         gl.BindTexture(GL_TEXTURE_BUFFER, 0);

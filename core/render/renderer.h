@@ -49,6 +49,15 @@ struct DrawnSphere {
     double radius;                   ///< m
 };
 
+/// A photo that is thrown on the surface without being painted, as while its projector moves.
+struct ThrownPhoto {
+    Projector projector;
+    std::shared_ptr<const Image> photo; ///< may be null: nothing is thrown
+    double blendPixels = 0;  ///< photo pixels over which the weight rises from 0 at the border to 1
+    double opacity = 1;      ///< 0 to 1
+    bool multiplies = false; ///< what lies beneath, instead of hiding it
+};
+
 /// Everything one picture shows. Shared parts are compared by pointer and uploaded only when they change.
 struct RenderScene {
     std::shared_ptr<const TriangleMesh> mesh;
@@ -69,6 +78,7 @@ struct RenderScene {
     std::optional<MarkedNodes> marked;     ///< over the surface, whether or not all springs are shown
     std::vector<DrawnEllipsoid> ellipsoids;
     std::vector<DrawnProjector> projectors;
+    std::optional<ThrownPhoto> thrown; ///< over the texture
     std::optional<DrawnSphere> instrument;
     Colour backgroundTop{57, 64, 71}, backgroundBottom{29, 32, 37};
 };

@@ -3,8 +3,6 @@
 namespace esm::shaders {
 namespace {
 
-const char* const version = "#version 330 core\n";
-
 // All in the camera's space and in linear light: x right, y up, z towards the viewer.
 const char* const lighting = R"(
 // Squares stand in for the display's curve of 2.2 and for powers of a highlight: a processor that draws without a
@@ -39,8 +37,12 @@ vec3 lit(vec3 albedo, vec3 n, vec3 toEye, Sheen sheen) {
 
 } // namespace
 
+std::string version() {
+    return "#version 330 core\n";
+}
+
 std::string backgroundVertex() {
-    return std::string(version) + R"(
+    return version() + R"(
 out vec2 place;
 void main() {
     vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
@@ -51,7 +53,7 @@ void main() {
 }
 
 std::string backgroundFragment() {
-    return std::string(version) + R"(
+    return version() + R"(
 in vec2 place;
 uniform vec3 top, bottom;
 uniform vec2 pixels;
@@ -67,8 +69,14 @@ void main() {
 )";
 }
 
-std::string surfaceVertex() {
-    return std::string(version) + R"(
+std::string surfaceVertex(Throwing throwing) {
+    const std::string thrown =
+        throwing == Throwing::No ? "#define NOTE_THROWN(vertex)\n" : thrownPlace() + R"(
+out vec4 thrown;
+out vec3 rest;
+#define NOTE_THROWN(vertex) thrown = thrownFrom(vertex); rest = texelFetch(restVertices, vertex).xyz
+)";
+    return version() + thrown + R"(
 layout(location = 0) in uint cornerVertex;
 layout(location = 1) in vec2 firstPlace;
 layout(location = 2) in vec2 secondPlace;
@@ -89,13 +97,16 @@ void main() {
     first = firstPlace;
     second = secondPlace;
     third = thirdPlace;
+    NOTE_THROWN(vertex);
     gl_Position = projection * seen;
 }
 )";
 }
 
-std::string surfaceFragment() {
-    return std::string(version) + lighting + R"(
+std::string surfaceFragment(Throwing throwing) {
+    const std::string thrown =
+        throwing == Throwing::No ? "vec3 withPhoto(vec3 beneath) { return beneath; }\n" : thrownColour();
+    return version() + lighting + thrown + R"(
 in vec3 position, normal;
 in vec3 shares;
 flat in vec2 first, second, third; // where the triangle's corners lie in the page
@@ -114,7 +125,7 @@ vec2 place() {
 
 void main() {
     vec4 paint = painted ? texture(page, place()) : vec4(0.0);
-    vec3 albedo = mix(baseColour, paint.rgb, paint.a);
+    vec3 albedo = withPhoto(mix(baseColour, paint.rgb, paint.a));
     if (unlit) {
         colour = vec4(albedo, 1.0);
         return;
@@ -129,7 +140,7 @@ void main() {
 }
 
 std::string ballVertex() {
-    return std::string(version) + R"(
+    return version() + R"(
 layout(location = 0) in vec3 unit;
 uniform mat4 model, view, projection;
 out vec3 position, normal;
@@ -144,7 +155,7 @@ void main() {
 }
 
 std::string steelFragment() {
-    return std::string(version) + lighting + R"(
+    return version() + lighting + R"(
 in vec3 position, normal;
 uniform vec3 baseColour;
 out vec4 colour;
@@ -161,7 +172,7 @@ void main() {
 }
 
 std::string shellFragment() {
-    return std::string(version) + R"(
+    return version() + R"(
 in vec3 position, normal;
 uniform vec3 baseColour;
 uniform float opacity;
@@ -174,7 +185,7 @@ void main() {
 }
 
 std::string quadVertex() {
-    return std::string(version) + R"(
+    return version() + R"(
 uniform vec3 corners[4]; // bottom left, bottom right, top left, top right
 uniform mat4 view, projection;
 out vec2 place;
@@ -186,7 +197,7 @@ void main() {
 }
 
 std::string quadFragment() {
-    return std::string(version) + R"(
+    return version() + R"(
 in vec2 place;
 uniform bool textured;
 uniform sampler2D page;
@@ -199,7 +210,7 @@ void main() {
 }
 
 std::string lineVertex() {
-    return std::string(version) + R"(
+    return version() + R"(
 layout(location = 0) in uvec2 ends;
 layout(location = 1) in vec4 paint;
 layout(location = 2) in float width;
@@ -244,7 +255,7 @@ void main() {
 }
 
 std::string lineFragment() {
-    return std::string(version) + R"(
+    return version() + R"(
 flat in vec4 lineColour;
 flat in float halfWidth;
 noperspective in float across;
@@ -257,7 +268,7 @@ void main() {
 }
 
 std::string pointVertex() {
-    return std::string(version) + R"(
+    return version() + R"(
 uniform samplerBuffer points;
 uniform mat4 view, projection;
 uniform vec2 pixels;
@@ -278,7 +289,7 @@ void main() {
 }
 
 std::string pointFragment() {
-    return std::string(version) + R"(
+    return version() + R"(
 noperspective in vec2 offset;
 flat in float strength;
 uniform vec4 tint;

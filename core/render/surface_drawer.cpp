@@ -1,6 +1,6 @@
 #include "core/render/surface_drawer.h"
 
-#include "core/geometry/adjacency.h"
+#include "core/render/drawn_shape.h"
 #include "core/render/shaders.h"
 
 #include <algorithm>
@@ -27,17 +27,14 @@ bool isTextured(const RenderScene& scene) {
            scene.atlas->page.size() == scene.mesh->triangles.size();
 }
 
-/// Seen from outside, every triangle that faces away is hidden by others.
-bool isSolid(const TriangleMesh& mesh) {
-    const EdgeCounts counts = countEdges(sidesByEdge(mesh.triangles));
-    return counts.isClosed() && counts.nonManifold == 0 && enclosedVolume(mesh) > 0;
-}
-
 } // namespace
 
 SurfaceDrawer::SurfaceDrawer(const GlFunctions& gl)
-    : m_gl(gl), m_program(gl, shaders::surfaceVertex(), shaders::surfaceFragment()), m_vertexBuffer(gl),
-      m_indexBuffer(gl), m_cornerBuffer(gl), m_vertexTexture(gl), m_plainArray(gl), m_texturedArray(gl) {
+    : m_gl(gl), m_program(gl, shaders::surfaceVertex(), shaders::surfaceFragment()),
+      m_throwing(gl, shaders::surfaceVertex(shaders::Throwing::Yes),
+                 shaders::surfaceFragment(shaders::Throwing::Yes)),
+      m_vertexBuffer(gl), m_indexBuffer(gl), m_cornerBuffer(gl), m_vertexTexture(gl), m_plainArray(gl),
+      m_texturedArray(gl) {
     m_plainArray.bind();
     m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
     m_texturedArray.bind();
@@ -50,28 +47,30 @@ SurfaceDrawer::SurfaceDrawer(const GlFunctions& gl)
 }
 
 void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices,
-                         const Frame& frame) {
+                         const Frame& frame, const PhotoProjection* thrown) {
     if (!scene.mesh || scene.mesh->triangles.empty()) return;
     const bool textured = isTextured(scene);
     takeTriangles(scene.mesh);
     takeVertices(vertices, frame);
-    m_program.use();
-    m_program.set("view", frame.view);
-    m_program.set("projection", frame.projection);
-    m_program.set("baseColour", toFloat(scene.baseColour));
-    m_program.set("unlit", scene.unlit);
-    m_program.set("perCorner", textured);
-    m_program.set("vertices", 0);
-    m_program.set("page", 1);
+    const GlProgram& program = thrown ? m_throwing : m_program;
+    program.use();
+    if (thrown) thrown->bind(program);
+    program.set("view", frame.view);
+    program.set("projection", frame.projection);
+    program.set("baseColour", toFloat(scene.baseColour));
+    program.set("unlit", scene.unlit);
+    program.set("perCorner", textured);
+    program.set("vertices", 0);
+    program.set("page", 1);
     m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
     if (hidesItsInside(frame)) m_gl.Enable(GL_CULL_FACE);
     if (textured) {
         takeAtlas(scene.atlas);
         takePages(scene.texturePages, usableLevels(scene.atlas->options.gap));
         m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
-        drawPages();
+        drawPages(program);
     } else {
-        drawPlain();
+        drawPlain(program);
     }
     m_gl.Disable(GL_CULL_FACE);
 }
@@ -85,18 +84,18 @@ bool SurfaceDrawer::hidesItsInside(const Frame& frame) const {
     return m_closed && !Eigen::AlignedBox3d(box.min() - grown, box.max() + grown).contains(frame.eye);
 }
 
-void SurfaceDrawer::drawPlain() const {
-    m_program.set("painted", false);
+void SurfaceDrawer::drawPlain(const GlProgram& program) const {
+    program.set("painted", false);
     m_plainArray.bind();
     m_gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * m_mesh->triangles.size()), GL_UNSIGNED_INT,
                       nullptr);
 }
 
-void SurfaceDrawer::drawPages() const {
+void SurfaceDrawer::drawPages(const GlProgram& program) const {
     m_texturedArray.bind();
     for (const PageRange& range : m_ranges) {
         const bool known = range.page < m_pageTextures.size() && m_pageTextures[range.page];
-        m_program.set("painted", known);
+        program.set("painted", known);
         if (known) m_pageTextures[range.page]->bind(GL_TEXTURE_2D, 1);
         m_gl.DrawArrays(GL_TRIANGLES, range.first, range.count);
     }

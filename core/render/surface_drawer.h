@@ -2,6 +2,7 @@
 
 #include "core/render/frame.h"
 #include "core/render/gl_objects.h"
+#include "core/render/photo_projection.h"
 
 #include <memory>
 #include <vector>
@@ -13,7 +14,9 @@ class SurfaceDrawer {
 public:
     explicit SurfaceDrawer(const GlFunctions& gl);
 
-    void draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices, const Frame& frame);
+    /// @param thrown what is thrown on the surface over its texture; may be null
+    void draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices, const Frame& frame,
+              const PhotoProjection* thrown);
 
 private:
     struct PageRange {
@@ -27,11 +30,11 @@ private:
     void takeAtlas(const std::shared_ptr<const Atlas>& atlas);
     void takePages(const std::shared_ptr<const std::vector<Image>>& pages, int levels);
     bool hidesItsInside(const Frame& frame) const;
-    void drawPlain() const;
-    void drawPages() const;
+    void drawPlain(const GlProgram& program) const;
+    void drawPages(const GlProgram& program) const;
 
     const GlFunctions& m_gl;
-    GlProgram m_program;
+    GlProgram m_program, m_throwing;
     GlBuffer m_vertexBuffer, m_indexBuffer, m_cornerBuffer;
     GlTexture m_vertexTexture;
     GlVertexArray m_plainArray, m_texturedArray;

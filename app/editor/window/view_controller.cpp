@@ -39,6 +39,7 @@ ViewController::ViewController(OrganView& view, Document& document, Selection& s
     connect(&preview, &Preview::frameReady, this, &ViewController::showFrame);
     connect(&m_redrawing, &QTimer::timeout, this, &ViewController::announceRedrawing);
     connect(&m_composer, &TextureComposer::composed, this, &ViewController::showTexture);
+    connect(&m_moving, &MovingPhoto::rested, this, &ViewController::expectPhotos);
     connectView();
     followDocument(Change::everything());
 }
@@ -102,8 +103,12 @@ void ViewController::followDocument(const Change& change) {
 
 void ViewController::composePhotos() {
     const Project& project = m_document.project();
-    m_composer.compose(project);
-    if (project.layers.empty() || !project.atlas) return endRedrawing({});
+    m_moving.follow(project);
+    if (project.layers.empty() || !project.atlas || m_moving.isMoving()) return endRedrawing({});
+    expectPhotos();
+}
+
+void ViewController::expectPhotos() {
     if (!m_redrawing.isActive()) m_redrawing.start(redrawingPatience);
 }
 
@@ -144,6 +149,7 @@ void ViewController::rebuildScene() {
         scene.atlas = atlas;
         scene.texturePages = m_composer.pages();
     }
+    scene.thrown = m_moving.thrown();
     std::tie(scene.backgroundTop, scene.backgroundBottom) = viewBackground(m_theme);
     addEllipsoids(scene);
     addProjector(scene);
@@ -211,6 +217,7 @@ void ViewController::showFrame() {
 
 void ViewController::showTexture() {
     rebuildScene();
+    if (m_moving.isMoving()) return;
     const QString redrawn =
         m_composer.pages() ? tr("Photos redrawn in %1 s").arg(numberText(m_composer.milliseconds() / 1000, 2))
                            : QString();

@@ -2,6 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/preview/moving_photo.h"
 #include "app/editor/preview/preview.h"
 #include "app/editor/preview/texture_composer.h"
 #include "app/editor/window/theme.h"
@@ -47,6 +48,7 @@ private:
     void setInstrumentRadius(double metres);
     void followDocument(const Change& change);
     void composePhotos();
+    void expectPhotos();
     void announceRedrawing();
     /// @param result what became of it; empty when nothing is left to redraw
     void endRedrawing(const QString& result);
@@ -69,6 +71,7 @@ private:
     Selection& m_selection;
     Preview& m_preview;
     TextureComposer m_composer;
+    MovingPhoto m_moving{m_composer};
     double m_instrumentRadius = 0.01; ///< m
     bool m_instrumentChosen = false;  ///< by the user
     Theme m_theme = Theme::Dark;

@@ -1,0 +1,177 @@
+#include "core/render/photo_projection.h"
+
+#include "core/render/drawn_shape.h"
+#include "core/render/shaders.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+namespace {
+
+constexpr int mapSize = 1024;               ///< pixels of the depth map's longer side
+constexpr double hidingShare = 5e-4;        ///< of the organ's size: how far surface hides nothing behind it
+constexpr double nearestShare = 1.0 / 2000; ///< of the farthest depth, where an eye stands in the organ
+
+PhotoSize sizeOf(const Image& photo) {
+    return {photo.width, photo.height};
+}
+
+bool isPerspective(const ThrownPhoto& thrown) {
+    return thrown.projector.kind == ProjectorKind::Perspective;
+}
+
+} // namespace
+
+GlDepthMap::GlDepthMap(const GlFunctions& gl) : m_gl(gl) {
+    m_gl.GenTextures(1, &m_texture);
+    m_gl.GenFramebuffers(1, &m_target);
+}
+
+GlDepthMap::~GlDepthMap() {
+    m_gl.DeleteFramebuffers(1, &m_target);
+    m_gl.DeleteTextures(1, &m_texture);
+}
+
+void GlDepthMap::begin(int width, int height) {
+    m_gl.BindFramebuffer(GL_FRAMEBUFFER, m_target);
+    if (width != m_width || height != m_height) {
+        bind(0);
+        m_gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT,
+                        GL_UNSIGNED_INT, nullptr);
+        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            m_gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+        for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+            m_gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+        m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+        m_gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_texture, 0);
+        m_gl.DrawBuffer(GL_NONE);
+        m_gl.ReadBuffer(GL_NONE);
+        m_width = width;
+        m_height = height;
+    }
+    m_gl.Viewport(0, 0, width, height);
+    m_gl.DepthMask(GL_TRUE);
+    m_gl.Disable(GL_SCISSOR_TEST);
+    m_gl.Clear(GL_DEPTH_BUFFER_BIT);
+}
+
+void GlDepthMap::bind(int unit) const {
+    m_gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    m_gl.BindTexture(GL_TEXTURE_2D, m_texture);
+}
+
+PhotoProjection::PhotoProjection(const GlFunctions& gl)
+    : m_gl(gl), m_depthProgram(gl, shaders::thrownDepthVertex(), shaders::thrownDepthFragment()),
+      m_vertexBuffer(gl), m_indexBuffer(gl), m_vertexTexture(gl), m_array(gl), m_seen(gl) {
+    m_array.bind();
+    m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
+}
+
+void PhotoProjection::take(const ThrownPhoto& thrown, const std::shared_ptr<const TriangleMesh>& mesh,
+                           const Frame& frame) {
+    const bool isKnown =
+        m_thrown && mesh == m_mesh && thrown.photo == m_photo && thrown.projector == m_thrown->projector;
+    takeMesh(mesh, frame);
+    takePhoto(thrown.photo);
+    m_thrown = thrown;
+    Eigen::Matrix4d fromOrigin = Eigen::Matrix4d::Identity();
+    fromOrigin.topRightCorner<3, 1>() = frame.origin;
+    m_matrix = photoMatrix(thrown.projector, sizeOf(*thrown.photo)) * fromOrigin;
+    m_tolerance = hidingShare * static_cast<double>(frame.size);
+    const Eigen::Isometry3d& pose = thrown.projector.pose;
+    const Eigen::Vector3f light =
+        isPerspective(thrown) ? frame.local(pose.translation()) : pose.linear().col(2).cast<float>().eval();
+    m_light = {light.x(), light.y(), light.z(), isPerspective(thrown) ? 1.0F : 0.0F};
+    if (isKnown || !thrown.projector.occlusion) return;
+    measureDepth();
+    drawDepth();
+}
+
+void PhotoProjection::takeMesh(const std::shared_ptr<const TriangleMesh>& mesh, const Frame& frame) {
+    if (mesh == m_mesh) return;
+    m_mesh = mesh;
+    m_isSolid = isSolid(*mesh);
+    std::vector<Eigen::Vector4f> texels;
+    texels.reserve(mesh->vertices.size());
+    for (const Eigen::Vector3d& vertex : mesh->vertices) {
+        const Eigen::Vector3f place = frame.local(vertex);
+        texels.emplace_back(place.x(), place.y(), place.z(), 1.0F);
+    }
+    m_vertexBuffer.upload(GL_TEXTURE_BUFFER, texels.data(), texels.size() * sizeof(texels[0]),
+                          GL_STATIC_DRAW);
+    m_vertexTexture.attach(m_vertexBuffer);
+    m_array.bind();
+    m_indexBuffer.upload(GL_ELEMENT_ARRAY_BUFFER, mesh->triangles.data(),
+                         mesh->triangles.size() * sizeof(Triangle), GL_STATIC_DRAW);
+}
+
+void PhotoProjection::takePhoto(const std::shared_ptr<const Image>& photo) {
+    if (photo == m_photo) return;
+    m_photo = photo;
+    m_photoTexture = std::make_unique<GlTexture>(m_gl);
+    m_photoTexture->upload(*photo, static_cast<int>(std::log2(std::max(photo->width, photo->height))));
+}
+
+/// A parallel projector throws on nothing that faces away. Before an eye outside a closed surface that is
+/// hidden anyway, but by surface so near at the outline that the depth map cannot tell.
+bool PhotoProjection::seesOnlyFronts() const {
+    return !isPerspective(*m_thrown) ||
+           (m_isSolid && !boundingBox(m_mesh->vertices).contains(m_thrown->projector.pose.translation()));
+}
+
+/// What lies between the projector and the farthest of the organ, no more: depth is only so fine.
+void PhotoProjection::measureDepth() {
+    const Eigen::Matrix4d inModel = photoMatrix(m_thrown->projector, sizeOf(*m_photo));
+    double least = std::numeric_limits<double>::max(), most = 0;
+    for (const Eigen::Vector3d& vertex : m_mesh->vertices) {
+        const double depth = inModel.row(3) * vertex.homogeneous();
+        least = std::min(least, depth);
+        most = std::max(most, depth);
+    }
+    m_far = std::max(most * 1.001, m_tolerance) + m_tolerance;
+    m_near = isPerspective(*m_thrown) ? std::max(0.5 * least, nearestShare * m_far) : -m_tolerance;
+}
+
+void PhotoProjection::drawDepth() {
+    const int longer = std::max(m_photo->width, m_photo->height);
+    const auto sideOf = [&](int pixels) { return std::max(1, mapSize * pixels / longer); };
+    m_seen.render(sideOf(m_photo->width), sideOf(m_photo->height), [&] {
+        m_gl.Enable(GL_DEPTH_TEST);
+        m_gl.DepthFunc(GL_LESS);
+        m_gl.Disable(GL_CULL_FACE);
+        m_gl.Enable(GL_POLYGON_OFFSET_FILL);
+        m_gl.PolygonOffset(2, 2); // steep surface covers a range of depths within a pixel
+        m_depthProgram.use();
+        bind(m_depthProgram);
+        m_array.bind();
+        m_gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * m_mesh->triangles.size()), GL_UNSIGNED_INT,
+                          nullptr);
+        m_gl.Disable(GL_POLYGON_OFFSET_FILL);
+        m_gl.Disable(GL_DEPTH_TEST);
+    });
+}
+
+void PhotoProjection::bind(const GlProgram& program) const {
+    program.set("throwing", Eigen::Matrix4f(m_matrix.cast<float>()));
+    program.set("photoPixels", Eigen::Vector2f(float(m_photo->width), float(m_photo->height)));
+    program.set("depths", Eigen::Vector2f(float(m_near), float(m_far)));
+    program.set("isPerspective", isPerspective(*m_thrown));
+    program.set("light", m_light);
+    program.set("tolerance", static_cast<float>(m_tolerance));
+    program.set("occlusion", m_thrown->projector.occlusion);
+    program.set("onlyFronts", seesOnlyFronts());
+    program.set("falloff", m_thrown->projector.falloff);
+    program.set("blendPixels", static_cast<float>(m_thrown->blendPixels));
+    program.set("opacity", static_cast<float>(m_thrown->opacity));
+    program.set("multiplies", m_thrown->multiplies);
+    program.set("restVertices", 2);
+    program.set("photo", 3);
+    program.set("seen", 4);
+    m_vertexTexture.bind(GL_TEXTURE_BUFFER, 2);
+    m_photoTexture->bind(GL_TEXTURE_2D, 3);
+    m_seen.bind(4);
+}
+
+} // namespace esm

@@ -1,0 +1,83 @@
+#include "core/render/shaders.h"
+
+namespace esm::shaders {
+
+std::string thrownPlace() {
+    return R"(
+uniform samplerBuffer restVertices;
+uniform mat4 throwing;
+vec4 thrownFrom(int vertex) { return throwing * vec4(texelFetch(restVertices, vertex).xyz, 1.0); }
+)";
+}
+
+std::string thrownColour() {
+    return R"(
+in vec4 thrown; // the place in the photo (x w, y w, w), pixels, and the depth before the projector
+in vec3 rest;   // on the organ at rest
+uniform sampler2D photo;
+uniform sampler2DShadow seen;
+uniform vec2 photoPixels, depths;
+uniform vec4 light;
+uniform bool isPerspective, occlusion, onlyFronts, falloff, multiplies;
+uniform float blendPixels, opacity, tolerance;
+
+// As the depth map holds it.
+float mapDepth(float depth) {
+    float near = depths.x, far = depths.y;
+    return isPerspective ? far * (1.0 - near / max(depth, near)) / (far - near) : (depth - near) / (far - near);
+}
+
+float borderWeight(vec2 pixel) {
+    vec2 nearest = min(pixel, photoPixels - pixel);
+    float inside = min(nearest.x, nearest.y);
+    return inside < 0.0 ? 0.0 : blendPixels > 0.0 ? min(1.0, inside / blendPixels) : 1.0;
+}
+
+// All up to 60 degrees, nothing from 85 on.
+float angleWeight(float cosine) {
+    return 1.0 - smoothstep(radians(60.0), radians(85.0), acos(min(abs(cosine), 1.0)));
+}
+
+float lightWeight(vec2 place, vec3 outward) {
+    float cosine = dot(outward, light.w > 0.0 ? normalize(light.xyz - rest) : light.xyz);
+    float weight = falloff ? angleWeight(cosine) : 1.0;
+    if (!occlusion || weight <= 0.0) return weight;
+    if (onlyFronts && cosine <= 0.0) return 0.0;
+    return weight * texture(seen, vec3(place, clamp(mapDepth(thrown.w - tolerance), 0.0, 1.0)));
+}
+
+vec3 withPhoto(vec3 beneath) {
+    vec3 across = cross(dFdx(rest), dFdy(rest));
+    vec3 outward = normalize(gl_FrontFacing ? across : -across);
+    vec2 pixel = thrown.xy / max(thrown.z, 1e-12);
+    vec2 place = pixel / photoPixels;
+    vec4 thrownOn = texture(photo, place);
+    if (thrown.z <= 0.0 || thrown.w < -tolerance) return beneath;
+    float weight = opacity * thrownOn.a * borderWeight(pixel);
+    if (weight <= 0.0) return beneath;
+    weight *= lightWeight(place, outward);
+    return mix(beneath, multiplies ? beneath * thrownOn.rgb : thrownOn.rgb, weight);
+}
+)";
+}
+
+std::string thrownDepthVertex() {
+    return version() + thrownPlace() + R"(
+uniform vec2 photoPixels, depths;
+uniform bool isPerspective;
+void main() {
+    vec4 seen = thrownFrom(gl_VertexID);
+    float near = depths.x, far = depths.y, depth = seen.w;
+    vec2 place = 2.0 * seen.xy / photoPixels - seen.z;
+    float z = isPerspective ? ((far + near) * depth - 2.0 * far * near) / (far - near)
+                            : 2.0 * (depth - near) / (far - near) - 1.0;
+    gl_Position = vec4(place, z, seen.z);
+}
+)";
+}
+
+std::string thrownDepthFragment() {
+    return version() + "void main() {}\n";
+}
+
+} // namespace esm::shaders
