@@ -52,6 +52,8 @@ MainWindow::MainWindow(Project project)
     const auto camera = [this] { return m_view->camera(); };
     m_files = new FileController(*this, *m_document, camera);
     m_edits = new EditController(*this, *m_document, *m_selection, camera);
+    m_device = new DeviceController(*m_view, *m_document, *m_selection,
+                                    *new MotionDevice(MotionDevice::serviceSocket(), this));
     m_autosave = new Autosave(*m_document, recoveryFolder(), this);
     m_play = new PlayController(*this, *m_preview);
     m_status = new StatusLine(*statusBar());
@@ -130,6 +132,8 @@ void MainWindow::connectParts() {
     m_edits->connectActions(m_actions);
     m_play->connectActions(m_actions);
     m_landmarkController->connectActions(m_actions);
+    m_device->connectActions(m_actions);
+    connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::touched, m_play, &PlayController::endGentleMotion);
     connect(m_view, &OrganView::drawn, m_status, &StatusLine::countPicture);
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);

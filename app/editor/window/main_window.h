@@ -5,6 +5,7 @@
 #include "app/editor/preview/preparation_edits.h"
 #include "app/editor/preview/preview.h"
 #include "app/editor/window/actions.h"
+#include "app/editor/window/device_controller.h"
 #include "app/editor/window/edit_controller.h"
 #include "app/editor/window/file_controller.h"
 #include "app/editor/window/landmark_controller.h"
@@ -71,6 +72,7 @@ private:
     PlayController* m_play;
     Landmarking* m_landmarking;
     LandmarkController* m_landmarkController;
+    DeviceController* m_device;
     StatusLine* m_status;
     QLabel* m_title;
     QPointer<QDialog> m_largePhoto;
