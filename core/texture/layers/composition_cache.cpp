@@ -1,5 +1,7 @@
 #include "core/texture/layers/composition_cache.h"
 
+#include "core/texture/layers/lit_triangles.h"
+
 #include <algorithm>
 
 namespace esm {
@@ -32,6 +34,19 @@ SampledPicture CompositionCache::sampled(const std::shared_ptr<const Image>& pic
     return m_sampled.used.back();
 }
 
+std::shared_ptr<const std::vector<std::uint8_t>>
+CompositionCache::litBy(const Projector& projector, const Image& photo, const TriangleMesh& mesh) {
+    const auto same = [&](const LitTriangles& item) {
+        return item.projector == projector && item.photoWidth == photo.width &&
+               item.photoHeight == photo.height;
+    };
+    if (const LitTriangles* known = usedAgain(m_lit.used, m_lit.before, same)) return known->lit;
+    m_lit.used.push_back({projector, photo.width, photo.height,
+                          std::make_shared<const std::vector<std::uint8_t>>(
+                              certainlyLit(mesh, projector, {photo.width, photo.height}))});
+    return m_lit.used.back().lit;
+}
+
 std::optional<SampledPicture> CompositionCache::banded(const TextureLayer& layer,
                                                        const std::vector<TextureLayer>& beneath,
                                                        std::array<std::uint8_t, 3> baseColour) {
@@ -47,6 +62,7 @@ std::optional<SampledPicture> CompositionCache::banded(const TextureLayer& layer
 void CompositionCache::finish() {
     m_sampled = {{}, std::move(m_sampled.used)};
     m_banded = {{}, std::move(m_banded.used)};
+    m_lit = {{}, std::move(m_lit.used)};
 }
 
 } // namespace esm

@@ -23,6 +23,13 @@ struct BandedPicture {
     SampledPicture blended;
 };
 
+/// What a projector is certain to light, see `certainlyLit`.
+struct LitTriangles {
+    Projector projector;
+    int photoWidth, photoHeight; ///< pixels
+    std::shared_ptr<const std::vector<std::uint8_t>> lit;
+};
+
 /// What compositions of one surface make and the next one can use again. It changes no result. Nothing that
 /// the last composition did not use is kept. For one thread.
 class CompositionCache {
@@ -30,6 +37,8 @@ public:
     /// @param mesh the same as long as the cache lives
     std::shared_ptr<const SurfaceQuery> queryOf(const TriangleMesh& mesh);
     SampledPicture sampled(const std::shared_ptr<const Image>& picture);
+    std::shared_ptr<const std::vector<std::uint8_t>> litBy(const Projector& projector, const Image& photo,
+                                                           const TriangleMesh& mesh);
 
     /// Nothing where no photo was blended so.
     std::optional<SampledPicture> banded(const TextureLayer& layer, const std::vector<TextureLayer>& beneath,
@@ -45,6 +54,7 @@ private:
     std::shared_ptr<const SurfaceQuery> m_query;
     Generation<SampledPicture> m_sampled;
     Generation<BandedPicture> m_banded;
+    Generation<LitTriangles> m_lit;
 };
 
 } // namespace esm

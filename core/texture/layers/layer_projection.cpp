@@ -30,18 +30,20 @@ double pixelsPerTexel(const Eigen::Vector3d& place, const Eigen::Matrix<double, 
 
 } // namespace
 
-std::optional<TriangleProjection> TriangleProjection::make(const TextureLayer& layer,
-                                                           const PhotoSampler& sampler,
-                                                           const LitSurface& surface, std::uint32_t triangle,
-                                                           const std::array<Eigen::Vector2d, 3>& patch) {
+std::optional<TriangleProjection>
+TriangleProjection::make(const TextureLayer& layer, const PhotoSampler& sampler, const LitSurface& surface,
+                         const LitTriangle& triangle, const std::array<Eigen::Vector2d, 3>& patch) {
     TriangleProjection projection(layer, sampler, surface);
     for (Eigen::Index i = 0; i < 3; ++i)
         projection.m_corners.col(i) =
-            surface.mesh.vertices[surface.mesh.triangles[triangle][static_cast<std::size_t>(i)]];
+            surface.mesh.vertices[surface.mesh.triangles[triangle.triangle][static_cast<std::size_t>(i)]];
     const PhotoSize size{sampler.width(), sampler.height()};
     projection.m_places = photoMatrix(layer.projector, size) * projection.m_corners.colwise().homogeneous();
     projection.m_placePerTexel = projection.m_places.topRows<3>() * weightsPerTexel(patch);
     if (!projection.mayTakeColour()) return std::nullopt;
+    projection.m_isLit = triangle.isLit;
+    if (layer.projector.kind == ProjectorKind::Parallel)
+        projection.m_depth = projection.pyramidDepth(projection.m_places.col(0).head<3>());
     return projection;
 }
 
@@ -73,7 +75,9 @@ Eigen::Vector4f TriangleProjection::at(const PatchTexel& texel) const {
     const Eigen::Vector2d pixel = seen.head<2>() / seen.z();
     const double border = borderWeight(pixel);
     if (!(border > 0)) return Eigen::Vector4f::Zero();
-    Eigen::Vector4f colour = m_sampler.at(pixel.x(), pixel.y(), pyramidDepth(seen.head<3>()));
+    const bool isParallel = m_layer.projector.kind == ProjectorKind::Parallel;
+    Eigen::Vector4f colour =
+        m_sampler.at(pixel.x(), pixel.y(), isParallel ? m_depth : pyramidDepth(seen.head<3>()));
     colour.w() *= static_cast<float>(border * m_layer.opacity);
     if (colour.w() > 0) colour.w() *= static_cast<float>(lightWeight(texel.nearest));
     return colour;
@@ -99,7 +103,7 @@ double TriangleProjection::lightWeight(const Eigen::Vector3d& nearest) const {
             (m_corners.col(1) - m_corners.col(0)).cross(m_corners.col(2) - m_corners.col(0));
         weight = angleWeight(normal.normalized().dot(towardsLight(m_corners * nearest)));
     }
-    return weight > 0 && m_layer.projector.occlusion && isHidden(nearest) ? 0 : weight;
+    return weight > 0 && m_layer.projector.occlusion && !m_isLit && isHidden(nearest) ? 0 : weight;
 }
 
 Eigen::Vector3d TriangleProjection::towardsLight(const Eigen::Vector3d& point) const {

@@ -16,12 +16,17 @@ struct LitSurface {
     double tolerance;          ///< m, how far surface may lie before another without hiding it
 };
 
+struct LitTriangle {
+    std::uint32_t triangle;
+    bool isLit; ///< nothing hides any of it, see `certainlyLit`
+};
+
 /// The photo of a layer as the patch of one triangle sees it.
 class TriangleProjection {
 public:
     /// Nothing when no point of the patch can take colour from the layer.
     static std::optional<TriangleProjection> make(const TextureLayer& layer, const PhotoSampler& sampler,
-                                                  const LitSurface& surface, std::uint32_t triangle,
+                                                  const LitSurface& surface, const LitTriangle& triangle,
                                                   const std::array<Eigen::Vector2d, 3>& patch);
 
     /// Red, green, blue 0 to 255 and the layer's weight 0 to 1 in the texel: opacity × border × alpha, with
@@ -45,6 +50,8 @@ private:
     Eigen::Matrix3d m_corners;                   ///< as columns, m
     Eigen::Matrix<double, 4, 3> m_places;        ///< of the corners, as columns: as `photoMatrix` gives them
     Eigen::Matrix<double, 3, 2> m_placePerTexel; ///< how the first three of them change over the patch
+    bool m_isLit = false;                        ///< nothing hides any of it
+    double m_depth = 0;                          ///< in the pyramid, of parallel light the same everywhere
 };
 
 } // namespace esm

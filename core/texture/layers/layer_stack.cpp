@@ -29,10 +29,13 @@ bool needsQuery(const TextureLayer& layer) {
            layer.blending == Blending::MultiBand;
 }
 
-std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, CompositionCache& cache) {
+std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const TriangleMesh& mesh,
+                                             CompositionCache& cache) {
     auto made = std::make_shared<PreparedLayer>();
     made->layer = layer;
     if (layer.photo) made->thrown = cache.sampled(pictureOf(layer));
+    if (layer.photo && layer.projector.occlusion)
+        made->lit = cache.litBy(layer.projector, *made->thrown.picture, mesh);
     for (const auto& stroke : layer.strokes)
         made->strokeReach.push_back(reachOf(*stroke));
     return made;
@@ -61,7 +64,7 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
         if (!isShown(layer)) continue;
         if (!m_query && needsQuery(layer)) m_query = cache.queryOf(mesh);
         m_surface.query = m_query.get();
-        auto made = preparedLayer(layer, cache);
+        auto made = preparedLayer(layer, mesh, cache);
         if (layer.blending == Blending::MultiBand) {
             auto blended = cache.banded(layer, shown, baseColour);
             if (!blended) {
@@ -160,8 +163,10 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
     on.m_follows = follows;
     const TextureLayer& layer = on.m_prepared->layer;
     if (layer.photo) {
+        const PreparedLayer& prepared = *on.m_prepared;
+        const bool isLit = prepared.lit && (*prepared.lit)[triangle];
         const auto projection =
-            TriangleProjection::make(layer, *on.m_prepared->thrown.sampler, surface, triangle, patch);
+            TriangleProjection::make(layer, *prepared.thrown.sampler, surface, {triangle, isLit}, patch);
         if (!projection) return std::nullopt;
         on.m_projection.emplace(*projection);
     }
