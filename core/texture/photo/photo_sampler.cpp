@@ -23,16 +23,31 @@ struct WeightedColour {
     }
 };
 
+Eigen::Array4f valuesOf(const std::uint8_t* pixel) {
+    return Eigen::Map<const Eigen::Array<std::uint8_t, 4, 1>>(pixel).cast<float>();
+}
+
 } // namespace
 
 Eigen::Vector4f weightedColourAt(const Image& image, double x, double y) {
     const BilinearPlace place = bilinearPlace(image, x, y);
     const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
+    const std::uint8_t *topLeft = image.at(place.left, place.top),
+                       *topRight = image.at(place.right, place.top),
+                       *bottomLeft = image.at(place.left, place.bottom),
+                       *bottomRight = image.at(place.right, place.bottom);
+    if ((topLeft[3] & topRight[3] & bottomLeft[3] & bottomRight[3]) == 255) { // alpha weighs nothing
+        const Eigen::Array4f left = valuesOf(topLeft), right = valuesOf(topRight),
+                             lowerLeft = valuesOf(bottomLeft), lowerRight = valuesOf(bottomRight);
+        const Eigen::Array4f top = left + u * (right - left);
+        const Eigen::Array4f bottom = lowerLeft + u * (lowerRight - lowerLeft);
+        return top + v * (bottom - top);
+    }
     WeightedColour mean;
-    mean.add(image.at(place.left, place.top), (1 - u) * (1 - v));
-    mean.add(image.at(place.right, place.top), u * (1 - v));
-    mean.add(image.at(place.left, place.bottom), (1 - u) * v);
-    mean.add(image.at(place.right, place.bottom), u * v);
+    mean.add(topLeft, (1 - u) * (1 - v));
+    mean.add(topRight, u * (1 - v));
+    mean.add(bottomLeft, (1 - u) * v);
+    mean.add(bottomRight, u * v);
     return mean.colour();
 }
 
@@ -68,7 +83,7 @@ Eigen::Vector4f PhotoSampler::at(double x, double y, double depth) const {
     depth = std::clamp(depth, 0.0, coarsest);
     const auto fine = static_cast<std::size_t>(depth);
     const auto share = static_cast<float>(depth - static_cast<double>(fine));
-    const double scale = std::ldexp(1.0, -static_cast<int>(fine));
+    const double scale = 1.0 / static_cast<double>(std::uint64_t{1} << fine);
     Eigen::Vector4f colour = weightedColourAt(level(fine), x * scale, y * scale);
     if (share > 0) {
         const Eigen::Vector4f coarse = weightedColourAt(level(fine + 1), x * scale / 2, y * scale / 2);
