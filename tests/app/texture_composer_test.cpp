@@ -29,3 +29,28 @@ TEST(TextureComposer, WorksUntilTheLastRequestIsDone) {
     ESM_EVENTUALLY(!composer.isWorking());
     EXPECT_EQ(composer.pages(), nullptr) << "nothing is left to compose";
 }
+
+TEST(TextureComposer, ShowsAfterEveryEditWhatAWholeCompositionShows) {
+    Project project = makeSample("ventricle");
+    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, {512, 1, 2}));
+    TextureLayer layer;
+    layer.photo = makeSamplePhoto("serosa");
+    layer.projector.pose.translation().z() = 1;
+    project.layers = {layer, layer};
+    TextureComposer composer;
+    const auto expectWhole = [&] {
+        composer.compose(project);
+        ESM_EVENTUALLY(!composer.isWorking());
+        ASSERT_TRUE(composer.pages());
+        const auto whole =
+            composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour);
+        EXPECT_EQ(composer.pages()->front().pixels, whole.front().pixels);
+    };
+    expectWhole();
+    project.layers[1].projector.pose.translation().x() = 0.02;
+    expectWhole();
+    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, {512, 1, 4}));
+    expectWhole();
+    project.texture.baseColour = {1, 2, 3};
+    expectWhole();
+}

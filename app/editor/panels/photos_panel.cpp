@@ -26,15 +26,41 @@ QPixmap PhotosPanel::picture(const std::shared_ptr<const Photo>& photo) {
     return known;
 }
 
+namespace {
+
+/// How it blends, where it does not just hide what lies beneath, and how much of it is seen.
+QString noteOf(const TextureLayer& layer) {
+    if (!layer.visible) return PhotosPanel::tr("hidden");
+    const QString opacity = PhotosPanel::tr("%1 %").arg(qRound(layer.opacity * 100));
+    if (layer.blending == Blending::Multiply) return PhotosPanel::tr("multiply, %1").arg(opacity);
+    if (layer.blending == Blending::MultiBand) return PhotosPanel::tr("multi-band, %1").arg(opacity);
+    return opacity;
+}
+
+/// The first colour that is painted on a layer without photo.
+QPixmap painted(const TextureLayer& layer) {
+    Image swatch{1, 1, {128, 128, 128, 255}};
+    for (auto stroke = layer.strokes.rbegin(); stroke != layer.strokes.rend(); ++stroke)
+        if ((*stroke)->kind == BrushKind::Colour)
+            std::copy((*stroke)->colour.begin(), (*stroke)->colour.end(), swatch.pixels.begin());
+    return QPixmap::fromImage(thumbnail(swatch, 84));
+}
+
+} // namespace
+
 void PhotosPanel::show() {
     const Project& project = m_document.project();
     std::vector<ItemRow> rows;
     std::map<std::shared_ptr<const Photo>, QPixmap> inUse;
     for (std::size_t i = project.layers.size(); i-- > 0;) {
         const TextureLayer& layer = project.layers[i];
-        const QString note = layer.visible ? tr("%1 %").arg(qRound(layer.opacity * 100)) : tr("hidden");
-        inUse[layer.photo] = picture(layer.photo);
-        rows.push_back({QString::fromStdString(layer.name), note, {}, inUse[layer.photo], true});
+        const QString note = noteOf(layer);
+        if (layer.photo) inUse[layer.photo] = picture(layer.photo);
+        rows.push_back({QString::fromStdString(layer.name),
+                        note,
+                        {},
+                        layer.photo ? inUse[layer.photo] : painted(layer),
+                        true});
     }
     m_pictures = std::move(inUse);
     const auto selected = m_selection.photo();

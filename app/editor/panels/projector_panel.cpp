@@ -95,7 +95,8 @@ ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget
 
 void ProjectorPanel::show() {
     const auto selected = m_selection.photo();
-    const Projector* projector = selected ? &m_document.project().layers[*selected].projector : nullptr;
+    const TextureLayer* layer = selected ? &m_document.project().layers[*selected] : nullptr;
+    const Projector* projector = layer && layer->photo ? &layer->projector : nullptr;
     const QString why = tr("No photo is selected");
     enable(m_width, projector, tr("Width of the thrown photo"), why);
     enable(m_height, projector, tr("Height of the thrown photo"), why);
@@ -140,6 +141,7 @@ void ProjectorPanel::chooseKind() {
     const auto kind = static_cast<ProjectorKind>(m_kind->currentData().toInt());
     m_document.edit(tr("Choose kind of projector"), [&](Project& project) {
         TextureLayer& layer = project.layers[*selected];
+        if (!layer.photo) return;
         layer.projector = ofKind(kind, layer.projector, layer.photo->image, *project.mesh);
     });
 }

@@ -1,7 +1,5 @@
 #include "app/editor/preview/texture_composer.h"
 
-#include "core/texture/layers/composite.h"
-
 #include <chrono>
 
 namespace esm {
@@ -42,19 +40,28 @@ void TextureComposer::work() {
         compose(*request);
 }
 
+TextureComposer::Pages TextureComposer::pagesOf(const Project& project) {
+    if (m_kept.mesh != project.mesh) m_kept = {project.mesh, nullptr, {}, {}};
+    if (m_kept.atlas != project.atlas) m_kept.composition = {};
+    m_kept.atlas = project.atlas;
+    const auto goOn = [&](double) {
+        return !m_requests.isObsolete(
+            [&](const Request& next) { return next.project.atlas != project.atlas; });
+    };
+    auto pages = std::make_shared<const std::vector<Image>>(
+        recomposite(*project.mesh, *project.atlas, m_kept.composition, project.layers,
+                    project.texture.baseColour, m_kept.cache, goOn));
+    m_kept.composition = {project.layers, project.texture.baseColour, pages};
+    return pages;
+}
+
 void TextureComposer::compose(const Request& request) {
     const Project& project = request.project;
     const auto start = std::chrono::steady_clock::now();
     Pages pages;
     std::string failure;
     try {
-        const auto goOn = [&](double) {
-            return !m_requests.isObsolete(
-                [&](const Request& next) { return next.project.atlas != project.atlas; });
-        };
-        if (project.atlas && !project.layers.empty())
-            pages = std::make_shared<const std::vector<Image>>(
-                composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, goOn));
+        if (project.atlas && !project.layers.empty()) pages = pagesOf(project);
     } catch (const Cancelled&) {
         return;
     } catch (const std::exception& error) {

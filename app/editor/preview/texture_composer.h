@@ -2,6 +2,7 @@
 
 #include "app/editor/preview/latest_input.h"
 #include "core/model/project.h"
+#include "core/texture/layers/composite.h"
 
 #include <QObject>
 
@@ -14,7 +15,8 @@
 
 namespace esm {
 
-/// Composes the photos into the atlas on a thread of its own. A project that comes while it works waits; only
+/// Composes the layers into the atlas on a thread of its own, of a surface and atlas that stay only what
+/// changed. A project that comes while it works waits; only
 /// the latest is kept. Another mesh or atlas stops the work at once.
 class TextureComposer : public QObject {
     Q_OBJECT
@@ -45,8 +47,18 @@ private:
 
     void work();
     void compose(const Request& request);
+    Pages pagesOf(const Project& project);
+
+    /// What the thread keeps for the next composition.
+    struct Kept {
+        std::shared_ptr<const TriangleMesh> mesh;
+        std::shared_ptr<const Atlas> atlas;
+        Composition composition;
+        CompositionCache cache;
+    };
 
     LatestInput<Request> m_requests;
+    Kept m_kept;
     mutable std::mutex m_mutex; ///< guards the result
     std::shared_ptr<const Atlas> m_atlas;
     Pages m_pages;

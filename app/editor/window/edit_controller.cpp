@@ -151,6 +151,7 @@ void EditController::projectFromCamera() {
     if (!selected) return;
     m_document.edit(tr("Photo from camera"), [&](Project& project) {
         TextureLayer& layer = project.layers[*selected];
+        if (!layer.photo) return;
         layer.projector = aimedByCamera(layer.projector, m_camera(), layer.photo->image, *project.mesh);
     });
 }

@@ -188,6 +188,7 @@ void ViewController::addProjector(RenderScene& scene) {
     // Landmarks are set on the bare organ.
     if (!m_textureWorkspace || !selected || m_view.tool() == ViewTool::Landmark) return;
     const TextureLayer& layer = m_document.project().layers[*selected];
+    if (!layer.photo) return;
     const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
     const double depth = shownDepth(layer.projector, boundingBox(m_document.project().mesh->vertices));
     scene.projectors.push_back({layer.projector, pictureOf(layer), true, isLaid, depth});
