@@ -7,6 +7,7 @@
 #ifdef ESM_HAS_FUZZYLITE
 #include "tests/benchmarks/fuzzylite.h"
 #endif
+#include "tests/benchmarks/layer_composition.h"
 #include "tests/benchmarks/local_poke.h"
 #include "tests/benchmarks/slider_move.h"
 #include "tests/benchmarks/stiff_tissue.h"
@@ -16,8 +17,9 @@
 namespace {
 
 std::vector<benchmarks::Ratio> (*const subjects[])(){
-    benchmarks::registerExplicitStep, benchmarks::registerLocalPoke,  benchmarks::registerStiffTissue,
-    benchmarks::registerCriticalStep, benchmarks::registerSliderMove, benchmarks::registerAtlasPacking,
+    benchmarks::registerExplicitStep,     benchmarks::registerLocalPoke,  benchmarks::registerStiffTissue,
+    benchmarks::registerCriticalStep,     benchmarks::registerSliderMove, benchmarks::registerAtlasPacking,
+    benchmarks::registerLayerComposition,
 #ifdef ESM_HAS_BULLET
     benchmarks::registerBullet,
 #endif
