@@ -11,7 +11,7 @@ namespace {
 
 using namespace esm;
 
-constexpr int repetitions = 3, layerCount = 8, pageSize = 4096;
+constexpr int compositions = 3, layerCount = 8, pageSize = 4096;
 constexpr std::array<std::uint8_t, 3> base{186, 92, 84};
 
 /// Noise, in which no neighbouring pixels are the same.
@@ -75,20 +75,20 @@ void plainLoop(const std::vector<TextureLayer>& layers, Image& page) {
 } // namespace
 
 std::vector<Ratio> registerLayerComposition() {
-    registerWork("composing 8 layers", repetitions, [] {
+    registerWork("composing 8 layers", compositions, [] {
         const auto work = std::make_shared<Work>();
         return [work] {
             benchmark::DoNotOptimize(composite(work->mesh, work->atlas, work->layers, base, work->cache));
         };
     });
-    registerWork("composing 1 of 8 layers anew", repetitions, [] {
+    registerWork("composing 1 of 8 layers anew", compositions, [] {
         const auto work = std::make_shared<Work>();
         return [work] {
             benchmark::DoNotOptimize(
                 recomposite(work->mesh, work->atlas, work->before, work->moved, base, work->cache));
         };
     });
-    registerWork("plain loop over texels", repetitions, [] {
+    registerWork("plain loop over texels", compositions, [] {
         const auto layers = std::make_shared<const std::vector<TextureLayer>>(layersAround());
         const auto page = std::make_shared<Image>(
             Image{pageSize, pageSize, std::vector<std::uint8_t>(4UL * pageSize * pageSize)});

@@ -69,9 +69,9 @@ PreparationPanel::PreparationPanel(Document& document, PreparationEdits& edits, 
       m_evenLightField(new NumberField(strengthFormat(), this)),
       m_field(addStep(tr("Roun&d field"), "roundField")), m_strokes(addStep(tr("Brushed out"), "brushedOut")),
       m_highlights(addStep(tr("Hi&ghlights"), "highlights")),
-      m_evenLight(addStep(tr("Even &light"), "evenLight", m_evenLightField)),
+      m_evenLight(addStep(tr("Even light"), "evenLight", m_evenLightField)),
       m_whiteBalance(addStep(tr("&White balance"), "whiteBalance")),
-      m_match(addStep(tr("&Match colour beneath"), "matchColour")), m_lens(addStep(tr("Le&ns"), "lens")),
+      m_match(addStep(tr("Match colour beneath"), "matchColour")), m_lens(addStep(tr("Lens"), "lens")),
       m_crop(addStep(tr("Crop"), "crop")), m_large(new QPushButton(tr("Brush, straighten, crop…"), this)) {
     layOut();
     connectControls();
