@@ -173,6 +173,23 @@ TEST_F(PanelsTest, DisabledControlsSayWhy) {
     EXPECT_EQ(undo->toolTip(), "Undo Set base mass (Ctrl+Z)");
 }
 
+TEST_F(PanelsTest, ALayerBlendsAsChosen) {
+    window->document().edit("layer", [](Project& p) {
+        TextureLayer layer;
+        layer.photo = makeSamplePhoto("serosa");
+        p.layers = {layer};
+    });
+    auto* choice = child<QComboBox>("blending");
+    ASSERT_TRUE(choice->isEnabled());
+    for (const int index : {2, 1}) {
+        choice->setCurrentIndex(index);
+        emit choice->activated(index);
+        EXPECT_EQ(project().layers[0].blending, blendings.at(std::size_t(index)));
+    }
+    window->document().undoStack()->undo();
+    EXPECT_EQ(choice->currentIndex(), 2) << "each choice is a step";
+}
+
 TEST_F(PanelsTest, TheAtlasForgetsThatThereWasNoSurface) {
     Project bare = makeSample("tube");
     auto mesh = std::make_shared<TriangleMesh>(*bare.mesh);

@@ -1,5 +1,6 @@
 #include "app/editor/panels/photo_panel.h"
 
+#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
 
@@ -13,7 +14,8 @@ PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent
     : Section(tr("Layer"), parent), m_document(document), m_selection(selection),
       m_visible(new QCheckBox(tr("V&isible"), this)),
       m_occlusion(new QCheckBox(tr("Only what the pro&jector sees"), this)), m_opacity(new ValueSlider(this)),
-      m_opacityField(new NumberField(shareFormat(), this)), m_blend(new NumberField(pixelFormat(), this)) {
+      m_opacityField(new NumberField(shareFormat(), this)), m_blending(new QComboBox(this)),
+      m_blend(new NumberField(pixelFormat(), this)) {
     layOut();
     connectControls();
     connect(&selection, &Selection::changed, this, &PhotoPanel::show);
@@ -31,7 +33,12 @@ void PhotoPanel::layOut() {
     rows->addField(tr("&Opacity"), m_opacityField);
     body()->addWidget(rows);
     body()->addWidget(m_opacity);
+    // In the order of `blendings`.
+    m_blending->addItems({tr("normal"), tr("multiply"), tr("multi-band")});
+    guardFromWheel(*m_blending);
+    m_blending->setObjectName(QStringLiteral("blending"));
     auto* blendRow = new ValueRows(this);
+    blendRow->addField(tr("Blendi&ng"), m_blending);
     blendRow->addField(tr("&Blend at border"), m_blend);
     body()->addWidget(blendRow);
     body()->addWidget(m_visible);
@@ -46,8 +53,12 @@ void PhotoPanel::connectControls() {
         connect(field, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
     connect(m_blend, &NumberField::valueEdited, this, [this](double pixels) {
         edit(
-            tr("Set blending"), [=](TextureLayer& layer) { layer.blendPixels = pixels; },
+            tr("Set blend at border"), [=](TextureLayer& layer) { layer.blendPixels = pixels; },
             QStringLiteral("blending"));
+    });
+    connect(m_blending, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+        const Blending chosen = blendings.at(static_cast<std::size_t>(index));
+        edit(tr("Set blending"), [=](TextureLayer& layer) { layer.blending = chosen; });
     });
     connect(m_visible, &QCheckBox::clicked, this, [this](bool on) {
         edit(on ? tr("Show photo") : tr("Hide photo"), [=](TextureLayer& layer) { layer.visible = on; });
@@ -66,6 +77,7 @@ void PhotoPanel::show() {
     m_opacityField->setValue(layer ? std::optional(layer->opacity) : std::nullopt);
     m_blend->setValue(layer ? std::optional(layer->blendPixels) : std::nullopt);
     m_opacity->setValue(layer ? qRound(layer->opacity * 100) : 0);
+    m_blending->setCurrentIndex(layer ? static_cast<int>(layer->blending) : -1);
     m_visible->setChecked(layer && layer->visible);
     m_occlusion->setChecked(layer && layer->projector.occlusion);
 }
@@ -78,6 +90,10 @@ void PhotoPanel::showUse(bool hasPhoto) {
            tr("Leave out what faces away from the projector or lies behind other tissue"), why);
     enable(m_opacity, hasPhoto, opacity, why);
     enable(m_opacityField, hasPhoto, opacity, why);
+    enable(
+        m_blending, hasPhoto,
+        tr("normal hides what lies beneath, multiply darkens it, multi-band passes into it without a seam"),
+        why);
     enable(m_blend, hasPhoto, tr("Photo pixels from the border over which the photo fades in"), why);
 }
 

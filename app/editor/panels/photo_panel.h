@@ -7,6 +7,7 @@
 #include "widgets/inputs/value_slider.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 
 namespace esm {
 
@@ -31,7 +32,9 @@ private:
     Selection& m_selection;
     QCheckBox *m_visible, *m_occlusion;
     ValueSlider* m_opacity;
-    NumberField *m_opacityField, *m_blend;
+    NumberField* m_opacityField;
+    QComboBox* m_blending;
+    NumberField* m_blend;
 };
 
 } // namespace esm
