@@ -8,6 +8,7 @@
 #include "core/offscreen/offscreen.h"
 #include "core/render/drawn_shape.h"
 #include "core/texture/layers/composite.h"
+#include "core/texture/layers/page_levels.h"
 
 #include <algorithm>
 #include <variant>
@@ -127,6 +128,8 @@ RenderScene projectScene(const Project& project, const Shown& shown, Context& co
         scene.texturePages = std::make_shared<const std::vector<Image>>(
             composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
                       progressOf(context, "baking")));
+        scene.smallerPages =
+            std::make_shared<const SmallerPages>(smallerPages(*scene.atlas, *scene.texturePages));
     }
     if (shows(shown, "springs")) colourSprings(scene, evaluateModel(project));
     if (shows(shown, "regions")) addRegions(scene, project.regions);
@@ -144,6 +147,8 @@ RenderScene packageScene(ModelPackage package, const Shown& shown) {
     if (!package.atlas) return scene;
     scene.atlas = package.atlas;
     scene.texturePages = std::make_shared<const std::vector<Image>>(std::move(package.textures));
+    scene.smallerPages =
+        std::make_shared<const SmallerPages>(smallerPages(*scene.atlas, *scene.texturePages));
     return scene;
 }
 

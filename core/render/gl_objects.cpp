@@ -131,10 +131,26 @@ GlTexture::~GlTexture() {
 }
 
 void GlTexture::upload(const Image& image, int levels) {
-    if (std::max(image.width, image.height) > limitOf(m_gl, GL_MAX_TEXTURE_SIZE)) {
-        upload(halved(image), std::max(levels - 1, 0));
-        return;
-    }
+    if (!fits(image)) return upload(halved(image), std::max(levels - 1, 0));
+    filter(levels);
+    put(image, 0);
+    if (levels > 0) m_gl.GenerateMipmap(GL_TEXTURE_2D);
+}
+
+void GlTexture::upload(const Image& image, const std::vector<Image>& smaller) {
+    if (smaller.empty()) return upload(image, 0);
+    if (!fits(image)) return upload(smaller.front(), {smaller.begin() + 1, smaller.end()});
+    filter(static_cast<int>(smaller.size()));
+    put(image, 0);
+    for (std::size_t i = 0; i < smaller.size(); ++i)
+        put(smaller[i], static_cast<int>(i) + 1);
+}
+
+bool GlTexture::fits(const Image& image) const {
+    return std::max(image.width, image.height) <= limitOf(m_gl, GL_MAX_TEXTURE_SIZE);
+}
+
+void GlTexture::filter(int levels) {
     bind(GL_TEXTURE_2D, 0);
     m_gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -143,9 +159,11 @@ void GlTexture::upload(const Image& image, int levels) {
     m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
                        levels > 0 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels);
-    m_gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+}
+
+void GlTexture::put(const Image& image, int level) {
+    m_gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                     image.pixels.data());
-    if (levels > 0) m_gl.GenerateMipmap(GL_TEXTURE_2D);
 }
 
 void GlTexture::attach(const GlBuffer& buffer) {

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <vector>
 
 namespace esm {
 
@@ -79,11 +80,17 @@ public:
     /// Bilinear, with smaller copies down to `levels` halvings. A picture larger than the driver takes is
     /// halved until it fits.
     void upload(const Image& image, int levels);
+    /// The same with smaller copies that are given, each half the size of the one before.
+    void upload(const Image& image, const std::vector<Image>& smaller);
     /// Shaders read the buffer as `vec4` texels. @throws std::runtime_error for more than the driver takes
     void attach(const GlBuffer& buffer);
     void bind(GLenum target, int unit) const;
 
 private:
+    bool fits(const Image& image) const;
+    void filter(int levels);
+    void put(const Image& image, int level);
+
     const GlFunctions& m_gl;
     GLuint m_id = 0;
 };

@@ -6,6 +6,7 @@
 #include "core/render/camera.h"
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/image.h"
+#include "core/texture/layers/page_levels.h"
 #include "core/texture/projection/projector.h"
 
 #include <array>
@@ -66,6 +67,8 @@ struct RenderScene {
     std::vector<Eigen::Vector3d> nodePositions;
     std::shared_ptr<const Atlas> atlas;                     ///< null: base colour only
     std::shared_ptr<const std::vector<Image>> texturePages; ///< null: base colour only
+    /// Of each page, as `smallerPages` makes them; null: small surface flickers
+    std::shared_ptr<const SmallerPages> smallerPages;
     Colour baseColour{186, 92, 84};
     bool showSurface = true;
     bool showSprings = false; ///< a network without triangles always shows them, and its nodes

@@ -87,6 +87,8 @@ uniform mat4 view, projection;
 out vec3 position, normal;
 out vec3 shares;
 flat out vec2 first, second, third;
+flat out vec3 perTexel; // how much of its corner's share a texel's way from the opposite side takes
+uniform float pageSize; // texels
 void main() {
     int vertex = perCorner ? int(cornerVertex) : gl_VertexID;
     vec4 seen = view * vec4(texelFetch(vertices, 2 * vertex).xyz, 1.0);
@@ -98,6 +100,9 @@ void main() {
     second = secondPlace;
     third = thirdPlace;
     NOTE_THROWN(vertex);
+    vec2 along = secondPlace - firstPlace, beside = thirdPlace - firstPlace;
+    float area = abs(along.x * beside.y - along.y * beside.x) * pageSize;
+    perTexel = vec3(distance(second, third), distance(third, first), distance(first, second)) / max(area, 1e-12);
     gl_Position = projection * seen;
 }
 )";
@@ -110,17 +115,29 @@ std::string surfaceFragment(Throwing throwing) {
 in vec3 position, normal;
 in vec3 shares;
 flat in vec2 first, second, third; // where the triangle's corners lie in the page
+flat in vec3 perTexel;
+uniform float pageSize, halfGap; // texels
+uniform int levels;
 uniform bool painted, unlit;
 uniform vec3 baseColour;
 uniform sampler2D page;
 out vec4 colour;
 
+vec2 placeOf(vec3 corners) { return corners.x * first + corners.y * second + corners.z * third; }
+
 // A pixel on a triangle's edge may have its middle outside the triangle. What lies beside the patch in the page
-// does not lie beside it on the surface, so the page is never read there.
+// does not lie beside it on the surface, so the page is never read there; and where smaller copies of it are read,
+// only as near to the patch's edge as their wider texels still show the patch.
 vec2 place() {
     vec3 inside = max(shares, 0.0);
     inside /= inside.x + inside.y + inside.z;
-    return inside.x * first + inside.y * second + inside.z * third;
+    vec2 texel = placeOf(inside) * pageSize;
+    vec2 right = dFdx(texel), down = dFdy(texel);
+    float halvings = ceil(clamp(0.5 * log2(max(dot(right, right), dot(down, down))), 0.0, float(levels)));
+    float inset = halvings > 0.0 ? max(0.0, 1.41421 * exp2(halvings) - halfGap) : 0.0;
+    vec3 least = inset * perTexel;
+    float sum = least.x + least.y + least.z;
+    return placeOf(least / max(sum, 1.0) + max(0.0, 1.0 - sum) * inside);
 }
 
 void main() {

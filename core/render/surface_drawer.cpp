@@ -16,15 +16,13 @@ struct Corner {
     std::array<float, 6> patch; ///< u and v of the whole triangle's corners
 };
 
-/// Smaller copies of a page mix texels that lie a power of two apart: only as many as the patches' own
-/// borders, half the gap each, keep from mixing with a neighbour's.
-int usableLevels(int gap) {
-    return gap < 4 ? 0 : static_cast<int>(std::log2(gap)) - 1;
-}
-
 bool isTextured(const RenderScene& scene) {
     return scene.atlas && scene.texturePages && scene.atlas->corners.size() == scene.mesh->triangles.size() &&
            scene.atlas->page.size() == scene.mesh->triangles.size();
+}
+
+int levelsOf(const std::shared_ptr<const SmallerPages>& smallerPages) {
+    return smallerPages && !smallerPages->empty() ? static_cast<int>(smallerPages->front().size()) : 0;
 }
 
 } // namespace
@@ -66,7 +64,10 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
     if (hidesItsInside(frame)) m_gl.Enable(GL_CULL_FACE);
     if (textured) {
         takeAtlas(scene.atlas);
-        takePages(scene.texturePages, usableLevels(scene.atlas->options.gap));
+        takePages(scene);
+        program.set("pageSize", static_cast<float>(scene.atlas->options.size));
+        program.set("halfGap", static_cast<float>(scene.atlas->options.gap) / 2);
+        program.set("levels", levelsOf(scene.smallerPages));
         m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
         drawPages(program);
     } else {
@@ -151,13 +152,17 @@ void SurfaceDrawer::takeAtlas(const std::shared_ptr<const Atlas>& atlas) {
     m_cornerBuffer.upload(GL_ARRAY_BUFFER, corners.data(), corners.size() * sizeof(Corner), GL_STATIC_DRAW);
 }
 
-void SurfaceDrawer::takePages(const std::shared_ptr<const std::vector<Image>>& pages, int levels) {
-    if (pages == m_pages) return;
-    m_pages = pages;
+void SurfaceDrawer::takePages(const RenderScene& scene) {
+    if (scene.texturePages == m_pages && scene.smallerPages == m_smallerPages) return;
+    m_pages = scene.texturePages;
+    m_smallerPages = scene.smallerPages;
     m_pageTextures.clear();
-    for (const Image& page : *pages) {
+    for (std::size_t i = 0; i < m_pages->size(); ++i) {
+        const Image& page = (*m_pages)[i];
         m_pageTextures.push_back(page.empty() ? nullptr : std::make_unique<GlTexture>(m_gl));
-        if (!page.empty()) m_pageTextures.back()->upload(page, levels);
+        const bool hasSmaller = m_smallerPages && i < m_smallerPages->size();
+        if (!page.empty())
+            m_pageTextures.back()->upload(page, hasSmaller ? (*m_smallerPages)[i] : std::vector<Image>());
     }
 }
 

@@ -28,7 +28,7 @@ private:
     void takeVertices(const std::vector<Eigen::Vector3d>& vertices, const Frame& frame);
     void takeTriangles(const std::shared_ptr<const TriangleMesh>& mesh);
     void takeAtlas(const std::shared_ptr<const Atlas>& atlas);
-    void takePages(const std::shared_ptr<const std::vector<Image>>& pages, int levels);
+    void takePages(const RenderScene& scene);
     bool hidesItsInside(const Frame& frame) const;
     void drawPlain(const GlProgram& program) const;
     void drawPages(const GlProgram& program) const;
@@ -41,6 +41,7 @@ private:
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::shared_ptr<const Atlas> m_atlas;
     std::shared_ptr<const std::vector<Image>> m_pages;
+    std::shared_ptr<const SmallerPages> m_smallerPages;
     std::vector<std::unique_ptr<GlTexture>> m_pageTextures;
     std::vector<PageRange> m_ranges;
     bool m_closed = false;                      ///< the surface has no border and agrees in orientation

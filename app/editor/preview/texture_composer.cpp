@@ -20,6 +20,11 @@ TextureComposer::Pages TextureComposer::pages() const {
     return m_pages;
 }
 
+std::shared_ptr<const SmallerPages> TextureComposer::smallerPages() const {
+    const std::lock_guard lock(m_mutex);
+    return m_smallerPages;
+}
+
 std::shared_ptr<const Atlas> TextureComposer::atlas() const {
     const std::lock_guard lock(m_mutex);
     return m_atlas;
@@ -41,8 +46,11 @@ void TextureComposer::work() {
 }
 
 TextureComposer::Pages TextureComposer::pagesOf(const Project& project) {
-    if (m_kept.mesh != project.mesh) m_kept = {project.mesh, nullptr, {}, {}};
-    if (m_kept.atlas != project.atlas) m_kept.composition = {};
+    if (m_kept.mesh != project.mesh) m_kept = {project.mesh, nullptr, {}, nullptr, {}};
+    if (m_kept.atlas != project.atlas) {
+        m_kept.composition = {};
+        m_kept.smaller = nullptr;
+    }
     m_kept.atlas = project.atlas;
     const auto goOn = [&](double) {
         return !m_requests.isObsolete(
@@ -51,6 +59,9 @@ TextureComposer::Pages TextureComposer::pagesOf(const Project& project) {
     auto pages = std::make_shared<const std::vector<Image>>(
         recomposite(*project.mesh, *project.atlas, m_kept.composition, project.layers,
                     project.texture.baseColour, m_kept.cache, goOn));
+    m_kept.smaller = std::make_shared<const SmallerPages>(
+        m_kept.smaller ? esm::smallerPages(*project.atlas, *pages, *m_kept.composition.pages, *m_kept.smaller)
+                       : esm::smallerPages(*project.atlas, *pages));
     m_kept.composition = {project.layers, project.texture.baseColour, pages};
     return pages;
 }
@@ -70,6 +81,7 @@ void TextureComposer::compose(const Request& request) {
     {
         const std::lock_guard lock(m_mutex);
         m_pages = std::move(pages);
+        m_smallerPages = m_pages ? m_kept.smaller : nullptr;
         m_atlas = m_pages ? project.atlas : nullptr;
         m_failure = std::move(failure);
         m_milliseconds =

@@ -148,6 +148,7 @@ void ViewController::rebuildScene() {
     if (atlas && atlas == project.atlas && !project.layers.empty()) {
         scene.atlas = atlas;
         scene.texturePages = m_composer.pages();
+        scene.smallerPages = m_composer.smallerPages();
     }
     scene.thrown = m_moving.thrown();
     std::tie(scene.backgroundTop, scene.backgroundBottom) = viewBackground(m_theme);

@@ -52,4 +52,8 @@ LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const Textu
 /// along the edge with bilinear filtering.
 double seamError(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Image>& pages);
 
+/// The same in the pages halved so often, 1 for `smallerPages`'s first, as the renderer reads them: by
+/// `levelInset` within each patch. @param pages one per page, all of that level
+double seamError(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Image>& pages, int halvings);
+
 } // namespace esm

@@ -1,4 +1,6 @@
+#include "core/texture/atlas/patch_row.h"
 #include "core/texture/layers/composite.h"
+#include "core/texture/layers/page_levels.h"
 #include "core/texture/photo/bilinear.h"
 
 #include <algorithm>
@@ -40,6 +42,23 @@ double difference(const Side& a, const Side& b) {
     return largest;
 }
 
+/// As the renderer reads a smaller page, in that page's texels.
+PatchCorners patchRead(const PatchCorners& patch, double inset, int halvings) {
+    const Eigen::Vector2d along = patch[1] - patch[0], beside = patch[2] - patch[0];
+    const double area = std::abs(along.x() * beside.y() - along.y() * beside.x());
+    Eigen::Vector3d least;
+    for (std::size_t i = 0; i < 3; ++i)
+        least[static_cast<Eigen::Index>(i)] =
+            inset * (patch[(i + 2) % 3] - patch[(i + 1) % 3]).norm() / std::max(area, 1e-12);
+    const double sum = least.sum();
+    least /= std::max(sum, 1.0);
+    const Eigen::Vector2d middle = least[0] * patch[0] + least[1] * patch[1] + least[2] * patch[2];
+    PatchCorners read;
+    for (std::size_t i = 0; i < 3; ++i)
+        read[i] = std::ldexp(1.0, -halvings) * (middle + std::max(0.0, 1 - sum) * patch[i]);
+    return read;
+}
+
 } // namespace
 
 double seamError(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Image>& pages) {
@@ -57,6 +76,15 @@ double seamError(const TriangleMesh& mesh, const Atlas& atlas, const std::vector
         }
     }
     return largest;
+}
+
+double seamError(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Image>& pages,
+                 int halvings) {
+    const double inset = levelInset(atlas.options, halvings);
+    Atlas read = atlas;
+    for (PatchCorners& patch : read.corners)
+        patch = patchRead(patch, inset, halvings);
+    return seamError(mesh, read, pages);
 }
 
 } // namespace esm

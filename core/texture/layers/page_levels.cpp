@@ -1,0 +1,111 @@
+#include "core/texture/layers/page_levels.h"
+
+#include "core/support/errors.h"
+#include "core/texture/layers/patch_scan.h"
+#include "core/texture/texture_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tbb/parallel_for.h>
+
+namespace esm {
+
+namespace {
+
+/// Blocks of texels that become one must not reach across the bands in which pages are scanned.
+constexpr int mostLevels = 5;
+
+/// A square of texels that becomes one.
+struct Block {
+    int x, y, size;
+};
+
+/// The mean of those texels of a block that belong to one patch; of all where none does.
+void takeMean(const Image& page, const BandOwners& owners, const Block& block, std::uint8_t* texel) {
+    const std::uint32_t owner = owners.at(block.x + block.size / 2, block.y + block.size / 2);
+    std::array<std::uint32_t, 4> sum{};
+    std::uint32_t count = 0;
+    for (int y = block.y; y < block.y + block.size; ++y) {
+        for (int x = block.x; x < block.x + block.size; ++x) {
+            if (owners.at(x, y) != owner) continue;
+            const std::uint8_t* pixel = page.at(x, y);
+            for (std::size_t channel = 0; channel < 4; ++channel)
+                sum[channel] += pixel[channel];
+            ++count;
+        }
+    }
+    for (std::size_t channel = 0; channel < 4; ++channel)
+        texel[channel] = static_cast<std::uint8_t>((sum[channel] + count / 2) / count);
+}
+
+void reduceBand(const Image& page, const BandOwners& owners, const PageBand& band, int level,
+                Image& smaller) {
+    const int size = 1 << level;
+    for (int y = band.firstRow / size; y < band.endRow / size; ++y)
+        for (int x = 0; x < smaller.width; ++x)
+            takeMean(page, owners, {x * size, y * size, size}, smaller.at(x, y));
+}
+
+bool isSame(const Image& page, const Image& before, const PageBand& band) {
+    const std::uint8_t* first = page.at(0, band.firstRow);
+    return std::equal(first, first + 4 * std::ptrdiff_t{page.width} * (band.endRow - band.firstRow),
+                      before.at(0, band.firstRow));
+}
+
+Image emptyPage(int size) {
+    Image page;
+    page.width = page.height = size;
+    page.pixels.resize(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    return page;
+}
+
+void check(const Atlas& atlas, const std::vector<Image>& pages) {
+    std::vector<std::string> problems = validate(atlas, atlas.corners.size());
+    const int size = atlas.options.size;
+    const auto isForeign = [&](const Image& page) { return page.width != size || page.height != size; };
+    if (pages.size() != static_cast<std::size_t>(atlas.options.pages) ||
+        std::any_of(pages.begin(), pages.end(), isForeign))
+        problems.emplace_back("the texture's pages do not belong to its layout");
+    if (!problems.empty()) throw InvalidModel(problems);
+}
+
+} // namespace
+
+int usableLevels(const AtlasOptions& options) {
+    int levels = 0;
+    while (levels < mostLevels && 4 << levels <= options.gap && options.size % (2 << levels) == 0)
+        ++levels;
+    return levels;
+}
+
+double levelInset(const AtlasOptions& options, int halvings) {
+    const double reach = std::sqrt(2.0) * std::ldexp(1.0, halvings);
+    return halvings > 0 ? std::max(0.0, reach - options.gap / 2.0) : 0;
+}
+
+SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages) {
+    SmallerPages smaller(pages.size());
+    for (std::vector<Image>& page : smaller)
+        for (int level = 1; level <= usableLevels(atlas.options); ++level)
+            page.push_back(emptyPage(atlas.options.size >> level));
+    return smallerPages(atlas, pages, {}, std::move(smaller));
+}
+
+SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages,
+                          const std::vector<Image>& before, SmallerPages smallerBefore) {
+    check(atlas, pages);
+    const int levels = usableLevels(atlas.options);
+    SmallerPages smaller = std::move(smallerBefore);
+    const std::vector<PageBand> bands = pageBands(atlas);
+    tbb::parallel_for(std::size_t{0}, levels > 0 ? bands.size() : 0, [&](std::size_t i) {
+        const PageBand& band = bands[i];
+        const auto page = static_cast<std::size_t>(band.page);
+        if (page < before.size() && isSame(pages[page], before[page], band)) return;
+        const BandOwners owners(atlas, band, fillReach(atlas.options));
+        for (int level = 1; level <= levels; ++level)
+            reduceBand(pages[page], owners, band, level, smaller[page][static_cast<std::size_t>(level - 1)]);
+    });
+    return smaller;
+}
+
+} // namespace esm

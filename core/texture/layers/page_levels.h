@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/texture/atlas/atlas.h"
+
+#include <vector>
+
+namespace esm {
+
+/// How often a page can be halved before the bilinear filter, which reads a texel around its place, reaches
+/// beyond the middle of the gap into a neighbour's border.
+int usableLevels(const AtlasOptions& options);
+
+/// Texels by which a place is moved into its patch where a page halved so often is read, so that the wide
+/// texels around it still show the patch; 0 where the page itself is read.
+double levelInset(const AtlasOptions& options, int halvings);
+
+using SmallerPages = std::vector<std::vector<Image>>; ///< of each page, the largest first
+
+/// The pages of a texture, each at half its size, at a quarter and so on as far as the gap allows. A texel
+/// shows the patch nearest to its centre, by the mean of those texels in it that belong to that patch, so
+/// that no patch mixes with another [R 4.3.2.4]. Pure, and the same with any number of threads.
+/// @throws InvalidModel for a layout beyond its pages or pages of another size
+SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages);
+
+/// The same, where `before` and `smallerBefore` are other pages of the same atlas and what was made of them:
+/// only where they differ is anything computed.
+SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages,
+                          const std::vector<Image>& before, SmallerPages smallerBefore);
+
+} // namespace esm
