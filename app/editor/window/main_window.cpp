@@ -108,8 +108,9 @@ void MainWindow::buildPanels() {
     m_tissueRight = buildColumn(
         *this, Qt::RightDockWidgetArea, tr("Tissue"),
         {new TissuePanel(*m_document, *m_selection), workbench, new AccuracyPanel(*m_document, *m_preview)});
-    m_textureRight = buildColumn(*this, Qt::RightDockWidgetArea, tr("Photo"),
-                                 {preparation, new PhotoPanel(*m_document, *m_selection), projector, landmarks});
+    m_textureRight =
+        buildColumn(*this, Qt::RightDockWidgetArea, tr("Photo"),
+                    {preparation, new PhotoPanel(*m_document, *m_selection), projector, landmarks});
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({m_tissueLeft, m_tissueRight}, {leftWidth, rightWidth}, Qt::Horizontal);
