@@ -3,6 +3,7 @@
 #include "core/exchange/model_package.h"
 #include "core/exchange/project_file.h"
 #include "core/model/tissue_digest.h"
+#include "core/offscreen/preview_picture.h"
 
 namespace esm {
 
@@ -25,7 +26,7 @@ Report runExport(const ExportOptions& options, Context& context) {
         throw UsageError("--to: '" + options.format + "' is not one of the formats there are: glb");
     context.subject = options.project;
     const Project project = loadProject(options.project);
-    exportPackage(project, options.output, progressOf(context, "exporting"));
+    exportPackage(project, options.output, progressOf(context, "exporting"), previewPicture);
     Report report;
     if (project.stepping && isFromOtherTissue(*project.stepping, evaluateModel(project)))
         addWarnings(report, {"the tissue has changed since its step was recommended: measure again with "

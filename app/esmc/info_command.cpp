@@ -96,6 +96,14 @@ void addTextures(Report& report, std::size_t pages) {
     report.text.push_back(counted(pages, "texture page"));
 }
 
+void addPreview(Report& report, const Image& preview) {
+    report.json["preview"] = nullptr;
+    if (preview.empty()) return;
+    report.json["preview"] = {preview.width, preview.height};
+    report.text.push_back("a preview picture of " + std::to_string(preview.width) + " × " +
+                          std::to_string(preview.height) + " pixels");
+}
+
 Report describePackage(const std::filesystem::path& file) {
     const ModelPackage package = loadPackage(file);
     Report report = modelReport(package);
@@ -103,6 +111,7 @@ Report describePackage(const std::filesystem::path& file) {
     addRegions(report, package.regions);
     report.json["photos"] = Json::array();
     addTextures(report, package.textures.size());
+    addPreview(report, package.preview);
     addSpringLaw(report, package.tissue.stiffening);
     addHolds(report, package.tissue, false);
     addStepping(report, package.stepping, package.tissue);

@@ -4,6 +4,7 @@
 #include "core/support/progress.h"
 
 #include <filesystem>
+#include <functional>
 
 namespace esm {
 
@@ -24,13 +25,20 @@ struct ModelPackage {
     std::array<std::uint8_t, 3> baseColour{}; ///< of a surface without texture
     std::shared_ptr<const Atlas> atlas;       ///< null without textures
     std::vector<Image> textures;              ///< one per page of the atlas
+    Image preview;                            ///< of the organ, for lists of packages; empty without one
 };
+
+/// Draws a package's preview picture. @param pages one per page of the project's atlas; null without one
+using DrawPreview =
+    std::function<Image(const Project& project, const std::shared_ptr<const std::vector<Image>>& pages)>;
 
 /// Bakes the textures and writes the package atomically. Photos of a project whose atlas is not packed yet
 /// get one packed with the project's settings.
+/// @param drawPreview none: a package without preview
 /// @throws FileError, also for a project with problems and for numbers that 32-bit floats cannot hold;
-/// Cancelled
-void exportPackage(const Project& project, const std::filesystem::path& file, const Progress& progress = {});
+/// Cancelled; what drawing throws
+void exportPackage(const Project& project, const std::filesystem::path& file, const Progress& progress = {},
+                   const DrawPreview& drawPreview = {});
 
 /// True for a model package, false for what should be a project; told by the first bytes, else by the name.
 bool isModelPackage(const std::filesystem::path& file);

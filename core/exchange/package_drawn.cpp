@@ -1,6 +1,7 @@
 #include "core/exchange/package_drawn.h"
 
 #include "core/exchange/model_json.h"
+#include "core/exchange/package_layout.h"
 #include "core/support/errors.h"
 #include "core/texture/photo/photo_format.h"
 #include "core/texture/texture_limits.h"
@@ -18,6 +19,7 @@ public:
         : m_arrays(arrays), m_problems(problems) {}
 
     void read(const JsonReader& extension, ModelPackage& package) const;
+    Image readPreview(const JsonReader& preview) const;
 
 private:
     struct DrawnPart {
@@ -34,6 +36,7 @@ private:
     std::shared_ptr<Atlas> readAtlas(const JsonReader& texture, std::size_t pages,
                                      std::size_t triangles) const;
     JsonReader imageOf(const JsonReader& primitive) const;
+    template<class SizeProblem> Image readImage(const JsonReader& image, SizeProblem&& sizeProblem) const;
     Image readPage(const JsonReader& image, int size) const;
     void readPages(const std::vector<JsonReader>& primitives, ModelPackage& package) const;
 
@@ -48,14 +51,16 @@ JsonReader DrawnReader::imageOf(const JsonReader& primitive) const {
     return m_arrays.element("images", texture.member("source"));
 }
 
-/// Decodes nothing that is not of the page's size.
-Image DrawnReader::readPage(const JsonReader& image, int size) const {
+/// Decodes nothing but what has the size. @param sizeProblem of width and height, pixels; empty when all is
+/// well
+template<class SizeProblem>
+Image DrawnReader::readImage(const JsonReader& image, SizeProblem&& sizeProblem) const {
     const Bytes png = m_arrays.file(image.member("bufferView"));
     if (png.empty()) return {};
     const PhotoFormat format = inspectPhoto(png);
-    const auto expected = static_cast<std::uint64_t>(size);
-    if (format.problem.empty() && (format.width != expected || format.height != expected)) {
-        image.addProblem("should be " + std::to_string(size) + " by " + std::to_string(size) + " pixels");
+    const std::string problem = format.problem.empty() ? sizeProblem(format.width, format.height) : "";
+    if (!problem.empty()) {
+        image.addProblem(problem);
         return {};
     }
     try {
@@ -64,6 +69,22 @@ Image DrawnReader::readPage(const JsonReader& image, int size) const {
         m_problems.emplace_back(error.what());
         return {};
     }
+}
+
+Image DrawnReader::readPage(const JsonReader& image, int size) const {
+    const auto expected = static_cast<std::uint64_t>(size);
+    return readImage(image, [&](std::uint64_t width, std::uint64_t height) {
+        if (width == expected && height == expected) return std::string();
+        return "should be " + std::to_string(size) + " by " + std::to_string(size) + " pixels";
+    });
+}
+
+Image DrawnReader::readPreview(const JsonReader& preview) const {
+    return readImage(m_arrays.element("images", preview), [](std::uint64_t width, std::uint64_t height) {
+        if (std::max(width, height) <= package_layout::largestPreview) return std::string();
+        return "should be at most " + std::to_string(package_layout::largestPreview) +
+               " pixels wide and high";
+    });
 }
 
 /// Pages are decoded once all else is known to be sound: there are few of them and each is drawn.
@@ -183,7 +204,9 @@ void DrawnReader::read(const JsonReader& extension, ModelPackage& package) const
 
 void readDrawn(const JsonReader& extension, const GltfArrayReader& arrays, std::vector<std::string>& problems,
                ModelPackage& package) {
-    DrawnReader(arrays, problems).read(extension, package);
+    const DrawnReader reader(arrays, problems);
+    reader.read(extension, package);
+    if (extension.has("preview")) package.preview = reader.readPreview(extension.member("preview"));
 }
 
 } // namespace esm

@@ -19,10 +19,10 @@ namespace {
 
 /// A project with everything that a package needs worked out.
 struct Ingredients {
-    const Project& project;
+    Project project; ///< with an atlas, where there is a texture
     TissueModel tissue;
-    std::shared_ptr<const Atlas> atlas; ///< null: no texture
-    std::vector<Image> pages;
+    std::shared_ptr<const std::vector<Image>> pages; ///< null: no texture
+    Image preview;                                   ///< empty: none
 };
 
 /// Accessors that the drawn mesh and the extension share.
@@ -67,7 +67,9 @@ private:
     Json drawnSurface(Json& drawn);
     Json drawnNetwork(Json& drawn);
     void addMaterial(const Json& colour);
+    std::size_t addImage(const Image& image, double texelsPerMetre);
     std::size_t addTexture(const Image& page);
+    std::size_t addPreview();
 
     const Ingredients& m_from;
     const SpringNetwork& m_network;
@@ -178,7 +180,7 @@ Json PackageBuilder::binding() {
 }
 
 Json PackageBuilder::texture() const {
-    const Atlas& atlas = *m_from.atlas;
+    const Atlas& atlas = *m_from.project.atlas;
     return {{"size", atlas.options.size},
             {"gap", atlas.options.gap},
             {"texelsPerMetre", atlas.texelsPerMetre},
@@ -205,7 +207,7 @@ Json PackageBuilder::extension() {
     json["regions"] = std::move(regions.regions);
     if (project.stepping) json["stepping"] = toJson(*project.stepping);
     json["baseColour"] = colourToJson(project.texture.baseColour);
-    if (m_from.atlas) json["texture"] = texture();
+    if (m_from.pages) json["texture"] = texture();
     return json;
 }
 
@@ -215,12 +217,23 @@ void PackageBuilder::addMaterial(const Json& colour) {
     m_glb.json["materials"].push_back({{"pbrMetallicRoughness", std::move(surface)}, {"doubleSided", true}});
 }
 
-std::size_t PackageBuilder::addTexture(const Image& page) {
+std::size_t PackageBuilder::addImage(const Image& image, double texelsPerMetre) {
     Json& images = m_glb.json["images"];
-    const Bytes png = encodePng(page, m_from.atlas->texelsPerMetre);
+    const Bytes png = encodePng(image, texelsPerMetre);
     images.push_back({{"bufferView", m_arrays.addFile(png)}, {"mimeType", "image/png"}});
-    m_glb.json["textures"].push_back({{"sampler", 0}, {"source", images.size() - 1}});
     return images.size() - 1;
+}
+
+std::size_t PackageBuilder::addTexture(const Image& page) {
+    const std::size_t image = addImage(page, m_from.project.atlas->texelsPerMetre);
+    m_glb.json["textures"].push_back({{"sampler", 0}, {"source", image}});
+    return m_glb.json["textures"].size() - 1;
+}
+
+std::size_t PackageBuilder::addPreview() {
+    const std::size_t image = addImage(m_from.preview, 0);
+    m_glb.json["images"][image]["name"] = "preview";
+    return image;
 }
 
 /// Every corner has a vertex of its own, since every triangle has a texture patch of its own.
@@ -234,7 +247,7 @@ PackageBuilder::PageVertices PackageBuilder::pageVertices(const std::vector<std:
             vertices.nodes.push_back(m_network.vertexNodes[vertex]);
             vertices.vertices.push_back(vertex);
             const Eigen::Vector2d place =
-                m_from.atlas->corners[triangle][corner] / m_from.atlas->options.size;
+                m_from.project.atlas->corners[triangle][corner] / m_from.project.atlas->options.size;
             for (const double value : {place.x(), place.y()})
                 vertices.places.push_back(static_cast<float>(std::clamp(value, 0.0, 1.0)));
         }
@@ -252,7 +265,7 @@ Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t
          m_arrays.addFloats(coordinates(vertices.normals, "normal"), GltfType::Vec3, GltfTarget::Vertices)},
         {"TEXCOORD_0", m_arrays.addFloats(vertices.places, GltfType::Vec2, GltfTarget::Vertices)}};
     const std::size_t order = m_arrays.addIndices(indices, GltfTarget::Indices);
-    const std::size_t texture = addTexture(m_from.pages[page]);
+    const std::size_t texture = addTexture((*m_from.pages)[page]);
     addMaterial({{"baseColorTexture", {{"index", texture}}}});
     drawn.push_back({{"mesh", 0},
                      {"primitive", drawn.size()},
@@ -266,9 +279,9 @@ Json PackageBuilder::drawnPages(Json& drawn) {
     constexpr int linear = 9729, clampToEdge = 33071; // mip-maps would mix patches that are not neighbours
     m_glb.json["samplers"].push_back(
         {{"magFilter", linear}, {"minFilter", linear}, {"wrapS", clampToEdge}, {"wrapT", clampToEdge}});
-    std::vector<std::vector<std::uint32_t>> pages(m_from.pages.size());
+    std::vector<std::vector<std::uint32_t>> pages(m_from.pages->size());
     for (std::uint32_t triangle = 0; triangle < m_mesh.triangles.size(); ++triangle)
-        pages[m_from.atlas->page[triangle]].push_back(triangle);
+        pages[m_from.project.atlas->page[triangle]].push_back(triangle);
     Json primitives = Json::array();
     for (std::size_t page = 0; page < pages.size(); ++page) {
         reportProgress(m_progress, 0.5 + 0.5 * static_cast<double>(page) / static_cast<double>(pages.size()));
@@ -324,9 +337,10 @@ Glb PackageBuilder::build() {
     gltf["extensionsUsed"] = Json::array({package_layout::extension});
     Json springMass = extension(), drawn = Json::array();
     Json primitives = m_mesh.triangles.empty() ? drawnNetwork(drawn)
-                      : m_from.atlas           ? drawnPages(drawn)
+                      : m_from.pages           ? drawnPages(drawn)
                                                : drawnSurface(drawn);
     springMass["drawn"] = std::move(drawn);
+    if (!m_from.preview.empty()) springMass["preview"] = addPreview();
     gltf["scene"] = 0;
     gltf["scenes"].push_back({{"nodes", Json::array({0})}});
     gltf["nodes"].push_back({{"mesh", 0}, {"name", m_from.project.name}});
@@ -342,26 +356,33 @@ void refuse(const std::vector<std::string>& problems) {
     if (!problems.empty()) throw InvalidModel(problems);
 }
 
-Ingredients prepare(const Project& project, const Progress& progress) {
+std::shared_ptr<const std::vector<Image>> bakedPages(const Project& project, const Progress& progress) {
+    if (!project.atlas) return nullptr;
+    return std::make_shared<const std::vector<Image>>(
+        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
+                  [&](double fraction) { return !progress || progress(0.5 * fraction); }));
+}
+
+Ingredients prepare(const Project& project, const Progress& progress, const DrawPreview& drawPreview) {
     refuse(validate(project));
-    Ingredients result{project, evaluateModel(project), project.atlas, {}};
+    Ingredients result{project, evaluateModel(project), nullptr, {}};
     refuse(validate(result.tissue));
     const TriangleMesh& mesh = *project.mesh;
     if (mesh.triangles.empty())
-        result.atlas = nullptr;
-    else if (!result.atlas && !project.layers.empty())
-        result.atlas = std::make_shared<Atlas>(packAtlas(mesh, project.texture.atlas));
-    const Progress firstHalf = [&](double fraction) { return !progress || progress(0.5 * fraction); };
-    if (result.atlas)
-        result.pages = composite(mesh, *result.atlas, project.layers, project.texture.baseColour, firstHalf);
+        result.project.atlas = nullptr;
+    else if (!project.atlas && !project.layers.empty())
+        result.project.atlas = std::make_shared<Atlas>(packAtlas(mesh, project.texture.atlas));
+    result.pages = bakedPages(result.project, progress);
+    if (drawPreview) result.preview = drawPreview(result.project, result.pages);
     return result;
 }
 
 } // namespace
 
-void exportPackage(const Project& project, const std::filesystem::path& file, const Progress& progress) {
+void exportPackage(const Project& project, const std::filesystem::path& file, const Progress& progress,
+                   const DrawPreview& drawPreview) {
     try {
-        const Ingredients ingredients = prepare(project, progress);
+        const Ingredients ingredients = prepare(project, progress, drawPreview);
         PackageBuilder builder(ingredients, progress);
         const Glb glb = builder.build();
         refuse(builder.problems());

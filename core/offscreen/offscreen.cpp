@@ -5,6 +5,7 @@
 #include <GL/osmesa.h>
 
 #include <algorithm>
+#include <dlfcn.h>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -19,6 +20,31 @@ constexpr int tileSize = 1024;
 std::mutex& osmesaMutex() {
     static std::mutex mutex; // OSMesa's set-up is not safe for threads, and shared by the whole process
     return mutex;
+}
+
+/// OSMesa is loaded apart from the program: its functions of OpenGL have the names of those that a window
+/// draws with, and would stand in for them.
+void* osMesaFunction(const char* name) {
+    static void* const library = dlopen(ESM_OSMESA_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    void* const function = library ? dlsym(library, name) : nullptr;
+    if (!function) throw std::runtime_error("no picture can be drawn: " ESM_OSMESA_LIBRARY " is missing");
+    return function;
+}
+
+struct OsMesa {
+    decltype(&OSMesaCreateContextAttribs) createContextAttribs;
+    decltype(&OSMesaMakeCurrent) makeCurrent;
+    decltype(&OSMesaDestroyContext) destroyContext;
+    decltype(&OSMesaGetProcAddress) getProcAddress;
+};
+
+const OsMesa& osMesa() {
+    static const OsMesa functions{
+        reinterpret_cast<decltype(&OSMesaCreateContextAttribs)>(osMesaFunction("OSMesaCreateContextAttribs")),
+        reinterpret_cast<decltype(&OSMesaMakeCurrent)>(osMesaFunction("OSMesaMakeCurrent")),
+        reinterpret_cast<decltype(&OSMesaDestroyContext)>(osMesaFunction("OSMesaDestroyContext")),
+        reinterpret_cast<decltype(&OSMesaGetProcAddress)>(osMesaFunction("OSMesaGetProcAddress"))};
+    return functions;
 }
 
 /// A context that draws into a square of `samples * tileSize` pixels, current as long as it lives.
@@ -36,11 +62,11 @@ public:
                                   OSMESA_CONTEXT_MINOR_VERSION,
                                   3,
                                   0};
-        m_context = OSMesaCreateContextAttribs(attributes, nullptr);
+        m_context = osMesa().createContextAttribs(attributes, nullptr);
         if (!m_context) throw std::runtime_error("no picture can be drawn: OSMesa has no OpenGL 3.3");
         m_pixels.resize(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        if (!OSMesaMakeCurrent(m_context, m_pixels.data(), GL_UNSIGNED_BYTE, width, height)) {
-            OSMesaDestroyContext(m_context);
+        if (!osMesa().makeCurrent(m_context, m_pixels.data(), GL_UNSIGNED_BYTE, width, height)) {
+            osMesa().destroyContext(m_context);
             throw std::runtime_error("no picture can be drawn: OSMesa refuses a target of " +
                                      std::to_string(width) + " x " + std::to_string(height) + " pixels");
         }
@@ -48,8 +74,8 @@ public:
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
     ~Context() {
-        OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-        OSMesaDestroyContext(m_context);
+        osMesa().makeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+        osMesa().destroyContext(m_context);
     }
 
     /// Red, green and blue of a pixel's samples, averaged; x from the left, y from the bottom.
@@ -78,11 +104,11 @@ private:
 };
 
 void* osmesaFunction(const char* name) {
-    return reinterpret_cast<void*>(OSMesaGetProcAddress(name));
+    return reinterpret_cast<void*>(osMesa().getProcAddress(name));
 }
 
 void finish() {
-    reinterpret_cast<void (*)()>(OSMesaGetProcAddress("glFinish"))();
+    reinterpret_cast<void (*)()>(osMesa().getProcAddress("glFinish"))();
 }
 
 /// Copies a drawn tile, whose rows run from the bottom, to its place in the picture.

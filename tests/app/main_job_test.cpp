@@ -194,6 +194,7 @@ public:
         press(Qt::Key_E, Qt::ControlModifier);
         ASSERT_TRUE(dialogs.isDone());
         EXPECT_TRUE(validatePackage(folder / "organ.glb").empty());
+        EXPECT_EQ(loadPackage(folder / "organ.glb").preview.width, 512);
     }
 
     TemporaryFolder folder;

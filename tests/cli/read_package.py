@@ -153,6 +153,9 @@ def check_gltf(gltf):
         size = document["extensions"]["ESM_spring_mass"]["texture"]["size"]
         check(image["mimeType"] == "image/png", "a texture is no PNG")
         check_png(gltf.file(image["bufferView"]), size, "texture page %d" % texture["source"])
+    preview = document["extensions"]["ESM_spring_mass"].get("preview")
+    if preview is not None:
+        check_png(gltf.file(document["images"][preview]["bufferView"]), 512, "the preview picture")
 
 
 def threes(values, size=3):

@@ -11,6 +11,7 @@
 #include "core/exchange/mesh_file.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/project_file.h"
+#include "core/offscreen/preview_picture.h"
 #include "core/samples/samples.h"
 
 #include <QApplication>
@@ -216,7 +217,8 @@ void FileController::exportTo(const std::filesystem::path& file) {
         const Project project = m_document.project();
         runLongWork(
             &m_window, tr("Exporting %1").arg(fileName(file)),
-            [&](const Progress& progress) { exportPackage(project, file, progress); }, Cancelling::Offered);
+            [&](const Progress& progress) { exportPackage(project, file, progress, previewPicture); },
+            Cancelling::Offered);
         emit message(tr("Exported %1").arg(fileName(file)));
     });
 }

@@ -53,6 +53,30 @@ TEST_F(ModelPackageFile, HoldsTheTissueRoundedToFloat) {
     EXPECT_EQ(package.baseColour, project.texture.baseColour);
 }
 
+TEST_F(ModelPackageFile, ShowsAPictureOfItsOrganBesideTheTexture) {
+    const Project project = richProject();
+    Image drawn{2, 1, {10, 20, 30, 255, 40, 50, 60, 255}};
+    exportPackage(project, m_file, {}, [&](const Project& packed, const auto& pages) {
+        EXPECT_EQ(pages->size(), static_cast<std::size_t>(packed.atlas->options.pages));
+        return drawn;
+    });
+    const ModelPackage package = loadPackage(m_file);
+    EXPECT_EQ(package.preview.pixels, drawn.pixels);
+    EXPECT_EQ(package.textures.size(), exported(project).textures.size());
+    EXPECT_TRUE(loadPackage(m_file).preview.empty()) << "exported without one";
+}
+
+TEST_F(ModelPackageFile, APreviewThatIsNoneOrFillsTheMemoryIsRefused) {
+    exportPackage(richProject(), m_file, {}, [](const Project&, const auto&) {
+        return Image{5000, 1, Bytes(std::size_t{4} * 5000, 255)};
+    });
+    EXPECT_THAT(loadingError(), HasSubstr("at most 4096 pixels"));
+    Glb glb = parseGlb(readFile(m_file));
+    glb.json["extensions"]["ESM_spring_mass"]["preview"] = 99;
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("preview"));
+}
+
 TEST_F(ModelPackageFile, KeepsRegionsAsTheyWerePutIn) {
     const Project project = richProject();
     const ModelPackage package = exported(project);
