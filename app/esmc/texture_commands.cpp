@@ -6,6 +6,7 @@
 #include "core/exchange/projector_file.h"
 #include "core/support/atomic_file.h"
 #include "core/texture/layers/composite.h"
+#include "core/texture/layers/page_levels.h"
 
 #include <filesystem>
 #include <list>
@@ -140,12 +141,14 @@ Report runPhoto(const PhotoOptions& options, Context& context) {
 
 struct BakeOptions {
     std::string project, folder;
+    bool deep = false; ///< 16 bits a channel
 };
 
 void declareBake(CLI::App& command, BakeOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     command.add_option("-o,--output", options.folder, "Folder for the pictures; made when it is missing")
         ->required();
+    addChoice(command, "--bits", options.deep, {{"8", false}, {"16", true}}, "Bits of each channel (8)");
 }
 
 void makeFolder(const fs::path& folder) {
@@ -158,10 +161,12 @@ fs::path pageFile(const fs::path& folder, std::size_t page) {
     return folder / ("texture-" + std::to_string(page + 1) + ".png");
 }
 
-std::vector<Bytes> encoded(const std::vector<Image>& pages, double texelsPerMetre, const Context& context) {
+template<typename Channel>
+std::vector<Bytes> encoded(const std::vector<ImageOf<Channel>>& pages, double texelsPerMetre,
+                           const Context& context) {
     const Progress progress = progressOf(context, "writing");
     std::vector<Bytes> files;
-    for (const Image& page : pages) {
+    for (const ImageOf<Channel>& page : pages) {
         reportProgress(progress, static_cast<double>(files.size()) / static_cast<double>(pages.size()));
         files.push_back(encodePng(page, texelsPerMetre));
     }
@@ -192,23 +197,61 @@ std::vector<std::string> staleWarnings(const fs::path& folder, std::size_t pages
             " of an earlier bake and no part of this texture; remove or rename"};
 }
 
+/// Of the pages, and of each size to which a renderer may halve them.
+std::vector<double> seamErrors(const Project& project, const std::vector<Image>& pages) {
+    std::vector<double> errors{seamError(*project.mesh, *project.atlas, pages)};
+    const SmallerPages smaller = smallerPages(*project.atlas, pages);
+    for (int halvings = 1; halvings <= usableLevels(project.atlas->options); ++halvings) {
+        std::vector<Image> level;
+        for (const std::vector<Image>& page : smaller)
+            level.push_back(page[static_cast<std::size_t>(halvings - 1)]);
+        errors.push_back(seamError(*project.mesh, *project.atlas, level, halvings));
+    }
+    return errors;
+}
+
+std::string seamText(const std::vector<double>& errors) {
+    std::string text = "largest difference of colour across an edge: " + inText(errors.front()) + " of 255";
+    for (std::size_t halvings = 1; halvings < errors.size(); ++halvings)
+        text += ", at 1/" + std::to_string(1 << halvings) + " of the size " + inText(errors[halvings]);
+    return text;
+}
+
+struct Baked {
+    std::vector<Bytes> files; ///< of the pages
+    std::vector<double> seamErrors;
+};
+
+Baked bake(const Project& project, bool deep, const Context& context) {
+    const Progress progress = progressOf(context, "baking");
+    const double texelsPerMetre = project.atlas->texelsPerMetre;
+    CompositionCache cache;
+    const std::vector<Image> pages =
+        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, cache, progress);
+    Baked baked{{}, seamErrors(project, pages)};
+    baked.files = deep ? encoded(compositeDeep(*project.mesh, *project.atlas, project.layers,
+                                               project.texture.baseColour, cache, progress),
+                                 texelsPerMetre, context)
+                       : encoded(pages, texelsPerMetre, context);
+    return baked;
+}
+
 Report runBake(const BakeOptions& options, Context& context) {
     context.subject = options.project;
     Project project = loadProject(options.project);
     packIfNeeded(project);
-    const std::vector<Image> pages = composite(*project.mesh, *project.atlas, project.layers,
-                                               project.texture.baseColour, progressOf(context, "baking"));
-    const double seams = seamError(*project.mesh, *project.atlas, pages);
-    writePages(encoded(pages, project.atlas->texelsPerMetre, context), options.folder, context.interruption);
+    const Baked baked = bake(project, options.deep, context);
+    writePages(baked.files, options.folder, context.interruption);
     Report report;
     report.json["files"] = Json::array();
-    for (std::size_t page = 0; page < pages.size(); ++page) {
+    for (std::size_t page = 0; page < baked.files.size(); ++page) {
         report.json["files"].push_back(pageFile(options.folder, page).string());
         addWritten(report, pageFile(options.folder, page));
     }
-    report.json["seam_error"] = seams;
-    report.text.push_back("largest difference of colour across an edge: " + inText(seams) + " of 255");
-    addWarnings(report, staleWarnings(options.folder, pages.size()));
+    report.json["seam_error"] = baked.seamErrors.front();
+    report.json["seam_errors"] = baked.seamErrors;
+    report.text.push_back(seamText(baked.seamErrors));
+    addWarnings(report, staleWarnings(options.folder, baked.files.size()));
     return report;
 }
 

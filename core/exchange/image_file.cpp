@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csetjmp>
+#include <limits>
 #include <new>
 
 #include <png.h>
@@ -39,15 +40,16 @@ void append(png_structp png, png_bytep data, png_size_t size) {
     if (full) png_error(png, "out of memory");
 }
 
-bool isOpaque(const Image& image) {
+template<typename Channel> bool isOpaque(const ImageOf<Channel>& image) {
     for (std::size_t i = 3; i < image.pixels.size(); i += 4)
-        if (image.pixels[i] != 255) return false;
+        if (image.pixels[i] != std::numeric_limits<Channel>::max()) return false;
     return true;
 }
 
-void writeHeader(const PngWriter& writer, const Image& image, double texelsPerMetre, bool opaque) {
+template<typename Channel>
+void writeHeader(const PngWriter& writer, const ImageOf<Channel>& image, double texelsPerMetre, bool opaque) {
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
-                 static_cast<png_uint_32>(image.height), 8,
+                 static_cast<png_uint_32>(image.height), 8 * sizeof(Channel),
                  opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -58,20 +60,20 @@ void writeHeader(const PngWriter& writer, const Image& image, double texelsPerMe
     }
     png_write_info(writer.png, writer.info);
     if (opaque) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
+    if (sizeof(Channel) > 1) png_set_swap(writer.png); // to PNG's order of bytes
 }
 
-bool write(const PngWriter& writer, const Image& image, double texelsPerMetre, bool opaque) {
+template<typename Channel>
+bool write(const PngWriter& writer, const ImageOf<Channel>& image, double texelsPerMetre, bool opaque) {
     if (setjmp(png_jmpbuf(writer.png))) return false;
     writeHeader(writer, image, texelsPerMetre, opaque);
     for (int y = 0; y < image.height; ++y)
-        png_write_row(writer.png, image.at(0, y));
+        png_write_row(writer.png, reinterpret_cast<png_const_bytep>(image.at(0, y)));
     png_write_end(writer.png, writer.info);
     return true;
 }
 
-} // namespace
-
-Bytes encodePng(const Image& image, double texelsPerMetre) {
+template<typename Channel> Bytes encoded(const ImageOf<Channel>& image, double texelsPerMetre) {
     if (image.empty()) throw InvalidModel("a picture without pixels cannot be stored");
     Bytes bytes;
     PngWriter writer;
@@ -81,6 +83,16 @@ Bytes encodePng(const Image& image, double texelsPerMetre) {
                            std::to_string(image.height) +
                            " pixels cannot be stored; there is too little memory, or it is too large");
     return bytes;
+}
+
+} // namespace
+
+Bytes encodePng(const Image& image, double texelsPerMetre) {
+    return encoded(image, texelsPerMetre);
+}
+
+Bytes encodePng(const DeepImage& image, double texelsPerMetre) {
+    return encoded(image, texelsPerMetre);
 }
 
 void writePng(const Image& image, const std::filesystem::path& file, double texelsPerMetre) {

@@ -5,17 +5,21 @@
 
 namespace esm {
 
-/// Pixels in rows from the top, red, green, blue, alpha, 8 bits each, sRGB, alpha not premultiplied.
-struct Image {
+/// Pixels in rows from the top, red, green, blue, alpha, each from 0 to the channel's largest value, sRGB,
+/// alpha not premultiplied.
+template<typename Channel> struct ImageOf {
     int width = 0, height = 0;
-    std::vector<std::uint8_t> pixels; ///< 4 · width · height
+    std::vector<Channel> pixels; ///< 4 · width · height
 
     bool empty() const { return pixels.empty(); }
-    std::uint8_t* at(int x, int y) {
+    Channel* at(int x, int y) {
         return &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                             static_cast<std::size_t>(x))];
     }
-    const std::uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
+    const Channel* at(int x, int y) const { return const_cast<ImageOf*>(this)->at(x, y); }
 };
+
+using Image = ImageOf<std::uint8_t>;
+using DeepImage = ImageOf<std::uint16_t>; ///< for what is worked on further
 
 } // namespace esm

@@ -11,7 +11,7 @@ from esmc import ESMC, PROJECTOR, Case, command
 
 
 def read_png(path):
-    """Width, height, channels and rows of bytes of an 8-bit PNG that is not interlaced."""
+    """Width, height, channels and rows of bytes of a PNG of 8 or 16 bits that is not interlaced."""
     data = path.read_bytes()
     assert data[:8] == b"\x89PNG\r\n\x1a\n"
     place, packed = 8, b""
@@ -24,18 +24,18 @@ def read_png(path):
         if kind == b"IDAT":
             packed += body
         place += 12 + length
-    assert depth == 8
     channels = {0: 1, 2: 3, 6: 4}[colour]
-    return width, height, channels, unfiltered(zlib.decompress(packed), width * channels, height, channels)
+    pixel = channels * depth // 8
+    return width, height, channels, unfiltered(zlib.decompress(packed), width * pixel, height, pixel)
 
 
-def unfiltered(raw, stride, height, channels):
+def unfiltered(raw, stride, height, pixel):
     rows, above = [], bytes(stride)
     for y in range(height):
         kind, line = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
         for i in range(stride) if kind else ():
-            left = line[i - channels] if i >= channels else 0
-            corner = above[i - channels] if i >= channels else 0
+            left = line[i - pixel] if i >= pixel else 0
+            corner = above[i - pixel] if i >= pixel else 0
             line[i] = (line[i] + predicted(kind, left, above[i], corner)) & 255
         rows.append(bytes(line))
         above = rows[-1]
@@ -149,7 +149,7 @@ class TextureTest(Case):
         self.assertTrue(report["texels"] > report["triangles"] > 0)
         self.assertEqual([photo["file"] for photo in self.done("info", project)["photos"]], ["photo.png"])
         baked = self.done("texture", "bake", project, "-o", self.file("textures"))
-        self.assertKeys(baked, {"files": list, "seam_error": float})
+        self.assertKeys(baked, {"files": list, "seam_error": float, "seam_errors": list})
         width, height, _, rows = read_png(self.folder / baked["files"][0])
         self.assertEqual((width, height, len(rows)), (2048, 2048, 2048))
         self.assertGreater(len({row[i:i + 3] for row in rows[::64] for i in range(0, len(row) - 3, 256)}), 20)
@@ -195,6 +195,29 @@ class TextureTest(Case):
         self.done("texture", "pack", project, "--size", "256", "-o", project)
         baked = self.done("texture", "bake", project, "-o", self.file("textures"))
         self.assertEqual(baked["seam_error"], 0)
+
+    def test_tells_the_seams_of_every_size_that_the_gap_allows(self):
+        project = self.sample("liver")
+        for gap, sizes in ((2, 1), (4, 2), (8, 3)):
+            self.done("texture", "pack", project, "--size", "1024", "--gap", str(gap), "-o", project)
+            baked = self.done("texture", "bake", project, "-o", self.file("textures"))
+            self.assertEqual(baked["seam_errors"], [0] * sizes)
+
+    def test_bakes_16_bits_that_round_to_the_8(self):
+        project = self.sample("liver")
+        self.photographed(project)
+        self.done("texture", "pack", project, "--size", "256", "-o", project)
+        rows = {}
+        for bits in 8, 16:
+            baked = self.done("texture", "bake", project, "--bits", str(bits), "-o", self.file("textures"))
+            header = Path(baked["files"][0]).read_bytes()[:33]
+            self.assertEqual(header[24], bits)
+            rows[bits] = read_png(self.folder / baked["files"][0])[3]
+        channels = [(value, int.from_bytes(deep[2 * i:2 * i + 2], "big"))
+                    for row, deep in zip(rows[8], rows[16]) for i, value in enumerate(row)]
+        self.assertTrue(all(abs(deep / 257 - value) <= 0.501 for value, deep in channels))
+        self.assertTrue(any(deep % 257 for value, deep in channels))
+        self.fails(2, "texture", "bake", project, "--bits", "12", "-o", self.file("textures"))
 
     def test_does_not_depend_on_the_threads(self):
         project = self.sample("liver")

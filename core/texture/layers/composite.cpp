@@ -6,6 +6,7 @@
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
+#include <limits>
 #include <tbb/parallel_for.h>
 
 namespace esm {
@@ -21,13 +22,28 @@ void checkAtlas(const TriangleMesh& mesh, const Atlas& atlas) {
     if (!problems.empty()) throw InvalidModel(problems);
 }
 
-Image filledPage(int size, const std::array<std::uint8_t, 3>& colour) {
-    Image page;
+template<typename Channel> ImageOf<Channel> filledPage(int size, const std::array<std::uint8_t, 3>& colour) {
+    constexpr Channel opaque = std::numeric_limits<Channel>::max();
+    ImageOf<Channel> page;
     page.width = page.height = size;
-    page.pixels.resize(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 255);
+    page.pixels.resize(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size), opaque);
     for (std::size_t i = 0; i < page.pixels.size(); i += 4)
-        std::copy(colour.begin(), colour.end(), &page.pixels[i]);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            page.pixels[i + channel] = static_cast<Channel>(colour[channel] * (opaque / 255));
     return page;
+}
+
+template<typename Channel>
+std::vector<ImageOf<Channel>>
+composed(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<TextureLayer>& layers,
+         std::array<std::uint8_t, 3> baseColour, CompositionCache& cache, const Progress& progress) {
+    checkAtlas(mesh, atlas);
+    const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, progress);
+    std::vector<ImageOf<Channel>> pages(static_cast<std::size_t>(atlas.options.pages),
+                                        filledPage<Channel>(atlas.options.size, baseColour));
+    if (!stack.isEmpty()) paintPages(stack, atlas, {}, pages, progress);
+    cache.finish();
+    return pages;
 }
 
 } // namespace
@@ -35,13 +51,14 @@ Image filledPage(int size, const std::array<std::uint8_t, 3>& colour) {
 std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
                              const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
                              CompositionCache& cache, const Progress& progress) {
-    checkAtlas(mesh, atlas);
-    const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, progress);
-    std::vector<Image> pages(static_cast<std::size_t>(atlas.options.pages),
-                             filledPage(atlas.options.size, baseColour));
-    if (!stack.isEmpty()) paintPages(stack, atlas, {}, pages, progress);
-    cache.finish();
-    return pages;
+    return composed<std::uint8_t>(mesh, atlas, layers, baseColour, cache, progress);
+}
+
+std::vector<DeepImage> compositeDeep(const TriangleMesh& mesh, const Atlas& atlas,
+                                     const std::vector<TextureLayer>& layers,
+                                     std::array<std::uint8_t, 3> baseColour, CompositionCache& cache,
+                                     const Progress& progress) {
+    return composed<std::uint16_t>(mesh, atlas, layers, baseColour, cache, progress);
 }
 
 std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,

@@ -26,6 +26,12 @@ std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
                              const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
                              CompositionCache& cache, const Progress& progress = {});
 
+/// The same with 16 bits a channel: what lies between two colours of 8 bits is kept.
+std::vector<DeepImage> compositeDeep(const TriangleMesh& mesh, const Atlas& atlas,
+                                     const std::vector<TextureLayer>& layers,
+                                     std::array<std::uint8_t, 3> baseColour, CompositionCache& cache,
+                                     const Progress& progress = {});
+
 /// What was composed before for the same surface and atlas.
 struct Composition {
     std::vector<TextureLayer> layers;

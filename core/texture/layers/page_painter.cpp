@@ -3,6 +3,7 @@
 #include "core/texture/layers/patch_scan.h"
 
 #include <algorithm>
+#include <limits>
 #include <tbb/parallel_for.h>
 
 namespace esm {
@@ -12,8 +13,15 @@ namespace {
 /// Bands between two reports of progress.
 constexpr std::size_t bandsPerReport = 16;
 
+/// @param value 0 to 255
+template<typename Channel> Channel stored(float value) {
+    constexpr float largest = std::numeric_limits<Channel>::max();
+    return static_cast<Channel>(std::clamp(value * (largest / 255) + 0.5F, 0.0F, largest));
+}
+
+template<typename Channel>
 void paintBand(const LayerStack& stack, const Atlas& atlas, const PageBand& band, const TriangleMarks& only,
-               Image& page) {
+               ImageOf<Channel>& page) {
     const double reach = fillReach(atlas.options);
     const BandOwners owners(atlas, band, reach);
     for (const std::uint32_t triangle : band.triangles) {
@@ -24,10 +32,9 @@ void paintBand(const LayerStack& stack, const Atlas& atlas, const PageBand& band
             .forEachTexel(band, page.width, reach, [&](const PatchTexel& texel) {
                 if (owners.at(texel.x, texel.y) != triangle) return;
                 const Eigen::Vector3f colour = layers.colour(texel);
-                std::uint8_t* pixel = page.at(texel.x, texel.y);
+                Channel* pixel = page.at(texel.x, texel.y);
                 for (int channel = 0; channel < 3; ++channel)
-                    pixel[channel] =
-                        static_cast<std::uint8_t>(std::clamp(colour[channel] + 0.5F, 0.0F, 255.0F));
+                    pixel[channel] = stored<Channel>(colour[channel]);
             });
     }
 }
@@ -39,8 +46,9 @@ bool isMeant(const PageBand& band, const TriangleMarks& only) {
 
 } // namespace
 
+template<typename Channel>
 void paintPages(const LayerStack& stack, const Atlas& atlas, const TriangleMarks& only,
-                std::vector<Image>& pages, const Progress& progress) {
+                std::vector<ImageOf<Channel>>& pages, const Progress& progress) {
     std::vector<PageBand> bands = pageBands(atlas);
     bands.erase(std::remove_if(bands.begin(), bands.end(),
                                [&](const PageBand& band) { return !isMeant(band, only); }),
@@ -53,5 +61,10 @@ void paintPages(const LayerStack& stack, const Atlas& atlas, const TriangleMarks
     }
     reportProgress(progress, 1);
 }
+
+template void paintPages(const LayerStack&, const Atlas&, const TriangleMarks&, std::vector<Image>&,
+                         const Progress&);
+template void paintPages(const LayerStack&, const Atlas&, const TriangleMarks&, std::vector<DeepImage>&,
+                         const Progress&);
 
 } // namespace esm

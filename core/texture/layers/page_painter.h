@@ -12,7 +12,13 @@ using TriangleMarks = std::vector<std::uint8_t>;
 /// Fills the texels of the patches and around them.
 /// @param only the triangles whose texels are filled; of all that layers reach, where empty
 /// @throws Cancelled
+template<typename Channel>
 void paintPages(const LayerStack& stack, const Atlas& atlas, const TriangleMarks& only,
-                std::vector<Image>& pages, const Progress& progress);
+                std::vector<ImageOf<Channel>>& pages, const Progress& progress);
+
+extern template void paintPages(const LayerStack&, const Atlas&, const TriangleMarks&, std::vector<Image>&,
+                                const Progress&);
+extern template void paintPages(const LayerStack&, const Atlas&, const TriangleMarks&,
+                                std::vector<DeepImage>&, const Progress&);
 
 } // namespace esm

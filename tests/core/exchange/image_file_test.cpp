@@ -7,19 +7,21 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <cstring>
+#include <limits>
 #include <optional>
 
 using namespace esm;
 
 namespace {
 
-Image pattern(int width, int height, bool opaque) {
-    Image image;
+template<typename Channel = std::uint8_t> ImageOf<Channel> pattern(int width, int height, bool opaque) {
+    constexpr int largest = std::numeric_limits<Channel>::max();
+    ImageOf<Channel> image;
     image.width = width;
     image.height = height;
     for (int i = 0; i < width * height; ++i)
-        for (const int channel : {7 * i, 11 * i, 13 * i, opaque ? 255 : 17 * i})
-            image.pixels.push_back(static_cast<std::uint8_t>(channel));
+        for (const int channel : {7 * i, 1100 * i, 13 * i, opaque ? largest : 1700 * i})
+            image.pixels.push_back(static_cast<Channel>(channel));
     return image;
 }
 
@@ -35,15 +37,16 @@ std::optional<Bytes> chunk(const Bytes& png, const char* name) {
     return std::nullopt;
 }
 
-void expectReadBack(const Image& image) {
+template<typename Channel> void expectReadBack(const ImageOf<Channel>& image) {
     const cv::Mat read = cv::imdecode(encodePng(image), cv::IMREAD_UNCHANGED);
     ASSERT_EQ(read.cols, image.width);
     ASSERT_EQ(read.rows, image.height);
+    ASSERT_EQ(read.elemSize1(), sizeof(Channel));
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
-            const std::uint8_t* pixel = image.at(x, y);
-            const std::uint8_t* other = read.ptr(y, x);
-            const int alpha = read.channels() == 4 ? other[3] : 255;
+            const Channel* pixel = image.at(x, y);
+            const Channel* other = read.ptr<Channel>(y) + x * read.channels();
+            const int alpha = read.channels() == 4 ? other[3] : std::numeric_limits<Channel>::max();
             ASSERT_EQ((std::array<int, 4>{pixel[0], pixel[1], pixel[2], pixel[3]}),
                       (std::array<int, 4>{other[2], other[1], other[0], alpha}));
         }
@@ -56,6 +59,8 @@ TEST(ImageFile, IsReadBackByAnotherReader) {
     expectReadBack(pattern(33, 17, true));
     expectReadBack(pattern(33, 17, false));
     expectReadBack(pattern(1, 1, false));
+    expectReadBack(pattern<std::uint16_t>(33, 17, true));
+    expectReadBack(pattern<std::uint16_t>(33, 17, false));
 }
 
 TEST(ImageFile, NotesColourSpaceAndTexelSize) {
@@ -74,5 +79,5 @@ TEST(ImageFile, WritesAFileOrSaysWhyNot) {
     writePng(pattern(5, 5, true), folder / "a.png");
     EXPECT_EQ(readFile(folder / "a.png"), encodePng(pattern(5, 5, true)));
     EXPECT_THROW(writePng(pattern(5, 5, true), folder / "missing/a.png"), FileError);
-    EXPECT_THROW(encodePng({}), InvalidModel);
+    EXPECT_THROW(encodePng(Image()), InvalidModel);
 }
