@@ -31,7 +31,7 @@ namespace {
 /// How it blends, where it does not just hide what lies beneath, and how much of it is seen.
 QString noteOf(const TextureLayer& layer) {
     if (!layer.visible) return PhotosPanel::tr("hidden");
-    const QString opacity = PhotosPanel::tr("%1 %").arg(qRound(layer.opacity * 100));
+    QString opacity = PhotosPanel::tr("%1 %").arg(qRound(layer.opacity * 100));
     if (layer.blending == Blending::Multiply) return PhotosPanel::tr("multiply, %1").arg(opacity);
     if (layer.blending == Blending::MultiBand) return PhotosPanel::tr("multi-band, %1").arg(opacity);
     return opacity;

@@ -50,7 +50,7 @@ QString gainsText(const ColourGains& gains) {
 QString lensText(const Lens& lens, const Image& photo) {
     const Eigen::Vector2d corner(photo.width, photo.height);
     const double moved = (distorted(lens, corner) - corner).norm();
-    const QString kind =
+    QString kind =
         lens.kind == LensKind::Fisheye ? PreparationPanel::tr("fisheye") : PreparationPanel::tr("pinhole");
     if (!std::isfinite(moved)) return kind;
     return PreparationPanel::tr("%1, %2 px at the corner").arg(kind).arg(std::round(moved), 0, 'f', 0);

@@ -44,8 +44,8 @@ struct Coverage {
     std::vector<float> values;
 
     float& at(int x, int y) {
-        const auto width = static_cast<std::size_t>(range.right - range.left + 1);
-        return values[static_cast<std::size_t>(y - range.top) * width +
+        const int width = range.right - range.left + 1;
+        return values[static_cast<std::size_t>(y - range.top) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(x - range.left)];
     }
 };
