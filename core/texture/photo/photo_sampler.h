@@ -32,7 +32,11 @@ public:
 private:
     const Image& level(std::size_t index) const { return index == 0 ? m_photo : m_smaller[index - 1]; }
 
+    /// Red, green, blue and alpha, 0 to 255, at a place in pixels of one of the pictures.
+    Eigen::Array4f read(std::size_t index, double x, double y) const;
+
     const Image& m_photo;
+    bool m_isOpaque;              ///< nowhere transparent, so that alpha need not be weighed
     std::vector<Image> m_smaller; ///< each half the size of the one before
 };
 
