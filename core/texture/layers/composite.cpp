@@ -39,8 +39,9 @@ composed(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Texture
          std::array<std::uint8_t, 3> baseColour, CompositionCache& cache, const Progress& progress) {
     checkAtlas(mesh, atlas);
     const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, progress);
-    std::vector<ImageOf<Channel>> pages(static_cast<std::size_t>(atlas.options.pages),
-                                        filledPage<Channel>(atlas.options.size, baseColour));
+    std::vector<ImageOf<Channel>> pages;
+    for (int page = 0; page < atlas.options.pages; ++page)
+        pages.push_back(filledPage<Channel>(atlas.options.size, baseColour));
     if (!stack.isEmpty()) paintPages(stack, atlas, {}, pages, progress);
     cache.finish();
     return pages;

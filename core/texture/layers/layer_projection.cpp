@@ -19,6 +19,9 @@ Eigen::Matrix<double, 3, 2> weightsPerTexel(const std::array<Eigen::Vector2d, 3>
     return weights;
 }
 
+/// Levels of the pyramid by which a patch's corners may differ for the depth to be taken as linear over it.
+constexpr double nearlyLinear = 0.125;
+
 /// Photo pixels per texel along the direction in which they are densest, at a place (x·w, y·w, w).
 double pixelsPerTexel(const Eigen::Vector3d& place, const Eigen::Matrix<double, 3, 2>& placePerTexel) {
     const Eigen::Matrix2d perTexel =
@@ -28,41 +31,51 @@ double pixelsPerTexel(const Eigen::Vector3d& place, const Eigen::Matrix<double, 
     return std::isfinite(density) ? density : 0;
 }
 
+/// In the pyramid; a patch without area shows the photo itself.
+double pyramidDepth(double pixelsPerTexel) {
+    return pixelsPerTexel > 1 ? std::log2(pixelsPerTexel) : 0;
+}
+
 } // namespace
 
-std::optional<TriangleProjection>
-TriangleProjection::make(const TextureLayer& layer, const PhotoSampler& sampler, const LitSurface& surface,
-                         const LitTriangle& triangle, const std::array<Eigen::Vector2d, 3>& patch) {
-    TriangleProjection projection(layer, sampler, surface);
+std::optional<TriangleProjection> TriangleProjection::make(const ThrownPhoto& photo,
+                                                           const LitSurface& surface,
+                                                           const LitTriangle& triangle,
+                                                           const std::array<Eigen::Vector2d, 3>& patch) {
+    TriangleProjection projection(photo, surface);
     for (Eigen::Index i = 0; i < 3; ++i)
         projection.m_corners.col(i) =
             surface.mesh.vertices[surface.mesh.triangles[triangle.triangle][static_cast<std::size_t>(i)]];
-    const PhotoSize size{sampler.width(), sampler.height()};
-    projection.m_places = photoMatrix(layer.projector, size) * projection.m_corners.colwise().homogeneous();
+    if (!projection.facesParallelLight()) return std::nullopt;
+    projection.m_places = photo.matrix * projection.m_corners.colwise().homogeneous();
+    if (!projection.m_places.allFinite()) return std::nullopt;
     projection.m_placePerTexel = projection.m_places.topRows<3>() * weightsPerTexel(patch);
-    if (!projection.mayTakeColour()) return std::nullopt;
+    Eigen::Vector3d densities;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        densities[i] = pixelsPerTexel(projection.m_places.col(i).head<3>(), projection.m_placePerTexel);
+    if (!projection.mayTakeColour(densities)) return std::nullopt;
     projection.m_isLit = triangle.isLit;
-    if (layer.projector.kind == ProjectorKind::Parallel)
-        projection.m_depth = projection.pyramidDepth(projection.m_places.col(0).head<3>());
+    projection.m_depths = densities.unaryExpr(&pyramidDepth);
+    projection.m_isDepthLinear =
+        projection.m_places.row(2).minCoeff() > 0 &&
+        projection.m_depths.maxCoeff() - projection.m_depths.minCoeff() < nearlyLinear;
     return projection;
 }
 
-bool TriangleProjection::mayTakeColour() const {
-    const bool isParallel = m_layer.projector.kind == ProjectorKind::Parallel;
+bool TriangleProjection::facesParallelLight() const {
+    // An eye may stand inside an organ and see its wall from there: then only rays tell what it sees.
+    if (!isParallel() || !m_layer.projector.occlusion) return true;
     const Eigen::Vector3d normal =
         (m_corners.col(1) - m_corners.col(0)).cross(m_corners.col(2) - m_corners.col(0));
-    // An eye may stand inside an organ and see its wall from there: then only rays tell what it sees.
-    if (isParallel && m_layer.projector.occlusion &&
-        !(normal.dot(m_layer.projector.pose.linear().col(2)) > 0))
-        return false;
-    if (m_places.row(3).maxCoeff() < (isParallel ? -m_surface.tolerance : 0)) return false;
+    return normal.dot(m_layer.projector.pose.linear().col(2)) > 0;
+}
+
+bool TriangleProjection::mayTakeColour(const Eigen::Vector3d& densities) const {
+    if (m_places.row(3).maxCoeff() < (isParallel() ? -m_surface.tolerance : 0)) return false;
     if (!(m_places.row(2).minCoeff() > 0)) return true; // reaches behind the eye: corners bound nothing
     const Eigen::Matrix<double, 2, 3> pixels =
         m_places.topRows<2>().array().rowwise() / m_places.row(2).array();
-    double density = 0;
-    for (Eigen::Index i = 0; i < 3; ++i)
-        density = std::max(density, pixelsPerTexel(m_places.col(i).head<3>(), m_placePerTexel));
-    const double margin = 3 * density; // texels around the patch read a little beyond it
+    const double margin = 3 * densities.maxCoeff(); // texels around the patch read a little beyond it
     const Eigen::Vector2d low = pixels.rowwise().minCoeff(), high = pixels.rowwise().maxCoeff();
     return !(high.x() < -margin || high.y() < -margin || low.x() > m_sampler.width() + margin ||
              low.y() > m_sampler.height() + margin);
@@ -70,29 +83,24 @@ bool TriangleProjection::mayTakeColour() const {
 
 Eigen::Vector4f TriangleProjection::at(const PatchTexel& texel) const {
     const Eigen::Vector4d seen = m_places * texel.extended;
-    if (!seen.allFinite() || !(seen.z() > 0) || seen.w() < -m_surface.tolerance)
-        return Eigen::Vector4f::Zero();
-    const Eigen::Vector2d pixel = seen.head<2>() / seen.z();
-    const double border = borderWeight(pixel);
+    if (!(seen.z() > 0) || seen.w() < -m_surface.tolerance) return Eigen::Vector4f::Zero();
+    const double x = seen.x() / seen.z(), y = seen.y() / seen.z();
+    const double border = borderWeight(x, y);
     if (!(border > 0)) return Eigen::Vector4f::Zero();
-    const bool isParallel = m_layer.projector.kind == ProjectorKind::Parallel;
-    Eigen::Vector4f colour =
-        m_sampler.at(pixel.x(), pixel.y(), isParallel ? m_depth : pyramidDepth(seen.head<3>()));
+    Eigen::Vector4f colour = m_sampler.at(x, y, depthAt(seen, texel.extended));
     colour.w() *= static_cast<float>(border * m_layer.opacity);
     if (colour.w() > 0) colour.w() *= static_cast<float>(lightWeight(texel.nearest));
     return colour;
 }
 
-double TriangleProjection::pyramidDepth(const Eigen::Vector3d& place) const {
-    const double density = pixelsPerTexel(place, m_placePerTexel);
-    return density > 1 ? std::log2(density) : 0; // a patch without area shows the photo itself
+double TriangleProjection::depthAt(const Eigen::Vector4d& seen, const Eigen::Vector3d& weights) const {
+    return m_isDepthLinear ? m_depths.dot(weights)
+                           : pyramidDepth(pixelsPerTexel(seen.head<3>(), m_placePerTexel));
 }
 
-double TriangleProjection::borderWeight(const Eigen::Vector2d& pixel) const {
-    if (!pixel.allFinite()) return 0;
-    const double inside =
-        std::min({pixel.x(), pixel.y(), m_sampler.width() - pixel.x(), m_sampler.height() - pixel.y()});
-    if (inside < 0) return 0;
+double TriangleProjection::borderWeight(double x, double y) const {
+    const double inside = std::min(std::min(x, y), std::min(m_sampler.width() - x, m_sampler.height() - y));
+    if (!(inside >= 0)) return 0; // nor for a place that is not finite
     return m_layer.blendPixels > 0 ? std::min(1.0, inside / m_layer.blendPixels) : 1;
 }
 
@@ -108,15 +116,14 @@ double TriangleProjection::lightWeight(const Eigen::Vector3d& nearest) const {
 
 Eigen::Vector3d TriangleProjection::towardsLight(const Eigen::Vector3d& point) const {
     const Eigen::Isometry3d& pose = m_layer.projector.pose;
-    if (m_layer.projector.kind == ProjectorKind::Parallel) return pose.linear().col(2);
+    if (isParallel()) return pose.linear().col(2);
     return (pose.translation() - point).normalized();
 }
 
 bool TriangleProjection::isHidden(const Eigen::Vector3d& nearest) const {
     const Eigen::Vector3d point = m_corners * nearest, way = towardsLight(point);
-    const double distance = m_layer.projector.kind == ProjectorKind::Parallel
-                                ? m_places.row(3).dot(nearest)
-                                : way.dot(m_layer.projector.pose.translation() - point);
+    const double distance =
+        isParallel() ? m_places.row(3).dot(nearest) : way.dot(m_layer.projector.pose.translation() - point);
     return distance > 2 * m_surface.tolerance &&
            m_surface.query->isBlocked(point, point + distance * way, m_surface.tolerance);
 }

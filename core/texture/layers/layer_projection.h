@@ -21,12 +21,20 @@ struct LitTriangle {
     bool isLit; ///< nothing hides any of it, see `certainlyLit`
 };
 
+/// A layer's photo and how it is thrown.
+struct ThrownPhoto {
+    const TextureLayer& layer;
+    const PhotoSampler& sampler;
+    Eigen::Matrix4d matrix; ///< as `photoMatrix` gives it
+};
+
 /// The photo of a layer as the patch of one triangle sees it.
 class TriangleProjection {
 public:
     /// Nothing when no point of the patch can take colour from the layer.
-    static std::optional<TriangleProjection> make(const TextureLayer& layer, const PhotoSampler& sampler,
-                                                  const LitSurface& surface, const LitTriangle& triangle,
+    /// @param photo outlives the projection, as the surface does
+    static std::optional<TriangleProjection> make(const ThrownPhoto& photo, const LitSurface& surface,
+                                                  const LitTriangle& triangle,
                                                   const std::array<Eigen::Vector2d, 3>& patch);
 
     /// Red, green, blue 0 to 255 and the layer's weight 0 to 1 in the texel: opacity × border × alpha, with
@@ -34,12 +42,14 @@ public:
     Eigen::Vector4f at(const PatchTexel& texel) const;
 
 private:
-    TriangleProjection(const TextureLayer& layer, const PhotoSampler& sampler, const LitSurface& surface)
-        : m_layer(layer), m_sampler(sampler), m_surface(surface) {}
+    TriangleProjection(const ThrownPhoto& photo, const LitSurface& surface)
+        : m_layer(photo.layer), m_sampler(photo.sampler), m_surface(surface) {}
 
-    bool mayTakeColour() const;
-    double pyramidDepth(const Eigen::Vector3d& place) const;
-    double borderWeight(const Eigen::Vector2d& pixel) const;
+    bool isParallel() const { return m_layer.projector.kind == ProjectorKind::Parallel; }
+    bool facesParallelLight() const;
+    bool mayTakeColour(const Eigen::Vector3d& densities) const;
+    double depthAt(const Eigen::Vector4d& seen, const Eigen::Vector3d& weights) const;
+    double borderWeight(double x, double y) const;
     double lightWeight(const Eigen::Vector3d& nearest) const;
     bool isHidden(const Eigen::Vector3d& nearest) const;
     Eigen::Vector3d towardsLight(const Eigen::Vector3d& point) const; ///< of length 1
@@ -50,8 +60,9 @@ private:
     Eigen::Matrix3d m_corners;                   ///< as columns, m
     Eigen::Matrix<double, 4, 3> m_places;        ///< of the corners, as columns: as `photoMatrix` gives them
     Eigen::Matrix<double, 3, 2> m_placePerTexel; ///< how the first three of them change over the patch
+    Eigen::Vector3d m_depths;                    ///< in the pyramid, at the corners
+    bool m_isDepthLinear = false;                ///< over the patch, nearly
     bool m_isLit = false;                        ///< nothing hides any of it
-    double m_depth = 0;                          ///< in the pyramid, of parallel light the same everywhere
 };
 
 } // namespace esm

@@ -48,10 +48,6 @@ double metresPerTexel(const Eigen::Matrix3d& corners, const Patch& patch) {
     return texels > 0 ? metres / texels : 0;
 }
 
-Eigen::Vector3f blended(Blending blending, const Eigen::Vector3f& beneath, const Eigen::Vector3f& colour) {
-    return blending == Blending::Multiply ? beneath.cwiseProduct(colour) / 255 : colour;
-}
-
 } // namespace
 
 LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
@@ -74,6 +70,10 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
             made->thrown = std::move(*blended);
             made->layer.blendPixels = std::min(layer.blendPixels, bandedBorder);
         }
+        if (layer.photo)
+            made->photo.emplace(ThrownPhoto{
+                made->layer, *made->thrown.sampler,
+                photoMatrix(layer.projector, {made->thrown.picture->width, made->thrown.picture->height})});
         m_layers.push_back(std::move(made));
         shown.push_back(layer);
     }
@@ -165,8 +165,7 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
     if (layer.photo) {
         const PreparedLayer& prepared = *on.m_prepared;
         const bool isLit = prepared.lit && (*prepared.lit)[triangle];
-        const auto projection =
-            TriangleProjection::make(layer, *prepared.thrown.sampler, surface, {triangle, isLit}, patch);
+        const auto projection = TriangleProjection::make(*prepared.photo, surface, {triangle, isLit}, patch);
         if (!projection) return std::nullopt;
         on.m_projection.emplace(*projection);
     }
@@ -194,13 +193,22 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
 }
 
 Eigen::Vector3f TriangleLayers::colour(const PatchTexel& texel) const {
-    Eigen::Vector3f colour = m_stack->m_baseColour;
-    for (const LayerOnTriangle& layer : m_layers) {
-        const Eigen::Vector4f own = layer.at(texel);
-        if (!(own.w() > 0)) continue;
-        colour += own.w() * (blended(layer.blending(), colour, own.head<3>()) - colour);
+    // From the topmost down, so that nothing is read that does not show.
+    Eigen::Array4f colour = Eigen::Array4f::Zero();
+    Eigen::Array4f passing = Eigen::Array4f::Ones(); // the share that what lies beneath has in each channel
+    for (auto layer = m_layers.rbegin(); layer != m_layers.rend(); ++layer) {
+        const Eigen::Array4f own = layer->at(texel);
+        const float weight = own[3];
+        if (!(weight > 0)) continue;
+        if (layer->blending() == Blending::Multiply) {
+            passing *= 1 - weight + weight / 255 * own;
+            continue;
+        }
+        colour += weight * passing * own;
+        if (weight >= 1) return colour.head<3>();
+        passing *= 1 - weight;
     }
-    return colour;
+    return colour.head<3>() + passing.head<3>() * m_stack->m_baseColour.array();
 }
 
 } // namespace esm
