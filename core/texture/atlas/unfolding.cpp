@@ -1,6 +1,7 @@
 #include "core/texture/atlas/unfolding.h"
 
 #include "core/geometry/adjacency.h"
+#include "core/support/angles.h"
 #include "core/texture/atlas/planar_hull.h"
 
 #include <algorithm>
@@ -79,11 +80,17 @@ std::vector<Triangle> neighbours(const TriangleMesh& mesh) {
     return across;
 }
 
+double angleAt(const Flat& triangle, std::size_t corner) {
+    const Eigen::Vector2d a = triangle[(corner + 1) % 3] - triangle[corner],
+                          b = triangle[(corner + 2) % 3] - triangle[corner];
+    return std::atan2(std::abs(cross(a, b)), a.dot(b));
+}
+
 class Unfolder {
 public:
     Unfolder(const TriangleMesh& mesh, const std::vector<PatchShape>& shapes, double clearance)
         : m_mesh(mesh), m_shapes(shapes), m_clearance(clearance), m_across(neighbours(mesh)),
-          m_isTaken(mesh.triangles.size(), false) {}
+          m_angles(anglesAround()), m_isTaken(mesh.triangles.size(), false) {}
 
     /// Breadth first over the surface: groups next to groups leave few triangles alone between them.
     std::vector<UnfoldedGroup> unfoldAll() {
@@ -155,6 +162,40 @@ private:
         }
     }
 
+    /// The angle that the surface takes around each vertex; where it ends, at least one that keeps its two
+    /// ends apart.
+    std::vector<double> anglesAround() const {
+        constexpr double betweenEnds = 1; // radian
+        std::vector<double> angles(m_mesh.vertices.size(), 0);
+        for (std::uint32_t triangle = 0; triangle < m_mesh.triangles.size(); ++triangle) {
+            if (isFlat(triangle)) continue;
+            const Flat flat = flatten(triangle);
+            for (std::size_t i = 0; i < 3; ++i) {
+                angles[m_mesh.triangles[triangle][i]] += angleAt(flat, i);
+                if (m_across[triangle][i] == noIndex) angles[m_mesh.triangles[triangle][i]] += betweenEnds;
+            }
+        }
+        return angles;
+    }
+
+    /// Around a vertex of more than a full angle, triangles with others between them on the surface may come
+    /// to lie side by side, and filters would mix them: at least half of the angle between them is kept free.
+    bool keepsItsAngles(const UnfoldedGroup& group, const Candidate& candidate) const {
+        const double least = touchTolerance * std::sqrt(group.area);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = m_mesh.triangles[candidate.triangle][corner];
+            double laid = angleAt(candidate.corners, corner);
+            for (std::size_t i = 0; i < group.triangles.size(); ++i)
+                for (std::size_t j = 0; j < 3; ++j)
+                    if (m_mesh.triangles[group.triangles[i]][j] == vertex &&
+                        (group.corners[i][j] - candidate.corners[corner]).norm() < least)
+                        laid += angleAt(group.corners[i], j);
+            const double between = m_angles[vertex] - laid;
+            if (between > touchTolerance && 2 * pi - laid < between / 2) return false;
+        }
+        return true;
+    }
+
     /// Whether it neither overlaps the group nor comes too near to a triangle that it does not touch.
     bool hasRoom(const UnfoldedGroup& group, const Candidate& candidate) const {
         const double least = touchTolerance * std::sqrt(group.area);
@@ -213,7 +254,7 @@ private:
             if (choice.fill < (group.triangles.size() > 1 ? leastFill : leastFillOfTwo)) break;
             const Candidate candidate = candidates[choice.candidate];
             candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(choice.candidate));
-            if (!hasRoom(group, candidate)) continue;
+            if (!hasRoom(group, candidate) || !keepsItsAngles(group, candidate)) continue;
             add(group, candidate);
             hull = std::move(choice.hull);
             const auto isIn = [&](const Candidate& other) { return other.triangle == candidate.triangle; };
@@ -227,6 +268,7 @@ private:
     const std::vector<PatchShape>& m_shapes;
     double m_clearance;
     std::vector<Triangle> m_across;
+    std::vector<double> m_angles; ///< around each vertex, radian
     std::vector<bool> m_isTaken;
     std::vector<UnfoldedGroup> m_groups;
 };

@@ -272,6 +272,22 @@ TEST(SeamError, IsSmallForASmoothPhotoAndSeesAForeignColour) {
     EXPECT_GT(seamError(mesh, atlas, pages), 10);
 }
 
+/// Some of its vertices have more than a full angle of surface around them: unfolded, triangles come to lie
+/// side by side that have others between them.
+TEST(SeamError, IsSmallWhereUnfoldedTrianglesMeetInOneCorner) {
+    ESM_SKIP_WITHOUT(sharedData("meshes/sofa-liver-coarse.obj"));
+    const TriangleMesh mesh = repair(readMeshFile(sharedData("meshes/sofa-liver-coarse.obj"))).mesh;
+    const auto photo = makePhoto(256, 256, [](int x, int y) {
+        return Colour{std::uint8_t(x / 2), std::uint8_t(y / 2 + 60), std::uint8_t((x + y) / 4), 255};
+    });
+    const Eigen::AlignedBox3d box = boundingBox(mesh.vertices);
+    TextureLayer layer = layerFromAbove(photo, 1.6 * box.sizes().maxCoeff());
+    layer.projector.pose.translation() = box.center() + Eigen::Vector3d(0, 0, box.sizes().z());
+    layer.projector.occlusion = false;
+    const Atlas atlas = packAtlas(mesh, {2048, 1, 8, AtlasLayout::UnfoldedGroups});
+    EXPECT_LE(seamError(mesh, atlas, composite(mesh, atlas, {layer}, baseColour)), 2);
+}
+
 TEST(Composite, LaysARealPhotoOnARealLiver) {
     ESM_SKIP_WITHOUT(sharedData("meshes/VH_M_Liver.glb"));
     ESM_SKIP_WITHOUT(sharedData("images/lap-liver-gallbladder.jpg"));
