@@ -13,6 +13,7 @@ namespace {
 
 const char* const truncated = "ends before the picture does; copy or export it again";
 const char* const damaged = "is damaged; copy or export it again";
+const char* const animated = "is animated; save one of its pictures as PNG or JPEG";
 
 /// Numbers at places in a file that may be shorter than it says.
 class Cursor {
@@ -68,6 +69,10 @@ PhotoFormat inspectPng(const Bytes& encoded) {
         if (!cursor.holds(place, frame + length)) break;
         if (checksum(encoded, place + 4, 4 + length) != cursor.number(place + 8 + length, 4)) {
             format.problem = damaged;
+            return format;
+        }
+        if (cursor.startsWith("acTL", place + 4)) {
+            format.problem = animated;
             return format;
         }
         if (cursor.startsWith("eXIf", place + 4)) {
