@@ -42,7 +42,7 @@ composed(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Texture
     std::vector<ImageOf<Channel>> pages;
     for (int page = 0; page < atlas.options.pages; ++page)
         pages.push_back(filledPage<Channel>(atlas.options.size, baseColour));
-    if (!stack.isEmpty()) paintPages(stack, atlas, {}, pages, progress);
+    if (!stack.isEmpty()) paintPages(stack, atlas, *cache.ownersOf(atlas, progress), {}, pages, progress);
     cache.finish();
     return pages;
 }

@@ -27,6 +27,11 @@ std::shared_ptr<const SurfaceQuery> CompositionCache::queryOf(const TriangleMesh
     return m_query;
 }
 
+std::shared_ptr<const TexelOwners> CompositionCache::ownersOf(const Atlas& atlas, const Progress& progress) {
+    if (!m_owners || !m_owners->areOf(atlas)) m_owners = std::make_shared<const TexelOwners>(atlas, progress);
+    return m_owners;
+}
+
 SampledPicture CompositionCache::sampled(const std::shared_ptr<const Image>& picture) {
     const auto same = [&](const SampledPicture& item) { return item.picture == picture; };
     if (const SampledPicture* known = usedAgain(m_sampled.used, m_sampled.before, same)) return *known;

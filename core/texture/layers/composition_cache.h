@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/surface_query.h"
+#include "core/texture/layers/texel_owners.h"
 #include "core/texture/layers/texture_layer.h"
 #include "core/texture/photo/photo_sampler.h"
 
@@ -36,6 +37,8 @@ class CompositionCache {
 public:
     /// @param mesh the same as long as the cache lives
     std::shared_ptr<const SurfaceQuery> queryOf(const TriangleMesh& mesh);
+    /// Of the last atlas that was asked for. @throws Cancelled
+    std::shared_ptr<const TexelOwners> ownersOf(const Atlas& atlas, const Progress& progress);
     SampledPicture sampled(const std::shared_ptr<const Image>& picture);
     std::shared_ptr<const std::vector<std::uint8_t>> litBy(const Projector& projector, const Image& photo,
                                                            const TriangleMesh& mesh);
@@ -52,6 +55,7 @@ private:
     template<typename Item> struct Generation { std::vector<Item> used, before; };
 
     std::shared_ptr<const SurfaceQuery> m_query;
+    std::shared_ptr<const TexelOwners> m_owners;
     Generation<SampledPicture> m_sampled;
     Generation<BandedPicture> m_banded;
     Generation<LitTriangles> m_lit;

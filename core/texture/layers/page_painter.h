@@ -3,6 +3,7 @@
 #include "core/support/progress.h"
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/layers/layer_stack.h"
+#include "core/texture/layers/texel_owners.h"
 
 namespace esm {
 
@@ -13,12 +14,12 @@ using TriangleMarks = std::vector<std::uint8_t>;
 /// @param only the triangles whose texels are filled; of all that layers reach, where empty
 /// @throws Cancelled
 template<typename Channel>
-void paintPages(const LayerStack& stack, const Atlas& atlas, const TriangleMarks& only,
-                std::vector<ImageOf<Channel>>& pages, const Progress& progress);
+void paintPages(const LayerStack& stack, const Atlas& atlas, const TexelOwners& owners,
+                const TriangleMarks& only, std::vector<ImageOf<Channel>>& pages, const Progress& progress);
 
-extern template void paintPages(const LayerStack&, const Atlas&, const TriangleMarks&, std::vector<Image>&,
-                                const Progress&);
-extern template void paintPages(const LayerStack&, const Atlas&, const TriangleMarks&,
+extern template void paintPages(const LayerStack&, const Atlas&, const TexelOwners&, const TriangleMarks&,
+                                std::vector<Image>&, const Progress&);
+extern template void paintPages(const LayerStack&, const Atlas&, const TexelOwners&, const TriangleMarks&,
                                 std::vector<DeepImage>&, const Progress&);
 
 } // namespace esm

@@ -16,12 +16,6 @@ constexpr double extension = 1.5;
 /// Below this share of the sides' squares a patch's area is rounding error: no texel's centre lies inside.
 constexpr double singular = 1e-10;
 
-double nearestFraction(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    const Eigen::Vector2d along = b - a;
-    const double square = along.squaredNorm();
-    return square > 0 ? std::clamp((point - a).dot(along) / square, 0.0, 1.0) : 0;
-}
-
 } // namespace
 
 double fillReach(const AtlasOptions& options) {
@@ -49,8 +43,13 @@ std::vector<PageBand> pageBands(const Atlas& atlas) {
 }
 
 PatchScan::PatchScan(const std::array<Eigen::Vector2d, 3>& corners)
-    : m_corners(corners), m_top(std::min({corners[0].y(), corners[1].y(), corners[2].y()})),
+    : m_top(std::min({corners[0].y(), corners[1].y(), corners[2].y()})),
       m_bottom(std::max({corners[0].y(), corners[1].y(), corners[2].y()})) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector2d along = corners[(i + 1) % 3] - corners[i];
+        const double perSquare = 1 / along.squaredNorm();
+        m_sides[i] = {corners[i], along, std::isfinite(perSquare) ? perSquare : 0};
+    }
     Eigen::Matrix2d sides;
     sides << corners[1] - corners[0], corners[2] - corners[0];
     m_isPoint = !(std::abs(sides.determinant()) > singular * sides.squaredNorm());
@@ -61,37 +60,25 @@ std::pair<double, double> PatchScan::span(double y, double reach) const {
     std::pair<double, double> ends{std::numeric_limits<double>::infinity(),
                                    -std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < 3; ++i) {
-        const Eigen::Vector2d &a = m_corners[i], &b = m_corners[(i + 1) % 3];
+        const Eigen::Vector2d &a = m_sides[i].start, &b = m_sides[(i + 1) % 3].start;
         ends.first = std::min(ends.first, leftReach(a, b, y, reach));
         ends.second = std::max(ends.second, rightReach(a, b, y, reach));
     }
     return ends;
 }
 
-Eigen::Vector3d PatchScan::weights(const Eigen::Vector2d& point) const {
-    if (m_isPoint) return Eigen::Vector3d::Constant(1.0 / 3);
-    const Eigen::Vector2d others = m_inverse * (point - m_corners[0]);
-    return {1 - others.sum(), others.x(), others.y()};
-}
-
-PatchTexel PatchScan::texel(int x, int y) const {
+PatchTexel PatchScan::texelAround(int x, int y, const Eigen::Vector3d& inside) const {
     const Eigen::Vector2d centre(x + 0.5, y + 0.5);
-    const Eigen::Vector3d inside = weights(centre);
-    if (!m_isPoint && inside.minCoeff() >= 0) return {x, y, 0, inside, inside};
-    PatchTexel texel{x, y, std::numeric_limits<double>::infinity(), inside, inside};
-    Eigen::Vector2d nearest = centre;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t next = (i + 1) % 3;
-        const double fraction = nearestFraction(centre, m_corners[i], m_corners[next]);
-        const Eigen::Vector2d point = m_corners[i] + fraction * (m_corners[next] - m_corners[i]);
-        const double distance = (point - centre).norm();
-        if (distance >= texel.distance) continue;
-        texel.distance = distance;
-        nearest = point;
-        if (m_isPoint) continue;
+    std::size_t side = 0;
+    for (const std::size_t other : {1U, 2U})
+        if (m_sides[other].squaredDistance(centre) < m_sides[side].squaredDistance(centre)) side = other;
+    const Eigen::Vector2d nearest = m_sides[side].nearest(centre);
+    PatchTexel texel{x, y, (nearest - centre).norm(), inside, inside};
+    if (!m_isPoint) {
+        const double fraction = m_sides[side].fraction(centre);
         texel.nearest.setZero();
-        texel.nearest[static_cast<Eigen::Index>(i)] = 1 - fraction;
-        texel.nearest[static_cast<Eigen::Index>(next)] = fraction;
+        texel.nearest[static_cast<Eigen::Index>(side)] = 1 - fraction;
+        texel.nearest[static_cast<Eigen::Index>((side + 1) % 3)] = fraction;
     }
     if (texel.distance > extension)
         texel.extended = weights(nearest + extension / texel.distance * (centre - nearest));
@@ -105,10 +92,13 @@ BandOwners::BandOwners(const Atlas& atlas, const PageBand& band, double reach)
     std::vector<double> distance(count, std::numeric_limits<double>::infinity());
     m_owner.assign(count, nobody);
     for (const std::uint32_t triangle : band.triangles) {
-        PatchScan(atlas.corners[triangle]).forEachTexel(band, m_width, reach, [&](const PatchTexel& texel) {
-            const std::size_t i = index(texel.x, texel.y);
-            if (texel.distance >= distance[i]) return;
-            distance[i] = texel.distance;
+        const PatchScan patch(atlas.corners[triangle]);
+        patch.forEachPlace(band, m_width, reach, [&](int x, int y) {
+            const std::size_t i = index(x, y);
+            if (distance[i] == 0) return;
+            const double own = patch.squaredDistance(x, y);
+            if (own >= distance[i]) return;
+            distance[i] = own;
             m_owner[i] = triangle;
         });
     }

@@ -2,6 +2,7 @@
 
 #include "core/texture/atlas/atlas.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -41,6 +42,12 @@ public:
     /// Calls `visit(PatchTexel)` for every texel of the band within `reach` of the patch.
     template<class Visit>
     void forEachTexel(const PageBand& band, int pageSize, double reach, Visit visit) const {
+        forEachPlace(band, pageSize, reach, [&](int x, int y) { visit(texel(x, y)); });
+    }
+
+    /// Calls `visit(x, y)` for the same texels.
+    template<class Visit>
+    void forEachPlace(const PageBand& band, int pageSize, double reach, Visit visit) const {
         const int first = std::max(band.firstRow, static_cast<int>(std::floor(m_top - reach)));
         const int end = std::min(band.endRow, static_cast<int>(std::ceil(m_bottom + reach)) + 1);
         for (int y = first; y < end; ++y) {
@@ -48,17 +55,51 @@ public:
             if (left > right) continue;
             const int last = std::min(pageSize - 1, static_cast<int>(std::floor(right - 0.5)));
             for (int x = std::max(0, static_cast<int>(std::ceil(left - 0.5))); x <= last; ++x)
-                visit(texel(x, y));
+                visit(x, y);
         }
     }
 
+    PatchTexel texel(int x, int y) const {
+        const Eigen::Vector3d inside = weights({x + 0.5, y + 0.5});
+        if (!m_isPoint && inside.minCoeff() >= 0) return {x, y, 0, inside, inside};
+        return texelAround(x, y, inside);
+    }
+
+    /// Of a texel's centre from the patch, texels²; 0 inside.
+    double squaredDistance(int x, int y) const {
+        const Eigen::Vector2d centre(x + 0.5, y + 0.5);
+        if (!m_isPoint && weights(centre).minCoeff() >= 0) return 0;
+        return std::min({m_sides[0].squaredDistance(centre), m_sides[1].squaredDistance(centre),
+                         m_sides[2].squaredDistance(centre)});
+    }
+
 private:
+    struct Side {
+        Eigen::Vector2d start, along;
+        double perSquaredLength; ///< 0 of one without length
+
+        Eigen::Vector2d nearest(const Eigen::Vector2d& point) const {
+            return start + fraction(point) * along;
+        }
+        double fraction(const Eigen::Vector2d& point) const {
+            return std::clamp((point - start).dot(along) * perSquaredLength, 0.0, 1.0);
+        }
+        double squaredDistance(const Eigen::Vector2d& point) const {
+            return (nearest(point) - point).squaredNorm();
+        }
+    };
+
     /// The points of a line within `reach` of the patch.
     std::pair<double, double> span(double y, double reach) const;
-    PatchTexel texel(int x, int y) const;
-    Eigen::Vector3d weights(const Eigen::Vector2d& point) const;
+    /// Of a texel whose centre lies outside; `inside` are the weights there.
+    PatchTexel texelAround(int x, int y, const Eigen::Vector3d& inside) const;
+    Eigen::Vector3d weights(const Eigen::Vector2d& point) const {
+        if (m_isPoint) return Eigen::Vector3d::Constant(1.0 / 3);
+        const Eigen::Vector2d others = m_inverse * (point - m_sides[0].start);
+        return {1 - others.x() - others.y(), others.x(), others.y()};
+    }
 
-    std::array<Eigen::Vector2d, 3> m_corners;
+    std::array<Side, 3> m_sides;
     Eigen::Matrix2d
         m_inverse; ///< from the first corner's offset to the weights of the other two; 0 for a point
     bool m_isPoint;

@@ -28,7 +28,7 @@ std::vector<Image> recomposite(const TriangleMesh& mesh, const Atlas& atlas, con
     const TriangleMarks changed = changedTriangles(mesh, atlas.corners, before.layers, layers, cache);
     const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, progress);
     std::vector<Image> pages = *before.pages;
-    paintPages(stack, atlas, changed, pages, progress);
+    paintPages(stack, atlas, *cache.ownersOf(atlas, progress), changed, pages, progress);
     cache.finish();
     return pages;
 }

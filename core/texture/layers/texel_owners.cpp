@@ -1,0 +1,51 @@
+#include "core/texture/layers/texel_owners.h"
+
+#include "core/texture/layers/band_tasks.h"
+#include "core/texture/layers/patch_scan.h"
+#include "core/texture/texture_limits.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace esm {
+
+namespace {
+
+static_assert(texture_limits::largestPageSize <= std::numeric_limits<std::uint16_t>::max());
+
+std::vector<TexelSpan> spansOf(const Atlas& atlas, const PageBand& band) {
+    const BandOwners owners(atlas, band, fillReach(atlas.options));
+    std::vector<TexelSpan> spans;
+    for (int y = band.firstRow; y < band.endRow; ++y) {
+        for (int x = 0, first = 0; x < atlas.options.size; first = x) {
+            const std::uint32_t owner = owners.at(first, y);
+            while (x < atlas.options.size && owners.at(x, y) == owner)
+                ++x;
+            if (owner != BandOwners::nobody)
+                spans.push_back({owner, static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(first),
+                                 static_cast<std::uint16_t>(x)});
+        }
+    }
+    std::stable_sort(spans.begin(), spans.end(),
+                     [](const TexelSpan& a, const TexelSpan& b) { return a.triangle < b.triangle; });
+    spans.shrink_to_fit();
+    return spans;
+}
+
+} // namespace
+
+TexelOwners::TexelOwners(const Atlas& atlas, const Progress& progress)
+    : m_options(atlas.options), m_corners(atlas.corners), m_page(atlas.page) {
+    const std::vector<PageBand> bands = pageBands(atlas);
+    m_bands.resize(bands.size());
+    forEachBand(bands.size(), progress, [&](std::size_t i) {
+        m_bands[i] = {bands[i].page, spansOf(atlas, bands[i])};
+    });
+}
+
+bool TexelOwners::areOf(const Atlas& atlas) const {
+    return m_options.size == atlas.options.size && m_options.pages == atlas.options.pages &&
+           m_options.gap == atlas.options.gap && m_page == atlas.page && m_corners == atlas.corners;
+}
+
+} // namespace esm
