@@ -87,10 +87,10 @@ Eigen::Vector4f TriangleProjection::at(const PatchTexel& texel) const {
     const double x = seen.x() / seen.z(), y = seen.y() / seen.z();
     const double border = borderWeight(x, y);
     if (!(border > 0)) return Eigen::Vector4f::Zero();
-    Eigen::Vector4f colour = m_sampler.at(x, y, depthAt(seen, texel.extended));
-    colour.w() *= static_cast<float>(border * m_layer.opacity);
-    if (colour.w() > 0) colour.w() *= static_cast<float>(lightWeight(texel.nearest));
-    return colour;
+    const Eigen::Vector4f colour = m_sampler.at(x, y, depthAt(seen, texel.extended));
+    auto weight = static_cast<float>(border * m_layer.opacity);
+    if (colour.w() * weight > 0) weight *= static_cast<float>(lightWeight(texel.nearest));
+    return colour.cwiseProduct(Eigen::Vector4f(1, 1, 1, weight));
 }
 
 double TriangleProjection::depthAt(const Eigen::Vector4d& seen, const Eigen::Vector3d& weights) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <smmintrin.h>
+#include <tbb/parallel_for.h>
 
 namespace esm {
 
@@ -73,7 +74,7 @@ Image halved(const Image& image) {
     half.width = (image.width + 1) / 2;
     half.height = (image.height + 1) / 2;
     half.pixels.resize(4 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
-    for (int y = 0; y < half.height; ++y) {
+    tbb::parallel_for(0, half.height, [&](int y) {
         const int below = std::min(2 * y + 1, image.height - 1);
         for (int x = 0; x < half.width; ++x) {
             const int right = std::min(2 * x + 1, image.width - 1);
@@ -86,7 +87,7 @@ Image halved(const Image& image) {
             for (int channel = 0; channel < 4; ++channel)
                 half.at(x, y)[channel] = static_cast<std::uint8_t>(colour[channel]);
         }
-    }
+    });
     return half;
 }
 
@@ -106,19 +107,15 @@ Eigen::Vector4f PhotoSampler::at(double x, double y, double depth) const {
     const auto fine = static_cast<std::size_t>(depth);
     const auto share = static_cast<float>(depth - static_cast<double>(fine));
     const double scale = 1.0 / static_cast<double>(std::uint64_t{1} << fine);
-    Eigen::Array4f colour = read(fine, x * scale, y * scale);
-    if (share > 0) {
-        const Eigen::Array4f coarse = read(fine + 1, x * scale / 2, y * scale / 2);
-        if (m_isOpaque) {
-            colour += share * (coarse - colour);
-        } else {
-            const float alpha = colour[3] + share * (coarse[3] - colour[3]);
-            if (alpha > 0) colour = ((1 - share) * colour[3] * colour + share * coarse[3] * coarse) / alpha;
-            colour[3] = alpha;
-        }
-    }
-    colour[3] /= 255;
-    return colour;
+    const Eigen::Array4f whole(1, 1, 1, 255); // alpha becomes a share
+    const Eigen::Array4f colour = read(fine, x * scale, y * scale);
+    if (!(share > 0)) return colour / whole;
+    const Eigen::Array4f coarse = read(fine + 1, x * scale / 2, y * scale / 2);
+    if (m_isOpaque) return (colour + share * (coarse - colour)) / whole;
+    const float alpha = colour[3] + share * (coarse[3] - colour[3]);
+    if (!(alpha > 0)) return Eigen::Vector4f::Zero();
+    const Eigen::Array4f mixed = ((1 - share) * colour[3] * colour + share * coarse[3] * coarse) / alpha;
+    return {mixed[0], mixed[1], mixed[2], alpha / 255};
 }
 
 } // namespace esm
