@@ -20,6 +20,22 @@ std::vector<TriangleSide> sidesByEdge(const std::vector<Triangle>& triangles) {
     return sides;
 }
 
+std::vector<Triangle> trianglesAcross(const std::vector<Triangle>& triangles) {
+    std::vector<Triangle> across(triangles.size(), {noIndex, noIndex, noIndex});
+    const auto sideOf = [&](const TriangleSide& side) -> std::uint32_t& {
+        const Triangle& corners = triangles[side.triangle];
+        const std::uint32_t start = side.forward ? side.edge.first : side.edge.second;
+        const auto corner = std::find(corners.begin(), corners.end(), start) - corners.begin();
+        return across[side.triangle][static_cast<std::size_t>(corner)];
+    };
+    forEachEdge(sidesByEdge(triangles), [&](auto first, auto last) {
+        if (last - first != 2 || first->forward == (first + 1)->forward) return;
+        sideOf(*first) = (first + 1)->triangle;
+        sideOf(*(first + 1)) = first->triangle;
+    });
+    return across;
+}
+
 EdgeCounts countEdges(const std::vector<TriangleSide>& sides) {
     EdgeCounts counts;
     forEachEdge(sides, [&counts](auto first, auto last) {

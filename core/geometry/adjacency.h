@@ -27,6 +27,10 @@ template<typename Visit> void forEachEdge(const std::vector<TriangleSide>& sides
     }
 }
 
+/// Across each side of each triangle, from a corner to the next, the one that lies there; `noIndex` where the
+/// surface ends, branches or turns its inside out.
+std::vector<Triangle> trianglesAcross(const std::vector<Triangle>& triangles);
+
 struct EdgeCounts {
     std::size_t boundary = 0;     ///< of one triangle
     std::size_t nonManifold = 0;  ///< of more than two

@@ -62,24 +62,6 @@ double distanceBetween(const Flat& a, const Flat& b) {
     return distance;
 }
 
-/// Across each side of each triangle the one that lies there; none where the surface ends, branches or turns
-/// its inside out.
-std::vector<Triangle> neighbours(const TriangleMesh& mesh) {
-    std::vector<Triangle> across(mesh.triangles.size(), {noIndex, noIndex, noIndex});
-    const auto sideOf = [&](const TriangleSide& side) -> std::uint32_t& {
-        const Triangle& corners = mesh.triangles[side.triangle];
-        const std::uint32_t start = side.forward ? side.edge.first : side.edge.second;
-        const auto corner = std::find(corners.begin(), corners.end(), start) - corners.begin();
-        return across[side.triangle][static_cast<std::size_t>(corner)];
-    };
-    forEachEdge(sidesByEdge(mesh.triangles), [&](auto first, auto last) {
-        if (last - first != 2 || first->forward == (first + 1)->forward) return;
-        sideOf(*first) = (first + 1)->triangle;
-        sideOf(*(first + 1)) = first->triangle;
-    });
-    return across;
-}
-
 double angleAt(const Flat& triangle, std::size_t corner) {
     const Eigen::Vector2d a = triangle[(corner + 1) % 3] - triangle[corner],
                           b = triangle[(corner + 2) % 3] - triangle[corner];
@@ -89,7 +71,7 @@ double angleAt(const Flat& triangle, std::size_t corner) {
 class Unfolder {
 public:
     Unfolder(const TriangleMesh& mesh, const std::vector<PatchShape>& shapes, double clearance)
-        : m_mesh(mesh), m_shapes(shapes), m_clearance(clearance), m_across(neighbours(mesh)),
+        : m_mesh(mesh), m_shapes(shapes), m_clearance(clearance), m_across(trianglesAcross(mesh.triangles)),
           m_angles(anglesAround()), m_isTaken(mesh.triangles.size(), false) {}
 
     /// Breadth first over the surface: groups next to groups leave few triangles alone between them.

@@ -1,6 +1,6 @@
 #include "core/texture/layers/composition_cache.h"
 
-#include "core/texture/layers/lit_triangles.h"
+#include "core/geometry/adjacency.h"
 
 #include <algorithm>
 
@@ -39,17 +39,21 @@ SampledPicture CompositionCache::sampled(const std::shared_ptr<const Image>& pic
     return m_sampled.used.back();
 }
 
-std::shared_ptr<const std::vector<std::uint8_t>>
-CompositionCache::litBy(const Projector& projector, const Image& photo, const TriangleMesh& mesh) {
-    const auto same = [&](const LitTriangles& item) {
+std::shared_ptr<const std::vector<Lighting>> CompositionCache::lightingOf(const Projector& projector,
+                                                                          const Image& photo,
+                                                                          const TriangleMesh& mesh,
+                                                                          double tolerance) {
+    const auto same = [&](const ProjectorLighting& item) {
         return item.projector == projector && item.photoWidth == photo.width &&
                item.photoHeight == photo.height;
     };
-    if (const LitTriangles* known = usedAgain(m_lit.used, m_lit.before, same)) return known->lit;
-    m_lit.used.push_back({projector, photo.width, photo.height,
-                          std::make_shared<const std::vector<std::uint8_t>>(
-                              certainlyLit(mesh, projector, {photo.width, photo.height}))});
-    return m_lit.used.back().lit;
+    if (const ProjectorLighting* known = usedAgain(m_lighting.used, m_lighting.before, same))
+        return known->lighting;
+    if (m_across.empty()) m_across = trianglesAcross(mesh.triangles);
+    auto lighting = std::make_shared<const std::vector<Lighting>>(
+        certainLighting({mesh, m_across, tolerance}, projector, {photo.width, photo.height}));
+    m_lighting.used.push_back({projector, photo.width, photo.height, lighting});
+    return lighting;
 }
 
 std::optional<SampledPicture> CompositionCache::banded(const TextureLayer& layer,
@@ -67,7 +71,7 @@ std::optional<SampledPicture> CompositionCache::banded(const TextureLayer& layer
 void CompositionCache::finish() {
     m_sampled = {{}, std::move(m_sampled.used)};
     m_banded = {{}, std::move(m_banded.used)};
-    m_lit = {{}, std::move(m_lit.used)};
+    m_lighting = {{}, std::move(m_lighting.used)};
 }
 
 } // namespace esm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/surface_query.h"
+#include "core/texture/layers/lit_triangles.h"
 #include "core/texture/layers/texel_owners.h"
 #include "core/texture/layers/texture_layer.h"
 #include "core/texture/photo/photo_sampler.h"
@@ -24,11 +25,11 @@ struct BandedPicture {
     SampledPicture blended;
 };
 
-/// What a projector is certain to light, see `certainlyLit`.
-struct LitTriangles {
+/// What is certain of a projector's light, see `certainLighting`.
+struct ProjectorLighting {
     Projector projector;
     int photoWidth, photoHeight; ///< pixels
-    std::shared_ptr<const std::vector<std::uint8_t>> lit;
+    std::shared_ptr<const std::vector<Lighting>> lighting;
 };
 
 /// What compositions of one surface make and the next one can use again. It changes no result. Nothing that
@@ -40,8 +41,9 @@ public:
     /// Of the last atlas that was asked for. @throws Cancelled
     std::shared_ptr<const TexelOwners> ownersOf(const Atlas& atlas, const Progress& progress);
     SampledPicture sampled(const std::shared_ptr<const Image>& picture);
-    std::shared_ptr<const std::vector<std::uint8_t>> litBy(const Projector& projector, const Image& photo,
-                                                           const TriangleMesh& mesh);
+    /// @param tolerance m, the same as long as the cache lives
+    std::shared_ptr<const std::vector<Lighting>> lightingOf(const Projector& projector, const Image& photo,
+                                                            const TriangleMesh& mesh, double tolerance);
 
     /// Nothing where no photo was blended so.
     std::optional<SampledPicture> banded(const TextureLayer& layer, const std::vector<TextureLayer>& beneath,
@@ -55,10 +57,11 @@ private:
     template<typename Item> struct Generation { std::vector<Item> used, before; };
 
     std::shared_ptr<const SurfaceQuery> m_query;
+    std::vector<Triangle> m_across; ///< of the mesh, once asked for
     std::shared_ptr<const TexelOwners> m_owners;
     Generation<SampledPicture> m_sampled;
     Generation<BandedPicture> m_banded;
-    Generation<LitTriangles> m_lit;
+    Generation<ProjectorLighting> m_lighting;
 };
 
 } // namespace esm

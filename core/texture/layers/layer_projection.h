@@ -18,7 +18,7 @@ struct LitSurface {
 
 struct LitTriangle {
     std::uint32_t triangle;
-    bool isLit; ///< nothing hides any of it, see `certainlyLit`
+    bool isLit; ///< nothing hides any of it, see `certainLighting`
 };
 
 /// A layer's photo and how it is thrown.

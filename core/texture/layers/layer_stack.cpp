@@ -29,13 +29,14 @@ bool needsQuery(const TextureLayer& layer) {
            layer.blending == Blending::MultiBand;
 }
 
-std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const TriangleMesh& mesh,
+std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const LitSurface& surface,
                                              CompositionCache& cache) {
     auto made = std::make_shared<PreparedLayer>();
     made->layer = layer;
     if (layer.photo) made->thrown = cache.sampled(pictureOf(layer));
     if (layer.photo && layer.projector.occlusion)
-        made->lit = cache.litBy(layer.projector, *made->thrown.picture, mesh);
+        made->lighting =
+            cache.lightingOf(layer.projector, *made->thrown.picture, surface.mesh, surface.tolerance);
     for (const auto& stroke : layer.strokes)
         made->strokeReach.push_back(reachOf(*stroke));
     return made;
@@ -60,7 +61,7 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
         if (!isShown(layer)) continue;
         if (!m_query && needsQuery(layer)) m_query = cache.queryOf(mesh);
         m_surface.query = m_query.get();
-        auto made = preparedLayer(layer, mesh, cache);
+        auto made = preparedLayer(layer, m_surface, cache);
         if (layer.blending == Blending::MultiBand) {
             auto blended = cache.banded(layer, shown, baseColour);
             if (!blended) {
@@ -164,8 +165,10 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
     const TextureLayer& layer = on.m_prepared->layer;
     if (layer.photo) {
         const PreparedLayer& prepared = *on.m_prepared;
-        const bool isLit = prepared.lit && (*prepared.lit)[triangle];
-        const auto projection = TriangleProjection::make(*prepared.photo, surface, {triangle, isLit}, patch);
+        const Lighting lighting = prepared.lighting ? (*prepared.lighting)[triangle] : Lighting::Unknown;
+        if (lighting == Lighting::Hidden) return std::nullopt;
+        const auto projection =
+            TriangleProjection::make(*prepared.photo, surface, {triangle, lighting == Lighting::Lit}, patch);
         if (!projection) return std::nullopt;
         on.m_projection.emplace(*projection);
     }

@@ -18,9 +18,8 @@ struct PreparedLayer {
     TextureLayer layer;
     SampledPicture thrown;            ///< as it is, or blended in bands
     std::optional<ThrownPhoto> photo; ///< that picture; none in a layer that is only painted
-    std::shared_ptr<const std::vector<std::uint8_t>>
-        lit;                                      ///< triangles without shadow; null where none is asked
-    std::vector<Eigen::AlignedBox3d> strokeReach; ///< of each stroke
+    std::shared_ptr<const std::vector<Lighting>> lighting; ///< null where none is asked for
+    std::vector<Eigen::AlignedBox3d> strokeReach;          ///< of each stroke
 };
 
 class LayerOnTriangle;

@@ -9,28 +9,74 @@ namespace esm {
 
 namespace {
 
+/// Triangles that are followed to cover one; more would cost more than the rays.
+constexpr std::size_t mostInSheet = 48;
+
+using Box = Eigen::AlignedBox2d;
+
 /// A triangle in the photo's plane.
 struct View {
+    Eigen::Matrix3d seen; ///< corners as columns: (x·w, y·w, w) as `photoMatrix` gives them
     std::array<Eigen::Vector2d, 3> corners; ///< pixels
-    Eigen::AlignedBox2d box;
-    double nearest, farthest; ///< m from the photo's plane or the eye
-    bool isWhole;             ///< all of it lies before the eye
-    bool isBehind;            ///< none of it lies before the eye or the plane: it hides nothing
+    Box box;                                ///< of what shows near the photo; empty where nothing does
+    double nearest, farthest;               ///< m from the photo's plane or the eye
+    double area;                            ///< twice, pixels², above 0 or below by the side that is seen
+    bool isWhole;                           ///< all of it lies before the eye
 };
 
-View viewOf(const TriangleMesh& mesh, const Triangle& triangle, const Eigen::Matrix4d& matrix) {
-    View view{};
+/// The photo and as much on all sides, beyond which nothing is compared.
+Box around(PhotoSize photo) {
+    return {Eigen::Vector2d(-photo.width, -photo.height),
+            Eigen::Vector2d(2.0 * photo.width, 2.0 * photo.height)};
+}
+
+/// The part of a polygon, in the form of View::seen, where `boundary` · corner ≥ 0.
+std::vector<Eigen::Vector3d> cut(const std::vector<Eigen::Vector3d>& polygon,
+                                 const Eigen::Vector3d& boundary) {
+    std::vector<Eigen::Vector3d> part;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Eigen::Vector3d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double inA = boundary.dot(a), inB = boundary.dot(b);
+        if (inA >= 0) part.push_back(a);
+        if ((inA >= 0) != (inB >= 0)) part.emplace_back(a + inA / (inA - inB) * (b - a));
+    }
+    return part;
+}
+
+/// Of what shows within `region` of a triangle that reaches behind the eye.
+Box boxOfPart(const Eigen::Matrix3d& seen, const Box& region) {
+    std::vector<Eigen::Vector3d> part{seen.col(0), seen.col(1), seen.col(2)};
+    for (int axis = 0; axis < 2; ++axis) {
+        const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis), forward = Eigen::Vector3d::UnitZ();
+        part = cut(part, along - region.min()[axis] * forward);
+        part = cut(part, region.max()[axis] * forward - along);
+    }
+    Box box;
+    for (const Eigen::Vector3d& corner : part) {
+        if (!(corner.z() > 0)) return region; // it passes through the eye
+        box.extend(Eigen::Vector2d(corner.head<2>() / corner.z()));
+    }
+    return box;
+}
+
+View viewOf(const TriangleMesh& mesh, const Triangle& triangle, const Eigen::Matrix4d& matrix,
+            const Box& region) {
     Eigen::Matrix<double, 4, 3> seen;
+    View view{};
     for (std::size_t i = 0; i < 3; ++i) {
         const auto column = static_cast<Eigen::Index>(i);
         seen.col(column) = matrix * mesh.vertices[triangle[i]].homogeneous();
         view.corners[i] = seen.col(column).head<2>() / seen(2, column);
         view.box.extend(view.corners[i]);
     }
+    view.seen = seen.topRows<3>();
     view.nearest = seen.row(3).minCoeff();
     view.farthest = seen.row(3).maxCoeff();
+    const Eigen::Vector2d u = view.corners[1] - view.corners[0], v = view.corners[2] - view.corners[0];
+    view.area = u.x() * v.y() - u.y() * v.x();
     view.isWhole = seen.row(2).minCoeff() > 0 && view.box.min().allFinite() && view.box.max().allFinite();
-    view.isBehind = view.farthest <= 0;
+    if (!view.isWhole) view.box = boxOfPart(view.seen, region);
+    if (!(view.farthest > 0) || !view.box.intersects(region)) view.box.setEmpty();
     return view;
 }
 
@@ -48,74 +94,154 @@ bool isParted(const View& a, const View& b) {
     return false;
 }
 
-bool overlap(const View& a, const View& b) {
-    return a.box.intersects(b.box) && !isParted(a, b) && !isParted(b, a);
+/// The same in space, by planes through the eye, where b may reach behind it.
+bool isPartedFromPart(const View& a, const View& b) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const Eigen::Vector3d across = a.seen.col(i).cross(a.seen.col((i + 1) % 3));
+        const double own = across.dot(a.seen.col((i + 2) % 3));
+        if (own != 0 && (own * across.transpose() * b.seen).maxCoeff() <= 0) return true;
+    }
+    return false;
 }
 
-/// The views that may hide something, by the cells of a grid over all of them.
+/// @param a before the eye as a whole
+bool overlap(const View& a, const View& b) {
+    if (!a.box.intersects(b.box)) return false;
+    return b.isWhole ? !isParted(a, b) && !isParted(b, a) : !isPartedFromPart(a, b);
+}
+
+/// Whether a line in the photo's plane may touch a view that it does not pass by.
+bool mayTouch(const Eigen::Vector2d& start, const Eigen::Vector2d& end, const View& view) {
+    const auto across = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& point) {
+        return (b.x() - a.x()) * (point.y() - a.y()) - (b.y() - a.y()) * (point.x() - a.x());
+    };
+    bool allLeft = true, allRight = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector2d &a = view.corners[i], &b = view.corners[(i + 1) % 3];
+        if (across(a, b, start) * view.area < 0 && across(a, b, end) * view.area < 0) return false;
+        allLeft = allLeft && across(start, end, a) > 0;
+        allRight = allRight && across(start, end, a) < 0;
+    }
+    return !allLeft && !allRight;
+}
+
+bool contains(const View& view, const Eigen::Vector2d& point) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector2d side = view.corners[(i + 1) % 3] - view.corners[i];
+        const Eigen::Vector2d way = point - view.corners[i];
+        if ((side.x() * way.y() - side.y() * way.x()) * view.area < 0) return false;
+    }
+    return view.area != 0;
+}
+
+/// Triangles by the cells of a grid over their views.
 class ViewGrid {
 public:
-    explicit ViewGrid(const std::vector<View>& views) : m_views(views) {
+    ViewGrid(const std::vector<View>& views, const Box& region) {
         for (const View& view : views)
-            if (!view.isBehind) m_box.extend(view.box);
+            if (!view.box.isEmpty()) m_box.extend(view.box.intersection(region));
         m_cells = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(views.size()) / 2)), 1, 512);
         m_perCell = (m_box.sizes() / m_cells).cwiseMax(1e-300);
         m_members.resize(static_cast<std::size_t>(m_cells) * static_cast<std::size_t>(m_cells));
         for (std::uint32_t i = 0; i < views.size(); ++i)
-            if (!views[i].isBehind)
-                forEachCell(views[i], [&](std::size_t cell) { m_members[cell].push_back(i); });
+            if (!views[i].box.isEmpty())
+                forEachCell(views[i].box, [&](std::vector<std::uint32_t>& cell) { cell.push_back(i); });
     }
 
-    bool isHiddenByAny(std::uint32_t triangle) const {
-        const View& view = m_views[triangle];
-        bool isHidden = false;
-        const auto hides = [&](std::uint32_t other) {
-            return other != triangle && m_views[other].nearest < view.farthest &&
-                   overlap(view, m_views[other]);
-        };
-        forEachCell(view, [&](std::size_t cell) {
-            const auto& members = m_members[cell];
-            isHidden = isHidden || std::any_of(members.begin(), members.end(), hides);
+    /// Whether `holds(triangle)` for any that may overlap a box.
+    template<typename Holds> bool anyOf(const Box& box, const Holds& holds) const {
+        bool found = false;
+        const_cast<ViewGrid*>(this)->forEachCell(box, [&](const std::vector<std::uint32_t>& cell) {
+            found = found || std::any_of(cell.begin(), cell.end(), holds);
         });
-        return isHidden;
+        return found;
     }
 
 private:
-    template<typename Visit> void forEachCell(const View& view, const Visit& visit) const {
+    template<typename Visit> void forEachCell(const Box& box, const Visit& visit) {
         const auto cell = [&](const Eigen::Vector2d& place, int axis) {
             return static_cast<int>(
                 std::clamp((place[axis] - m_box.min()[axis]) / m_perCell[axis], 0.0, m_cells - 1.0));
         };
-        for (int y = cell(view.box.min(), 1); y <= cell(view.box.max(), 1); ++y)
-            for (int x = cell(view.box.min(), 0); x <= cell(view.box.max(), 0); ++x)
-                visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(m_cells) +
-                      static_cast<std::size_t>(x));
+        for (int y = cell(box.min(), 1); y <= cell(box.max(), 1); ++y)
+            for (int x = cell(box.min(), 0); x <= cell(box.max(), 0); ++x)
+                visit(m_members[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_cells) +
+                                static_cast<std::size_t>(x)]);
     }
 
-    const std::vector<View>& m_views;
-    Eigen::AlignedBox2d m_box;
+    Box m_box;
     Eigen::Vector2d m_perCell;
     int m_cells = 1;
     std::vector<std::vector<std::uint32_t>> m_members;
 };
 
+class LightingFinder {
+public:
+    LightingFinder(const ShadowCaster& surface, const std::vector<View>& views, const Box& region)
+        : m_surface(surface), m_views(views), m_grid(views, region) {}
+
+    Lighting of(std::uint32_t triangle) const {
+        const View& view = m_views[triangle];
+        if (!view.isWhole || view.box.isEmpty()) return Lighting::Unknown;
+        const auto mayHide = [&](std::uint32_t other) {
+            return other != triangle && m_views[other].nearest < view.farthest &&
+                   overlap(view, m_views[other]);
+        };
+        if (!m_grid.anyOf(view.box, mayHide)) return Lighting::Lit;
+        const Eigen::Vector2d middle = (view.corners[0] + view.corners[1] + view.corners[2]) / 3;
+        const auto begins = [&](std::uint32_t other) {
+            return isBefore(m_views[other], view) && contains(m_views[other], middle) &&
+                   isCoveredFrom(other, view);
+        };
+        return m_grid.anyOf({middle, middle}, begins) ? Lighting::Hidden : Lighting::Unknown;
+    }
+
+private:
+    bool isBefore(const View& other, const View& view) const {
+        const double margin = 2 * m_surface.tolerance;
+        return other.isWhole && other.nearest > margin && other.farthest + margin < view.nearest;
+    }
+
+    /// Whether triangles that hang together with `first`, which covers a point of the view, cover all of it:
+    /// across every side that touches the view lies another one that is seen from the same side.
+    bool isCoveredFrom(std::uint32_t first, const View& view) const {
+        std::vector<std::uint32_t> sheet{first};
+        for (std::size_t i = 0; i < sheet.size(); ++i) {
+            const View& known = m_views[sheet[i]];
+            for (std::size_t side = 0; side < 3; ++side) {
+                if (!mayTouch(known.corners[side], known.corners[(side + 1) % 3], view)) continue;
+                const std::uint32_t next = m_surface.across[sheet[i]][side];
+                if (next == noIndex || !isBefore(m_views[next], view) ||
+                    !(m_views[next].area * known.area > 0))
+                    return false;
+                if (std::find(sheet.begin(), sheet.end(), next) != sheet.end()) continue;
+                if (sheet.size() == mostInSheet) return false;
+                sheet.push_back(next);
+            }
+        }
+        return true;
+    }
+
+    const ShadowCaster& m_surface;
+    const std::vector<View>& m_views;
+    ViewGrid m_grid;
+};
+
 } // namespace
 
-std::vector<std::uint8_t> certainlyLit(const TriangleMesh& mesh, const Projector& projector,
-                                       PhotoSize photo) {
-    std::vector<std::uint8_t> lit(mesh.triangles.size(), 0);
+std::vector<Lighting> certainLighting(const ShadowCaster& surface, const Projector& projector,
+                                      PhotoSize photo) {
     const Eigen::Matrix4d matrix = photoMatrix(projector, photo);
-    std::vector<View> views;
-    views.reserve(lit.size());
-    for (const Triangle& triangle : mesh.triangles)
-        views.push_back(viewOf(mesh, triangle, matrix));
-    const auto isUnclear = [](const View& view) { return !view.isWhole && !view.isBehind; };
-    if (std::any_of(views.begin(), views.end(), isUnclear)) return lit;
-    const ViewGrid grid(views);
-    tbb::parallel_for(std::size_t{0}, lit.size(), [&](std::size_t i) {
-        lit[i] = !views[i].isBehind && !grid.isHiddenByAny(static_cast<std::uint32_t>(i)) ? 1 : 0;
+    const std::vector<Triangle>& triangles = surface.mesh.triangles;
+    std::vector<View> views(triangles.size());
+    tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) {
+        views[i] = viewOf(surface.mesh, triangles[i], matrix, around(photo));
     });
-    return lit;
+    const LightingFinder finder(surface, views, around(photo));
+    std::vector<Lighting> lighting(triangles.size());
+    tbb::parallel_for(std::size_t{0}, lighting.size(),
+                      [&](std::size_t i) { lighting[i] = finder.of(static_cast<std::uint32_t>(i)); });
+    return lighting;
 }
 
 } // namespace esm

@@ -8,10 +8,25 @@
 
 namespace esm {
 
-/// Marks the triangles, not 0, of which it is certain that no other hides any point from the projector, so
-/// that no ray needs to be followed there. Their views in the photo's plane are compared: a triangle is
-/// certain when all whose views overlap its own lie behind it. Of triangles that reach behind a perspective
-/// projector's eye nothing is certain, nor where such a one may hide others.
-std::vector<std::uint8_t> certainlyLit(const TriangleMesh& mesh, const Projector& projector, PhotoSize photo);
+/// What is certain of a triangle without following any ray.
+enum class Lighting : std::uint8_t {
+    Unknown,
+    Lit,    ///< nothing hides any point of it from the projector
+    Hidden, ///< something hides every point of it
+};
+
+/// The surface that light falls on.
+struct ShadowCaster {
+    const TriangleMesh& mesh;
+    const std::vector<Triangle>& across; ///< as `trianglesAcross` gives it
+    double tolerance;                    ///< m, how far surface may lie before another without hiding it
+};
+
+/// What is certain of each triangle that the photo's light meets. Their views in the photo's plane are
+/// compared: a triangle is lit when all whose views overlap its own lie behind it, and hidden when triangles
+/// before it that hang together cover its view without an end or a fold there. Nothing is said of those that
+/// reach behind a perspective projector's eye, and of those far outside the photo.
+std::vector<Lighting> certainLighting(const ShadowCaster& surface, const Projector& projector,
+                                      PhotoSize photo);
 
 } // namespace esm
