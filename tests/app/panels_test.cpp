@@ -190,6 +190,38 @@ TEST_F(PanelsTest, ALayerBlendsAsChosen) {
     EXPECT_EQ(choice->currentIndex(), 2) << "each choice is a step";
 }
 
+TEST_F(PanelsTest, ACalibratedCameraThrowsWhereThePerspectiveDid) {
+    window->document().edit("layer", [](Project& p) {
+        TextureLayer layer;
+        layer.photo = makeSamplePhoto("serosa");
+        layer.projector.kind = ProjectorKind::Perspective;
+        layer.projector.fieldOfView = 50;
+        p.layers = {layer};
+    });
+    auto* kind = child<QComboBox>("projectorKind");
+    const auto choose = [&](int index) {
+        kind->setCurrentIndex(index);
+        emit kind->activated(index);
+    };
+    const auto projector = [&] { return project().layers[0].projector; };
+    const Image& photo = project().layers[0].photo->image;
+    const PhotoSize size{photo.width, photo.height};
+    const Intrinsics before = intrinsicsOf(projector(), size);
+    choose(2);
+    ASSERT_TRUE(projector().intrinsics);
+    EXPECT_EQ(*projector().intrinsics, before);
+    auto* principalPoint = child<QLineEdit>("projectorIntrinsic2");
+    ASSERT_FALSE(principalPoint->parentWidget()->isHidden());
+    type(principalPoint, "100");
+    EXPECT_EQ(projector().intrinsics->cx, 100);
+    EXPECT_EQ(projector().intrinsics->fx, before.fx);
+    choose(1);
+    EXPECT_FALSE(projector().intrinsics);
+    EXPECT_NEAR(projector().fieldOfView, 50, 1e-9);
+    window->document().undoStack()->undo();
+    EXPECT_EQ(projector().intrinsics->cx, 100);
+}
+
 TEST_F(PanelsTest, TheAtlasForgetsThatThereWasNoSurface) {
     Project bare = makeSample("tube");
     auto mesh = std::make_shared<TriangleMesh>(*bare.mesh);

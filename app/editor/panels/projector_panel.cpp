@@ -8,6 +8,7 @@
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace esm {
@@ -22,54 +23,112 @@ NumberFormat viewFormat() {
     return format;
 }
 
+NumberFormat intrinsicFormat(double minimum) {
+    NumberFormat format;
+    format.unit = ProjectorPanel::tr("px");
+    format.decimals = 1;
+    format.minimum = minimum;
+    format.maximum = texture_limits::longestFocalLength;
+    format.step = 1;
+    return format;
+}
+
+/// What the panel offers: a camera that was measured is a kind of its own.
+enum class Kind { Parallel, Perspective, Measured };
+
+Kind kindOf(const Projector& projector) {
+    if (projector.kind == ProjectorKind::Parallel) return Kind::Parallel;
+    return projector.intrinsics ? Kind::Measured : Kind::Perspective;
+}
+
+PhotoSize sizeOfPicture(const TextureLayer& layer) {
+    const Image& picture = *pictureOf(layer);
+    return {picture.width, picture.height};
+}
+
+double verticalView(const TextureLayer& layer) {
+    const Intrinsics camera = intrinsicsOf(layer.projector, sizeOfPicture(layer));
+    return toDegrees(2 * std::atan(sizeOfPicture(layer).height / (2 * camera.fy)));
+}
+
+/// The picture stays where it lies, as far as the kind can say it.
+Projector ofShownKind(Kind kind, const TextureLayer& layer, const TriangleMesh& mesh) {
+    const bool isParallel = kind == Kind::Parallel;
+    Projector projector = ofKind(isParallel ? ProjectorKind::Parallel : ProjectorKind::Perspective,
+                                 layer.projector, layer.photo->image, mesh);
+    if (kind == Kind::Measured) projector.intrinsics = intrinsicsOf(projector, sizeOfPicture(layer));
+    if (kind == Kind::Perspective && projector.intrinsics) {
+        projector.fieldOfView =
+            std::clamp(verticalView(layer), texture_limits::narrowestView, texture_limits::widestView);
+        projector.intrinsics.reset();
+    }
+    return projector;
+}
+
 } // namespace
 
 ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget* parent)
     : Section(tr("Projector"), parent), m_document(document), m_selection(selection),
       m_kind(new QComboBox(this)), m_width(new NumberField(lengthFormat(smallestLength), this)),
       m_height(new NumberField(lengthFormat(smallestLength), this)),
-      m_fieldOfView(new NumberField(viewFormat(), this)), m_parallelRows(new ValueRows(this)),
-      m_perspectiveRows(new ValueRows(this)),
+      m_fieldOfView(new NumberField(viewFormat(), this)), m_intrinsics(), m_parallelRows(new ValueRows(this)),
+      m_perspectiveRows(new ValueRows(this)), m_measuredRows(new ValueRows(this)),
       m_position(new VectorField(withoutUnit(lengthFormat(-1000)), this)),
       m_turned(new VectorField(withoutUnit(angleFormat()), this)),
       m_fromCamera(new QPushButton(tr("From &camera"), this)) {
+    layOut();
+    connectFields();
+    connectIntrinsics();
+    connect(&selection, &Selection::changed, this, &ProjectorPanel::show);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.layers) show();
+    });
+    show();
+}
+
+void ProjectorPanel::layOut() {
     auto* rows = new ValueRows(this);
     auto* kindRows = new ValueRows(this);
     kindRows->addField(tr("&Kind"), m_kind);
     m_parallelRows->addField(tr("Width"), m_width);
     m_parallelRows->addField(tr("Height"), m_height);
     m_perspectiveRows->addField(tr("Field of view"), m_fieldOfView);
-    m_kind->addItem(tr("parallel"), static_cast<int>(ProjectorKind::Parallel));
-    m_kind->addItem(tr("perspective"), static_cast<int>(ProjectorKind::Perspective));
+    const std::array<QString, 4> captions{tr("Focal length x"), tr("Focal length y"), tr("Principal point x"),
+                                          tr("Principal point y")};
+    for (std::size_t i = 0; i < captions.size(); ++i) {
+        m_intrinsics[i] =
+            new NumberField(intrinsicFormat(i < 2 ? 1 : -texture_limits::longestFocalLength), this);
+        m_intrinsics[i]->setObjectName(QStringLiteral("projectorIntrinsic%1").arg(i));
+        m_measuredRows->addField(captions[i], m_intrinsics[i]);
+    }
+    m_kind->addItem(tr("parallel"), static_cast<int>(Kind::Parallel));
+    m_kind->addItem(tr("perspective"), static_cast<int>(Kind::Perspective));
+    m_kind->addItem(tr("calibrated camera"), static_cast<int>(Kind::Measured));
     guardFromWheel(*m_kind);
     m_kind->setObjectName(QStringLiteral("projectorKind"));
     m_fieldOfView->setObjectName(QStringLiteral("projectorFieldOfView"));
     rows->addWideField(tr("Position, mm"), m_position);
     rows->addWideField(tr("Turned, °"), m_turned);
     m_width->setObjectName(QStringLiteral("projectorWidth"));
-    for (QWidget* part : {kindRows, m_parallelRows, m_perspectiveRows, rows})
+    for (QWidget* part : {kindRows, m_parallelRows, m_perspectiveRows, m_measuredRows, rows})
         body()->addWidget(part);
     body()->addWidget(m_fromCamera, 0, Qt::AlignLeft);
+}
 
+void ProjectorPanel::connectFields() {
+    const QString size = QStringLiteral("projector size");
     connect(m_kind, qOverload<int>(&QComboBox::activated), this, &ProjectorPanel::chooseKind);
-    connect(m_fieldOfView, &NumberField::valueEdited, this, [this](double degrees) {
+    connect(m_fieldOfView, &NumberField::valueEdited, this, [=](double degrees) {
         edit(
-            tr("Set field of view"),
-            [=](Projector& projector) {
-                projector.intrinsics.reset();
-                projector.fieldOfView = degrees;
-            },
-            QStringLiteral("projector size"));
+            tr("Set field of view"), [=](Projector& projector) { projector.fieldOfView = degrees; }, size);
     });
-    connect(m_width, &NumberField::valueEdited, this, [this](double width) {
+    connect(m_width, &NumberField::valueEdited, this, [=](double width) {
         edit(
-            tr("Resize projector"), [=](Projector& projector) { projector.width = width; },
-            QStringLiteral("projector size"));
+            tr("Resize projector"), [=](Projector& projector) { projector.width = width; }, size);
     });
-    connect(m_height, &NumberField::valueEdited, this, [this](double height) {
+    connect(m_height, &NumberField::valueEdited, this, [=](double height) {
         edit(
-            tr("Resize projector"), [=](Projector& projector) { projector.height = height; },
-            QStringLiteral("projector size"));
+            tr("Resize projector"), [=](Projector& projector) { projector.height = height; }, size);
     });
     connect(m_position, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& position) {
         edit(
@@ -83,14 +142,23 @@ ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget
             QStringLiteral("projector turn"));
     });
     for (NumberField* field : {m_width, m_height, m_fieldOfView})
-        connect(field, &NumberField::gestureFinished, &document, &Document::finishGesture);
+        connect(field, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
     for (VectorField* field : {m_position, m_turned})
-        connect(field, &VectorField::gestureFinished, &document, &Document::finishGesture);
-    connect(&selection, &Selection::changed, this, &ProjectorPanel::show);
-    connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.layers) show();
-    });
-    show();
+        connect(field, &VectorField::gestureFinished, &m_document, &Document::finishGesture);
+}
+
+void ProjectorPanel::connectIntrinsics() {
+    for (std::size_t i = 0; i < m_intrinsics.size(); ++i) {
+        connect(m_intrinsics[i], &NumberField::valueEdited, this, [=](double pixels) {
+            Intrinsics camera = shownIntrinsics();
+            const std::array<double*, 4> values{&camera.fx, &camera.fy, &camera.cx, &camera.cy};
+            *values[i] = pixels;
+            edit(
+                tr("Set calibration"), [=](Projector& projector) { projector.intrinsics = camera; },
+                QStringLiteral("projector calibration %1").arg(i));
+        });
+        connect(m_intrinsics[i], &NumberField::gestureFinished, &m_document, &Document::finishGesture);
+    }
 }
 
 void ProjectorPanel::show() {
@@ -111,38 +179,45 @@ void ProjectorPanel::show() {
 }
 
 void ProjectorPanel::showKind(const Projector* projector) {
-    const QString why = tr("No photo is selected");
-    const ProjectorKind kind = projector ? projector->kind : ProjectorKind::Parallel;
+    const Kind kind = projector ? kindOf(*projector) : Kind::Parallel;
     m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(kind)));
     enable(m_kind, projector,
-           tr("Thrown straight ahead, or from an eye as the camera took it; the photo stays where it lies"),
-           why);
-    m_parallelRows->setVisible(kind == ProjectorKind::Parallel);
-    m_perspectiveRows->setVisible(kind == ProjectorKind::Perspective);
-    const bool isMeasured = projector && projector->intrinsics;
-    enable(m_fieldOfView, projector,
-           isMeasured ? tr("Vertical; the camera was measured, which a typed value replaces")
-                      : tr("Vertical angle that the photo spans at the eye"),
-           why);
-    m_fieldOfView->setValue(projector ? std::optional(verticalFieldOfView()) : std::nullopt);
+           tr("Thrown straight ahead, or from an eye as the camera took it, whose calibration may be known; "
+              "the photo stays where it lies"),
+           tr("No photo is selected"));
+    m_parallelRows->setVisible(kind == Kind::Parallel);
+    m_perspectiveRows->setVisible(kind == Kind::Perspective);
+    m_measuredRows->setVisible(kind == Kind::Measured);
+    showCamera(projector);
 }
 
-/// Degrees; of measured intrinsics, what they come to.
-double ProjectorPanel::verticalFieldOfView() const {
+void ProjectorPanel::showCamera(const Projector* projector) {
+    const QString why = tr("No photo is selected");
+    enable(m_fieldOfView, projector, tr("Vertical angle that the photo spans at the eye"), why);
+    m_fieldOfView->setValue(projector ? std::optional(projector->fieldOfView) : std::nullopt);
+    const Intrinsics camera = projector ? shownIntrinsics() : Intrinsics{};
+    const std::array<double, 4> values{camera.fx, camera.fy, camera.cx, camera.cy};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        enable(m_intrinsics[i], projector,
+               i < 2 ? tr("In pixels of the photo; landmarks take it as it is")
+                     : tr("Where the line of sight meets the photo, pixels from its top left corner"),
+               why);
+        m_intrinsics[i]->setValue(projector ? std::optional(values[i]) : std::nullopt);
+    }
+}
+
+Intrinsics ProjectorPanel::shownIntrinsics() const {
     const TextureLayer& layer = m_document.project().layers[*m_selection.photo()];
-    const Image& photo = layer.photo->image;
-    if (!layer.projector.intrinsics) return layer.projector.fieldOfView;
-    return toDegrees(2 * std::atan(photo.height / (2 * layer.projector.intrinsics->fy)));
+    return intrinsicsOf(layer.projector, sizeOfPicture(layer));
 }
 
 void ProjectorPanel::chooseKind() {
     const auto selected = m_selection.photo();
     if (!selected) return;
-    const auto kind = static_cast<ProjectorKind>(m_kind->currentData().toInt());
+    const auto kind = static_cast<Kind>(m_kind->currentData().toInt());
     m_document.edit(tr("Choose kind of projector"), [&](Project& project) {
         TextureLayer& layer = project.layers[*selected];
-        if (!layer.photo) return;
-        layer.projector = ofKind(kind, layer.projector, layer.photo->image, *project.mesh);
+        if (layer.photo) layer.projector = ofShownKind(kind, layer, *project.mesh);
     });
 }
 

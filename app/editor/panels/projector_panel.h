@@ -8,6 +8,8 @@
 #include <QComboBox>
 #include <QPushButton>
 
+#include <array>
+
 namespace esm {
 
 /// Where the selected photo's projector stands, in numbers.
@@ -21,10 +23,14 @@ public:
     void setFromCameraAction(QAction* action);
 
 private:
+    void layOut();
+    void connectFields();
+    void connectIntrinsics();
     void show();
     void showKind(const Projector* projector);
+    void showCamera(const Projector* projector);
     void chooseKind();
-    double verticalFieldOfView() const;
+    Intrinsics shownIntrinsics() const;
     /// @param mergeKey of edits that become one step while a gesture lasts
     void edit(const QString& text, const std::function<void(Projector&)>& change, const QString& mergeKey);
 
@@ -32,7 +38,8 @@ private:
     Selection& m_selection;
     QComboBox* m_kind;
     NumberField *m_width, *m_height, *m_fieldOfView;
-    ValueRows *m_parallelRows, *m_perspectiveRows; ///< what only one kind has
+    std::array<NumberField*, 4> m_intrinsics; ///< focal lengths, then the principal point
+    ValueRows *m_parallelRows, *m_perspectiveRows, *m_measuredRows; ///< what only one kind has
     VectorField *m_position, *m_turned;
     QPushButton* m_fromCamera;
 };
