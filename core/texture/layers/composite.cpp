@@ -83,7 +83,7 @@ LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const Textu
         if (layers.layers().empty()) return;
         PatchScan(atlas.corners[i])
             .forEachTexel(whole, atlas.options.size, touching, [&](const PatchTexel& texel) {
-                if (layers.layers().front().at(texel).w() <= 0) return;
+                if (!(layers.layers().front().at(texel).weight > 0)) return;
                 covered[i].triangles = 1;
                 covered[i].texels += texel.distance == 0 ? 1 : 0;
             });

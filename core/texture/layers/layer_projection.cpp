@@ -81,16 +81,16 @@ bool TriangleProjection::mayTakeColour(const Eigen::Vector3d& densities) const {
              low.y() > m_sampler.height() + margin);
 }
 
-Eigen::Vector4f TriangleProjection::at(const PatchTexel& texel) const {
+LayerColour TriangleProjection::at(const PatchTexel& texel) const {
     const Eigen::Vector4d seen = m_places * texel.extended;
-    if (!(seen.z() > 0) || seen.w() < -m_surface.tolerance) return Eigen::Vector4f::Zero();
+    if (!(seen.z() > 0) || seen.w() < -m_surface.tolerance) return {Eigen::Vector4f::Zero(), 0};
     const double x = seen.x() / seen.z(), y = seen.y() / seen.z();
     const double border = borderWeight(x, y);
-    if (!(border > 0)) return Eigen::Vector4f::Zero();
+    if (!(border > 0)) return {Eigen::Vector4f::Zero(), 0};
     const Eigen::Vector4f colour = m_sampler.at(x, y, depthAt(seen, texel.extended));
-    auto weight = static_cast<float>(border * m_layer.opacity);
-    if (colour.w() * weight > 0) weight *= static_cast<float>(lightWeight(texel.nearest));
-    return colour.cwiseProduct(Eigen::Vector4f(1, 1, 1, weight));
+    float weight = colour.w() * static_cast<float>(border * m_layer.opacity);
+    if (weight > 0) weight *= static_cast<float>(lightWeight(texel.nearest));
+    return {colour, weight};
 }
 
 double TriangleProjection::depthAt(const Eigen::Vector4d& seen, const Eigen::Vector3d& weights) const {

@@ -21,6 +21,12 @@ struct LitTriangle {
     bool isLit; ///< nothing hides any of it, see `certainLighting`
 };
 
+/// What a layer lays on a texel.
+struct LayerColour {
+    Eigen::Vector4f colour; ///< red, green, blue, 0 to 255; the last has no meaning
+    float weight;           ///< 0 to 1
+};
+
 /// A layer's photo and how it is thrown.
 struct ThrownPhoto {
     const TextureLayer& layer;
@@ -37,9 +43,9 @@ public:
                                                   const LitTriangle& triangle,
                                                   const std::array<Eigen::Vector2d, 3>& patch);
 
-    /// Red, green, blue 0 to 255 and the layer's weight 0 to 1 in the texel: opacity × border × alpha, with
-    /// falloff × that of the angle; 0 where the photo's light does not come.
-    Eigen::Vector4f at(const PatchTexel& texel) const;
+    /// Its weight is opacity × border × alpha, with falloff × that of the angle; 0 where the photo's light
+    /// does not come.
+    LayerColour at(const PatchTexel& texel) const;
 
 private:
     TriangleProjection(const ThrownPhoto& photo, const LitSurface& surface)

@@ -106,11 +106,11 @@ LayerStack::colourNear(const Eigen::Vector3d& point, std::size_t layers, int fol
     return source->colour({0, 0, 0, hit->barycentric, hit->barycentric});
 }
 
-Eigen::Vector4f LayerOnTriangle::at(const PatchTexel& texel) const {
+LayerColour LayerOnTriangle::at(const PatchTexel& texel) const {
     if (!m_projection) return painted(m_corners * texel.extended);
-    Eigen::Vector4f colour = m_projection->at(texel);
-    if (colour.w() > 0 && !m_strokes.empty()) colour.w() *= mask(m_corners * texel.extended);
-    return colour;
+    LayerColour own = m_projection->at(texel);
+    if (own.weight > 0 && !m_strokes.empty()) own.weight *= mask(m_corners * texel.extended);
+    return own;
 }
 
 float LayerOnTriangle::mask(const Eigen::Vector3d& point) const {
@@ -123,7 +123,7 @@ float LayerOnTriangle::mask(const Eigen::Vector3d& point) const {
     return mask;
 }
 
-Eigen::Vector4f LayerOnTriangle::painted(const Eigen::Vector3d& point) const {
+LayerColour LayerOnTriangle::painted(const Eigen::Vector3d& point) const {
     Eigen::Vector3f colour = Eigen::Vector3f::Zero();
     float cover = 0, mask = 1;
     for (const StrokeOnTriangle& stroke : m_strokes) {
@@ -136,7 +136,7 @@ Eigen::Vector4f LayerOnTriangle::painted(const Eigen::Vector3d& point) const {
         colour += weight / together * (colourOf(stroke.stroke(), point) - colour);
         cover = together;
     }
-    return {colour.x(), colour.y(), colour.z(), cover * mask * static_cast<float>(m_prepared->layer.opacity)};
+    return {colour.homogeneous(), cover * mask * static_cast<float>(m_prepared->layer.opacity)};
 }
 
 Eigen::Vector3f LayerOnTriangle::colourOf(const BrushStroke& stroke, const Eigen::Vector3d& point) const {
@@ -200,8 +200,9 @@ Eigen::Vector3f TriangleLayers::colour(const PatchTexel& texel) const {
     Eigen::Array4f colour = Eigen::Array4f::Zero();
     Eigen::Array4f passing = Eigen::Array4f::Ones(); // the share that what lies beneath has in each channel
     for (auto layer = m_layers.rbegin(); layer != m_layers.rend(); ++layer) {
-        const Eigen::Array4f own = layer->at(texel);
-        const float weight = own[3];
+        const LayerColour laid = layer->at(texel);
+        const Eigen::Array4f own = laid.colour;
+        const float weight = laid.weight;
         if (!(weight > 0)) continue;
         if (layer->blending() == Blending::Multiply) {
             passing *= 1 - weight + weight / 255 * own;

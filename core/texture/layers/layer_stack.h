@@ -67,15 +67,14 @@ private:
 /// One layer as the patch of one triangle sees it.
 class LayerOnTriangle {
 public:
-    /// Red, green, blue 0 to 255 and the weight 0 to 1 in the texel: that of the photo × mask, or what is
-    /// painted × mask × opacity.
-    Eigen::Vector4f at(const PatchTexel& texel) const;
+    /// The weight is that of the photo × mask, or what is painted × mask × opacity.
+    LayerColour at(const PatchTexel& texel) const;
     Blending blending() const { return m_prepared->layer.blending; }
 
 private:
     friend class TriangleLayers;
 
-    Eigen::Vector4f painted(const Eigen::Vector3d& point) const;
+    LayerColour painted(const Eigen::Vector3d& point) const;
     float mask(const Eigen::Vector3d& point) const;
     Eigen::Vector3f colourOf(const BrushStroke& stroke, const Eigen::Vector3d& point) const;
 

@@ -3,6 +3,7 @@
 #include "core/texture/photo/bilinear.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <smmintrin.h>
@@ -19,6 +20,14 @@ Eigen::Array4f valuesOf(const std::uint8_t* pixel) {
     Eigen::Array4f values;
     _mm_store_ps(values.data(), _mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(bytes))));
     return values;
+}
+
+/// Rounds values that are not below 0.
+void store(const Eigen::Array4f& values, std::uint8_t* pixel) {
+    const __m128i rounded = _mm_cvttps_epi32(_mm_add_ps(_mm_load_ps(values.data()), _mm_set1_ps(0.5F)));
+    const __m128i words = _mm_packus_epi32(rounded, rounded);
+    const std::int32_t bytes = _mm_cvtsi128_si32(_mm_packus_epi16(words, words));
+    std::memcpy(pixel, &bytes, sizeof bytes);
 }
 
 /// Colours weighted by alpha, and the weighted alpha, 0 to 255.
@@ -38,7 +47,8 @@ struct WeightedColour {
 };
 
 /// The pixels around a place, in which alpha weighs nothing.
-Eigen::Array4f opaqueColourAt(const Image& image, const BilinearPlace& place) {
+inline Eigen::Array4f opaqueColourAt(const Image& image, double x, double y) {
+    const BilinearPlace place = bilinearPlace(image, x, y);
     const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
     const Eigen::Array4f left = valuesOf(image.at(place.left, place.top)),
                          lowerLeft = valuesOf(image.at(place.left, place.bottom));
@@ -47,7 +57,48 @@ Eigen::Array4f opaqueColourAt(const Image& image, const BilinearPlace& place) {
     return top + v * (bottom - top);
 }
 
-Eigen::Array4f colourByAlphaAt(const Image& image, const BilinearPlace& place) {
+bool allOpaque(const Image& image) {
+    for (std::size_t i = 3; i < image.pixels.size(); i += 4)
+        if (image.pixels[i] != 255) return false;
+    return true;
+}
+
+/// The mean of four pixels.
+template<bool isOpaque> Eigen::Array4f meanOf(const std::array<const std::uint8_t*, 4>& pixels) {
+    if constexpr (isOpaque)
+        return 0.25F *
+               (valuesOf(pixels[0]) + valuesOf(pixels[1]) + valuesOf(pixels[2]) + valuesOf(pixels[3]));
+    WeightedColour mean;
+    for (const std::uint8_t* pixel : pixels)
+        mean.add(pixel, 0.25F);
+    return mean.colour();
+}
+
+template<bool isOpaque> void halveRow(const Image& image, int y, Image& half) {
+    const int above = 2 * y, below = std::min(above + 1, image.height - 1);
+    for (int x = 0; x < half.width; ++x) {
+        const int left = 2 * x, right = std::min(left + 1, image.width - 1);
+        const Eigen::Array4f colour = meanOf<isOpaque>(
+            {image.at(left, above), image.at(right, above), image.at(left, below), image.at(right, below)});
+        store(colour, half.at(x, y));
+    }
+}
+
+Image halved(const Image& image, bool isOpaque) {
+    Image half;
+    half.width = (image.width + 1) / 2;
+    half.height = (image.height + 1) / 2;
+    half.pixels.resize(4 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+    tbb::parallel_for(0, half.height, [&](int y) {
+        isOpaque ? halveRow<true>(image, y, half) : halveRow<false>(image, y, half);
+    });
+    return half;
+}
+
+} // namespace
+
+Eigen::Vector4f weightedColourAt(const Image& image, double x, double y) {
+    const BilinearPlace place = bilinearPlace(image, x, y);
     const auto u = static_cast<float>(place.u), v = static_cast<float>(place.v);
     WeightedColour mean;
     mean.add(image.at(place.left, place.top), (1 - u) * (1 - v));
@@ -57,49 +108,13 @@ Eigen::Array4f colourByAlphaAt(const Image& image, const BilinearPlace& place) {
     return mean.colour();
 }
 
-bool allOpaque(const Image& image) {
-    for (std::size_t i = 3; i < image.pixels.size(); i += 4)
-        if (image.pixels[i] != 255) return false;
-    return true;
-}
-
-} // namespace
-
-Eigen::Vector4f weightedColourAt(const Image& image, double x, double y) {
-    return colourByAlphaAt(image, bilinearPlace(image, x, y));
-}
-
 Image halved(const Image& image) {
-    Image half;
-    half.width = (image.width + 1) / 2;
-    half.height = (image.height + 1) / 2;
-    half.pixels.resize(4 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
-    tbb::parallel_for(0, half.height, [&](int y) {
-        const int below = std::min(2 * y + 1, image.height - 1);
-        for (int x = 0; x < half.width; ++x) {
-            const int right = std::min(2 * x + 1, image.width - 1);
-            WeightedColour mean;
-            mean.add(image.at(2 * x, 2 * y), 0.25F);
-            mean.add(image.at(right, 2 * y), 0.25F);
-            mean.add(image.at(2 * x, below), 0.25F);
-            mean.add(image.at(right, below), 0.25F);
-            const Eigen::Array4f colour = mean.colour() + 0.5F;
-            for (int channel = 0; channel < 4; ++channel)
-                half.at(x, y)[channel] = static_cast<std::uint8_t>(colour[channel]);
-        }
-    });
-    return half;
+    return halved(image, allOpaque(image));
 }
 
 PhotoSampler::PhotoSampler(const Image& photo) : m_photo(photo), m_isOpaque(allOpaque(photo)) {
     while (level(m_smaller.size()).width > 1 || level(m_smaller.size()).height > 1)
-        m_smaller.push_back(halved(level(m_smaller.size())));
-}
-
-Eigen::Array4f PhotoSampler::read(std::size_t index, double x, double y) const {
-    const Image& image = level(index);
-    const BilinearPlace place = bilinearPlace(image, x, y);
-    return m_isOpaque ? opaqueColourAt(image, place) : colourByAlphaAt(image, place);
+        m_smaller.push_back(halved(level(m_smaller.size()), m_isOpaque));
 }
 
 Eigen::Vector4f PhotoSampler::at(double x, double y, double depth) const {
@@ -107,15 +122,27 @@ Eigen::Vector4f PhotoSampler::at(double x, double y, double depth) const {
     const auto fine = static_cast<std::size_t>(depth);
     const auto share = static_cast<float>(depth - static_cast<double>(fine));
     const double scale = 1.0 / static_cast<double>(std::uint64_t{1} << fine);
-    const Eigen::Array4f whole(1, 1, 1, 255); // alpha becomes a share
-    const Eigen::Array4f colour = read(fine, x * scale, y * scale);
-    if (!(share > 0)) return colour / whole;
-    const Eigen::Array4f coarse = read(fine + 1, x * scale / 2, y * scale / 2);
-    if (m_isOpaque) return (colour + share * (coarse - colour)) / whole;
-    const float alpha = colour[3] + share * (coarse[3] - colour[3]);
-    if (!(alpha > 0)) return Eigen::Vector4f::Zero();
-    const Eigen::Array4f mixed = ((1 - share) * colour[3] * colour + share * coarse[3] * coarse) / alpha;
-    return {mixed[0], mixed[1], mixed[2], alpha / 255};
+    x *= scale;
+    y *= scale;
+    if (!m_isOpaque) return colourByAlphaAt(x, y, fine, share);
+    const Eigen::Array4f alphaAsShare(1, 1, 1, 1.0F / 255);
+    const Eigen::Array4f colour = opaqueColourAt(level(fine), x, y);
+    if (!(share > 0)) return colour * alphaAsShare;
+    const Eigen::Array4f coarse = opaqueColourAt(level(fine + 1), x / 2, y / 2);
+    return (colour + share * (coarse - colour)) * alphaAsShare;
+}
+
+Eigen::Vector4f PhotoSampler::colourByAlphaAt(double x, double y, std::size_t fine, float share) const {
+    Eigen::Vector4f colour = weightedColourAt(level(fine), x, y);
+    if (share > 0) {
+        const Eigen::Vector4f coarse = weightedColourAt(level(fine + 1), x / 2, y / 2);
+        const float alpha = (1 - share) * colour.w() + share * coarse.w();
+        if (!(alpha > 0)) return Eigen::Vector4f::Zero();
+        colour = ((1 - share) * colour.w() * colour + share * coarse.w() * coarse) / alpha;
+        colour.w() = alpha;
+    }
+    colour.w() /= 255;
+    return colour;
 }
 
 } // namespace esm

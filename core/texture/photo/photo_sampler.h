@@ -32,8 +32,8 @@ public:
 private:
     const Image& level(std::size_t index) const { return index == 0 ? m_photo : m_smaller[index - 1]; }
 
-    /// Red, green, blue and alpha, 0 to 255, at a place in pixels of one of the pictures.
-    Eigen::Array4f read(std::size_t index, double x, double y) const;
+    /// @param x, y pixels of the level `fine`, with which the next is mixed by `share`
+    Eigen::Vector4f colourByAlphaAt(double x, double y, std::size_t fine, float share) const;
 
     const Image& m_photo;
     bool m_isOpaque;              ///< nowhere transparent, so that alpha need not be weighed
