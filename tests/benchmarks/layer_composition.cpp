@@ -1,9 +1,12 @@
 #include "tests/benchmarks/layer_composition.h"
 
 #include "core/texture/layers/composite.h"
+#include "tests/benchmarks/bare_composition.h"
+#include "tests/benchmarks/memory_peak.h"
 #include "tests/support/test_surfaces.h"
 
 #include <cmath>
+#include <tbb/global_control.h>
 
 namespace benchmarks {
 
@@ -11,7 +14,7 @@ namespace {
 
 using namespace esm;
 
-constexpr int compositions = 3, layerCount = 8, pageSize = 4096;
+constexpr int compositions = 5, layerCount = 8, pageSize = 4096;
 constexpr std::array<std::uint8_t, 3> base{186, 92, 84};
 
 /// Noise, in which no neighbouring pixels are the same.
@@ -19,6 +22,7 @@ std::shared_ptr<const Photo> noisePhoto() {
     auto photo = std::make_shared<Photo>();
     photo->image.width = 1920;
     photo->image.height = 1080;
+    photo->image.pixels.reserve(4UL * 1920 * 1080);
     std::uint32_t state = 1;
     for (std::size_t i = 0; i < 4 * 1920 * 1080; ++i) {
         state = state * 1664525U + 1013904223U;
@@ -35,72 +39,142 @@ std::vector<TextureLayer> layersAround() {
         layer.photo = noisePhoto();
         const Eigen::AngleAxisd turn(2 * M_PI * i / layerCount, Eigen::Vector3d::UnitY());
         layer.projector.pose = turn * Eigen::Translation3d(0, 0, 0.3);
-        layer.projector.width = 0.16;
-        layer.projector.height = 0.09;
+        layer.projector.width = 0.17;
+        layer.projector.height = 0.096;
         layers.push_back(layer);
     }
     return layers;
 }
 
+/// An organ of 20 k triangles and what is laid on it, the same for all that is measured.
 struct Work {
     TriangleMesh mesh = lumpySurface(100, 100);
     Atlas atlas = packAtlas(mesh, {pageSize, 1, 2, AtlasLayout::UnfoldedGroups});
-    std::vector<TextureLayer> layers = layersAround(), moved = layers;
+    std::vector<TextureLayer> layers = layersAround(), single{layers[0]}, translucent = layers,
+                              moved = layers, fainter = layers;
+    std::vector<BarePyramid> pyramids;
     Composition before;
     CompositionCache cache;
 
     Work() {
+        for (TextureLayer& layer : translucent)
+            layer.opacity = 0.5;
         moved[3].projector.pose.translation().y() += 0.01;
+        fainter[3].opacity = 0.5;
+        for (const TextureLayer& layer : layers)
+            pyramids.push_back(barePyramid(layer.photo->image));
         before = {layers, base,
                   std::make_shared<const std::vector<Image>>(composite(mesh, atlas, layers, base, cache))};
     }
 };
 
-/// Reads as many photos per texel as the layers do on average, at the next pixel, by one thread.
-void plainLoop(const std::vector<TextureLayer>& layers, Image& page) {
-    constexpr std::size_t perTexel = layerCount / 3 + 1;
-    for (std::size_t i = 0; i < page.pixels.size(); i += 4) {
-        std::array<float, 3> colour{186, 92, 84};
-        for (std::size_t layer = 0; layer < perTexel; ++layer) {
-            const Image& photo = layers[layer].photo->image;
-            const std::uint8_t* pixel = &photo.pixels[i % photo.pixels.size()];
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                colour[channel] += 0.5F * (static_cast<float>(pixel[channel]) - colour[channel]);
-        }
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            page.pixels[i + channel] = static_cast<std::uint8_t>(colour[channel]);
-    }
+Work& sharedWork() {
+    static Work work;
+    return work;
+}
+
+using Layers = std::vector<TextureLayer> Work::*;
+
+void registerComposition(const std::string& name, Layers layers, std::size_t threads) {
+    registerWork(name, compositions, [layers, threads] {
+        const auto cache = std::make_shared<CompositionCache>();
+        return [layers, threads, cache] {
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+            const Work& work = sharedWork();
+            benchmark::DoNotOptimize(composite(work.mesh, work.atlas, work.*layers, base, *cache));
+        };
+    });
+}
+
+void registerFromNothing() {
+    registerWork("composing 8 layers from nothing", compositions, [] {
+        sharedWork();
+        return [] {
+            const Work& work = sharedWork();
+            benchmark::DoNotOptimize(composite(work.mesh, work.atlas, work.layers, base));
+        };
+    });
+}
+
+void registerRecomposition(const std::string& name, Layers layers) {
+    registerWork(name, compositions, [layers] {
+        sharedWork();
+        return [layers] {
+            Work& work = sharedWork();
+            benchmark::DoNotOptimize(
+                recomposite(work.mesh, work.atlas, work.before, work.*layers, base, work.cache));
+        };
+    });
+}
+
+void registerBareLoop(const std::string& name, Layers layers) {
+    registerWork(name, compositions, [layers] {
+        sharedWork();
+        return [layers] {
+            const Work& work = sharedWork();
+            Image page{pageSize, pageSize, std::vector<std::uint8_t>(4UL * pageSize * pageSize, 120)};
+            for (std::size_t i = 0; i < (work.*layers).size(); ++i)
+                layBare(work.mesh, work.atlas, (work.*layers)[i], work.pyramids[i], page);
+            benchmark::DoNotOptimize(page);
+        };
+    });
+}
+
+/// Bytes beside the photos to the bytes of the page: from nothing, or with the pages before it that the next
+/// ones are made from.
+Ratio memoryRatio(const std::string& name, bool again) {
+    const auto ratio = std::make_shared<double>(0);
+    registerWork(name, 1, [ratio, again] {
+        sharedWork();
+        return [ratio, again] {
+            const Work& work = sharedWork();
+            const MemoryPeak peak;
+            CompositionCache cache;
+            Composition before{work.layers, base, nullptr};
+            before.pages = std::make_shared<const std::vector<Image>>(
+                composite(work.mesh, work.atlas, work.layers, base, cache));
+            if (again)
+                benchmark::DoNotOptimize(recomposite(work.mesh, work.atlas, before, work.moved, base, cache));
+            *ratio = static_cast<double>(peak.bytes()) / (4.0 * pageSize * pageSize);
+        };
+    });
+    Ratio measured{name + ": to the page", name, name, Clock::Wall, 0, 3};
+    measured.measured = ratio;
+    return measured;
 }
 
 } // namespace
 
 std::vector<Ratio> registerLayerComposition() {
-    registerWork("composing 8 layers", compositions, [] {
-        const auto work = std::make_shared<Work>();
-        return [work] {
-            benchmark::DoNotOptimize(composite(work->mesh, work->atlas, work->layers, base, work->cache));
-        };
-    });
-    registerWork("composing 1 of 8 layers anew", compositions, [] {
-        const auto work = std::make_shared<Work>();
-        return [work] {
-            benchmark::DoNotOptimize(
-                recomposite(work->mesh, work->atlas, work->before, work->moved, base, work->cache));
-        };
-    });
-    registerWork("plain loop over texels", compositions, [] {
-        const auto layers = std::make_shared<const std::vector<TextureLayer>>(layersAround());
-        const auto page = std::make_shared<Image>(
-            Image{pageSize, pageSize, std::vector<std::uint8_t>(4UL * pageSize * pageSize)});
-        return [layers, page] {
-            plainLoop(*layers, *page);
-            benchmark::ClobberMemory();
-        };
-    });
+    registerComposition("composing 1 layer, 1 thread", &Work::single, 1);
+    registerComposition("composing 1 layer, 2 threads", &Work::single, 2);
+    registerComposition("composing 8 layers, 1 thread", &Work::layers, 1);
+    registerComposition("composing 8 layers, 2 threads", &Work::layers, 2);
+    registerComposition("composing 8 half opaque layers, 1 thread", &Work::translucent, 1);
+    registerFromNothing();
+    registerRecomposition("moving 1 of 8 layers", &Work::moved);
+    registerRecomposition("making 1 of 8 layers fainter", &Work::fainter);
+    registerBareLoop("bare loop, 1 layer", &Work::single);
+    registerBareLoop("bare loop, 8 layers", &Work::layers);
     return {
-        {"8 layers composed to a plain loop", "composing 8 layers", "plain loop over texels", Clock::Wall},
-        {"1 of 8 layers composed anew to all of them", "composing 1 of 8 layers anew", "composing 8 layers",
-         Clock::Wall}};
+        {"1 layer, 1 thread: to the bare loop", "composing 1 layer, 1 thread", "bare loop, 1 layer",
+         Clock::Wall, 0, 1.3},
+        {"1 layer: 1 thread to 2", "composing 1 layer, 1 thread", "composing 1 layer, 2 threads", Clock::Wall,
+         1.6},
+        {"8 layers, 1 thread: to the bare loop", "composing 8 layers, 1 thread", "bare loop, 8 layers",
+         Clock::Wall, 0, 1.3},
+        {"8 half opaque layers: to the bare loop", "composing 8 half opaque layers, 1 thread",
+         "bare loop, 8 layers", Clock::Wall, 0, 1.3},
+        {"8 layers: 1 thread to 2", "composing 8 layers, 1 thread", "composing 8 layers, 2 threads",
+         Clock::Wall, 1.6},
+        {"8 layers from nothing: to the bare loop", "composing 8 layers from nothing", "bare loop, 8 layers",
+         Clock::Wall},
+        {"1 of 8 layers moved: to all", "moving 1 of 8 layers", "composing 8 layers, 2 threads", Clock::Wall},
+        {"1 of 8 layers fainter: to all", "making 1 of 8 layers fainter", "composing 8 layers, 2 threads",
+         Clock::Wall},
+        memoryRatio("memory of composing 8 layers", false),
+        memoryRatio("memory of composing them again", true),
+    };
 }
 
 } // namespace benchmarks

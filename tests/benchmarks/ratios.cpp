@@ -58,11 +58,17 @@ void RatioReporter::print(const Ratio& ratio) const {
     const Times numerator = timesOf(ratio.numerator, ratio.clock);
     const Times denominator = timesOf(ratio.denominator, ratio.clock);
     if (numerator.best == 0 || denominator.best == 0) return;
-    const double median = ratio.scale * numerator.median / denominator.median;
-    std::printf("%-45s %10.3f %10.3f   ", ratio.what.c_str(), median,
-                ratio.scale * numerator.best / denominator.best);
-    if (ratio.least > 0) std::printf("≥ %.2f%s", ratio.least, median < ratio.least ? "  missed" : "");
-    if (ratio.most > 0) std::printf("≤ %.2f%s", ratio.most, median > ratio.most ? "  missed" : "");
+    if (ratio.measured)
+        print(ratio, {*ratio.measured, *ratio.measured});
+    else
+        print(ratio, {ratio.scale * numerator.median / denominator.median,
+                      ratio.scale * numerator.best / denominator.best});
+}
+
+void RatioReporter::print(const Ratio& ratio, const Times& value) {
+    std::printf("%-45s %10.3f %10.3f   ", ratio.what.c_str(), value.median, value.best);
+    if (ratio.least > 0) std::printf("≥ %.2f%s", ratio.least, value.median < ratio.least ? "  missed" : "");
+    if (ratio.most > 0) std::printf("≤ %.2f%s", ratio.most, value.median > ratio.most ? "  missed" : "");
     std::printf("\n");
 }
 

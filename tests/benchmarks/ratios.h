@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Ratio {
     Clock clock;
     double least = 0, most = 0; ///< the aim; 0 where there is none
     double scale = 1;
+    std::shared_ptr<const double> measured = nullptr; ///< in place of times, once `numerator` has run
 };
 
 /// `prepare` returns what is measured; it is called when it is first needed.
@@ -44,6 +46,7 @@ private:
     };
     Times timesOf(const std::string& name, Clock clock) const;
     void print(const Ratio& ratio) const;
+    static void print(const Ratio& ratio, const Times& value);
 
     std::map<std::string, Repetitions> m_repetitions;
 };
