@@ -158,4 +158,8 @@ Lens readLensFile(const std::filesystem::path& file) {
     return lens;
 }
 
+void writeLensFile(const Lens& lens, const std::filesystem::path& file) {
+    writeFileAtomically(file, toJson(lens).dump(2) + '\n');
+}
+
 } // namespace esm

@@ -14,5 +14,6 @@ nlohmann::ordered_json toJson(const PhotoPreparation& preparation);
 
 /// A lens in the form that it has in a preparation. @throws FileError
 Lens readLensFile(const std::filesystem::path& file);
+void writeLensFile(const Lens& lens, const std::filesystem::path& file); ///< @throws FileError
 
 } // namespace esm

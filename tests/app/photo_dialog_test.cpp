@@ -1,7 +1,9 @@
 #include "app/editor/panels/photo_dialog.h"
 
+#include "core/exchange/preparation_json.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
+#include "tests/support/temporary_folder.h"
 
 #include <QLabel>
 
@@ -107,6 +109,25 @@ TEST_F(PhotoDialogTest, SaysWhyLinesDoNotDo) {
     dialog->findChild<QPushButton*>("straightenPhoto")->click();
     EXPECT_TRUE(dialog->findChild<QLabel*>("photoHint")->text().contains("do not tell"));
     EXPECT_EQ(document.undoStack()->count(), 0);
+}
+
+TEST_F(PhotoDialogTest, ALensServesOtherPhotosByItsFile) {
+    const TemporaryFolder folder;
+    const Lens known{LensKind::Fisheye, {150, 151, 200, 160}, {0.1, 0.01, 0, 0, 0}};
+    writeLensFile(known, folder / "scope.json");
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    DialogScript dialogs;
+    choose(Qt::Key_L);
+    EXPECT_FALSE(dialog->findChild<QPushButton*>("saveLens")->isEnabled());
+    dialogs.expectFile(folder / "scope.json");
+    dialog->findChild<QPushButton*>("loadLens")->click();
+    ESM_EVENTUALLY(layer().preparation.lens);
+    EXPECT_EQ(*layer().preparation.lens, known);
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    dialogs.expectFile(folder / "copy.json");
+    dialog->findChild<QPushButton*>("saveLens")->click();
+    EXPECT_EQ(readLensFile(folder / "copy.json"), known);
+    EXPECT_TRUE(dialogs.isDone());
 }
 
 TEST_F(PhotoDialogTest, CropsByAFrameAndByNumbers) {

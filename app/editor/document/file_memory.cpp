@@ -14,8 +14,8 @@ namespace {
 constexpr int mostRecentFiles = 8;
 
 QString folderKey(FileKind kind) {
-    constexpr std::array<const char*, 6> names{"project", "mesh",        "photo",
-                                               "package", "fuzzySystem", "landmarks"};
+    constexpr std::array<const char*, 7> names{"project",     "mesh",      "photo", "package",
+                                               "fuzzySystem", "landmarks", "lens"};
     return QStringLiteral("folders/") + QLatin1String(names[static_cast<std::size_t>(kind)]);
 }
 

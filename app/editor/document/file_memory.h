@@ -8,7 +8,7 @@
 namespace esm {
 
 /// The kinds of files that the user keeps in folders of their own.
-enum class FileKind { Project, Mesh, Photo, Package, FuzzySystem, Landmarks };
+enum class FileKind { Project, Mesh, Photo, Package, FuzzySystem, Landmarks, Lens };
 
 /// Where the dialog for files of this kind starts: the folder last used for it, else the project's, else the
 /// user's documents.

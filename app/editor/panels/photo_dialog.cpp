@@ -1,7 +1,5 @@
 #include "app/editor/panels/photo_dialog.h"
 
-#include "core/support/errors.h"
-#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
 #include "widgets/texture/image_conversion.h"
@@ -42,15 +40,12 @@ QLabel* quietLabel(const QString& text, QWidget* buddy, QWidget* parent) {
 PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* parent)
     : QDialog(parent), m_edits(edits), m_canvas(new PhotoCanvas(this)), m_pages(new QStackedWidget(this)),
       m_tools(new QButtonGroup(this)), m_radius(new NumberField(radiusFormat(), this)),
-      m_softness(new NumberField(shareFormat(), this)), m_lens(new QComboBox(this)),
-      m_straighten(new QPushButton(tr("&Straighten"), this)),
-      m_clearLines(new QPushButton(tr("Clear lines"), this)),
-      m_whole(new QPushButton(tr("Whole photo"), this)), m_lineCount(new QLabel(this)),
-      m_hint(new QLabel(this)) {
+      m_softness(new NumberField(shareFormat(), this)), m_lensPage(new LensPage(edits, *m_canvas, this)),
+      m_whole(new QPushButton(tr("Whole photo"), this)), m_hint(new QLabel(this)) {
     setObjectName(QStringLiteral("photoDialog"));
     setWindowFlag(Qt::WindowContextHelpButtonHint, false);
     resize(960, 680);
-    for (QWidget* page : {brushPage(), linesPage(), cropPage()})
+    for (QWidget* page : {brushPage(), static_cast<QWidget*>(m_lensPage), cropPage()})
         m_pages->addWidget(page);
     m_pages->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* column = new QVBoxLayout(this);
@@ -65,6 +60,7 @@ PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* p
     connect(m_canvas, &PhotoCanvas::cropDrawn, this, &PhotoDialog::setCrop);
     connect(m_canvas, &PhotoCanvas::frameFinished, &m_edits, &PreparationEdits::finishGesture);
     connect(m_canvas, &PhotoCanvas::linesChanged, this, [this] { showHint(); });
+    connect(m_lensPage, &LensPage::failed, this, &PhotoDialog::showHint);
     connect(&edits, &PreparationEdits::changed, this, &PhotoDialog::showPhoto);
     chooseTool(PhotoTool::LeaveOut);
     showPhoto();
@@ -113,28 +109,6 @@ QWidget* PhotoDialog::brushPage() {
     for (const auto& [key, factor] : {std::pair(Qt::Key_BracketLeft, 0.8), {Qt::Key_BracketRight, 1.25}})
         connect(new QShortcut(key, this), &QShortcut::activated, this,
                 [this, factor = factor] { changeBrush(factor); });
-    return page;
-}
-
-QWidget* PhotoDialog::linesPage() {
-    auto* page = new QWidget(this);
-    QHBoxLayout* row = pageRow(page);
-    m_lens->addItem(tr("pinhole"), static_cast<int>(LensKind::Pinhole));
-    m_lens->addItem(tr("fisheye"), static_cast<int>(LensKind::Fisheye));
-    m_lens->setToolTip(tr("How the lens bends: a little, or as one that sees very wide"));
-    guardFromWheel(*m_lens);
-    m_straighten->setObjectName(QStringLiteral("straightenPhoto"));
-    m_straighten->setAutoDefault(false);
-    m_clearLines->setAutoDefault(false);
-    m_lineCount->setProperty("quiet", true);
-    row->addWidget(quietLabel(tr("L&ens"), m_lens, page));
-    row->addWidget(m_lens);
-    row->addWidget(m_lineCount);
-    row->addWidget(m_straighten);
-    row->addWidget(m_clearLines);
-    row->addStretch();
-    connect(m_straighten, &QPushButton::clicked, this, &PhotoDialog::straighten);
-    connect(m_clearLines, &QPushButton::clicked, m_canvas, &PhotoCanvas::clearLines);
     return page;
 }
 
@@ -244,11 +218,7 @@ void PhotoDialog::showPicture(const TextureLayer& layer) {
 }
 
 void PhotoDialog::showHint(const QString& problem) {
-    const std::size_t lines = m_canvas->lines().size();
-    m_lineCount->setText(lines == 1 ? tr("1 line") : tr("%1 lines").arg(lines));
-    enable(m_straighten, lines >= 2, tr("Find the lens that makes these lines straight"),
-           tr("Draw two lines of three places each first"));
-    enable(m_clearLines, !m_canvas->lines().empty(), tr("Draw anew"), tr("No line is drawn"));
+    m_lensPage->showLines();
     QString hint = tr("Paint over what shall not lie on the organ · wheel magnifies, middle button moves");
     if (m_canvas->tool() == PhotoTool::TakeBack) hint = tr("Paint over what was left out to show it again");
     if (m_canvas->tool() == PhotoTool::Crop)
@@ -261,18 +231,6 @@ void PhotoDialog::showHint(const QString& problem) {
     m_hint->setProperty("quiet", problem.isEmpty());
     m_hint->setProperty("warning", !problem.isEmpty());
     m_hint->setStyleSheet(m_hint->styleSheet()); // looks at the properties anew
-}
-
-void PhotoDialog::straighten() {
-    const Image& photo = m_edits.layer()->photo->image;
-    const auto kind = static_cast<LensKind>(m_lens->currentData().toInt());
-    try {
-        const Lens lens = straighteningLens(kind, {photo.width, photo.height}, m_canvas->lines());
-        m_edits.edit(tr("Straighten photo"), [=](PreparationWish& wish) { wish.preparation.lens = lens; });
-    } catch (const InvalidModel& error) {
-        QString reason = QString::fromStdString(error.problems().front());
-        showHint(reason.replace(0, 1, reason.at(0).toUpper()));
-    }
 }
 
 void PhotoDialog::setCrop(const std::optional<PhotoCrop>& crop) {

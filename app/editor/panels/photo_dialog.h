@@ -1,11 +1,11 @@
 #pragma once
 
+#include "app/editor/panels/lens_page.h"
 #include "app/editor/preview/preparation_edits.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/texture/photo_canvas.h"
 
 #include <QButtonGroup>
-#include <QComboBox>
 #include <QDialog>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -25,7 +25,6 @@ public:
 private:
     QHBoxLayout* toolRow();
     QWidget* brushPage();
-    QWidget* linesPage();
     QWidget* cropPage();
     QHBoxLayout* closeRow(Document& document);
     void chooseTool(PhotoTool tool);
@@ -33,7 +32,6 @@ private:
     void showPhoto();
     void showPicture(const TextureLayer& layer);
     void showHint(const QString& problem = {});
-    void straighten();
     void setCrop(const std::optional<PhotoCrop>& crop);
     void editCropField(int PhotoCrop::*part, double value);
 
@@ -42,9 +40,9 @@ private:
     QStackedWidget* m_pages;
     QButtonGroup* m_tools;
     NumberField *m_radius, *m_softness;
-    QComboBox* m_lens;
-    QPushButton *m_straighten, *m_clearLines, *m_whole;
-    QLabel *m_lineCount, *m_hint;
+    LensPage* m_lensPage;
+    QPushButton* m_whole;
+    QLabel* m_hint;
     std::vector<std::pair<int PhotoCrop::*, NumberField*>> m_cropFields;
     std::shared_ptr<const Photo> m_photo;    ///< that is shown
     std::shared_ptr<const Image> m_prepared; ///< that is shown for the crop; null for the photo itself
