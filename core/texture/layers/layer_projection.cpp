@@ -55,6 +55,10 @@ std::optional<TriangleProjection> TriangleProjection::make(const ThrownPhoto& ph
         densities[i] = pixelsPerTexel(projection.m_places.col(i).head<3>(), projection.m_placePerTexel);
     if (!projection.mayTakeColour(densities)) return std::nullopt;
     projection.m_isLit = triangle.isLit;
+    projection.m_normal = projection.areaNormal().normalized();
+    if (photo.layer.projector.falloff && projection.isParallel())
+        projection.m_parallelFalloff =
+            angleWeight(projection.m_normal.dot(photo.layer.projector.pose.linear().col(2)));
     projection.m_depths = densities.unaryExpr(&pyramidDepth);
     projection.m_isDepthLinear =
         projection.m_places.row(2).minCoeff() > 0 &&
@@ -62,12 +66,14 @@ std::optional<TriangleProjection> TriangleProjection::make(const ThrownPhoto& ph
     return projection;
 }
 
+Eigen::Vector3d TriangleProjection::areaNormal() const {
+    return (m_corners.col(1) - m_corners.col(0)).cross(m_corners.col(2) - m_corners.col(0));
+}
+
 bool TriangleProjection::facesParallelLight() const {
     // An eye may stand inside an organ and see its wall from there: then only rays tell what it sees.
     if (!isParallel() || !m_layer.projector.occlusion) return true;
-    const Eigen::Vector3d normal =
-        (m_corners.col(1) - m_corners.col(0)).cross(m_corners.col(2) - m_corners.col(0));
-    return normal.dot(m_layer.projector.pose.linear().col(2)) > 0;
+    return areaNormal().dot(m_layer.projector.pose.linear().col(2)) > 0;
 }
 
 bool TriangleProjection::mayTakeColour(const Eigen::Vector3d& densities) const {
@@ -105,13 +111,12 @@ double TriangleProjection::borderWeight(double x, double y) const {
 }
 
 double TriangleProjection::lightWeight(const Eigen::Vector3d& nearest) const {
-    double weight = 1;
-    if (m_layer.projector.falloff) {
-        const Eigen::Vector3d normal =
-            (m_corners.col(1) - m_corners.col(0)).cross(m_corners.col(2) - m_corners.col(0));
-        weight = angleWeight(normal.normalized().dot(towardsLight(m_corners * nearest)));
-    }
+    const double weight = m_layer.projector.falloff ? falloffAt(nearest) : 1;
     return weight > 0 && m_layer.projector.occlusion && !m_isLit && isHidden(nearest) ? 0 : weight;
+}
+
+double TriangleProjection::falloffAt(const Eigen::Vector3d& nearest) const {
+    return isParallel() ? m_parallelFalloff : angleWeight(m_normal.dot(towardsLight(m_corners * nearest)));
 }
 
 Eigen::Vector3d TriangleProjection::towardsLight(const Eigen::Vector3d& point) const {

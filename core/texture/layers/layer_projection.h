@@ -52,11 +52,13 @@ private:
         : m_layer(photo.layer), m_sampler(photo.sampler), m_surface(surface) {}
 
     bool isParallel() const { return m_layer.projector.kind == ProjectorKind::Parallel; }
+    Eigen::Vector3d areaNormal() const; ///< m², twice the triangle's area
     bool facesParallelLight() const;
     bool mayTakeColour(const Eigen::Vector3d& densities) const;
     double depthAt(const Eigen::Vector4d& seen, const Eigen::Vector3d& weights) const;
     double borderWeight(double x, double y) const;
     double lightWeight(const Eigen::Vector3d& nearest) const;
+    double falloffAt(const Eigen::Vector3d& nearest) const;
     bool isHidden(const Eigen::Vector3d& nearest) const;
     Eigen::Vector3d towardsLight(const Eigen::Vector3d& point) const; ///< of length 1
 
@@ -66,6 +68,8 @@ private:
     Eigen::Matrix3d m_corners;                   ///< as columns, m
     Eigen::Matrix<double, 4, 3> m_places;        ///< of the corners, as columns: as `photoMatrix` gives them
     Eigen::Matrix<double, 3, 2> m_placePerTexel; ///< how the first three of them change over the patch
+    Eigen::Vector3d m_normal;                    ///< of length 1; asked for with falloff only
+    double m_parallelFalloff = 1;                ///< the same all over the triangle
     Eigen::Vector3d m_depths;                    ///< in the pyramid, at the corners
     bool m_isDepthLinear = false;                ///< over the patch, nearly
     bool m_isLit = false;                        ///< nothing hides any of it

@@ -46,27 +46,14 @@ cv::Mat differenceFrom(const cv::Mat& photo, const Image& beneath) {
     return difference;
 }
 
-/// Pixels from the border of what a photo shows, 0 outside.
+/// Pixels from the border of what a photo shows, below 0 outside.
 cv::Mat depthInside(const cv::Mat& photo) {
     cv::Mat shown(photo.rows + 2, photo.cols + 2, CV_8U, cv::Scalar(0)), distance;
     for (int y = 0; y < photo.rows; ++y)
         for (int x = 0; x < photo.cols; ++x)
             shown.at<std::uint8_t>(y + 1, x + 1) = photo.at<cv::Vec4f>(y, x)[3] > 0 ? 255 : 0;
     cv::distanceTransform(shown, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    return distance({1, 1, photo.cols, photo.rows}).clone();
-}
-
-/// A band of the difference as much as it is left out of the photo: wholly at the border, where depth is 0.
-cv::Mat faded(const cv::Mat& band, const cv::Mat& depth, float border) {
-    cv::Mat here, result(band.size(), CV_32FC3);
-    cv::resize(depth, here, band.size(), 0, 0, cv::INTER_AREA);
-    for (int y = 0; y < band.rows; ++y) {
-        for (int x = 0; x < band.cols; ++x) {
-            const float t = std::clamp(here.at<float>(y, x) / border, 0.0F, 1.0F);
-            result.at<cv::Vec3f>(y, x) = (1 - t * t * (3 - 2 * t)) * band.at<cv::Vec3f>(y, x);
-        }
-    }
-    return result;
+    return distance({1, 1, photo.cols, photo.rows}) - 0.5; // from a centre, of which the next lies outside
 }
 
 /// How many times the difference is halved until its pixels fade over `widest` pixels.
@@ -78,14 +65,45 @@ int coarsestLevel(const cv::Size& size, double widest) {
     return level;
 }
 
-/// What is added to the photo.
-cv::Mat correction(const cv::Mat& difference, const cv::Mat& depth, int levels, float border) {
-    if (levels == 0) return faded(difference, depth, border);
-    cv::Mat coarse, back, above;
-    cv::pyrDown(difference, coarse);
-    cv::pyrUp(coarse, back, difference.size());
-    cv::pyrUp(correction(coarse, depth, levels - 1, 2 * border), above, difference.size());
-    return faded(difference - back, depth, border) + above;
+/// A picture of a coarser level in the size of the finest.
+cv::Mat widened(cv::Mat picture, const std::vector<cv::Size>& sizes, std::size_t level) {
+    while (level > 0) {
+        cv::Mat wider;
+        cv::pyrUp(picture, wider, sizes[--level]);
+        picture = wider;
+    }
+    return picture;
+}
+
+/// The share of a band that is left out of the photo: all at the border, where depth is 0.
+float leftOut(float depth, float border) {
+    const float t = std::clamp(depth / border, 0.0F, 1.0F);
+    return 1 - t * t * (3 - 2 * t);
+}
+
+/// What is added to the photo: of each band, which is the difference between one level and the next, as much
+/// as is left out there. Summed up by levels: each counts by how much more of its band than of the finer one
+/// is left out.
+cv::Mat correction(const cv::Mat& difference, const cv::Mat& depth, int levels) {
+    cv::Mat added(difference.size(), CV_32FC3, cv::Scalar::all(0)), coarse = difference;
+    std::vector<cv::Size> sizes;
+    for (int level = 0; level <= levels; ++level) {
+        sizes.push_back(coarse.size());
+        const cv::Mat here = widened(coarse, sizes, static_cast<std::size_t>(level));
+        const float border = std::ldexp(borderPerPixel, level);
+        tbb::parallel_for(0, added.rows, [&](int y) {
+            for (int x = 0; x < added.cols; ++x) {
+                const float inside = depth.at<float>(y, x);
+                const float finer = level > 0 ? leftOut(inside, border / 2) : 0;
+                added.at<cv::Vec3f>(y, x) += (leftOut(inside, border) - finer) * here.at<cv::Vec3f>(y, x);
+            }
+        });
+        if (level == levels) break;
+        cv::Mat halved;
+        cv::pyrDown(coarse, halved);
+        coarse = halved;
+    }
+    return added;
 }
 
 /// Adds the correction to a row of the photo.
@@ -122,8 +140,8 @@ Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Imag
     const cv::Mat small = reduced(sampler, size);
     const double widest =
         std::max(0.25 * std::min(size.width, size.height), border * size.width / photo.width);
-    const cv::Mat added = correction(differenceFrom(small, beneath), depthInside(small),
-                                     coarsestLevel(size, widest), borderPerPixel);
+    const cv::Mat added =
+        correction(differenceFrom(small, beneath), depthInside(small), coarsestLevel(size, widest));
     Image picture{photo.width, photo.height, std::vector<std::uint8_t>(photo.pixels.size())};
     tbb::parallel_for(0, photo.height, [&](int y) { correctRow(photo, added, y, picture); });
     return picture;

@@ -10,6 +10,7 @@ namespace esm {
 namespace {
 
 constexpr double fullWeightUpTo = toRadians(60), noWeightFrom = toRadians(85);
+constexpr double fullWeightCosine = 0.5; // of the former
 
 /// From the projector's own space to the photo, rows as in `photoMatrix`.
 Eigen::Matrix4d fromOwnSpace(const Projector& projector, PhotoSize photo) {
@@ -71,6 +72,7 @@ std::optional<Eigen::Vector3d> project(const Projector& projector, PhotoSize pho
 
 double angleWeight(double cosine) {
     if (!std::isfinite(cosine)) return 0;
+    if (std::abs(cosine) >= fullWeightCosine) return 1; // most surface, without an arc cosine
     const double angle = std::acos(std::min(std::abs(cosine), 1.0));
     const double t = std::clamp((noWeightFrom - angle) / (noWeightFrom - fullWeightUpTo), 0.0, 1.0);
     return t * t * (3 - 2 * t);
