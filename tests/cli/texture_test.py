@@ -57,10 +57,10 @@ def thread_name(task):
 
 
 class TextureTest(Case):
-    def photographed(self, project, **changes):
+    def photographed(self, project, *options, **changes):
         photo, pose = self.file("photo.png"), self.file("projector.json", {**PROJECTOR, **changes})
         self.done("sample", "vessels", "-o", photo)
-        return self.done("texture", "photo", project, "--photo", photo, "--projector", pose, "-o", project)
+        return self.done("texture", "photo", project, "--photo", photo, "--projector", pose, *options, "-o", project)
 
     def test_prepares_photos(self):
         project, photo = self.sample("liver"), self.file("photo.png")
@@ -163,6 +163,35 @@ class TextureTest(Case):
         self.photographed(project, kind="perspective", intrinsics=measured, falloff=True)
         self.assertEqual(self.done("validate", project)["problems"], [])
         self.assertEqual(len(self.done("info", project)["photos"]), 2)
+
+    def baked(self, project):
+        return read_png(self.folder / self.done("texture", "bake", project, "-o", self.file("textures"))["files"][0])
+
+    def test_blends_a_photo_as_asked_for(self):
+        bare = self.sample("liver")
+        self.done("texture", "pack", bare, "--size", "256", "-o", bare)
+        pages = {"none": self.baked(bare)[3]}
+        for blending in ("normal", "multiply", "multi-band"):
+            project = self.file(blending + ".esm")
+            project.write_bytes(bare.read_bytes())
+            self.photographed(project, "--blending", blending)
+            self.assertEqual([photo["blending"] for photo in self.done("info", project)["photos"]], [blending])
+            pages[blending] = self.baked(project)[3]
+        self.assertEqual(len({b"".join(rows) for rows in pages.values()}), 4)
+        # No product of two colours is brighter than either of them.
+        for before, after in zip(pages["none"], pages["multiply"]):
+            self.assertTrue(all(a <= b for a, b in zip(after, before)))
+        # In bands a photo comes nearer to what lies beneath it.
+        change = {kind: sum(abs(a - b) for before, after in zip(pages["none"], pages[kind])
+                            for a, b in zip(after, before)) for kind in ("normal", "multi-band")}
+        self.assertLess(change["multi-band"], change["normal"])
+
+    def test_an_unknown_blending_is_refused_with_those_there_are(self):
+        project = self.sample("liver")
+        before = project.read_bytes()
+        self.fails(2, "texture", "photo", project, "--photo", "p.png", "--projector", "p.json", "--blending", "screen",
+                   "-o", project, naming="multi-band")
+        self.assertEqual(project.read_bytes(), before)
 
     def test_a_photo_that_misses_the_organ_is_kept_with_a_warning(self):
         project = self.sample("tube")
