@@ -62,9 +62,11 @@ Layers changedLayers(const Layers& before, const Layers& after) {
     std::size_t i = 0, j = 0;
     while (i < before.size() || j < after.size()) {
         if (i < before.size() && j < after.size() && sameBesidesStrokes(before[i], after[j])) {
-            if (!changed.empty() && (looksAround(before[i]) || looksAround(after[j])))
+            const bool isMasked = !(before[i].strokes == after[j].strokes);
+            const bool movesBands = isMasked && after[j].blending == Blending::MultiBand;
+            if (movesBands || (!changed.empty() && (looksAround(before[i]) || looksAround(after[j]))))
                 changed.insert(changed.end(), {before[i], after[j]});
-            else if (!(before[i].strokes == after[j].strokes))
+            else if (isMasked)
                 addChangedStrokes(before[i], after[j], changed);
             ++i, ++j;
         } else if (j == after.size() || (i < before.size() && common[i + 1][j] >= common[i][j + 1])) {

@@ -42,6 +42,20 @@ std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const Li
     return made;
 }
 
+constexpr std::array<std::uint8_t, 3> black{0, 0, 0}, white{255, 255, 255};
+
+/// What a photo's strokes make of its mask, painted over white: black where it is erased.
+TextureLayer paintedMask(const BrushStrokes& strokes) {
+    TextureLayer mask;
+    for (const auto& stroke : strokes) {
+        BrushStroke painted = *stroke;
+        painted.kind = BrushKind::Colour;
+        painted.colour = stroke->kind == BrushKind::Erase ? black : white;
+        mask.strokes.push_back(std::make_shared<const BrushStroke>(std::move(painted)));
+    }
+    return mask;
+}
+
 /// Metres of the surface in one texel of the patch; 0 for a patch without extent.
 double metresPerTexel(const Eigen::Matrix3d& corners, const Patch& patch) {
     const double metres = (corners.col(1) - corners.col(0)).norm() + (corners.col(2) - corners.col(0)).norm();
@@ -65,7 +79,7 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
         if (layer.blending == Blending::MultiBand) {
             auto blended = cache.banded(layer, shown, baseColour);
             if (!blended) {
-                blended = blendedInBands(*made, progress);
+                blended = blendedInBands(*made, cache, progress);
                 cache.keep({layer, shown, baseColour, *blended});
             }
             made->thrown = std::move(*blended);
@@ -84,15 +98,21 @@ LayerStack::LayerStack(const LayerStack& stack, const std::vector<Patch>& patche
     : m_surface(stack.m_surface), m_patches(patches), m_baseColour(stack.m_baseColour),
       m_query(stack.m_query), m_layers(stack.m_layers) {}
 
-SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, const Progress& progress) const {
+SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, CompositionCache& cache,
+                                          const Progress& progress) const {
     const auto goOn = [&](double) { return !progress || progress(0); };
     const Image& picture = *made.thrown.picture;
     const PhotoSize photo{picture.width, picture.height};
     const PhotoPlane plane{made.layer.projector, photo, comparedSize(photo)};
     const std::vector<Patch> patches = patchesIn(plane, m_surface.mesh);
     const Image beneath = surfaceBeneath(LayerStack(*this, patches), *m_query, plane, goOn);
+    Image mask;
+    if (!made.layer.strokes.empty())
+        mask = surfaceBeneath(
+            LayerStack(m_surface.mesh, patches, {paintedMask(made.layer.strokes)}, white, cache), *m_query,
+            plane, goOn);
     const auto blended = std::make_shared<const Image>(
-        esm::blendedInBands(picture, *made.thrown.sampler, beneath, made.layer.blendPixels));
+        esm::blendedInBands(picture, *made.thrown.sampler, beneath, mask, made.layer.blendPixels));
     return {blended, std::make_shared<const PhotoSampler>(*blended)};
 }
 

@@ -55,7 +55,8 @@ private:
 
     /// The same layers seen in another picture.
     LayerStack(const LayerStack& stack, const std::vector<Patch>& patches);
-    SampledPicture blendedInBands(const PreparedLayer& layer, const Progress& progress) const;
+    SampledPicture blendedInBands(const PreparedLayer& layer, CompositionCache& cache,
+                                  const Progress& progress) const;
 
     LitSurface m_surface;
     const std::vector<Patch>& m_patches;

@@ -31,6 +31,13 @@ cv::Mat reduced(const PhotoSampler& sampler, const cv::Size& size) {
     return picture;
 }
 
+/// The photo's alpha × the mask.
+void erase(cv::Mat& photo, const Image& mask) {
+    for (int y = 0; y < photo.rows; ++y)
+        for (int x = 0; x < photo.cols; ++x)
+            photo.at<cv::Vec4f>(y, x)[3] *= static_cast<float>(mask.at(x, y)[0]) / 255;
+}
+
 /// What lies beneath less the photo; 0 where either is not known.
 cv::Mat differenceFrom(const cv::Mat& photo, const Image& beneath) {
     cv::Mat difference(photo.size(), CV_32FC3, cv::Scalar::all(0));
@@ -135,13 +142,15 @@ PhotoSize comparedSize(PhotoSize photo) {
     return photo;
 }
 
-Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, double border) {
+Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, const Image& mask,
+                     double border) {
     const cv::Size size(beneath.width, beneath.height);
-    const cv::Mat small = reduced(sampler, size);
+    cv::Mat small = reduced(sampler, size);
+    const cv::Mat difference = differenceFrom(small, beneath); // also of what is erased: filters read beyond
+    if (!mask.empty()) erase(small, mask);
     const double widest =
         std::max(0.25 * std::min(size.width, size.height), border * size.width / photo.width);
-    const cv::Mat added =
-        correction(differenceFrom(small, beneath), depthInside(small), coarsestLevel(size, widest));
+    const cv::Mat added = correction(difference, depthInside(small), coarsestLevel(size, widest));
     Image picture{photo.width, photo.height, std::vector<std::uint8_t>(photo.pixels.size())};
     tbb::parallel_for(0, photo.height, [&](int y) { correctRow(photo, added, y, picture); });
     return picture;

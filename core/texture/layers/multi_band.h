@@ -17,7 +17,10 @@ PhotoSize comparedSize(PhotoSize photo);
 /// gradually and details do not mix. Deterministic with any number of threads.
 /// @param sampler of the photo
 /// @param beneath the same plane in `comparedSize()` pixels, alpha 0 where nothing is to be compared with
+/// @param mask the same plane, black where the photo is erased, so that its border is there; empty where
+/// nothing is
 /// @param border photo pixels
-Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, double border);
+Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, const Image& mask,
+                     double border);
 
 } // namespace esm

@@ -26,7 +26,7 @@ std::shared_ptr<const Photo> stripes(int mean, int detail) {
 }
 
 Image inBands(const Image& photo, const Image& beneath) {
-    return blendedInBands(photo, PhotoSampler(photo), beneath, 24);
+    return blendedInBands(photo, PhotoSampler(photo), beneath, {}, 24);
 }
 
 TextureLayer banded(std::shared_ptr<const Photo> photo, double width) {
@@ -93,6 +93,29 @@ TEST(MultiBand, LeavesNoStepOnTheSurface) {
     // 0.5 mm are 1.7 pixels of the photo.
     const double t = 0.0005 / 0.06 * size / widestBorder;
     EXPECT_LE(largestAtBorder(Blending::MultiBand), 60 * t * t * (3 - 2 * t) + 2 * rounding);
+}
+
+TEST(MultiBand, PassesIntoWhatLiesBeneathWhereItIsErased) {
+    const TriangleMesh mesh = flatSquare(0.1, 4);
+    const Atlas atlas = packAtlas(mesh, {512, 1, 2});
+    TextureLayer layer = banded(stripes(90, 0), 0.08);
+    BrushStroke stroke; // a hard one from top to bottom, x from -0.005 to 0.005 m
+    stroke.radius = 0.005;
+    stroke.softness = 0;
+    stroke.path = {{{0, -0.06, 0}, Eigen::Vector3d::UnitZ()}, {{0, 0.06, 0}, Eigen::Vector3d::UnitZ()}};
+    layer.strokes = {std::make_shared<const BrushStroke>(stroke)};
+    constexpr double pixelsPerMetre = size / 0.08;
+    std::size_t compared = 0;
+    forEachTexelInside(mesh, atlas, composite(mesh, atlas, {layer}, {150, 150, 150}),
+                       [&](const Eigen::Vector3d& point, const Colour& colour, std::size_t) {
+                           const double inside = (std::abs(point.x()) - stroke.radius) * pixelsPerMetre;
+                           if (std::abs(point.y()) > 0.02 || inside > widestBorder) return;
+                           ++compared;
+                           const double t = std::max(0.0, inside / widestBorder);
+                           // The mask's border is known to a pixel, over which the colour changes by 2.8.
+                           ASSERT_NEAR(int(colour[0]), 90 + 60 * (1 - t * t * (3 - 2 * t)), 4) << point.x();
+                       });
+    EXPECT_GT(compared, 10000U);
 }
 
 TEST(MultiBand, LeavesWhatIsTransparentAndWhatNothingLiesBeneath) {
