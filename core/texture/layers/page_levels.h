@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/texture/atlas/atlas.h"
+#include "core/texture/image.h"
 
 #include <vector>
 

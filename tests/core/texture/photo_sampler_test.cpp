@@ -55,3 +55,20 @@ TEST(PhotoSampler, AveragesWiderTheDeeper) {
     for (const double depth : {1.0, 2.0, 3.0, 99.0})
         EXPECT_EQ(sampler.at(0.5, 0.5, depth).x(), 100) << depth;
 }
+
+TEST(PhotoSampler, ReadsOpaquePhotosAsThoseOfWhichOneFarPixelIsNot) {
+    Image picture = pictureOf(1, 1, {{0, 0, 0, 255}});
+    picture.width = picture.height = 64;
+    picture.pixels.clear();
+    for (int i = 0; i < 64 * 64; ++i)
+        for (const int channel : {i * 37 % 256, i * 101 % 256, i * 59 % 256, 255})
+            picture.pixels.push_back(static_cast<std::uint8_t>(channel));
+    Image pierced = picture;
+    pierced.pixels.back() = 0;
+    const PhotoSampler opaque(picture), byAlpha(pierced);
+    for (int i = 0; i < 200; ++i) {
+        const double x = i % 20 * 1.37, y = i / 10 * 1.19, depth = i % 7 * 0.31;
+        const Eigen::Vector4f difference = opaque.at(x, y, depth) - byAlpha.at(x, y, depth);
+        ASSERT_LT(difference.cwiseAbs().maxCoeff(), 1e-3F) << i;
+    }
+}

@@ -131,3 +131,18 @@ TEST(Recomposite, ComposesAnewWithoutPagesOrOverAnotherColour) {
     for (const Composition& before : {Composition{}, Composition{layers, baseColour, other}})
         EXPECT_EQ(recomposite(mesh, atlas, before, layers, {1, 2, 3}, cache)[0].pixels, whole[0].pixels);
 }
+
+TEST(Recomposite, UsesNothingOfAnAtlasThatWasPackedAnew) {
+    const TriangleMesh mesh = lumpySurface(12, 16);
+    const Layers layers{thrown(0.02, 0.1), thrown(-0.02, 0.08)};
+    CompositionCache cache;
+    for (const AtlasOptions& options :
+         {AtlasOptions{256, 1, 2}, AtlasOptions{256, 2, 2}, AtlasOptions{256, 2, 4}, AtlasOptions{512, 1, 2},
+          AtlasOptions{512, 1, 2, AtlasLayout::Rows}}) {
+        const Atlas atlas = packAtlas(mesh, options);
+        const std::vector<Image> kept = composite(mesh, atlas, layers, baseColour, cache);
+        const std::vector<Image> fresh = composite(mesh, atlas, layers, baseColour);
+        for (std::size_t page = 0; page < fresh.size(); ++page)
+            ASSERT_EQ(kept[page].pixels, fresh[page].pixels);
+    }
+}
