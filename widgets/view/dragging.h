@@ -50,8 +50,9 @@ struct LandmarkMove {
 struct InstrumentSweep {
     DragPlane plane;
 };
+struct BrushMove {};
 using Drag = std::variant<PullDrag, RegionMove, RegionScale, RegionTurn, RimSize, ProjectorMove,
-                          ProjectorScale, LandmarkMove, InstrumentSweep>;
+                          ProjectorScale, LandmarkMove, InstrumentSweep, BrushMove>;
 
 /// Where the pulled node is to go, m; nothing where the ray misses the plane. The other functions give what
 /// the drag makes of the shape it started with, which stays where the ray misses.

@@ -72,7 +72,8 @@ void OrganView::setTool(ViewTool tool) {
     if (tool == m_tool) return;
     letGo();
     m_tool = tool;
-    const bool points = tool == ViewTool::Place || tool == ViewTool::Landmark;
+    m_brushAt.reset();
+    const bool points = tool == ViewTool::Place || tool == ViewTool::Landmark || tool == ViewTool::Brush;
     setCursor(points ? Qt::CrossCursor : Qt::ArrowCursor);
     update();
     emit toolChanged(tool);
@@ -86,7 +87,13 @@ void OrganView::setInstrumentRadius(double metres) {
     emit instrumentMoved(*m_instrument);
 }
 
+void OrganView::setBrush(const ViewBrush& brush) {
+    m_brush = brush;
+    update();
+}
+
 void OrganView::letGo() {
+    dropStroke();
     endDrag();
     removeInstrument();
 }
@@ -184,9 +191,28 @@ void OrganView::paintOverlay() {
     if (m_tool == ViewTool::Projector)
         paintHandles(painter, projectorHandles(), style.palette.color(QPalette::LinkVisited));
     if (m_tool == ViewTool::Landmark) paintMarks(painter, paintedMarks(), style.palette);
+    if (m_tool == ViewTool::Brush) paintBrushTool(painter);
     if (m_legend) paintLegend(painter, style, *m_legend);
     paintHint(painter, style, hint(), m_legend.has_value());
     paintAxisCube(painter, camera(), cubeSquare(size()), style.palette);
+}
+
+void OrganView::paintBrushTool(QPainter& painter) {
+    if (m_brush.source)
+        if (const auto place = placeOf(*m_brush.source)) paintSource(painter, *place);
+    if (!m_brushAt) return;
+    const auto circle = [this](double radius) {
+        return seen(circleAround(m_brushAt->point, m_brushAt->spot.outward, radius));
+    };
+    paintBrush(painter, circle(m_brush.radius), circle((1 - m_brush.softness) * m_brush.radius));
+}
+
+/// Without what lies behind the eye.
+QPolygonF OrganView::seen(const std::vector<Eigen::Vector3d>& points) const {
+    QPolygonF polygon;
+    for (const Eigen::Vector3d& point : points)
+        if (const auto place = placeOf(point)) polygon << *place;
+    return polygon;
 }
 
 } // namespace esm

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/render/renderer.h"
+#include "core/texture/layers/brush_stroke.h"
+#include "widgets/view/brush_outline.h"
 #include "widgets/view/camera_controller.h"
 #include "widgets/view/dragging.h"
 #include "widgets/view/marks.h"
@@ -57,6 +59,8 @@ public:
     void letGo();
     void setInstrumentRadius(double metres);
     double instrumentRadius() const { return m_instrumentRadius; }
+    /// Shown with the tool Brush, on the surface under the mouse.
+    void setBrush(const ViewBrush& brush);
 
     const Camera& camera() const { return m_cameraController.camera(); }
     void setCamera(const Camera& camera);
@@ -92,6 +96,14 @@ signals:
     void rimDragged(int index, double metres);
     void projectorDragged(int index, const esm::Projector& projector);
     void dragFinished();
+    /// The brush is led over the organ at rest; `brushLifted` or, by Esc, `brushDropped` ends what
+    /// `brushStarted` began.
+    void brushStarted(const esm::BrushPoint& point);
+    void brushMoved(const esm::BrushPoint& point);
+    void brushLifted();
+    void brushDropped();
+    /// A click with Ctrl and the tool Brush.
+    void brushSourcePicked(const esm::BrushPoint& point);
 
 protected:
     void initializeGL() override;
@@ -121,6 +133,11 @@ private:
     void clickSpot(const QPointF& place, bool anew);
     void clickLandmark(const QPointF& place);
     std::optional<PickedPoint> pickAt(const QPointF& place);
+    /// The place under the mouse that the brush is led over; nothing beside the surface.
+    std::optional<BrushPoint> brushPointAt(const QPointF& place);
+    void dropStroke();
+    void paintBrushTool(QPainter& painter);
+    QPolygonF seen(const std::vector<Eigen::Vector3d>& points) const;
     void moveInstrument(const QPointF& place);
     void pushInstrument(double notches, const QPointF& place);
     void removeInstrument();
@@ -153,6 +170,8 @@ private:
     double m_instrumentRadius = 0.01; ///< m
     std::optional<Eigen::Vector3d> m_instrument; ///< centre, m
     bool m_instrumentPushed = false;             ///< moves at its depth instead of along the surface
+    ViewBrush m_brush;
+    std::optional<PickedPoint> m_brushAt; ///< under the mouse, as it was last moved
     bool m_framed = false;
 };
 

@@ -34,8 +34,17 @@ void OrganView::mousePressEvent(QMouseEvent* event) {
     }
     if (m_drag || (!drawsCornerFreely(*event) && m_cameraController.press(*event))) return;
     if (event->button() != Qt::LeftButton) return;
+    if (m_tool == ViewTool::Brush && event->modifiers().testFlag(Qt::ControlModifier)) {
+        if (const auto source = brushPointAt(event->localPos())) emit brushSourcePicked(*source);
+        return;
+    }
     m_pressed = event->localPos();
     m_drag = dragAt(event->localPos());
+    if (m_drag && std::holds_alternative<BrushMove>(*m_drag)) {
+        m_pressed.reset(); // a click is a stroke, too
+        if (const auto point = brushPointAt(event->localPos())) emit brushStarted(*point);
+        return;
+    }
     if (const auto* pull = m_drag ? std::get_if<PullDrag>(&*m_drag) : nullptr) emit pullStarted(pull->node);
     if (!m_drag) m_cameraController.startOrbit(*event);
 }
@@ -51,6 +60,8 @@ void OrganView::mouseMoveEvent(QMouseEvent* event) {
         applyCamera(camera());
     } else if (m_tool == ViewTool::Instrument) {
         moveInstrument(event->localPos());
+    } else if (m_tool == ViewTool::Brush) {
+        brushPointAt(event->localPos());
     } else if (m_tool == ViewTool::Region) {
         setCursor(regionHandleAt(event->localPos()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
     }
@@ -78,6 +89,8 @@ void OrganView::keyPressEvent(QKeyEvent* event) {
 
 void OrganView::leaveEvent(QEvent* event) {
     if (!m_drag) removeInstrument();
+    m_brushAt.reset();
+    update();
     QOpenGLWidget::leaveEvent(event);
 }
 
@@ -99,6 +112,8 @@ std::optional<Drag> OrganView::dragAt(const QPointF& place) {
         if (!m_instrument) moveInstrument(place);
         if (!m_instrument) return std::nullopt;
         return InstrumentSweep{picturePlane(camera(), *m_instrument)};
+    case ViewTool::Brush:
+        return brushPointAt(place) ? std::optional<Drag>(BrushMove{}) : std::nullopt;
     case ViewTool::Pull:
         break;
     }
@@ -186,6 +201,8 @@ void OrganView::followDrag(const QPointF& place, Proportions proportions) {
         emit projectorDragged(size->index, dragged(*size, ray, proportions));
     } else if (const auto* landmark = std::get_if<LandmarkMove>(&drag)) {
         if (const auto picked = pickAt(place)) emit markDragged(landmark->number, picked->spot.point);
+    } else if (std::holds_alternative<BrushMove>(drag)) {
+        if (const auto point = brushPointAt(place)) emit brushMoved(*point);
     } else if (const auto* sweep = std::get_if<InstrumentSweep>(&drag)) {
         m_instrument = meet(ray, sweep->plane);
         showInstrument();
@@ -198,6 +215,7 @@ void OrganView::endDrag() {
     const Drag ended = *m_drag;
     m_drag.reset();
     if (std::holds_alternative<LandmarkMove>(ended)) return emit markDropped();
+    if (std::holds_alternative<BrushMove>(ended)) return emit brushLifted();
     if (std::holds_alternative<PullDrag>(ended))
         emit pullReleased();
     else if (!std::holds_alternative<InstrumentSweep>(ended))
@@ -226,6 +244,19 @@ void OrganView::clickSpot(const QPointF& place, bool anew) {
 void OrganView::clickLandmark(const QPointF& place) {
     if (const auto mark = markAt(paintedMarks(), place)) return emit markSelected(*mark);
     if (const auto picked = pickAt(place)) emit landmarkPicked(picked->spot.point);
+}
+
+std::optional<BrushPoint> OrganView::brushPointAt(const QPointF& place) {
+    m_brushAt = m_scene.mesh && !m_scene.mesh->triangles.empty() ? pickAt(place) : std::nullopt;
+    update();
+    if (!m_brushAt || m_brushAt->normal.isZero()) return std::nullopt;
+    return BrushPoint{m_brushAt->spot.point, m_brushAt->normal};
+}
+
+void OrganView::dropStroke() {
+    if (!m_drag || !std::holds_alternative<BrushMove>(*m_drag)) return;
+    m_drag.reset();
+    emit brushDropped();
 }
 
 std::optional<PickedPoint> OrganView::pickAt(const QPointF& place) {

@@ -32,20 +32,21 @@ std::optional<PickedPoint> Picker::pickSurface(const Ray& ray) {
     const std::uint32_t vertex = m_mesh->triangles[hit->triangle][static_cast<std::size_t>(nearest)];
     const std::uint32_t node = m_network ? m_network->vertexNodes[vertex] : vertex;
     return PickedPoint{node, ray.origin + hit->distance * ray.direction.normalized(), m_nodes[node],
-                       spotOf(*hit, ray)};
+                       spotOf(*hit, ray), normalOf(*hit, m_mesh->vertices).stableNormalized()};
+}
+
+Eigen::Vector3d Picker::normalOf(const RayHit& hit, const std::vector<Eigen::Vector3d>& vertices) const {
+    const auto& [a, b, c] = m_mesh->triangles[hit.triangle];
+    return (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]);
 }
 
 SurfaceSpot Picker::spotOf(const RayHit& hit, const Ray& ray) const {
-    const auto normalOf = [&](const std::vector<Eigen::Vector3d>& vertices) {
-        const auto& [a, b, c] = m_mesh->triangles[hit.triangle];
-        return Eigen::Vector3d((vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]));
-    };
-    const double side = normalOf(m_vertices).dot(ray.direction) > 0 ? -1 : 1;
+    const double side = normalOf(hit, m_vertices).dot(ray.direction) > 0 ? -1 : 1;
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     for (Eigen::Index corner = 0; corner < 3; ++corner)
         point += hit.barycentric[corner] *
                  m_mesh->vertices[m_mesh->triangles[hit.triangle][static_cast<std::size_t>(corner)]];
-    return {point, side * normalOf(m_mesh->vertices).stableNormalized()};
+    return {point, side * normalOf(hit, m_mesh->vertices).stableNormalized()};
 }
 
 std::optional<PickedPoint> Picker::pickNode(const Ray& ray, double tolerance) const {
@@ -58,7 +59,8 @@ std::optional<PickedPoint> Picker::pickNode(const Ray& ray, double tolerance) co
         const double slope = offset.cross(direction).norm() / offset.dot(direction);
         if (slope < 0 || slope > smallest) continue;
         smallest = slope;
-        picked = PickedPoint{node, m_nodes[node], m_nodes[node], SurfaceSpot{rest[node], -direction}};
+        picked = PickedPoint{node, m_nodes[node], m_nodes[node], SurfaceSpot{rest[node], -direction},
+                             Eigen::Vector3d::Zero()};
     }
     return picked;
 }

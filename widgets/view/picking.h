@@ -15,6 +15,7 @@ struct PickedPoint {
     Eigen::Vector3d point;        ///< m
     Eigen::Vector3d nodePosition; ///< m
     SurfaceSpot spot;             ///< the same on the organ at rest, the viewer being outside
+    Eigen::Vector3d normal;       ///< of the surface at rest, as its triangle turns; zero without a surface
 };
 
 /// Finds what lies under the mouse on the organ as it is drawn now.
@@ -32,6 +33,7 @@ private:
     void refresh(const RenderScene& scene);
     std::optional<PickedPoint> pickSurface(const Ray& ray);
     SurfaceSpot spotOf(const RayHit& hit, const Ray& ray) const;
+    Eigen::Vector3d normalOf(const RayHit& hit, const std::vector<Eigen::Vector3d>& vertices) const;
     std::optional<PickedPoint> pickNode(const Ray& ray, double tolerance) const;
 
     std::shared_ptr<const TriangleMesh> m_mesh;

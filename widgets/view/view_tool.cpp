@@ -41,6 +41,9 @@ ToolWords wordsOf(ViewTool tool) {
         return {translated("Click a point in the photo, then the same point on the organ · drag a mark to "
                            "move it"),
                 translated("drag elsewhere to turn the view")};
+    case ViewTool::Brush:
+        return {translated("Drag over the organ to paint · [ and ] make the brush smaller and larger"),
+                translated("Alt to turn the view · Esc drops the stroke")};
     }
     return {};
 }

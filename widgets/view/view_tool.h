@@ -12,7 +12,8 @@ enum class ViewTool {
     Region,     ///< moves, sizes and turns a region's ellipsoid, and widens its rim
     Place,      ///< turns the view; a click lays a region on the surface
     Projector,  ///< moves and scales a photo's projector
-    Landmark    ///< turns the view; a click says where a point of the photo lies
+    Landmark,   ///< turns the view; a click says where a point of the photo lies
+    Brush       ///< paints on the surface
 };
 
 /// What only this tool does, in one line.

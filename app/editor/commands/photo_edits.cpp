@@ -114,12 +114,36 @@ Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options) {
     }
 }
 
+namespace {
+
+void takeAtlas(Project& project, std::shared_ptr<const Atlas> atlas) {
+    if (project.atlas) return;
+    project.texture.atlas = atlas->options;
+    project.atlas = std::move(atlas);
+}
+
+/// "Paint 3", the first that no layer is called.
+std::string freePaintName(const Project& project) {
+    for (int number = 1;; ++number) {
+        std::string name = QObject::tr("Paint %1").arg(number).toStdString();
+        if (std::none_of(project.layers.begin(), project.layers.end(),
+                         [&](const TextureLayer& layer) { return layer.name == name; }))
+            return name;
+    }
+}
+
+} // namespace
+
+void addPaintLayer(Project& project, std::shared_ptr<const Atlas> atlas) {
+    takeAtlas(project, std::move(atlas));
+    TextureLayer layer;
+    layer.name = freePaintName(project);
+    project.layers.push_back(std::move(layer));
+}
+
 void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projector& projector,
               std::shared_ptr<const Atlas> atlas) {
-    if (!project.atlas) {
-        project.texture.atlas = atlas->options;
-        project.atlas = std::move(atlas);
-    }
+    takeAtlas(project, std::move(atlas));
     TextureLayer layer;
     layer.name = std::filesystem::path(photo->fileName).stem().string();
     layer.photo = std::move(photo);

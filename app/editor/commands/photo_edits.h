@@ -29,6 +29,9 @@ Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options);
 void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projector& projector,
               std::shared_ptr<const Atlas> atlas);
 
+/// A layer to paint on, on top of the others; `atlas` as above.
+void addPaintLayer(Project& project, std::shared_ptr<const Atlas> atlas);
+
 void removePhoto(Project& project, std::size_t photo);
 
 /// Lays a photo over so many of those above it, or under those below it where `above` is below zero.

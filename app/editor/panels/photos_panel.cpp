@@ -1,6 +1,8 @@
 #include "app/editor/panels/photos_panel.h"
 
 #include "app/editor/commands/photo_edits.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/icon.h"
 #include "widgets/texture/image_conversion.h"
 
 namespace esm {
@@ -10,7 +12,8 @@ PhotosPanel::PhotosPanel(Document& document, Selection& selection, QWidget* pare
                   {tr("Lay over the photo above (Ctrl+Up)"), tr("Lay under the photo below (Ctrl+Down)"),
                    tr("Remove the photo (Del)")},
                   parent),
-      m_document(document), m_selection(selection) {
+      m_document(document), m_selection(selection),
+      m_paint(addHeaderIcon(icon(QStringLiteral("brush")), tr("Add paint layer"))) {
     list()->setObjectName(QStringLiteral("photoList"));
     list()->setEmptyText(tr("No photo yet. Add one, or drop a picture on the organ."));
     connect(&selection, &Selection::changed, this, &PhotosPanel::show);
@@ -18,6 +21,10 @@ PhotosPanel::PhotosPanel(Document& document, Selection& selection, QWidget* pare
         if (change.layers) show();
     });
     PhotosPanel::show();
+}
+
+void PhotosPanel::setPaintAction(QAction* action) {
+    follow(m_paint, action);
 }
 
 QPixmap PhotosPanel::picture(const std::shared_ptr<const Photo>& photo) {

@@ -15,6 +15,9 @@ class PhotosPanel : public LayersPanel {
 public:
     PhotosPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
 
+    /// What the button with the brush does.
+    void setPaintAction(QAction* action);
+
 protected:
     void show() override;
     std::size_t layerCount() const override { return m_document.project().layers.size(); }
@@ -31,6 +34,7 @@ private:
 
     Document& m_document;
     Selection& m_selection;
+    QToolButton* m_paint;
     std::map<std::shared_ptr<const Photo>, QPixmap> m_pictures; ///< made once per photo
 };
 

@@ -202,7 +202,7 @@ void PreparationPanel::showPictures(const TextureLayer* layer) {
         return;
     }
     m_before->setText(layer ? QString() : tr("Select or add a photo"));
-    m_after->setText({});
+    m_after->clear();
 }
 
 QString PreparationPanel::highlightWords(const PhotoPreparation& wanted) const {

@@ -113,6 +113,8 @@ void ActionMaker::makeModelActions() {
     a.chooseDetail = make(tr("&Nodes to simulate…"), {}, tr("Simulate fewer nodes under the full surface"));
     a.addPhoto =
         make(tr("Add &photo…"), QKeySequence("Ctrl+P"), tr("Lay a photo on the organ, from the camera"));
+    a.addPaint = make(tr("Add pain&t layer"), QKeySequence("Ctrl+L"),
+                      tr("A layer that is painted on the organ with the brush"));
     a.fromCamera = make(tr("Photo from &camera"), QKeySequence(Qt::Key_C),
                         tr("Throw the selected photo from where you look"));
 }
@@ -165,6 +167,9 @@ void ActionMaker::makeTools() {
     a.landmarks = makeTool(make(tr("Land&marks"), QKeySequence(Qt::Key_M),
                                 tr("Place the photo by points that it shares with the organ")),
                            QStringLiteral("landmark"));
+    a.brush = makeTool(
+        make(tr("&Brush"), QKeySequence(Qt::Key_D), tr("Erase and restore the photo, or paint on the organ")),
+        QStringLiteral("brush"));
     a.pull->setChecked(true);
     a.letGo =
         make(tr("L&et go"), QKeySequence(Qt::Key_Escape), tr("End a drag and take the instrument away"));

@@ -21,11 +21,11 @@ struct Actions {
     QAction *showSprings, *showRegions, *showLeft, *showRight, *fuzzyWindow, *frame, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;
-    QAction *addPhoto, *fromCamera;
+    QAction *addPhoto, *addPaint, *fromCamera;
     QAction *play, *reset, *letGo;
     QAction *about, *keys;
     QActionGroup* tools;
-    QAction *look, *pull, *instrument, *region, *place, *projector, *landmarks;
+    QAction *look, *pull, *instrument, *region, *place, *projector, *landmarks, *brush;
     QActionGroup* workspaces;
     QAction *tissue, *texture;
 };

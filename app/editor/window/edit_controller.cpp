@@ -52,15 +52,18 @@ void EditController::enable(const Actions& actions) {
                 tr("No photo is selected"));
     esm::enable(actions.freeNodes, !project.scene.fixed.empty(), tr("Let every fixed node go"),
                 tr("No node is fixed"));
-    esm::enable(actions.fromCamera, m_selection.photo().has_value(),
+    const auto layer = m_selection.photo();
+    esm::enable(actions.fromCamera, layer && project.layers[*layer].photo,
                 withShortcut(tr("Throw the selected photo from where you look"), actions.fromCamera),
-                tr("No photo is selected"));
+                layer ? tr("The selected layer has no photo, it is painted") : tr("No photo is selected"));
     esm::enable(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
                 tr("Simulate fewer nodes under the full surface, or every vertex"),
                 tr("This model has no surface that fewer nodes could carry"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
     esm::enable(actions.addPhoto, !project.mesh->triangles.empty(),
                 withShortcut(tr("Lay a photo on the organ, from the camera"), actions.addPhoto), noSurface);
+    esm::enable(actions.addPaint, !project.mesh->triangles.empty(),
+                withShortcut(tr("Add a layer that is painted on the organ"), actions.addPaint), noSurface);
 }
 
 void EditController::renameOrgan() {

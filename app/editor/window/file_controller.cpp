@@ -63,6 +63,7 @@ void FileController::connectActions(const Actions& actions) {
     connect(actions.saveAs, &QAction::triggered, this, &FileController::saveAs);
     connect(actions.exportPackage, &QAction::triggered, this, &FileController::chooseExport);
     connect(actions.addPhoto, &QAction::triggered, this, &FileController::choosePhoto);
+    connect(actions.addPaint, &QAction::triggered, this, &FileController::addPaint);
     m_recent = new RecentMenu(*actions.recent, this);
     connect(m_recent, &RecentMenu::chosen, this, &FileController::openRecent);
     for (const auto& sample : actions.samples) {
@@ -196,6 +197,14 @@ void FileController::addPhoto(const std::filesystem::path& file) {
                         [&](Project& project) { esm::addPhoto(project, photo, projector, atlas); });
         emit photoAdded();
         emit message(tr("Added %1").arg(fileName(file)));
+    });
+}
+
+void FileController::addPaint() {
+    attempt(&m_window, tr("The layer cannot be added"), [&] {
+        const auto atlas = atlasForPhotos();
+        m_document.edit(tr("Add paint layer"), [&](Project& project) { addPaintLayer(project, atlas); });
+        emit paintAdded();
     });
 }
 

@@ -31,6 +31,7 @@ public:
     void importMesh(const std::filesystem::path& file);
     void openSample(const std::string& name);
     void addPhoto(const std::filesystem::path& file);
+    void addPaint();
     bool saveTo(const std::filesystem::path& file);
     void exportTo(const std::filesystem::path& file);
     /// Offers the latest unsaved work that a sudden end of the program left behind.
@@ -42,6 +43,7 @@ public:
 signals:
     void message(const QString& text);
     void photoAdded();
+    void paintAdded();
 
 private:
     void chooseProject();

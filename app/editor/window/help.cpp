@@ -50,7 +50,7 @@ QString toolRows(const Actions& a) {
          {std::pair(a.look, ViewTool::Select), std::pair(a.pull, ViewTool::Pull),
           std::pair(a.instrument, ViewTool::Instrument), std::pair(a.region, ViewTool::Region),
           std::pair(a.place, ViewTool::Place), std::pair(a.projector, ViewTool::Projector),
-          std::pair(a.landmarks, ViewTool::Landmark)})
+          std::pair(a.landmarks, ViewTool::Landmark), std::pair(a.brush, ViewTool::Brush)})
         rows += row(keysOf(action), QObject::tr("%1: %2").arg(action->text().remove('&'), toolUse(tool)));
     return rows + actionRow(a.letGo);
 }
@@ -78,7 +78,7 @@ QString keysText(const Actions& a) {
         title(QObject::tr("Project")) +
         actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit, a.undo, a.redo}) +
         title(QObject::tr("Tissue and photos")) +
-        actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.fromCamera, a.play, a.reset}) +
+        actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera, a.play, a.reset}) +
         title(QObject::tr("Window")) +
         actionRows({a.tissue, a.texture, a.showSprings, a.showRegions, a.showLeft, a.showRight, a.fuzzyWindow,
                     a.keys});

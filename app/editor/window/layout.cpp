@@ -121,7 +121,7 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     QMenu* model = bar->addMenu(QObject::tr("&Model"));
     model->addActions({a.addRegion, a.fixRegion, a.freeNodes, a.chooseDetail});
     model->addSeparator();
-    model->addActions({a.addPhoto, a.fromCamera});
+    model->addActions({a.addPhoto, a.addPaint, a.fromCamera});
 
     QMenu* simulation = bar->addMenu(QObject::tr("&Simulation"));
     simulation->addActions({a.play, a.reset});
@@ -140,7 +140,7 @@ void buildToolStrip(QMainWindow& window, const Actions& a) {
     strip->setIconSize({20, 20});
     strip->addActions({a.look, a.pull, a.instrument});
     strip->addSeparator();
-    strip->addActions({a.region, a.place, a.projector, a.landmarks});
+    strip->addActions({a.region, a.place, a.projector, a.landmarks, a.brush});
     for (QAction* tool : a.tools->actions()) {
         auto* button = qobject_cast<QToolButton*>(strip->widgetForAction(tool));
         button->setFocusPolicy(Qt::TabFocus);

@@ -2,6 +2,7 @@
 
 #include "app/editor/panels/accuracy_panel.h"
 #include "app/editor/panels/atlas_panel.h"
+#include "app/editor/panels/brush_panel.h"
 #include "app/editor/panels/ellipsoid_panel.h"
 #include "app/editor/panels/fuzzy_workbench.h"
 #include "app/editor/panels/landmarks_panel.h"
@@ -64,6 +65,8 @@ MainWindow::MainWindow(Project project)
     m_landmarking = new Landmarking(*m_document, *m_selection, this);
     auto* photo = new PhotoView;
     m_landmarkController = new LandmarkController(*m_view, *photo, *m_landmarking);
+    m_painting = new Painting(*m_document, *m_selection, this);
+    new BrushController(*m_view, *m_painting);
     setCentralWidget(stacked(photo, m_view));
     buildMenus(*this, m_actions);
     buildTopBar(*this, m_actions, new InstrumentOptions(*m_view, *m_viewController));
@@ -93,10 +96,25 @@ void MainWindow::buildPanels() {
     auto* projector = new ProjectorPanel(*m_document, *m_selection);
     regions->setAddAction(m_actions.addRegion);
     photos->setAddAction(m_actions.addPhoto);
+    photos->setPaintAction(m_actions.addPaint);
     projector->setFromCameraAction(m_actions.fromCamera);
     auto* landmarks = new LandmarksPanel(*m_landmarking);
     landmarks->setToolAction(m_actions.landmarks);
     connect(preparation, &PreparationPanel::largeViewAsked, this, &MainWindow::showLargePhoto);
+    auto* brush = new BrushPanel(*m_painting);
+    brush->hide();
+    connect(m_view, &OrganView::toolChanged, brush,
+            [brush](ViewTool tool) { brush->setVisible(tool == ViewTool::Brush); });
+    // A layer that is painted has nothing to prepare or to place.
+    const auto showPhotoPanels = [=] {
+        const auto layer = m_selection->photo();
+        const bool isPainted = layer && !m_document->project().layers[*layer].photo;
+        for (QWidget* panel : {static_cast<QWidget*>(preparation), static_cast<QWidget*>(projector),
+                               static_cast<QWidget*>(landmarks)})
+            panel->setVisible(!isPainted);
+    };
+    connect(m_selection, &Selection::changed, this, showPhotoPanels);
+    connect(m_document, &Document::changed, this, showPhotoPanels);
     auto* workbench = new FuzzyWorkbench(*m_document, *m_selection);
     workbench->setWindowAction(m_actions.fuzzyWindow);
 
@@ -110,7 +128,7 @@ void MainWindow::buildPanels() {
         {new TissuePanel(*m_document, *m_selection), workbench, new AccuracyPanel(*m_document, *m_preview)});
     m_textureRight =
         buildColumn(*this, Qt::RightDockWidgetArea, tr("Photo"),
-                    {preparation, new PhotoPanel(*m_document, *m_selection), projector, landmarks});
+                    {brush, preparation, new PhotoPanel(*m_document, *m_selection), projector, landmarks});
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({m_tissueLeft, m_tissueRight}, {leftWidth, rightWidth}, Qt::Horizontal);
@@ -141,6 +159,9 @@ void MainWindow::connectParts() {
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::photoAdded, m_actions.texture, &QAction::trigger);
+    connect(m_painting, &Painting::message, m_status, &StatusLine::showMessage);
+    connect(m_files, &FileController::paintAdded, m_actions.texture, &QAction::trigger);
+    connect(m_files, &FileController::paintAdded, m_actions.brush, &QAction::trigger);
     connect(m_view, &OrganView::spotPicked, m_edits, &EditController::placeRegion);
     connect(m_edits, &EditController::regionAdded, m_actions.tissue, &QAction::trigger);
     connect(m_edits, &EditController::regionAdded, m_actions.region, &QAction::trigger);

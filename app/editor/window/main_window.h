@@ -5,6 +5,7 @@
 #include "app/editor/preview/preparation_edits.h"
 #include "app/editor/preview/preview.h"
 #include "app/editor/window/actions.h"
+#include "app/editor/window/brush_controller.h"
 #include "app/editor/window/device_controller.h"
 #include "app/editor/window/edit_controller.h"
 #include "app/editor/window/file_controller.h"
@@ -72,6 +73,7 @@ private:
     PlayController* m_play;
     Landmarking* m_landmarking;
     LandmarkController* m_landmarkController;
+    Painting* m_painting;
     DeviceController* m_device;
     StatusLine* m_status;
     QLabel* m_title;

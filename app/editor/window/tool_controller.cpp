@@ -17,6 +17,7 @@ void ToolController::connectActions(const Actions& actions) {
     bind(actions.place, ViewTool::Place);
     bind(actions.projector, ViewTool::Projector);
     bind(actions.landmarks, ViewTool::Landmark);
+    bind(actions.brush, ViewTool::Brush);
     m_view.setTool(ViewTool::Pull);
     connect(actions.letGo, &QAction::triggered, &m_view, &OrganView::letGo);
     connect(actions.texture, &QAction::toggled, this, &ToolController::updateTools);
@@ -49,14 +50,20 @@ void ToolController::updateTools() {
           none && !texture ? tr("There is no region yet: Ctrl+R adds one") : unseen);
     allow(m_actions.place, ViewTool::Place,
           withShortcut(tr("Lay a region on the surface with a click"), m_actions.place), unseen);
-    const QString noPhoto = !texture               ? tr("Photos are placed in the workspace Texture (Ctrl+2)")
-                            : !m_selection.photo() ? tr("There is no photo yet: Ctrl+P adds one")
-                                                   : QString();
+    const auto layer = m_selection.photo();
+    const bool isPainted = layer && !m_document.project().layers[*layer].photo;
+    const QString noLayer = !texture ? tr("Photos are placed in the workspace Texture (Ctrl+2)")
+                            : !layer ? tr("There is no photo yet: Ctrl+P adds one")
+                                     : QString();
+    const QString noPhoto =
+        isPainted && texture ? tr("The selected layer has no photo, it is painted") : noLayer;
     allow(m_actions.projector, ViewTool::Projector,
           withShortcut(tr("Move and size the photo's projector"), m_actions.projector), noPhoto);
     allow(m_actions.landmarks, ViewTool::Landmark,
           withShortcut(tr("Place the photo by points that it shares with the organ"), m_actions.landmarks),
           noPhoto);
+    allow(m_actions.brush, ViewTool::Brush,
+          withShortcut(tr("Erase and restore the photo, or paint on the organ"), m_actions.brush), noLayer);
     updateHint();
 }
 

@@ -186,8 +186,9 @@ void ViewController::markRegion(RenderScene& scene) {
 
 void ViewController::addProjector(RenderScene& scene) {
     const auto selected = m_selection.photo();
-    // Landmarks are set on the bare organ.
-    if (!m_textureWorkspace || !selected || m_view.tool() == ViewTool::Landmark) return;
+    // Landmarks are set, and strokes painted, on the bare organ.
+    const bool isBare = m_view.tool() == ViewTool::Landmark || m_view.tool() == ViewTool::Brush;
+    if (!m_textureWorkspace || !selected || isBare) return;
     const TextureLayer& layer = m_document.project().layers[*selected];
     if (!layer.photo) return;
     const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
