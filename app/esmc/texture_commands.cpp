@@ -8,6 +8,8 @@
 #include "core/texture/layers/composite.h"
 #include "core/texture/layers/page_levels.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <list>
 
@@ -31,7 +33,7 @@ void declarePack(CLI::App& command, PackOptions& options) {
     command.add_option("--size", options.atlas.size, "Width and height of a page, pixels (2048)")
         ->transform(wholeNumber());
     command.add_option("--pages", options.atlas.pages, "Pages (1)")->transform(wholeNumber());
-    command.add_option("--gap", options.atlas.gap, "Pixels between any two triangles (2)")
+    command.add_option("--gap", options.atlas.gap, "Pixels between any two patches (2)")
         ->transform(wholeNumber());
     command
         .add_option("--texels-per-metre", options.atlas.texelsPerMetre,
@@ -91,7 +93,7 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
     command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
         ->required()
         ->check(writtenAs(".esm"));
-    command.add_option("--photo", options.photo, "Photograph (PNG or JPEG)")->required();
+    command.add_option("--photo", options.photo, "Photograph (PNG, JPEG, BMP or TIFF)")->required();
     command.add_option("--projector", options.projector, "Where the photograph is thrown from (.json)")
         ->required();
     command
@@ -106,12 +108,28 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
     declarePreparation(command, options.preparation);
 }
 
+/// What shows the photograph otherwise than its taker saw it.
+std::vector<std::string> placingWarnings(const TextureLayer& layer) {
+    std::vector<std::string> warnings;
+    const Image& photo = layer.photo->image;
+    const double stretch =
+        layer.projector.width / layer.projector.height * photo.height / static_cast<double>(photo.width);
+    if (layer.projector.kind == ProjectorKind::Parallel && std::abs(std::log(stretch)) > std::log(1.02))
+        warnings.push_back("the projector's width and height stretch the photo of " +
+                           std::to_string(photo.width) + " × " + std::to_string(photo.height) +
+                           " pixels to " + inText(stretch) + " times its proportion");
+    if (layer.blendPixels > std::min(photo.width, photo.height) / 2.0)
+        warnings.emplace_back(
+            "the border fades in over more than half of the photo: nothing of it shows in full");
+    return warnings;
+}
+
 Report describe(const TextureLayer& layer, const LayerCoverage& covered) {
     Report report;
     report.json = {{"layer", layer.name}, {"texels", covered.texels}, {"triangles", covered.triangles}};
     report.text.push_back("photo " + layer.name + ": " + counted(covered.triangles, "triangle") + ", " +
                           counted(covered.texels, "pixel") + " of texture");
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings = placingWarnings(layer);
     if (covered.triangles == 0)
         warnings.emplace_back("the photo meets no triangle: check the projector's place, direction and size");
     addWarnings(report, warnings);
@@ -127,7 +145,9 @@ Report runPhoto(const PhotoOptions& options, Context& context) {
     layer.blendPixels = options.blend;
     layer.blending = options.blending;
     layer.name = options.name.empty() ? fs::path(options.photo).stem().string() : options.name;
+    context.subject = options.photo;
     const Report found = prepareLayer(project, layer, options.preparation);
+    context.subject = options.project;
     packIfNeeded(project);
     const LayerCoverage covered = coverage(*project.mesh, *project.atlas, layer);
     project.layers.push_back(layer);
@@ -173,7 +193,7 @@ std::vector<Bytes> encoded(const std::vector<ImageOf<Channel>>& pages, double te
     return files;
 }
 
-/// All pages take their places together or not at all.
+/// No page takes its place before all are written.
 void writePages(const std::vector<Bytes>& pages, const fs::path& folder, Interruption& interruption) {
     makeFolder(folder);
     std::list<AtomicFile> files;

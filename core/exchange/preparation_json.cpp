@@ -154,6 +154,9 @@ Lens readLensFile(const std::filesystem::path& file) {
     const Json json = readJsonFile(file);
     std::vector<std::string> problems;
     const Lens lens = lensFromJson(JsonReader(json, "", problems));
+    PhotoPreparation only;
+    only.lens = lens;
+    if (problems.empty()) problems = validate(only, 1, 1); // whatever the photo
     if (!problems.empty()) throw FileError(file, InvalidModel(problems).what());
     return lens;
 }

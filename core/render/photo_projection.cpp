@@ -21,6 +21,19 @@ bool isPerspective(const ThrownPhoto& thrown) {
     return thrown.projector.kind == ProjectorKind::Perspective;
 }
 
+/// Colours weighed by alpha, so that filters mix in nothing of what is transparent.
+Image premultiplied(const Image& photo) {
+    Image weighed = photo;
+    for (std::size_t i = 0; i < weighed.pixels.size(); i += 4) {
+        const unsigned alpha = weighed.pixels[i + 3];
+        if (alpha == 255) continue;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            weighed.pixels[i + channel] =
+                static_cast<std::uint8_t>((weighed.pixels[i + channel] * alpha + 127) / 255);
+    }
+    return weighed;
+}
+
 } // namespace
 
 GlDepthMap::GlDepthMap(const GlFunctions& gl) : m_gl(gl) {
@@ -111,7 +124,8 @@ void PhotoProjection::takePhoto(const std::shared_ptr<const Image>& photo) {
     if (photo == m_photo) return;
     m_photo = photo;
     m_photoTexture = std::make_unique<GlTexture>(m_gl);
-    m_photoTexture->upload(*photo, static_cast<int>(std::log2(std::max(photo->width, photo->height))));
+    m_photoTexture->upload(premultiplied(*photo),
+                           static_cast<int>(std::log2(std::max(photo->width, photo->height))));
 }
 
 /// A parallel projector throws on nothing that faces away. Before an eye outside a closed surface that is

@@ -56,7 +56,8 @@ vec3 withPhoto(vec3 beneath) {
     float weight = opacity * thrownOn.a * borderWeight(pixel);
     if (weight <= 0.0) return beneath;
     weight *= lightWeight(place, outward);
-    return mix(beneath, multiplies ? beneath * thrownOn.rgb : thrownOn.rgb, weight);
+    vec3 colour = thrownOn.rgb / thrownOn.a; // it is stored multiplied by alpha
+    return mix(beneath, multiplies ? beneath * colour : colour, weight);
 }
 )";
 }

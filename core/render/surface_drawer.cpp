@@ -66,7 +66,7 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
         takeAtlas(scene.atlas);
         takePages(scene);
         program.set("pageSize", static_cast<float>(scene.atlas->options.size));
-        program.set("halfGap", static_cast<float>(scene.atlas->options.gap) / 2);
+        program.set("halfGap", static_cast<float>(filledGap(scene.atlas->options) / 2));
         program.set("levels", levelsOf(scene.smallerPages));
         m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
         drawPages(program);

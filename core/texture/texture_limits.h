@@ -26,7 +26,8 @@ constexpr double narrowestView = 0.1, widestView = 170;    ///< degrees, a proje
 constexpr double longestFocalLength = 1e7;                 ///< photo pixels, and the principal point's place
 constexpr std::size_t mostLandmarks = 10000;               ///< of one photo
 
-constexpr std::size_t mostStrokes = 10'000;        ///< painted on one layer
+constexpr std::size_t mostStrokes = 10'000;        ///< painted on one layer, or on its photo
+constexpr std::size_t mostPhotoPlaces = 100'000;   ///< of all strokes on a photo
 constexpr std::size_t mostBrushPoints = 1'000'000; ///< of all strokes of a layer
 
 } // namespace esm::texture_limits

@@ -160,9 +160,10 @@ TEST_F(PanelsTest, TheLawOfAllSpringsStandsWithTheWholeOrgan) {
 }
 
 TEST_F(PanelsTest, DisabledControlsSayWhy) {
-    for (const char* name : {"opacitySlider", "projectorWidth"}) {
+    for (const auto& [name, why] :
+         {std::pair("opacitySlider", "No layer is selected"), {"projectorWidth", "No photo is selected"}}) {
         EXPECT_FALSE(child<QWidget>(name)->isEnabled());
-        EXPECT_EQ(child<QWidget>(name)->toolTip(), "No photo is selected") << name;
+        EXPECT_EQ(child<QWidget>(name)->toolTip(), why) << name;
     }
     QAction* undo = nullptr;
     for (QAction* action : window->actions() + window->findChildren<QAction*>())

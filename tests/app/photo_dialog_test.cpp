@@ -101,6 +101,16 @@ TEST_F(PhotoDialogTest, StraightensByDrawnLines) {
     EXPECT_NEAR(layer().preparation.lens->coefficients[0], -0.2, 0.02);
 }
 
+TEST_F(PhotoDialogTest, ALineThatWasNotEndedGoesWithItsTool) {
+    choose(Qt::Key_L);
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, placeOf(50, 50));
+    choose(Qt::Key_C);
+    choose(Qt::Key_L);
+    draw({LensKind::Pinhole, {100, 100, 200, 160}, {}}, {30, 200}, {370, 200});
+    ASSERT_EQ(canvas->lines().size(), 1U);
+    EXPECT_EQ(canvas->lines()[0].size(), 7U);
+}
+
 TEST_F(PhotoDialogTest, SaysWhyLinesDoNotDo) {
     choose(Qt::Key_L);
     const Lens none{LensKind::Pinhole, {100, 100, 200, 160}, {}};

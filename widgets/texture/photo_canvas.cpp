@@ -70,6 +70,8 @@ void PhotoCanvas::setTool(PhotoTool tool) {
     m_tool = tool;
     m_stroke.reset();
     m_frameCorner.reset();
+    if (!m_lines.empty()) m_lines.back().clear(); // what was not ended
+    emit linesChanged();
     update();
 }
 

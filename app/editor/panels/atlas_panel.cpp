@@ -131,7 +131,7 @@ void AtlasPanel::pack(const AtlasOptions& options) {
     const Project& project = m_document.project();
     if (same(options, project.texture.atlas) && project.atlas) return;
     const auto mesh = project.mesh;
-    attempt(window(), tr("The texture cannot be packed so"), [&] {
+    attempt(window(), tr("The texture cannot be packed"), [&] {
         auto atlas = std::make_shared<const Atlas>(computeLong(
             window(), tr("Packing the texture"), [&](const Progress&) { return packAtlas(*mesh, options); }));
         m_document.edit(tr("Pack the texture"), [&](Project& edited) {

@@ -62,7 +62,8 @@ void LayersPanel::removeSelected() {
 
 void LayersPanel::rename(int row, const QString& name) {
     const auto layer = layerOf(row);
-    if (layer && !name.isEmpty()) renameLayer(*layer, name.toStdString());
+    const QString told = name.trimmed();
+    if (layer && !told.isEmpty()) renameLayer(*layer, told.toStdString());
     // An empty name was not taken: the old one comes back.
     QMetaObject::invokeMethod(
         this, [this] { show(); }, Qt::QueuedConnection);

@@ -61,7 +61,7 @@ void PhotoPanel::connectControls() {
         edit(tr("Set blending"), [=](TextureLayer& layer) { layer.blending = chosen; });
     });
     connect(m_visible, &QCheckBox::clicked, this, [this](bool on) {
-        edit(on ? tr("Show photo") : tr("Hide photo"), [=](TextureLayer& layer) { layer.visible = on; });
+        edit(on ? tr("Show layer") : tr("Hide layer"), [=](TextureLayer& layer) { layer.visible = on; });
     });
     connect(m_occlusion, &QCheckBox::clicked, this, [this](bool on) {
         edit(tr("Set what the projector reaches"),
@@ -82,19 +82,21 @@ void PhotoPanel::show() {
     m_occlusion->setChecked(layer && layer->projector.occlusion);
 }
 
-void PhotoPanel::showUse(bool hasPhoto) {
-    const QString why = tr("No photo is selected");
-    const QString opacity = tr("How much of what lies beneath the photo hides");
-    enable(m_visible, hasPhoto, tr("Whether the photo is part of the texture"), why);
+void PhotoPanel::showUse(const TextureLayer* layer) {
+    const bool hasPhoto = layer && layer->photo;
+    const QString why = tr("No layer is selected"),
+                  noPhoto = layer ? tr("A painted layer has no photo") : why;
+    const QString opacity = tr("How much of what lies beneath the layer hides");
+    enable(m_visible, layer, tr("Whether the layer is part of the texture"), why);
     enable(m_occlusion, hasPhoto,
-           tr("Leave out what faces away from the projector or lies behind other tissue"), why);
-    enable(m_opacity, hasPhoto, opacity, why);
-    enable(m_opacityField, hasPhoto, opacity, why);
+           tr("Leave out what faces away from the projector or lies behind other tissue"), noPhoto);
+    enable(m_opacity, layer, opacity, why);
+    enable(m_opacityField, layer, opacity, why);
     enable(
-        m_blending, hasPhoto,
+        m_blending, layer,
         tr("normal hides what lies beneath, multiply darkens it, multi-band passes into it without a seam"),
         why);
-    enable(m_blend, hasPhoto, tr("Photo pixels from the border over which the photo fades in"), why);
+    enable(m_blend, hasPhoto, tr("Photo pixels from the border over which the photo fades in"), noPhoto);
 }
 
 void PhotoPanel::setOpacity(double opacity) {

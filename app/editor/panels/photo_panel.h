@@ -22,7 +22,7 @@ private:
     void layOut();
     void connectControls();
     void show();
-    void showUse(bool hasPhoto);
+    void showUse(const TextureLayer* layer);
     void setOpacity(double opacity);
     /// @param mergeKey of edits that become one step while a gesture lasts
     void edit(const QString& text, const std::function<void(TextureLayer&)>& change,

@@ -72,9 +72,15 @@ void TextureComposer::compose(const Request& request) {
     Pages pages;
     std::string failure;
     try {
-        if (project.atlas && !project.layers.empty()) pages = pagesOf(project);
+        if (project.atlas && !project.layers.empty())
+            pages = pagesOf(project);
+        else
+            m_kept = {};
     } catch (const Cancelled&) {
         return;
+    } catch (const std::bad_alloc&) {
+        m_kept = {};
+        failure = "there is not enough memory; choose a smaller size of the atlas";
     } catch (const std::exception& error) {
         failure = error.what();
     }

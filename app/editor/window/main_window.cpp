@@ -86,6 +86,7 @@ MainWindow::MainWindow(Project project)
 MainWindow::~MainWindow() {
     // A field that is left tells the document what was typed: now, while there is one.
     m_actions.fuzzyWindow->setChecked(false);
+    delete m_largePhoto;
     if (QWidget* focus = focusWidget()) focus->clearFocus();
 }
 

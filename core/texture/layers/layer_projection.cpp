@@ -38,8 +38,7 @@ double pyramidDepth(double pixelsPerTexel) {
 
 } // namespace
 
-std::optional<TriangleProjection> TriangleProjection::make(const ThrownPhoto& photo,
-                                                           const LitSurface& surface,
+std::optional<TriangleProjection> TriangleProjection::make(const LayerPhoto& photo, const LitSurface& surface,
                                                            const LitTriangle& triangle,
                                                            const std::array<Eigen::Vector2d, 3>& patch) {
     TriangleProjection projection(photo, surface);

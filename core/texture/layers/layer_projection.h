@@ -28,7 +28,7 @@ struct LayerColour {
 };
 
 /// A layer's photo and how it is thrown.
-struct ThrownPhoto {
+struct LayerPhoto {
     const TextureLayer& layer;
     const PhotoSampler& sampler;
     Eigen::Matrix4d matrix; ///< as `photoMatrix` gives it
@@ -39,7 +39,7 @@ class TriangleProjection {
 public:
     /// Nothing when no point of the patch can take colour from the layer.
     /// @param photo outlives the projection, as the surface does
-    static std::optional<TriangleProjection> make(const ThrownPhoto& photo, const LitSurface& surface,
+    static std::optional<TriangleProjection> make(const LayerPhoto& photo, const LitSurface& surface,
                                                   const LitTriangle& triangle,
                                                   const std::array<Eigen::Vector2d, 3>& patch);
 
@@ -48,7 +48,7 @@ public:
     LayerColour at(const PatchTexel& texel) const;
 
 private:
-    TriangleProjection(const ThrownPhoto& photo, const LitSurface& surface)
+    TriangleProjection(const LayerPhoto& photo, const LitSurface& surface)
         : m_layer(photo.layer), m_sampler(photo.sampler), m_surface(surface) {}
 
     bool isParallel() const { return m_layer.projector.kind == ProjectorKind::Parallel; }

@@ -86,7 +86,7 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
             made->layer.blendPixels = std::min(layer.blendPixels, bandedBorder);
         }
         if (layer.photo)
-            made->photo.emplace(ThrownPhoto{
+            made->photo.emplace(LayerPhoto{
                 made->layer, *made->thrown.sampler,
                 photoMatrix(layer.projector, {made->thrown.picture->width, made->thrown.picture->height})});
         m_layers.push_back(std::move(made));

@@ -31,11 +31,12 @@ cv::Mat reduced(const PhotoSampler& sampler, const cv::Size& size) {
     return picture;
 }
 
-/// The photo's alpha × the mask.
+/// The photo's alpha × the mask, where it meets surface.
 void erase(cv::Mat& photo, const Image& mask) {
     for (int y = 0; y < photo.rows; ++y)
         for (int x = 0; x < photo.cols; ++x)
-            photo.at<cv::Vec4f>(y, x)[3] *= static_cast<float>(mask.at(x, y)[0]) / 255;
+            if (mask.at(x, y)[3] > 0)
+                photo.at<cv::Vec4f>(y, x)[3] *= static_cast<float>(mask.at(x, y)[0]) / 255;
 }
 
 /// What lies beneath less the photo; 0 where either is not known.

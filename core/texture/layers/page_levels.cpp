@@ -71,16 +71,20 @@ void check(const Atlas& atlas, const std::vector<Image>& pages) {
 
 } // namespace
 
+double filledGap(const AtlasOptions& options) {
+    return std::min(static_cast<double>(options.gap), 2 * fillReach(options));
+}
+
 int usableLevels(const AtlasOptions& options) {
     int levels = 0;
-    while (levels < mostLevels && 4 << levels <= options.gap && options.size % (2 << levels) == 0)
+    while (levels < mostLevels && 4 << levels <= filledGap(options) && options.size % (2 << levels) == 0)
         ++levels;
     return levels;
 }
 
 double levelInset(const AtlasOptions& options, int halvings) {
     const double reach = std::sqrt(2.0) * std::ldexp(1.0, halvings);
-    return halvings > 0 ? std::max(0.0, reach - options.gap / 2.0) : 0;
+    return halvings > 0 ? std::max(0.0, reach - filledGap(options) / 2) : 0;
 }
 
 SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages) {

@@ -7,6 +7,9 @@
 
 namespace esm {
 
+/// Texels between patches that are filled with their colours, half from either side.
+double filledGap(const AtlasOptions& options);
+
 /// How often a page can be halved before the bilinear filter, which reads a texel around its place, reaches
 /// beyond the middle of the gap into a neighbour's border.
 int usableLevels(const AtlasOptions& options);

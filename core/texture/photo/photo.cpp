@@ -58,18 +58,6 @@ private:
     int m_kept;
 };
 
-cv::Mat decode(const Bytes& encoded, bool isJpeg) {
-    const QuietErrors quiet;
-    // Only the colour mode turns a JPEG upright by its EXIF orientation; only the unchanged mode keeps alpha.
-    const int mode = isJpeg ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED;
-    try {
-        return toRgba(cv::imdecode(encoded, mode));
-    } catch (const cv::Exception& error) {
-        if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
-        return {};
-    }
-}
-
 /// The picture turned and mirrored as its orientation says that it is to be shown.
 cv::Mat upright(cv::Mat picture, int orientation) {
     const bool isMirrored = orientation == 2 || orientation == 4 || orientation == 5 || orientation == 7;
@@ -80,6 +68,19 @@ cv::Mat upright(cv::Mat picture, int orientation) {
     return picture;
 }
 
+/// Empty where the file cannot be decoded. @throws std::bad_alloc
+cv::Mat decode(const Bytes& encoded, const PhotoFormat& format) {
+    const QuietErrors quiet;
+    // Only the colour mode turns a JPEG upright by its EXIF orientation; only the unchanged mode keeps alpha.
+    const int mode = format.isJpeg ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED;
+    try {
+        return upright(toRgba(cv::imdecode(encoded, mode)), format.orientation);
+    } catch (const cv::Exception& error) {
+        if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
+        return {};
+    }
+}
+
 /// @param shown the file as messages name it
 std::shared_ptr<const Photo> makePhoto(const std::filesystem::path& shown, std::string name, Bytes encoded) {
     const PhotoFormat format = inspectPhoto(encoded);
@@ -87,7 +88,7 @@ std::shared_ptr<const Photo> makePhoto(const std::filesystem::path& shown, std::
     if (format.width > texture_limits::mostPhotoPixels / format.height)
         throw FileError(shown, "is larger than 268 megapixels (" + std::to_string(format.width) + " × " +
                                    std::to_string(format.height) + "); scale it down");
-    const cv::Mat rgba = upright(decode(encoded, format.isJpeg), format.orientation);
+    const cv::Mat rgba = decode(encoded, format);
     if (rgba.empty())
         throw FileError(shown,
                         "is damaged or of a rare kind and cannot be decoded; save it as PNG or JPEG again");

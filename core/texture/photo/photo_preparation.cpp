@@ -55,6 +55,13 @@ void checkStrokes(const std::vector<PhotoStroke>& strokes, Problems& problems) {
         return !stroke.path.empty() && std::all_of(stroke.path.begin(), stroke.path.end(), isPlace) &&
                isWithin(stroke.radius, 0.5, widestBrush) && isWithin(stroke.softness, 0, 1);
     };
+    std::size_t places = 0;
+    for (const PhotoStroke& stroke : strokes)
+        places += stroke.path.size();
+    if (strokes.size() > texture_limits::mostStrokes || places > texture_limits::mostPhotoPlaces)
+        problems.push_back("there must be at most " + std::to_string(texture_limits::mostStrokes) +
+                           " strokes, with " + std::to_string(texture_limits::mostPhotoPlaces) +
+                           " places together");
     if (!std::all_of(strokes.begin(), strokes.end(), isSound))
         problems.emplace_back(
             "strokes must have places within 1e7 pixels, a radius of 0.5 to 5000 pixels and a "

@@ -48,7 +48,17 @@ void requireDistinct(const std::vector<LandmarkPair>& pairs) {
                                    " share a point; each landmark needs its own");
 }
 
-void requireUsable(const std::vector<LandmarkPair>& pairs) {
+/// A click may miss the border by a little; more, and it is another photo's.
+void requireInside(const Eigen::Vector2d& place, std::size_t pair, const PhotoSize& size) {
+    const double margin = looseShare * std::hypot(size.width, size.height);
+    if (place.minCoeff() >= -margin && place.x() <= size.width + margin && place.y() <= size.height + margin)
+        return;
+    throw InvalidModel("pair " + std::to_string(pair + 1) + " lies outside the photo of " +
+                       std::to_string(size.width) + " × " + std::to_string(size.height) +
+                       " pixels: it is another photo's, or the photo was scaled");
+}
+
+void requireUsable(const std::vector<LandmarkPair>& pairs, const PhotoSize& size) {
     if (pairs.size() < leastPairs)
         throw InvalidModel("there are " + std::to_string(pairs.size()) + " pairs; a pose takes 4 or more");
     Eigen::Matrix2Xd photo(2, pairs.size());
@@ -56,6 +66,7 @@ void requireUsable(const std::vector<LandmarkPair>& pairs) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (!pairs[i].photo.allFinite() || !pairs[i].organ.allFinite())
             throw InvalidModel("pair " + std::to_string(i + 1) + " is not finite");
+        requireInside(pairs[i].photo, i, size);
         photo.col(static_cast<Eigen::Index>(i)) = pairs[i].photo;
         organ.col(static_cast<Eigen::Index>(i)) = pairs[i].organ;
     }
@@ -112,8 +123,11 @@ Candidate settled(PinholeCamera camera, const std::vector<LandmarkPair>& pairs, 
         candidate.counts = std::move(counts);
         candidate.camera = leastSquares(candidate.camera, pairs, candidate.counts, freedom, &candidate.slack);
     }
-    if (!candidate.counts.empty())
-        candidate.squares = cappedSquares(pairErrors(candidate.camera, pairs), tolerance);
+    if (candidate.counts.empty()) return candidate;
+    const std::vector<double> errors = pairErrors(candidate.camera, pairs);
+    candidate.counts =
+        within(errors, tolerance); // of this camera, where the rounds ended before they settled
+    candidate.squares = cappedSquares(errors, tolerance);
     return candidate;
 }
 
@@ -227,7 +241,7 @@ Projector projectorOf(const PinholeCamera& camera, const ScaledPairs& scaled, co
 } // namespace
 
 PoseFit fitPose(const std::vector<LandmarkPair>& pairs, const PhotoCamera& camera) {
-    requireUsable(pairs);
+    requireUsable(pairs, camera.size);
     const ScaledPairs scaled(pairs);
     const auto found = solved(scaled.pairs, camera);
     requireUnmirrored(found, scaled.pairs, camera);

@@ -35,8 +35,8 @@ struct PhotoCamera {
 /// (P3P by OpenCV, up to 1000 triples in a fixed order), chosen by how many of the others agree within 1 % of
 /// the photo's diagonal, then all that agree by least squares (Levenberg-Marquardt). Without intrinsics the
 /// focal length is found as well where six pairs or more tell it. Deterministic.
-/// @throws InvalidModel with one message: fewer than four pairs, not finite, two at one point, on a line, or
-/// pairs that no camera sees together, as mirrored ones
+/// @throws InvalidModel with one message: fewer than four pairs, not finite, outside the photo, two at one
+/// point, on a line, or pairs that no camera sees together, as mirrored ones
 PoseFit fitPose(const std::vector<LandmarkPair>& pairs, const PhotoCamera& camera);
 
 } // namespace esm

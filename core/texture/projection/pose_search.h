@@ -8,7 +8,7 @@ namespace esm {
 struct PinholeCamera {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity(); ///< model → camera
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
-    Intrinsics intrinsics;
+    Intrinsics intrinsics{1, 1, 0, 0};
 };
 
 /// Photo pixels from each landmark to where the camera sees it; infinite for one that is not before it.

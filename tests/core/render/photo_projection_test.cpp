@@ -26,6 +26,9 @@ std::shared_ptr<const Photo> smoothPhoto() {
             pixel[1] = static_cast<std::uint8_t>(230 - y / 2);
             pixel[2] = static_cast<std::uint8_t>(128 + 60 * std::sin(x / 25.0));
             pixel[3] = static_cast<std::uint8_t>(x < 40 ? 128 : 255);
+            const bool isLeftOut =
+                std::hypot(x - 200, y - 150) < 20; // its colour must not be seen at its rim
+            if (isLeftOut) std::fill_n(pixel, 4, std::uint8_t{0});
         }
     return photo;
 }

@@ -118,6 +118,17 @@ TEST(MultiBand, PassesIntoWhatLiesBeneathWhereItIsErased) {
     EXPECT_GT(compared, 10000U);
 }
 
+TEST(MultiBand, IsNotChangedByAStrokeThatReachesNothing) {
+    const TriangleMesh mesh = flatSquare(0.1, 4);
+    const Atlas atlas = packAtlas(mesh, {512, 1, 2});
+    TextureLayer layer = banded(stripes(90, 20), 0.16); // wider than the surface
+    const std::vector<Image> before = composite(mesh, atlas, {layer}, {150, 150, 150});
+    BrushStroke stroke;
+    stroke.path = {{{5, 0, 0}, Eigen::Vector3d::UnitZ()}};
+    layer.strokes = {std::make_shared<const BrushStroke>(stroke)};
+    EXPECT_EQ(composite(mesh, atlas, {layer}, {150, 150, 150}).front().pixels, before.front().pixels);
+}
+
 TEST(MultiBand, LeavesWhatIsTransparentAndWhatNothingLiesBeneath) {
     Image photo = stripes(90, 20)->image, beneath = stripes(150, 0)->image;
     for (int y = 0; y < size; ++y)

@@ -79,18 +79,35 @@ TEST(PageLevels, ShowEachTriangleInItsOwnColourAlone) {
 
 TEST(PageLevels, KeepSeamsUnseenOnASmoothPhoto) {
     const TriangleMesh mesh = flatSquare(0.1, 6);
-    const Atlas atlas = packAtlas(mesh, {1024, 1, 8});
+    // It changes by about one level from texel to texel at a quarter of the size.
     const auto photo = makePhoto(1024, 1024, [](int x, int y) {
         const auto wave = [](double at) {
-            return std::uint8_t(std::lround(127 + 100 * std::sin(at * M_PI / 512)));
+            return std::uint8_t(std::lround(127 + 40 * std::sin(at * 2 * M_PI / 1024)));
         };
         return Colour{wave(x), wave(y), wave(0.7 * (x + y)), 255};
     });
-    const std::vector<Image> pages = composite(mesh, atlas, {layerFromAbove(photo, 0.11)}, baseColour);
-    const auto smaller = smallerPages(atlas, pages);
-    EXPECT_LE(seamError(mesh, atlas, pages), 2);
-    for (int level = 1; level <= 2; ++level)
-        EXPECT_LE(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)]}, level), 4) << level;
+    for (const AtlasLayout layout : atlasLayouts) {
+        const Atlas atlas = packAtlas(mesh, {1024, 1, 8, layout});
+        const std::vector<Image> pages = composite(mesh, atlas, {layerFromAbove(photo, 0.11)}, baseColour);
+        const auto smaller = smallerPages(atlas, pages);
+        EXPECT_LE(seamError(mesh, atlas, pages), 2) << layoutName(layout);
+        for (int level = 1; level <= 2; ++level)
+            EXPECT_LE(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)]}, level), 2)
+                << layoutName(layout) << ' ' << level;
+    }
+}
+
+TEST(PageLevels, ReadNothingButFilledTexelsHoweverWideTheGap) {
+    const TriangleMesh mesh = flatSquare(0.1, 2);
+    for (const int gap : {4, 16, 64, 128}) {
+        const Atlas atlas = packAtlas(mesh, {2048, 1, gap});
+        const std::vector<Image> pages =
+            composite(mesh, atlas, {layerFromAbove(plainPhoto(green), 0.3)}, baseColour);
+        const auto smaller = smallerPages(atlas, pages);
+        for (int level = 1; level <= usableLevels(atlas.options); ++level)
+            EXPECT_LT(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)]}, level), 0.5)
+                << gap << ' ' << level;
+    }
 }
 
 TEST(PageLevels, ComputeOnlyWhatChangedWithTheSameResult) {

@@ -154,13 +154,18 @@ TEST(BrushStroke, ClonesWhatLiesBeneathItsLayer) {
 
 TEST(BrushStroke, FollowsClonesOfClonesAndEndsSomewhere) {
     const TriangleMesh mesh = flatSquare(0.1, 3);
-    const Atlas atlas = packAtlas(mesh, {64, 1, 2});
+    const Atlas atlas = packAtlas(mesh, {128, 1, 2});
     const TextureLayer photo = layerFromAbove(plainPhoto(green), 0.3);
     std::vector<TextureLayer> layers{photo};
     for (int i = 0; i < 40; ++i)
         layers.push_back(paintedLayer({strokeAt(BrushKind::Clone, {0, 0, 0})}));
-    const Image page = composite(mesh, atlas, layers, baseColour).front();
-    EXPECT_TRUE(std::any_of(page.pixels.begin(), page.pixels.end(), [](auto value) { return value == 255; }));
+    // Clones of clones, as far as they are followed, take the photo's green; beyond it, what is known.
+    for (const std::size_t count : {std::size_t{3}, layers.size()}) {
+        const std::vector<TextureLayer> some(layers.begin(), layers.begin() + std::ptrdiff_t(count));
+        forEachTexelInside(
+            mesh, atlas, composite(mesh, atlas, some, baseColour),
+            [&](const Eigen::Vector3d&, const Colour& colour, std::size_t) { ASSERT_EQ(colour, green); });
+    }
 }
 
 TEST(Blending, MultipliesValuesFromZeroToOne) {

@@ -85,6 +85,12 @@ TEST(PoseFit, FindsThePoseOfExactPairs) {
         }
 }
 
+TEST(PoseFit, PairsOfAnotherPhotoAreRefused) {
+    std::vector<LandmarkPair> pairs = pairsSeenBy(camera(), 8);
+    pairs[3].photo.x() = 2.0 * endoscope.width;
+    EXPECT_THAT(poseRefusal(pairs), HasSubstr("pair 4 lies outside the photo"));
+}
+
 TEST(PoseFit, FindsThePoseOfPairsThatAreAPixelOff) {
     for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
         std::vector<LandmarkPair> pairs = pairsSeenBy(camera(), 8, seed);
