@@ -29,7 +29,7 @@ QString kindName(BrushKind kind) {
     return {};
 }
 
-QColor toQColor(const std::array<std::uint8_t, 3>& colour) {
+QColor shownColour(const std::array<std::uint8_t, 3>& colour) {
     return {colour[0], colour[1], colour[2]};
 }
 
@@ -97,7 +97,7 @@ void BrushPanel::resizeBrush(double factor) {
 
 void BrushPanel::chooseColour() {
     const QColor chosen = ask(*window(), [&] {
-        return QColorDialog::getColor(toQColor(m_painting.brush().colour), window(),
+        return QColorDialog::getColor(shownColour(m_painting.brush().colour), window(),
                                       tr("Colour of the brush"));
     });
     if (!chosen.isValid()) return;
@@ -136,10 +136,10 @@ void BrushPanel::showKinds() {
 
 void BrushPanel::showColour(const std::array<std::uint8_t, 3>& colour) {
     QPixmap swatch(28, 14);
-    swatch.fill(m_colour->isEnabled() ? toQColor(colour) : Qt::transparent);
+    swatch.fill(m_colour->isEnabled() ? shownColour(colour) : Qt::transparent);
     m_colour->setIcon(swatch);
     m_colour->setIconSize(swatch.size());
-    m_colour->setText(m_colour->isEnabled() ? toQColor(colour).name() : QString(QChar(0x2013)));
+    m_colour->setText(m_colour->isEnabled() ? shownColour(colour).name() : QString(QChar(0x2013)));
 }
 
 QString BrushPanel::remark() const {

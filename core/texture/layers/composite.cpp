@@ -40,6 +40,7 @@ composed(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Texture
     checkAtlas(mesh, atlas);
     const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, progress);
     std::vector<ImageOf<Channel>> pages;
+    pages.reserve(static_cast<std::size_t>(atlas.options.pages));
     for (int page = 0; page < atlas.options.pages; ++page)
         pages.push_back(filledPage<Channel>(atlas.options.size, baseColour));
     if (!stack.isEmpty()) paintPages(stack, atlas, *cache.ownersOf(atlas, progress), {}, pages, progress);
