@@ -1,6 +1,7 @@
 #include "core/exchange/preparation_json.h"
 
 #include "core/support/errors.h"
+#include "core/support/file_io.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
