@@ -17,6 +17,16 @@ PROJECTOR = {"pose": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1], "width": 
              "kind": "parallel"}
 
 
+def rounds_of(few, many):
+    """How many rounds a test runs: as tests/support/rounds.h says."""
+    return many if os.environ.get("ESM_LONG_TESTS", "0") not in ("", "0") else few
+
+
+def seed_of(round):
+    """The seed of a round: as tests/support/rounds.h says."""
+    return int(os.environ.get("ESM_TEST_SEED") or 0) + round
+
+
 def command(*arguments, **options):
     """The finished process, its output as text."""
     return subprocess.run([ESMC, *map(str, arguments)], capture_output=True, text=True, timeout=240, **options)

@@ -4,6 +4,7 @@
 #include "core/support/errors.h"
 #include "core/support/file_io.h"
 #include "tests/core/fuzzy/random_systems.h"
+#include "tests/support/rounds.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -69,12 +70,12 @@ struct TextLanguage {
     }
 
     /// Of presets, of awkward names and sets, and of random systems.
-    void expectAllBack(unsigned seed) const {
+    void expectAllBack(int seed) const {
         for (const std::string& name : esm::fuzzyPresetNames())
             expectBack(esm::fuzzyPreset(name));
         expectBack(awkwardSystem());
-        RandomSystems systems(seed);
-        for (int trial = 0; trial < 100; ++trial)
+        RandomSystems systems(seedOf(seed));
+        for (int trial = 0; trial < roundsOf(100, 10000); ++trial)
             expectBack(systems.next());
     }
 };

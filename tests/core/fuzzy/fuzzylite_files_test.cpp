@@ -4,6 +4,7 @@
 #include "core/fuzzy/inference.h"
 #include "tests/core/fuzzy/random_systems.h"
 #include "tests/support/fuzzylite_engine.h"
+#include "tests/support/rounds.h"
 
 #include <gtest/gtest.h>
 
@@ -59,8 +60,8 @@ std::vector<double> somewhereWithin(const FuzzySystem& system, double part) {
 } // namespace
 
 TEST(FllFile, LoadsInFuzzyliteWithEqualOutputs) {
-    RandomSystems systems(11);
-    for (int trial = 0; trial < 100; ++trial) {
+    RandomSystems systems(seedOf(11));
+    for (int trial = 0; trial < roundsOf(100, 5000); ++trial) {
         const FuzzySystem system = systems.next();
         FuzzyliteEngine loaded = FuzzyliteEngine::fromFll(toFll(system).text);
         FuzzyliteEngine built(system, resolution);
@@ -69,8 +70,8 @@ TEST(FllFile, LoadsInFuzzyliteWithEqualOutputs) {
 }
 
 TEST(FclFile, LoadsInFuzzyliteWithEqualOutputs) {
-    RandomSystems systems(12);
-    for (int trial = 0; trial < 50; ++trial) {
+    RandomSystems systems(seedOf(12));
+    for (int trial = 0; trial < roundsOf(50, 2500); ++trial) {
         const FuzzySystem system = systems.next();
         FuzzyliteEngine loaded =
             FuzzyliteEngine::fromFcl(asFuzzyliteReadsFcl(toFcl(system).text), resolution);

@@ -3,6 +3,7 @@
 #include "core/exchange/fuzzy_file.h"
 #include "core/fuzzy/inference.h"
 #include "tests/core/fuzzy/random_systems.h"
+#include "tests/support/rounds.h"
 
 #include <gmock/gmock.h>
 
@@ -32,9 +33,9 @@ ResponseCurve curveOf(const FuzzySystem& system) {
 } // namespace
 
 TEST(ResponseCurve, AgreesWithTheInferenceOfRandomSystems) {
-    RandomSystems systems(5);
+    RandomSystems systems(seedOf(5));
     std::size_t points = 0;
-    for (int trial = 0; trial < 40; ++trial) {
+    for (int trial = 0; trial < roundsOf(40, 4000); ++trial) {
         const FuzzySystem system = systems.next();
         const std::vector<double> values = systems.inputs(system);
         const ResponseQuestion question{system.outputs.size() - 1, {values.begin(), values.end()}};
