@@ -199,6 +199,19 @@ TEST_F(ProjectFile, KeysThatAreNotKnownAreIgnored) {
     }
 }
 
+TEST_F(ProjectFile, OfProgramsThatKnewOnlyRowsIsLaidInRows) {
+    Project expected = richProject();
+    expected.texture.atlas.layout = AtlasLayout::Rows;
+    auto atlas = std::make_shared<Atlas>(*expected.atlas);
+    atlas->options.layout = AtlasLayout::Rows;
+    expected.atlas = atlas;
+    changeManifest("", [](Json& manifest) {
+        for (const char* place : {"texture", "atlas"})
+            EXPECT_EQ(manifest[place].erase("layout"), 1U);
+    });
+    expectSameProject(expected, loadProject(m_file));
+}
+
 TEST_F(ProjectFile, AWayToStepThatOnlyOtherProgramsKnowIsLeftOut) {
     saveWithManifest("/stepping/integrator", "leapfrog");
     Project expected = richProject();

@@ -1,0 +1,114 @@
+#include "core/exchange/model_package.h"
+#include "core/exchange/project_file.h"
+#include "tests/core/exchange/exchange_projects.h"
+
+#include <cstdio>
+#include <exception>
+#include <map>
+
+/// Made the files in `tests/data`, see the README there. `make_samples FOLDER` writes them as they are today.
+namespace {
+
+using namespace esm;
+
+/// Photos thrown as a camera sees them, by field of view and by intrinsics, and with falloff.
+Project perspectiveProject() {
+    Project project = richProject();
+    for (TextureLayer& layer : project.layers)
+        layer.projector = {};
+    project.layers[0].projector.kind = ProjectorKind::Perspective;
+    project.layers[0].projector.fieldOfView = 100.0 / 3;
+    project.layers[1].projector.kind = ProjectorKind::Perspective;
+    project.layers[1].projector.intrinsics = Intrinsics{1e4 / 3, 900, -3, 0.1};
+    project.layers[2].projector.falloff = true;
+    return project;
+}
+
+PhotoPreparation versionSevenPreparation() {
+    PhotoPreparation preparation;
+    preparation.field = RoundField{20.25, 1.0 / 3, 11, 2.5};
+    preparation.highlightThreshold = 200;
+    preparation.evenLight = 0.7;
+    preparation.whiteBalance = ColourGains{0.9, 1, 1.0 / 0.9};
+    preparation.lens = Lens{LensKind::Pinhole, {30, 31, 20, 19}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0.002}};
+    preparation.crop = PhotoCrop{1, 2, 12, 11};
+    return preparation;
+}
+
+/// Photos with every preparation that version 7 knows, on an atlas of matched rows.
+Project preparedProject() {
+    Project project = richProject();
+    prepare(project.layers[0], versionSevenPreparation());
+    PhotoPreparation fisheye;
+    fisheye.lens = Lens{LensKind::Fisheye, {9, 9, 8, 8}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0}};
+    prepare(project.layers[1], fisheye);
+    return project;
+}
+
+/// Brush strokes on the organ and on a photo, matched colours and landmarks, on an atlas of unfolded groups
+/// that was asked for by its density.
+Project newestProject() {
+    Project project = paintedProject();
+    PhotoPreparation masked = versionSevenPreparation();
+    masked.strokes = {{{{1, 1.0 / 3}, {5, 6}}, 4.5, 0.25, false}, {{{2, 2}}, 1, 0, true}};
+    masked.match = ColourMatch{{1.0 / 0.9, 1, 0.7}, {-1.0 / 3, 5, 6}};
+    prepare(project.layers[0], masked);
+    project.layers[1].landmarks = {{{1.0 / 3, 20}, {0.1, -1.0 / 7, 1e-9}}, {{-3, 4.5}, {0, 2, 3}}};
+    project.texture.atlas = {64, 4, 1, AtlasLayout::UnfoldedGroups, 1000.0 / 3};
+    project.atlas = std::make_shared<Atlas>(packAtlas(*project.mesh, project.texture.atlas));
+    return project;
+}
+
+/// As the first packed textures were laid out.
+Project projectInRows() {
+    Project project = richProject();
+    project.texture.atlas.layout = AtlasLayout::Rows;
+    project.atlas = std::make_shared<Atlas>(packAtlas(*project.mesh, project.texture.atlas));
+    return project;
+}
+
+/// Neither photos nor an atlas, so that a package shows the plain surface in its base colour.
+Project untextured(Project project) {
+    project.layers.clear();
+    project.atlas = nullptr;
+    return project;
+}
+
+std::map<std::string, Project> sampleProjects() {
+    return {{"version-1", projectInRows()},
+            {"version-1-bare", bareProject()},
+            {"version-2", boundProject({Detail::Kind::Nodes, 20})},
+            {"version-2-rigid", boundProject({Detail::Kind::Rigid, 0})},
+            {"version-3", biphasicProject()},
+            {"version-4", extendedInferenceProject()},
+            {"version-5", untextured(softProject())},
+            {"version-6", perspectiveProject()},
+            {"version-7", preparedProject()},
+            {"version-8", newestProject()}};
+}
+
+void writeSamples(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder / "projects");
+    std::filesystem::create_directories(folder / "packages");
+    for (const auto& [name, project] : sampleProjects()) {
+        saveProject(project, folder / "projects" / (name + ".esm"));
+        if (name[8] - '0' > modelPackageVersion) continue;
+        exportPackage(project, folder / "packages" / (name + ".glb"), {},
+                      [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; });
+    }
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::fprintf(stderr, "make_samples FOLDER\n");
+        return 2;
+    }
+    try {
+        writeSamples(arguments[1]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "make_samples: %s\n", error.what());
+        return 1;
+    }
+}

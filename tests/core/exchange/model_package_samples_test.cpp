@@ -1,0 +1,102 @@
+#include "core/exchange/glb.h"
+#include "core/exchange/model_package.h"
+#include "core/exchange/package_layout.h"
+#include "core/exchange/project_file.h"
+#include "tests/core/exchange/rounded_tissue.h"
+#include "tests/support/samples.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+namespace esm {
+namespace {
+
+using PackageJson = nlohmann::ordered_json;
+
+/// The project that a sample was exported from.
+std::filesystem::path projectOf(const std::filesystem::path& package) {
+    return package.parent_path() / ".." / "projects" / package.stem().concat(".esm");
+}
+
+/// Without the version of the program, and without the places of arrays and pictures in the binary part,
+/// which are compared by what lies there.
+PackageJson comparable(PackageJson json) {
+    EXPECT_EQ(json["asset"].erase("generator"), 1U);
+    json.erase("buffers");
+    for (PackageJson& view : json["bufferViews"]) {
+        view.erase("byteOffset");
+        view.erase("byteLength");
+    }
+    return json;
+}
+
+Bytes bytesOfView(const Glb& glb, const PackageJson& place) {
+    std::vector<std::string> problems;
+    const Bytes bytes = GltfArrayReader(glb, problems).file(JsonReader(place, "bufferView", problems));
+    EXPECT_THAT(problems, testing::IsEmpty());
+    return bytes;
+}
+
+/// Every JSON value and the bytes of every accessor.
+void expectSameGlb(const std::filesystem::path& before, const std::filesystem::path& after) {
+    const Glb old = parseGlb(readFile(before)), fresh = parseGlb(readFile(after));
+    const PackageJson a = comparable(old.json), b = comparable(fresh.json);
+    EXPECT_EQ(PackageJson::diff(a, b), PackageJson::array());
+    ASSERT_TRUE(a.dump() == b.dump()) << "the order of keys differs, or the sign of a 0";
+    for (const PackageJson& accessor : a["accessors"]) {
+        const PackageJson& view = accessor["bufferView"];
+        EXPECT_TRUE(bytesOfView(old, view) == bytesOfView(fresh, view)) << accessor;
+    }
+}
+
+void expectSameTextures(const ModelPackage& a, const ModelPackage& b) {
+    ASSERT_EQ(a.textures.size(), b.textures.size());
+    for (std::size_t page = 0; page < a.textures.size(); ++page)
+        EXPECT_TRUE(a.textures[page].pixels == b.textures[page].pixels) << page;
+}
+
+int versionOf(const PackageJson& gltf) {
+    return gltf["extensions"][package_layout::extension]["version"].get<int>();
+}
+
+TEST(ModelPackageSamples, AreOfEveryVersion) {
+    std::set<int> versions;
+    for (const std::filesystem::path& file : samples("packages"))
+        versions.insert(versionOf(parseGlb(readFile(file)).json));
+    for (int version = 1; version <= modelPackageVersion; ++version)
+        EXPECT_EQ(versions.count(version), 1U) << version;
+}
+
+TEST(ModelPackageSamples, HoldWhatTheirProjectsHold) {
+    for (const std::filesystem::path& file : samples("packages")) {
+        SCOPED_TRACE(file.filename());
+        EXPECT_THAT(validatePackage(file), testing::IsEmpty());
+        const ModelPackage package = loadPackage(file);
+        const Project project = loadProject(projectOf(file));
+        EXPECT_EQ(package.name, project.name);
+        EXPECT_EQ(package.mesh.triangles, project.mesh->triangles);
+        EXPECT_EQ(package.mesh.vertices, rounded(project.mesh->vertices));
+        expectSameTissue(package.tissue, evaluateModel(project));
+        expectSameRegions(package.regions, project.regions);
+        expectSameStepping(package.stepping, project.stepping);
+        EXPECT_EQ(package.baseColour, project.texture.baseColour);
+    }
+}
+
+TEST(ModelPackageSamples, AreExportedAsTheyWere) {
+    const TemporaryFolder folder;
+    for (const std::filesystem::path& file : samples("packages")) {
+        SCOPED_TRACE(file.filename());
+        const ModelPackage package = loadPackage(file);
+        const std::filesystem::path again = folder / "again.glb";
+        exportPackage(loadProject(projectOf(file)), again, {},
+                      [&](const Project&, const auto&) { return package.preview; });
+        expectSameGlb(file, again);
+        expectSameTextures(package, loadPackage(again));
+    }
+}
+
+} // namespace
+} // namespace esm
