@@ -47,7 +47,7 @@ void sampleProbabilisticSum(OutlineBuilder& builder, std::vector<SetPiece>& piec
     SetPiece piece{sum.at(0), 0};
     for (std::size_t i = 1; i <= count; ++i) {
         const double share = static_cast<double>(i) / parts;
-        part.right = interval.left + share * width;
+        part.right = i == count ? interval.right : interval.left + share * width;
         piece.right = sum.at(share);
         builder.add(part, piece);
         part.left = part.right;

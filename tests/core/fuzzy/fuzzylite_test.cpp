@@ -4,6 +4,7 @@
 #include "core/fuzzy/rule_text.h"
 #include "tests/core/fuzzy/random_systems.h"
 #include "tests/support/fuzzylite_engine.h"
+#include "tests/support/rounds.h"
 
 #include <gtest/gtest.h>
 
@@ -36,9 +37,10 @@ Firing firingFor(const FuzzySystem& system, const InferenceResult& result, std::
 TEST(Inference, AgreesWithFuzzyliteOnRandomSystems) {
     constexpr int resolution = 10000;
     constexpr double cell = 1.0 / resolution; // as a part of the range
-    RandomSystems systems(4);
+    constexpr double rounding = 1e-12;        // what fires no more, one of the two may take for nothing
+    RandomSystems systems(seedOf(4));
     int compared = 0;
-    for (int trial = 0; trial < 1000; ++trial) {
+    for (int trial = 0; trial < roundsOf(1000, 20000); ++trial) {
         const FuzzySystem system = systems.next();
         ASSERT_TRUE(validate(system).empty());
         const std::vector<double> inputs = systems.inputs(system);
@@ -48,12 +50,13 @@ TEST(Inference, AgreesWithFuzzyliteOnRandomSystems) {
         const InferenceResult result = infer(system, {inputs.begin(), inputs.end()});
         for (std::size_t i = 0; i < expected.size(); ++i) {
             const std::string what = "system " + std::to_string(trial) + ", output " + std::to_string(i);
+            const Firing firing = firingFor(system, result, i);
+            if (firing.highest > 0 && firing.highest < rounding) continue;
             ASSERT_EQ(result.outputs[i].has_value(), expected[i].has_value()) << what;
             if (!expected[i]) continue;
             // Taking the middle of a cell for all of it errs by an eighth of its width squared times the bend
             // within it; there are four bends to a set, each no sharper than its slope. In all of the area
             // that is at least the highest degree times the RandomSystems::narrowest core.
-            const Firing firing = firingFor(system, result, i);
             const double slope = 1 / RandomSystems::narrowest,
                          area = firing.highest * RandomSystems::narrowest;
             const double tolerance = 4 * firing.conclusions * slope * cell * cell / 8 / area;
@@ -68,7 +71,7 @@ TEST(Inference, AgreesWithFuzzyliteOnRandomSystems) {
 TEST(Inference, AgreesWithFuzzyliteOnThePresets) {
     for (const std::string& name : fuzzyPresetNames()) {
         const FuzzySystem system = fuzzyPreset(name);
-        FuzzyliteEngine engine(system, 100000);
+        FuzzyliteEngine engine(system, 20000);
         std::vector<double> inputs;
         for (const FuzzyVariable& input : system.inputs)
             inputs.push_back(input.minimum + 0.37 * (input.maximum - input.minimum));
