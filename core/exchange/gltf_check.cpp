@@ -1,4 +1,5 @@
 #include "core/exchange/glb.h"
+#include "core/exchange/gltf_address.h"
 #include "core/exchange/json_reader.h"
 #include "core/exchange/mesh_file_checks.h"
 #include "core/support/errors.h"
@@ -184,9 +185,7 @@ void GltfChecker::checkBuffer(const Json& buffer, std::size_t index) const {
         if (name.rfind("data:", 0) == 0) {
             held = (name.size() - std::min(name.size(), name.find(',') + 1)) / 4 * 3;
         } else {
-            std::error_code error;
-            held = fs::file_size(m_file.parent_path() / name, error);
-            if (error) fail("needs the file \"" + name.substr(0, 200) + "\" beside it, which cannot be read");
+            held = fs::file_size(fileAtAddress(m_file, name));
         }
     }
     if (announced > held)

@@ -1,11 +1,13 @@
 #include "core/exchange/mesh_file.h"
 
+#include "core/exchange/gltf_address.h"
 #include "core/exchange/mesh_file_checks.h"
 #include "core/exchange/obj_mesh.h"
 #include "core/exchange/vtk_polydata.h"
 #include "core/support/errors.h"
 #include "core/support/joined.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 
@@ -78,8 +80,25 @@ std::size_t faceCountOf(const aiScene& scene) {
     return count;
 }
 
+/// Opens nothing but the file itself and what a glTF document may name.
+class NearbyFiles : public Assimp::DefaultIOSystem {
+public:
+    explicit NearbyFiles(const fs::path& file) : m_file(file.string()) {}
+
+    Assimp::IOStream* Open(const char* name, const char* mode) override {
+        if (name == m_file) return DefaultIOSystem::Open(name, mode);
+        // The importer puts the file's folder before an address.
+        const std::string address = std::string(name).substr(m_file.rfind('/') + 1);
+        return DefaultIOSystem::Open(fileAtAddress(m_file, address).c_str(), mode);
+    }
+
+private:
+    std::string m_file;
+};
+
 PolygonSoup readWithAssimp(const fs::path& file, const std::optional<std::size_t>& faceCount) {
     Assimp::Importer importer;
+    importer.SetIOHandler(new NearbyFiles(file)); // which the importer deletes
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (!scene || !scene->mRootNode) {
         std::string reason = importer.GetErrorString();
