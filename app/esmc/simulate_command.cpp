@@ -85,12 +85,28 @@ std::string realTimeInWords(double factor) {
     return std::isfinite(factor) ? ", " + inText(factor) + " times real time" : "";
 }
 
+/// Where loads begin, end or turn between two whole steps.
+std::string cutsInWords(const SceneOutcome& outcome) {
+    std::string words;
+    if (outcome.cutSteps > 0)
+        words += "; " + std::to_string(outcome.cutSteps) +
+                 " of them cut where loads begin, end or turn, down to " + inText(outcome.shortestStep) +
+                 " s";
+    if (outcome.averagedCorners > 0)
+        words += "; at " + std::to_string(outcome.averagedCorners) +
+                 " more such times the mean of the load over the step stands in";
+    return words;
+}
+
 Report describe(const SceneOutcome& outcome) {
     const double realTimeFactor = outcome.simulatedSeconds / outcome.wallSeconds;
     Report report;
     report.json = {{"integrator", integratorName(outcome.integrator)},
                    {"dt", outcome.timeStep},
                    {"steps", outcome.steps},
+                   {"cut_steps", outcome.cutSteps},
+                   {"shortest_dt", outcome.shortestStep},
+                   {"averaged_corners", outcome.averagedCorners},
                    {"wall_s", outcome.wallSeconds},
                    {"setup_s", outcome.setupSeconds},
                    {"simulated_s", outcome.simulatedSeconds},
@@ -101,7 +117,7 @@ Report describe(const SceneOutcome& outcome) {
                    {"energy", {{"kinetic", outcome.energy.kinetic}, {"elastic", outcome.energy.elastic}}}};
     report.text = {outcome.outcome + ": " + inText(outcome.simulatedSeconds) + " s in " +
                        counted(outcome.steps, "step") + " of " + inText(outcome.timeStep) + " s, " +
-                       integratorName(outcome.integrator),
+                       integratorName(outcome.integrator) + cutsInWords(outcome),
                    inText(outcome.wallSeconds) + " s of computing" + realTimeInWords(realTimeFactor),
                    "energy at the end: kinetic " + inText(outcome.energy.kinetic) + " J, elastic " +
                        inText(outcome.energy.elastic) + " J"};
@@ -165,7 +181,8 @@ std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutco
     std::vector<std::string> warnings = sceneWarnings(model.scene, model.tissue);
     if (outcome.timeStep > model.scene.duration)
         warnings.push_back("the step of " + inText(outcome.timeStep) +
-                           " s is longer than the scene, which lasts " + inText(model.scene.duration) + " s");
+                           " s is longer than the scene, which lasts " + inText(model.scene.duration) +
+                           " s: it was cut to that");
     if (model.scene.instrument && outcome.stable && !outcome.touched)
         warnings.emplace_back(model.tissue.fixedNodes.empty()
                                   ? "the instrument never touches the organ"

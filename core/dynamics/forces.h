@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/dynamics/energy.h"
+#include "core/dynamics/motion.h"
 #include "core/dynamics/settings.h"
 #include "core/dynamics/spring_system.h"
 
@@ -17,5 +18,8 @@ void addDampingForces(const SpringSystem& system, Damping damping, const Vectors
                       const Vectors& velocities, Vectors& forces);
 
 Energy energy(const SpringSystem& system, const Vectors& positions, const Vectors& velocities);
+inline Energy energy(const SpringSystem& system, const Motion& motion) {
+    return energy(system, motion.positions, motion.velocities);
+}
 
 } // namespace esm

@@ -28,6 +28,9 @@ struct Loads {
     std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> forces; ///< node, N
     std::vector<HeldNode> held;
     std::optional<Sphere> instrument; ///< where it is at the end of the step
+    /// What builds on earlier steps begins anew: a load begins, ends or turns since the last step's
+    /// beginning.
+    bool beginsAnew = false;
 };
 
 } // namespace esm

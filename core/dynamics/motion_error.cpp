@@ -15,6 +15,17 @@ constexpr std::size_t fewestCompared = 8, mostCompared = 100; ///< frames
 constexpr std::size_t mostComparedPoints = 20'000'000;        ///< half a gigabyte
 constexpr double mostIntervals = 1e12;                        ///< shorter ones cannot be told apart
 
+/// Of the error, where changes say nothing sure of what a halving leaves.
+constexpr double unsureShare = 0.5;
+
+/// What of the error a halving leaves that changed so much of what the one before did. Less than the order
+/// promises is luck: two parts of the error cancelled, and one of them will come to light.
+double shareLeft(double changeRatio, int order) {
+    constexpr double luck = 0.6;
+    if (changeRatio < luck * std::exp2(-order)) return unsureShare;
+    return std::max(changeRatio, order > 1 ? 0.25 : 0.5);
+}
+
 /// Even, so that every other one can go.
 std::size_t mostFramesOf(std::size_t points) {
     const std::size_t most = mostComparedPoints / std::max<std::size_t>(1, points);
@@ -35,18 +46,24 @@ double MotionError::relative() const {
 }
 
 ComparedFrames::ComparedFrames(double duration, double every)
-    : m_interval(std::clamp(every, duration / mostIntervals, duration)) {}
+    : m_interval(std::clamp(every, duration / mostIntervals, duration)), m_duration(duration) {}
 
 void ComparedFrames::add(double time, const MotionPoints& positions) {
-    const double number = std::round(time / m_interval);
-    if (std::abs(time - number * m_interval) > std::max(1e-6 * m_interval, 1e-12 * time)) return;
-    if (m_met++ % m_stride != 0) return;
-    if (m_frames.size() >= mostFramesOf(positions.size())) {
-        m_stride *= 2;
-        for (auto frame = m_frames.begin(); frame != m_frames.end(); ++frame)
-            frame = std::prev(m_frames.erase(std::next(frame)));
+    const double intervals = time / m_interval, number = std::round(intervals);
+    const bool isMultiple = std::abs(intervals - number) <= std::max(1e-6, 1e-12 * number);
+    if (time >= m_duration) {
+        m_frames.insert_or_assign(static_cast<long>(isMultiple ? number : std::ceil(intervals)), positions);
+    } else if (isMultiple && m_met++ % m_stride == 0) {
+        if (m_frames.size() >= mostFramesOf(positions.size())) thinOut();
+        m_frames.emplace(static_cast<long>(number), positions);
     }
-    m_frames.emplace(static_cast<long>(number), positions);
+}
+
+/// Every other one goes, but the start.
+void ComparedFrames::thinOut() {
+    m_stride *= 2;
+    for (auto frame = m_frames.begin(); frame != m_frames.end(); ++frame)
+        frame = std::prev(m_frames.erase(std::next(frame)));
 }
 
 double relativeError(const Trajectory& trajectory, const Trajectory& reference) {
@@ -57,25 +74,29 @@ double relativeError(const Trajectory& trajectory, const Trajectory& reference) 
     return error.relative();
 }
 
-double remainingError(double change, double lastChange) {
-    // A ratio below that of the second order may be luck; one near 1 is that of rounding.
-    constexpr double leastRatio = 0.25, mostRatio = leastGain;
-    if (change == 0) return 0;
-    const double ratio =
-        std::isinf(lastChange) ? mostRatio : std::clamp(change / lastChange, leastRatio, mostRatio);
-    return change * ratio / (1 - ratio);
+double remainingError(const LatestChanges& changes, int order) {
+    constexpr double mostShare = leastGain; // above, it is rounding that spoils the gain
+    const auto& [last, beforeLast, beforeThat] = changes;
+    if (last == 0) return 0;
+    double share = mostShare;
+    if (!std::isinf(beforeLast)) {
+        const double before =
+            std::isinf(beforeThat) ? unsureShare : shareLeft(beforeLast / beforeThat, order);
+        share = std::min(std::max(shareLeft(last / beforeLast, order), before), mostShare);
+    }
+    return last * share / (1 - share);
 }
 
-void HalvingChanges::add(double change) {
-    const bool gains = change <= leastGain * m_last;
+void HalvingChanges::add(double change, int order) {
+    m_order = order;
+    const bool gains = change <= leastGain * m_changes.last;
     m_inVain = gains ? 0 : m_inVain + 1;
     m_largest = gains ? change : std::max(m_largest, change);
-    m_beforeLast = m_last;
-    m_last = change;
+    m_changes.add(change);
 }
 
 double HalvingChanges::remaining() const {
-    return standsStill() ? m_largest : remainingError(m_last, m_beforeLast);
+    return standsStill() ? m_largest : remainingError(m_changes, m_order);
 }
 
 } // namespace esm

@@ -24,12 +24,13 @@ private:
     double m_difference = 0, m_motion = 0; ///< m², sums
 };
 
-/// Positions, m, by their time's number, in intervals; 0 is the start.
+/// Positions, m, by their time's number, in intervals; 0 is the start. A motion's end that falls between two
+/// has the number of the next.
 using Trajectory = std::map<long, std::vector<Eigen::Vector3d>>;
 
-/// Keeps of a run's frames those that are compared with another run's: at times that are multiples of the
-/// recording interval, so that runs in other steps meet them, and so few that memory holds them, however long
-/// the run. Of two runs it keeps the same times.
+/// Keeps of a run's frames those that are compared with another run's: at the end and at times that are
+/// multiples of the recording interval, so that runs in other steps meet them, and so few that memory holds
+/// them, however long the run. Of two runs it keeps the same times.
 class ComparedFrames {
 public:
     /// Of a scene of so many seconds, recorded so often, s.
@@ -41,7 +42,9 @@ public:
     const Trajectory& frames() const { return m_frames; }
 
 private:
-    double m_interval; ///< s
+    void thinOut();
+
+    double m_interval, m_duration; ///< s
     long m_met = 0, m_stride = 1;
     Trajectory m_frames;
 };
@@ -56,15 +59,27 @@ inline constexpr double leastGain = 0.9;
 /// A larger change of halving a step comes of steps that do not follow the motion yet, not of rounding.
 inline constexpr double unfollowedChange = 0.1;
 
-/// What is left of a trajectory's error, relative to its motion, from how much halving the step changed it
-/// and how much the halving before did (infinite: there was none). How much of what is left each halving
-/// takes away, two of them tell; one alone may have taken little.
-double remainingError(double change, double lastChange);
+/// What the latest halvings of a step changed, relative to the motion; infinite where there was none.
+struct LatestChanges {
+    static constexpr double none = std::numeric_limits<double>::infinity();
+
+    double last = none, beforeLast = none, beforeThat = none;
+
+    void add(double change) { *this = {change, last, beforeLast}; }
+};
+
+/// What is left of a trajectory's error, relative to its motion. If each halving leaves the same share r of
+/// the error, then r·change/(1 − r) is left. The share is the larger one of the last two that the changes
+/// tell: where motion has corners, as where springs stiffen, errors fall by fits and starts. Until there are
+/// two, and where a change is smaller than the order promises, a half is taken to be left; never less than
+/// the order leaves, though of orders above the second no more is believed than of that.
+double remainingError(const LatestChanges& changes, int order);
 
 /// What one halving of the step after another changes of a trajectory, relative to its motion.
 class HalvingChanges {
 public:
-    void add(double change);
+    /// @param order to which power of the step errors fall
+    void add(double change, int order);
 
     /// Of the latest trajectory's error. Of changes that stand still the largest is taken: trajectories that
     /// differ by chance, as where an instrument touches, are no further from the truth than from each other.
@@ -75,7 +90,8 @@ public:
 private:
     static constexpr int mostInVain = 2;
 
-    double m_last = std::numeric_limits<double>::infinity(), m_beforeLast = m_last;
+    int m_order = 1;
+    LatestChanges m_changes;
     double m_largest = 0; ///< since the latest that gained
     int m_inVain = 0;
 };

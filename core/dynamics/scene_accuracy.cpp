@@ -37,25 +37,13 @@ constexpr double followedShare =
                        ", or allow a larger error");
 }
 
-[[noreturn]] void refuseTimes(double step) {
-    throw InvalidModel("steps of " + numberText(2 * step) +
-                       " s and of half of that meet at no recorded time: "
-                       "choose a step that divides the interval of recording, and record at least once in "
-                       "the scene's duration");
-}
-
-/// How far the frames at the times of both are apart, relative to the motion of the finer ones; none where
-/// they share no time but the start.
-std::optional<double> changeBetween(const Trajectory& coarse, const Trajectory& finer) {
+/// How far the frames at the times of both are apart, relative to the motion of the finer ones. All runs have
+/// their end in common.
+double changeBetween(const Trajectory& coarse, const Trajectory& finer) {
     MotionError change;
-    bool shared = false;
-    for (const auto& [number, positions] : coarse) {
-        const auto found = finer.find(number);
-        if (number == 0 || found == finer.end()) continue;
-        change.add(positions, found->second, finer.at(0));
-        shared = true;
-    }
-    if (!shared) return std::nullopt;
+    for (const auto& [number, positions] : coarse)
+        if (const auto found = finer.find(number); found != finer.end())
+            change.add(positions, found->second, finer.at(0));
     return change.isNone() ? 0 : change.relative();
 }
 
@@ -65,19 +53,18 @@ public:
     HalvedRuns(const SceneRun& run, const NewFrameSink& newSink, const Progress& progress)
         : m_run(run), m_newSink(newSink), m_progress(progress) {
         take();
+        m_run.settings.integrator = m_outcome.integrator;
+        m_run.settings.timeStep = m_outcome.timeStep;
     }
 
     /// By how much it changed the motion; none where one of the two runs did not come to its end.
     std::optional<double> halve() {
         const Trajectory coarse = std::move(m_frames);
         const bool wasStable = m_outcome.stable;
-        m_run.settings.integrator = m_outcome.integrator;
-        m_run.settings.timeStep = m_outcome.timeStep / 2;
+        ++m_run.halvings;
         take();
         if (!wasStable || !m_outcome.stable) return std::nullopt;
-        const std::optional<double> change = changeBetween(coarse, m_frames);
-        if (!change) refuseTimes(m_outcome.timeStep);
-        return change;
+        return changeBetween(coarse, m_frames);
     }
 
     const SceneOutcome& outcome() const { return m_outcome; }
@@ -106,18 +93,26 @@ private:
 /// until they do; but in float rounding may be as large as that.
 class VainHalvings {
 public:
-    explicit VainHalvings(Precision precision) : m_most(precision == Precision::Float ? 0 : mostInVain) {}
+    VainHalvings(const SimulationSettings& settings, const SceneOutcome& outcome)
+        : m_order(orderOfErrors(outcome, settings.damping)),
+          m_most(settings.precision == Precision::Float ? 0 : mostInVain) {}
 
-    bool isInVain(double change) {
-        const bool gains = change <= leastGain * m_last;
-        m_last = change;
-        return !gains && (change < unfollowedChange || ++m_count > m_most);
+    /// Takes note of what one more halving changed.
+    void add(double change) {
+        m_gained = change <= leastGain * m_changes.last;
+        m_changes.add(change);
+        if (!m_gained && change >= unfollowedChange) ++m_unfollowed;
     }
-    double last() const { return m_last; }
+    bool gained() const { return m_gained; }
+    bool isInVain() const {
+        return !m_gained && (m_changes.last < unfollowedChange || m_unfollowed > m_most);
+    }
+    double remaining() const { return remainingError(m_changes, m_order); }
 
 private:
-    double m_last = std::numeric_limits<double>::infinity();
-    int m_most, m_count = 0;
+    LatestChanges m_changes;
+    bool m_gained = true;
+    int m_order, m_most, m_unfollowed = 0;
 };
 
 /// A run that follows the swings, and how far it may be off itself, relative to the motion.
@@ -126,11 +121,7 @@ struct FollowedRun {
     Trajectory frames;
     double error;
 
-    double errorOf(const HalvedRuns& runs) const {
-        const std::optional<double> difference = changeBetween(runs.frames(), frames);
-        if (!difference) refuseTimes(runs.outcome().timeStep);
-        return *difference + error;
-    }
+    double errorOf(const HalvedRuns& runs) const { return changeBetween(runs.frames(), frames) + error; }
 };
 
 class AccuracySearch {
@@ -143,20 +134,21 @@ public:
     AccurateOutcome search(const NewFrameSink& newSink,
                            double mostSteps = std::numeric_limits<double>::infinity()) const {
         HalvedRuns runs(m_run, newSink, m_progress);
-        VainHalvings halvings(m_run.settings.precision);
+        VainHalvings halvings(m_run.settings, runs.outcome());
         for (int halving = 1; halving <= mostHalvings; ++halving) {
             if (2.0 * static_cast<double>(runs.outcome().steps) > mostSteps) break;
             const std::optional<double> change = runs.halve();
             if (!change) continue;
-            const double error = remainingError(*change, halvings.last());
+            halvings.add(*change);
+            const double error = halvings.remaining();
             const bool hides = hidesSwings(m_swings, runs.outcome().integrator, 2 * runs.outcome().timeStep,
                                            m_run.scene.duration);
             if (error <= m_mostError && !hides) return {runs.outcome(), error};
             // An explicit one soon follows them itself.
-            const bool gains = *change <= leastGain * halvings.last();
-            if (hides && !isExplicit(runs.outcome().integrator) && (error <= m_mostError || !gains))
+            if (hides && !isExplicit(runs.outcome().integrator) &&
+                (error <= m_mostError || !halvings.gained()))
                 return withSwings(runs, error, newSink);
-            if (halvings.isInVain(*change)) break;
+            if (halvings.isInVain()) break;
         }
         if (!runs.outcome().stable)
             throw InvalidModel("at no step down to " + numberText(runs.outcome().timeStep) +

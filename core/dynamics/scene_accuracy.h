@@ -19,8 +19,7 @@ using NewFrameSink = std::function<FrameSink()>;
 /// left, estimated from what halving changed at some of the recorded times, is at most `mostError`. Where
 /// halving cannot tell, because the steps damp swings away, the error is that against a run that follows
 /// them; `Auto` then becomes the integrator of that run.
-/// @throws InvalidModel as runScene(), when no step comes as near as that, and when no recorded time is met
-/// by a step and by its half; Cancelled
+/// @throws InvalidModel as runScene(), and when no step comes as near as that; Cancelled
 AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const NewFrameSink& newSink,
                                 const Progress& progress = {});
 

@@ -1,10 +1,13 @@
 #include "core/dynamics/scene_run.h"
 
-#include "core/dynamics/spring_system.h"
+#include "core/dynamics/energy_watch.h"
+#include "core/dynamics/scene_loads.h"
 #include "core/dynamics/stability.h"
+#include "core/dynamics/timeline.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -24,48 +27,40 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Steps are counted, not added up; a step that misses a time by rounding alone reaches it.
-double stepReaching(double time, double timeStep) {
-    return std::max(0.0, std::ceil(time / timeStep - 1e-6));
-}
-
-/// @throws InvalidModel when there are more than can be run
-std::size_t stepsOf(const Scene& scene, double timeStep) {
-    const double steps = std::max(1.0, stepReaching(scene.duration, timeStep));
-    if (steps > mostSteps)
-        throw InvalidModel("duration: " + numberText(scene.duration) + " s in steps of " +
-                           numberText(timeStep) + " s are more steps than can be run, " +
-                           numberText(mostSteps) + "; shorten the duration or lengthen the step");
-    return static_cast<std::size_t>(steps);
+/// @throws InvalidModel when there are more steps than can be run
+void requireRunnable(const Scene& scene, double timeStep) {
+    if (!(scene.duration / timeStep > mostSteps)) return;
+    throw InvalidModel("duration: " + numberText(scene.duration) + " s in steps of " + numberText(timeStep) +
+                       " s are more steps than can be run, " + numberText(mostSteps) +
+                       "; shorten the duration or lengthen the step");
 }
 
 class Recorder {
 public:
     Recorder(const Scene& scene, double timeStep, FrameSink sink)
-        : m_scene(scene), m_timeStep(timeStep), m_last(stepsOf(scene, timeStep)), m_sink(std::move(sink)) {}
+        : m_scene(scene), m_timeStep(timeStep), m_sink(std::move(sink)) {}
 
-    std::size_t lastStep() const { return m_last; }
-
-    /// Hands out the state after so many steps when a frame is due, or when it is the last there will be.
-    void offer(std::size_t step, const Simulation& simulation, bool last) {
-        const bool isDue = static_cast<double>(step) >= m_next;
-        if (!isDue && step != m_last && !(last && step > m_given)) return;
-        if (m_sink) m_sink(simulation.time(), recorded(simulation.positions()));
-        m_given = step;
-        if (isDue) m_next = dueAfter(step);
+    /// Hands out the state at a time when a frame is due, or when it is the last there will be.
+    void offer(double time, const Simulation& simulation, bool last) {
+        const bool isDue = time >= m_due;
+        if (!isDue && !(last && time > m_given)) return;
+        if (m_sink) m_sink(time, recorded(simulation.positions()));
+        m_given = time;
+        if (isDue) m_due = dueAfter(time);
     }
 
-    /// How many more steps until something is to be handed out.
-    std::size_t stepsUntilDue(std::size_t step) const {
-        const double due = std::min(m_next, static_cast<double>(m_last));
-        return static_cast<std::size_t>(std::max(1.0, due - static_cast<double>(step)));
-    }
+    /// s, when the next frame is to be handed out.
+    double due() const { return m_due; }
 
 private:
-    /// The step at which the next frame is due: each one when frames follow faster than steps.
-    double dueAfter(std::size_t step) {
-        if (m_scene.record.every <= m_timeStep) return static_cast<double>(step) + 1;
-        return stepReaching(++m_frame * m_scene.record.every, m_timeStep);
+    /// A step that misses a time by rounding alone reaches it. Each is due when frames follow faster than
+    /// steps.
+    double dueAfter(double time) {
+        constexpr double rounding = 1e-6;
+        const double every = m_scene.record.every;
+        if (every <= m_timeStep) return std::nextafter(time, noStepLimit);
+        m_frame = std::max(m_frame + 1, std::floor((time + rounding * m_timeStep) / every) + 1);
+        return m_frame * every - rounding * m_timeStep;
     }
 
     Vectors recorded(const Vectors& positions) const {
@@ -77,59 +72,103 @@ private:
     }
 
     const Scene& m_scene;
-    double m_timeStep;
-    std::size_t m_last, m_given = 0;
-    double m_next = 0, m_frame = 0; ///< whole numbers; may be beyond any step
+    double m_timeStep;                          ///< s
+    double m_due = 0, m_given = 0, m_frame = 0; ///< s, s, a whole number; may be beyond any time
     FrameSink m_sink;
 };
 
-/// For how many steps the loads stay as they are, up to `most`. Only explicit steps are short enough to be
-/// worth taking together.
-std::size_t steadySteps(const Scene& scene, const Simulation& simulation, std::size_t most) {
+/// How many whole steps may be taken together. Only explicit ones are short enough to be worth it, under
+/// loads that stay as they are.
+std::size_t mostTogether(const Scene& scene, const Simulation& simulation) {
     if (!isExplicit(simulation.integrator()) || !scene.moves.empty() || scene.instrument) return 1;
-    double until = noStepLimit;
-    for (const NodeForce& force : scene.forces)
-        for (const double change : {force.from, force.to})
-            if (change > simulation.time()) until = std::min(until, change);
-    const double steps = std::floor((until - simulation.time()) / simulation.timeStep());
-    return steps >= static_cast<double>(most) ? most : static_cast<std::size_t>(std::max(1.0, steps));
+    return static_cast<std::size_t>(mostAtOnce / std::max(simulation.activeFraction(), 1e-3));
 }
 
 /// How many of the steps were taken; failure() says why not all.
-std::size_t stepsTaken(Simulation& simulation, const Loads& loads, std::size_t wanted) {
+std::size_t stepsTaken(Simulation& simulation, const Loads& loads, const TimeSpan& span) {
     try {
-        return simulation.advance(loads, wanted);
+        if (span.isWhole) return simulation.advance(loads, span.steps);
+        return simulation.stepTo(span.end, loads) ? 1 : 0;
     } catch (const InvalidModel&) {
         return 0;
     }
 }
 
+double lengthOf(const TimeSpan& span) {
+    return (span.end - span.start) / static_cast<double>(span.steps);
+}
+
+void count(const TimeSpan& span, std::size_t taken, SceneOutcome& outcome) {
+    outcome.steps += taken;
+    if (taken == 0 || span.isWhole) return;
+    ++outcome.cutSteps;
+    outcome.shortestStep = std::min(outcome.shortestStep, lengthOf(span));
+}
+
+/// Takes steps on trial: holds the energy after them against the work of their loads.
+class WatchedRun {
+public:
+    explicit WatchedRun(const Simulation& simulation, const SimulationSettings& settings)
+        : m_simulation(simulation), m_watch(simulation.system(), settings, simulation.motion()) {}
+
+    void begin() {
+        m_before = m_simulation.motion();
+        m_contactWork = m_simulation.contactWork();
+    }
+    /// Why the steps since cannot be right; empty when they can, or when it is not yet time to look.
+    std::string problemAfter(const Loads& loads, const TimeSpan& span, bool isLast) {
+        const WatchedSteps steps{loads,          m_before,   m_simulation.motion(),
+                                 lengthOf(span), span.steps, m_simulation.contactWork() - m_contactWork};
+        m_watch.add(steps);
+        return isLast || m_watch.isDue() ? m_watch.look(steps) : std::string();
+    }
+
+private:
+    const Simulation& m_simulation;
+    EnergyWatch m_watch;
+    Motion m_before;
+    double m_contactWork = 0; ///< J
+};
+
 /// Runs the scene from rest, its instrument standing at its path's start; returns the seconds spent stepping.
 double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& recorder, const Progress& progress,
                    SceneOutcome& outcome) {
     double stepping = 0;
+    SimulationSettings settings = run.settings;
+    settings.integrator = simulation.integrator();
+    WatchedRun watched(simulation, settings);
     Clock::time_point lastReport = Clock::now();
+    const Vectors& rest = run.model.network->restPositions;
+    const TimeDivision division{std::ldexp(simulation.timeStep(), run.halvings), run.halvings};
+    Timeline timeline(run.scene, division, simulation.integrator(), rest.size());
+    outcome.averagedCorners = timeline.averagedCorners();
     if (run.scene.instrument) simulation.placeInstrument(positionAt(run.scene.instrument->path, 0));
     recorder.offer(0, simulation, false);
-    for (outcome.steps = 0; outcome.steps < recorder.lastStep();) {
-        const Loads loads =
-            loadsAt(run.scene, run.model.network->restPositions, simulation.time(), simulation.timeStep());
+    while (!timeline.isAtEnd()) {
+        const TimeSpan span = timeline.next(recorder.due(), mostTogether(run.scene, simulation));
+        Loads loads = loadsDuring(run.scene, rest, span.start, span.end);
+        loads.beginsAnew = span.beginsAnew;
+        watched.begin();
         const Clock::time_point start = Clock::now();
-        const auto most = static_cast<std::size_t>(mostAtOnce / std::max(simulation.activeFraction(), 1e-3));
-        const std::size_t wanted =
-            steadySteps(run.scene, simulation, std::min(most, recorder.stepsUntilDue(outcome.steps)));
-        const std::size_t taken = stepsTaken(simulation, loads, wanted);
+        const std::size_t taken = stepsTaken(simulation, loads, span);
         stepping += secondsSince(start);
-        outcome.steps += taken;
-        outcome.stable = taken == wanted;
+        timeline.advance(span, taken);
+        count(span, taken, outcome);
+        outcome.stable = taken == span.steps;
+        if (!outcome.stable) {
+            outcome.outcome = simulation.failure();
+            recorder.offer(timeline.time(), simulation, true);
+            break;
+        }
+        outcome.outcome = watched.problemAfter(loads, span, timeline.isAtEnd());
+        outcome.stable = outcome.outcome.empty();
         if (!outcome.stable) break;
-        recorder.offer(outcome.steps, simulation, false);
+        recorder.offer(timeline.time(), simulation, timeline.isAtEnd());
         if (secondsSince(lastReport) < progressInterval) continue;
         lastReport = Clock::now();
-        reportProgress(progress,
-                       static_cast<double>(outcome.steps) / static_cast<double>(recorder.lastStep()));
+        reportProgress(progress, timeline.time() / run.scene.duration);
     }
-    if (!outcome.stable) recorder.offer(outcome.steps, simulation, true);
+    outcome.simulatedSeconds = timeline.time();
     return stepping;
 }
 
@@ -157,17 +196,9 @@ double bestOfRepeats(const SceneRun& run, Simulation& simulation, double seconds
 
 } // namespace
 
-Loads loadsAt(const Scene& scene, const Vectors& rest, double start, double timeStep) {
-    Loads loads;
-    loads.gravity = scene.gravity;
-    const double reached = start + 1e-6 * timeStep, end = start + timeStep;
-    for (const NodeForce& force : scene.forces)
-        if (force.from <= reached && reached < force.to) loads.forces.emplace_back(force.node, force.force);
-    for (const NodeMove& move : scene.moves)
-        loads.held.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
-    if (scene.instrument)
-        loads.instrument = Sphere{positionAt(scene.instrument->path, end), scene.instrument->radius};
-    return loads;
+int orderOfErrors(const SceneOutcome& outcome, Damping damping) {
+    const bool followsAxes = damping == Damping::Isotropic || isExplicit(outcome.integrator);
+    return outcome.averagedCorners == 0 && followsAxes ? orderOf(outcome.integrator) : 1;
 }
 
 SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& given) {
@@ -181,20 +212,22 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     reportProgress(progress, 0);
     const Clock::time_point start = Clock::now();
     SimulationSettings settings = withStep(run);
+    SceneOutcome outcome;
+    outcome.timeStep = std::ldexp(*settings.timeStep, -run.halvings);
+    requireRunnable(run.scene, outcome.timeStep);
+    const double longest = std::ldexp(run.scene.duration, -run.halvings);
+    settings.timeStep = outcome.shortestStep = std::min(outcome.timeStep, longest);
     settings.isWanted = [&] { return progress(done); };
     Simulation simulation(run.model, settings, run.scene.instrument ? run.surface : TouchedSurface());
-    SceneOutcome outcome;
     outcome.setupSeconds = secondsSince(start);
     outcome.integrator = simulation.integrator();
-    outcome.timeStep = simulation.timeStep();
 
-    Recorder recorder(run.scene, outcome.timeStep, sink);
+    Recorder recorder(run.scene, simulation.timeStep(), sink);
     outcome.wallSeconds = stepThrough(run, simulation, recorder, progress, outcome);
-    outcome.simulatedSeconds = simulation.time();
     outcome.energy = simulation.energy();
     outcome.activeFraction = simulation.activeFraction();
     outcome.touched = simulation.wasTouched();
-    outcome.outcome = outcome.stable ? "completed" : simulation.failure();
+    if (outcome.stable) outcome.outcome = "completed";
     if (outcome.stable) outcome.wallSeconds = bestOfRepeats(run, simulation, outcome.wallSeconds);
     reportProgress(progress, 1);
     return outcome;

@@ -7,18 +7,16 @@
 
 namespace esm {
 
-/// The scene's loads during the step of length `timeStep` that starts at `start`, s. `rest` are the nodes'
-/// rest positions, m.
-Loads loadsAt(const Scene& scene, const std::vector<Eigen::Vector3d>& rest, double start, double timeStep);
-
 /// Receives the recorded nodes' positions at 0, every, 2·every, … and the duration, each at the first step
 /// that reaches the time.
 using FrameSink = std::function<void(double time, const std::vector<Eigen::Vector3d>& positions)>;
 
 struct SceneOutcome {
     Integrator integrator = Integrator::Auto;
-    double timeStep = 0; ///< s
-    std::size_t steps = 0;
+    double timeStep = 0;                 ///< s, nominal, halved as often as was asked
+    std::size_t steps = 0, cutSteps = 0; ///< taken; those of another length
+    double shortestStep = 0;             ///< s, that was taken
+    std::size_t averagedCorners = 0;     ///< where loads begin, end or turn inside a step: as Timeline says
     double setupSeconds = 0, wallSeconds = 0, simulatedSeconds = 0;
     bool stable = true;
     std::string outcome;       ///< "completed", or why the run stopped
@@ -27,12 +25,18 @@ struct SceneOutcome {
     bool touched = false;      ///< the instrument touched what can move
 };
 
+/// To which power of the step errors are sure to fall. Where a mean stands in for a corner of a load, they
+/// depend on where in its step that lies, which each halving changes; axial damping is taken along where the
+/// springs lie at a step's beginning by what solves.
+int orderOfErrors(const SceneOutcome& outcome, Damping damping);
+
 /// What is run, and how.
 struct SceneRun {
     const TissueModel& model;
     const TouchedSurface& surface; ///< what an instrument touches; may be empty
     const Scene& scene;
     SimulationSettings settings = {};
+    int halvings = 0; ///< of the settings' step, and of every step that is cut, as Timeline says
 };
 
 /// Runs a scene from rest. A run that diverges, or comes to a step that cannot be computed, ends with its

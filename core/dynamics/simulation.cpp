@@ -63,7 +63,8 @@ struct Simulation::Implementation {
     std::optional<Eigen::Vector3d> instrument; ///< m, centre, where the last step left it
     DivergenceGuard guard;
     std::string failure;
-    bool touched = false; ///< by the instrument, since the start
+    bool touched = false;   ///< by the instrument, since the start
+    double contactWork = 0; ///< J, of it
     std::optional<KeptState> older, younger;
 
     Implementation(const TissueModel& model, const SimulationSettings& given, TouchedSurface touchable)
@@ -83,6 +84,7 @@ struct Simulation::Implementation {
         startTime = 0;
         failure.clear();
         touched = false;
+        contactWork = 0;
         older.reset();
         younger.reset();
         stepper.restart();
@@ -128,21 +130,21 @@ struct Simulation::Implementation {
         return SphereMove{instrument.value_or(sphere->centre), sphere->centre, sphere->radius};
     }
 
-    /// Steps `next` on so many times; says why it cannot be right.
-    std::string advance(Motion& next, const Loads& loads, std::size_t count) {
+    /// Steps `next` on so many times, each by `duration`, s; says why it cannot be right.
+    std::string advance(Motion& next, const Loads& loads, double duration, std::size_t count) {
         const std::optional<SphereMove> sweep = sweepTo(loads.instrument);
-        stepper.steps(next, loads, sweep, count);
+        stepper.steps(next, {loads, sweep, duration, count});
         std::optional<double> way;
         if (sweep && instrument) way = (sweep->to - sweep->from).norm();
         return guard.problemOf({stepper.system(), motion.positions, next.positions, next.velocities, loads,
-                                way, static_cast<double>(count) * chosen.timeStep});
+                                way, static_cast<double>(count) * duration});
     }
 
-    /// False, with the reason, when the state stays as it was.
-    bool take(const Loads& loads, std::size_t count) {
+    /// False, with the reason, when the state stays as it was. The caller moves the time on.
+    bool take(const Loads& loads, double duration, std::size_t count) {
         Motion next = motion;
         try {
-            failure = advance(next, loads, count);
+            failure = advance(next, loads, duration, count);
         } catch (const std::exception& reason) {
             failure = reason.what();
             stepper.restart();
@@ -154,9 +156,9 @@ struct Simulation::Implementation {
         }
         motion = std::move(next);
         touched = touched || stepper.isTouched();
+        contactWork += stepper.contactWork();
         instrument.reset();
         if (loads.instrument) instrument = loads.instrument->centre;
-        steps += count;
         stepsEver += count;
         activeSteps += stepper.activeFraction() * static_cast<double>(count);
         return true;
@@ -190,6 +192,17 @@ const std::string& Simulation::failure() const {
     return m_implementation->failure;
 }
 
+const Motion& Simulation::motion() const {
+    return m_implementation->motion;
+}
+const SpringSystem& Simulation::system() const {
+    return m_implementation->stepper.system();
+}
+
+double Simulation::contactWork() const {
+    return m_implementation->contactWork;
+}
+
 bool Simulation::wasTouched() const {
     return m_implementation->touched;
 }
@@ -215,10 +228,20 @@ std::size_t Simulation::advance(const Loads& loads, std::size_t count) {
         const double worthwhile = judgedTogether / std::max(self.stepper.activeFraction(), 1e-6);
         const auto most = static_cast<std::size_t>(std::min(worthwhile, mostJudgedTogether));
         const std::size_t steps = std::min(together ? most : 1, count - taken);
-        if (!self.take(loads, steps)) return taken;
+        if (!self.take(loads, self.chosen.timeStep, steps)) return taken;
+        self.steps += steps;
         taken += steps;
     }
     return self.failure.empty() ? count : 0;
+}
+
+bool Simulation::stepTo(double time, const Loads& loads) {
+    Implementation& self = *m_implementation;
+    self.failure = problemOf(loads, self.motion.positions.size());
+    if (!self.failure.empty() || !self.take(loads, time - self.time(), 1)) return false;
+    self.startTime = time;
+    self.steps = 0;
+    return true;
 }
 
 void Simulation::placeInstrument(const Eigen::Vector3d& centre) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/dynamics/energy.h"
-#include "core/dynamics/loads.h"
+#include "core/dynamics/motion.h"
 #include "core/dynamics/settings.h"
 #include "core/dynamics/touched_surface.h"
 #include "core/model/tissue_model.h"
@@ -28,6 +28,8 @@ public:
     double time() const;                                    ///< s since the start
     const std::vector<Eigen::Vector3d>& positions() const;  ///< m, one per node
     const std::vector<Eigen::Vector3d>& velocities() const; ///< m/s
+    const Motion& motion() const;                           ///< both
+    const SpringSystem& system() const;                     ///< until setModel()
     Energy energy() const;
 
     /// Advances by one step. When the result is not finite or went farther than the loads can have driven it,
@@ -37,8 +39,14 @@ public:
     /// state before the step stays, and failure() says why
     bool step(const Loads& loads);
     const std::string& failure() const;
+    /// J, what the instrument has done to the tissue since the start.
+    double contactWork() const;
     /// Whether the instrument has touched what can move since the start.
     bool wasTouched() const;
+
+    /// The same with a step of another length, which ends at a later time, s: where a load begins, ends or
+    /// turns between two steps.
+    bool stepTo(double time, const Loads& loads);
 
     /// Advances by up to `count` steps under the same loads; how many were taken. They are judged some at a
     /// time, so that after a failure the state is one of a few steps before. @throws InvalidModel as step()

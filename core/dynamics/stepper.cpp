@@ -4,6 +4,7 @@
 #include "core/dynamics/forces.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace esm {
 
@@ -17,6 +18,7 @@ constexpr std::size_t mostLedByImpulses = 64;
 constexpr std::size_t mostContacts = 256;
 constexpr int mostContactRounds = 3;
 constexpr int mostBranchRounds = 4;       ///< after which all springs are taken for strained
+constexpr std::size_t mostSolvers = 24;   ///< kept; steps cut to ever other lengths ask for ever other ones
 constexpr double contactTolerance = 1e-3; ///< in radii; the rest is projected out
 constexpr double impulseTolerance = 1e-5; ///< in radii
 
@@ -26,6 +28,12 @@ constexpr double smoothChange = 0.5;
 bool isJump(const Eigen::Vector3d& before, const Eigen::Vector3d& now) {
     const double larger = std::max(before.squaredNorm(), now.squaredNorm());
     return (now - before).squaredNorm() > smoothChange * smoothChange * larger;
+}
+
+/// The same for durations that differ by rounding alone.
+long lengthOf(double duration) {
+    constexpr double parts = 1 << 28;
+    return std::lround(parts * std::log2(duration));
 }
 
 /// The last place given for each node that is free to follow, in the order of nodes.
@@ -51,12 +59,12 @@ void place(const std::vector<HeldNode>& held, Vectors& positions) {
 Stepper::Stepper(SpringSystem system, TouchedSurface surface, const StepperOptions& options,
                  const Stepper* former)
     : m_system(std::move(system)), m_surface(std::move(surface)), m_options(options),
-      m_integrator(options.chosen.integrator), m_timeStep(options.chosen.timeStep),
+      m_integrator(options.chosen.integrator), m_duration(options.chosen.timeStep),
       m_free(m_system.fixed, former ? former->m_free.factoriser : std::make_shared<MatrixFactoriser>()),
       m_led(m_system.fixed, former ? former->m_led.factoriser : std::make_shared<MatrixFactoriser>()),
       m_strained(m_system), m_scheme(makeScheme(former)) {
-    if (std::holds_alternative<MatrixScheme>(m_scheme)) solverFor(1, false);
-    if (hasSecondOrderForm(m_integrator)) solverFor(1, true);
+    if (std::holds_alternative<MatrixScheme>(m_scheme)) solverFor(m_duration, false);
+    if (hasSecondOrderForm(m_integrator)) solverFor(m_duration, true);
 }
 
 bool Stepper::canTakeScheme(const Stepper& former) const {
@@ -105,34 +113,38 @@ bool Stepper::touchesNothing(const Loads& loads) const {
     return isExplicit(m_integrator) && loads.held.empty() && (!loads.instrument || m_surface.empty());
 }
 
-void Stepper::steps(Motion& motion, const Loads& loads, const std::optional<SphereMove>& sphere,
-                    std::size_t count) {
-    if (!m_lastLoads || m_lastLoads->gravity != loads.gravity || m_lastLoads->forces != loads.forces)
+void Stepper::steps(Motion& motion, const Request& request) {
+    const Loads& loads = request.loads;
+    if (!m_lastLoads || m_lastLoads->gravity != loads.gravity || m_lastLoads->forces != loads.forces ||
+        lengthOf(m_duration) != lengthOf(request.duration) || loads.beginsAnew)
         forgetSteps();
+    m_duration = request.duration;
     m_touched = false;
+    m_contactWork = 0;
     if (touchesNothing(loads)) {
-        explicitSteps({m_timeStep, &loads, {}}, count, motion, motion);
+        explicitSteps({m_duration, &loads, {}}, request.count, motion, motion);
     } else {
-        for (const Piece& piece : piecesOf(motion, loads, sphere))
+        for (const Piece& piece : piecesOf(motion, request))
             advance(motion, piece);
     }
     m_lastLoads = loads;
 }
 
-std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Loads& loads,
-                                              const std::optional<SphereMove>& sphere) const {
+std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Request& request) const {
+    const Loads& loads = request.loads;
+    const double duration = request.duration;
     const std::vector<HeldNode> held = movable(loads.held, m_system.fixed);
-    if (!sphere || m_surface.empty()) return {{{m_timeStep, &loads, held}, 1, {}}};
+    if (!request.sphere || m_surface.empty()) return {{{duration, &loads, held}, true, {}}};
     Vectors velocities = motion.velocities;
-    leadHeldNodes({m_timeStep, &loads, held}, motion.positions, velocities);
-    const int parts = contactParts(m_surface, motion.positions, velocities, *sphere, m_timeStep);
+    leadHeldNodes({duration, &loads, held}, motion.positions, velocities);
+    const int parts = contactParts(m_surface, motion.positions, velocities, *request.sphere, duration);
 
     std::vector<Piece> pieces;
-    const auto& [from, to, radius] = *sphere;
+    const auto& [from, to, radius] = *request.sphere;
     Eigen::Vector3d reached = from;
     for (int part = 1; part <= parts; ++part) {
         const double fraction = static_cast<double>(part) / parts;
-        Piece piece{{m_timeStep / parts, &loads, held}, parts, {}};
+        Piece piece{{duration / parts, &loads, held}, parts == 1, {}};
         for (HeldNode& node : piece.input.held) {
             const Eigen::Vector3d& start = motion.positions[node.node];
             if (part < parts) node.position = start + fraction * (node.position - start);
@@ -148,13 +160,15 @@ void Stepper::advance(Motion& motion, const Piece& piece) {
     prescribe(piece.input.held);
     if (hasBranches() && m_strained.follow(m_system, motion.positions)) forgetBranches();
     auto* const scheme = std::get_if<MatrixScheme>(&m_scheme);
-    const bool standsAlone = piece.parts > 1 || (!scheme && !piece.input.held.empty());
+    const bool standsAlone = !piece.isWhole || (!scheme && !piece.input.held.empty());
     if (jumps(piece.input, motion.positions) || standsAlone) forgetSteps();
     UntouchedStep untouched = untouchedStep(motion, piece);
     const bool touched = touches(motion, piece, untouched.motion.positions);
     m_touched = m_touched || touched;
     if (touched && scheme && scheme->canBuild()) untouched = firstOrderStep(motion, piece);
+    if (touched) m_contactWork -= energy(m_system, untouched.motion).total();
     Motion next = touched ? madeWay(motion, piece, std::move(untouched)) : std::move(untouched.motion);
+    if (touched) m_contactWork += energy(m_system, next).total();
 
     std::swap(motion, next);
     if (touched || standsAlone)
@@ -189,7 +203,8 @@ UntouchedStep Stepper::untouchedStep(const Motion& motion, const Piece& piece) {
     UntouchedStep untouched;
     if (auto* scheme = std::get_if<MatrixScheme>(&m_scheme)) {
         if (scheme->canBuild())
-            if (auto step = scheme->step(m_system, piece.input, motion, solverFor(1, true), true)) {
+            if (auto step = scheme->step(m_system, piece.input, motion, solverFor(piece.input.duration, true),
+                                         true)) {
                 place(piece.input.held, step->motion.positions);
                 return std::move(*step);
             }
@@ -205,8 +220,8 @@ UntouchedStep Stepper::untouchedStep(const Motion& motion, const Piece& piece) {
 // than its law does: only then is the step sure not to overshoot.
 UntouchedStep Stepper::branchStep(const Motion& motion, const Piece& piece) {
     for (int round = 0;; ++round) {
-        UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(m_system, piece.input, motion,
-                                                                    branchSolverFor(piece.parts), false);
+        UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(
+            m_system, piece.input, motion, branchSolverFor(piece.input.duration), false);
         place(piece.input.held, step.motion.positions);
         if (!m_strained.add(m_system, step.motion.positions)) return step;
         if (round == mostBranchRounds) m_strained.addAll();
@@ -216,8 +231,8 @@ UntouchedStep Stepper::branchStep(const Motion& motion, const Piece& piece) {
 
 UntouchedStep Stepper::firstOrderStep(const Motion& motion, const Piece& piece) {
     if (m_integrator == Integrator::Projective && hasBranches()) return branchStep(motion, piece);
-    UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(m_system, piece.input, motion,
-                                                                solverFor(piece.parts, false), false);
+    UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(
+        m_system, piece.input, motion, solverFor(piece.input.duration, false), false);
     place(piece.input.held, step.motion.positions);
     return step;
 }
@@ -238,7 +253,7 @@ bool Stepper::touches(const Motion& motion, const Piece& piece, const Vectors& n
 // surface came to lie, and those that were found since: nothing is pushed twice.
 Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched) {
     const double h = piece.input.duration;
-    StepSolver& solver = hasBranches() ? branchSolverFor(piece.parts) : solverFor(piece.parts, false);
+    StepSolver& solver = hasBranches() ? branchSolverFor(h) : solverFor(h, false);
     if (untouched.half.empty()) solver.matrix.multiplyUpper(untouched.motion.velocities, untouched.half);
     const SphereMove& sphere = *piece.sphere;
     const std::vector<char> stays = immovable(piece);
@@ -272,27 +287,29 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
     return next;
 }
 
-StepSolver& Stepper::solverFor(int parts, bool builds) {
+StepSolver& Stepper::solverFor(double duration, bool builds) {
     auto& [prescribed, factoriser, linear, branches] = solvers();
-    std::unique_ptr<StepSolver>& solver = linear[{parts, builds}];
-    if (!solver)
-        solver = std::make_unique<StepSolver>(StepMatrix(
-            m_system, stepFactors(m_integrator, m_timeStep / parts, builds), prescribed, *factoriser));
-    return *solver;
+    const std::pair key(lengthOf(duration), builds);
+    if (const auto known = linear.find(key); known != linear.end()) return *known->second;
+    if (linear.size() >= mostSolvers) linear.clear();
+    auto solver = std::make_unique<StepSolver>(
+        StepMatrix(m_system, stepFactors(m_integrator, duration, builds), prescribed, *factoriser));
+    return *(linear[key] = std::move(solver));
 }
 
 bool Stepper::hasBranches() const {
-    return m_strained.canChange() && stepFactors(m_integrator, m_timeStep, false).stiffness > 0;
+    return m_strained.canChange() && stepFactors(m_integrator, m_duration, false).stiffness > 0;
 }
 
-StepSolver& Stepper::branchSolverFor(int parts) {
+StepSolver& Stepper::branchSolverFor(double duration) {
     auto& [prescribed, factoriser, linear, branches] = solvers();
-    std::unique_ptr<StepSolver>& solver = branches[parts];
-    if (!solver)
-        solver = std::make_unique<StepSolver>(StepMatrix(m_strained.linearised(m_system),
-                                                         stepFactors(m_integrator, m_timeStep / parts, false),
-                                                         prescribed, *factoriser));
-    return *solver;
+    const long key = lengthOf(duration);
+    if (const auto known = branches.find(key); known != branches.end()) return *known->second;
+    if (branches.size() >= mostSolvers) branches.clear();
+    auto solver = std::make_unique<StepSolver>(StepMatrix(m_strained.linearised(m_system),
+                                                          stepFactors(m_integrator, duration, false),
+                                                          prescribed, *factoriser));
+    return *(branches[key] = std::move(solver));
 }
 
 void Stepper::forgetBranches() {

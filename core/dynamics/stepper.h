@@ -32,10 +32,15 @@ public:
 
     const SpringSystem& system() const { return m_system; }
 
-    /// Takes so many steps under the same loads. Precondition: the loads name nodes of the system; one step
-    /// at a time when they touch something. `sphere` is the instrument's way, if there is one.
-    void steps(Motion& motion, const Loads& loads, const std::optional<SphereMove>& sphere,
-               std::size_t count);
+    /// What is stepped at once.
+    struct Request {
+        const Loads& loads;                      ///< they name nodes of the system
+        const std::optional<SphereMove>& sphere; ///< the instrument's way, if there is one
+        double duration;                         ///< s, of each step
+        std::size_t count;                       ///< 1 when the loads touch something
+    };
+    /// Takes so many steps under the same loads. One of another length than the one before begins anew.
+    void steps(Motion& motion, const Request& request);
 
     /// Whether steps are explicit and nothing is led or pushed.
     bool touchesNothing(const Loads& loads) const;
@@ -43,6 +48,8 @@ public:
     /// Share of the nodes that the last steps were computed for.
     double activeFraction() const;
 
+    /// J, what the sphere did to the tissue in the last step.
+    double contactWork() const { return m_contactWork; }
     /// Whether the sphere touched in the last step.
     bool isTouched() const { return m_touched; }
 
@@ -61,11 +68,10 @@ private:
     /// A part of a step in which neither instrument nor tissue moves far.
     struct Piece {
         StepInput input;
-        int parts; ///< the step's duration over this one's
+        bool isWhole; ///< the step in one piece
         std::optional<SphereMove> sphere;
     };
-    std::vector<Piece> piecesOf(const Motion& motion, const Loads& loads,
-                                const std::optional<SphereMove>& sphere) const;
+    std::vector<Piece> piecesOf(const Motion& motion, const Request& request) const;
     void advance(Motion& motion, const Piece& piece);
     /// Whether led nodes change their velocities by more than smooth ways do. Takes note of them.
     bool jumps(const StepInput& input, const Vectors& positions);
@@ -80,26 +86,28 @@ private:
     Motion madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched);
     std::vector<char> immovable(const Piece& piece) const;
     bool touches(const Motion& motion, const Piece& piece, const Vectors& next) const;
-    StepSolver& solverFor(int parts, bool builds);
+    /// @param duration s, of the step or the part of it that is solved for
+    StepSolver& solverFor(double duration, bool builds);
     /// Whether the matrix depends on what is strained.
     bool hasBranches() const;
     /// Each spring as stiff as on its branch; what is never strained far is as if its law were linear.
-    StepSolver& branchSolverFor(int parts);
+    StepSolver& branchSolverFor(double duration);
     void prescribe(const std::vector<HeldNode>& held);
 
     SpringSystem m_system;
     TouchedSurface m_surface;
     StepperOptions m_options;
     Integrator m_integrator;
-    double m_timeStep; ///< s
+    double m_duration; ///< s, of the last step
     bool m_touched = false;
+    double m_contactWork = 0; ///< J
 
     /// The matrices of the tissue with some nodes prescribed.
     struct Solvers {
         std::vector<char> prescribed;
         std::shared_ptr<MatrixFactoriser> factoriser; ///< one stepper after the other has it
-        std::map<std::pair<int, bool>, std::unique_ptr<StepSolver>> linear; ///< by parts and form
-        std::map<int, std::unique_ptr<StepSolver>> branches;                ///< by parts
+        std::map<std::pair<long, bool>, std::unique_ptr<StepSolver>> linear; ///< by length and form
+        std::map<long, std::unique_ptr<StepSolver>> branches;                ///< by length
 
         Solvers(std::vector<char> nodes, std::shared_ptr<MatrixFactoriser> used)
             : prescribed(std::move(nodes)), factoriser(std::move(used)) {}

@@ -142,11 +142,13 @@ private:
         return ways;
     }
 
-    Measured run(const Stepping& stepping, double duration, double mostSeconds) {
+    /// @param halvings of the step and of all that it is cut to
+    Measured run(const Stepping& stepping, int halvings, double duration, double mostSeconds) {
         Scene scene = m_level->run.scene;
         scene.duration = duration;
         scene.record.every = std::max(m_interval, stepping.timeStep);
         SimulationSettings settings = withStepping({}, stepping);
+        settings.timeStep = std::ldexp(stepping.timeStep, halvings);
         settings.damping = m_options.damping;
         settings.threads = m_options.threads;
         Measured measured;
@@ -165,7 +167,7 @@ private:
         };
         try {
             measured.outcome =
-                runScene({m_level->run.model, m_level->run.surface, scene, settings}, keep, goesOn);
+                runScene({m_level->run.model, m_level->run.surface, scene, settings, halvings}, keep, goesOn);
         } catch (const Cancelled&) {
             if (!measured.isOverTime) throw;
             measured.problem = "took longer than the " + numberText(mostSeconds) + " s that it may";
@@ -175,10 +177,10 @@ private:
 
     /// A run of all of the scene, where it does not take longer than it may, as is forecast from some steps
     /// at the start.
-    Measured wholeRun(const Stepping& stepping, double mostSeconds) {
+    Measured wholeRun(const Stepping& stepping, double mostSeconds, int halvings = 0) {
         constexpr double steps = 4;
         try {
-            Measured start = run(stepping, steps * stepping.timeStep, mostSeconds);
+            Measured start = run(stepping, 0, steps * stepping.timeStep, mostSeconds);
             if (!start.problem.empty()) return start;
             const double seconds =
                 start.outcome.wallSeconds / steps * m_run.scene.duration / stepping.timeStep;
@@ -188,7 +190,7 @@ private:
                         "would take " + numberText(seconds, 2) + " s, more than the " +
                             numberText(mostSeconds) + " s that it may",
                         true};
-            return run(stepping, m_run.scene.duration, mostSeconds);
+            return run(stepping, halvings, m_run.scene.duration, mostSeconds);
         } catch (const InvalidModel& reason) {
             return {{}, {}, joined(reason.problems(), "; "), false};
         }
@@ -228,7 +230,7 @@ private:
         m_reference.clear();
         for (int runs = 0; runs < mostReferenceRuns; ++runs, stepping.timeStep /= 2) {
             m_part = {part.from + part.share * runs / mostReferenceRuns, part.share / mostReferenceRuns};
-            Measured finer = wholeRun(stepping, patience);
+            Measured finer = wholeRun(stepping, patience, runs);
             if (finer.problem.empty() && !finer.outcome.stable) finer.problem = finer.outcome.outcome;
             if (!finer.problem.empty()) {
                 if (finer.isOverTime || hasReference()) return finer.problem;
@@ -237,7 +239,7 @@ private:
                 continue;
             }
             if (!m_reference.empty()) {
-                changes.add(changeTo(finer.trajectory));
+                changes.add(changeTo(finer.trajectory), orderOfErrors(finer.outcome, m_options.damping));
                 const bool hides =
                     hidesSwings(swings, integrator, 2 * stepping.timeStep, m_run.scene.duration);
                 m_result.reference = {stepping, changes.remaining(), hides};

@@ -26,6 +26,21 @@ std::string integratorNames() {
     return list;
 }
 
+int orderOf(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::Rk4:
+    case Integrator::AdamsMoulton:
+        return 4;
+    case Integrator::Verlet:
+    case Integrator::Heun:
+    case Integrator::Bdf2:
+    case Integrator::Split2:
+        return 2;
+    default:
+        return 1;
+    }
+}
+
 bool isExplicit(Integrator integrator) {
     switch (integrator) {
     case Integrator::Euler:

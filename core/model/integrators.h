@@ -54,6 +54,8 @@ std::optional<Integrator> integratorFromName(const std::string& name);
 /// "auto, euler, verlet, …"
 std::string integratorNames();
 
+/// To which power of the step the error of smooth motion falls.
+int orderOf(Integrator integrator);
 /// Nothing but evaluations of the acceleration.
 bool isExplicit(Integrator integrator);
 /// The same of what `Auto` may become.

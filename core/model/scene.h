@@ -24,7 +24,7 @@ struct TetherRule {
 struct NodeForce {
     std::uint32_t node;
     Eigen::Vector3d force; ///< N
-    double from, to;       ///< s; acts for from ≤ t < to, t being the step's start
+    double from, to;       ///< s; acts for from ≤ t < to
 };
 
 struct PathPoint {

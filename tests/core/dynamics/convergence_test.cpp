@@ -1,6 +1,7 @@
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/scene_run.h"
 #include "tests/support/every_integrator.h"
 #include "tests/support/motion_difference.h"
+#include "tests/support/reference_motion.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -35,21 +36,6 @@ double oscillatorError(Integrator integrator, double damping, int steps) {
     for (int i = 0; i < steps; ++i)
         EXPECT_TRUE(simulation.step(loads));
     return std::abs(simulation.positions()[1].x() - 1 - analytic(1, 20, damping, 1, 1));
-}
-
-int orderOf(Integrator integrator) {
-    switch (integrator) {
-    case Integrator::Rk4:
-    case Integrator::AdamsMoulton:
-        return 4;
-    case Integrator::Verlet:
-    case Integrator::Heun:
-    case Integrator::Bdf2:
-    case Integrator::Split2:
-        return 2;
-    default:
-        return 1;
-    }
 }
 
 TEST_P(Convergence, ToTheAnalyticOscillatorIsOfItsOrder) {
@@ -127,6 +113,35 @@ TEST_P(Convergence, IsOfItsOrderOrTheSecondWhileNodesAreLed) {
         EXPECT_LT(fine, order == 1 ? 0.02 : 2e-4);
         EXPECT_GT(std::log2(coarse / fine), order - 0.2);
     }
+}
+
+/// A scene whose forces and led node begin, end and turn between steps of any length.
+Scene sceneBetweenSteps() {
+    Scene scene;
+    scene.duration = 0.1;
+    scene.record.every = 0.1;
+    scene.forces = {{10, {0.01, 0, 0.03}, 0.01713, 0.06127}, {9, {0, 0, -0.1}, 0.03331, 0.03634}};
+    scene.moves = {
+        {15, {{0.00911, {0, 0, 0}}, {0.04007, {0.002, 0.004, 0.01}}, {0.07301, {0.004, 0, 0.01}}}}};
+    return scene;
+}
+
+TEST_P(Convergence, IsOfItsOrderWhereLoadsBeginEndAndTurnBetweenSteps) {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(4, 0.1), {10, 0.05, 0.001});
+    model.fixedNodes = {0, 1, 2, 3};
+    const Scene scene = sceneBetweenSteps();
+    static const reference::ExactMotion exact = reference::exactMotion({model, scene}, {scene.duration});
+    const auto error = [&](double timeStep) {
+        Vectors reached;
+        runScene({model, {}, scene, withStep(GetParam(), timeStep)},
+                 [&](double, const Vectors& positions) { reached = positions; });
+        return motionDifference(reached, exact.places.front(), model.network->restPositions);
+    };
+    // Adams-Moulton is Runge-Kutta while a node is led.
+    const int order = orderOf(GetParam());
+    const double coarse = error(order < 4 ? 5e-4 : 2e-3), fine = error(order < 4 ? 1.25e-4 : 5e-4);
+    EXPECT_LT(fine, order == 1 ? 0.02 : 3e-4);
+    EXPECT_GT(std::log2(coarse / fine) / 2, order - 0.3);
 }
 
 } // namespace

@@ -57,19 +57,23 @@ TEST(ComparedFrames, AreThoseOfWholeIntervals) {
 }
 
 TEST(RemainingError, FollowsHowMuchHalvingGains) {
-    EXPECT_DOUBLE_EQ(remainingError(0.1, none), 0.9);    // it may gain little
-    EXPECT_DOUBLE_EQ(remainingError(0.1, 0.2), 0.1);     // first order
-    EXPECT_DOUBLE_EQ(remainingError(0.1, 0.4), 0.1 / 3); // second
-    EXPECT_DOUBLE_EQ(remainingError(0.1, 10), 0.1 / 3);  // none that could be relied on
-    EXPECT_DOUBLE_EQ(remainingError(0.1, 0.1), 0.9);     // none at all
-    EXPECT_DOUBLE_EQ(remainingError(0.1, 0.01), 0.9);
-    EXPECT_EQ(remainingError(0, 0), 0);
+    EXPECT_DOUBLE_EQ(remainingError({0.1}, 2), 0.9);                // it may gain little
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.2}, 2), 0.1);           // first order
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4}, 2), 0.1);           // second, but that may be luck
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 1.6}, 2), 0.1 / 3);  // second
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 0.8}, 2), 0.1);      // by fits and starts
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 10, 40}, 2), 0.1);        // luck
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 1.6, 25.6}, 4), 0.1 / 3); // fourth, of which no more is believed
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.1}, 2), 0.9);           // none at all
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.01, 1}, 2), 0.9);
+    EXPECT_EQ(remainingError({0, 0, 0}, 2), 0);
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 1.6}, 1), 0.1); // more than the first order can gain
 }
 
 TEST(HalvingChanges, ExtrapolateWhatGains) {
     HalvingChanges changes;
     for (const double change : {0.04, 0.02, 0.01})
-        changes.add(change);
+        changes.add(change, 2);
     EXPECT_FALSE(changes.standsStill());
     EXPECT_DOUBLE_EQ(changes.remaining(), 0.01);
 }
@@ -77,12 +81,13 @@ TEST(HalvingChanges, ExtrapolateWhatGains) {
 TEST(HalvingChanges, StandStillWhereTwoGainNothing) {
     HalvingChanges changes;
     for (const double change : {0.04, 0.002, 0.003})
-        changes.add(change);
+        changes.add(change, 2);
     EXPECT_FALSE(changes.standsStill());
-    changes.add(0.0028);
+    changes.add(0.0028, 2);
     EXPECT_TRUE(changes.standsStill());
     EXPECT_DOUBLE_EQ(changes.remaining(), 0.003);
-    changes.add(0.001);
+    for (const double change : {0.001, 0.0003})
+        changes.add(change, 2);
     EXPECT_FALSE(changes.standsStill());
     EXPECT_LT(changes.remaining(), 0.001);
 }
@@ -90,7 +95,7 @@ TEST(HalvingChanges, StandStillWhereTwoGainNothing) {
 TEST(HalvingChanges, DoNotStandStillBeforeStepsFollowTheMotion) {
     HalvingChanges changes;
     for (int halving = 0; halving < 5; ++halving)
-        changes.add(0.5);
+        changes.add(0.5, 2);
     EXPECT_FALSE(changes.standsStill());
     EXPECT_DOUBLE_EQ(changes.remaining(), 4.5);
 }

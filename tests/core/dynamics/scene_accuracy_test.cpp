@@ -2,6 +2,8 @@
 
 #include "core/dynamics/motion_error.h"
 #include "core/support/errors.h"
+#include "tests/support/every_integrator.h"
+#include "tests/support/reference_motion.h"
 #include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
@@ -56,14 +58,17 @@ TEST(SceneAccuracy, RefusesWhatRoundingSpoils) {
     EXPECT_THROW(tube.run(1e-12, settings, ignored), InvalidModel);
 }
 
-TEST(SceneAccuracy, RefusesStepsThatMeetAtNoRecordedTime) {
-    Trajectory ignored;
+TEST(SceneAccuracy, ComparesAtTheEndStepsThatMeetAtNoRecordedTime) {
+    Trajectory rough, exact;
     SimulationSettings settings;
     settings.integrator = Integrator::Split2;
     settings.timeStep = 0.03;
     PulledForAccuracy tube;
     tube.scene.duration = tube.scene.record.every = 0.1;
-    EXPECT_THROW(tube.run(0.5, settings, ignored), InvalidModel);
+    const AccurateOutcome outcome = tube.run(0.5, settings, rough);
+    tube.run(1e-4, {}, exact);
+    EXPECT_GT(outcome.estimatedError, 0);
+    EXPECT_LE(relativeError(rough, exact), outcome.estimatedError);
 }
 
 TEST(SceneAccuracy, HandsTheFramesOnAsTheyCome) {
@@ -98,6 +103,38 @@ TEST(SceneAccuracy, ShortensAStepThatIsTooLong) {
     const AccurateOutcome outcome = tube.run(0.05, settings, ignored);
     EXPECT_TRUE(outcome.outcome.stable);
     EXPECT_LT(outcome.outcome.timeStep, 1e-5);
+}
+
+class SceneAccuracyByEach : public testing::TestWithParam<Integrator> {};
+INSTANTIATE_TEST_SUITE_P(SceneAccuracy, SceneAccuracyByEach, testing::ValuesIn(allIntegrators),
+                         nameOfIntegratorTest);
+
+// 11 N for 0.8 ms on a corner, between two steps of any that is chosen.
+TEST_P(SceneAccuracyByEach, ClaimsNoLessThanTheTrueErrorOfABlow) {
+    const TriangleMesh tetrahedron{{{0, 0, 0}, {0.05, 0, 0}, {0.025, 0.0433, 0}, {0.025, 0.0144, 0.0408}},
+                                   {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    TissueModel model = tissue::fromMesh(tetrahedron, {10, 0.1, 0.0025});
+    model.fixedNodes = {0, 1, 2};
+    Scene scene;
+    scene.duration = 0.2;
+    scene.forces = {{3, {3, 0, 11}, 0.0123, 0.0131}};
+    SimulationSettings settings;
+    settings.integrator = GetParam();
+    std::vector<double> times;
+    std::vector<std::vector<Eigen::Vector3d>> places;
+    const auto newSink = [&]() -> FrameSink {
+        times.clear();
+        places.clear();
+        return [&](double time, const std::vector<Eigen::Vector3d>& positions) {
+            times.push_back(time);
+            places.push_back(positions);
+        };
+    };
+    const AccurateOutcome outcome = runSceneToError({model, {}, scene, settings}, 0.02, newSink);
+    const reference::ExactMotion exact = reference::exactMotion({model, scene}, times);
+    const double error = reference::relativeDifference(places, exact.places, model.network->restPositions);
+    EXPECT_GT(outcome.estimatedError, 0);
+    EXPECT_LE(error, 1.2 * outcome.estimatedError + exact.error);
 }
 
 /// A node of 1 g on a tether without viscosity, with a force from the start on: it swings for ever.
