@@ -101,9 +101,13 @@ bool ParseGuard::key(string_t& key) {
 
 } // namespace
 
-Json parseJson(const char* begin, const char* end) {
+void guardJson(const char* begin, const char* end) {
     ParseGuard guard(begin, end);
     Json::sax_parse(begin, end, &guard);
+}
+
+Json parseJson(const char* begin, const char* end) {
+    guardJson(begin, end);
     return Json::parse(begin, end);
 }
 

@@ -16,6 +16,9 @@ namespace esm {
 /// object names twice, or nested beyond all use
 nlohmann::ordered_json parseJson(const char* begin, const char* end);
 
+/// What parseJson() checks, without the result. @throws InvalidModel
+void guardJson(const char* begin, const char* end);
+
 /// @throws FileError: what readFile() and parseJson() throw
 nlohmann::ordered_json readJsonFile(const std::filesystem::path& file);
 

@@ -25,6 +25,11 @@ constexpr const char* atlasCorners = "atlas/corners.f64";
 constexpr const char* atlasPages = "atlas/pages.u32";
 constexpr const char* brushPoints = "painting/points.f64";
 
+/// Texels per metre that are asked for. In the texture's settings and beside what a packed atlas achieved,
+/// whose key has always been the shorter one.
+constexpr const char* askedOfTexture = "texelsPerMetre";
+constexpr const char* askedOfAtlas = "askedTexelsPerMetre";
+
 /// Bytes after decompression; what claims more is refused instead of filling the memory.
 constexpr std::uint64_t largestManifest = std::uint64_t{64} << 20;
 constexpr std::uint64_t largestProject = std::uint64_t{2} << 30;

@@ -174,17 +174,16 @@ AtlasLayout atlasLayoutFromJson(const JsonReader& reader) {
 }
 
 /// Bounded so that the numbers fit; what they come to together is checked with the whole project.
-AtlasOptions atlasOptionsFromJson(const JsonReader& reader) {
+AtlasOptions atlasOptionsFromJson(const JsonReader& reader, const char* askedKey) {
     return {static_cast<int>(reader.member("size").integer(1, texture_limits::largestPageSize)),
             static_cast<int>(reader.member("pages").integer(1, texture_limits::mostPages)),
             static_cast<int>(reader.member("gap").integer(0, texture_limits::largestPageSize)),
-            atlasLayoutFromJson(reader),
-            reader.has("texelsPerMetre") ? reader.member("texelsPerMetre").number() : 0};
+            atlasLayoutFromJson(reader), reader.has(askedKey) ? reader.member(askedKey).number() : 0};
 }
 
 std::shared_ptr<const Atlas> readAtlas(const JsonReader& reader, const JsonReader& arrays, Source& source) {
     auto atlas = std::make_shared<Atlas>();
-    atlas->options = atlasOptionsFromJson(reader);
+    atlas->options = atlasOptionsFromJson(reader, layout::askedOfAtlas);
     atlas->texelsPerMetre = reader.member("texelsPerMetre").number();
     atlas->utilisation = reader.member("utilisation").number();
     const std::vector<double> c = source.numbers(arrays, layout::atlasCorners, 6);
@@ -293,7 +292,7 @@ Project readContent(const JsonReader& manifest, Source& source) {
     project.scene = readScene(manifest.member("scene"));
     if (manifest.has("stepping")) project.stepping = steppingFromJson(manifest.member("stepping"));
     project.layers = readLayers(manifest.member("photos"), arrays, source);
-    project.texture.atlas = atlasOptionsFromJson(manifest.member("texture"));
+    project.texture.atlas = atlasOptionsFromJson(manifest.member("texture"), layout::askedOfTexture);
     project.texture.baseColour = colourFromJson(manifest.member("texture").member("baseColour"));
     if (manifest.has("atlas")) project.atlas = readAtlas(manifest.member("atlas"), arrays, source);
     return project;

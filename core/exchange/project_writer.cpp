@@ -65,12 +65,12 @@ void addBinding(const Binding& binding, Content& content) {
     content.add(layout::bindingLines, numbers.lines);
 }
 
-Json toJson(const AtlasOptions& options) {
+Json toJson(const AtlasOptions& options, const char* askedKey) {
     Json json{{"size", options.size},
               {"pages", options.pages},
               {"gap", options.gap},
               {"layout", layoutName(options.layout)}};
-    if (options.texelsPerMetre > 0) json["texelsPerMetre"] = options.texelsPerMetre;
+    if (options.texelsPerMetre > 0) json[askedKey] = options.texelsPerMetre;
     return json;
 }
 
@@ -81,7 +81,7 @@ Json addAtlas(const Atlas& atlas, Content& content) {
             corners.insert(corners.end(), {corner.x(), corner.y()});
     content.add(layout::atlasCorners, corners);
     content.add(layout::atlasPages, std::vector<std::uint32_t>(atlas.page.begin(), atlas.page.end()));
-    Json json = toJson(atlas.options);
+    Json json = toJson(atlas.options, layout::askedOfAtlas);
     json["texelsPerMetre"] = atlas.texelsPerMetre;
     json["utilisation"] = atlas.utilisation;
     return json;
@@ -162,7 +162,7 @@ Json manifestOf(const Project& project, Content& content) {
     const bool isBound = project.network->binding.has_value();
     if (isBound) addBinding(*project.network->binding, content);
     RegionsJson regions = toJson(project.regions);
-    Json texture = toJson(project.texture.atlas);
+    Json texture = toJson(project.texture.atlas, layout::askedOfTexture);
     texture["baseColour"] = colourToJson(project.texture.baseColour);
     VersionNeeds needs = needsOf(project.regions, isBound, project.base.stiffening.has_value());
     needs.perspective = std::any_of(project.layers.begin(), project.layers.end(), needsPerspective);
@@ -221,6 +221,15 @@ void refuse(const std::filesystem::path& file, const std::vector<std::string>& p
         throw FileError(file, "was not saved: " + std::string(InvalidModel(problems).what()));
 }
 
+/// Names that differ only in bytes that are no Unicode, for example, would become one key.
+void requireParsable(const std::filesystem::path& file, const std::string& manifest) {
+    try {
+        guardJson(manifest.data(), manifest.data() + manifest.size());
+    } catch (const InvalidModel& error) {
+        refuse(file, error.problems());
+    }
+}
+
 } // namespace
 
 void saveProject(const Project& project, const std::filesystem::path& file) {
@@ -232,6 +241,7 @@ void saveProject(const Project& project, const std::filesystem::path& file) {
     const std::string text = manifest.dump(1, ' ', false, Json::error_handler_t::replace);
     content.entries.front().content.assign(text.begin(), text.end());
     refuse(file, problemsOf(project, manifest, content));
+    requireParsable(file, text);
     writeFileAtomically(file, makeZip(content.entries));
 }
 

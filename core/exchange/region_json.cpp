@@ -35,10 +35,14 @@ Json inputsToJson(const NamedValues& inputs) {
 }
 
 /// A preset's description is left out: programs that know the preset know it, and older ones refuse the key.
+/// One that was emptied is therefore written as such.
 Json systemToJson(const FuzzySystem& system) {
     Json json = esm::toJson(system);
-    if (isFuzzyPreset(system) && system.description == fuzzyPreset(system.name).description)
+    if (!isFuzzyPreset(system)) return json;
+    if (system.description == fuzzyPreset(system.name).description)
         json.erase("description");
+    else
+        json["description"] = system.description;
     return json;
 }
 
@@ -74,7 +78,7 @@ Region regionFromJson(const JsonReader& reader,
 std::shared_ptr<const FuzzySystem> systemFromJson(const JsonReader& reader) {
     try {
         FuzzySystem system = fuzzySystemFromJson(reader.json());
-        if (system.description.empty() && isFuzzyPreset(system))
+        if (!reader.has("description") && isFuzzyPreset(system))
             system.description = fuzzyPreset(system.name).description;
         return std::make_shared<const FuzzySystem>(std::move(system));
     } catch (const InvalidModel& error) {

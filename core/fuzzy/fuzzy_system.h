@@ -57,6 +57,7 @@ bool operator==(const FuzzySystem& one, const FuzzySystem& other);
 /// More than any expert reads; the time of an inference grows with the square of the conclusions.
 inline constexpr std::size_t mostFuzzyRules = 2000;
 inline constexpr std::size_t mostFuzzyConclusions = 4000; ///< of all rules together
+inline constexpr std::size_t mostFuzzyWords = 2000;       ///< inputs, outputs, terms of one of them
 
 /// What to say of more rules than there may be.
 std::string tooManyRules(std::size_t count);

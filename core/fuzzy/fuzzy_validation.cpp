@@ -32,6 +32,10 @@ bool isThere(const FuzzyProposition& proposition, const std::vector<FuzzyVariabl
            proposition.term < variables[proposition.variable].terms.size();
 }
 
+std::string tooManyWords(std::size_t count) {
+    return ": there are " + std::to_string(count) + "; there may be " + std::to_string(mostFuzzyWords);
+}
+
 constexpr const char* notThere = ": speaks of a variable or term that is not there";
 
 /// Goes through a system and notes what is wrong with it.
@@ -77,6 +81,8 @@ private:
 
     void checkVariables(List list) {
         if (variables(list).empty()) add(nameOf(list) + ": there must be at least one");
+        if (const std::size_t count = variables(list).size(); count > mostFuzzyWords)
+            add(nameOf(list) + tooManyWords(count));
         for (std::size_t i = 0; i < variables(list).size(); ++i) {
             checkVariable({list, i}, variables(list)[i]);
             checkIsNew({list, i}, variables(list)[i].name, m_names);
@@ -95,6 +101,8 @@ private:
         if (variable.unit.size() > longestUnit)
             add(part, ".unit: may have " + std::to_string(longestUnit) + " bytes");
         if (variable.terms.empty()) add(part, ".terms: there must be at least one");
+        if (const std::size_t count = variable.terms.size(); count > mostFuzzyWords)
+            add(part, ".terms" + tooManyWords(count));
         std::set<std::string> names;
         for (std::size_t term = 0; term < variable.terms.size(); ++term) {
             part.term = term;

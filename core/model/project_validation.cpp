@@ -94,15 +94,15 @@ Problems photoProblems(const TextureLayer& layer) {
     return problems;
 }
 
-/// Pixels of all photos and prepared pictures together, each counted once however often it is laid.
+/// Pixels of all photos, each counted once however often it is laid, and of what each layer prepares, which
+/// opening the project's file makes for each layer anew.
 std::uint64_t photoPixels(const Project& project) {
     std::set<const Image*> counted;
     std::uint64_t pixels = 0;
     for (const TextureLayer& layer : project.layers) {
         if (layer.photo && counted.insert(&layer.photo->image).second)
             pixels += layer.photo->image.pixels.size() / 4;
-        if (layer.prepared && counted.insert(layer.prepared.get()).second)
-            pixels += layer.prepared->pixels.size() / 4;
+        if (layer.prepared) pixels += layer.prepared->pixels.size() / 4;
     }
     return pixels;
 }

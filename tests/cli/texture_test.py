@@ -114,6 +114,17 @@ class TextureTest(Case):
         self.assertTrue(0.2 < report["utilisation"] < 1)
         self.assertEqual(self.done("info", project)["textures"], 2)
 
+    def test_packs_surfaces_of_less_than_a_micrometre(self):
+        corners = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
+        mesh = "".join("v %g %g %g\n" % tuple(4e-7 * x for x in corner) for corner in corners)
+        mesh += "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+        project = self.file("small.esm")
+        self.done("import", self.file("small.obj", mesh), "-o", project)
+        report = self.done("texture", "pack", project, "-o", project)
+        self.assertGreater(report["texels_per_metre"], 1e9)
+        self.assertTrue(self.done("validate", project)["valid"])
+        self.assertEqual(self.done("info", project)["textures"], 1)
+
     def test_packs_denser_where_patches_are_matched(self):
         project, uses = self.sample("liver"), []
         for layout in ("rows", "matched_rows", "unfolded_groups"):

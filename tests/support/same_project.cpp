@@ -120,7 +120,8 @@ void expectSamePhotos(const Project& a, const Project& b) {
 
 void expectSameTexture(const Project& a, const Project& b) {
     const auto sameOptions = [](const AtlasOptions& o, const AtlasOptions& p) {
-        return o.size == p.size && o.pages == p.pages && o.gap == p.gap && o.layout == p.layout;
+        return o.size == p.size && o.pages == p.pages && o.gap == p.gap && o.layout == p.layout &&
+               sameBits(o.texelsPerMetre, p.texelsPerMetre);
     };
     EXPECT_TRUE(sameOptions(a.texture.atlas, b.texture.atlas));
     EXPECT_EQ(a.texture.baseColour, b.texture.baseColour);

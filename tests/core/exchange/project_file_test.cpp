@@ -286,6 +286,16 @@ TEST_F(ProjectFile, AFullDiskLeavesTheOldFile) {
     EXPECT_EQ(files, 1);
 }
 
+TEST_F(ProjectFile, NamesThatOnlyBytesBeyondUnicodeTellApartAreNotSaved) {
+    Project project = richProject();
+    FuzzySystem system = *project.regions[0].system;
+    system.outputs[0].terms[0].name = "thin\xfe";
+    system.outputs[0].terms[1].name = "thin\xff";
+    project.regions[0].system = std::make_shared<const FuzzySystem>(system);
+    EXPECT_THROW(saveProject(project, m_file), FileError);
+    EXPECT_FALSE(std::filesystem::exists(m_file));
+}
+
 TEST_F(ProjectFile, NamesThatAreNoUnicodeAreStillSaved) {
     Project project = richProject();
     project.name = "Leber \xe4";

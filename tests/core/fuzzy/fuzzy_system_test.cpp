@@ -167,3 +167,20 @@ TEST(FuzzySystem, BoundsHowDeepConditionsAreAndHowManyRules) {
     system.rules.assign(10000, system.rules[0]);
     EXPECT_THAT(validate(system), ElementsAre("rules: there are 10000; a system may have 2000"));
 }
+
+TEST(FuzzySystem, BoundsHowManyInputsAndTermsThereAre) {
+    FuzzySystem system = sound();
+    std::vector<FuzzyTerm>& terms = system.inputs[0].terms;
+    while (terms.size() < mostFuzzyWords)
+        terms.push_back({"term" + std::to_string(terms.size()), terms[0].set});
+    EXPECT_THAT(validate(system), IsEmpty());
+    terms.push_back({"last", terms[0].set});
+    EXPECT_THAT(validate(system),
+                ElementsAre(testing::HasSubstr(".terms: there are 2001; there may be 2000")));
+    system = sound();
+    while (system.inputs.size() <= mostFuzzyWords) {
+        system.inputs.push_back(system.inputs[0]);
+        system.inputs.back().name = "input" + std::to_string(system.inputs.size());
+    }
+    EXPECT_THAT(validate(system), ElementsAre("inputs: there are 2001; there may be 2000"));
+}
