@@ -93,7 +93,8 @@ int runWork(Context& context) {
         context.threads > 0 ? static_cast<std::size_t>(context.threads)
                             : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const Report report = context.work();
+    Report report = context.work();
+    addFileWarnings(report, context.warnings);
     print(report, context.json);
     return report.failure.empty() ? Done : fail(Failed, about(context, report.failure));
 }

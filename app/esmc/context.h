@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace esm {
 
@@ -17,9 +18,10 @@ namespace esm {
 struct Context {
     Interruption interruption;
     bool json = false;
-    int threads = 0;               ///< 0: as many as there are
-    std::filesystem::path subject; ///< the file that a message without a file's name is about
-    std::function<Report()> work;  ///< of the command that was named; run once the whole line is understood
+    int threads = 0;                   ///< 0: as many as there are
+    std::filesystem::path subject;     ///< the file that a message without a file's name is about
+    std::vector<std::string> warnings; ///< of the files that were read, beside those of the command's report
+    std::function<Report()> work; ///< of the command that was named; run once the whole line is understood
 };
 
 /// Progress of long work: stops it on Ctrl-C and shows `label` with a percentage where standard error is a

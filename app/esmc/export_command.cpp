@@ -1,7 +1,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/opened_file.h"
 #include "core/exchange/model_package.h"
-#include "core/exchange/project_file.h"
 #include "core/model/tissue_digest.h"
 #include "core/offscreen/preview_picture.h"
 
@@ -25,7 +25,7 @@ Report runExport(const ExportOptions& options, Context& context) {
     if (options.format != "glb")
         throw UsageError("--to: '" + options.format + "' is not one of the formats there are: glb");
     context.subject = options.project;
-    const Project project = loadProject(options.project);
+    const Project project = openedProject(options.project, context);
     exportPackage(project, options.output, progressOf(context, "exporting"), previewPicture);
     Report report;
     if (project.stepping && isFromOtherTissue(*project.stepping, evaluateModel(project)))

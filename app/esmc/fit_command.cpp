@@ -1,7 +1,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/opened_file.h"
 #include "core/exchange/pairs_file.h"
-#include "core/exchange/project_file.h"
 #include "core/exchange/projector_file.h"
 #include "core/support/atomic_file.h"
 #include "core/texture/texture_limits.h"
@@ -100,7 +100,7 @@ void writeProjector(const Projector& projector, const std::filesystem::path& fil
 Report runFit(const FitOptions& options, Context& context) {
     const std::optional<Intrinsics> intrinsics = parseIntrinsics(options.intrinsics);
     context.subject = options.project;
-    const Project project = loadProject(options.project);
+    const Project project = openedProject(options.project, context);
     const std::shared_ptr<const Photo> photo = loadPhoto(options.photo);
     const std::vector<LandmarkPair> pairs = readPairsFile(options.pairs);
     context.subject = options.pairs;

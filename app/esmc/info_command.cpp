@@ -2,7 +2,7 @@
 #include "app/esmc/commands.h"
 #include "app/esmc/critical_steps.h"
 #include "app/esmc/model_report.h"
-#include "core/exchange/project_file.h"
+#include "app/esmc/opened_file.h"
 #include "core/model/tissue_digest.h"
 
 #include <set>
@@ -104,8 +104,8 @@ void addPreview(Report& report, const Image& preview) {
                           std::to_string(preview.height) + " pixels");
 }
 
-Report describePackage(const std::filesystem::path& file) {
-    const ModelPackage package = loadPackage(file);
+Report describePackage(const std::filesystem::path& file, Context& context) {
+    const ModelPackage package = openedPackage(file, context);
     Report report = modelReport(package);
     report.json["kind"] = "package";
     addRegions(report, package.regions);
@@ -141,8 +141,8 @@ std::string layerInText(const TextureLayer& layer) {
     return (layer.photo ? "photo " : "painted layer ") + layer.name + ": " + joined(parts);
 }
 
-Report describeProject(const std::filesystem::path& file) {
-    const Project project = loadProject(file);
+Report describeProject(const std::filesystem::path& file, Context& context) {
+    const Project project = openedProject(file, context);
     Report report = modelReport(project);
     report.json["kind"] = "project";
     addRegions(report, project.regions);
@@ -163,7 +163,8 @@ Report describeProject(const std::filesystem::path& file) {
 
 Report runInfo(const InfoOptions& options, Context& context) {
     context.subject = options.file;
-    return isModelPackage(options.file) ? describePackage(options.file) : describeProject(options.file);
+    return isModelPackage(options.file) ? describePackage(options.file, context)
+                                        : describeProject(options.file, context);
 }
 
 } // namespace

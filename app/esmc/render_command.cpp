@@ -3,8 +3,8 @@
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
 #include "app/esmc/motion_frame.h"
+#include "app/esmc/opened_file.h"
 #include "core/exchange/image_file.h"
-#include "core/exchange/project_file.h"
 #include "core/offscreen/offscreen.h"
 #include "core/render/drawn_shape.h"
 #include "core/texture/layers/composite.h"
@@ -159,8 +159,8 @@ Report runRender(const RenderOptions& options, Context& context) {
     const RequestedView view = requestedView(options, size);
     context.subject = options.project;
     const bool isPackage = isModelPackage(options.project);
-    RenderScene scene = isPackage ? packageScene(loadPackage(options.project), shown)
-                                  : projectScene(loadProject(options.project), shown, context);
+    RenderScene scene = isPackage ? packageScene(openedPackage(options.project, context), shown)
+                                  : projectScene(openedProject(options.project, context), shown, context);
     scene.showSurface = shows(shown, "surface");
     // A pure motion model has nothing but springs to show.
     scene.showSprings = shows(shown, "springs") || scene.mesh->triangles.empty();

@@ -6,8 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <iterator>
 
 namespace esm {
+
+namespace {
+
+std::string warningLine(const std::string& warning) {
+    return "warning: " + warning;
+}
+
+} // namespace
 
 std::string inText(double value) {
     return numberText(value, 4);
@@ -32,7 +41,16 @@ Json inJson(const Eigen::Vector3d& value) {
 void addWarnings(Report& report, const std::vector<std::string>& warnings) {
     report.json["warnings"] = warnings;
     for (const std::string& warning : warnings)
-        report.text.push_back("warning: " + warning);
+        report.text.push_back(warningLine(warning));
+}
+
+void addFileWarnings(Report& report, const std::vector<std::string>& warnings) {
+    if (warnings.empty()) return;
+    const Json own = report.json.value("warnings", Json::array());
+    report.json["warnings"] = warnings;
+    report.json["warnings"].insert(report.json["warnings"].end(), own.begin(), own.end());
+    std::transform(warnings.begin(), warnings.end(), std::inserter(report.text, report.text.begin()),
+                   warningLine);
 }
 
 void addWritten(Report& report, const std::filesystem::path& file) {

@@ -36,7 +36,9 @@ Json inJson(const std::optional<double>& value); ///< null without a value
 Json inJson(const Eigen::Vector3d& value);
 
 void addWarnings(Report& report,
-                 const std::vector<std::string>& warnings);         ///< `warnings` in JSON, a line each
+                 const std::vector<std::string>& warnings); ///< `warnings` in JSON, a line each
+/// Beside and before those that it has; nothing where there are none.
+void addFileWarnings(Report& report, const std::vector<std::string>& warnings);
 void addWritten(Report& report, const std::filesystem::path& file); ///< the text line that names an output
 
 /// Prints to standard output. @throws FileError when that cannot be written

@@ -1,7 +1,6 @@
 #include "app/esmc/runnable_model.h"
 
-#include "core/exchange/model_package.h"
-#include "core/exchange/project_file.h"
+#include "app/esmc/opened_file.h"
 #include "core/exchange/scene_file.h"
 #include "core/support/errors.h"
 
@@ -15,8 +14,9 @@ void requireValid(const Scene& scene, const SpringNetwork& network) {
         throw InvalidModel(std::move(problems));
 }
 
-RunnableModel fromProject(const std::filesystem::path& file, const std::optional<Scene>& scene) {
-    const Project project = loadProject(file);
+RunnableModel fromProject(const std::filesystem::path& file, const std::optional<Scene>& scene,
+                          Context& context) {
+    const Project project = openedProject(file, context);
     RunnableModel model;
     model.surface = touchedSurface(*project.mesh, *project.network);
     model.scene = scene.value_or(project.scene);
@@ -28,8 +28,9 @@ RunnableModel fromProject(const std::filesystem::path& file, const std::optional
 }
 
 /// A package holds tethers and fixed nodes as numbers; those of a scene take their place.
-RunnableModel fromPackage(const std::filesystem::path& file, const std::optional<Scene>& scene) {
-    ModelPackage package = loadPackage(file);
+RunnableModel fromPackage(const std::filesystem::path& file, const std::optional<Scene>& scene,
+                          Context& context) {
+    ModelPackage package = openedPackage(file, context);
     RunnableModel model;
     model.tissue = std::move(package.tissue);
     model.scene = scene.value_or(Scene());
@@ -53,7 +54,7 @@ RunnableModel loadRunnableModel(const std::filesystem::path& file, const std::fi
     const bool isPackage = isModelPackage(file);
     std::optional<Scene> scene;
     if (!sceneFile.empty()) scene = readSceneFile(sceneFile);
-    RunnableModel model = isPackage ? fromPackage(file, scene) : fromProject(file, scene);
+    RunnableModel model = isPackage ? fromPackage(file, scene, context) : fromProject(file, scene, context);
     context.subject = file;
     return model;
 }

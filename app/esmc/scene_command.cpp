@@ -2,6 +2,7 @@
 
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/opened_file.h"
 #include "core/exchange/project_file.h"
 #include "core/support/errors.h"
 
@@ -23,7 +24,7 @@ void declareScene(CLI::App& command, SceneOptions& options) {
 
 Report storeScene(const SceneOptions& options, Context& context) {
     context.subject = options.scene;
-    Project project = loadProject(options.project);
+    Project project = openedProject(options.project, context);
     project.scene = readSceneFile(options.scene);
     if (auto problems = validate(project.scene, project.network->restPositions.size()); !problems.empty())
         throw InvalidModel(std::move(problems));

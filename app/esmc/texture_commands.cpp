@@ -1,5 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/opened_file.h"
 #include "app/esmc/preparation_options.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/project_file.h"
@@ -57,7 +58,7 @@ void packIfNeeded(Project& project) {
 
 Report runPack(const PackOptions& options, Context& context) {
     context.subject = options.project;
-    Project project = loadProject(options.project);
+    Project project = openedProject(options.project, context);
     project.texture.atlas = options.atlas;
     pack(project);
     project.texture.atlas = project.atlas->options;
@@ -138,7 +139,7 @@ Report describe(const TextureLayer& layer, const LayerCoverage& covered) {
 
 Report runPhoto(const PhotoOptions& options, Context& context) {
     context.subject = options.project;
-    Project project = loadProject(options.project);
+    Project project = openedProject(options.project, context);
     TextureLayer layer;
     layer.photo = loadPhoto(options.photo);
     layer.projector = readProjectorFile(options.projector);
@@ -258,7 +259,7 @@ Baked bake(const Project& project, bool deep, const Context& context) {
 
 Report runBake(const BakeOptions& options, Context& context) {
     context.subject = options.project;
-    Project project = loadProject(options.project);
+    Project project = openedProject(options.project, context);
     packIfNeeded(project);
     const Baked baked = bake(project, options.deep, context);
     writePages(baked.files, options.folder, context.interruption);

@@ -1,6 +1,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
+#include "app/esmc/opened_file.h"
 #include "core/exchange/fuzzy_file.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/tissue_preset_file.h"
@@ -196,7 +197,7 @@ Report runTissue(const TissueOptions& options, Context& context) {
     Region region = requestedRegion(options, preset);
     const NamedWords inputs = parseNamedWords(options.values, "--set");
     context.subject = options.project;
-    Project project = loadProject(options.project);
+    Project project = openedProject(options.project, context);
     setSpringLaw(project.base, options);
     if (preset && !region.ellipsoid) tiePreset(project.scene, *preset);
     const bool addsRegion = !isOfOrganAlone(options, preset);

@@ -43,10 +43,19 @@ void exportPackage(const Project& project, const std::filesystem::path& file, co
 /// True for a model package, false for what should be a project; told by the first bytes, else by the name.
 bool isModelPackage(const std::filesystem::path& file);
 
+struct OpenedPackage {
+    ModelPackage package;
+    std::vector<std::string> warnings; ///< what is wrong with the file, though it can be worked with
+};
+
 /// @throws FileError: damaged, or not a model package, or of a newer version
+OpenedPackage openPackage(const std::filesystem::path& file);
+
+/// The same for who has nobody to warn.
 ModelPackage loadPackage(const std::filesystem::path& file);
 
-/// All problems at once; empty when the package is whole. @throws FileError when there is no file to read
+/// All problems at once, and all that opening warns of; empty when the package is whole. @throws FileError
+/// when there is no file to read
 std::vector<std::string> validatePackage(const std::filesystem::path& file);
 
 } // namespace esm

@@ -1,9 +1,11 @@
 #include "core/exchange/glb.h"
 #include "core/exchange/model_json.h"
 #include "core/exchange/model_package.h"
+#include "core/exchange/package_container.h"
 #include "core/exchange/package_drawn.h"
 #include "core/exchange/package_layout.h"
 #include "core/exchange/region_json.h"
+#include "core/model/project_warnings.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -189,8 +191,8 @@ ModelPackage PackageReader::read() {
     return package;
 }
 
-/// Problems of the parts that a project has too, and of the tissue.
-std::vector<std::string> problemsOf(const ModelPackage& package) {
+/// The parts that a project has too.
+Project projectOf(const ModelPackage& package) {
     Project project;
     project.name = package.name;
     project.mesh = std::make_shared<TriangleMesh>(package.mesh);
@@ -200,6 +202,11 @@ std::vector<std::string> problemsOf(const ModelPackage& package) {
     project.regions = package.regions;
     project.stepping = package.stepping;
     project.atlas = package.atlas;
+    return project;
+}
+
+/// Problems of the parts that a project has too, and of the tissue.
+std::vector<std::string> problemsOf(const ModelPackage& package, const Project& project) {
     std::vector<std::string> problems = validate(project);
     for (std::string& problem : validate(package.tissue))
         if (std::find(problems.begin(), problems.end(), problem) == problems.end())
@@ -207,17 +214,26 @@ std::vector<std::string> problemsOf(const ModelPackage& package) {
     return problems;
 }
 
-/// The package and every problem of its file. The package is of use only without problems.
-std::pair<ModelPackage, std::vector<std::string>> readPackage(const std::filesystem::path& file) {
+struct ReadPackage {
+    ModelPackage package; ///< of use only without problems
+    std::vector<std::string> problems, warnings;
+};
+
+ReadPackage readPackage(const std::filesystem::path& file) {
     const Bytes content = readFile(file);
     std::vector<std::string> problems;
     try {
         const Glb glb = parseGlb(content);
         ModelPackage package = PackageReader(glb, problems).read();
-        if (problems.empty()) problems = problemsOf(package);
-        return {std::move(package), std::move(problems)};
+        const Project project = projectOf(package);
+        if (problems.empty()) problems = problemsOf(package, project);
+        std::vector<std::string> warnings = containerWarnings(glb.json);
+        if (!problems.empty()) return {{}, problems, warnings};
+        for (std::string& warning : projectWarnings(project))
+            warnings.push_back(std::move(warning));
+        return {std::move(package), {}, std::move(warnings)};
     } catch (const InvalidModel& error) {
-        return {{}, error.problems()};
+        return {{}, error.problems(), {}};
     }
 }
 
@@ -232,14 +248,20 @@ bool isModelPackage(const std::filesystem::path& file) {
     return start != std::string("PK\3\4", 4) && file.extension() == ".glb";
 }
 
+OpenedPackage openPackage(const std::filesystem::path& file) {
+    ReadPackage read = readPackage(file);
+    if (!read.problems.empty()) throw FileError(file, InvalidModel(read.problems).what());
+    return {std::move(read.package), std::move(read.warnings)};
+}
+
 ModelPackage loadPackage(const std::filesystem::path& file) {
-    auto [package, problems] = readPackage(file);
-    if (!problems.empty()) throw FileError(file, InvalidModel(problems).what());
-    return std::move(package);
+    return openPackage(file).package;
 }
 
 std::vector<std::string> validatePackage(const std::filesystem::path& file) {
-    return readPackage(file).second;
+    ReadPackage read = readPackage(file);
+    read.problems.insert(read.problems.end(), read.warnings.begin(), read.warnings.end());
+    return read.problems;
 }
 
 } // namespace esm

@@ -11,8 +11,16 @@ namespace esm {
 /// This is the newest version; a file is of the oldest that has all it holds, see `versionOf()`.
 constexpr int projectFileVersion = 8;
 
+struct OpenedProject {
+    Project project;
+    std::vector<std::string> warnings; ///< what is wrong with the file, though it can be worked with
+};
+
 /// Every number comes back as it was saved, bit by bit.
 /// @throws FileError: missing, not a project, damaged (which entry), or of a newer version
+OpenedProject openProject(const std::filesystem::path& file);
+
+/// The same for who has nobody to warn.
 Project loadProject(const std::filesystem::path& file);
 
 /// Saves atomically. The same project gives the same bytes.
@@ -20,7 +28,8 @@ Project loadProject(const std::filesystem::path& file);
 /// then as it was
 void saveProject(const Project& project, const std::filesystem::path& file);
 
-/// All problems at once; empty when the file is whole. @throws FileError when there is no file to read
+/// All problems at once, and all that opening warns of; empty when the file is whole. @throws FileError
+/// when there is no file to read
 std::vector<std::string> validateProjectFile(const std::filesystem::path& file);
 
 } // namespace esm

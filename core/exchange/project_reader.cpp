@@ -3,10 +3,12 @@
 #include "core/exchange/preparation_json.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/project_layout.h"
+#include "core/exchange/project_version.h"
 #include "core/exchange/projector_file.h"
 #include "core/exchange/region_json.h"
 #include "core/exchange/scene_file.h"
 #include "core/exchange/zip_archive.h"
+#include "core/model/project_warnings.h"
 #include "core/support/byte_order.h"
 #include "core/support/errors.h"
 #include "core/texture/photo/photo_format.h"
@@ -320,8 +322,19 @@ bool beginsAsZip(const Bytes& content) {
     return content.size() >= 2 && content[0] == 'P' && content[1] == 'K';
 }
 
-/// The project and every problem of its file. The project is of use only without problems.
-std::pair<Project, std::vector<std::string>> readProject(const std::filesystem::path& file) {
+/// Programs that know only the version that the file says it is would misread it; this one does not.
+std::vector<std::string> versionWarnings(const JsonReader& manifest, const Project& project) {
+    const auto needed = static_cast<std::uint64_t>(projectVersionOf(project));
+    if (manifest.member("version").integer(1, projectFileVersion) >= needed) return {};
+    return {"version should be " + std::to_string(needed) + " for what the file holds; save it again"};
+}
+
+struct ReadProject {
+    Project project; ///< of use only without problems
+    std::vector<std::string> problems, warnings;
+};
+
+ReadProject readProject(const std::filesystem::path& file) {
     const Bytes content = readFile(file);
     std::vector<std::string> problems;
     try {
@@ -335,22 +348,32 @@ std::pair<Project, std::vector<std::string>> readProject(const std::filesystem::
         Source source(archive, problems);
         Project project = readContent(manifest, source);
         if (problems.empty()) problems = validate(project);
-        return {std::move(project), std::move(problems)};
+        if (!problems.empty()) return {{}, problems, {}};
+        std::vector<std::string> warnings = versionWarnings(manifest, project);
+        for (std::string& warning : projectWarnings(project))
+            warnings.push_back(std::move(warning));
+        return {std::move(project), {}, std::move(warnings)};
     } catch (const InvalidModel& error) {
-        return {{}, error.problems()};
+        return {{}, error.problems(), {}};
     }
 }
 
 } // namespace
 
+OpenedProject openProject(const std::filesystem::path& file) {
+    ReadProject read = readProject(file);
+    if (!read.problems.empty()) throw FileError(file, InvalidModel(read.problems).what());
+    return {std::move(read.project), std::move(read.warnings)};
+}
+
 Project loadProject(const std::filesystem::path& file) {
-    auto [project, problems] = readProject(file);
-    if (!problems.empty()) throw FileError(file, InvalidModel(problems).what());
-    return std::move(project);
+    return openProject(file).project;
 }
 
 std::vector<std::string> validateProjectFile(const std::filesystem::path& file) {
-    return readProject(file).second;
+    ReadProject read = readProject(file);
+    read.problems.insert(read.problems.end(), read.warnings.begin(), read.warnings.end());
+    return read.problems;
 }
 
 } // namespace esm

@@ -3,6 +3,7 @@
 #include "core/exchange/preparation_json.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/project_layout.h"
+#include "core/exchange/project_version.h"
 #include "core/exchange/projector_file.h"
 #include "core/exchange/region_json.h"
 #include "core/exchange/scene_file.h"
@@ -148,35 +149,15 @@ Json toJson(const RepairReport& report) {
     return json;
 }
 
-bool needsPerspective(const TextureLayer& layer) {
-    return layer.projector.kind == ProjectorKind::Perspective || layer.projector.falloff;
-}
-
-bool needsPainting(const TextureLayer& layer) {
-    return !layer.photo || layer.blending != Blending::Normal || !layer.strokes.empty();
-}
-
 Json manifestOf(const Project& project, Content& content) {
     addMesh(*project.mesh, content);
     addNetwork(*project.network, content);
-    const bool isBound = project.network->binding.has_value();
-    if (isBound) addBinding(*project.network->binding, content);
+    if (project.network->binding) addBinding(*project.network->binding, content);
     RegionsJson regions = toJson(project.regions);
     Json texture = toJson(project.texture.atlas, layout::askedOfTexture);
     texture["baseColour"] = colourToJson(project.texture.baseColour);
-    VersionNeeds needs = needsOf(project.regions, isBound, project.base.stiffening.has_value());
-    needs.perspective = std::any_of(project.layers.begin(), project.layers.end(), needsPerspective);
-    needs.preparation = std::any_of(project.layers.begin(), project.layers.end(),
-                                    [](const TextureLayer& layer) { return !layer.preparation.isNothing(); });
-    needs.painting = std::any_of(project.layers.begin(), project.layers.end(), needsPainting);
-    needs.landmarks = std::any_of(project.layers.begin(), project.layers.end(),
-                                  [](const TextureLayer& layer) { return !layer.landmarks.empty(); });
-    needs.maskedPhotos =
-        std::any_of(project.layers.begin(), project.layers.end(), [](const TextureLayer& layer) {
-            return !layer.preparation.strokes.empty() || layer.preparation.match;
-        });
     Json manifest{{"format", layout::format},
-                  {"version", versionOf(needs)},
+                  {"version", projectVersionOf(project)},
                   {"program", ESM_VERSION},
                   {"name", project.name},
                   {"importReport", toJson(*project.importReport)},

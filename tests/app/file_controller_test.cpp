@@ -55,6 +55,21 @@ TEST_F(FileControllerTest, KnowsWhereAFileIsThatWasNamedFromAFolder) {
     EXPECT_TRUE(window->document().path()->is_absolute());
 }
 
+TEST_F(FileControllerTest, TellsWhatIsWrongWithAProjectThatOpensAllTheSame) {
+    Project slip = makeSample("tube");
+    SpringNetwork network = *slip.network;
+    network.springs[3].restLength = 50;
+    slip.network = std::make_shared<SpringNetwork>(network);
+    saveProject(slip, folder / "slip.esm");
+    dialogs.expectNamed("remarkBox", [](QDialog* box) {
+        EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains("rest length"));
+        box->accept();
+    });
+    window->openFiles({folder / "slip.esm"});
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(project().network->springs[3].restLength, 50);
+}
+
 TEST_F(FileControllerTest, SavesWhatIsTypedWhileTheCursorIsStillInTheField) {
     typeInto(massField(), "0.5");
     dialogs.expectFile(folder / "tube.esm");

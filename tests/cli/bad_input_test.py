@@ -55,6 +55,48 @@ class BadMeshTest(Case):
                     self.refused(self.file(f"half-{name}", whole[:int(len(whole) * part)]))
 
 
+class WrongFileThatOpensTest(Case):
+    def check(self, file, naming):
+        self.fails(1, "validate", file, naming=naming)
+        process = command("validate", file, "--json")
+        self.assertEqual(process.returncode, 1)
+        self.assertFalse(json.loads(process.stdout)["valid"])
+        warnings = self.done("info", file)["warnings"]
+        self.assertEqual(len([w for w in warnings if naming in w and str(file) in w]), 1, warnings)
+        self.assertTrue(command("info", file).stdout.startswith(f"warning: {file}: "))
+
+    def soft_region_of_version(self, version):
+        def change(manifest):
+            manifest["version"] = version
+            manifest["regions"].append({"name": "soft", "colour": [1, 2, 3], "rim": 0.01, "inputs": [],
+                                        "ellipsoid": {"centre": [0, 0, 0], "radii": [1, 1, 1]},
+                                        "held": {"springConstant": 5}})
+            return manifest
+        return self.changed_manifest(f"soft-{version}.esm", change)
+
+    def test_projects_of_too_low_a_version(self):
+        self.assertTrue(self.done("validate", self.soft_region_of_version(5))["valid"])
+        project = self.soft_region_of_version(1)
+        self.check(project, "version should be 5")
+        report = self.done("texture", "pack", project, "--size", "256", "-o", project)
+        self.assertIn("version should be 5", report["warnings"][0])
+        self.assertTrue(self.done("validate", project)["valid"], "saved again")
+
+    def test_packages_that_viewers_show_elsewhere(self):
+        package = self.file("organ.glb")
+        self.done("export", self.sample("tube"), "--to", "glb", "-o", package)
+        self.assertTrue(self.done("validate", package)["valid"])
+        content = package.read_bytes()
+        length = struct.unpack_from("<I", content, 12)[0]
+        gltf, rest = json.loads(content[20:20 + length]), content[20 + length:]
+        gltf["nodes"][0]["scale"] = [2, 2, 2]
+        text = json.dumps(gltf).encode()
+        text += b" " * (-len(text) % 4)
+        package.write_bytes(struct.pack("<4sIIII", b"glTF", 2, 20 + len(text) + len(rest), len(text), 0x4E4F534A) +
+                            text + rest)
+        self.check(package, "nodes[0] should have no scale")
+
+
 class BadProjectTest(Case):
     def refused_everywhere(self, bad):
         out, scene, pose = self.file("out"), self.file("s.json", {"duration": 1}), self.file("p.json", PROJECTOR)

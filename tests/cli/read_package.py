@@ -141,6 +141,10 @@ def check_gltf(gltf):
         gltf.view(index)
     for index in range(len(document["accessors"])):
         gltf.array(index)
+    for node in document["nodes"]:
+        check(not {"matrix", "translation", "rotation", "scale"} & set(node), "a node has a transform")
+    for image in document.get("images", []):
+        check("uri" not in image, "a picture lies outside the file")
     for m, mesh in enumerate(document.get("meshes", [])):
         for p, primitive in enumerate(mesh["primitives"]):
             check_primitive(gltf, primitive, "mesh %d primitive %d" % (m, p))

@@ -138,11 +138,12 @@ void FileController::openProject(const std::filesystem::path& file) {
     // Asked first: the answer may change the very file that is to be opened.
     if (!mayLeaveProject()) return;
     attempt(&m_window, tr("The project cannot be opened"), [&] {
-        Project project = computeLong(&m_window, tr("Opening %1").arg(fileName(file)),
-                                      [&](const Progress&) { return loadProject(file); });
-        m_document.replace(std::move(project), file);
+        OpenedProject opened = computeLong(&m_window, tr("Opening %1").arg(fileName(file)),
+                                           [&](const Progress&) { return esm::openProject(file); });
+        m_document.replace(std::move(opened.project), file);
         noteOpened(file);
         emit message(tr("Opened %1").arg(fileName(file)));
+        tell(&m_window, tr("The project was opened, but something is wrong with it"), opened.warnings);
     });
 }
 

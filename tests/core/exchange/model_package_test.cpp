@@ -203,6 +203,29 @@ TEST_F(ModelPackageFile, IsOfTheVersionThatItsReadersNeed) {
     EXPECT_EQ(version(softProject()), modelPackageVersion);
 }
 
+TEST_F(ModelPackageFile, OpensWithAWarningWhatViewersShowOtherwise) {
+    exportPackage(richProject(), m_file);
+    EXPECT_THAT(openPackage(m_file).warnings, testing::IsEmpty());
+    Glb glb = parseGlb(readFile(m_file));
+    glb.json["nodes"][0]["scale"] = {1000, 1000, 1000};
+    glb.json["images"][0]["uri"] = "skin.png";
+    overwrite(m_file, writeGlb(glb));
+    const OpenedPackage opened = openPackage(m_file);
+    expectSameTissue(opened.package.tissue, evaluateModel(richProject()));
+    EXPECT_THAT(opened.warnings,
+                testing::ElementsAre(HasSubstr("nodes[0] should have no scale"), HasSubstr("images[0]")));
+    EXPECT_EQ(validatePackage(m_file), opened.warnings);
+}
+
+TEST_F(ModelPackageFile, WarnsOfSpringsThatAreMuchTooLong) {
+    Project project = richProject();
+    SpringNetwork network = *project.network;
+    network.springs[0].restLength = 50;
+    project.network = std::make_shared<SpringNetwork>(network);
+    exportPackage(project, m_file);
+    EXPECT_THAT(openPackage(m_file).warnings, testing::ElementsAre(HasSubstr("rest length")));
+}
+
 TEST_F(ModelPackageFile, ModelsWithoutSurfaceShowTheirSprings) {
     const ModelPackage package = exported(bareProject());
     expectSameTissue(package.tissue, evaluateModel(bareProject()));

@@ -107,6 +107,29 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(version(marked), 8);
 }
 
+TEST_F(ProjectFile, OfAVersionTooLowOpensWithAWarning) {
+    changeManifestOf(softProject(), "/version", [](Json& version) { version = 1; });
+    const OpenedProject opened = openProject(m_file);
+    expectSameProject(softProject(), opened.project);
+    EXPECT_THAT(opened.warnings, testing::ElementsAre(HasSubstr("version should be 5")));
+    EXPECT_EQ(validateProjectFile(m_file), opened.warnings);
+}
+
+TEST_F(ProjectFile, OfWhatIsHardlyMeantOpensWithAWarning) {
+    Project project = boundProject({Detail::Kind::Nodes, 20});
+    TriangleMesh mesh = *project.mesh;
+    mesh.vertices[5].x() = 1e300;
+    project.mesh = std::make_shared<TriangleMesh>(mesh);
+    SpringNetwork network = *project.network;
+    network.springs[0].restLength = 50;
+    project.network = std::make_shared<SpringNetwork>(network);
+    saveProject(project, m_file);
+    const OpenedProject opened = openProject(m_file);
+    expectSameProject(project, opened.project);
+    EXPECT_THAT(opened.warnings, testing::ElementsAre(HasSubstr("mesh point"), HasSubstr("rest length")));
+    EXPECT_EQ(validateProjectFile(m_file), opened.warnings);
+}
+
 TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {
     Project project = boundProject({Detail::Kind::Nodes, 20});
     SpringNetwork network = *project.network;
