@@ -8,6 +8,7 @@
 #include "core/dynamics/swings.h"
 #include "core/model/tissue_digest.h"
 #include "core/support/joined.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +128,7 @@ Report describe(const SceneOutcome& outcome) {
 
 /// Of a run to a wanted error.
 void addError(Report& report, const AccurateOutcome& accurate, std::vector<std::string>& warnings) {
-    report.json["estimated_error"] = accurate.estimatedError;
+    report.json["estimated_error"] = inJson(accurate.estimatedError);
     report.json["hides_swings"] = accurate.hidesSwings;
     report.text.push_back("estimated error: " + inText(100 * accurate.estimatedError) + " % of the motion");
     if (accurate.hidesSwings)
@@ -136,6 +137,15 @@ void addError(Report& report, const AccurateOutcome& accurate, std::vector<std::
             integratorName(accurate.outcome.integrator) +
             " damps them away, and to follow them would take too many steps; give the tissue "
             "more viscosity where it has next to none, or take the error for a part of the true one");
+}
+
+/// Of a run whose way to step was left open.
+void addResolvedError(Report& report, const AccurateOutcome& accurate, std::vector<std::string>& warnings) {
+    addError(report, accurate, warnings);
+    if (!accurate.isReached && accurate.outcome.stable)
+        warnings.push_back("the motion may be off by " + numberText(100 * accurate.estimatedError, 2) +
+                           " % of itself: shorter steps gained too little, or would take long; --max-error "
+                           "waits for them, and tradeoff looks for another way to step");
 }
 
 /// Sums up what a run gave, beside its outcome.
@@ -217,9 +227,14 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& othe
     list.insert(list.end(), others.begin(), others.end());
 }
 
+bool isLeftToAuto(const SimulationSettings& settings) {
+    return settings.integrator == Integrator::Auto && !settings.timeStep;
+}
+
 AccurateOutcome runRequested(const SceneRun& run, const std::optional<double>& mostError,
                              const NewFrameSink& newSink, const Progress& progress) {
     if (mostError) return runSceneToError(run, *mostError, newSink, progress);
+    if (isLeftToAuto(run.settings)) return runSceneResolved(run, newSink, progress);
     return {runScene(run, newSink(), progress), 0};
 }
 
@@ -249,6 +264,8 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     Report report = describe(accurate.outcome);
     if (options.mostError)
         addError(report, accurate, warnings);
+    else if (isLeftToAuto(settings))
+        addResolvedError(report, accurate, warnings);
     else
         append(warnings, accuracyWarnings(model, settings, accurate.outcome, motion));
     append(warnings, warningsOf(model, accurate.outcome));

@@ -2,6 +2,7 @@
 
 #include "core/dynamics/motion_error.h"
 #include "core/dynamics/spring_system.h"
+#include "core/dynamics/stability.h"
 #include "core/dynamics/swings.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
@@ -134,26 +135,38 @@ public:
     AccurateOutcome search(const NewFrameSink& newSink,
                            double mostSteps = std::numeric_limits<double>::infinity()) const {
         HalvedRuns runs(m_run, newSink, m_progress);
+        const AccurateOutcome found = closest(runs, mostSteps, 0);
+        if (found.isReached) return found;
+        if (found.hidesSwings && !isExplicit(found.outcome.integrator))
+            return withSwings(runs, found.estimatedError, newSink);
+        if (!found.outcome.stable)
+            throw InvalidModel("at no step down to " + numberText(found.outcome.timeStep) +
+                               " s does the run come to its end: " + found.outcome.outcome);
+        refuseError(m_mostError, found.outcome.timeStep, m_run.settings.precision);
+    }
+
+    /// As far as is worth waiting for. @param leastHalvings however many steps they take
+    AccurateOutcome closest(HalvedRuns& runs, double mostSteps, int leastHalvings) const {
         VainHalvings halvings(m_run.settings, runs.outcome());
+        AccurateOutcome found{runs.outcome(), std::numeric_limits<double>::infinity(), false, false};
         for (int halving = 1; halving <= mostHalvings; ++halving) {
-            if (2.0 * static_cast<double>(runs.outcome().steps) > mostSteps) break;
+            const double steps = 2.0 * static_cast<double>(runs.outcome().steps);
+            if (halving > leastHalvings && steps > mostSteps) break;
             const std::optional<double> change = runs.halve();
+            found.outcome = runs.outcome();
             if (!change) continue;
             halvings.add(*change);
             const double error = halvings.remaining();
             const bool hides = hidesSwings(m_swings, runs.outcome().integrator, 2 * runs.outcome().timeStep,
                                            m_run.scene.duration);
-            if (error <= m_mostError && !hides) return {runs.outcome(), error};
+            found = {runs.outcome(), error, hides, error <= m_mostError && !hides};
+            if (found.isReached) return found;
             // An explicit one soon follows them itself.
-            if (hides && !isExplicit(runs.outcome().integrator) &&
-                (error <= m_mostError || !halvings.gained()))
-                return withSwings(runs, error, newSink);
+            const bool stays = hides && !isExplicit(runs.outcome().integrator);
+            if (stays && (error <= m_mostError || !halvings.gained())) break;
             if (halvings.isInVain()) break;
         }
-        if (!runs.outcome().stable)
-            throw InvalidModel("at no step down to " + numberText(runs.outcome().timeStep) +
-                               " s does the run come to its end: " + runs.outcome().outcome);
-        refuseError(m_mostError, runs.outcome().timeStep, m_run.settings.precision);
+        return found;
     }
 
 private:
@@ -202,7 +215,39 @@ private:
     SwingBounds m_swings;
 };
 
+/// What `Auto` steps by where results count: where viscosity is so small that elasticity alone limits the
+/// step, Verlet's second order costs next to nothing more than Euler's first.
+SimulationSettings resolvedSettings(const SceneRun& run) {
+    constexpr double worthItsOrder = 0.5; // of Euler's step
+    SimulationSettings settings = run.settings;
+    if (settings.precision == Precision::Float || settings.restTolerance > 0) return settings;
+    const ChosenStep chosen = chooseStep(run.model, settings);
+    settings.integrator = chosen.integrator;
+    if (chosen.integrator != Integrator::Euler) return settings;
+    settings.integrator = Integrator::Verlet;
+    if (chooseStep(run.model, settings).timeStep < worthItsOrder * chosen.timeStep)
+        settings.integrator = Integrator::Euler;
+    return settings;
+}
+
 } // namespace
+
+AccurateOutcome runSceneResolved(const SceneRun& run, const NewFrameSink& newSink, const Progress& progress) {
+    constexpr double patience = 10; // s
+    SceneRun resolved = run;
+    resolved.settings = resolvedSettings(run);
+    const auto closest = [&](double mostSteps) {
+        HalvedRuns runs(resolved, newSink, progress);
+        return AccuracySearch(resolved, resolvedError, progress).closest(runs, mostSteps, 1);
+    };
+    const SpringSystem system = makeSpringSystem(run.model);
+    const AccurateOutcome found = closest(patience * stepsPerSecond(system, resolved.settings.integrator));
+    if (!found.hidesSwings || isExplicit(found.outcome.integrator)) return found;
+    const auto steps = followingSteps(run.model, run.settings.damping, run.scene.duration);
+    if (!steps) return found;
+    resolved.settings.integrator = steps->integrator;
+    return closest(steps->most);
+}
 
 AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const NewFrameSink& newSink,
                                 const Progress& progress) {

@@ -10,6 +10,7 @@ struct AccurateOutcome {
     /// Its steps damp away swings of the tissue that go on in truth, and no run that follows them was worth
     /// waiting for: the error contains nothing of them.
     bool hidesSwings = false;
+    bool isReached = true; ///< the error that was wanted
 };
 
 /// Gives what receives the frames of a run that begins; what the run before gave is void.
@@ -22,5 +23,16 @@ using NewFrameSink = std::function<FrameSink()>;
 /// @throws InvalidModel as runScene(), and when no step comes as near as that; Cancelled
 AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const NewFrameSink& newSink,
                                 const Progress& progress = {});
+
+/// What `Auto` without a step may be off, relative to the motion, where that is not too much to wait for.
+inline constexpr double resolvedError = 0.05;
+
+/// The same for who left integrator and step to `Auto`: to `resolvedError`, by an integrator of the second
+/// order where viscosity does not ask for another. The step is halved once at least; more often while that
+/// takes about ten seconds at most, by a count of steps that is the same on every machine. Where that does
+/// not do, the outcome is the last run, with its estimate.
+/// @throws InvalidModel as runScene(); Cancelled
+AccurateOutcome runSceneResolved(const SceneRun& run, const NewFrameSink& newSink,
+                                 const Progress& progress = {});
 
 } // namespace esm

@@ -39,15 +39,14 @@ double dampingRatioOfSteps(Integrator integrator, double timeStep, double freque
     }
 }
 
-/// How many steps are as much work as is waited for.
-double affordableSteps(const SpringSystem& system, Integrator integrator) {
+} // namespace
+
+double stepsPerSecond(const SpringSystem& system, Integrator integrator) {
     constexpr double explicitSeconds = 5e-9, solvingSeconds = 5e-8; // per node or spring
     constexpr double least = 20;                                    // of them; a step has more to do
     const double things = static_cast<double>(system.mass.size() + system.springs.size()) + least;
-    return patience / (things * (isExplicit(integrator) ? explicitSeconds : solvingSeconds));
+    return 1 / (things * (isExplicit(integrator) ? explicitSeconds : solvingSeconds));
 }
-
-} // namespace
 
 SwingBounds swingBounds(const TissueModel& model, Damping damping) {
     return boundsOf(makeSpringSystem(model), damping);
@@ -67,7 +66,7 @@ std::optional<FollowingSteps> followingSteps(const TissueModel& model, Damping d
         candidates = {Integrator::Split2, Integrator::Verlet, Integrator::Split};
     for (const Integrator integrator : candidates) {
         const double longest = rules.largestStable(integrator, longestStep).value_or(0);
-        const double most = affordableSteps(system, integrator);
+        const double most = patience * stepsPerSecond(system, integrator);
         if (longest >= shortestStep && leastHalvings * duration / longest <= most)
             return FollowingSteps{integrator, most};
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/dynamics/settings.h"
+#include "core/dynamics/spring_system.h"
 #include "core/model/tissue_model.h"
 
 #include <optional>
@@ -19,6 +20,9 @@ SwingBounds swingBounds(const TissueModel& model, Damping damping);
 /// Whether steps of this length damp away swings that the tissue's viscosity lets go on. Steps of half the
 /// length then do the same, and that the two agree says nothing of the swings.
 bool hidesSwings(const SwingBounds& bounds, Integrator integrator, double timeStep, double duration);
+
+/// How many steps take about a second; the same on every machine.
+double stepsPerSecond(const SpringSystem& system, Integrator integrator);
 
 /// Steps that follow every swing.
 struct FollowingSteps {
