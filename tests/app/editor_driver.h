@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/window/main_window.h"
+#include "tests/support/eventually.h"
 #include "widgets/inputs/number_field.h"
 
 #include <gtest/gtest.h>
@@ -17,18 +18,12 @@
 #include <deque>
 #include <functional>
 
-/// Generous: the machine may be slow and busy.
-constexpr int patience = 60000;
-
-/// Waits for a condition while the window lives; a failed wait fails the test.
-#define ESM_EVENTUALLY(condition)                                                                            \
-    ASSERT_TRUE(QTest::qWaitFor([&] { return bool(condition); }, patience)) << #condition
-
-/// The height of a widget once its layout has come to rest.
+/// The height of a widget once its layout has come to rest: what changes a layout is put in the queue of
+/// events, and may put more there.
 inline int settledHeight(const QWidget* widget) {
     int height = -1;
     for (int same = 0; same < 5;) {
-        QTest::qWait(40);
+        QTest::qWait(0);
         same = widget->height() == height ? same + 1 : 0;
         height = widget->height();
     }
@@ -89,7 +84,7 @@ protected:
         QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         window = std::make_unique<esm::MainWindow>(std::move(project));
         window->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), patience));
         QApplication::setActiveWindow(window.get());
     }
     /// A key as a keyboard sends it: to the widget that has the focus.

@@ -20,6 +20,9 @@ class AccuracyPanel : public Section {
 public:
     AccuracyPanel(Document& document, Preview& preview, QWidget* parent = nullptr);
 
+    /// Whether the tissue is yet to be compared with the one that the step was chosen for, once edits rest.
+    bool isComparing() const { return m_rest.isActive(); }
+
 private:
     /// Holds for the organ it was made on, on all of its nodes and on fewer.
     struct Measurement {

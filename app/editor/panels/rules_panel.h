@@ -31,6 +31,8 @@ public:
     bool isUnfinished() const { return m_system && !m_isInForce; }
     /// After this time without a key what follows is another edit.
     void setPause(std::chrono::milliseconds pause) { m_rest->setInterval(pause); }
+    /// Whether a key now would go on with the latest edit.
+    bool isRunOpen() const { return m_rest->isActive(); }
 
 private:
     QWidget* buildTop();

@@ -30,6 +30,8 @@ public:
     const PoseFit* fit() const;
     /// Why the pairs give no pose; empty where they do, are too few, or it is still being sought.
     QString failure() const;
+    /// Whether what was asked last is still without an answer.
+    bool isSeeking() const { return m_asked && !(m_answer && m_answer->question == *m_asked); }
     /// Whether the photo stands elsewhere than the pairs say.
     bool isElsewhere() const;
 

@@ -4,11 +4,13 @@
 #include "core/dynamics/stability.h"
 #include "widgets/inputs/number_text.h"
 
+#include <QElapsedTimer>
 #include <QPainter>
 #include <QStyle>
 #include <QVariant>
 
 #include <cmath>
+#include <utility>
 
 namespace esm {
 
@@ -87,7 +89,14 @@ void StabilityGauge::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(QRectF(qBound(0.0, m_share * 0.83, 1.0) * (width() - 3), 0, 3, 12), 1, 1);
 }
 
-StatusLine::StatusLine(QStatusBar& bar) : QObject(&bar), m_bar(bar) {
+StatusLine::Clock StatusLine::sinceStart() {
+    QElapsedTimer timer;
+    timer.start();
+    return [timer] { return timer.elapsed(); };
+}
+
+StatusLine::StatusLine(QStatusBar& bar, Clock clock)
+    : QObject(&bar), m_bar(bar), m_clock(std::move(clock)), m_since(m_clock()) {
     bar.setSizeGripEnabled(false);
     m_rate = addLabel(QStringLiteral("frameRate"), tr("000 fps"), tr("Pictures drawn per second"));
     m_realTime = addLabel(QStringLiteral("realTime"), tr("0000× real time"),
@@ -105,7 +114,6 @@ StatusLine::StatusLine(QStatusBar& bar) : QObject(&bar), m_bar(bar) {
         bar.addPermanentWidget(widget);
     connect(&m_rateTimer, &QTimer::timeout, this, &StatusLine::showRate);
     m_rateTimer.start(1000);
-    m_since.start();
     m_messageTimer.setSingleShot(true);
     connect(&m_messageTimer, &QTimer::timeout, this, &StatusLine::showLasting);
 }
@@ -120,7 +128,8 @@ QLabel* StatusLine::addLabel(const QString& name, const QString& widestText, con
 }
 
 void StatusLine::showRate() {
-    const double seconds = double(m_since.restart()) / 1000;
+    const qint64 now = m_clock();
+    const double seconds = double(now - std::exchange(m_since, now)) / 1000;
     m_rate->setText(tr("%1 fps").arg(qRound(m_pictures / seconds)));
     m_pictures = 0;
 }
@@ -146,10 +155,10 @@ void StatusLine::showStatus(const PreviewStatus& status) {
 void StatusLine::watchSpeed(const PreviewStatus& status) {
     const bool isSlow = status.playing && status.realTimeFactor > 0 && status.realTimeFactor < slowestMotion;
     if (!isSlow)
-        m_slowSince.invalidate();
-    else if (!m_slowSince.isValid())
-        m_slowSince.start();
-    const bool lasts = isSlow && m_slowSince.hasExpired(slowPatience);
+        m_slowSince.reset();
+    else if (!m_slowSince)
+        m_slowSince = m_clock();
+    const bool lasts = isSlow && m_clock() - *m_slowSince > slowPatience;
     const QString slowness = lasts ? slownessText(status) : QString();
     if (slowness == m_slowness) return;
     m_slowness = slowness;

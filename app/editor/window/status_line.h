@@ -2,10 +2,12 @@
 
 #include "app/editor/preview/preview_run.h"
 
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QStatusBar>
 #include <QTimer>
+
+#include <functional>
+#include <optional>
 
 namespace esm {
 
@@ -30,7 +32,10 @@ class StatusLine : public QObject {
     Q_OBJECT
 
 public:
-    explicit StatusLine(QStatusBar& bar);
+    /// Time that passes, ms.
+    using Clock = std::function<qint64()>;
+
+    explicit StatusLine(QStatusBar& bar, Clock clock = sinceStart());
 
     void countPicture() { ++m_pictures; }
     void showStatus(const PreviewStatus& status);
@@ -42,6 +47,7 @@ public:
     void showNote(const QString& note, const QString& explanation);
 
 private:
+    static Clock sinceStart();
     QLabel* addLabel(const QString& name, const QString& widestText, const QString& toolTip);
     void showRate();
     void showLasting();
@@ -54,8 +60,9 @@ private:
     QLabel *m_rate, *m_realTime, *m_step, *m_message, *m_stabilityCaption, *m_stability;
     StabilityGauge* m_gauge;
     QTimer m_rateTimer, m_messageTimer;
-    QElapsedTimer m_since;
-    QElapsedTimer m_slowSince; ///< valid while the motion is too slow
+    Clock m_clock;
+    qint64 m_since;                    ///< ms, pictures are counted
+    std::optional<qint64> m_slowSince; ///< ms, while the motion is too slow
     int m_pictures = 0;
     QString m_failure, m_pictureFailure, m_recovery, m_shortening, m_slowness, m_note, m_noteExplained;
 };

@@ -1,3 +1,4 @@
+#include "tests/support/eventually.h"
 #include "widgets/fuzzy/linguistic_slider.h"
 
 #include <gtest/gtest.h>
@@ -73,7 +74,7 @@ TEST_F(LinguisticSliderTest, NothingBeyondTheLimitsIsAnnounced) {
 TEST_F(LinguisticSliderTest, AWordStandsWhereTheHandleGoesForIt) {
     row.resize(300, row.sizeHint().height());
     row.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&row));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&row, patience));
     auto* terms = row.findChild<TermScale*>();
     const double firm = 0.85 * row.slider()->maximum(); // the middle of its core, 75 of −10 to 90
     const int half = row.slider()->handleWidth() / 2;

@@ -1,3 +1,4 @@
+#include "tests/support/eventually.h"
 #include "widgets/fuzzy/partition_editor.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ protected:
                              editor.setVariable(variable);
                          });
         editor.show();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(&editor));
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&editor, patience));
         QApplication::setActiveWindow(&editor);
     }
 

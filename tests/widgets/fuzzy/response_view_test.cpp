@@ -2,6 +2,7 @@
 #include "widgets/fuzzy/response_map_view.h"
 
 #include "core/exchange/fuzzy_file.h"
+#include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>
 #include <QApplication>
@@ -21,7 +22,7 @@ const FuzzySystem& roboSim() {
 template<typename View> void open(View& view) {
     view.resize(view.sizeHint());
     view.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&view));
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&view, patience));
 }
 
 /// What a view asks for.

@@ -2,6 +2,7 @@
 
 #include "core/exchange/fuzzy_file.h"
 #include "core/fuzzy/inference.h"
+#include "tests/support/eventually.h"
 
 #include <gmock/gmock.h>
 
@@ -19,7 +20,7 @@ protected:
         list.setSystem(system);
         list.resize(300, 200);
         list.show();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(&list));
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&list, patience));
         explain(5.5);
     }
     void explain(std::optional<double> consistency) {

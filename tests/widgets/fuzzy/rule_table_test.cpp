@@ -1,6 +1,7 @@
 #include "widgets/fuzzy/rule_table.h"
 
 #include "tests/core/fuzzy/age_and_zeal.h"
+#include "tests/support/eventually.h"
 
 #include <gmock/gmock.h>
 #include <QApplication>
@@ -25,7 +26,7 @@ protected:
         show(fourRules);
         table.resize(500, 240);
         table.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&table));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&table, patience));
         QApplication::setActiveWindow(&table);
     }
     void show(const std::vector<std::string>& lines) { table.setRules(ageAndZealSystem(), lines); }
@@ -85,7 +86,7 @@ TEST_F(RuleTableTest, TextsAndWeightsAreTyped) {
     ASSERT_NE(weight, nullptr);
     weight->setValue(0.25);
     QTest::keyClick(weight, Qt::Key_Return);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return wanted()[0].endsWith("WITH 0.25"); }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return wanted()[0].endsWith("WITH 0.25"); }, patience));
     const int before = edited.count();
     table.model()->setData(cell(0, 4), 0.5, Qt::EditRole);
     EXPECT_EQ(edited.count(), before) << "nothing new";

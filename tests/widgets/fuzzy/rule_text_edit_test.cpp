@@ -1,6 +1,7 @@
 #include "widgets/fuzzy/rule_text_edit.h"
 
 #include "tests/core/fuzzy/age_and_zeal.h"
+#include "tests/support/eventually.h"
 
 #include <gmock/gmock.h>
 #include <QAbstractItemView>
@@ -21,7 +22,7 @@ protected:
         edit.setSystem(ageAndZealSystem());
         edit.resize(300, 200);
         edit.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&edit));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&edit, patience));
         QApplication::setActiveWindow(&edit);
         edit.setFocus();
     }

@@ -1,3 +1,4 @@
+#include "tests/support/eventually.h"
 #include "widgets/inputs/control_keys.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ protected:
         window.addActions({&play, &home});
         keepControlKeys(window);
         window.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
         QApplication::setActiveWindow(&window);
     }
     void press(QWidget* control, Qt::Key key) {

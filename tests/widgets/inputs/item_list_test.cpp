@@ -1,3 +1,4 @@
+#include "tests/support/eventually.h"
 #include "widgets/inputs/item_list.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ protected:
         list.setRows({{"Lobe", "212", Qt::red, {}, true}, {"Whole organ", "2 194", Qt::gray, {}, false}}, 0);
         list.resize(240, 100);
         list.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&list));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&list, patience));
         QApplication::setActiveWindow(&list);
         list.setFocus();
     }

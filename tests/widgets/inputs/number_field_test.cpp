@@ -1,3 +1,4 @@
+#include "tests/support/eventually.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/quantity_formats.h"
 
@@ -120,7 +121,7 @@ TEST_F(NumberFieldTest, LeavesUndoToTheWindowUntilSomethingIsTyped) {
     window.addAction(&undo);
     QSignalSpy undone(&undo, &QAction::triggered);
     window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
     QApplication::setActiveWindow(&window);
     number->setFocus();
     QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);

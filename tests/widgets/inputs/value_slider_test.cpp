@@ -1,3 +1,4 @@
+#include "tests/support/eventually.h"
 #include "widgets/inputs/value_slider.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ protected:
         column->addWidget(other);
         slider->setRange(0, 100);
         window.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
         QApplication::setActiveWindow(&window);
     }
     void turnWheel() {

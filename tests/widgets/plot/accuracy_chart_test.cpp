@@ -1,3 +1,4 @@
+#include "tests/support/eventually.h"
 #include "widgets/plot/accuracy_chart.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +21,7 @@ protected:
         m_chart.setPoints({{0.5, 1e-4, "slow"}, {40, 2e-2, "fast"}, {5, 1e-3, "between"}, {2, 0.5, "poor"}},
                           {0, 1, 2});
         m_chart.show();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(&m_chart));
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&m_chart, patience));
     }
 
     QWidget* canvas() { return m_chart.canvas(); }
@@ -51,7 +52,7 @@ TEST_F(AccuracyChartTest, AClickChoosesThePointBeneath) {
 
 TEST_F(AccuracyChartTest, SaysWhatLiesUnderTheMouse) {
     QTest::mouseMove(canvas(), m_chart.placeOf(2));
-    EXPECT_TRUE(QTest::qWaitFor([] { return QToolTip::text() == "between"; }));
+    EXPECT_TRUE(QTest::qWaitFor([] { return QToolTip::text() == "between"; }, patience));
     EXPECT_EQ(canvas()->cursor().shape(), Qt::PointingHandCursor);
 }
 

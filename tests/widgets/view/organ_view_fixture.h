@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/core/render/subjects.h"
+#include "tests/support/eventually.h"
 #include "widgets/view/organ_view.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ protected:
         view.resize(600, 450);
         view.setScene(scene);
         view.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&view, patience));
         view.frameOrgan();
         QObject::connect(&view, &OrganView::pullStarted, [this](quint32 node) { pulled = node; });
         QObject::connect(&view, &OrganView::pullMoved, [this](quint32 node, const Eigen::Vector3d& to) {

@@ -137,7 +137,7 @@ TEST_F(OrganViewTest, MarksFollowTheNodesAndTheScaleOfValues) {
         OrganView other;
         other.resize(view.size());
         other.show();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(&other));
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&other, patience));
         other.setScene(scene);
         other.setCamera(view.camera());
         return other.grabFramebuffer();

@@ -2,19 +2,45 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <numeric>
+#include <thread>
+#include <unistd.h>
 
 using namespace esm;
 
 namespace {
 
-/// s of processor time that the whole program has used.
-double processorTime() {
+/// s of processor time that the whole program has used (CLOCK_PROCESS_CPUTIME_ID), or this thread.
+double processorTime(clockid_t clock) {
     timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    clock_gettime(clock, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Whether a thread of this program waits for something: what the kernel says after its name in brackets.
+bool isAsleep(const std::filesystem::path& task) {
+    std::ifstream file(task / "stat");
+    std::string line;
+    std::getline(file, line);
+    const std::size_t name = line.rfind(')');
+    return name != std::string::npos && line.compare(name + 2, 1, "S") == 0;
+}
+
+/// Until all other threads of the program sleep; only a test's time limit ends a wait for one that never
+/// does.
+void waitUntilOthersSleep() {
+    const std::string self = std::to_string(::gettid());
+    const auto isAwake = [&](const auto& task) {
+        return task.path().filename() != self && !isAsleep(task.path());
+    };
+    for (bool awake = true; awake; std::this_thread::yield()) {
+        const std::filesystem::directory_iterator tasks("/proc/self/task");
+        awake = std::any_of(begin(tasks), end(tasks), isAwake);
+    }
 }
 
 } // namespace
@@ -63,17 +89,21 @@ TEST(ThreadTeam, WorksAgainAfterItSlept) {
         std::atomic<int> calls{0};
         team.run(8, [&](std::size_t) { ++calls; });
         EXPECT_EQ(calls, 8);
-        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        waitUntilOthersSleep();
     }
 }
 
 TEST(ThreadTeam, UsesNoTimeWhileIdle) {
     ThreadTeam team(3);
     team.run(8, [](std::size_t) {});
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    const double before = processorTime();
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    EXPECT_LT(processorTime() - before, 0.02);
+    waitUntilOthersSleep();
+    const double whole = processorTime(CLOCK_PROCESS_CPUTIME_ID);
+    const double own = processorTime(CLOCK_THREAD_CPUTIME_ID);
+    // This thread computes for a while, in which the others use nothing, however busy the machine is.
+    while (processorTime(CLOCK_THREAD_CPUTIME_ID) - own < 0.3) {
+    }
+    const double used = processorTime(CLOCK_PROCESS_CPUTIME_ID) - whole;
+    EXPECT_LT(used - (processorTime(CLOCK_THREAD_CPUTIME_ID) - own), 0.02);
 }
 
 TEST(ThreadTeam, TakesAsManyThreadsAsTheMachineHas) {

@@ -1,0 +1,194 @@
+#include "core/exchange/project_file.h"
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+#include "tests/support/temporary_folder.h"
+
+#include <QDropEvent>
+#include <QMimeData>
+
+#include <fstream>
+
+using namespace esm;
+
+namespace {
+
+class FileControllerTest : public EditorTest {
+protected:
+    void SetUp() override { open(makeSample("tube")); }
+
+    std::filesystem::path write(const std::string& name, const std::string& content) {
+        std::ofstream(folder / name) << content;
+        return folder / name;
+    }
+    std::string content(const std::string& name) {
+        std::ifstream in(folder / name);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    std::filesystem::path tetrahedron() {
+        return write("organ.obj",
+                     "v 0 0 0\nv 90 0 0\nv 0 90 0\nv 0 0 90\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    }
+    void drop(const std::vector<std::filesystem::path>& files) {
+        QMimeData data;
+        QList<QUrl> urls;
+        for (const auto& file : files)
+            urls << QUrl::fromLocalFile(QString::fromStdString(file.string()));
+        data.setUrls(urls);
+        QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window.get(), &enter);
+        QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window.get(), &event);
+    }
+    void setMass(double mass) {
+        window->document().edit("mass", [mass](Project& p) { p.base.mass = mass; });
+    }
+
+    TemporaryFolder folder;
+};
+
+} // namespace
+
+TEST_F(FileControllerTest, KnowsWhereAFileIsThatWasNamedFromAFolder) {
+    saveProject(makeSample("tube"), folder / "tube.esm");
+    window->openFiles({std::filesystem::relative(folder / "tube.esm")});
+    ASSERT_TRUE(window->document().path());
+    EXPECT_TRUE(window->document().path()->is_absolute());
+}
+
+TEST_F(FileControllerTest, TellsWhatIsWrongWithAProjectThatOpensAllTheSame) {
+    Project slip = makeSample("tube");
+    SpringNetwork network = *slip.network;
+    network.springs[3].restLength = 50;
+    slip.network = std::make_shared<SpringNetwork>(network);
+    saveProject(slip, folder / "slip.esm");
+    dialogs.expectNamed("remarkBox", [](QDialog* box) {
+        EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains("rest length"));
+        box->accept();
+    });
+    window->openFiles({folder / "slip.esm"});
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(project().network->springs[3].restLength, 50);
+}
+
+TEST_F(FileControllerTest, SavesWhatIsTypedWhileTheCursorIsStillInTheField) {
+    typeInto(massField(), "0.5");
+    dialogs.expectFile(folder / "tube.esm");
+    press(Qt::Key_S, Qt::ControlModifier);
+    ASSERT_TRUE(dialogs.isDone());
+    EXPECT_EQ(loadProject(folder / "tube.esm").base.mass, 0.5);
+    EXPECT_FALSE(window->document().isModified());
+    typeInto(massField(), "0.75");
+    press(Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(loadProject(folder / "tube.esm").base.mass, 0.75);
+}
+
+TEST_F(FileControllerTest, AsksAboutWhatIsTypedBeforeTheWindowCloses) {
+    typeInto(massField(), "0.5");
+    dialogs.expectButton("unsavedBox", QMessageBox::Cancel);
+    press(Qt::Key_Q, Qt::ControlModifier);
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_TRUE(window->isVisible());
+    dialogs.expectButton("unsavedBox", QMessageBox::Save);
+    dialogs.expectFile(folder / "tube.esm");
+    EXPECT_TRUE(window->close());
+    EXPECT_EQ(loadProject(folder / "tube.esm").base.mass, 0.5);
+}
+
+TEST_F(FileControllerTest, AsksAboutTheFileThatItWouldReplace) {
+    write("liver.esm", "precious");
+    dialogs.expectFile(folder / "liver");
+    dialogs.expectButton("replaceBox", QMessageBox::Cancel);
+    dialogs.expectFile(folder / "liver.v2");
+    press(Qt::Key_S, Qt::ControlModifier);
+    ASSERT_TRUE(dialogs.isDone());
+    EXPECT_EQ(content("liver.esm"), "precious");
+    EXPECT_FALSE(std::filesystem::exists(folder / "liver.v2"));
+    EXPECT_EQ(loadProject(folder / "liver.v2.esm").name, project().name);
+    EXPECT_EQ(window->document().path(), folder / "liver.v2.esm");
+}
+
+TEST_F(FileControllerTest, OpensWhatItSavedAMomentBefore) {
+    setMass(0.5);
+    ASSERT_TRUE(window->files().saveTo(folder / "tube.esm"));
+    setMass(0.75);
+    dialogs.expectButton("unsavedBox", QMessageBox::Save);
+    window->openFiles({folder / "tube.esm"});
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(project().base.mass, 0.75);
+    EXPECT_FALSE(window->document().isModified());
+}
+
+TEST_F(FileControllerTest, AsksBeforeAnImportedOrganIsLost) {
+    const auto file = tetrahedron();
+    dialogs.expectNamed("importDialog", [](QDialog* dialog) { dialog->accept(); });
+    window->openFiles({file});
+    ASSERT_TRUE(dialogs.isDone());
+    EXPECT_EQ(project().name, "organ");
+    dialogs.expectButton("unsavedBox", QMessageBox::Cancel);
+    EXPECT_FALSE(window->close());
+}
+
+TEST_F(FileControllerTest, OpensDroppedFilesOneAfterTheOther) {
+    const std::vector<std::filesystem::path> files{write("first.esm", "x"), write("second.esm", "x")};
+    QStringList said;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        dialogs.expectNamed("problemBox", [&](QDialog* box) {
+            QTest::qWait(0); // what opens beside it would open now
+            EXPECT_EQ(QApplication::activeModalWidget(), box);
+            said << qobject_cast<QMessageBox*>(box)->informativeText();
+            box->accept();
+        });
+    drop(files);
+    ESM_EVENTUALLY(dialogs.isDone() && said.size() == 2);
+    EXPECT_TRUE(said[0].contains("first.esm"));
+    EXPECT_TRUE(said[1].contains("second.esm"));
+}
+
+TEST_F(FileControllerTest, TakesADroppedProjectMeshAndPhoto) {
+    Project stored = makeSample("ventricle");
+    stored.base.mass = 0.25;
+    saveProject(stored, folder / "stored.esm");
+    drop({folder / "stored.esm"});
+    ESM_EVENTUALLY(project().base.mass == 0.25);
+    EXPECT_EQ(window->document().path(), folder / "stored.esm");
+
+    const auto photo = makeSamplePhoto(samplePhotoNames().front());
+    const auto picture = folder / "view.PNG";
+    std::ofstream(picture, std::ios::binary)
+        .write(reinterpret_cast<const char*>(photo->encoded.data()),
+               static_cast<std::streamsize>(photo->encoded.size()));
+    drop({picture});
+    ESM_EVENTUALLY(project().layers.size() == 1);
+    EXPECT_TRUE(window->windowActions().texture->isChecked());
+
+    dialogs.expectNamed("importDialog", [](QDialog* dialog) { dialog->accept(); });
+    dialogs.expectButton("unsavedBox", QMessageBox::Discard);
+    drop({tetrahedron()});
+    ESM_EVENTUALLY(project().name == "organ");
+}
+
+TEST_F(FileControllerTest, RefusesADropThatIsNoFile) {
+    QMimeData text;
+    text.setText("not a file");
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
+    enter.ignore();
+    QApplication::sendEvent(window.get(), &enter);
+    EXPECT_FALSE(enter.isAccepted());
+    QMimeData page;
+    page.setUrls({QUrl("https://example.org/liver.obj")});
+    QDragEnterEvent far({10, 10}, Qt::CopyAction, &page, Qt::LeftButton, Qt::NoModifier);
+    far.ignore();
+    QApplication::sendEvent(window.get(), &far);
+    EXPECT_FALSE(far.isAccepted());
+}
+
+TEST_F(FileControllerTest, EscapeInTheImportDialogLeavesEverythingAsItWas) {
+    setMass(0.5);
+    const auto network = project().network;
+    dialogs.expectNamed("importDialog", [](QDialog* dialog) { QTest::keyClick(dialog, Qt::Key_Escape); });
+    window->openFiles({tetrahedron()});
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(project().network, network);
+    EXPECT_EQ(project().base.mass, 0.5);
+    EXPECT_TRUE(window->document().isModified());
+}
