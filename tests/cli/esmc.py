@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -25,6 +26,18 @@ def rounds_of(few, many):
 def seed_of(round):
     """The seed of a round: as tests/support/rounds.h says."""
     return int(os.environ.get("ESM_TEST_SEED") or 0) + round
+
+
+def processor_time(process):
+    """s that a running program has computed: unlike time that passes, the same on a busy machine."""
+    fields = Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def finished_processor_time():
+    """s that the programs have computed which were started here and have ended."""
+    children = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return children.ru_utime + children.ru_stime
 
 
 def command(*arguments, **options):
