@@ -2,6 +2,7 @@
 #include "core/dynamics/simulation.h"
 #include "core/support/errors.h"
 #include "tests/support/every_integrator.h"
+#include "tests/support/rounds.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/tissue_models.h"
 
@@ -20,7 +21,11 @@ struct Sweep {
 Sweep sweep() {
     if (isSanitized()) return {{1e-6, 1e9}, {0, 1, 1e6}, {1e-9, 1e3}, 20, 19}; // the outermost corners
     // Every seventh meets every value of every parameter.
-    return {{1e-6, 1, 1e4, 1e9}, {0, 1e-6, 1, 1e3, 1e6}, {1e-9, 1e-3, 1e3}, 200, 7};
+    return {{1e-6, 1, 1e4, 1e9},
+            {0, 1e-6, 1, 1e3, 1e6},
+            {1e-9, 1e-3, 1e3},
+            roundsOf(200, 2000),
+            isLongRun() ? std::size_t{1} : std::size_t{7}};
 }
 
 // Every corner of what sliders and files can ask for: a run stays whole or is refused with a reason.

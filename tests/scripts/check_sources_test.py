@@ -1,0 +1,107 @@
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+import check_sources as check  # noqa: E402
+
+SOURCE = r'''// { a bracket in a comment
+#define LOOP(n) for (int i = 0; i < n; ++i) { \
+    use(i); }
+namespace esm {
+namespace {
+
+constexpr double values[] = {1, 2};
+const char* const raw = R"x(int f() { " )x";
+const int large = 1'000'000;
+const auto doubled = [](int n) {
+    return 2 * n;
+};
+
+struct Point {
+    double x = 0, y{};
+    double norm() const { return x; }
+};
+
+/// A comment above is not the function's own.
+template<class Real>
+Real area(const Point& p = {}, char bracket = '{') {
+    if (p.x > 0) {
+        return "}"[0];
+    }
+    return [&] { return 1; }();
+}
+
+class Team {
+public:
+    explicit Team(int threads) : m_threads{threads}, m_parts(3) {
+        run();
+    }
+    bool operator()(int a) const {
+        return a > 0;
+    }
+
+private:
+    int m_threads, m_parts;
+};
+
+} // namespace
+} // namespace esm
+'''
+
+
+class FunctionSizes(unittest.TestCase):
+    def test_counts_from_the_type_to_the_last_bracket(self):
+        self.assertEqual(check.function_sizes(SOURCE), [1, 7, 3, 3])
+
+    def test_finds_none_where_there_is_none(self):
+        self.assertEqual(check.function_sizes("enum class A { B, C };\nstruct D { int e[2] = {1, 2}; };\n"), [])
+
+
+class CommentLines(unittest.TestCase):
+    def test_counts_lines_with_a_comment_among_those_that_are_not_empty(self):
+        self.assertEqual(check.comment_lines('/* one\n   two */\n\nint a; // three\nauto b = "// none";\n'), (3, 4))
+
+
+class Folders(unittest.TestCase):
+    def test_a_ring_of_folders_is_named(self):
+        edges = check.folder_edges({"core/a/x.h": '#include "core/b/y.h"\n', "core/b/y.h": '#include "core/c/z.h"\n',
+                                    "core/c/z.h": '#include "core/a/x.h"\n', "core/d/w.h": '#include "core/a/x.h"\n'})
+        self.assertEqual(check.cycle(edges), ["core/a", "core/b", "core/c", "core/a"])
+
+    def test_a_folder_within_another_is_part_of_it(self):
+        edges = check.folder_edges({"core/a/x.h": '#include "core/a/b/y.h"\n',
+                                    "core/a/b/y.h": '#include "core/a/x.h"\n'})
+        self.assertEqual(check.cycle(edges), [])
+
+    def test_an_include_against_the_order_is_named(self):
+        problems = check.layering_problems({
+            "core/geometry/a.h": '#include "core/support/b.h"\n#include "core/model/c.h"\n',
+            "core/model/d.h": '#include "core/render/e.h"\n', "core/render/f.h": '#include "core/model/d.h"\n',
+            "widgets/view/g.h": '#include "app/editor/document/h.h"\n', "app/esmc/i.cpp": '#include "widgets/j.h"\n'})
+        self.assertEqual([problem.partition(":")[0] for problem in problems],
+                         ["core/geometry/a.h", "core/model/d.h", "widgets/view/g.h", "app/esmc/i.cpp"])
+
+
+class Tests(unittest.TestCase):
+    def test_stand_beside_what_they_test(self):
+        sources = ["core/a/mesh_file.h", "tests/support/helper.h"]
+        good = ["tests/core/a/mesh_file_test.cpp", "tests/core/a/mesh_file_damage_test.cpp",
+                "tests/core/a/helper_test.cpp"]
+        bad = ["tests/core/mesh_file_test.cpp", "tests/core/a/mesh_test.cpp"]
+        self.assertEqual([problem.partition(":")[0] for problem in check.misplaced_tests(sources + good + bad)], bad)
+
+
+class Sizes(unittest.TestCase):
+    def test_are_told_at_the_median_of_nine_in_ten_and_at_most(self):
+        self.assertEqual(check.quantiles(range(1, 12)), (6, 10, 11))
+
+    def test_a_long_file_or_function_is_a_problem(self):
+        long = "void f() {\n" + "    g();\n" * 400 + "}\n"
+        self.assertEqual(len(check.file_problems({"core/a.cpp": long, "core/b.cpp": "\n", "core/a.h": long})), 1)
+        self.assertTrue(check.function_problems({"core/a.cpp": long}))
+        self.assertEqual(check.function_problems({"core/a.cpp": "void f() {}\n"}), [])
+
+
+if __name__ == "__main__":
+    unittest.main(buffer=True)
