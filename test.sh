@@ -2,6 +2,7 @@
 # Installs what is missing, builds, and runs every test. Fails when one fails.
 #   ./test.sh [PRESET]   release (default), debug or asan
 #   ./test.sh --bench    measures instead, in the release build, and prints ratios: on a machine that does nothing else
+#   ./test.sh --bench --against FILE | --record FILE   compares with an earlier program: see scripts/compare_benchmarks.py
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -9,7 +10,10 @@ scripts/install-packages.sh
 if [[ ${1:-} == --bench ]]; then
   cmake --preset release -DESM_BUILD_BENCHMARKS=ON
   cmake --build --preset release --target benchmarks
-  exec build/release/bin/benchmarks "${@:2}"
+  case ${2:-} in
+    --against | --record) exec scripts/compare_benchmarks.py build/release/bin/benchmarks "${@:2}" ;;
+    *) exec build/release/bin/benchmarks "${@:2}" ;;
+  esac
 fi
 
 preset=${1:-release}
