@@ -2,7 +2,6 @@
 
 #include "core/dynamics/divergence.h"
 #include "core/dynamics/forces.h"
-#include "core/dynamics/stability_memory.h"
 #include "core/dynamics/stepper.h"
 #include "core/support/errors.h"
 
@@ -52,7 +51,6 @@ struct Simulation::Implementation {
     SimulationSettings settings;
     TouchedSurface surface;
     std::unique_ptr<ThreadTeam> team; ///< null when one thread is enough
-    std::unique_ptr<StabilityMemory> memory = std::make_unique<StabilityMemory>();
     ChosenStep chosen;
     Stepper stepper;
     Motion motion;
@@ -69,7 +67,7 @@ struct Simulation::Implementation {
 
     Implementation(const TissueModel& model, const SimulationSettings& given, TouchedSurface touchable)
         : settings(given), surface(std::move(touchable)), team(makeTeam(model, given)),
-          chosen(chooseStep(model, given, memory.get())),
+          chosen(chooseStep(model, given)),
           stepper(makeSpringSystem(model), surface, {chosen, given, team.get()}) {
         reset();
     }
@@ -257,7 +255,7 @@ void Simulation::setModel(const TissueModel& model, const SimulationSettings& se
     SpringSystem system = makeSpringSystem(model);
     if (system.mass.size() != self.motion.positions.size())
         throw InvalidModel("new parameters are for another number of nodes than the running model has");
-    const ChosenStep chosen = chooseStep(model, settings, self.memory.get());
+    const ChosenStep chosen = chooseStep(model, settings);
     if (!self.team) self.team = makeTeam(model, settings);
     Stepper stepper(std::move(system), self.surface, {chosen, settings, self.team.get()}, &self.stepper);
     self.takeOver(stepper.system());

@@ -106,16 +106,15 @@ bool isStable(const TissueModel& model, const Stepping& stepping) {
 }
 
 double largestAngularFrequency(const TissueModel& model) {
-    return StabilityRules(makeSpringSystem(model), Damping::Isotropic,
-                          {1e-3, Deformation::AtRest, {}, nullptr})
+    return StabilityRules(makeSpringSystem(model), Damping::Isotropic, {1e-3, Deformation::AtRest, {}})
         .largestAngularFrequency();
 }
 
-ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings, StabilityMemory* memory) {
+ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings) {
     if (auto problems = validate(settings); !problems.empty()) throw InvalidModel(std::move(problems));
     const bool isAuto = settings.integrator == Integrator::Auto;
     if (settings.timeStep && !isAuto) return {settings.integrator, *settings.timeStep};
-    StabilityRules rules(makeSpringSystem(model), settings.damping, {0.05, Deformation::Any, {}, memory});
+    StabilityRules rules(makeSpringSystem(model), settings.damping, {0.05, Deformation::Any, {}});
     if (settings.timeStep) return {integratorFor(rules, settings, *settings.timeStep), *settings.timeStep};
 
     const double cap = longestStep / safetyFactor;

@@ -17,13 +17,10 @@ inline constexpr double shortestStep = 1e-9; ///< s; and at or above this
 /// weighted graph Laplacian.
 enum class Deformation { AtRest, Any };
 
-struct StabilityMemory;
-
 struct StabilitySearch {
     double tolerance = 1e-3; ///< relative; a step is found too short by at most this
     Deformation deformation = Deformation::Any;
-    Progress progress; ///< asked before each factorisation; how many there will be is not known
-    StabilityMemory* memory = nullptr; ///< of the search before; this one starts where that one ended
+    Progress progress; ///< asked at every step that is tried; how many there will be is not known
 };
 
 /// Largest stable step, s, of an integrator (not `Auto`) with isotropic damping, without a safety factor;
@@ -57,8 +54,6 @@ struct ChosenStep {
 /// A given time step is taken as given; `Auto` then becomes an integrator that is stable at it (in float,
 /// `euler`).
 /// @throws InvalidModel when model or settings have problems, or no step of at least 1 ns would be stable
-/// @param memory of the choice before, which makes this one faster
-ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings,
-                      StabilityMemory* memory = nullptr);
+ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings);
 
 } // namespace esm

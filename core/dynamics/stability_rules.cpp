@@ -1,5 +1,6 @@
 #include "core/dynamics/stability_rules.h"
 
+#include "core/dynamics/definite_step.h"
 #include "core/dynamics/largest_eigenvalue.h"
 #include "core/dynamics/oscillator.h"
 #include "core/dynamics/rest_matrix.h"
@@ -13,6 +14,9 @@ namespace esm {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
+
+/// The least of split2Limit(x)/x up to x = 8/7.
+const double leastQuotient = 2.5 + std::sqrt(6.0);
 
 /// Largest h ≥ `stable`, up to `cap`, for which `holds`, which is true below some step and false above it;
 /// short of it by at most the tolerance, relative.
@@ -34,31 +38,6 @@ double largestHolding(double stable, double cap, double tolerance, const std::fu
         (holds(middle) ? stable : unstable) = middle;
     }
     return stable;
-}
-
-struct StepRange {
-    double least, most; ///< s
-};
-
-/// The same from where the step is thought to be; none where it is not close to that.
-std::optional<double> nearbyStep(const StepRange& range, double step, double tolerance,
-                                 const std::function<bool(double)>& holds) {
-    constexpr int tries = 2;
-    const auto isWithin = [&](double h) { return range.least < h && (1 + tolerance) * h < range.most; };
-    if (!isWithin(step)) return std::nullopt;
-    const bool isStable = holds(step);
-    for (int i = 0; i < tries && isWithin(step); ++i) {
-        const double next = isStable ? step * (1 + tolerance) : step / (1 + tolerance);
-        if (holds(next) != isStable) return std::min(step, next);
-        step = next;
-    }
-    return std::nullopt;
-}
-
-bool havePatternInCommon(const Matrix& a, const Matrix& b) {
-    return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
-           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
-           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
 }
 
 Matrix massNormalised(const Matrix& matrix, const Matrix& mass) {
@@ -113,7 +92,7 @@ bool staysBelow(const LimitCurve& curve, const StepBounds& bounds) {
 } // namespace
 
 StabilityRules::StabilityRules(const SpringSystem& system, Damping damping, StabilitySearch search)
-    : m_search(std::move(search)), m_memory(m_search.memory ? *m_search.memory : m_ownMemory) {
+    : m_search(std::move(search)) {
     const bool isAtRest = m_search.deformation == Deformation::AtRest;
     const auto matrix = [&](const MatrixFactors& factors) {
         return isAtRest ? restMatrix(system, damping, factors)
@@ -122,8 +101,10 @@ StabilityRules::StabilityRules(const SpringSystem& system, Damping damping, Stab
     m_mass = matrix({1, 0, 0});
     m_damping = matrix({0, 1, 0});
     m_stiffness = matrix({0, 0, 1});
-    analyse();
-    m_largestStiffness = largestOf(m_stiffness, m_memory.stiffest);
+    reportProgress(m_search.progress, 0);
+    Eigenpair stiffest = largestEigenpair(massNormalised(m_stiffness, m_mass), m_search.tolerance / 2);
+    m_largestStiffness = stiffest.value;
+    if (stiffest.value > 0) m_stiffest = stiffest.vector.cwiseQuotient(m_mass.diagonal().cwiseSqrt());
     // Moved across their axes, springs that damp along them alone have no damping.
     m_ratio = isAtRest || damping == Damping::Isotropic ? leastDampingRatio(system) : 0;
 }
@@ -166,38 +147,37 @@ double StabilityRules::largestAngularFrequency() const {
 // λmax(h²K + 2hD) < 4
 double StabilityRules::euler(double cap) {
     const double d = largestDamping();
-    const double safe = 4 / (d + std::sqrt(d * d + 4 * m_largestStiffness));
-    return largestStep(Integrator::Euler, safe, cap,
-                       [this](double h) { return isDefinite(4, -2 * h, -h * h); });
+    const double sure = 4 / (d + std::sqrt(d * d + 4 * m_largestStiffness));
+    return largestDefinite({4, -2, -1}, sure, cap);
 }
 
 // λmax(h²K + 4hD) < 4
 double StabilityRules::verlet(double cap) {
     const double d = largestDamping();
-    const double safe = 2 / (d + std::sqrt(d * d + m_largestStiffness));
-    return largestStep(Integrator::Verlet, safe, cap,
-                       [this](double h) { return isDefinite(4, -4 * h, -h * h); });
+    const double sure = 2 / (d + std::sqrt(d * d + m_largestStiffness));
+    return largestDefinite({4, -4, -1}, sure, cap);
 }
 
-// Two sides: pure decay at the rate r of the limit, which happens where r²M − r·hD + h²K becomes singular,
-// and the growing oscillations, bounded by the largest stiffness and damping and their least ratio.
+// Two sides: the growing oscillations, bounded by the largest stiffness and damping and their least ratio,
+// and pure decay at the rate r of the limit, which happens where r²M − r·hD + h²K becomes singular.
 std::optional<double> StabilityRules::multistage(Integrator integrator, double cap) {
     const double decay = decayLimit(integrator), d = largestDamping();
-    if (m_largestStiffness == 0) return std::min(cap, d > 0 ? decay / d : noStepLimit);
+    const double decaying = d > 0 ? decay / d : noStepLimit;
+    if (m_largestStiffness == 0) return std::min(cap, decaying);
     const LimitCurve& curve = curveOf(integrator);
     // Without damping heun and adams-moulton let every oscillation grow, however slowly.
     if (m_ratio == 0 && curve.front().second < 0.01) return std::nullopt;
-    // Deformed, a motion may be damped and meet no stiffness at all.
-    const bool isAtRest = m_search.deformation == Deformation::AtRest;
     const auto holds = [&](double h) {
-        const StepBounds bounds{h * h * m_largestStiffness, std::min(h * d, decay), m_ratio / h};
-        return staysBelow(curve, bounds) && isDefinite(decay * decay, -decay * h, isAtRest ? h * h : 0);
+        return staysBelow(curve, {h * h * m_largestStiffness, std::min(h * d, decay), m_ratio / h});
     };
-    double safe = std::min(1 / std::sqrt(m_largestStiffness), d > 0 ? decay / d : noStepLimit);
-    while (safe > 0 && !holds(safe))
-        safe /= 2;
-    if (!(safe > 0)) return std::nullopt;
-    return largestStep(integrator, safe, cap, holds);
+    double sure = std::min(1 / std::sqrt(m_largestStiffness), decaying);
+    while (sure > 0 && !holds(sure))
+        sure /= 2;
+    if (!(sure > 0)) return std::nullopt;
+    const double oscillating = largestHolding(sure, cap, m_search.tolerance / 4, holds);
+    // Deformed, a motion may be damped and meet no stiffness at all.
+    if (m_search.deformation == Deformation::Any) return std::min(oscillating, decaying);
+    return largestDefinite({decay * decay, -decay, 1}, decaying, oscillating);
 }
 
 // Always stable; but forces settle the slower the more a node's springs outweigh its mass: h·D + h²·K <
@@ -211,74 +191,44 @@ double StabilityRules::propagation(double cap) {
 // λmax(h²K − 2hD) < 4; on the line d = ratio·k that is h² − 2h·ratio < 4/k.
 double StabilityRules::split(double cap) {
     if (m_largestStiffness == 0) return cap;
-    const double safe = m_ratio + std::sqrt(m_ratio * m_ratio + 4 / m_largestStiffness);
-    return largestStep(Integrator::Split, safe, cap,
-                       [this](double h) { return isDefinite(4, 2 * h, -h * h); });
+    const double sure = m_ratio + std::sqrt(m_ratio * m_ratio + 4 / m_largestStiffness);
+    return largestDefinite({4, 2, -1}, sure, cap);
 }
 
+// Motions with h·d ≥ 8/7 leave the unit circle at −1: for them a half plane is the rule. The others are
+// stable up to h = leastQuotient·ratio, and are none where all of the tissue is damped that much.
 std::optional<double> StabilityRules::split2(double cap) {
     if (m_largestStiffness == 0) return cap;
     if (m_ratio == 0) return std::nullopt;
-    const double safe = split2OnLine(cap);
-    // Where every mode is damped enough to leave the unit circle at −1, that half plane alone is the
-    // rule.
-    if (safe >= cap || !isDefinite(-8.0 / 7, safe, 0)) return safe;
-    return largestStep(Integrator::Split2, safe, cap,
-                       [this](double h) { return isDefinite(16.0 / 3, 4.0 / 3 * h, -h * h); });
+    const double sure = split2OnLine(cap), forAll = std::max(sure, leastQuotient * m_ratio);
+    const double halfPlane = largestDefinite({16.0 / 3, 4.0 / 3, -1}, sure, cap);
+    if (halfPlane <= forAll || isDampedBeyond(8.0 / 7, sure, m_mass, m_damping)) return halfPlane;
+    return forAll;
 }
 
 // On the line d = ratio·k up to the largest k: h/ratio must stay below split2Limit(x)/x for every
-// x ≤ h·ratio·k. That quotient falls to 5/2 + √6 at x = 0.3866, rises a little and falls again.
+// x ≤ h·ratio·k. That quotient falls to 5/2 + √6 at x = 0.3866, rises a little and falls again, not below
+// that before x = 8/7.
 double StabilityRules::split2OnLine(double cap) const {
     const auto holds = [this](double h) {
         const double damping = h * m_ratio * m_largestStiffness;
         const double quotient = split2Limit(damping) / damping;
-        return h / m_ratio < (damping < 0.3866 ? quotient : std::min(quotient, 2.5 + std::sqrt(6.0)));
+        return h / m_ratio < (damping < 0.3866 ? quotient : std::min(quotient, leastQuotient));
     };
     const double strong = 4.0 / 3 * m_ratio, weak = std::cbrt(2 * m_ratio / m_largestStiffness);
     return largestHolding(holds(weak) ? std::max(weak, strong) : strong, cap, 1e-3, holds);
 }
 
-double StabilityRules::largestStep(Integrator integrator, double guess, double cap,
-                                   const std::function<bool(double)>& holds) {
-    const auto former = m_memory.overGuess.find(integrator);
-    std::optional<double> found;
-    if (former != m_memory.overGuess.end())
-        found = nearbyStep({guess / 2, cap}, former->second * guess, m_search.tolerance, holds);
-    if (!found) {
-        double sure = guess;
-        // Where another motion has overtaken the stiffest one of the search before, the guess is too long.
-        while (m_search.memory && std::isfinite(sure) && !holds(std::min(sure, cap)))
-            sure = std::min(sure, cap) / 2;
-        found = largestHolding(sure, cap, m_search.tolerance, holds);
-    }
-    if (*found < cap) m_memory.overGuess[integrator] = *found / guess;
-    return *found;
-}
-
-void StabilityRules::analyse() {
-    Matrix sum = m_mass + m_damping + m_stiffness;
-    if (sum.rows() == 0 || havePatternInCommon(sum, m_memory.pattern)) return;
-    m_memory.solver.analyzePattern(sum);
-    m_memory.pattern.swap(sum);
-}
-
-double StabilityRules::largestOf(const Matrix& matrix, Eigen::VectorXd& eigenvector) const {
-    const Matrix normalised = massNormalised(matrix, m_mass);
-    if (!m_search.memory) return largestEigenvalue(normalised);
-    return largestEigenvalueNear(eigenvector, normalised, m_search.tolerance / 2);
-}
-
-bool StabilityRules::isDefinite(double massFactor, double dampingFactor, double stiffnessFactor) {
-    if (m_mass.rows() == 0) return true;
-    reportProgress(m_search.progress, 1 - 1 / (1 + 0.1 * m_factorisations++));
-    m_memory.solver.factorize(massFactor * m_mass + dampingFactor * m_damping +
-                              stiffnessFactor * m_stiffness);
-    return m_memory.solver.info() == Eigen::Success;
+double StabilityRules::largestDefinite(const MatrixFactors& factors, double sure, double cap) const {
+    if (m_largestStiffness == 0) return std::min(sure, cap);
+    const StepFamily family{m_mass, m_damping, m_stiffness, factors};
+    return largestDefiniteStep(family, m_stiffest, {sure, cap, m_search.tolerance, m_search.progress});
 }
 
 double StabilityRules::largestDamping() {
-    if (!m_largestDamping) m_largestDamping = largestOf(m_damping, m_memory.mostDamped);
+    if (m_largestDamping) return *m_largestDamping;
+    reportProgress(m_search.progress, 0);
+    m_largestDamping = largestEigenvalue(massNormalised(m_damping, m_mass), m_search.tolerance / 2);
     return *m_largestDamping;
 }
 

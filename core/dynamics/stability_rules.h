@@ -2,9 +2,7 @@
 
 #include "core/dynamics/spring_system.h"
 #include "core/dynamics/stability.h"
-#include "core/dynamics/stability_memory.h"
-
-#include <functional>
+#include "core/dynamics/step_matrix.h"
 
 namespace esm {
 
@@ -13,6 +11,7 @@ namespace esm {
 /// whole range, or on a larger set, is safe even where K and D have no common eigenvectors.
 class StabilityRules {
 public:
+    /// @throws Cancelled, as all that follows
     StabilityRules(const SpringSystem& system, Damping damping, StabilitySearch search);
     StabilityRules(const StabilityRules&) = delete;
     StabilityRules& operator=(const StabilityRules&) = delete;
@@ -26,7 +25,7 @@ public:
     double largestAngularFrequency() const; ///< rad/s, without damping
 
 private:
-    using Matrix = StabilityMemory::Matrix;
+    using Matrix = Eigen::SparseMatrix<double>;
 
     double euler(double cap);
     double verlet(double cap);
@@ -36,24 +35,15 @@ private:
     std::optional<double> split2(double cap);
     double split2OnLine(double cap) const;
 
-    /// Largest h ≥ `guess`, up to `cap`, for which `holds`, which is true below some step and false above it;
-    /// short of it by at most the tolerance, relative. What a former search found is tried first.
-    double largestStep(Integrator integrator, double guess, double cap,
-                       const std::function<bool(double)>& holds);
-    void analyse();
-    /// An upper estimate of λmax, mass-normalised.
-    double largestOf(const Matrix& matrix, Eigen::VectorXd& eigenvector) const;
-
-    /// Whether massFactor·M + dampingFactor·D + stiffnessFactor·K is positive definite.
-    bool isDefinite(double massFactor, double dampingFactor, double stiffnessFactor);
+    /// Largest h up to `cap` up to which mass·M + damping·h·D + stiffness·h²·K is positive definite, which it
+    /// is known to be up to `sure`.
+    double largestDefinite(const MatrixFactors& factors, double sure, double cap) const;
     double largestDamping();
 
     StabilitySearch m_search;
-    StabilityMemory m_ownMemory; ///< where the search brings none
-    StabilityMemory& m_memory;
-    int m_factorisations = 0;
     Matrix m_mass, m_damping, m_stiffness;
-    double m_largestStiffness;              ///< ω², mass-normalised
+    double m_largestStiffness = 0;          ///< ω², mass-normalised
+    Eigen::VectorXd m_stiffest;             ///< the motion it is of
     std::optional<double> m_largestDamping; ///< 1/s, mass-normalised
     double m_ratio;                         ///< s, smallest d/c
 };

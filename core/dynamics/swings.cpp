@@ -14,7 +14,7 @@ constexpr double patience = 60;      ///< s, at the wall time that steps roughly
 constexpr double leastHalvings = 16; ///< times as many steps as the longest stable ones are to be affordable
 
 SwingBounds boundsOf(const SpringSystem& system, Damping damping) {
-    const StabilityRules rules(system, damping, {1e-2, Deformation::Any, {}, nullptr});
+    const StabilityRules rules(system, damping, {1e-2, Deformation::Any, {}});
     // Across its axis a spring that damps along it alone has elasticity but no damping.
     const double ratio = damping == Damping::Isotropic ? leastDampingRatio(system) : 0;
     return {rules.largestAngularFrequency(), ratio};
@@ -60,7 +60,7 @@ bool hidesSwings(const SwingBounds& bounds, Integrator integrator, double timeSt
 
 std::optional<FollowingSteps> followingSteps(const TissueModel& model, Damping damping, double duration) {
     const SpringSystem system = makeSpringSystem(model);
-    StabilityRules rules(system, damping, {0.05, Deformation::Any, {}, nullptr});
+    StabilityRules rules(system, damping, {0.05, Deformation::Any, {}});
     std::vector<Integrator> candidates{Integrator::Verlet};
     if (damping == Damping::Isotropic)
         candidates = {Integrator::Split2, Integrator::Verlet, Integrator::Split};

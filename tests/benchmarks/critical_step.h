@@ -4,8 +4,8 @@
 
 namespace benchmarks {
 
-/// After a slider's move on 10 k nodes: choosing the step, and finding the critical one, from where the last
-/// search ended and anew.
+/// After a slider's move on 10 k nodes: choosing the step, and finding the critical one, beside a
+/// factorisation.
 std::vector<Ratio> registerCriticalStep();
 
 } // namespace benchmarks

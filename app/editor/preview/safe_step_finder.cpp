@@ -1,7 +1,6 @@
 #include "app/editor/preview/safe_step_finder.h"
 
 #include "core/dynamics/stability.h"
-#include "core/dynamics/stability_memory.h"
 
 #include <chrono>
 
@@ -35,13 +34,12 @@ void SafeStepFinder::find(TissueModel model, Integrator integrator) {
 }
 
 void SafeStepFinder::work() {
-    StabilityMemory memory;
     while (const auto question = m_questions.take()) {
         if (m_questions.becomesObsoleteWithin(settleTime)) continue;
         try {
             const auto step = criticalStep(
                 question->model, question->integrator,
-                {tolerance, Deformation::Any, [this](double) { return !m_questions.isObsolete(); }, &memory});
+                {tolerance, Deformation::Any, [this](double) { return !m_questions.isObsolete(); }});
             const std::lock_guard lock(m_telling);
             if (!m_questions.isObsolete()) m_found(step);
         } catch (const std::exception&) {

@@ -44,7 +44,7 @@ SceneOutcome pushed(const TissueModel& model, Integrator integrator, double time
 TEST_P(EnergyWatchByEach, TellsStepsThatAreALittleTooLong) {
     for (const double viscosity : {0.002, 0.02}) {
         const TissueModel model = ballHeldBelow({50, viscosity, 0.0001});
-        const auto limit = criticalStep(model, GetParam(), {1e-3, Deformation::AtRest, {}, nullptr});
+        const auto limit = criticalStep(model, GetParam(), {1e-3, Deformation::AtRest, {}});
         // What solves for velocities of all has no limit; propagation's is not one of stability.
         if (!limit || std::isinf(*limit) || GetParam() == Integrator::Propagation) continue;
         EXPECT_TRUE(pushed(model, GetParam(), 0.97 * *limit).stable) << viscosity;

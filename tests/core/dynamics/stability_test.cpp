@@ -1,6 +1,5 @@
 #include "core/dynamics/oscillator.h"
 #include "core/dynamics/stability.h"
-#include "core/dynamics/stability_memory.h"
 #include "core/support/errors.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
@@ -105,6 +104,16 @@ TEST(CriticalSteps, HoldWhereElasticityAndViscosityDoNotCommute) {
     // Rest shape and direction matter only a little: the bound is not needlessly short either.
     EXPECT_TRUE(blowsUp(model, Integrator::Euler, 2 * *steps.at(Integrator::Euler)));
     EXPECT_TRUE(blowsUp(model, Integrator::Split, 2 * *steps.at(Integrator::Split)));
+}
+
+TEST(CriticalSteps, OfUnevenOverdampedTissueThatNothingHoldsFollowTheHalfPlane) {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(8, 0.1), {50, 50, 0.001});
+    for (std::size_t i = 0; i < model.mass.size(); ++i)
+        model.springConstant[i] *= std::exp(std::sin(1.7 * static_cast<double>(i)));
+    const double step = *criticalStep(model, Integrator::Split2);
+    EXPECT_FALSE(blowsUp(model, Integrator::Split2, 0.99 * step));
+    EXPECT_TRUE(blowsUp(model, Integrator::Split2, 1.5 * step));
+    EXPECT_NEAR(step, 2.0 / 3 * *criticalStep(model, Integrator::Split), 0.01 * step);
 }
 
 TEST(CriticalSteps, KnowWhereThereIsNoLimitAndNoStep) {
@@ -270,77 +279,3 @@ TEST(ChooseStep, RefusesWhatCannotWork) {
 }
 
 } // namespace
-
-namespace {
-
-/// Parameters as sliders move them: a little, a lot, in one half only, and so that the other half becomes the
-/// stiffer one.
-std::vector<TissueModel> slidersMoved() {
-    const TissueModel start = tissue::fallopianTube();
-    std::vector<TissueModel> models(6, start);
-    const std::size_t half = start.mass.size() / 2;
-    for (std::size_t i = 0; i < start.mass.size(); ++i) {
-        models[1].springConstant[i] *= 1.1;
-        models[2].springConstant[i] *= i < half ? 300 : 1;
-        models[3].springConstant[i] *= i < half ? 300 : 2000;
-        models[3].viscosity[i] *= i < half ? 1 : 1e-3;
-        models[4].viscosity[i] *= 1e-3;
-        models[5].mass[i] *= i < half ? 1e-2 : 1;
-    }
-    return models;
-}
-
-} // namespace
-
-TEST(StabilityMemory, FindsTheSameStepsWithinTheTolerance) {
-    constexpr double searchTolerance = 0.02;
-    for (const Integrator integrator : allIntegrators) {
-        StabilityMemory memory;
-        for (const TissueModel& model : slidersMoved()) {
-            const auto cold = criticalStep(model, integrator, {searchTolerance, Deformation::Any, {}});
-            const auto warm =
-                criticalStep(model, integrator, {searchTolerance, Deformation::Any, {}, &memory});
-            ASSERT_EQ(warm.has_value(), cold.has_value()) << integratorName(integrator);
-            if (!cold || std::isinf(*cold)) {
-                EXPECT_EQ(warm, cold) << integratorName(integrator);
-            } else {
-                EXPECT_LT(*warm, (1 + searchTolerance + 1e-3) * *cold) << integratorName(integrator);
-                EXPECT_GT((1 + searchTolerance + 1e-3) * *warm, *cold) << integratorName(integrator);
-            }
-        }
-    }
-}
-
-TEST(StabilityMemory, OfAnEigenvectorThatWasOvertakenIsNotTrusted) {
-    // A spring on its own beside a chain whose shortest waves are a little stiffer and more damped.
-    SpringNetwork network;
-    for (int i = 0; i < 200; ++i)
-        network.restPositions.emplace_back(i, 0, 0);
-    for (std::size_t i = 0; i + 1 < 200; ++i)
-        if (i != 1) tissue::addSpring(network, i, i + 1);
-    TissueModel model = tissue::model(std::move(network), {52.5, 0.525, 0.01});
-    for (const std::size_t alone : {0U, 1U}) {
-        model.springConstant[alone] = 100;
-        model.viscosity[alone] = 1;
-    }
-    Eigen::VectorXd overtaken = Eigen::VectorXd::Zero(200);
-    overtaken.head<2>() << 1e9, -1e9;
-    for (const Integrator integrator : {Integrator::Euler, Integrator::Verlet, Integrator::Split}) {
-        StabilityMemory memory;
-        memory.stiffest = memory.mostDamped = overtaken;
-        const auto cold = criticalStep(model, integrator),
-                   warm = criticalStep(model, integrator, {1e-3, Deformation::Any, {}, &memory});
-        ASSERT_TRUE(warm && cold) << integratorName(integrator);
-        EXPECT_LT(*warm, 1.002 * *cold) << integratorName(integrator);
-    }
-}
-
-TEST(StabilityMemory, OfAnotherTissueDoesNoHarm) {
-    StabilityMemory memory;
-    for (const TissueModel& model :
-         {tissue::fallopianTube(), chain({100, 0.2, 0.01}), tissue::oneSpring({}), tissue::fallopianTube()}) {
-        const ChosenStep cold = chooseStep(model, {}), warm = chooseStep(model, {}, &memory);
-        EXPECT_EQ(warm.integrator, cold.integrator);
-        EXPECT_NEAR(warm.timeStep, cold.timeStep, 0.06 * cold.timeStep);
-    }
-}
