@@ -110,6 +110,7 @@ Report describe(const SceneOutcome& outcome) {
                    {"averaged_corners", outcome.averagedCorners},
                    {"wall_s", outcome.wallSeconds},
                    {"setup_s", outcome.setupSeconds},
+                   {"factorisation_s", outcome.factorisationSeconds},
                    {"simulated_s", outcome.simulatedSeconds},
                    {"real_time_factor", inJson(realTimeFactor)},
                    {"stable", outcome.stable},

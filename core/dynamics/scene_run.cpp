@@ -220,6 +220,7 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     settings.isWanted = [&] { return progress(done); };
     Simulation simulation(run.model, settings, run.scene.instrument ? run.surface : TouchedSurface());
     outcome.setupSeconds = secondsSince(start);
+    outcome.factorisationSeconds = simulation.factorisationSeconds();
     outcome.integrator = simulation.integrator();
 
     Recorder recorder(run.scene, simulation.timeStep(), sink);

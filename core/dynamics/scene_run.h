@@ -18,6 +18,7 @@ struct SceneOutcome {
     double shortestStep = 0;             ///< s, that was taken
     std::size_t averagedCorners = 0;     ///< where loads begin, end or turn inside a step: as Timeline says
     double setupSeconds = 0, wallSeconds = 0, simulatedSeconds = 0;
+    double factorisationSeconds = 0; ///< of the set-up
     bool stable = true;
     std::string outcome;       ///< "completed", or why the run stopped
     Energy energy;             ///< at the end

@@ -201,6 +201,10 @@ double Simulation::contactWork() const {
     return m_implementation->contactWork;
 }
 
+double Simulation::factorisationSeconds() const {
+    return m_implementation->stepper.factorisationSeconds();
+}
+
 bool Simulation::wasTouched() const {
     return m_implementation->touched;
 }

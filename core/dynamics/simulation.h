@@ -55,6 +55,9 @@ public:
     /// Share of the nodes that were computed, on the mean of all steps.
     double activeFraction() const;
 
+    /// s, wall time spent factorising so far, set-up included.
+    double factorisationSeconds() const;
+
     /// Where the instrument stands before the next step, m.
     void placeInstrument(const Eigen::Vector3d& centre);
 

@@ -3,6 +3,7 @@
 #include "core/support/errors.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace esm {
@@ -61,12 +62,14 @@ Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const Ma
 }
 
 const Eigen::SimplicialLLT<MatrixFactoriser::Matrix>* MatrixFactoriser::factorise(const Matrix& matrix) {
+    const auto start = std::chrono::steady_clock::now();
     if (!isAnalysed(matrix)) {
         m_solver.analyzePattern(matrix);
         m_starts.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1);
         m_rows.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
     }
     m_solver.factorize(matrix);
+    m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return m_solver.info() == Eigen::Success ? &m_solver : nullptr;
 }
 

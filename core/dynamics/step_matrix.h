@@ -24,11 +24,15 @@ public:
     /// The lower half of a matrix as L·Lᵀ in an order of its own; null when it is not positive definite.
     const Eigen::SimplicialLLT<Matrix>* factorise(const Matrix& matrix);
 
+    /// s, wall time of all of them so far.
+    double seconds() const { return m_seconds; }
+
 private:
     bool isAnalysed(const Matrix& matrix) const;
 
     Eigen::SimplicialLLT<Matrix> m_solver;
     std::vector<int> m_starts, m_rows; ///< of the columns of the matrix that was analysed last, its entries'
+    double m_seconds = 0;
 };
 
 /// A column of L⁻¹: its entries, from the top down. They lie on one path of the elimination tree, so two

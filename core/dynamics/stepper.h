@@ -48,6 +48,9 @@ public:
     /// Share of the nodes that the last steps were computed for.
     double activeFraction() const;
 
+    /// s, wall time that this stepper and those it took over from have spent factorising.
+    double factorisationSeconds() const { return m_free.factoriser->seconds() + m_led.factoriser->seconds(); }
+
     /// J, what the sphere did to the tissue in the last step.
     double contactWork() const { return m_contactWork; }
     /// Whether the sphere touched in the last step.

@@ -26,11 +26,12 @@ class SimulateTest(Case):
 
     def test_reports_the_run(self):
         report, rows = self.simulated(self.sample("tube"), TUBE_POKE)
-        self.assertKeys(report, {"integrator": str, "dt": float, "steps": int, "wall_s": float, "setup_s": float,
+        self.assertKeys(report, {"integrator": str, "dt": float, "steps": int, "wall_s": float, "setup_s": float, "factorisation_s": float,
                                  "simulated_s": float, "real_time_factor": float, "stable": bool, "outcome": str,
                                  "active_fraction": float, "energy": dict, "warnings": list})
         self.assertTrue(report["stable"])
         self.assertIn(report["integrator"], ("split", "split2"))
+        self.assertTrue(0 < report["factorisation_s"] < report["setup_s"])
         self.assertAlmostEqual(report["simulated_s"], 0.5)
         self.assertEqual(list(rows[0]), ["time", "node", "x", "y", "z"])
         self.assertEqual(len(rows), 6 * 170)
