@@ -1,18 +1,15 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/opened_file.h"
+#include "app/esmc/packing.h"
 #include "app/esmc/preparation_options.h"
-#include "core/exchange/image_file.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/projector_file.h"
-#include "core/support/atomic_file.h"
 #include "core/texture/layers/composite.h"
-#include "core/texture/layers/page_levels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <list>
 
 namespace esm {
 
@@ -45,15 +42,6 @@ void declarePack(CLI::App& command, PackOptions& options) {
                {layoutName(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows},
                {layoutName(AtlasLayout::UnfoldedGroups), AtlasLayout::UnfoldedGroups}},
               "How triangles are laid side by side (matched_rows)");
-}
-
-void pack(Project& project) {
-    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, project.texture.atlas));
-}
-
-/// A project that nobody packed gets its atlas where one is needed first.
-void packIfNeeded(Project& project) {
-    if (!project.atlas) pack(project);
 }
 
 Report runPack(const PackOptions& options, Context& context) {
@@ -160,122 +148,6 @@ Report runPhoto(const PhotoOptions& options, Context& context) {
     return report;
 }
 
-struct BakeOptions {
-    std::string project, folder;
-    bool deep = false; ///< 16 bits a channel
-};
-
-void declareBake(CLI::App& command, BakeOptions& options) {
-    command.add_option("project", options.project, "Project to read (.esm)")->required();
-    command.add_option("-o,--output", options.folder, "Folder for the pictures; made when it is missing")
-        ->required();
-    addChoice(command, "--bits", options.deep, {{"8", false}, {"16", true}}, "Bits of each channel (8)");
-}
-
-void makeFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (!fs::is_directory(folder)) throw FileError(folder, "cannot be made a folder; choose another name");
-}
-
-fs::path pageFile(const fs::path& folder, std::size_t page) {
-    return folder / ("texture-" + std::to_string(page + 1) + ".png");
-}
-
-template<typename Channel>
-std::vector<Bytes> encoded(const std::vector<ImageOf<Channel>>& pages, double texelsPerMetre,
-                           const Context& context) {
-    const Progress progress = progressOf(context, "writing");
-    std::vector<Bytes> files;
-    for (const ImageOf<Channel>& page : pages) {
-        reportProgress(progress, static_cast<double>(files.size()) / static_cast<double>(pages.size()));
-        files.push_back(encodePng(page, texelsPerMetre));
-    }
-    return files;
-}
-
-/// No page takes its place before all are written.
-void writePages(const std::vector<Bytes>& pages, const fs::path& folder, Interruption& interruption) {
-    makeFolder(folder);
-    std::list<AtomicFile> files;
-    for (std::size_t page = 0; page < pages.size(); ++page) {
-        files.emplace_back(pageFile(folder, page));
-        files.back().write({reinterpret_cast<const char*>(pages[page].data()), pages[page].size()});
-        files.back().sync();
-    }
-    interruption.disarm();
-    for (AtomicFile& file : files)
-        file.commit();
-}
-
-/// Pages that a bake of more of them left in the folder would be taken for pages of this one.
-std::vector<std::string> staleWarnings(const fs::path& folder, std::size_t pages) {
-    std::vector<std::string> stale;
-    for (std::size_t page = pages; fs::exists(pageFile(folder, page)); ++page)
-        stale.push_back(pageFile(folder, page).string());
-    if (stale.empty()) return {};
-    return {joined(stale) + (stale.size() == 1 ? " is" : " are") +
-            " of an earlier bake and no part of this texture; remove or rename"};
-}
-
-/// Of the pages, and of each size to which a renderer may halve them.
-std::vector<double> seamErrors(const Project& project, const std::vector<Image>& pages) {
-    std::vector<double> errors{seamError(*project.mesh, *project.atlas, pages)};
-    const SmallerPages smaller = smallerPages(*project.atlas, pages);
-    for (int halvings = 1; halvings <= usableLevels(project.atlas->options); ++halvings) {
-        std::vector<Image> level;
-        for (const std::vector<Image>& page : smaller)
-            level.push_back(page[static_cast<std::size_t>(halvings - 1)]);
-        errors.push_back(seamError(*project.mesh, *project.atlas, level, halvings));
-    }
-    return errors;
-}
-
-std::string seamText(const std::vector<double>& errors) {
-    std::string text = "largest difference of colour across an edge: " + inText(errors.front()) + " of 255";
-    for (std::size_t halvings = 1; halvings < errors.size(); ++halvings)
-        text += ", at 1/" + std::to_string(1 << halvings) + " of the size " + inText(errors[halvings]);
-    return text;
-}
-
-struct Baked {
-    std::vector<Bytes> files; ///< of the pages
-    std::vector<double> seamErrors;
-};
-
-Baked bake(const Project& project, bool deep, const Context& context) {
-    const Progress progress = progressOf(context, "baking");
-    const double texelsPerMetre = project.atlas->texelsPerMetre;
-    CompositionCache cache;
-    const std::vector<Image> pages =
-        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, cache, progress);
-    Baked baked{{}, seamErrors(project, pages)};
-    baked.files = deep ? encoded(compositeDeep(*project.mesh, *project.atlas, project.layers,
-                                               project.texture.baseColour, cache, progress),
-                                 texelsPerMetre, context)
-                       : encoded(pages, texelsPerMetre, context);
-    return baked;
-}
-
-Report runBake(const BakeOptions& options, Context& context) {
-    context.subject = options.project;
-    Project project = openedProject(options.project, context);
-    packIfNeeded(project);
-    const Baked baked = bake(project, options.deep, context);
-    writePages(baked.files, options.folder, context.interruption);
-    Report report;
-    report.json["files"] = Json::array();
-    for (std::size_t page = 0; page < baked.files.size(); ++page) {
-        report.json["files"].push_back(pageFile(options.folder, page).string());
-        addWritten(report, pageFile(options.folder, page));
-    }
-    report.json["seam_error"] = baked.seamErrors.front();
-    report.json["seam_errors"] = baked.seamErrors;
-    report.text.push_back(seamText(baked.seamErrors));
-    addWarnings(report, staleWarnings(options.folder, baked.files.size()));
-    return report;
-}
-
 } // namespace
 
 void addTextureCommands(CLI::App& app, Context& context) {
@@ -287,8 +159,7 @@ void addTextureCommands(CLI::App& app, Context& context) {
     addCommand(*texture, context,
                Command<PhotoOptions>{"photo", "Lay a photograph on the organ", declarePhoto, runPhoto});
     addFitCommand(*texture, context);
-    addCommand(*texture, context,
-               Command<BakeOptions>{"bake", "Write the textures as PNG", declareBake, runBake});
+    addBakeCommand(*texture, context);
 }
 
 } // namespace esm

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/model/project.h"
+
+namespace esm {
+
+/// Lays the surface out in the texture, as the project's settings say. @throws InvalidModel
+void pack(Project& project);
+
+/// A project that nobody packed gets its atlas where one is needed first.
+void packIfNeeded(Project& project);
+
+} // namespace esm
