@@ -17,15 +17,20 @@ namespace esm {
 
 namespace {
 
-std::optional<double> finiteNumber(const std::string& text) {
+std::string largestInText() {
+    return numberText(largestNumber);
+}
+
+/// Nothing of what is no number, or one that is larger than any quantity may be.
+std::optional<double> usableNumber(const std::string& text) {
     double value = 0;
-    if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value)) return std::nullopt;
+    if (!CLI::detail::lexical_cast(text, value) || !(std::abs(value) <= largestNumber)) return std::nullopt;
     return value;
 }
 
 double parseNumber(const std::string& text, const std::string& option) {
-    const std::optional<double> value = finiteNumber(text);
-    if (!value) throw UsageError(option + ": '" + text + "' is not a number");
+    const std::optional<double> value = usableNumber(text);
+    if (!value) throw UsageError(option + ": '" + text + "' is not a number of at most " + largestInText());
     return *value;
 }
 
@@ -38,7 +43,7 @@ const FuzzyVariable& inputOf(const FuzzySystem& system, const std::string& name,
 
 /// A number, or the middle of a term's core, where it holds fully.
 double valueOf(const FuzzyVariable& input, const std::string& word, const std::string& option) {
-    if (const std::optional<double> number = finiteNumber(word)) return *number;
+    if (const std::optional<double> number = usableNumber(word)) return *number;
     for (const FuzzyTerm& term : input.terms)
         if (term.name == word) return (term.set.b + term.set.c) / 2;
     throw UsageError(option + " " + input.name + ": '" + word +
@@ -55,6 +60,11 @@ CLI::Validator decimal(int least, int most, const std::string& range) {
     };
     return CLI::Validator(transform, "");
 }
+
+/// What other programs take for it where a file is named.
+constexpr const char* standardOutput = "-";
+constexpr const char* toStandardOutput =
+    "'-' would be standard output, to which no file is written; name a file";
 
 bool isKnownEnding(const std::string& ending) {
     static const std::vector<std::string> others{".esm", ".png", ".csv",  ".glb",  ".json", ".jpg", ".jpeg",
@@ -123,7 +133,8 @@ Ellipsoid parseEllipsoid(const std::string& text) {
 std::vector<std::string> parseWords(const std::string& text, const std::vector<std::string>& known,
                                     const std::string& option) {
     std::vector<std::string> words;
-    std::istringstream stream(text);
+    if (text.empty()) return words;
+    std::istringstream stream(text + ','); // which ends the last word, be it empty
     for (std::string word; std::getline(stream, word, ',');) {
         if (std::find(known.begin(), known.end(), word) == known.end())
             throw UsageError(option + ": '" + word + "' is not one of " + joined(known));
@@ -134,15 +145,16 @@ std::vector<std::string> parseWords(const std::string& text, const std::vector<s
 
 CLI::Validator positiveNumber() {
     const auto check = [](const std::string& text) -> std::string {
-        const std::optional<double> value = finiteNumber(text);
-        return value && *value > 0 ? "" : "'" + text + "' is not a number above zero";
+        const std::optional<double> value = usableNumber(text);
+        return value && *value > 0 ? ""
+                                   : "'" + text + "' is not a number above zero, at most " + largestInText();
     };
     return CLI::Validator(check, "");
 }
 
 CLI::Validator numberWithin(double least, double most) {
     const auto check = [least, most](const std::string& text) -> std::string {
-        const std::optional<double> value = finiteNumber(text);
+        const std::optional<double> value = usableNumber(text);
         return value && *value >= least && *value <= most
                    ? ""
                    : "'" + text + "' is not a number from " + numberText(least) + " to " + numberText(most);
@@ -151,11 +163,7 @@ CLI::Validator numberWithin(double least, double most) {
 }
 
 CLI::Validator nonNegativeNumber() {
-    const auto check = [](const std::string& text) -> std::string {
-        const std::optional<double> value = finiteNumber(text);
-        return value && *value >= 0 ? "" : "'" + text + "' is not a number, zero or more";
-    };
-    return CLI::Validator(check, "");
+    return numberWithin(0, largestNumber);
 }
 
 std::optional<int> parseWholeNumber(const std::string& text, int least, int most) {
@@ -175,6 +183,7 @@ CLI::Validator wholeNumber() {
 }
 
 std::string endingProblem(const std::string& file, const std::string& ending) {
+    if (file == standardOutput) return toStandardOutput;
     std::string given = std::filesystem::path(file).extension().string();
     std::transform(given.begin(), given.end(), given.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
@@ -184,6 +193,13 @@ std::string endingProblem(const std::string& file, const std::string& ending) {
 
 CLI::Validator writtenAs(const std::string& ending) {
     return CLI::Validator([ending](const std::string& file) { return endingProblem(file, ending); }, "");
+}
+
+CLI::Validator namedFolder() {
+    const auto check = [](const std::string& folder) -> std::string {
+        return folder == standardOutput ? "'-' would be standard output; name a folder" : "";
+    };
+    return CLI::Validator(check, "");
 }
 
 CLI::Validator oneOf(const std::vector<std::string>& values) {

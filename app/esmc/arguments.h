@@ -14,10 +14,11 @@
 
 namespace esm {
 
-/// Finite numbers separated by spaces or commas. @throws UsageError naming `option` and what is no number
+/// Numbers of at most `largestNumber` separated by spaces or commas. @throws UsageError naming `option` and
+/// what is no number
 std::vector<double> parseNumbers(const std::string& text, const std::string& option);
 
-/// NAME=V with a finite V. @throws UsageError
+/// NAME=V with such a number. @throws UsageError
 NamedValues parsePairs(const std::vector<std::string>& pairs, const std::string& option);
 
 /// Values as they were typed, by name, in the order of the command line.
@@ -26,7 +27,7 @@ using NamedWords = std::vector<std::pair<std::string, std::string>>;
 /// NAME=V with any V. @throws UsageError
 NamedWords parseNamedWords(const std::vector<std::string>& pairs, const std::string& option);
 
-/// Inputs of a fuzzy system: finite numbers, or terms, which stand for the middle of their cores.
+/// Inputs of a fuzzy system: such numbers, or terms, which stand for the middle of their cores.
 /// @throws UsageError listing the terms or the inputs there are
 NamedValues inputsFor(const FuzzySystem& system, const NamedWords& words, const std::string& option);
 
@@ -37,13 +38,13 @@ Ellipsoid parseEllipsoid(const std::string& text);
 std::vector<std::string> parseWords(const std::string& text, const std::vector<std::string>& known,
                                     const std::string& option);
 
-/// A check for an option that takes a finite number above zero.
+/// A check for an option that takes a number above zero, at most `largestNumber`.
 CLI::Validator positiveNumber();
 
 /// The same from a least one to a largest.
 CLI::Validator numberWithin(double least, double most);
 
-/// A check for an option that takes a finite number, zero or more.
+/// The same from zero to `largestNumber`.
 CLI::Validator nonNegativeNumber();
 
 /// Digits and perhaps a minus, always decimal: "0100" is a hundred. Nothing where that is not a number from
@@ -55,12 +56,14 @@ CLI::Validator wholeNumber(int least, int most);
 /// The same of any number, for options whose range the work knows better.
 CLI::Validator wholeNumber();
 
-/// A check for a file to write: the ending of another kind of file that the program writes or reads is
-/// refused; none at all, or one that is part of the name, is not.
+/// A check for a file to write. Refused are `-`, which elsewhere means standard output, and the ending of
+/// another kind of file that the program writes or reads; no ending, or one that is part of the name, is not.
 /// @param ending ".png"
 CLI::Validator writtenAs(const std::string& ending);
 /// What that check says; empty when the file may be written.
 std::string endingProblem(const std::string& file, const std::string& ending);
+/// A check for a folder to write to, which `-` does not name.
+CLI::Validator namedFolder();
 
 /// A check for an option whose values are known; the message of any other value lists them.
 CLI::Validator oneOf(const std::vector<std::string>& values);

@@ -5,6 +5,7 @@
 #include "core/exchange/image_file.h"
 #include "core/exchange/project_file.h"
 #include "core/support/atomic_file.h"
+#include "core/support/errors.h"
 #include "core/texture/layers/composite.h"
 #include "core/texture/layers/page_levels.h"
 
@@ -25,14 +26,27 @@ struct BakeOptions {
 void declareBake(CLI::App& command, BakeOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     command.add_option("-o,--output", options.folder, "Folder for the pictures; made when it is missing")
-        ->required();
+        ->required()
+        ->check(namedFolder());
     addChoice(command, "--bits", options.deep, {{"8", false}, {"16", true}}, "Bits of each channel (8)");
 }
 
-void makeFolder(const fs::path& folder) {
+/// The folder itself, or the nearest one above it that is there.
+fs::path existingPartOf(const fs::path& folder) {
     std::error_code error;
-    fs::create_directories(folder, error);
-    if (!fs::is_directory(folder)) throw FileError(folder, "cannot be made a folder; choose another name");
+    fs::path part = fs::absolute(folder, error);
+    while (part.has_relative_path() && fs::symlink_status(part, error).type() == fs::file_type::not_found)
+        part = part.parent_path();
+    if (!fs::is_directory(part, error))
+        throw FileError(folder, "cannot be made a folder; choose another name");
+    return part;
+}
+
+/// Takes a folder away again, and those above it, as far as they are empty.
+void removeEmpty(const fs::path& folder, const fs::path& below) {
+    std::error_code error;
+    for (fs::path part = fs::absolute(folder, error); part != below && !error; part = part.parent_path())
+        fs::remove(part, error);
 }
 
 fs::path pageFile(const fs::path& folder, std::size_t page) {
@@ -51,18 +65,32 @@ std::vector<Bytes> encoded(const std::vector<ImageOf<Channel>>& pages, double te
     return files;
 }
 
-/// No page takes its place before all are written.
+/// All together, in a folder that is made where it is missing.
+void commit(std::list<AtomicFile>& files, const fs::path& folder, const fs::path& existing) {
+    try {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        if (error)
+            throw FileError(folder, "cannot be made a folder: " + error.message() + "; choose another name");
+        for (AtomicFile& file : files)
+            file.commit();
+    } catch (...) {
+        removeEmpty(folder, existing);
+        throw;
+    }
+}
+
+/// No page takes its place, and no folder is made, before all are written.
 void writePages(const std::vector<Bytes>& pages, const fs::path& folder, Interruption& interruption) {
-    makeFolder(folder);
+    const fs::path existing = existingPartOf(folder);
     std::list<AtomicFile> files;
     for (std::size_t page = 0; page < pages.size(); ++page) {
-        files.emplace_back(pageFile(folder, page));
+        files.emplace_back(pageFile(folder, page), existing);
         files.back().write({reinterpret_cast<const char*>(pages[page].data()), pages[page].size()});
         files.back().sync();
     }
     interruption.disarm();
-    for (AtomicFile& file : files)
-        file.commit();
+    commit(files, folder, existing);
 }
 
 /// Pages that a bake of more of them left in the folder would be taken for pages of this one.
@@ -115,6 +143,7 @@ Baked bake(const Project& project, bool deep, const Context& context) {
 }
 
 Report runBake(const BakeOptions& options, Context& context) {
+    existingPartOf(options.folder); // refused now rather than after the work
     context.subject = options.project;
     Project project = openedProject(options.project, context);
     packIfNeeded(project);

@@ -41,4 +41,11 @@ Progress progressOf(const Context& context, const std::string& label) {
     };
 }
 
+void refuseEmptyValues(CLI::App& command) {
+    const CLI::Validator check(
+        [](const std::string& text) -> std::string { return text.empty() ? "must not be empty" : ""; }, "");
+    for (CLI::Option* option : command.get_options())
+        if (option->get_items_expected_max() > 0) option->check(check);
+}
+
 } // namespace esm

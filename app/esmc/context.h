@@ -35,12 +35,16 @@ template<typename Options> struct Command {
     Report (*run)(const Options&, Context&);
 };
 
+/// Lets no option of the command be given with an empty value, which would read as if it were left out.
+void refuseEmptyValues(CLI::App& command);
+
 /// Adds a command whose options live as long as the parser.
 template<typename Options>
 void addCommand(CLI::App& parent, Context& context, const Command<Options>& command) {
     CLI::App* parser = parent.add_subcommand(command.name, command.description);
     const auto options = std::make_shared<Options>();
     command.declare(*parser, *options);
+    refuseEmptyValues(*parser);
     parser->callback([options, run = command.run, &context] {
         context.work = [options, run, &context] { return run(*options, context); };
     });

@@ -15,15 +15,20 @@ struct ExportOptions {
 
 void declareExport(CLI::App& command, ExportOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
+    // Before the output, whose ending is that of a format there is.
+    command.add_option("--to", options.format, "glb: the model package for simulators")
+        ->required()
+        ->check(CLI::Validator(
+            [](const std::string& format) {
+                return format == "glb" ? std::string() : "'" + format + "' is not offered; there is glb";
+            },
+            ""));
     command.add_option("-o,--output", options.output, "File to write (.glb)")
         ->required()
         ->check(writtenAs(".glb"));
-    command.add_option("--to", options.format, "glb: the model package for simulators")->required();
 }
 
 Report runExport(const ExportOptions& options, Context& context) {
-    if (options.format != "glb")
-        throw UsageError("--to: '" + options.format + "' is not one of the formats there are: glb");
     context.subject = options.project;
     const Project project = openedProject(options.project, context);
     exportPackage(project, options.output, progressOf(context, "exporting"), previewPicture);

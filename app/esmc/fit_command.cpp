@@ -67,6 +67,30 @@ const char* nameOf(FocalLength focalLength) {
     return focalLength == FocalLength::Measured ? "measured" : "assumed";
 }
 
+/// Without digits that nobody can see, and without a minus before zero.
+std::string rounded(const Eigen::Vector3d& value, double unit) {
+    const Eigen::Vector3d whole = (value / unit).array().round() + 0.0;
+    return inText(Eigen::Vector3d(whole * unit));
+}
+
+/// The camera in words: where it stands, which way it looks and how wide.
+void addCameraText(Report& report, const PoseFit& fit) {
+    constexpr double micrometre = 1e-6, share = 1e-4;
+    const Projector& camera = fit.projector;
+    const Eigen::Matrix3d axes = camera.pose.linear();
+    report.text.push_back("the eye is at " + rounded(camera.pose.translation(), micrometre) + " m");
+    report.text.push_back("it looks along " + rounded(-axes.col(2), share) + "; up in the photograph is " +
+                          rounded(axes.col(1), share));
+    const std::string how = std::string(" (") + nameOf(fit.focalLength) + ")";
+    if (camera.intrinsics)
+        report.text.push_back("focal lengths " + inText(camera.intrinsics->fx) + ", " +
+                              inText(camera.intrinsics->fy) + " pixels" + how + ", line of sight through " +
+                              inText(camera.intrinsics->cx) + ", " + inText(camera.intrinsics->cy) +
+                              " pixels");
+    else
+        report.text.push_back("vertical field of view " + inText(camera.fieldOfView) + " degrees" + how);
+}
+
 Report describe(const PoseFit& fit) {
     Report report;
     Json errors = Json::array(), outliers = Json::array();
@@ -82,8 +106,8 @@ Report describe(const PoseFit& fit) {
                    {"errors_px", errors},
                    {"outliers", outliers},
                    {"focal_length", nameOf(fit.focalLength)}};
-    report.text.push_back(toJson(fit.projector).dump());
-    report.text.push_back("off by " + inText(fit.error) + " pixels, focal length " + nameOf(fit.focalLength));
+    addCameraText(report, fit);
+    report.text.push_back("off by " + inText(fit.error) + " pixels");
     if (!strangers.empty())
         report.text.push_back("pairs that do not fit the others, and do not count: " + strangers);
     return report;

@@ -2,6 +2,7 @@
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
 #include "core/exchange/mesh_file.h"
+#include "core/support/numbers.h"
 
 namespace esm {
 
@@ -44,7 +45,7 @@ void declareImport(CLI::App& command, ImportOptions& options) {
     command
         .add_option("--mass", options.mass,
                     "Total mass, kg (default: from the volume, or the area of an open surface)")
-        ->check(positiveNumber());
+        ->check(numberWithin(1 / largestNumber, largestNumber));
     addChoice(command, "--up", options.up, Words<UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}},
               "The file's axis that points up: y (the default) or z");
     command

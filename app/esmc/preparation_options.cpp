@@ -16,8 +16,9 @@ PhotoCrop parseCrop(const std::string& text) {
     const auto isPixel = [](double value) {
         return value >= 0 && value <= most && value == std::floor(value);
     };
-    if (numbers.size() != 4 || !std::all_of(numbers.begin(), numbers.end(), isPixel))
-        throw UsageError("--crop takes four whole numbers, \"x y width height\" in pixels of the photograph");
+    if (numbers.size() != 4 || !std::all_of(numbers.begin(), numbers.end(), isPixel) ||
+        std::min(numbers[2], numbers[3]) < 1)
+        throw UsageError("--crop: give four whole numbers, \"x y width height\" in pixels of the photograph");
     return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), static_cast<int>(numbers[2]),
             static_cast<int>(numbers[3])};
 }

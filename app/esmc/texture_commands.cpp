@@ -5,7 +5,9 @@
 #include "app/esmc/preparation_options.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/projector_file.h"
+#include "core/support/errors.h"
 #include "core/texture/layers/composite.h"
+#include "core/texture/texture_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +38,7 @@ void declarePack(CLI::App& command, PackOptions& options) {
     command
         .add_option("--texels-per-metre", options.atlas.texelsPerMetre,
                     "As many pages as so many texels per metre take (default: as many as --pages hold)")
-        ->check(nonNegativeNumber());
+        ->check(numberWithin(0, texture_limits::mostTexelsPerMetre));
     addChoice(command, "--layout", options.atlas.layout,
               {{layoutName(AtlasLayout::Rows), AtlasLayout::Rows},
                {layoutName(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows},
@@ -44,12 +46,23 @@ void declarePack(CLI::App& command, PackOptions& options) {
               "How triangles are laid side by side (matched_rows)");
 }
 
+/// @throws UsageError where no surface could be laid out like that, InvalidModel where this one cannot;
+/// either says what fits
+void packAs(const AtlasOptions& options, Project& project) {
+    project.texture.atlas = options;
+    try {
+        pack(project);
+    } catch (const InvalidModel& problem) {
+        if (validate(options).empty()) throw;
+        throw UsageError(problem.what());
+    }
+    project.texture.atlas = project.atlas->options;
+}
+
 Report runPack(const PackOptions& options, Context& context) {
     context.subject = options.project;
     Project project = openedProject(options.project, context);
-    project.texture.atlas = options.atlas;
-    pack(project);
-    project.texture.atlas = project.atlas->options;
+    packAs(options.atlas, project);
     saveProject(project, options.output);
     const Atlas& atlas = *project.atlas;
     const double seams = seamShare(*project.mesh, atlas);

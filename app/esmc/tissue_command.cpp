@@ -70,14 +70,16 @@ void declareTissue(CLI::App& command, TissueOptions& options) {
 }
 
 void hold(TissueValues& held, const std::string& name, double value) {
-    if (value < 0 || (name == "mass" && value == 0))
-        throw UsageError("--override " + name + ": the value must be " +
-                         (name == "mass" ? "above zero" : "zero or more"));
+    const bool isOfMass = name == "mass";
+    if (!(isOfMass ? isMass(value) : isAmount(value)))
+        throw UsageError("--override " + name + ": the value must be from " +
+                         (isOfMass ? numberText(1 / largestNumber) : "0") + " to " +
+                         numberText(largestNumber));
     if (name == "spring_constant")
         held.springConstant = value;
     else if (name == "viscosity")
         held.viscosity = value;
-    else if (name == "mass")
+    else if (isOfMass)
         held.mass = value;
     else
         throw UsageError("--override: '" + name + "' is not one of spring_constant, viscosity, mass");

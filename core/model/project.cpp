@@ -136,7 +136,8 @@ void tie(TissueModel& model, const TetherRule& rule) {
 Project makeProject(std::string name, RepairedMesh surface, std::optional<double> massKilograms,
                     const Detail& detail) {
     if (massKilograms && !isMass(*massKilograms))
-        throw InvalidModel("the mass must be above 0 kg, got " + numberText(*massKilograms));
+        throw InvalidModel("the mass must be from " + numberText(1 / largestNumber) + " to " +
+                           numberText(largestNumber) + " kg, got " + numberText(*massKilograms));
     Project project;
     project.name = std::move(name);
     const double mass = massKilograms ? *massKilograms : defaultMass(surface.mesh, surface.report.isClosed());

@@ -42,14 +42,16 @@ fs::path checkedTarget(const fs::path& file) {
     if (fs::is_directory(status)) throw FileError(file, "is a folder; name a file");
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw FileError(file, "is not a regular file; name another file to write to");
+    if (!fs::exists(status) && fs::is_symlink(file, error))
+        throw FileError(file, "is a link to " + fs::read_symlink(file, error).string() +
+                                  ", which does not exist; remove the link or name another file");
     if (isWriteProtected(file))
         throw FileError(file, "is write-protected; allow writing to it or name another file");
-    fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    if (!fs::is_directory(folder, error))
-        throw FileError(file, "cannot be written: the folder " + folder.string() +
-                                  " does not exist; make it first");
-    return target;
+    return fs::is_symlink(file, error) ? fs::canonical(file, error) : file;
+}
+
+fs::path folderOf(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
 }
 
 std::string descriptorPath(int descriptor) {
@@ -65,11 +67,12 @@ int openNameless(const fs::path& folder, mode_t permissions) {
     return -1;
 }
 
-/// Offers names beside the target until `take` says that one was free. False, with errno, on another error.
-template<typename Take> bool takeFreeName(const fs::path& target, std::string& taken, Take take) {
+/// Offers names that begin like the file's until `take` says that one was free. False, with errno, on another
+/// error.
+template<typename Take> bool takeFreeName(const fs::path& file, std::string& taken, Take take) {
     for (int attempt = 0;; ++attempt) {
         const std::string name =
-            target.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+            file.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt);
         if (take(name.c_str())) {
             taken = name;
             return true;
@@ -80,16 +83,24 @@ template<typename Take> bool takeFreeName(const fs::path& target, std::string& t
 
 } // namespace
 
-AtomicFile::AtomicFile(const fs::path& target) : m_file(target), m_target(checkedTarget(target)) {
+AtomicFile::AtomicFile(const fs::path& target) : AtomicFile(target, {}) {}
+
+AtomicFile::AtomicFile(const fs::path& target, const fs::path& unfinishedIn)
+    : m_file(target), m_target(checkedTarget(target)) {
+    const fs::path folder = unfinishedIn.empty() ? folderOf(m_target) : unfinishedIn;
+    std::error_code error;
+    if (!fs::is_directory(folder, error))
+        throw FileError(target, "cannot be written: the folder " + folder.string() +
+                                    " does not exist; make it first");
     // Never readable by more than the file it replaces; a new one gets what the process gives new files.
     const mode_t permissions = permissionsOf(m_target).value_or(0666) & 0666;
-    m_descriptor = openNameless(m_target.has_parent_path() ? m_target.parent_path() : ".", permissions);
+    m_descriptor = openNameless(folder, permissions);
     if (m_descriptor >= 0) return;
     const auto create = [&](const char* name) {
         m_descriptor = ::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, permissions);
         return m_descriptor >= 0;
     };
-    if (!takeFreeName(m_target, m_name, create)) fail();
+    if (!takeFreeName(folder / m_target.filename(), m_name, create)) fail();
 }
 
 AtomicFile::~AtomicFile() {

@@ -11,9 +11,12 @@ namespace esm {
 /// when the process is killed.
 class AtomicFile {
 public:
-    /// @throws FileError when the folder is missing or read-only, or the target is no regular file or is
-    /// write-protected
+    /// @throws FileError when the folder is missing or read-only, or the target is no regular file, is
+    /// write-protected or is a link to nothing
     explicit AtomicFile(const std::filesystem::path& target);
+    /// For a target in a folder that commit() may be the first to find: until then what is written is in
+    /// another folder of the same file system.
+    AtomicFile(const std::filesystem::path& target, const std::filesystem::path& unfinishedIn);
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
     ~AtomicFile();

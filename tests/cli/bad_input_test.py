@@ -199,6 +199,15 @@ class BadOutputTest(Case):
         self.assertEqual((len(after["regions"]), len(after["photos"]), after["textures"]), (2, 1, 1))
         self.assertEqual(self.done("validate", self.project), {"valid": True, "problems": []})
 
+    def test_a_link_to_nothing_is_refused(self):
+        out = self.folder / "link"
+        out.symlink_to("nowhere")
+        for line in [*self.writers(out), ["texture", "bake", self.project, "-o", out]]:
+            with self.subTest(line):
+                self.fails(1, *line, naming=out)
+                self.assertTrue(out.is_symlink())
+                self.assertFalse((self.folder / "nowhere").exists())
+
     def test_a_link_stays_a_link(self):
         link = self.folder / "link.esm"
         link.symlink_to(self.project.name)

@@ -253,7 +253,6 @@ class BiphasicTest(Case):
         project = self.sample("tube")
         before = project.read_bytes()
         self.fails(1, "tissue", project, "--biphasic", "0.2", "1e30", "-o", project, naming="stretched springs")
-        self.fails(1, "tissue", project, "--biphasic", "1e31", "5", "-o", project, naming="strain")
         self.assertEqual(project.read_bytes(), before)
 
     def test_a_pulled_organ_gives_way_as_the_law_says(self):

@@ -102,3 +102,27 @@ TEST(AtomicFile, RefusesWhatIsNoRegularFile) {
     EXPECT_THROW(AtomicFile(folder / "none" / "a"), FileError);
     EXPECT_THROW(AtomicFile(""), FileError);
 }
+
+TEST(AtomicFile, RefusesALinkToNothing) {
+    const TemporaryFolder folder;
+    fs::create_symlink("nowhere", folder / "a");
+    try {
+        AtomicFile file(folder / "a");
+        FAIL() << "accepted";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("a link to nowhere"), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(fs::is_symlink(folder / "a"));
+}
+
+TEST(AtomicFile, GoesIntoAFolderThatIsMadeWhenItIsWritten) {
+    const TemporaryFolder folder;
+    AtomicFile file(folder / "new" / "a", folder.path());
+    file.write("whole");
+    file.sync();
+    EXPECT_TRUE(filesIn(folder).empty());
+    fs::create_directory(folder / "new");
+    file.commit();
+    EXPECT_EQ(readFile(folder / "new" / "a").size(), 5u);
+    EXPECT_EQ(filesIn(folder).size(), 1u);
+}
