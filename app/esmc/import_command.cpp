@@ -73,6 +73,7 @@ std::string doubtfulSize(double size, LengthUnit unit) {
 
 Report runImport(const ImportOptions& options, Context& context) {
     context.subject = options.mesh;
+    const ProjectOutput output(options.output);
     PolygonSoup soup = readMeshFile(options.mesh);
     convertToMetres(soup, options.unit, options.up);
     RepairedMesh surface = repair(soup, {options.weld, options.keep});
@@ -81,7 +82,7 @@ Report runImport(const ImportOptions& options, Context& context) {
     if (!doubt.empty()) surface.report.warnings.push_back(doubt);
     const Project project = makeProject(std::filesystem::path(options.mesh).stem().string(),
                                         std::move(surface), options.mass, options.detail);
-    return saveAndReport(project, options.output);
+    return saveAndReport(project, output);
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 #include "app/esmc/model_report.h"
 
-#include "core/exchange/project_file.h"
 #include "core/model/detail.h"
 
 #include <numeric>
@@ -124,10 +123,10 @@ void addSpringLaw(Report& report, const std::optional<SpringStiffening>& stiffen
                           " %");
 }
 
-Report saveAndReport(const Project& project, const std::filesystem::path& file) {
-    saveProject(project, file);
+Report saveAndReport(const Project& project, const ProjectOutput& output) {
+    output.save(project);
     Report report = modelReport(project);
-    addWritten(report, file);
+    addWritten(report, output.file());
     return report;
 }
 

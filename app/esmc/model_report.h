@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/esmc/project_output.h"
 #include "app/esmc/report.h"
 #include "core/exchange/model_package.h"
 #include "core/model/project.h"
@@ -16,6 +17,6 @@ Report modelReport(const ModelPackage& package);
 void addSpringLaw(Report& report, const std::optional<SpringStiffening>& stiffening);
 
 /// Saves a project and reports it.
-Report saveAndReport(const Project& project, const std::filesystem::path& file);
+Report saveAndReport(const Project& project, const ProjectOutput& output);
 
 } // namespace esm

@@ -40,7 +40,8 @@ Report writePhoto(const SampleOptions& options) {
 }
 
 Report writeOrgan(const SampleOptions& options) {
-    return saveAndReport(makeSample(options.name), options.output);
+    const ProjectOutput output(options.output);
+    return saveAndReport(makeSample(options.name), output);
 }
 
 Report runSample(const SampleOptions& options, Context&) {

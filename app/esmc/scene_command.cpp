@@ -3,6 +3,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/opened_file.h"
+#include "app/esmc/project_output.h"
 #include "core/exchange/project_file.h"
 #include "core/support/errors.h"
 
@@ -24,12 +25,13 @@ void declareScene(CLI::App& command, SceneOptions& options) {
 
 Report storeScene(const SceneOptions& options, Context& context) {
     context.subject = options.scene;
+    const ProjectOutput output(options.output);
     Project project = openedProject(options.project, context);
     project.scene = readSceneFile(options.scene);
     if (auto problems = validate(project.scene, project.network->restPositions.size()); !problems.empty())
         throw InvalidModel(std::move(problems));
     const TissueModel tissue = evaluateModel(project);
-    saveProject(project, options.output);
+    output.save(project);
     Report report;
     report.json["fixed"] = tissue.fixedNodes.size();
     report.json["tethers"] = tissue.tethers.size();

@@ -3,6 +3,7 @@
 #include "app/esmc/opened_file.h"
 #include "app/esmc/packing.h"
 #include "app/esmc/preparation_options.h"
+#include "app/esmc/project_output.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/projector_file.h"
 #include "core/support/errors.h"
@@ -61,9 +62,10 @@ void packAs(const AtlasOptions& options, Project& project) {
 
 Report runPack(const PackOptions& options, Context& context) {
     context.subject = options.project;
+    const ProjectOutput output(options.output);
     Project project = openedProject(options.project, context);
     packAs(options.atlas, project);
-    saveProject(project, options.output);
+    output.save(project);
     const Atlas& atlas = *project.atlas;
     const double seams = seamShare(*project.mesh, atlas);
     Report report;
@@ -140,6 +142,7 @@ Report describe(const TextureLayer& layer, const LayerCoverage& covered) {
 
 Report runPhoto(const PhotoOptions& options, Context& context) {
     context.subject = options.project;
+    const ProjectOutput output(options.output);
     Project project = openedProject(options.project, context);
     TextureLayer layer;
     layer.photo = loadPhoto(options.photo);
@@ -153,7 +156,7 @@ Report runPhoto(const PhotoOptions& options, Context& context) {
     packIfNeeded(project);
     const LayerCoverage covered = coverage(*project.mesh, *project.atlas, layer);
     project.layers.push_back(layer);
-    saveProject(project, options.output);
+    output.save(project);
     Report report = describe(layer, covered);
     report.json.update(found.json);
     report.text.insert(report.text.end(), found.text.begin(), found.text.end());

@@ -2,6 +2,7 @@
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
 #include "app/esmc/opened_file.h"
+#include "app/esmc/project_output.h"
 #include "core/exchange/fuzzy_file.h"
 #include "core/exchange/project_file.h"
 #include "core/exchange/tissue_preset_file.h"
@@ -199,6 +200,7 @@ Report runTissue(const TissueOptions& options, Context& context) {
     Region region = requestedRegion(options, preset);
     const NamedWords inputs = parseNamedWords(options.values, "--set");
     context.subject = options.project;
+    const ProjectOutput output(options.output);
     Project project = openedProject(options.project, context);
     setSpringLaw(project.base, options);
     if (preset && !region.ellipsoid) tiePreset(project.scene, *preset);
@@ -209,7 +211,7 @@ Report runTissue(const TissueOptions& options, Context& context) {
     std::vector<std::string>& tissueWarnings = result.tissue.warnings;
     tissueWarnings.insert(tissueWarnings.begin(), warnings.begin(), warnings.end());
     if (addsRegion) project.regions.push_back(region);
-    saveProject(project, options.output);
+    output.save(project);
     Report report = describe(addsRegion ? std::optional(region.name) : std::nullopt, region.rim > 0, result);
     addPreset(report, preset, tetherCountOf(*project.network, project.scene));
     addSpringLaw(report, project.base.stiffening);

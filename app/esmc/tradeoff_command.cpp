@@ -1,5 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/project_output.h"
 #include "app/esmc/runnable_model.h"
 #include "app/esmc/tradeoff_chart.h"
 #include "core/dynamics/coarser_runs.h"
@@ -147,7 +148,7 @@ void drawChart(const Drawing& chart, const std::string& file, Report& report) {
 
 /// Writes the project with the run that is recommended, on the run's nodes.
 void saveRecommended(const Tradeoff& tradeoff, const TradeoffCommandOptions& options, const Project& project,
-                     std::vector<std::string>& warnings, Report& report) {
+                     const ProjectOutput& output, std::vector<std::string>& warnings, Report& report) {
     const auto& chosen = options.saved == Wish::RealTime ? tradeoff.bestInRealTime : tradeoff.fastestToError;
     if (!chosen) {
         report.failure = "no run reaches what is wanted, and nothing was saved: allow a larger --max-error, "
@@ -155,13 +156,13 @@ void saveRecommended(const Tradeoff& tradeoff, const TradeoffCommandOptions& opt
         return;
     }
     const TradeoffRun& run = tradeoff.runs[*chosen];
-    saveProject(withRun(project, run), options.output);
+    output.save(withRun(project, run));
     report.json["saved"] = runInJson(run);
     report.text.push_back("recommended from now on: " + runInText(run));
     if (run.coarser)
         warnings.push_back(counted(run.nodes, "node") + " are simulated in place of " +
                            std::to_string(project.network->restPositions.size()) + ": node numbers are new");
-    addWritten(report, options.output);
+    addWritten(report, output.file());
 }
 
 /// Before long work, what would keep its result from being saved.
@@ -175,6 +176,8 @@ void requireSavable(const TradeoffCommandOptions& options) {
 
 Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     if (!options.output.empty()) requireSavable(options);
+    std::optional<ProjectOutput> output;
+    if (!options.output.empty()) output.emplace(options.output);
     for (const std::string& file : {options.plot, options.output})
         if (!file.empty()) AtomicFile{file}; // refused now rather than after the work
     RunnableModel model = loadRunnableModel(options.model, options.scene, context);
@@ -201,7 +204,7 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);
     if (!options.plot.empty()) drawChart(tradeoffChart(tradeoff, wanted.wishes), options.plot, report);
-    if (!options.output.empty()) saveRecommended(tradeoff, options, *model.project, warnings, report);
+    if (output) saveRecommended(tradeoff, options, *model.project, *output, warnings, report);
     addWarnings(report, warnings);
     return report;
 }

@@ -138,9 +138,12 @@ void FileController::openProject(const std::filesystem::path& file) {
     // Asked first: the answer may change the very file that is to be opened.
     if (!mayLeaveProject()) return;
     attempt(&m_window, tr("The project cannot be opened"), [&] {
+        // Before it is read: a change that comes in the meantime is then noticed when it is saved.
+        const auto version = versionOf(file);
         OpenedProject opened = computeLong(&m_window, tr("Opening %1").arg(fileName(file)),
                                            [&](const Progress&) { return esm::openProject(file); });
         m_document.replace(std::move(opened.project), file);
+        m_version = version;
         noteOpened(file);
         emit message(tr("Opened %1").arg(fileName(file)));
         tell(&m_window, tr("The project was opened, but something is wrong with it"), opened.warnings);
@@ -211,14 +214,37 @@ void FileController::addPaint() {
 
 bool FileController::saveTo(const std::filesystem::path& file) {
     commitTyping();
-    return attempt(&m_window, tr("The project was not saved"), [&] {
-        const Project project = m_document.project();
-        runLongWork(&m_window, tr("Saving %1").arg(fileName(file)),
-                    [&](const Progress&) { saveProject(project, file); });
-        m_document.markSaved(file, project);
-        noteOpened(file);
-        emit message((tr("Saved %1.").arg(fileName(file)) + ' ' + m_document.unfinished()).trimmed());
+    const auto version = versionOf(file);
+    const bool isChanged = m_document.path() == file && version && version != m_version;
+    if (isChanged && !mayReplaceChanged(file)) return false;
+    return attempt(&m_window, tr("The project was not saved"), [&] { write(file, version); });
+}
+
+bool FileController::mayReplaceChanged(const std::filesystem::path& file) {
+    QMessageBox box(QMessageBox::Warning, tr("File changed"),
+                    tr("Another program has changed %1 since it was opened.").arg(fileName(file)),
+                    QMessageBox::Cancel, &m_window);
+    box.setObjectName(QStringLiteral("changedFileBox"));
+    box.setInformativeText(
+        tr("Replacing it loses that change. To keep both, cancel and save under another name."));
+    QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::AcceptRole);
+    ask(m_window, [&] { return box.exec(); });
+    return box.clickedButton() == replace;
+}
+
+/// @param replaced the file that the user knows will go
+void FileController::write(const std::filesystem::path& file, const std::optional<FileVersion>& replaced) {
+    const Project project = m_document.project();
+    runLongWork(&m_window, tr("Saving %1").arg(fileName(file)), [&](const Progress&) {
+        const FileLock lock(file);
+        if (versionOf(file) != replaced)
+            throw FileError(file, tr("another program has just changed it; save again").toStdString());
+        saveProject(project, file);
+        m_version = versionOf(file);
     });
+    m_document.markSaved(file, project);
+    noteOpened(file);
+    emit message((tr("Saved %1.").arg(fileName(file)) + ' ' + m_document.unfinished()).trimmed());
 }
 
 void FileController::exportTo(const std::filesystem::path& file) {

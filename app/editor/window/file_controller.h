@@ -4,6 +4,7 @@
 #include "app/editor/document/document.h"
 #include "app/editor/document/file_memory.h"
 #include "core/render/camera.h"
+#include "core/support/file_lock.h"
 
 #include <QObject>
 #include <QWidget>
@@ -56,6 +57,8 @@ private:
     bool mayLoseUnfinished();
     void openRecent(const QString& file);
     void noteOpened(const std::filesystem::path& file);
+    bool mayReplaceChanged(const std::filesystem::path& file);
+    void write(const std::filesystem::path& file, const std::optional<FileVersion>& replaced);
     std::optional<std::filesystem::path> chooseFile(FileKind kind, const QString& title,
                                                     const QString& filter);
     QString suggestedPath(const QString& folder, const QString& ending) const;
@@ -64,6 +67,8 @@ private:
     QWidget& m_window;
     Document& m_document;
     std::function<Camera()> m_camera;
+    /// Of the document's file as it was read or written last.
+    std::optional<FileVersion> m_version;
     RecentMenu* m_recent = nullptr;
 };
 

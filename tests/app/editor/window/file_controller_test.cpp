@@ -1,8 +1,10 @@
 #include "core/exchange/project_file.h"
 #include "core/samples/samples.h"
+#include "core/support/file_lock.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"
 
+#include <QAbstractButton>
 #include <QDropEvent>
 #include <QMimeData>
 
@@ -80,6 +82,52 @@ TEST_F(FileControllerTest, SavesWhatIsTypedWhileTheCursorIsStillInTheField) {
     typeInto(massField(), "0.75");
     press(Qt::Key_S, Qt::ControlModifier);
     EXPECT_EQ(loadProject(folder / "tube.esm").base.mass, 0.75);
+}
+
+TEST_F(FileControllerTest, AsksBeforeItReplacesWhatAnotherProgramHasSaved) {
+    saveProject(makeSample("tube"), folder / "tube.esm");
+    window->openFiles({folder / "tube.esm"});
+    setMass(0.5);
+    press(Qt::Key_S, Qt::ControlModifier);
+    Project other = makeSample("tube");
+    other.base.mass = 0.25;
+    saveProject(other, folder / "tube.esm");
+    setMass(0.75);
+    dialogs.expectButton("changedFileBox", QMessageBox::Cancel);
+    press(Qt::Key_S, Qt::ControlModifier);
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(loadProject(folder / "tube.esm").base.mass, 0.25);
+    EXPECT_TRUE(window->document().isModified());
+    dialogs.expectNamed("changedFileBox", [](QDialog* box) {
+        for (QAbstractButton* button : qobject_cast<QMessageBox*>(box)->buttons())
+            if (button->text() == "&Replace") button->click();
+    });
+    press(Qt::Key_S, Qt::ControlModifier);
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(loadProject(folder / "tube.esm").base.mass, 0.75);
+    setMass(1);
+    press(Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(loadProject(folder / "tube.esm").base.mass, 1);
+}
+
+TEST_F(FileControllerTest, SavesNothingWhileAnotherProgramIsAboutToReplaceTheFile) {
+    saveProject(makeSample("tube"), folder / "tube.esm");
+    window->openFiles({folder / "tube.esm"});
+    const double mass = project().base.mass;
+    setMass(0.5);
+    {
+        const FileLock other(folder / "tube.esm");
+        QString said;
+        dialogs.expectNamed("problemBox", [&](QDialog* box) {
+            said = qobject_cast<QMessageBox*>(box)->informativeText();
+            box->accept();
+        });
+        press(Qt::Key_S, Qt::ControlModifier);
+        EXPECT_TRUE(said.contains("is being changed by process")) << said.toStdString();
+        EXPECT_EQ(loadProject(folder / "tube.esm").base.mass, mass);
+    }
+    press(Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(loadProject(folder / "tube.esm").base.mass, 0.5);
 }
 
 TEST_F(FileControllerTest, AsksAboutWhatIsTypedBeforeTheWindowCloses) {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/model/project.h"
+#include "core/support/file_lock.h"
+
+namespace esm {
+
+/// The project that a command writes. To be made before anything is read: from then on until the command has
+/// ended no other one may write the file, so that none of two changes to one project is lost.
+class ProjectOutput {
+public:
+    explicit ProjectOutput(
+        const std::filesystem::path& file); ///< @throws FileError where another one writes it
+
+    const std::filesystem::path& file() const { return m_file; }
+    /// @throws FileError, InvalidModel as saveProject(), or where another program changed the file
+    void save(const Project& project) const;
+
+private:
+    std::filesystem::path m_file;
+    FileLock m_lock;
+};
+
+} // namespace esm
