@@ -83,9 +83,22 @@ void Autosave::noteChange() {
     if (!m_longest.isActive()) m_longest.start();
 }
 
-void Autosave::noteFailure() {
+void Autosave::noteFailure(const QString& reason) {
     m_written.reset();
     if (!m_longest.isActive()) m_longest.start();
+    tellFailure(reason);
+}
+
+void Autosave::noteSuccess() {
+    if (m_failure.isEmpty()) return;
+    tellFailure({});
+    emit message(tr("Copies of unsaved work are written again"));
+}
+
+void Autosave::tellFailure(const QString& reason) {
+    if (reason == m_failure) return;
+    m_failure = reason;
+    emit failed(reason);
 }
 
 bool Autosave::isWriting() const {
@@ -113,7 +126,10 @@ void Autosave::save() {
     m_rest.stop();
     m_longest.stop();
     if (isWriting()) return noteChange();
-    if (!m_document.isModified()) return removeCopy();
+    if (!m_document.isModified()) {
+        tellFailure({});
+        return removeCopy();
+    }
     const Project& project = m_document.project();
     if (m_written && !difference(*m_written, project).any()) return;
     std::error_code none;
@@ -126,9 +142,11 @@ void Autosave::save() {
             try {
                 saveProject(project, file); // first: where it fails, copy and title stay of one project
                 writeFormer(file, former);
-            } catch (const std::exception&) {
-                // Nobody asked for this copy; the user's own save says what is wrong.
-                QMetaObject::invokeMethod(this, &Autosave::noteFailure, Qt::QueuedConnection);
+                QMetaObject::invokeMethod(this, &Autosave::noteSuccess, Qt::QueuedConnection);
+            } catch (const std::exception& error) {
+                const QString reason = QString::fromStdString(error.what());
+                QMetaObject::invokeMethod(
+                    this, [this, reason] { noteFailure(reason); }, Qt::QueuedConnection);
             }
         });
 }

@@ -46,9 +46,17 @@ public:
     void takeOver(const LeftBehind& left);
     static void discard(const LeftBehind& left);
 
+signals:
+    /// Why no copy can be written, once until that changes; empty when it can again, or need not any more.
+    void failed(const QString& reason);
+    /// Worth a word in passing.
+    void message(const QString& text);
+
 private:
     void noteChange();
-    void noteFailure();
+    void noteFailure(const QString& reason);
+    void noteSuccess();
+    void tellFailure(const QString& reason);
     bool isWriting() const;
     void takeLock();
     void removeCopy();
@@ -57,6 +65,7 @@ private:
     std::filesystem::path m_folder, m_file;
     std::unique_ptr<QLockFile> m_lock; ///< says that the copy's program still runs
     std::optional<Project> m_written;
+    QString m_failure; ///< as it was told
     std::future<void> m_writing;
     QTimer m_rest, m_longest;
 };

@@ -159,6 +159,8 @@ void MainWindow::connectParts() {
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
+    connect(m_autosave, &Autosave::failed, m_status, &StatusLine::showCopyFailure);
+    connect(m_autosave, &Autosave::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::photoAdded, m_actions.texture, &QAction::trigger);
     connect(m_painting, &Painting::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::paintAdded, m_actions.texture, &QAction::trigger);

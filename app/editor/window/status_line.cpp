@@ -189,6 +189,15 @@ void StatusLine::showPictureFailure(const QString& reason) {
     showLasting();
 }
 
+void StatusLine::showCopyFailure(const QString& reason) {
+    const QString text = reason.isEmpty()
+                             ? QString()
+                             : tr("Unsaved work is not being copied, save it yourself: %1").arg(reason);
+    if (text == m_copyFailure) return;
+    m_copyFailure = text;
+    showLasting();
+}
+
 void StatusLine::showNote(const QString& note, const QString& explanation) {
     if (note == m_note && explanation == m_noteExplained) return;
     m_note = note;
@@ -197,7 +206,7 @@ void StatusLine::showNote(const QString& note, const QString& explanation) {
 }
 
 QString StatusLine::problem() const {
-    for (const QString& text : {m_failure, m_pictureFailure, m_recovery})
+    for (const QString& text : {m_failure, m_pictureFailure, m_copyFailure, m_recovery})
         if (!text.isEmpty()) return text;
     return m_slowness;
 }

@@ -150,6 +150,29 @@ TEST_F(AutosaveTest, TriesAgainWhereTheCopyCouldNotBeWritten) {
     EXPECT_TRUE(Autosave(other, folder / "copies").leftBehind().empty()) << "it is in use";
 }
 
+TEST_F(AutosaveTest, TellsOnceThatNoCopyCanBeWrittenAndThatItCanAgain) {
+    using std::chrono::milliseconds;
+    Autosave autosave(document, folder / "copies", nullptr, {milliseconds(10), milliseconds(20)});
+    QStringList failures, messages;
+    QObject::connect(&autosave, &Autosave::failed, [&](const QString& reason) { failures << reason; });
+    QObject::connect(&autosave, &Autosave::message, [&](const QString& text) { messages << text; });
+    std::ofstream(folder / "copies") << "no folder";
+    setMass(0.5);
+    ESM_EVENTUALLY(!failures.isEmpty());
+    EXPECT_TRUE(failures[0].contains("copies")) << failures[0].toStdString();
+    setMass(0.75);
+    autosave.save();
+    autosave.finish();
+    QApplication::processEvents();
+    EXPECT_EQ(failures.size(), 1);
+    EXPECT_TRUE(messages.isEmpty());
+    std::filesystem::remove(folder / "copies");
+    ESM_EVENTUALLY(failures.size() == 2);
+    EXPECT_EQ(failures[1], "");
+    EXPECT_EQ(messages.size(), 1);
+    EXPECT_TRUE(hasCopy());
+}
+
 TEST_F(AutosaveTest, NeverLetsTheWindowWaitForADisk) {
     using std::chrono::milliseconds;
     Autosave autosave(document, folder / "copies", nullptr, {milliseconds(50), milliseconds(50)});
