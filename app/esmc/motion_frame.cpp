@@ -1,5 +1,6 @@
 #include "app/esmc/motion_frame.h"
 
+#include "core/render/drawn_shape.h"
 #include "core/support/errors.h"
 #include "core/support/file_io.h"
 #include "core/support/numbers.h"
@@ -72,6 +73,9 @@ std::vector<Eigen::Vector3d> readMotionFrame(const std::filesystem::path& file, 
         if (seen[node] != frame)
             throw FileError(file, "says nothing of node " + std::to_string(node) + " at " +
                                       numberText(frame) + " s; record all nodes");
+        else if (!isDrawable(positions[node]))
+            throw FileError(file, "has node " + std::to_string(node) + " at " + numberText(frame) +
+                                      " s too far away to be drawn; ask for an earlier frame with --at");
     return positions;
 }
 

@@ -14,6 +14,18 @@ void requireValid(const Scene& scene, const SpringNetwork& network) {
         throw InvalidModel(std::move(problems));
 }
 
+/// A scene's fixed nodes and tethers take the place of those that are stored, also where it has none.
+std::vector<std::string> droppedHolds(const Scene& scene, std::size_t fixed, std::size_t tethers) {
+    std::vector<std::string> warnings;
+    if (scene.fixed.empty() && fixed > 0)
+        warnings.push_back("the scene names no fixed nodes: those stored (" + std::to_string(fixed) +
+                           ") do not hold in this run");
+    if (scene.tethers.empty() && tethers > 0)
+        warnings.push_back("the scene names no tethers: those stored (" + std::to_string(tethers) +
+                           ") do not hold in this run");
+    return warnings;
+}
+
 RunnableModel fromProject(const std::filesystem::path& file, const std::optional<Scene>& scene,
                           Context& context) {
     const Project project = openedProject(file, context);
@@ -22,6 +34,10 @@ RunnableModel fromProject(const std::filesystem::path& file, const std::optional
     model.scene = scene.value_or(project.scene);
     model.stepping = project.stepping;
     requireValid(model.scene, *project.network);
+    model.mesh = project.mesh;
+    if (scene)
+        model.warnings = droppedHolds(*scene, fixedNodesOf(*project.network, project.scene).size(),
+                                      tetherCountOf(*project.network, project.scene));
     model.tissue = evaluateModel(project, model.scene);
     model.project = project;
     return model;
@@ -35,12 +51,14 @@ RunnableModel fromPackage(const std::filesystem::path& file, const std::optional
     model.tissue = std::move(package.tissue);
     model.scene = scene.value_or(Scene());
     model.stepping = package.stepping;
-    model.surface = touchedSurface(package.mesh, *model.tissue.network);
+    model.mesh = std::make_shared<const TriangleMesh>(std::move(package.mesh));
+    model.surface = touchedSurface(*model.mesh, *model.tissue.network);
     if (!scene) return model;
     requireValid(*scene, *model.tissue.network);
     Project bare;
     bare.network = model.tissue.network;
     const TissueModel held = evaluateModel(bare, *scene);
+    model.warnings = droppedHolds(*scene, model.tissue.fixedNodes.size(), model.tissue.tethers.size());
     model.tissue.tethers = held.tethers;
     model.tissue.fixedNodes = held.fixedNodes;
     return model;

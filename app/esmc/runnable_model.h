@@ -13,6 +13,8 @@ struct RunnableModel {
     Scene scene;
     std::optional<MeasuredStepping> stepping; ///< that is recommended
     std::optional<Project> project;           ///< none of a package
+    std::shared_ptr<const TriangleMesh> mesh; ///< what is drawn, never null
+    std::vector<std::string> warnings;        ///< what is stored and the scene leaves out
 };
 
 /// Reads a project or a package, and the scene file that takes the place of what is stored, if one is named.

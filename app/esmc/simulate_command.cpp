@@ -1,8 +1,8 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
+#include "app/esmc/run_files.h"
 #include "app/esmc/runnable_model.h"
-#include "app/esmc/trajectory_file.h"
 #include "core/dynamics/scene_accuracy.h"
 #include "core/dynamics/stability.h"
 #include "core/dynamics/swings.h"
@@ -13,14 +13,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace esm {
 
 namespace {
 
 struct SimulateOptions {
-    std::string model, scene, output;
+    std::string model, scene, output, surface;
     std::string integrator, timeStep;
     std::optional<Precision> precision;
     std::optional<double> mostError;
@@ -52,6 +51,10 @@ void declareSimulate(CLI::App& command, SimulateOptions& options) {
     command.add_option("-o,--output", options.output, "Trajectory to write (.csv): time,node,x,y,z")
         ->required()
         ->check(writtenAs(".csv"));
+    command
+        .add_option("--surface", options.surface,
+                    "The drawn surface's trajectory to write as well (.csv): time,vertex,x,y,z")
+        ->check(writtenAs(".csv"));
 }
 
 SimulationSettings requestedSettings(const SimulateOptions& options) {
@@ -72,13 +75,6 @@ SimulationSettings requestedSettings(const SimulateOptions& options) {
     settings.precision = options.precision.value_or(Precision::Double);
     if (const auto problems = validate(settings); !problems.empty()) throw UsageError(joined(problems, "; "));
     return settings;
-}
-
-std::vector<std::uint32_t> recordedNodes(const Scene& scene, std::size_t nodeCount) {
-    if (scene.record.nodes) return *scene.record.nodes;
-    std::vector<std::uint32_t> all(nodeCount);
-    std::iota(all.begin(), all.end(), 0U);
-    return all;
 }
 
 /// Nothing for a run without a step, which has no speed.
@@ -242,26 +238,29 @@ AccurateOutcome runRequested(const SceneRun& run, const std::optional<double>& m
 Report runSimulate(const SimulateOptions& options, Context& context) {
     SimulationSettings settings = requestedSettings(options);
     settings.threads = static_cast<std::size_t>(context.threads);
+    const RunOutputs outputs{options.output, options.surface};
+    requireTwoFiles(outputs);
     const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
+    requireSurface(outputs, model);
     std::vector<std::string> warnings;
     if (model.stepping && takesRecommended(options))
         settings = recommendedSettings(model, settings, warnings);
     else if (model.stepping && options.integrator.empty() && options.timeStep.empty() && !options.mostError)
         warnings.emplace_back("the recommended way to step is for other options than these: auto chose one");
-    std::optional<TrajectoryFile> trajectory;
+    std::optional<RunFiles> files;
     MotionSeen motion;
     const auto newSink = [&]() -> FrameSink {
-        trajectory.emplace(options.output, recordedNodes(model.scene, model.tissue.mass.size()));
+        files.emplace(outputs, model);
         motion = {};
         return [&](double time, const std::vector<Eigen::Vector3d>& positions) {
-            trajectory->add(time, positions);
+            files->add(time, positions);
             motion.add(positions);
         };
     };
     const AccurateOutcome accurate =
         runRequested({model.tissue, model.surface, model.scene, settings}, options.mostError, newSink,
                      progressOf(context, "simulating"));
-    trajectory->commit();
+    files->commit(context.interruption);
     Report report = describe(accurate.outcome);
     if (options.mostError)
         addError(report, accurate, warnings);
@@ -270,8 +269,14 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     else
         append(warnings, accuracyWarnings(model, settings, accurate.outcome, motion));
     append(warnings, warningsOf(model, accurate.outcome));
+    append(warnings, model.warnings);
     addWarnings(report, warnings);
-    addWritten(report, options.output);
+    report.json["files"] = Json::array();
+    for (const std::string& file : {options.output, options.surface}) {
+        if (file.empty()) continue;
+        report.json["files"].push_back(file);
+        addWritten(report, file);
+    }
     return report;
 }
 

@@ -35,6 +35,7 @@ Report runStability(const StabilityOptions& options, Context& context) {
     for (const auto& [integrator, step] : atRest)
         report.text.push_back(std::string("  ") + integratorName(integrator) + ": " + stepInText(step) +
                               ", " + stepInText(any.at(integrator)));
+    addWarnings(report, model.warnings);
     return report;
 }
 

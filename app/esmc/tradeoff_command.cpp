@@ -200,6 +200,7 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
             std::string(integratorName(tradeoff.reference.stepping.integrator)) +
             " damps them away; allow more --max-seconds, or give the tissue more viscosity where "
             "it has next to none");
+    warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
     Report report;
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);

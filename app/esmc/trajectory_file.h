@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace esm {
@@ -13,16 +14,18 @@ namespace esm {
 /// go to the disk as they come: a long run of a large organ does not fit into memory.
 class TrajectoryFile {
 public:
-    TrajectoryFile(const std::filesystem::path& file,
-                   std::vector<std::uint32_t> nodes); ///< @throws FileError
+    /// @param points what the rows are of, "node" or "vertex", and their numbers
+    /// @throws FileError
+    TrajectoryFile(const std::filesystem::path& file, const std::string& points,
+                   std::vector<std::uint32_t> numbers);
 
     void add(double time,
-             const std::vector<Eigen::Vector3d>& positions); ///< one position (m) per node, time in s
+             const std::vector<Eigen::Vector3d>& positions); ///< one position (m) per point, time in s
     void commit() { m_file.commit(); }
 
 private:
     AtomicFile m_file;
-    std::vector<std::uint32_t> m_nodes;
+    std::vector<std::uint32_t> m_numbers;
 };
 
 } // namespace esm

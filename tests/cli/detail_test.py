@@ -93,6 +93,10 @@ class DetailTest(Case):
                                    ("time,node,x,y,z\n0,50,0,0,0\n", "line 2"), ("time,node,x,y,z\n0,x,0,0,0\n", "line 2"),
                                    ("time,node,x,y,z\n0,1,nan,0,0\n", "line 2"), ("time,node,x,y,z\n0,1,0,0,0\n", "node 0")):
             self.assertIn(complaint, self.fails(1, *shot, self.file("motion.csv", content), naming="motion.csv"))
+        wild = "time,node,x,y,z\n" + "".join(f"{frame},{node},{9e6 if frame and node == 7 else 0},0,0\n"
+                                             for frame in (0, 1) for node in range(50))
+        self.assertIn("node 7 at 1 s too far away", self.fails(1, *shot, self.file("motion.csv", wild)))
+        self.done(*shot, self.file("motion.csv"), "--at", "0.5")
         self.fails(2, "render", self.project, "-o", self.file("shot.png"), "--at", 1)
 
     def test_a_stiff_organ_is_moved_by_the_published_springs(self):

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Reads a model package with the standard library alone, by docs/model-package.md and the glTF 2.0 rules.
 
-    read_package.py PACKAGE.glb [--project PROJECT.esm] [--tissue TISSUE.json]
+    read_package.py PACKAGE.glb [--project PROJECT.esm] [--tissue TISSUE.json] [--carry NODES.csv]
 
 Checks the rules of glTF and of ESM_spring_mass; with --project, that every array is the project's rounded to
 float32; with --tissue, that the evaluated tissue is the one given (lists mass, spring_constant, viscosity, tethers,
-fixed, stiffening). Prints every problem and exits 1, or prints the counts as one JSON object and exits 0.
+fixed, stiffening). With --carry, prints where a trajectory of the nodes carries the vertices of the surface, frame by
+frame, as JSON. Else prints every problem and exits 1, or prints the counts as one JSON object and exits 0.
 """
 import argparse
+import csv
 import json
 import math
 import struct
@@ -405,11 +407,22 @@ def compare_tissue(package, file):
     compare("fixed nodes", package.fixed, tissue["fixed"])
 
 
+def carry(package, file):
+    """The surface's vertices for every frame of a trajectory, one after the other."""
+    with open(file, encoding="utf-8") as stream:
+        rows = [[float(row[key]) for key in "xyz"] for row in csv.DictReader(stream)]
+    rest, vertices, places = threes(package.rest), threes(package.vertices), []
+    for start in range(0, len(rows), len(rest)):
+        places += carried(package, rest, rows[start:start + len(rest)], vertices)
+    return places
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("package")
     parser.add_argument("--project")
     parser.add_argument("--tissue")
+    parser.add_argument("--carry")
     arguments = parser.parse_args()
     with open(arguments.package, "rb") as stream:
         gltf = Gltf(stream.read())
@@ -422,7 +435,9 @@ def main():
         compare_tissue(package, arguments.tissue)
     for problem in problems[:50]:
         print(problem, file=sys.stderr)
-    if not problems:
+    if arguments.carry:
+        print(json.dumps(carry(package, arguments.carry)))
+    elif not problems:
         print(json.dumps(package.counts()))
     return 1 if problems else 0
 

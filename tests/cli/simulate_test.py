@@ -1,8 +1,13 @@
 import csv
 import json
 import math
+import struct
+import subprocess
+import sys
 import unittest
+import zipfile
 from decimal import Decimal
+from pathlib import Path
 from xml.etree import ElementTree
 
 from esmc import Case, command
@@ -10,6 +15,26 @@ from esmc import Case, command
 STILL = {"duration": 0.05}
 TUBE_POKE = {"duration": 0.5, "tethers": [{"every": 3, "spring_constant": 2.41327, "viscosity": 10.6875}],
              "forces": [{"node": 85, "force": [0, 0, -1], "from": 0, "to": 1}], "record": {"every": 0.1}}
+
+
+READER = Path(__file__).with_name("read_package.py")
+
+
+def sphere_obj(rings=12, around=16, radius=0.05):
+    """A closed surface of a radius in metres."""
+    text, last = f"v 0 {radius} 0\n", (rings - 1) * around + 2
+    for ring in range(1, rings):
+        height, circle = radius * math.cos(math.pi * ring / rings), radius * math.sin(math.pi * ring / rings)
+        for i in range(around):
+            angle = 2 * math.pi * i / around
+            text += f"v {circle * math.cos(angle)!r} {height!r} {circle * math.sin(angle)!r}\n"
+    text += f"v 0 {-radius} 0\n"
+    corner = lambda ring, i: 2 + (ring - 1) * around + i % around
+    for i in range(around):
+        text += f"f 1 {corner(1, i + 1)} {corner(1, i)}\nf {last} {corner(rings - 1, i)} {corner(rings - 1, i + 1)}\n"
+        for ring in range(1, rings - 1):
+            text += f"f {corner(ring, i)} {corner(ring, i + 1)} {corner(ring + 1, i + 1)} {corner(ring + 1, i)}\n"
+    return text
 
 
 def digits(number):
@@ -151,7 +176,7 @@ class SimulateTest(Case):
         stepping = {"integrator": "euler", "timeStep": 1e-6, "precision": "double", "error": 0.01,
                     "wallPerSimulatedSecond": 1}
         project = self.changed_manifest("stepped.esm", lambda manifest: {**manifest, "stepping": stepping})
-        scene = {"duration": 0.001}
+        scene = {"duration": 0.001, "tethers": TUBE_POKE["tethers"]}
         run, _ = self.simulated(project, scene)
         self.assertEqual((run["integrator"], run["dt"], run["warnings"]), ("euler", 1e-6, []))
         self.done("tissue", project, "--override", "spring_constant=1e9", "-o", project)
@@ -245,6 +270,22 @@ class SimulateTest(Case):
         other, _ = self.simulated(project, STILL)
         self.assertAlmostEqual(other["simulated_s"], 0.05)
 
+    def test_says_what_a_scene_leaves_out_of_what_is_stored(self):
+        project, package = self.sample("tube"), self.file("tube.glb")
+        held = self.file("held.json", {**STILL, "fixed": [{"nodes": [0, 1]}], "tethers": TUBE_POKE["tethers"]})
+        self.done("scene", project, "--scene", held, "-o", project)
+        self.done("export", project, "--to", "glb", "-o", package)
+        loose, out = self.file("loose.json", STILL), self.file("out.csv")
+        told = ["the scene names no fixed nodes: those stored (2) do not hold in this run",
+                "the scene names no tethers: those stored (57) do not hold in this run"]
+        for model in (project, package):
+            for scene, expected in ((loose, told), (held, [])):
+                self.assertEqual(self.done("simulate", model, "--scene", scene, "-o", out)["warnings"], expected)
+                self.assertEqual(self.done("stability", model, "--scene", scene)["warnings"], expected)
+            self.assertEqual(self.done("simulate", model, "-o", out)["warnings"], [])
+        measured = self.done("tradeoff", project, "--scene", loose, "--max-seconds", "0.02")
+        self.assertEqual(measured["warnings"][-2:], told)
+
     def test_warns_of_entries_without_effect(self):
         project = self.sample("tube")
         scene = {**STILL, "fixed": [{"nodes": [7]}, {"ellipsoid": {"centre": [9, 9, 9], "radii": [1, 1, 1]}}],
@@ -252,7 +293,7 @@ class SimulateTest(Case):
         report, _ = self.simulated(project, scene)
         stored = self.done("scene", project, "--scene", self.file("scene.json", scene), "-o", project)
         for warnings in (report["warnings"], stored["warnings"]):
-            self.assertEqual([warning.split(":")[0] for warning in warnings], ["fixed[1]", "moves[0]"])
+            self.assertEqual([warning.split(":")[0] for warning in warnings][:2], ["fixed[1]", "moves[0]"])
 
     def test_says_when_the_instrument_never_touches(self):
         project = self.sample("liver")
@@ -273,6 +314,58 @@ class SimulateTest(Case):
         self.assertFalse(out.exists())
         _, rows = self.simulated(project, {**STILL, "record": {"every": 1e25}})
         self.assertEqual(len(rows), 2 * 170)
+
+    def surface_of(self, model, scene, *options):
+        """Rows of the nodes and of the surface."""
+        report = self.done("simulate", model, "--scene", self.file("scene.json", scene), "-o", self.file("out.csv"),
+                           "--surface", self.file("surface.csv"), *options)
+        self.assertEqual(report["files"], [str(self.file("out.csv")), str(self.file("surface.csv"))])
+        with open(self.file("out.csv")) as nodes, open(self.file("surface.csv")) as surface:
+            return list(csv.DictReader(nodes)), list(csv.DictReader(surface))
+
+    def test_the_surface_goes_where_its_nodes_go(self):
+        project, scene = self.sample("tube"), {**TUBE_POKE, "record": {"every": 0.25}}
+        nodes, surface = self.surface_of(project, scene)
+        with zipfile.ZipFile(project) as archive:
+            carriers = struct.unpack("<170I", archive.read("network/vertex-nodes.u32"))
+        self.assertEqual(list(surface[0]), ["time", "vertex", "x", "y", "z"])
+        self.assertEqual([int(row["vertex"]) for row in surface], 3 * list(range(170)))
+        for frame in range(3):
+            for vertex, node in enumerate(carriers):
+                shown, carried = surface[170 * frame + vertex], nodes[170 * frame + node]
+                self.assertEqual(shown["time"], carried["time"])
+                for key in "xyz":
+                    self.assertAlmostEqual(float(shown[key]), float(carried[key]), delta=1e-15)
+
+    def test_a_reader_of_the_package_carries_the_surface_as_written(self):
+        mesh, project, package = self.file("organ.obj"), self.file("organ.esm"), self.file("organ.glb")
+        mesh.write_text(sphere_obj())
+        for detail in ("60", "rigid"):
+            self.done("import", mesh, "--detail", detail, "-o", project)
+            self.done("export", project, "--to", "glb", "-o", package)
+            scene = {"duration": 0.2, "forces": [{"node": 1, "force": [0.3, 0.2, 0.1], "from": 0, "to": 1}],
+                     "tethers": [{"every": 3, "spring_constant": 20, "viscosity": 5}], "fixed": [{"nodes": [2, 3, 4, 5, 6, 7]}],
+                     "record": {"every": 0.1}}
+            nodes, surface = self.surface_of(package, scene)
+            reader = subprocess.run([sys.executable, READER, package, "--carry", self.file("out.csv")],
+                                    capture_output=True, text=True, check=True)
+            places = json.loads(reader.stdout)
+            shown = [[float(row[key]) for key in "xyz"] for row in surface]
+            self.assertEqual(len(places), len(shown))
+            farthest = max(math.dist(place, other) for place, other in zip(places, shown))
+            self.assertLess(farthest, 1e-6)
+            rest = shown[:len(shown) // 3]
+            self.assertGreater(max(math.dist(a, b) for a, b in zip(rest, shown[-len(rest):])), 1e-3)
+
+    def test_the_surface_takes_all_nodes_and_a_file_of_its_own(self):
+        project, out = self.sample("tube"), self.file("out.csv")
+        one = self.file("one.json", {**STILL, "record": {"every": 0.01, "nodes": [3]}})
+        self.fails(1, "simulate", project, "--scene", one, "-o", out, "--surface", self.file("s.csv"), naming="all nodes")
+        still = self.file("still.json", STILL)
+        for same in (out, self.folder / "." / "out.csv"):
+            self.fails(2, "simulate", project, "--scene", still, "-o", out, "--surface", same, naming="--surface")
+        self.fails(1, "simulate", project, "--scene", still, "-o", out, "--surface", self.folder, naming=self.folder)
+        self.assertFalse(out.exists() or self.file("s.csv").exists())
 
     def test_a_package_moves_as_its_project(self):
         project, package = self.sample("tube"), self.file("tube.glb")
