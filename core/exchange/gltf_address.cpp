@@ -65,7 +65,7 @@ fs::path fileAtAddress(const fs::path& document, const std::string& address) {
     // Some exporters name a file by what its name looks like when encoded.
     for (const std::string& name : {withoutPercentCodes(address), address}) {
         if (!leadsDown(name)) refuse(outside);
-        const fs::path file = fs::canonical(folder / name, error);
+        fs::path file = fs::canonical(folder / name, error);
         if (error) continue;
         if (!liesBelow(fs::canonical(folder, error), file)) refuse(outside);
         if (fs::is_regular_file(file, error)) return file;
