@@ -135,7 +135,7 @@ public:
     AccurateOutcome search(const NewFrameSink& newSink,
                            double mostSteps = std::numeric_limits<double>::infinity()) const {
         HalvedRuns runs(m_run, newSink, m_progress);
-        const AccurateOutcome found = closest(runs, mostSteps, 0);
+        AccurateOutcome found = closest(runs, mostSteps, 0);
         if (found.isReached) return found;
         if (found.hidesSwings && !isExplicit(found.outcome.integrator))
             return withSwings(runs, found.estimatedError, newSink);
@@ -241,7 +241,7 @@ AccurateOutcome runSceneResolved(const SceneRun& run, const NewFrameSink& newSin
         return AccuracySearch(resolved, resolvedError, progress).closest(runs, mostSteps, 1);
     };
     const SpringSystem system = makeSpringSystem(run.model);
-    const AccurateOutcome found = closest(patience * stepsPerSecond(system, resolved.settings.integrator));
+    AccurateOutcome found = closest(patience * stepsPerSecond(system, resolved.settings.integrator));
     if (!found.hidesSwings || isExplicit(found.outcome.integrator)) return found;
     const auto steps = followingSteps(run.model, run.settings.damping, run.scene.duration);
     if (!steps) return found;
