@@ -12,7 +12,7 @@ constexpr int searchRepetitions = 9;
 constexpr double searchTolerance = 0.05; ///< as the editor's
 const std::string reference = "factorising a step's matrix";
 
-template<class Work> void registerAfterMove(const std::string& name, const Work& work) {
+template<class Work> void registerAfterMove(const std::string& name, Work work) {
     registerWork(name, searchRepetitions,
                  [work] { return [slider = std::make_shared<Slider>(), work] { work(slider->move()); }; });
 }
