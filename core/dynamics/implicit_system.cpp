@@ -10,7 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double solverTolerance = 1e-10; ///< of the preconditioned residual's norm
 constexpr int mostSolverIterations = 1000;
 
 double scalarProduct(const Vectors& a, const Vectors& b) {
@@ -58,7 +57,7 @@ private:
 enum class Solved { Yes, Indefinite, No };
 
 Solved conjugateGradients(const TangentMatrix& matrix, const UnknownNodes& unknown, const Vectors& momentum,
-                          Vectors& velocities) {
+                          double tolerance, Vectors& velocities) {
     Vectors residual;
     matrix.multiply(velocities, residual);
     for (std::size_t i = 0; i < residual.size(); ++i)
@@ -68,7 +67,7 @@ Solved conjugateGradients(const TangentMatrix& matrix, const UnknownNodes& unkno
     double rate = scalarProduct(residual, direction);
     const double scale = scalarProduct(momentum, unknown.preconditioned(momentum)) + rate;
     for (int iteration = 0; iteration < mostSolverIterations; ++iteration) {
-        if (!(rate > solverTolerance * solverTolerance * scale)) return Solved::Yes;
+        if (!(rate > tolerance * tolerance * scale)) return Solved::Yes;
         matrix.multiply(direction, image);
         unknown.keep(image);
         const double curvature = scalarProduct(direction, image);
@@ -141,7 +140,7 @@ void TangentMatrix::addSprings(const MatrixFactors& factors, const Vectors& velo
 }
 
 void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner, const std::vector<HeldNode>& led,
-                   const Vectors& momentum, Vectors& velocities) {
+                   const Vectors& momentum, Vectors& velocities, double tolerance) {
     Vectors half;
     preconditioner.solveLower(momentum, velocities, half);
     Vectors start = velocities;
@@ -150,15 +149,14 @@ void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner, cons
         start[held.node] = velocities[held.node];
     const UnknownNodes unknown(preconditioner, led, velocities.size());
     velocities = start;
-    Solved solved = conjugateGradients(matrix, unknown, momentum, velocities);
+    Solved solved = conjugateGradients(matrix, unknown, momentum, tolerance, velocities);
     if (solved == Solved::Indefinite) {
         matrix.omitBuckling();
         velocities = std::move(start);
-        solved = conjugateGradients(matrix, unknown, momentum, velocities);
+        solved = conjugateGradients(matrix, unknown, momentum, tolerance, velocities);
     }
     if (solved != Solved::Yes)
-        throw InvalidModel(
-            "the implicit step found no solution: shorten the step, or choose split or projective");
+        throw InvalidModel("the implicit step found no solution: shorten the step, or choose split");
 }
 
 } // namespace esm

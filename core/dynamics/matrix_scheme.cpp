@@ -1,5 +1,6 @@
 #include "core/dynamics/matrix_scheme.h"
 
+#include "core/dynamics/axial_dampers.h"
 #include "core/dynamics/forces.h"
 #include "core/dynamics/implicit_system.h"
 
@@ -11,6 +12,19 @@ namespace {
 
 constexpr double roundingShare = 1e-9; ///< of potentials; differences below it say nothing
 constexpr int mostHalfWays = 4;
+
+// Newton's steps with axial damping. To solve each of them more exactly gains nothing.
+constexpr int mostNewtonSteps = 4;
+constexpr double newtonTolerance = 1e-3;  ///< of the velocities, in the mean square over masses
+constexpr double solverTolerance = 1e-3;  ///< of a step's equation
+constexpr double leastNewtonShare = 1e-3; ///< of a step
+
+double kineticEnergy(const SpringSystem& system, const Vectors& velocities) {
+    double sum = 0;
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+        sum += 0.5 * system.mass[i] * velocities[i].squaredNorm();
+    return sum;
+}
 
 } // namespace
 
@@ -65,14 +79,22 @@ std::optional<UntouchedStep> MatrixScheme::step(const SpringSystem& system, cons
     lead(input.held, form, before.positions, step.motion.velocities);
     if (hasConstantMatrix(m_integrator))
         solveConstant(start, form, solver, step);
+    else if (m_damping == Damping::Axial)
+        solveTurning(start, form, solver, step.motion.velocities);
     else if (!solveTangent(start, form, solver, step))
         return std::nullopt;
-    for (std::size_t i = 0; i < before.positions.size(); ++i) {
-        // Written as a change, so that what rests stays where it is to the last bit.
-        step.motion.positions[i] += form.reach * step.motion.velocities[i];
-        if (builds) step.motion.positions[i] += form.drift[i];
-    }
+    step.motion.positions = placesAfter(start, form, step.motion.velocities);
     return step;
+}
+
+/// Written as a change, so that what rests stays where it is to the last bit.
+Vectors MatrixScheme::placesAfter(const Start& start, const Form& form, const Vectors& velocities) {
+    Vectors places = start.before.positions;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i] += form.reach * velocities[i];
+        if (!form.drift.empty()) places[i] += form.drift[i];
+    }
+    return places;
 }
 
 void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolver& solver,
@@ -126,6 +148,50 @@ bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver
     return true;
 }
 
+SpringSystem MatrixScheme::axiallyDamped(const Start& start, const Form& form) const {
+    const auto& [system, input, before] = start;
+    const LengthChange change =
+        form.drift.empty() ? changeFrom(system, before.positions, input.duration)
+                           : changeFrom(system, before.positions, m_previous->positions, input.duration);
+    return withAxialDampers(system, change);
+}
+
+// Springs that damp along their axes alone turn within a step, and where they are viscous even a small turn
+// matters: tissue that moved on along the old directions would stretch them, next to unresisted, by what the
+// arc departs from its tangent. Newton's steps start from where the tissue is going, and each gains as much
+// as the potential falls.
+void MatrixScheme::solveTurning(const Start& start, const Form& form, StepSolver& solver,
+                                Vectors& velocities) const {
+    const SpringSystem damped = axiallyDamped(start, form);
+    const Start turning{damped, start.input, start.before};
+    for (int round = 0; round < mostNewtonSteps; ++round) {
+        const Vectors places = placesAfter(start, form, velocities);
+        TangentMatrix tangent(damped, Damping::Isotropic, form.factors, places);
+        tangent.omitBuckling();
+        Vectors change(velocities.size(), Eigen::Vector3d::Zero());
+        solveImplicit(tangent, solver.matrix, start.input.held, missing(turning, form, places, velocities),
+                      change, solverTolerance);
+        const double share = takeDownhill(turning, form, change, velocities);
+        const double changed = share * share * kineticEnergy(damped, change);
+        if (changed <= newtonTolerance * newtonTolerance * kineticEnergy(damped, velocities)) return;
+    }
+}
+
+/// Adds so large a share of a change that the potential does not rise; which share.
+double MatrixScheme::takeDownhill(const Start& start, const Form& form, const Vectors& change,
+                                  Vectors& velocities) const {
+    const Vectors from = velocities;
+    const double known = potential(start, form, from);
+    for (double share = 1; share >= leastNewtonShare; share /= 2) {
+        for (std::size_t i = 0; i < velocities.size(); ++i)
+            velocities[i] = from[i] + share * change[i];
+        const double reached = potential(start, form, velocities);
+        if (reached - known <= roundingShare * (std::abs(reached) + std::abs(known))) return share;
+    }
+    velocities = from;
+    return 0;
+}
+
 /// @param stiffened what is taken from the forces, N; empty: nothing
 Vectors MatrixScheme::momentum(const Start& start, const Form& form, const Vectors& stiffened) const {
     const double h = start.input.duration;
@@ -138,22 +204,32 @@ Vectors MatrixScheme::momentum(const Start& start, const Form& form, const Vecto
     return forces;
 }
 
+/// N·s, by which these velocities miss the step's equation.
+Vectors MatrixScheme::missing(const Start& start, const Form& form, const Vectors& places,
+                              const Vectors& velocities) const {
+    Vectors forces;
+    elasticForces(start.system, places, forces);
+    addExternalForces(start.system, *start.input.loads, forces);
+    addDampingForces(start.system, m_damping, places, velocities, forces);
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        forces[i] = start.system.mass[i] * (form.drive[i] - form.factors.mass * velocities[i]) +
+                    start.input.duration * forces[i];
+    return forces;
+}
+
 /// J, what an exact step has the least of: the form above is where its gradient vanishes.
 double MatrixScheme::potential(const Start& start, const Form& form, const Vectors& velocities) const {
     const double h = start.input.duration;
-    Vectors reached = start.before.positions, damping(velocities.size(), Eigen::Vector3d::Zero()),
-            external = damping;
+    Vectors damping(velocities.size(), Eigen::Vector3d::Zero()), external = damping;
     addDampingForces(start.system, m_damping, start.before.positions, velocities, damping);
     addExternalForces(start.system, *start.input.loads, external);
     double result = 0;
     for (std::size_t i = 0; i < velocities.size(); ++i) {
         const Eigen::Vector3d& v = velocities[i];
-        reached[i] += form.reach * v;
-        if (!form.drift.empty()) reached[i] += form.drift[i];
         result += start.system.mass[i] * v.dot(0.5 * form.factors.mass * v - form.drive[i]) -
                   h * v.dot(external[i] + 0.5 * damping[i]);
     }
-    return result + h / form.reach * energy(start.system, reached, {}).elastic;
+    return result + h / form.reach * energy(start.system, placesAfter(start, form, velocities), {}).elastic;
 }
 
 } // namespace esm

@@ -37,7 +37,14 @@ private:
     Form formOf(const StepInput& input, const Motion& before, bool builds) const;
     void solveConstant(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;
     bool solveTangent(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;
+    void solveTurning(const Start& start, const Form& form, StepSolver& solver, Vectors& velocities) const;
+    SpringSystem axiallyDamped(const Start& start, const Form& form) const;
+    double takeDownhill(const Start& start, const Form& form, const Vectors& change,
+                        Vectors& velocities) const;
     Vectors momentum(const Start& start, const Form& form, const Vectors& stiffened) const;
+    static Vectors placesAfter(const Start& start, const Form& form, const Vectors& velocities);
+    Vectors missing(const Start& start, const Form& form, const Vectors& places,
+                    const Vectors& velocities) const;
     double potential(const Start& start, const Form& form, const Vectors& velocities) const;
 
     Integrator m_integrator;
