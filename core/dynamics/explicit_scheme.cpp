@@ -1,6 +1,7 @@
 #include "core/dynamics/explicit_scheme.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace esm {
@@ -9,6 +10,9 @@ namespace {
 
 /// Steps between two looks at what has come to rest. Where motion spreads is looked at every step.
 constexpr std::size_t stepsBetweenReleases = 64;
+
+/// In double precision no number of steps that can be waited for adds up to anything.
+template<class Real> constexpr bool keepsRemainders = std::is_same_v<Real, float>;
 
 template<class Real> void addTo(Real (&components)[4], const Eigen::Vector3d& change) {
     for (int axis = 0; axis < 3; ++axis)
@@ -108,6 +112,7 @@ template<class Real> void ExplicitScheme<Real>::load(const StepInput& input, con
             rates.resize(m_state.size());
         for (State& rates : m_rates)
             rates.resize(m_state.size());
+        m_remainders.assign(keepsRemainders<Real> ? m_kernel.sliceCount() : 0, {});
         m_ratesKnown = 0;
         m_stepsSinceLoad = 0;
         m_active.activateAll();
@@ -183,6 +188,37 @@ template<class Real> void ExplicitScheme<Real>::advance(State& to, std::initiali
 }
 
 template<class Real>
+void ExplicitScheme<Real>::addKeeping(Real change, std::size_t row, int axis, Real& position) {
+    if constexpr (!keepsRemainders<Real>) {
+        position += change;
+        return;
+    }
+    Real& remainder = m_remainders[row / kernel::sliceHeight].of[axis].of[row % kernel::sliceHeight];
+    const Real whole = change + remainder, result = position + whole;
+    remainder = whole - (result - position);
+    position = result;
+}
+
+template<class Real> void ExplicitScheme<Real>::finish(std::initializer_list<Term> terms) {
+    forActiveRows([&, first = terms.begin(), last = terms.end()](std::size_t row) {
+        kernel::NodeRecord<Real> change{};
+        for (const Term* term = first; term != last; ++term) {
+            const auto factor = static_cast<Real>(term->factor);
+            const auto& rate = (*term->rates)[row];
+            for (int axis = 0; axis < 4; ++axis) {
+                change.position[axis] += factor * rate.position[axis];
+                change.velocity[axis] += factor * rate.velocity[axis];
+            }
+        }
+        m_next[row] = m_state[row];
+        for (int axis = 0; axis < 3; ++axis) {
+            addKeeping(change.position[axis], row, axis, m_next[row].position[axis]);
+            m_next[row].velocity[axis] += change.velocity[axis];
+        }
+    });
+}
+
+template<class Real>
 const typename ExplicitScheme<Real>::State& ExplicitScheme<Real>::stage(std::initializer_list<Term> terms) {
     advance(m_stage, terms);
     return m_stage;
@@ -191,16 +227,19 @@ const typename ExplicitScheme<Real>::State& ExplicitScheme<Real>::stage(std::ini
 template<class Real> void ExplicitScheme<Real>::euler(const StepInput& input) {
     const double h = input.duration;
     const Loads& loads = *input.loads;
+    const typename TissueKernel<Real>::Step step{h, loads.gravity,
+                                                 keepsRemainders<Real> ? &m_remainders : nullptr};
     if (m_active.areAll())
-        m_kernel.step(m_state, m_next, h, loads.gravity);
+        m_kernel.step(m_state, m_next, step);
     else
-        m_kernel.step(m_state, m_next, h, loads.gravity, m_active.list());
+        m_kernel.step(m_state, m_next, step, m_active.list());
     for (const auto& [node, force] : loads.forces) {
         if (!m_active.contains(m_kernel.sliceOf(node))) continue;
         const Eigen::Vector3d change = h * double(m_kernel.inverseMass(node)) * force;
-        auto& record = m_next[m_kernel.rowOf(node)];
-        addTo(record.velocity, change);
-        addTo(record.position, h * change);
+        const std::size_t row = m_kernel.rowOf(node);
+        addTo(m_next[row].velocity, change);
+        for (int axis = 0; axis < 3; ++axis)
+            addKeeping(static_cast<Real>(h * change[axis]), row, axis, m_next[row].position[axis]);
     }
     for (const HeldNode& held : input.held) {
         const std::size_t row = m_kernel.rowOf(held.node);
@@ -216,10 +255,13 @@ template<class Real> void ExplicitScheme<Real>::verlet(const StepInput& input) {
     // Both halves of the state moved by h·(v, a): the velocity is then the one that forces are asked at, and
     // the position lacks h²/2·a.
     advance(m_stage, {{h, &last}});
-    const auto half = static_cast<Real>(h * h / 2);
+    const auto whole = static_cast<Real>(h), half = static_cast<Real>(h * h / 2);
     forActiveRows([&](std::size_t row) {
-        for (int axis = 0; axis < 3; ++axis)
-            m_stage[row].position[axis] += half * last[row].velocity[axis];
+        for (int axis = 0; axis < 3; ++axis) {
+            m_stage[row].position[axis] = m_state[row].position[axis];
+            addKeeping(whole * last[row].position[axis] + half * last[row].velocity[axis], row, axis,
+                       m_stage[row].position[axis]);
+        }
     });
     computeRates(input, m_stage, now);
     advance(m_next, {{h / 2, &last}, {h / 2, &now}});
@@ -237,7 +279,7 @@ template<class Real> void ExplicitScheme<Real>::heun(const StepInput& input) {
     State &first = m_stageRates[0], &second = m_stageRates[1];
     computeRates(input, m_state, first);
     computeRates(input, stage({{h, &first}}), second);
-    advance(m_next, {{h / 2, &first}, {h / 2, &second}});
+    finish({{h / 2, &first}, {h / 2, &second}});
 }
 
 template<class Real> void ExplicitScheme<Real>::rungeKutta(const StepInput& input, const State& first) {
@@ -246,7 +288,7 @@ template<class Real> void ExplicitScheme<Real>::rungeKutta(const StepInput& inpu
     computeRates(input, stage({{h / 2, &first}}), second);
     computeRates(input, stage({{h / 2, &second}}), third);
     computeRates(input, stage({{h, &third}}), fourth);
-    advance(m_next, {{h / 6, &first}, {h / 3, &second}, {h / 3, &third}, {h / 6, &fourth}});
+    finish({{h / 6, &first}, {h / 3, &second}, {h / 3, &third}, {h / 6, &fourth}});
 }
 
 template<class Real> void ExplicitScheme<Real>::adamsMoulton(const StepInput& input) {
@@ -260,7 +302,7 @@ template<class Real> void ExplicitScheme<Real>::adamsMoulton(const StepInput& in
     computeRates(input,
                  stage({{55 * part, &now}, {-59 * part, &last}, {37 * part, &second}, {-9 * part, &third}}),
                  predicted);
-    advance(m_next, {{9 * part, &predicted}, {19 * part, &now}, {-5 * part, &last}, {part, &second}});
+    finish({{9 * part, &predicted}, {19 * part, &now}, {-5 * part, &last}, {part, &second}});
 }
 
 template class ExplicitScheme<float>;

@@ -48,6 +48,9 @@ private:
     void computeRates(const StepInput& input, const State& state, State& rates);
     const State& stage(std::initializer_list<Term> terms);
     void advance(State& to, std::initializer_list<Term> terms) const;
+    /// The same into m_next, keeping what rounding takes from the positions.
+    void finish(std::initializer_list<Term> terms);
+    void addKeeping(Real change, std::size_t row, int axis, Real& position);
     template<class Visit> void forActiveRows(const Visit& visit) const;
     void followMotion(double timeStep);
     void rest(const typename TissueKernel<Real>::SliceList& slices);
@@ -60,9 +63,10 @@ private:
     double m_activeFraction = 1;
 
     // Slices at rest have the same content in all of these, and none in the rates.
-    State m_state; ///< after the last step
-    State m_next;  ///< being computed; else before the last step
-    State m_stage; ///< on the way to the next
+    State m_state;                                        ///< after the last step
+    State m_next;                                         ///< being computed; else before the last step
+    State m_stage;                                        ///< on the way to the next
+    typename TissueKernel<Real>::Remainders m_remainders; ///< of m_state; in float alone
     std::vector<State> m_stageRates;
     std::vector<State> m_rates;   ///< of the last steps, the newest first
     std::size_t m_ratesKnown = 0; ///< of these, since the last restart

@@ -73,7 +73,7 @@ template<class Real> struct KernelRun {
         state = next = kernel.load(system.network->restPositions, velocities);
     }
     void step() {
-        kernel.step(state, next, timeStep, Eigen::Vector3d::Zero());
+        kernel.step(state, next, {timeStep, Eigen::Vector3d::Zero()});
         state.swap(next);
     }
 };

@@ -25,6 +25,23 @@ template<class Real>
     sum.z = Simd<Real>::multiplyAdd(factor, a.z, sum.z);
 }
 
+/// Adds factor·a, and keeps what rounding takes from the sum.
+template<class Real>
+[[gnu::always_inline]] inline void addKeeping(Vectors3<Real>& sum, Vector<Real> factor,
+                                              const Vectors3<Real>& a, Remainders<Real>& remainders,
+                                              std::size_t row) {
+    const auto add = [&](Vector<Real>& component, Vector<Real> part, Lane<Real>& remainder) {
+        const Vector<Real> change =
+            Simd<Real>::multiplyAdd(factor, part, Simd<Real>::load(remainder.of + row));
+        const Vector<Real> result = component + change;
+        Simd<Real>::store(change - (result - component), remainder.of + row);
+        component = result;
+    };
+    add(sum.x, a.x, remainders.of[0]);
+    add(sum.y, a.y, remainders.of[1]);
+    add(sum.z, a.z, remainders.of[2]);
+}
+
 /// Rounded as the scalar forces and rest lengths are: a spring as long as at rest gives exactly no force.
 template<class Real> Vector<Real> squaredLength(const Vectors3<Real>& a) {
     return a.x * a.x + a.y * a.y + a.z * a.z;
@@ -147,7 +164,10 @@ template<Result result, bool biphasic, bool axial, class Real>
     const Vector<Real> timeStep = Simd<Real>::broadcast(passage.timeStep);
     Motion<Real> next = own;
     addScaled(next.velocity, timeStep, acceleration);
-    addScaled(next.position, timeStep, next.velocity);
+    if (passage.remainders)
+        addKeeping(next.position, timeStep, next.velocity, passage.remainders[slice], row);
+    else
+        addScaled(next.position, timeStep, next.velocity);
     return next;
 }
 

@@ -49,6 +49,10 @@ template<class Real> struct Slices {
     const Tethers<Real>* tethers;  ///< per slice; null when there are none
 };
 
+/// What rounding took from the positions of a slice's nodes, m. Added to the next change, it is not lost
+/// however many steps there are: Kahan's sum.
+template<class Real> struct Remainders { Lane<Real> of[3]; };
+
 /// Slices `first` to `last`, or what a list has there.
 struct SliceRange {
     std::size_t first, last;
@@ -58,8 +62,9 @@ struct SliceRange {
 template<class Real> struct Passage {
     const NodeRecord<Real>* from;
     NodeRecord<Real>* to;
-    Real gravity[3]; ///< m/s²
-    Real timeStep;   ///< s
+    Remainders<Real>* remainders; ///< per slice; null: what rounding takes is lost
+    Real gravity[3];              ///< m/s²
+    Real timeStep;                ///< s
 };
 
 template<class Real> using SliceFunction = void (*)(const Slices<Real>&, const Passage<Real>&, SliceRange);

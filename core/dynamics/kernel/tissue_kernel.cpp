@@ -26,11 +26,13 @@ template<> const kernel::SliceFunctions<double>& functionsOf<double>(Instruction
 
 template<class Real>
 kernel::Passage<Real> passage(const LargeVector<kernel::NodeRecord<Real>>& from,
-                              LargeVector<kernel::NodeRecord<Real>>& to, double timeStep,
-                              const Eigen::Vector3d& gravity) {
+                              LargeVector<kernel::NodeRecord<Real>>& to,
+                              const typename TissueKernel<Real>::Step& step) {
     assert(from.size() == to.size() && &from != &to);
-    const auto g = gravity.cast<Real>().eval();
-    return {from.data(), to.data(), {g.x(), g.y(), g.z()}, static_cast<Real>(timeStep)};
+    assert(!step.remainders || step.remainders->size() * sliceHeight == from.size());
+    const auto g = step.gravity.template cast<Real>().eval();
+    auto* const remainders = step.remainders ? step.remainders->data() : nullptr;
+    return {from.data(), to.data(), remainders, {g.x(), g.y(), g.z()}, static_cast<Real>(step.duration)};
 }
 
 } // namespace
@@ -127,30 +129,27 @@ void TissueKernel<Real>::store(const State& state, Vectors& positions, Vectors& 
         }
 }
 
-template<class Real>
-void TissueKernel<Real>::step(const State& from, State& to, double timeStep,
-                              const Eigen::Vector3d& gravity) const {
-    runAll(m_functions->step[m_isBiphasic][m_damping == Damping::Axial],
-           passage(from, to, timeStep, gravity));
+template<class Real> void TissueKernel<Real>::step(const State& from, State& to, const Step& step) const {
+    runAll(m_functions->step[m_isBiphasic][m_damping == Damping::Axial], passage<Real>(from, to, step));
 }
 
 template<class Real>
-void TissueKernel<Real>::step(const State& from, State& to, double timeStep, const Eigen::Vector3d& gravity,
-                              const SliceList& slices) const {
-    runList(m_functions->step[m_isBiphasic][m_damping == Damping::Axial],
-            passage(from, to, timeStep, gravity), slices);
+void TissueKernel<Real>::step(const State& from, State& to, const Step& step, const SliceList& slices) const {
+    runList(m_functions->step[m_isBiphasic][m_damping == Damping::Axial], passage<Real>(from, to, step),
+            slices);
 }
 
 template<class Real>
 void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravity, State& rates) const {
-    runAll(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial], passage(state, rates, 0, gravity));
+    runAll(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial],
+           passage<Real>(state, rates, {0, gravity}));
 }
 
 template<class Real>
 void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravity, State& rates,
                                const SliceList& slices) const {
-    runList(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial], passage(state, rates, 0, gravity),
-            slices);
+    runList(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial],
+            passage<Real>(state, rates, {0, gravity}), slices);
 }
 
 template<class Real> std::size_t TissueKernel<Real>::threadsFor(std::size_t columns) const {

@@ -25,6 +25,14 @@ public:
     /// One record per row, those behind the last node 0.
     using State = LargeVector<kernel::NodeRecord<Real>>;
     using SliceList = std::vector<std::uint32_t>;
+    /// What rounding took from the positions of a state that moves on, per slice; 0 at first.
+    using Remainders = LargeVector<kernel::Remainders<Real>>;
+
+    struct Step {
+        double duration;                  ///< s
+        Eigen::Vector3d gravity;          ///< m/s²
+        Remainders* remainders = nullptr; ///< those of the state; none: what rounding takes is lost
+    };
 
     /// @throws InvalidModel when there are too many nodes
     TissueKernel(const SpringSystem& system, const KernelOptions& options);
@@ -42,12 +50,10 @@ public:
     State load(const Vectors& positions, const Vectors& velocities) const;
     void store(const State& state, Vectors& positions, Vectors& velocities) const;
 
-    /// One step of semi-implicit Euler, `timeStep` (s) long: v⁺ = v + h·a(x, v), x⁺ = x + h·v⁺. Fixed nodes
-    /// keep their velocity. Gravity in m/s². `to` is another state than `from`; with a list, only its slices
-    /// are written.
-    void step(const State& from, State& to, double timeStep, const Eigen::Vector3d& gravity) const;
-    void step(const State& from, State& to, double timeStep, const Eigen::Vector3d& gravity,
-              const SliceList& slices) const;
+    /// One step of semi-implicit Euler: v⁺ = v + h·a(x, v), x⁺ = x + h·v⁺. Fixed nodes keep their velocity.
+    /// `to` is another state than `from`; with a list, only its slices are written.
+    void step(const State& from, State& to, const Step& step) const;
+    void step(const State& from, State& to, const Step& step, const SliceList& slices) const;
 
     /// Changes with time: `rates` has velocities for positions and accelerations for velocities.
     void rates(const State& state, const Eigen::Vector3d& gravity, State& rates) const;

@@ -17,6 +17,7 @@ template<> struct Simd<float> {
 
     static Vector broadcast(float value) { return _mm_set1_ps(value); }
     static Vector load(const float* from) { return _mm_load_ps(from); }
+    static void store(Vector a, float* to) { _mm_store_ps(to, a); }
     static Vector multiplyAdd(Vector a, Vector b, Vector c) { return a * b + c; }
     static Vector subtractProduct(Vector c, Vector a, Vector b) { return c - a * b; }
     static Vector squareRoot(Vector a) { return _mm_sqrt_ps(a); }
@@ -52,6 +53,7 @@ template<> struct Simd<double> {
 
     static Vector broadcast(double value) { return _mm_set1_pd(value); }
     static Vector load(const double* from) { return _mm_load_pd(from); }
+    static void store(Vector a, double* to) { _mm_store_pd(to, a); }
     static Vector multiplyAdd(Vector a, Vector b, Vector c) { return a * b + c; }
     static Vector subtractProduct(Vector c, Vector a, Vector b) { return c - a * b; }
     static Vector squareRoot(Vector a) { return _mm_sqrt_pd(a); }

@@ -17,6 +17,7 @@ template<> struct Simd<float> {
 
     static Vector broadcast(float value) { return _mm256_set1_ps(value); }
     static Vector load(const float* from) { return _mm256_load_ps(from); }
+    static void store(Vector a, float* to) { _mm256_store_ps(to, a); }
     static Vector multiplyAdd(Vector a, Vector b, Vector c) { return _mm256_fmadd_ps(a, b, c); }
     static Vector subtractProduct(Vector c, Vector a, Vector b) { return _mm256_fnmadd_ps(a, b, c); }
     static Vector squareRoot(Vector a) { return _mm256_sqrt_ps(a); }
@@ -67,6 +68,7 @@ template<> struct Simd<double> {
 
     static Vector broadcast(double value) { return _mm256_set1_pd(value); }
     static Vector load(const double* from) { return _mm256_load_pd(from); }
+    static void store(Vector a, double* to) { _mm256_store_pd(to, a); }
     static Vector multiplyAdd(Vector a, Vector b, Vector c) { return _mm256_fmadd_pd(a, b, c); }
     static Vector subtractProduct(Vector c, Vector a, Vector b) { return _mm256_fnmadd_pd(a, b, c); }
     static Vector squareRoot(Vector a) { return _mm256_sqrt_pd(a); }

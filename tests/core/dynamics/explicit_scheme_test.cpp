@@ -1,5 +1,6 @@
 #include "core/dynamics/simulation.h"
 #include "core/dynamics/stability.h"
+#include "tests/support/motion_difference.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -86,6 +87,25 @@ TEST(ExplicitScheme, InFloatFollowsDouble) {
         EXPECT_GT(largest, 0.01) << integratorName(integrator);
         EXPECT_LT(difference, 1e-4 * largest) << integratorName(integrator);
         EXPECT_GT(difference, 0) << integratorName(integrator);
+    }
+}
+
+// Each step is shorter than what float can tell of a place.
+TEST(ExplicitScheme, InFloatManyShortStepsAddUp) {
+    const TissueModel tube = tissue::fallopianTube();
+    Loads loads;
+    loads.forces = {{85, {0.02, 0.02, 0.1}}};
+    for (const Integrator integrator : explicitIntegrators) {
+        SimulationSettings settings = withStep(integrator, 5e-8);
+        Vectors places[2];
+        for (const Precision precision : {Precision::Double, Precision::Float}) {
+            settings.precision = precision;
+            Simulation simulation(tube, settings);
+            ASSERT_EQ(simulation.advance(loads, 20000), 20000U);
+            places[precision == Precision::Float] = simulation.positions();
+        }
+        EXPECT_LT(motionDifference(places[1], places[0], tube.network->restPositions), 2e-3)
+            << integratorName(integrator);
     }
 }
 

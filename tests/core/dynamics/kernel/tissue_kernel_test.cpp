@@ -60,7 +60,7 @@ template<class Real>
 Motion steps(const TissueKernel<Real>& kernel, const Motion& motion, double timeStep, int count) {
     auto state = kernel.load(motion.positions, motion.velocities), next = state;
     for (int i = 0; i < count; ++i) {
-        kernel.step(state, next, timeStep, gravity);
+        kernel.step(state, next, {timeStep, gravity});
         state.swap(next);
     }
     Motion result;
@@ -216,7 +216,7 @@ TEST(TissueKernel, AtRestStaysAtRestToTheLastBit) {
     for (const InstructionSet set : instructionSets()) {
         const TissueKernel<double> kernel(system, {Damping::Isotropic, set});
         auto state = kernel.load(rest.positions, rest.velocities), next = state;
-        kernel.step(state, next, 1e-3, Vector3d::Zero());
+        kernel.step(state, next, {1e-3, Vector3d::Zero()});
         Motion after;
         kernel.store(next, after.positions, after.velocities);
         EXPECT_TRUE(sameBits(after, rest));
@@ -269,18 +269,18 @@ TEST(TissueKernel, ComputesOnlyTheSlicesThatAreListed) {
         const TissueKernel<double> kernel(system, {Damping::Isotropic, {}, &team, threads});
         const auto state = kernel.load(start.positions, start.velocities);
         auto all = state, some = state;
-        kernel.step(state, all, 1e-4, gravity);
+        kernel.step(state, all, {1e-4, gravity});
         std::vector<std::uint32_t> list;
         for (std::uint32_t slice = 1; slice < kernel.sliceCount(); slice += 3)
             list.push_back(slice);
-        kernel.step(state, some, 1e-4, gravity, list);
+        kernel.step(state, some, {1e-4, gravity}, list);
         for (std::size_t node = 0; node < system.mass.size(); ++node) {
             const std::size_t row = kernel.rowOf(node);
             const auto& expected = kernel.sliceOf(node) % 3 == 1 ? all[row] : state[row];
             EXPECT_TRUE(std::equal(expected.position, expected.position + 4, some[row].position));
             EXPECT_TRUE(std::equal(expected.velocity, expected.velocity + 4, some[row].velocity));
         }
-        kernel.step(state, some, 1e-4, gravity, {});
+        kernel.step(state, some, {1e-4, gravity}, {});
         kernel.rates(state, gravity, some, list);
         EXPECT_EQ(some[list[0] * kernel::sliceHeight].position[0],
                   state[list[0] * kernel::sliceHeight].velocity[0]);
