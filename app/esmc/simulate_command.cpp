@@ -160,19 +160,19 @@ struct MotionSeen {
     }
 };
 
-/// Each step rounds places in single precision, and many short steps add that up.
-bool isSpoiltByRounding(const SceneOutcome& outcome, const MotionSeen& motion) {
+/// Single precision tells places apart by no less than its rounding, however they were reached.
+bool isSpoiltByRounding(const MotionSeen& motion) {
     constexpr double worthAWord = 0.003; // of the motion
     const double rounding = std::numeric_limits<float>::epsilon() / 2 * motion.farthestPlace;
-    return static_cast<double>(outcome.steps) * rounding > worthAWord * motion.longestWay;
+    return rounding > worthAWord * motion.longestWay;
 }
 
 /// What makes the motion less exact than its step promises.
 std::vector<std::string> accuracyWarnings(const RunnableModel& model, const SimulationSettings& settings,
                                           const SceneOutcome& outcome, const MotionSeen& motion) {
     std::vector<std::string> warnings;
-    if (settings.precision == Precision::Float && isSpoiltByRounding(outcome, motion))
-        warnings.emplace_back("in single precision so many short steps may be off by percents of the motion: "
+    if (settings.precision == Precision::Float && isSpoiltByRounding(motion))
+        warnings.emplace_back("in single precision so small a motion may be off by percents of itself: "
                               "take --precision double, or measure the error with tradeoff");
     if (hidesSwings(swingBounds(model.tissue, settings.damping), outcome.integrator, outcome.timeStep,
                     model.scene.duration))
@@ -180,6 +180,18 @@ std::vector<std::string> accuracyWarnings(const RunnableModel& model, const Simu
             std::string(integratorName(outcome.integrator)) +
             " damps away swings of the tissue that are faster than its steps; with --max-error, "
             "or with a shorter step, more of them is followed");
+    return warnings;
+}
+
+/// What an integrator does otherwise than its name promises.
+std::vector<std::string> integratorWarnings(const Scene& scene, Integrator integrator) {
+    std::vector<std::string> warnings;
+    if (integrator == Integrator::AdamsMoulton && !scene.moves.empty())
+        warnings.emplace_back("while a node is led adams-moulton steps as rk4 does: what it gives is rk4's");
+    if (lagsWhereTissueTurns(integrator))
+        warnings.push_back(std::string(integratorName(integrator)) +
+                           " lags behind where tissue turns, unless its steps are very short: implicit and "
+                           "bdf2 follow it");
     return warnings;
 }
 
@@ -268,6 +280,7 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
         addResolvedError(report, accurate, warnings);
     else
         append(warnings, accuracyWarnings(model, settings, accurate.outcome, motion));
+    append(warnings, integratorWarnings(model.scene, accurate.outcome.integrator));
     append(warnings, warningsOf(model, accurate.outcome));
     append(warnings, model.warnings);
     addWarnings(report, warnings);

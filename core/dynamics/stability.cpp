@@ -24,8 +24,7 @@ Integrator integratorFor(StabilityRules& rules, const SimulationSettings& settin
         candidates = {Integrator::Split2, Integrator::Split, Integrator::Euler};
     for (const Integrator integrator : candidates)
         if (rules.largestStable(integrator, step).value_or(0) >= step) return integrator;
-    return rules.largestSolvable(step) >= step || settings.damping == Damping::Axial ? Integrator::Bdf2
-                                                                                     : Integrator::Projective;
+    return Integrator::Bdf2;
 }
 
 /// Of a simulated second, the wall time it roughly takes, s per spring.
@@ -35,17 +34,6 @@ double costOf(const ChosenStep& chosen) {
                            : hasConstantMatrix(chosen.integrator) ? solvingSeconds
                                                                   : iteratingSeconds;
     return seconds / chosen.timeStep;
-}
-
-/// The step that takes elasticity implicitly: by a matrix of the place the tissue is in where conjugate
-/// gradients are sure to solve for it, else by a constant one, which needs isotropic damping.
-ChosenStep implicitChoice(const StabilityRules& rules, const ChosenStep& otherwise, Damping damping,
-                          double cap) {
-    const double solvable = rules.largestSolvable(cap);
-    if (solvable >= cap) return {Integrator::Bdf2, cap};
-    if (damping == Damping::Isotropic) return {Integrator::Projective, cap};
-    return otherwise.timeStep * safetyFactor >= shortestStep ? otherwise
-                                                             : ChosenStep{Integrator::Bdf2, solvable};
 }
 
 /// The second-order form is worth a shorter step than the first-order one, but not any; where viscosity is so
@@ -58,7 +46,8 @@ ChosenStep bestChoice(StabilityRules& rules, const SimulationSettings& settings,
     };
     const auto inTime = [&](const ChosenStep& chosen) {
         if (costOf(chosen) * static_cast<double>(springs) <= 1) return chosen;
-        const ChosenStep implicit = implicitChoice(rules, chosen, settings.damping, cap);
+        // As long as conjugate gradients are sure to solve for it.
+        const ChosenStep implicit{Integrator::Bdf2, rules.largestSolvable(cap)};
         // An organ so large that no step keeps up is not made faster by one that costs more.
         const bool isTooShort = chosen.timeStep * safetyFactor < shortestStep;
         return isTooShort || costOf(implicit) < costOf(chosen) ? implicit : chosen;

@@ -43,9 +43,8 @@ double largestAngularFrequency(const TissueModel& model);
 
 /// What `Integrator::Auto` and a missing time step become: `split2` where its stable step is at least half
 /// that of `split`; else `euler` where viscosity is so small that its step is nearly as long; else `split`.
-/// Where these fall behind real time, `bdf2`, and where tissue is so stiff that its solution may not be
-/// found, `projective` (with axial damping, which that does not take, the explicit one). The step keeps a
-/// margin to the critical one.
+/// Where these fall behind real time, `bdf2`, in steps as long as its solution is sure to be found,
+/// if that is cheaper. The step keeps a margin to the critical one.
 struct ChosenStep {
     Integrator integrator;
     double timeStep; ///< s

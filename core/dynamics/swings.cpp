@@ -58,6 +58,10 @@ bool hidesSwings(const SwingBounds& bounds, Integrator integrator, double timeSt
     return taken > hardlyAny && bounds.dampingRatio < clearlyMore * ratio;
 }
 
+bool lagsWhereTissueTurns(Integrator integrator) {
+    return integrator == Integrator::Projective;
+}
+
 std::optional<FollowingSteps> followingSteps(const TissueModel& model, Damping damping, double duration) {
     const SpringSystem system = makeSpringSystem(model);
     StabilityRules rules(system, damping, {0.05, Deformation::Any, {}});

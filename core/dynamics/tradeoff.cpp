@@ -135,7 +135,7 @@ private:
         std::vector<Stepping> ways;
         for (const Integrator integrator : allIntegrators) {
             const double step = longestStep(integrator);
-            if (!(step >= shortestStep)) continue;
+            if (!(step >= shortestStep) || lagsWhereTissueTurns(integrator)) continue;
             ways.push_back({integrator, step, Precision::Double});
             if (isExplicit(integrator)) ways.push_back({integrator, step, Precision::Float});
         }

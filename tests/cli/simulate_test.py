@@ -210,6 +210,19 @@ class SimulateTest(Case):
         self.assertTrue(report["hides_swings"])
         self.assertIn("projective damps them away", report["warnings"][0])
 
+    def test_says_where_an_integrator_is_not_what_its_name_promises(self):
+        def warned(scene, integrator):
+            report, _ = self.simulated(self.sample("tube"), scene, "--integrator", integrator, "--dt", "2e-6")
+            return "\n".join(report["warnings"])
+
+        pushed = {"duration": 1e-4, "forces": [{"node": 85, "force": [0, 0, 0.1]}]}
+        led = {"duration": 1e-4, "moves": [{"node": 85, "path": [[0, 0, 0, 0], [1, 0, 0, 0.1]]}]}
+        self.assertIn("what it gives is rk4's", warned(led, "adams-moulton"))
+        self.assertNotIn("rk4's", warned(pushed, "adams-moulton"))
+        self.assertNotIn("rk4's", warned(led, "rk4"))
+        self.assertIn("projective lags behind", warned(pushed, "projective"))
+        self.assertNotIn("lags behind", warned(pushed, "implicit"))
+
     def test_integrators_agree(self):
         project = self.sample("tube")
         ends = {}

@@ -39,7 +39,7 @@ QString methodText(Integrator integrator) {
         return QObject::tr("bdf2, a method of second order that stays calm however stiff the tissue is");
     case Integrator::Projective:
         return QObject::tr(
-            "projective, a fast method that stays calm however stiff the tissue is, and calms its motion");
+            "projective, a fast method that lags behind where tissue turns; measure again for a better one");
     case Integrator::Split:
         return QObject::tr("split, a method that stays calm however viscous the tissue is");
     case Integrator::Split2:
