@@ -27,10 +27,10 @@ enum class Integrator {
     /// force is largest or changed most [R 2.3.4]. First order.
     Propagation,
     /// (M + h·D + h²·K)·v⁺ = M·v + h·(f(x) + g), x⁺ = x + h·v⁺: implicit Euler, one Newton step;
-    /// in K springs do not buckle.
+    /// in K springs do not buckle. With axial damping up to four, towards f and D at x⁺.
     Implicit,
     /// (3/2·M + h·D + 2/3·h²·K)·v⁺ = M·(2v − v⁻/2) + h·(f(x) − K·(x − x⁻)/3 + g),
-    /// x⁺ = (4x − x⁻ + 2h·v⁺)/3, one Newton step. Second order.
+    /// x⁺ = (4x − x⁻ + 2h·v⁺)/3, Newton steps as of Implicit. Second order.
     Bdf2,
     /// As Implicit with the weighted graph Laplacian in place of K: a constant matrix, one iteration of
     /// projective dynamics. First order. A spring that is beyond its strain before or after the step counts
