@@ -15,9 +15,9 @@ constexpr int mostHalfWays = 4;
 
 // Newton's steps with axial damping. To solve each of them more exactly gains nothing.
 constexpr int mostNewtonSteps = 4;
-constexpr double newtonTolerance = 1e-3;  ///< of the velocities, in the mean square over masses
-constexpr double solverTolerance = 1e-3;  ///< of a step's equation
-constexpr double leastNewtonShare = 1e-3; ///< of a step
+constexpr double newtonTolerance = 1e-3; ///< of the velocities, in the mean square over masses
+constexpr double solverTolerance = 1e-3; ///< of a step's equation
+constexpr int mostNewtonHalvings = 9;    ///< of a step that would go uphill
 
 double kineticEnergy(const SpringSystem& system, const Vectors& velocities) {
     double sum = 0;
@@ -182,7 +182,8 @@ double MatrixScheme::takeDownhill(const Start& start, const Form& form, const Ve
                                   Vectors& velocities) const {
     const Vectors from = velocities;
     const double known = potential(start, form, from);
-    for (double share = 1; share >= leastNewtonShare; share /= 2) {
+    for (int halving = 0; halving <= mostNewtonHalvings; ++halving) {
+        const double share = std::ldexp(1, -halving);
         for (std::size_t i = 0; i < velocities.size(); ++i)
             velocities[i] = from[i] + share * change[i];
         const double reached = potential(start, form, velocities);
