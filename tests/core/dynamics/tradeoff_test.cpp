@@ -47,7 +47,7 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
         EXPECT_TRUE(asTheyCome.empty());
         EXPECT_GT(reference.estimatedError, 0);
     };
-    Tradeoff tradeoff = PulledTube().measured({1, 0.01, mostSeconds()}, progress, {takeReference, take});
+    Tradeoff tradeoff = PulledTube().measured({{1, 0.01}, mostSeconds()}, progress, {takeReference, take});
     std::vector<double> atTheEnd;
     for (const TradeoffRun& run : tradeoff.runs)
         atTheEnd.push_back(run.error);
@@ -80,7 +80,7 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
 TEST(Tradeoff, KeepsRunsAsExactAsTheReference) {
     PulledTube tube;
     tube.scene.duration = 0.2;
-    TradeoffOptions options{1, 0.3, mostSeconds()};
+    TradeoffOptions options{{1, 0.3}, mostSeconds()};
     const Tradeoff tradeoff = tube.measured(options);
     std::size_t bounded = 0;
     for (const TradeoffRun& run : tradeoff.runs) {
@@ -96,7 +96,7 @@ TEST(Tradeoff, FindsAReferenceWhereRegionsHaveNoViscosity) {
     PulledTube tube;
     for (std::size_t node = 0; node < 40; ++node)
         tube.model.viscosity[node] = 0;
-    const Tradeoff tradeoff = tube.measured({1, 0.01, mostSeconds() / 4});
+    const Tradeoff tradeoff = tube.measured({{1, 0.01}, mostSeconds() / 4});
     EXPECT_EQ(tradeoff.reference.stepping.integrator, Integrator::Split);
     EXPECT_FALSE(tradeoff.reference.hidesSwings);
     EXPECT_FALSE(tradeoff.runs.empty());
@@ -107,7 +107,7 @@ TEST(Tradeoff, SaysWhyThereIsNoReference) {
     tube.model.viscosity.assign(tube.model.mass.size(), 0);
     tube.model.springConstant.assign(tube.model.mass.size(), 1e12);
     try {
-        tube.measured({1, 0.01, 1e-4});
+        tube.measured({{1, 0.01}, 1e-4});
         FAIL() << "in no time";
     } catch (const InvalidModel& refused) {
         EXPECT_THAT(refused.what(),
@@ -131,7 +131,7 @@ TEST(Tradeoff, StopsWhatTakesLongerThanItsFirstSteps) {
         reported.push_back(fraction);
         return true;
     };
-    const Tradeoff tradeoff = measureTradeoff({model, {}, scene}, {1, 0.3, 3 * forecast}, progress);
+    const Tradeoff tradeoff = measureTradeoff({model, {}, scene}, {{1, 0.3}, 3 * forecast}, progress);
     EXPECT_THAT(tradeoff.leftOut, testing::Contains(testing::Field(
                                       &LeftOutRun::reason, testing::HasSubstr("took longer than the"))));
     EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
@@ -166,20 +166,20 @@ TEST(Tradeoff, RecommendsAnewForOtherWishes) {
 TEST(Tradeoff, SaysWhenNothingMoves) {
     PulledTube tube;
     tube.scene.forces.clear();
-    EXPECT_THROW(tube.measured({1, 0.01, mostSeconds()}), InvalidModel);
+    EXPECT_THROW(tube.measured({{1, 0.01}, mostSeconds()}), InvalidModel);
 }
 
 TEST(Tradeoff, ComparesAtTheEndWhatIsRecordedLessOften) {
     PulledTube tube;
     tube.scene.duration = 0.2;
     tube.scene.record.every = 1;
-    const Tradeoff tradeoff = tube.measured({1, 0.01, mostSeconds()});
+    const Tradeoff tradeoff = tube.measured({{1, 0.01}, mostSeconds()});
     EXPECT_FALSE(tradeoff.runs.empty());
 }
 
 TEST(Tradeoff, StopsWhenAsked) {
     int calls = 0;
-    EXPECT_THROW(PulledTube().measured({1, 0.01, mostSeconds()}, [&](double) { return ++calls < 20; }),
+    EXPECT_THROW(PulledTube().measured({{1, 0.01}, mostSeconds()}, [&](double) { return ++calls < 20; }),
                  Cancelled);
 }
 
@@ -191,7 +191,7 @@ TEST(Tradeoff, MeasuresFewerNodesAgainstAll) {
     scene.fixed = {{{}, Ellipsoid{{0, 0.1, 0}, {0.08, 0.05, 0.08}, Eigen::Quaterniond::Identity()}}};
     scene.record.every = 0.1;
     scene.record.nodes = std::vector<std::uint32_t>{1, 7, 100};
-    TradeoffOptions options{1, 0.01, mostSeconds()};
+    TradeoffOptions options{{1, 0.01}, mostSeconds()};
     options.coarser = coarserRuns(project, scene);
     ASSERT_EQ(options.coarser.size(), 1U);
     const TissueModel model = evaluateModel(project, scene);

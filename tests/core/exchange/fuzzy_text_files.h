@@ -44,7 +44,7 @@ inline esm::FuzzySystem awkwardSystem() {
         {"spring-const", 0, 1e30, {{"x", {0, 0, 1, 1e30}}, {"#y", {5, 5, 5, 5}}}},
         {"Term", 0, 1, {{"low", {0, 0, 0, 0}}, {"high", {0.1 + 0.2, 0.1 + 0.2, 0.1 + 0.2, 0.1 + 0.2}}}}};
     system.inputs[0].unit = "µm² *)";
-    for (const std::size_t length : {300, 301})
+    for (const std::size_t length : {300U, 301U})
         system.inputs[1].terms.push_back({std::string(length, 'x'), {0, 0, 0, 0}});
     system.outputs[1].unit = "N·s/m";
     esm::FuzzyRule rule{esm::disjunction({{{0, 0}}, esm::negation({{1, 0}})}), {{0, 0}, {1, 1}}};

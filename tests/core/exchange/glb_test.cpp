@@ -44,7 +44,7 @@ TEST(Glb, CutOffOrFollowedByMoreIsRefused) {
 
 TEST(Glb, WrongWordsInItsHeadersAreRefused) {
     const Bytes file = writeGlb({{{"asset", 1}}, {1, 2, 3, 4}});
-    for (const std::size_t place : {0, 4, 8, 12, 16}) {
+    for (const std::size_t place : {0U, 4U, 8U, 12U, 16U}) {
         Bytes damaged = file;
         for (std::size_t i = 0; i < 4; ++i)
             damaged[place + i] = 0xff;

@@ -176,7 +176,8 @@ TEST_F(ProjectFile, NamesWhatIsWrongWithLandmarks) {
              {R"([{"photo": [1], "organ": [1, 2, 3]}])", "landmarks[0].photo"},
              {R"([{"photo": [1, 2], "organ": [1, "two", 3]}])", "landmarks[0].organ"},
              {R"([{"photo": [1, 2]}])", "landmarks[0].organ"}}) {
-        changeManifest("/photos/layers/0", [&](Json& layer) { layer["landmarks"] = Json::parse(landmarks); });
+        changeManifest("/photos/layers/0",
+                       [&text = landmarks](Json& layer) { layer["landmarks"] = Json::parse(text); });
         EXPECT_THAT(loadingError(), testing::HasSubstr(naming)) << landmarks;
     }
     Project project = richProject();
@@ -202,7 +203,7 @@ TEST_F(ProjectFile, NamesWhatIsWrongWithAPreparation) {
             {R"({"lens": {"kind": "fisheye", "fx": 0, "fy": 1, "cx": 0, "cy": 0, "coefficients": [0,0,0,0]}})",
              "focal length"}}) {
         changeManifest("/photos/layers/0",
-                       [&](Json& layer) { layer["preparation"] = Json::parse(preparation); });
+                       [&text = preparation](Json& layer) { layer["preparation"] = Json::parse(text); });
         EXPECT_THAT(loadingError(), testing::HasSubstr(naming)) << preparation;
     }
 }

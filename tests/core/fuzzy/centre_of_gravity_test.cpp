@@ -126,7 +126,7 @@ TEST(CentreOfGravity, StaysInTheSetsAtTheSmallestDegrees) {
 TEST(CentreOfGravity, IsExactForPolynomialsOfAnyDegree) {
     FuzzySystem system = degreeSystem({{0, 1, 1, 1}}, {1});
     system.norms = normsOf(TNorm::Product, TConorm::ProbabilisticSum);
-    for (const std::size_t n : {1, 2, 3, 6, 7, 14, 15, 29, 30, 31, 100, 2000}) {
+    for (const std::size_t n : {1U, 2U, 3U, 6U, 7U, 14U, 15U, 29U, 30U, 31U, 100U, 2000U}) {
         system.rules.assign(n, system.rules[0]);
         const auto count = static_cast<double>(n);
         const double area = 1 - 1 / (count + 1), moment = 0.5 - 1 / ((count + 1) * (count + 2));

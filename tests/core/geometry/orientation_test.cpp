@@ -24,7 +24,7 @@ TEST(OrientTriangles, LeavesWhatFacesOutwards) {
 
 TEST(OrientTriangles, TurnsAClosedSurfaceOutwardsWhateverTheMostFace) {
     const TriangleMesh outward = test::torus();
-    for (const std::size_t every : {1, 2, 3, 7}) {
+    for (const std::size_t every : {1U, 2U, 3U, 7U}) {
         TriangleMesh mesh = outward;
         std::size_t turned = 0;
         for (std::size_t i = 0; i < mesh.triangles.size(); i += every, ++turned)

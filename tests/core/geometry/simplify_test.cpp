@@ -55,7 +55,7 @@ double borderLength(const TriangleMesh& mesh) {
 
 TEST(Simplify, KeepsAsManyVerticesAsAskedForAndTheShape) {
     const TriangleMesh finer = lumpySurface(40, 80);
-    for (const std::size_t count : {4, 60, 500, 1501, 3000}) {
+    for (const std::size_t count : {4U, 60U, 500U, 1501U, 3000U}) {
         const SimplifiedMesh simplified = simplify(finer, count);
         EXPECT_EQ(simplified.vertices.size(), count);
         EXPECT_TRUE(std::is_sorted(simplified.vertices.begin(), simplified.vertices.end()));
@@ -89,7 +89,7 @@ TEST(Simplify, LeavesNoPartOfASmoothSurfaceWithoutVertices) {
 }
 
 TEST(Simplify, HasNoFlatFolds) {
-    for (const std::size_t count : {50, 200, 700}) {
+    for (const std::size_t count : {50U, 200U, 700U}) {
         const SimplifiedMesh simplified = simplify(test::torus(60, 30, 1, 0.1), count);
         std::set<std::set<std::uint32_t>> corners;
         for (const Triangle& triangle : simplified.triangles)

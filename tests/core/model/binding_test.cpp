@@ -105,7 +105,7 @@ TEST(BindingToASurface, FollowsABendBetterThanTheTrianglesDo) {
         return {p.x(), p.y() + 3 * p.x() * p.x() + 0.5 * p.z() * p.x(), p.z()};
     };
     double last = 0.03;
-    for (const std::size_t nodes : {100, 400, 1600}) {
+    for (const std::size_t nodes : {100U, 400U, 1600U}) {
         const double now = deviation(mesh, coarse(mesh, nodes), motion);
         EXPECT_LT(now, 0.5 * last) << nodes;
         last = now;

@@ -120,7 +120,7 @@ TEST(Model, LaysLaterRegionsOverEarlierOnes) {
     const TissueModel model = evaluateModel(project);
     EXPECT_THAT(model.springConstant, Each(40.0));
     EXPECT_THAT(model.viscosity, ElementsAre(8, 8, 4, 8, 4, 4, 4, 4, 4));
-    for (const std::size_t node : {0, 1, 3})
+    for (const std::size_t node : {0U, 1U, 3U})
         EXPECT_DOUBLE_EQ(model.mass[node], 0.2);
     EXPECT_DOUBLE_EQ(model.mass[4], project.base.mass / 9);
     EXPECT_NEAR(total(model.mass), project.base.mass * 6 / 9 + 0.6, 1e-12);

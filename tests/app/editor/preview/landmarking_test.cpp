@@ -131,7 +131,8 @@ TEST_F(LandmarkingTest, BadPairsLeaveThePhotoWhereItIs) {
     const Projector before = placed();
     for (const auto& [pairs, word] : {std::pair(line, "on a line"), std::pair(mirrored, "mirrored")}) {
         landmarking.replace(pairs);
-        ESM_EVENTUALLY(landmarking.failure().contains(word));
+        const QString named = word;
+        ESM_EVENTUALLY(landmarking.failure().contains(named));
         EXPECT_TRUE(placed() == before) << word;
         EXPECT_EQ(landmarking.pairs(), pairs);
     }

@@ -142,7 +142,7 @@ TEST_F(RegionsTest, OneClickLaysARegionOnASpot) {
 TEST_F(RegionsTest, OrderChangesByKeysAndTissueWithIt) {
     window->document().edit("overlap", [](Project& p) {
         p.regions.push_back(p.regions[1]);
-        for (std::size_t i : {1, 2}) {
+        for (std::size_t i : {1U, 2U}) {
             p.regions[i].system = nullptr;
             p.regions[i].inputs.clear();
             p.regions[i].name = i == 1 ? "first" : "second";

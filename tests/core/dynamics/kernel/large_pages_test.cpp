@@ -7,7 +7,7 @@
 using namespace esm;
 
 TEST(LargePages, HoldsFewAndManyNumbers) {
-    for (const std::size_t count : {1, 7, 1000, 600'000, 3'000'001}) {
+    for (const std::size_t count : {1U, 7U, 1000U, 600'000U, 3'000'001U}) {
         LargeVector<double> numbers(count, 1.5);
         EXPECT_EQ(reinterpret_cast<std::uintptr_t>(numbers.data()) % 64, 0U);
         numbers.push_back(2);

@@ -46,10 +46,10 @@ void waitUntilOthersSleep() {
 } // namespace
 
 TEST(ThreadTeam, DoesEveryPartOnce) {
-    for (const std::size_t threads : {1, 2, 3, 5}) {
+    for (const std::size_t threads : {1U, 2U, 3U, 5U}) {
         ThreadTeam team(threads);
         EXPECT_EQ(team.size(), threads);
-        for (const std::size_t parts : {0, 1, 2, 3, 4, 17, 1000}) {
+        for (const std::size_t parts : {0U, 1U, 2U, 3U, 4U, 17U, 1000U}) {
             std::vector<int> calls(parts, 0);
             team.run(parts, [&](std::size_t part) { ++calls[part]; });
             EXPECT_EQ(calls, std::vector<int>(parts, 1)) << threads << " threads, " << parts << " parts";

@@ -118,7 +118,7 @@ template<class Real> void expectSameForAnyThreads() {
     const Motion motion = network::randomMotion(system, true, 3);
     for (const InstructionSet set : instructionSets()) {
         const Motion alone = steps(TissueKernel<Real>(system, {Damping::Isotropic, set}), motion, 1e-6, 50);
-        for (const std::size_t threads : {1, 2, 3, 5}) {
+        for (const std::size_t threads : {1U, 2U, 3U, 5U}) {
             ThreadTeam team(threads);
             const TissueKernel<Real> kernel(system, {Damping::Isotropic, set, &team, threads});
             EXPECT_TRUE(sameBits(steps(kernel, motion, 1e-6, 50), alone)) << threads << " threads";
@@ -265,7 +265,7 @@ TEST(TissueKernel, ComputesOnlyTheSlicesThatAreListed) {
     const SpringSystem system = network::random(contents, 71);
     const Motion start = network::randomMotion(system, true, 72);
     ThreadTeam team(2);
-    for (const std::size_t threads : {1, 2}) {
+    for (const std::size_t threads : {1U, 2U}) {
         const TissueKernel<double> kernel(system, {Damping::Isotropic, {}, &team, threads});
         const auto state = kernel.load(start.positions, start.velocities);
         auto all = state, some = state;

@@ -37,7 +37,7 @@ TEST(ColourMatch, GivesThePhotoMeanAndSpreadOfWhatLiesBeneath) {
     const auto match = matchColours(photo, beneath);
     ASSERT_TRUE(match);
     applyMatch(photo, *match);
-    for (const std::size_t channel : {0, 1, 2}) {
+    for (const std::size_t channel : {0U, 1U, 2U}) {
         const auto [mean, spread] = meanAndSpread(photo, channel);
         const auto [wantedMean, wantedSpread] = meanAndSpread(beneath, channel);
         EXPECT_NEAR(mean, wantedMean, 4) << channel;
@@ -64,7 +64,7 @@ TEST(ColourMatch, CountsOnlyWhereBothAreSeen) {
             std::fill_n(beneath.at(x, y), 4, std::uint8_t{0}); // black, and not seen
     const auto half = matchColours(photo, beneath);
     ASSERT_TRUE(whole && half);
-    for (const std::size_t i : {0, 1, 2})
+    for (const std::size_t i : {0U, 1U, 2U})
         EXPECT_NEAR(half->offset[i], whole->offset[i], 3);
     EXPECT_FALSE(matchColours(photo, speckled({170, 90, 80}, 20, 0)));
     EXPECT_FALSE(matchColours(photo, {}));

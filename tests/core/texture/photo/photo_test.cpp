@@ -1,6 +1,7 @@
 #include "core/texture/photo/photo.h"
 
 #include "core/support/errors.h"
+#include "core/texture/layers/texture_layer.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
