@@ -139,7 +139,7 @@ void Preview::gauge(Worker& worker) {
 }
 
 void Preview::giveUp(PreviewRun& run, const std::string& reason) {
-    run.fail(reason);
+    run.stop(reason);
     {
         const std::lock_guard lock(m_mutex);
         m_inbox.playing = m_status.playing = false;

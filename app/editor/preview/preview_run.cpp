@@ -1,5 +1,6 @@
 #include "app/editor/preview/preview_run.h"
 
+#include "core/render/drawn_shape.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -143,18 +144,31 @@ bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
         if (!step(loads)) {
             const std::string reason = m_simulation->failure();
             if (goBack()) return true;
-            m_runFailure = reason;
+            stop(reason);
             return false;
         }
         m_debt -= timeStep;
         simulated += timeStep;
     }
     measure(simulated, secondsSince(start));
+    if (!isDrawn()) {
+        stop("the tissue moves too far away to be drawn: fix some of its nodes, tether it, or lower gravity");
+        return false;
+    }
     if (++m_framesSinceKept >= framesBetweenStates) {
         m_simulation->keepState();
         m_framesSinceKept = 0;
     }
     return true;
+}
+
+bool PreviewRun::isDrawn() const {
+    return std::all_of(positions().begin(), positions().end(), isDrawable);
+}
+
+void PreviewRun::stop(const std::string& reason) {
+    m_runFailure = reason;
+    if (m_simulation && !isDrawn()) m_simulation->goBack(m_simulation->timeStep());
 }
 
 void PreviewRun::measure(double simulated, double computing) {

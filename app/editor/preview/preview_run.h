@@ -47,12 +47,12 @@ public:
     bool setProject(const Project& project);
     /// Back to rest, and past what stopped the run.
     void reset();
-    /// Stops the run for a reason that comes from outside.
-    void fail(const std::string& reason) { m_runFailure = reason; }
+    /// Stops the run for a reason, at the last good state that can be drawn.
+    void stop(const std::string& reason);
     /// Steps until `seconds` are simulated, or more than that has been spent computing. Motion that runs
     /// wild, or comes to a step that cannot be computed, goes back to where it was calm and on in half as
     /// long steps, and where they are of no help as the program chooses, until the parameters change. False
-    /// when the run stopped, as it does where nothing helps.
+    /// when the run stopped, as it does where nothing helps, or nothing can be drawn any more.
     bool advance(double seconds, const PreviewLoads& loads);
 
     bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
@@ -67,6 +67,7 @@ private:
     void followLoads(const PreviewLoads& loads);
     bool step(const PreviewLoads& loads);
     bool goBack();
+    bool isDrawn() const;
     void measure(double simulated, double computing);
 
     TissueModel m_model;

@@ -1,11 +1,13 @@
 #include "app/editor/preview/preview.h"
 #include "core/dynamics/stability.h"
+#include "core/render/drawn_shape.h"
 #include "core/samples/samples.h"
 #include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>
 #include <QTest>
 
+#include <algorithm>
 #include <atomic>
 #include <future>
 
@@ -67,7 +69,7 @@ TEST(PreviewRun, DoesNotMoveOnWithAModelThatWasRefused) {
 TEST(PreviewRun, GoesOnFromRestAfterItWasStopped) {
     PreviewRun run;
     run.setProject(makeSample("tube"));
-    run.fail("no reason");
+    run.stop("no reason");
     EXPECT_FALSE(run.isReady());
     EXPECT_EQ(run.status().failure, "no reason");
     run.reset();
@@ -120,6 +122,24 @@ TEST(PreviewRun, TakesShorterStepsWhereOneCannotBeComputed) {
     EXPECT_EQ(run.status().halvings, 1);
     EXPECT_EQ(run.status().timeStep, longestWatchedStep / 2);
     EXPECT_EQ(run.status().failure, "");
+}
+
+TEST(PreviewRun, StopsWithAWordWhereTheTissueCanBeSeenForTheLastTime) {
+    Project tube = makeSample("tube");
+    tube.scene = {};
+    tube.scene.gravity = {0, -1e9, 0}; // and nothing holds it
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    for (int frame = 0; frame < 100 && run.isReady(); ++frame) {
+        run.advance(1.0 / 60, {});
+        ASSERT_TRUE(std::all_of(run.positions().begin(), run.positions().end(), isDrawable)) << frame;
+    }
+    EXPECT_FALSE(run.isReady());
+    EXPECT_NE(run.status().failure.find("too far away to be drawn"), std::string::npos)
+        << run.status().failure;
+    run.reset();
+    EXPECT_TRUE(run.isReady());
+    EXPECT_NEAR(growth(run), 1, 1e-12);
 }
 
 TEST(PreviewRun, StepsAsTheProjectSays) {
