@@ -95,8 +95,7 @@ private:
 class VainHalvings {
 public:
     VainHalvings(const SimulationSettings& settings, const SceneOutcome& outcome)
-        : m_order(orderOfErrors(outcome, settings.damping)),
-          m_most(settings.precision == Precision::Float ? 0 : mostInVain) {}
+        : m_order(orderOfErrors(outcome)), m_most(settings.precision == Precision::Float ? 0 : mostInVain) {}
 
     /// Takes note of what one more halving changed.
     void add(double change) {

@@ -1,31 +1,24 @@
 #include "core/dynamics/scene_run.h"
 
-#include "core/dynamics/energy_watch.h"
 #include "core/dynamics/scene_loads.h"
 #include "core/dynamics/stability.h"
 #include "core/dynamics/timeline.h"
+#include "core/dynamics/watched_run.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace esm {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double tooShortToTime = 0.03; // s
 constexpr int mostRepeats = 5;
 constexpr double progressInterval = 0.1; // s
 constexpr double mostAtOnce = 16;        ///< on a whole tissue, so that a run can be stopped within a second
 constexpr double mostSteps = 1e12;       // at a microsecond each, eleven days
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// @throws InvalidModel when there are more steps than can be run
 void requireRunnable(const Scene& scene, double timeStep) {
@@ -105,31 +98,6 @@ void count(const TimeSpan& span, std::size_t taken, SceneOutcome& outcome) {
     outcome.shortestStep = std::min(outcome.shortestStep, lengthOf(span));
 }
 
-/// Takes steps on trial: holds the energy after them against the work of their loads.
-class WatchedRun {
-public:
-    explicit WatchedRun(const Simulation& simulation, const SimulationSettings& settings)
-        : m_simulation(simulation), m_watch(simulation.system(), settings, simulation.motion()) {}
-
-    void begin() {
-        m_before = m_simulation.motion();
-        m_contactWork = m_simulation.contactWork();
-    }
-    /// Why the steps since cannot be right; empty when they can, or when it is not yet time to look.
-    std::string problemAfter(const Loads& loads, const TimeSpan& span, bool isLast) {
-        const WatchedSteps steps{loads,          m_before,   m_simulation.motion(),
-                                 lengthOf(span), span.steps, m_simulation.contactWork() - m_contactWork};
-        m_watch.add(steps);
-        return isLast || m_watch.isDue() ? m_watch.look(steps) : std::string();
-    }
-
-private:
-    const Simulation& m_simulation;
-    EnergyWatch m_watch;
-    Motion m_before;
-    double m_contactWork = 0; ///< J
-};
-
 /// Runs the scene from rest, its instrument standing at its path's start; returns the seconds spent stepping.
 double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& recorder, const Progress& progress,
                    SceneOutcome& outcome) {
@@ -137,7 +105,7 @@ double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& record
     SimulationSettings settings = run.settings;
     settings.integrator = simulation.integrator();
     WatchedRun watched(simulation, settings);
-    Clock::time_point lastReport = Clock::now();
+    double lastReport = run.clock();
     const Vectors& rest = run.model.network->restPositions;
     const TimeDivision division{std::ldexp(simulation.timeStep(), run.halvings), run.halvings};
     Timeline timeline(run.scene, division, simulation.integrator(), rest.size());
@@ -149,9 +117,9 @@ double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& record
         Loads loads = loadsDuring(run.scene, rest, span.start, span.end);
         loads.beginsAnew = span.beginsAnew;
         watched.begin();
-        const Clock::time_point start = Clock::now();
+        const double start = run.clock();
         const std::size_t taken = stepsTaken(simulation, loads, span);
-        stepping += secondsSince(start);
+        stepping += run.clock() - start;
         timeline.advance(span, taken);
         count(span, taken, outcome);
         outcome.stable = taken == span.steps;
@@ -160,12 +128,12 @@ double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& record
             recorder.offer(timeline.time(), simulation, true);
             break;
         }
-        outcome.outcome = watched.problemAfter(loads, span, timeline.isAtEnd());
+        outcome.outcome = watched.problemAfter(loads, lengthOf(span), span.steps, timeline.isAtEnd());
         outcome.stable = outcome.outcome.empty();
         if (!outcome.stable) break;
         recorder.offer(timeline.time(), simulation, timeline.isAtEnd());
-        if (secondsSince(lastReport) < progressInterval) continue;
-        lastReport = Clock::now();
+        if (run.clock() - lastReport < progressInterval) continue;
+        lastReport = run.clock();
         reportProgress(progress, timeline.time() / run.scene.duration);
     }
     outcome.simulatedSeconds = timeline.time();
@@ -196,9 +164,8 @@ double bestOfRepeats(const SceneRun& run, Simulation& simulation, double seconds
 
 } // namespace
 
-int orderOfErrors(const SceneOutcome& outcome, Damping damping) {
-    const bool followsAxes = damping == Damping::Isotropic || isExplicit(outcome.integrator);
-    return outcome.averagedCorners == 0 && followsAxes ? orderOf(outcome.integrator) : 1;
+int orderOfErrors(const SceneOutcome& outcome) {
+    return outcome.averagedCorners == 0 ? orderOf(outcome.integrator) : 1;
 }
 
 SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& given) {
@@ -210,7 +177,7 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
         return !given || given(fraction);
     };
     reportProgress(progress, 0);
-    const Clock::time_point start = Clock::now();
+    const double start = run.clock();
     SimulationSettings settings = withStep(run);
     SceneOutcome outcome;
     outcome.timeStep = std::ldexp(*settings.timeStep, -run.halvings);
@@ -219,7 +186,7 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     settings.timeStep = outcome.shortestStep = std::min(outcome.timeStep, longest);
     settings.isWanted = [&] { return progress(done); };
     Simulation simulation(run.model, settings, run.scene.instrument ? run.surface : TouchedSurface());
-    outcome.setupSeconds = secondsSince(start);
+    outcome.setupSeconds = run.clock() - start;
     outcome.factorisationSeconds = simulation.factorisationSeconds();
     outcome.integrator = simulation.integrator();
 

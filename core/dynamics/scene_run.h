@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/dynamics/simulation.h"
+#include "core/support/clock.h"
 #include "core/support/progress.h"
 
 #include <functional>
@@ -27,9 +28,8 @@ struct SceneOutcome {
 };
 
 /// To which power of the step errors are sure to fall. Where a mean stands in for a corner of a load, they
-/// depend on where in its step that lies, which each halving changes; axial damping is taken along where the
-/// springs lie at a step's beginning by what solves.
-int orderOfErrors(const SceneOutcome& outcome, Damping damping);
+/// depend on where in its step that lies, which each halving changes.
+int orderOfErrors(const SceneOutcome& outcome);
 
 /// What is run, and how.
 struct SceneRun {
@@ -37,7 +37,8 @@ struct SceneRun {
     const TouchedSurface& surface; ///< what an instrument touches; may be empty
     const Scene& scene;
     SimulationSettings settings = {};
-    int halvings = 0; ///< of the settings' step, and of every step that is cut, as Timeline says
+    int halvings = 0;            ///< of the settings' step, and of every step that is cut, as Timeline says
+    Clock clock = steadySeconds; ///< for the seconds of the outcome, and between two reports of progress
 };
 
 /// Runs a scene from rest. A run that diverges, or comes to a step that cannot be computed, ends with its

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 
 namespace esm {
@@ -46,23 +45,21 @@ struct Measured {
     bool isOverTime = false; ///< that is the problem
 };
 
-/// A limit on the wall clock, from when it is started on.
-class WallLimit {
+/// A limit on the time of a clock, from when it is started on.
+class TimeLimit {
 public:
-    explicit WallLimit(double seconds) : m_seconds(std::max(seconds, worthStopping)) {}
+    TimeLimit(double seconds, const Clock& clock)
+        : m_seconds(std::max(seconds, worthStopping)), m_clock(clock) {}
 
     void start() {
-        if (!m_start) m_start = Clock::now();
+        if (!m_start) m_start = m_clock();
     }
-    bool isReached() const {
-        return m_start && std::chrono::duration<double>(Clock::now() - *m_start).count() > m_seconds;
-    }
+    bool isReached() const { return m_start && m_clock() - *m_start > m_seconds; }
 
 private:
-    using Clock = std::chrono::steady_clock;
-
     double m_seconds;
-    std::optional<Clock::time_point> m_start;
+    const Clock& m_clock;
+    std::optional<double> m_start;
 };
 
 /// The tissue at one level of detail.
@@ -152,7 +149,7 @@ private:
         settings.damping = m_options.damping;
         settings.threads = m_options.threads;
         Measured measured;
-        WallLimit limit(mostSeconds);
+        TimeLimit limit(mostSeconds, m_options.clock);
         const auto keep = [&](double time, const Vectors& positions) {
             limit.start();
             const double number = std::round(time / m_interval);
@@ -166,8 +163,9 @@ private:
             return !measured.isOverTime && isWanted(done * part);
         };
         try {
-            measured.outcome =
-                runScene({m_level->run.model, m_level->run.surface, scene, settings, halvings}, keep, goesOn);
+            measured.outcome = runScene(
+                {m_level->run.model, m_level->run.surface, scene, settings, halvings, m_options.clock}, keep,
+                goesOn);
         } catch (const Cancelled&) {
             if (!measured.isOverTime) throw;
             measured.problem = "took longer than the " + numberText(mostSeconds) + " s that it may";
@@ -239,7 +237,7 @@ private:
                 continue;
             }
             if (!m_reference.empty()) {
-                changes.add(changeTo(finer.trajectory), orderOfErrors(finer.outcome, m_options.damping));
+                changes.add(changeTo(finer.trajectory), orderOfErrors(finer.outcome));
                 const bool hides =
                     hidesSwings(swings, integrator, 2 * stepping.timeStep, m_run.scene.duration);
                 m_result.reference = {stepping, changes.remaining(), hides};

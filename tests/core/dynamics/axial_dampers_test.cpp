@@ -81,5 +81,9 @@ TEST(AxialDampers, LetImplicitStepsFollowTissueThatTurns) {
     EXPECT_LT(errorOfPulledTube(Integrator::Implicit, 1e-3), 0.15);
 }
 
+TEST(AxialDampers, LeaveItsOrderToBdf2) {
+    EXPECT_LT(errorOfPulledTube(Integrator::Bdf2, 1e-4), 0.3 * errorOfPulledTube(Integrator::Bdf2, 2e-4));
+}
+
 } // namespace
 } // namespace esm

@@ -1,20 +1,32 @@
 #include "core/dynamics/coarser_runs.h"
 #include "core/model/detail_change.h"
 #include "core/support/errors.h"
-#include "tests/support/sanitized.h"
 #include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <memory>
 
 using namespace esm;
 
 namespace {
 
-/// Of one run.
-double mostSeconds() {
-    return isSanitized() ? 0.2 : 0.08;
+constexpr double mostSeconds = 0.08; ///< of one run, by the clock below
+
+/// A clock that every reading sets on, each by a little more than the one before where it slows down: steps
+/// take as long on every machine.
+Clock setOnByReading(double seconds, double slowing = 0) {
+    return [now = std::make_shared<double>(0), tick = std::make_shared<double>(seconds), slowing] {
+        *tick += slowing;
+        return *now += *tick;
+    };
+}
+
+TradeoffOptions optionsFor(const TradeoffWishes& wishes, double seconds = mostSeconds) {
+    TradeoffOptions options{wishes, seconds};
+    options.clock = setOnByReading(2e-5);
+    return options;
 }
 
 /// A force on one node of the published tube for a second.
@@ -47,7 +59,7 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
         EXPECT_TRUE(asTheyCome.empty());
         EXPECT_GT(reference.estimatedError, 0);
     };
-    Tradeoff tradeoff = PulledTube().measured({{1, 0.01}, mostSeconds()}, progress, {takeReference, take});
+    Tradeoff tradeoff = PulledTube().measured(optionsFor({1, 0.01}), progress, {takeReference, take});
     std::vector<double> atTheEnd;
     for (const TradeoffRun& run : tradeoff.runs)
         atTheEnd.push_back(run.error);
@@ -80,7 +92,7 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
 TEST(Tradeoff, KeepsRunsAsExactAsTheReference) {
     PulledTube tube;
     tube.scene.duration = 0.2;
-    TradeoffOptions options{{1, 0.3}, mostSeconds()};
+    TradeoffOptions options = optionsFor({1, 0.3});
     const Tradeoff tradeoff = tube.measured(options);
     std::size_t bounded = 0;
     for (const TradeoffRun& run : tradeoff.runs) {
@@ -96,7 +108,7 @@ TEST(Tradeoff, FindsAReferenceWhereRegionsHaveNoViscosity) {
     PulledTube tube;
     for (std::size_t node = 0; node < 40; ++node)
         tube.model.viscosity[node] = 0;
-    const Tradeoff tradeoff = tube.measured({{1, 0.01}, mostSeconds() / 4});
+    const Tradeoff tradeoff = tube.measured(optionsFor({1, 0.01}, mostSeconds / 4));
     EXPECT_EQ(tradeoff.reference.stepping.integrator, Integrator::Split);
     EXPECT_FALSE(tradeoff.reference.hidesSwings);
     EXPECT_FALSE(tradeoff.runs.empty());
@@ -107,7 +119,7 @@ TEST(Tradeoff, SaysWhyThereIsNoReference) {
     tube.model.viscosity.assign(tube.model.mass.size(), 0);
     tube.model.springConstant.assign(tube.model.mass.size(), 1e12);
     try {
-        tube.measured({{1, 0.01}, 1e-4});
+        tube.measured(optionsFor({1, 0.01}, 1e-5));
         FAIL() << "in no time";
     } catch (const InvalidModel& refused) {
         EXPECT_THAT(refused.what(),
@@ -116,22 +128,17 @@ TEST(Tradeoff, SaysWhyThereIsNoReference) {
     }
 }
 
-/// Propagation's steps cost little where nothing moves yet, and a hundred times that afterwards.
 TEST(Tradeoff, StopsWhatTakesLongerThanItsFirstSteps) {
-    TissueModel model = tissue::fromMesh(tissue::sphereMesh(3, 0.1), {10, 1, 0.001});
-    model.fixedNodes = {0};
-    Scene scene;
-    scene.forces = {{300, {0.1, 0, 0}, 0.2, 1}};
-    scene.duration = 0.2;
-    const SimulationSettings settings = withStepping({}, {Integrator::Propagation, 1.0 / 150});
-    const double forecast = 2 * runScene({model, {}, scene, settings}, {}).wallSeconds;
-    scene.duration = 0.4;
+    PulledTube tube;
+    tube.scene.duration = 0.2;
+    TradeoffOptions options = optionsFor({1, 0.3});
+    options.clock = setOnByReading(2e-5, 1e-9);
     std::vector<double> reported;
     const auto progress = [&](double fraction) {
         reported.push_back(fraction);
         return true;
     };
-    const Tradeoff tradeoff = measureTradeoff({model, {}, scene}, {{1, 0.3}, 3 * forecast}, progress);
+    const Tradeoff tradeoff = tube.measured(options, progress);
     EXPECT_THAT(tradeoff.leftOut, testing::Contains(testing::Field(
                                       &LeftOutRun::reason, testing::HasSubstr("took longer than the"))));
     EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
@@ -166,20 +173,20 @@ TEST(Tradeoff, RecommendsAnewForOtherWishes) {
 TEST(Tradeoff, SaysWhenNothingMoves) {
     PulledTube tube;
     tube.scene.forces.clear();
-    EXPECT_THROW(tube.measured({{1, 0.01}, mostSeconds()}), InvalidModel);
+    EXPECT_THROW(tube.measured(optionsFor({1, 0.01})), InvalidModel);
 }
 
 TEST(Tradeoff, ComparesAtTheEndWhatIsRecordedLessOften) {
     PulledTube tube;
     tube.scene.duration = 0.2;
     tube.scene.record.every = 1;
-    const Tradeoff tradeoff = tube.measured({{1, 0.01}, mostSeconds()});
+    const Tradeoff tradeoff = tube.measured(optionsFor({1, 0.01}));
     EXPECT_FALSE(tradeoff.runs.empty());
 }
 
 TEST(Tradeoff, StopsWhenAsked) {
     int calls = 0;
-    EXPECT_THROW(PulledTube().measured({{1, 0.01}, mostSeconds()}, [&](double) { return ++calls < 20; }),
+    EXPECT_THROW(PulledTube().measured(optionsFor({1, 0.01}), [&](double) { return ++calls < 20; }),
                  Cancelled);
 }
 
@@ -191,7 +198,7 @@ TEST(Tradeoff, MeasuresFewerNodesAgainstAll) {
     scene.fixed = {{{}, Ellipsoid{{0, 0.1, 0}, {0.08, 0.05, 0.08}, Eigen::Quaterniond::Identity()}}};
     scene.record.every = 0.1;
     scene.record.nodes = std::vector<std::uint32_t>{1, 7, 100};
-    TradeoffOptions options{{1, 0.01}, mostSeconds()};
+    TradeoffOptions options = optionsFor({1, 0.01}, mostSeconds / 8);
     options.coarser = coarserRuns(project, scene);
     ASSERT_EQ(options.coarser.size(), 1U);
     const TissueModel model = evaluateModel(project, scene);
