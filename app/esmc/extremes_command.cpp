@@ -31,9 +31,11 @@ std::string page(const std::vector<ExtremeSummary>& summaries) {
             "one node by what\n"
             "lengthens its softest spring by a millimetre (tenfold: by 10 N), for 100 of 200 steps. *Ran*: "
             "to the end, every\n"
-            "number finite. *Stopped*: with the reason and the last good state, as a step that was given may "
-            "be too long.\n"
-            "*Refused*: with the reason, before a step was taken or, by `propagation`, within one.\n";
+            "number finite and no energy that the pull did not give. *Stopped*: with the reason and the last "
+            "good state, as a\n"
+            "step that was given may be too long. *Refused*: with the reason, before a step was taken or, by "
+            "`propagation`,\n"
+            "within one.\n";
     std::string family;
     for (const ExtremeSummary& summary : summaries) {
         if (summary.family != family) {

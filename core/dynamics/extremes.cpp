@@ -1,6 +1,6 @@
 #include "core/dynamics/extremes.h"
 
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/watched_run.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/support/errors.h"
 #include "core/support/joined.h"
@@ -141,6 +141,14 @@ void requireFinite(const Simulation& simulation) {
         throw std::logic_error("an extreme run kept a state that is not finite");
 }
 
+/// Takes a step. Why it is not good; empty when it is.
+std::string problemOfStep(Simulation& simulation, WatchedRun& watched, const Loads& loads, bool isLast) {
+    watched.begin();
+    const bool good = simulation.step(loads);
+    requireFinite(simulation);
+    return good ? watched.problemAfter(loads, simulation.timeStep(), 1, isLast) : simulation.failure();
+}
+
 } // namespace
 
 std::vector<ExtremeCase> extremeCases() {
@@ -158,13 +166,14 @@ ExtremeOutcome runExtreme(const ExtremeCase& tested, Integrator integrator, int 
     settings.timeStep = tested.timeStep;
     try {
         Simulation simulation(tested.model, settings);
+        settings.integrator = simulation.integrator();
+        WatchedRun watched(simulation, settings);
         Loads loads;
         loads.forces = {{tested.pulledNode, tested.force}};
-        for (int step = 0; step < steps; ++step) {
-            if (step == steps / 2) loads = {};
-            const bool good = simulation.step(loads);
-            requireFinite(simulation);
-            if (!good) return {ExtremeEnd::Stopped, simulation.failure()};
+        for (int step = 1; step <= steps; ++step) {
+            if (step > steps / 2) loads = {};
+            const std::string problem = problemOfStep(simulation, watched, loads, step == steps);
+            if (!problem.empty()) return {ExtremeEnd::Stopped, problem};
         }
         return {ExtremeEnd::Ran, {}};
     } catch (const InvalidModel& reason) {

@@ -21,7 +21,7 @@ struct ExtremeCase {
 std::vector<ExtremeCase> extremeCases();
 
 enum class ExtremeEnd {
-    Ran,     ///< to its end, every number finite
+    Ran,     ///< to its end, every number finite, and without energy that nothing gave
     Stopped, ///< with the reason and the last good state
     Refused  ///< before it began, or a step of it, with the reason
 };
