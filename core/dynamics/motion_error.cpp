@@ -15,17 +15,6 @@ constexpr std::size_t fewestCompared = 8, mostCompared = 100; ///< frames
 constexpr std::size_t mostComparedPoints = 20'000'000;        ///< half a gigabyte
 constexpr double mostIntervals = 1e12;                        ///< shorter ones cannot be told apart
 
-/// Of the error, where changes say nothing sure of what a halving leaves.
-constexpr double unsureShare = 0.5;
-
-/// What of the error a halving leaves that changed so much of what the one before did. Less than the order
-/// promises is luck: two parts of the error cancelled, and one of them will come to light.
-double shareLeft(double changeRatio, int order) {
-    constexpr double luck = 0.6;
-    if (changeRatio < luck * std::exp2(-order)) return unsureShare;
-    return std::max(changeRatio, order > 1 ? 0.25 : 0.5);
-}
-
 /// Even, so that every other one can go.
 std::size_t mostFramesOf(std::size_t points) {
     const std::size_t most = mostComparedPoints / std::max<std::size_t>(1, points);
@@ -76,15 +65,21 @@ double relativeError(const Trajectory& trajectory, const Trajectory& reference) 
 
 double remainingError(const LatestChanges& changes, int order) {
     constexpr double mostShare = leastGain; // above, it is rounding that spoils the gain
+    constexpr double unsureShare = 0.5;
     const auto& [last, beforeLast, beforeThat] = changes;
     if (last == 0) return 0;
-    double share = mostShare;
-    if (!std::isinf(beforeLast)) {
-        const double before =
-            std::isinf(beforeThat) ? unsureShare : shareLeft(beforeLast / beforeThat, order);
-        share = std::min(std::max(shareLeft(last / beforeLast, order), before), mostShare);
+    if (std::isinf(beforeLast)) return last * mostShare / (1 - mostShare);
+    const double promised = std::exp2(-order);
+    double believed = std::max(last, promised * beforeLast);
+    double share = std::max(last / beforeLast, order > 1 ? 0.25 : 0.5);
+    if (std::isinf(beforeThat)) {
+        share = std::max(share, unsureShare);
+    } else {
+        believed = std::max(believed, promised * promised * beforeThat);
+        share = std::max(share, beforeLast / beforeThat);
     }
-    return last * share / (1 - share);
+    share = std::min(share, mostShare);
+    return believed * share / (1 - share);
 }
 
 void HalvingChanges::add(double change, int order) {

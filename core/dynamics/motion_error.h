@@ -71,8 +71,10 @@ struct LatestChanges {
 /// What is left of a trajectory's error, relative to its motion. If each halving leaves the same share r of
 /// the error, then r·change/(1 − r) is left. The share is the larger one of the last two that the changes
 /// tell: where motion has corners, as where springs stiffen, errors fall by fits and starts. Until there are
-/// two, and where a change is smaller than the order promises, a half is taken to be left; never less than
-/// the order leaves, though of orders above the second no more is believed than of that.
+/// two a half is taken to be left at least; of orders above the second no more is believed than of that.
+///
+/// A change that fell by more than the order promises is luck: two parts of the error cancelled, and one of
+/// them will come to light. It counts as what the order would have left of the two changes before.
 double remainingError(const LatestChanges& changes, int order);
 
 /// What one halving of the step after another changes of a trajectory, relative to its motion.

@@ -62,12 +62,13 @@ TEST(RemainingError, FollowsHowMuchHalvingGains) {
     EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4}, 2), 0.1);           // second, but that may be luck
     EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 1.6}, 2), 0.1 / 3);  // second
     EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 0.8}, 2), 0.1);      // by fits and starts
-    EXPECT_DOUBLE_EQ(remainingError({0.1, 10, 40}, 2), 0.1);        // luck
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 10, 40}, 2), 2.5 / 3);    // luck
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 16}, 2), 1. / 3);    // luck not long ago
     EXPECT_DOUBLE_EQ(remainingError({0.1, 1.6, 25.6}, 4), 0.1 / 3); // fourth, of which no more is believed
     EXPECT_DOUBLE_EQ(remainingError({0.1, 0.1}, 2), 0.9);           // none at all
     EXPECT_DOUBLE_EQ(remainingError({0.1, 0.01, 1}, 2), 0.9);
     EXPECT_EQ(remainingError({0, 0, 0}, 2), 0);
-    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 1.6}, 1), 0.1); // more than the first order can gain
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 1.6}, 1), 0.4); // more than the first order can gain
 }
 
 TEST(HalvingChanges, ExtrapolateWhatGains) {
