@@ -2,7 +2,9 @@
 
 #include "core/dynamics/scene_run.h"
 #include "core/dynamics/stability.h"
+#include "core/samples/samples.h"
 #include "tests/support/every_integrator.h"
+#include "tests/support/rounds.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -103,6 +105,32 @@ TEST_P(EnergyWatchByEach, RaisesNoAlarmInStableRuns) {
             EXPECT_TRUE(outcome.stable)
                 << outcome.outcome << ", scene " << i << ", " << parameters.springConstant;
         }
+    }
+}
+
+/// As many as take about as long by any integrator.
+int stepsToWatch(Integrator integrator) {
+    if (isExplicit(integrator)) return roundsOf(300, 5000);
+    return integrator == Integrator::Propagation ? roundsOf(8, 500) : roundsOf(40, 500);
+}
+
+// With what holds and moves them.
+TEST_P(EnergyWatchByEach, RaisesNoAlarmOnTheProgramsOrgans) {
+    for (const char* organ : {"tube", "ventricle", "liver"}) {
+        const Project project = makeSample(organ);
+        const TissueModel model = evaluateModel(project);
+        const auto limit = criticalStep(model, GetParam());
+        if (!limit) continue;
+        const double margin = GetParam() == Integrator::Propagation ? 0.25 : 0.95; // where it settles
+        const double step = std::min(margin * *limit, 0.005);
+        Scene scene = project.scene;
+        scene.duration = std::min(scene.duration, stepsToWatch(GetParam()) * step);
+        scene.forces = {
+            {static_cast<std::uint32_t>(model.mass.size() / 2), {0, 0.05, 0}, 0, scene.duration / 2}};
+        scene.record.every = scene.duration;
+        const TouchedSurface surface = touchedSurface(*project.mesh, *project.network);
+        const SceneOutcome outcome = runScene({model, surface, scene, withStep(GetParam(), step)}, {});
+        EXPECT_TRUE(outcome.stable) << organ << ": " << outcome.outcome;
     }
 }
 
