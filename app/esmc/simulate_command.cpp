@@ -1,5 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/integrator_warnings.h"
 #include "app/esmc/model_report.h"
 #include "app/esmc/run_files.h"
 #include "app/esmc/runnable_model.h"
@@ -180,18 +181,6 @@ std::vector<std::string> accuracyWarnings(const RunnableModel& model, const Simu
             std::string(integratorName(outcome.integrator)) +
             " damps away swings of the tissue that are faster than its steps; with --max-error, "
             "or with a shorter step, more of them is followed");
-    return warnings;
-}
-
-/// What an integrator does otherwise than its name promises.
-std::vector<std::string> integratorWarnings(const Scene& scene, Integrator integrator) {
-    std::vector<std::string> warnings;
-    if (integrator == Integrator::AdamsMoulton && !scene.moves.empty())
-        warnings.emplace_back("while a node is led adams-moulton steps as rk4 does: what it gives is rk4's");
-    if (lagsWhereTissueTurns(integrator))
-        warnings.push_back(std::string(integratorName(integrator)) +
-                           " lags behind where tissue turns, unless its steps are very short: implicit and "
-                           "bdf2 follow it");
     return warnings;
 }
 

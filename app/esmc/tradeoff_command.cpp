@@ -1,5 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/integrator_warnings.h"
 #include "app/esmc/project_output.h"
 #include "app/esmc/runnable_model.h"
 #include "app/esmc/tradeoff_chart.h"
@@ -11,6 +12,7 @@
 #include "core/support/atomic_file.h"
 
 #include <algorithm>
+#include <set>
 
 namespace esm {
 
@@ -174,6 +176,21 @@ void requireSavable(const TradeoffCommandOptions& options) {
                          "export it again");
 }
 
+void appendWarnings(std::vector<std::string>& warnings, const std::vector<std::string>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+}
+
+/// Each once.
+std::vector<std::string> integratorWarnings(const Scene& scene, const std::vector<TradeoffRun>& runs) {
+    std::set<Integrator> integrators;
+    for (const TradeoffRun& run : runs)
+        integrators.insert(run.stepping.integrator);
+    std::vector<std::string> warnings;
+    for (const Integrator integrator : integrators)
+        appendWarnings(warnings, integratorWarnings(scene, integrator));
+    return warnings;
+}
+
 Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     if (!options.output.empty()) requireSavable(options);
     std::optional<ProjectOutput> output;
@@ -200,7 +217,8 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
             std::string(integratorName(tradeoff.reference.stepping.integrator)) +
             " damps them away; allow more --max-seconds, or give the tissue more viscosity where "
             "it has next to none");
-    warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
+    appendWarnings(warnings, integratorWarnings(model.scene, tradeoff.runs));
+    appendWarnings(warnings, model.warnings);
     Report report;
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);

@@ -139,6 +139,12 @@ class SimulateTest(Case):
         self.assertIn("gentle pull", report["warnings"][0])
         self.assertTrue(report["runs"])
 
+    def test_says_of_what_it_measured_what_is_not_as_its_name_promises(self):
+        led = {"duration": 0.02, "moves": [{"node": 85, "path": [[0, 0, 0, 0], [1, 0, 0, 0.1]]}], "record": {"every": 0.01}}
+        report = self.done("tradeoff", self.sample("tube"), "--scene", self.file("led.json", led))
+        self.assertIn("adams-moulton", {run["integrator"] for run in report["runs"]})
+        self.assertEqual(1, sum("what it gives is rk4's" in warning for warning in report["warnings"]))
+
     def test_draws_error_over_cost_as_a_picture(self):
         scene = self.file("scene.json", {**TUBE_POKE, "duration": 0.05, "record": {"every": 0.025}})
         chart = self.file("chart.png")
