@@ -92,7 +92,7 @@ public:
     const Tridiagonal& projected() const { return m_projected; }
 
     void multiply() {
-        m_next = m_lower.selfadjointView<Eigen::Lower>() * m_current;
+        m_next.noalias() = m_lower.selfadjointView<Eigen::Lower>() * m_current;
         if (!m_projected.below.empty()) m_next -= m_projected.below.back() * m_previous;
         m_projected.diagonal.push_back(m_current.dot(m_next));
         m_next -= m_projected.diagonal.back() * m_current;
