@@ -26,18 +26,24 @@ struct Slants {
     }
 };
 
-Slants slantsOf(const PatchShape& shape) {
-    if (!(shape.height > 0)) return {};
-    return {shape.foot / shape.height, (shape.base - shape.foot) / shape.height};
+/// What of a patch is compared with others, side by side in memory.
+struct Outline {
+    double height, base; ///< m
+    Slants slants;
+};
+
+Outline outlineOf(const PatchShape& shape) {
+    if (!(shape.height > 0)) return {shape.height, shape.base, {}};
+    return {shape.height, shape.base, {shape.foot / shape.height, (shape.base - shape.foot) / shape.height}};
 }
 
 class MatchedRowFiller {
 public:
     MatchedRowFiller(const std::vector<PatchShape>& shapes, double scale, const PageRoom& page)
         : m_shapes(shapes), m_scale(scale), m_gap(page.gap), m_stack(page), m_waiting(shapes.size()) {
-        m_slants.reserve(shapes.size());
+        m_outlines.reserve(shapes.size());
         for (const PatchShape& shape : shapes)
-            m_slants.push_back(slantsOf(shape));
+            m_outlines.push_back(outlineOf(shape));
         m_layout.corners.resize(shapes.size());
         m_layout.page.resize(shapes.size());
     }
@@ -77,19 +83,22 @@ private:
         return placeLargestThatFits();
     }
 
-    /// The one that leaves least of the row empty for its own area.
+    /// The one that leaves least of the row empty for its own area. Most lose by so much that a product shows
+    /// it: only the others are worth the divisions.
     Choice bestMatch() const {
+        constexpr double surely = 1 + 1e-9; // beyond what rounding could turn around
         Choice best{m_waiting.first(), 0, {m_pointsUp, false}};
         double least = std::numeric_limits<double>::infinity();
         m_waiting.forFirst(mostCompared, [&](std::uint32_t i, std::uint32_t link) {
-            const PatchShape& shape = m_shapes[i];
+            const auto& [height, base, slants] = m_outlines[i];
             // Those that follow are less tall.
-            const double tooLow = (m_rowHeight - shape.height) / shape.height;
-            if (!(tooLow < least)) return false;
+            if (m_rowHeight - height > surely * least * height) return false;
             for (const bool isMirrored : {false, true}) {
                 const PatchStance stance{m_pointsUp, isMirrored};
-                const double apart = std::abs(m_slants[i].left(stance) - m_slant) * shape.height / shape.base;
-                if (tooLow + apart >= least) continue;
+                const double difference = std::abs(slants.left(stance) - m_slant);
+                if (difference * height > surely * least * base) continue;
+                const double tooLow = (m_rowHeight - height) / height, apart = difference * height / base;
+                if (!(tooLow < least) || tooLow + apart >= least) continue;
                 least = tooLow + apart;
                 best = {i, link, stance};
             }
@@ -135,13 +144,13 @@ private:
         shift(corners, 0, m_stack.top());
         m_layout.corners[choice.shape] = corners;
         m_layout.page[choice.shape] = m_stack.page();
-        m_slant = m_slants[choice.shape].right(choice.stance);
+        m_slant = m_outlines[choice.shape].slants.right(choice.stance);
         m_pointsUp = !m_pointsUp;
         m_waiting.take(choice.link);
     }
 
     const std::vector<PatchShape>& m_shapes;
-    std::vector<Slants> m_slants;
+    std::vector<Outline> m_outlines;
     double m_scale, m_gap; ///< pixels per m, pixels
     RowStack m_stack;
     WaitingPatches m_waiting;
