@@ -1,6 +1,7 @@
 #include "core/geometry/adjacency.h"
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/geometry/sorted_by_vertex.h"
 
 #include <algorithm>
 
@@ -14,10 +15,11 @@ std::vector<TriangleSide> sidesByEdge(const std::vector<Triangle>& triangles) {
             const std::uint32_t from = triangles[i][corner], to = triangles[i][(corner + 1) % 3];
             sides.push_back({std::minmax({from, to}), static_cast<std::uint32_t>(i), from < to});
         }
-    std::sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+    const auto isLess = [](const TriangleSide& a, const TriangleSide& b) {
         return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle;
-    });
-    return sides;
+    };
+    return sortedByVertex(
+        sides, [](const TriangleSide& side) { return side.edge.first; }, isLess);
 }
 
 std::vector<Triangle> trianglesAcross(const std::vector<Triangle>& triangles) {

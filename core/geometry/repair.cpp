@@ -3,13 +3,13 @@
 #include "core/geometry/adjacency.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon_split.h"
+#include "core/geometry/sorted_by_vertex.h"
 #include "core/geometry/weld.h"
 #include "core/support/errors.h"
 #include "core/support/offenders.h"
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 namespace esm {
 
@@ -96,31 +96,31 @@ void weldAndSplit(Workpiece& piece, double weldDistance) {
     }
 }
 
-struct TriangleHash {
-    std::size_t operator()(const Triangle& t) const {
-        std::uint64_t hash = t[0];
-        for (const std::uint64_t corner : {t[1], t[2]})
-            hash = (hash ^ (hash >> 31)) * 0x9E3779B97F4A7C15U + corner;
-        return hash ^ (hash >> 29);
-    }
-};
+void dropDegenerate(Workpiece& piece) {
+    const auto end =
+        std::remove_if(piece.triangles.begin(), piece.triangles.end(), [&piece](const Triangle& triangle) {
+            return hasNoArea(piece.soup.vertices, triangle);
+        });
+    piece.report.degenerateTriangles += static_cast<std::size_t>(piece.triangles.end() - end);
+    piece.triangles.erase(end, piece.triangles.end());
+}
+
+void dropDuplicate(std::vector<Triangle>& triangles) {
+    std::vector<Triangle> sorted = triangles;
+    for (Triangle& triangle : sorted)
+        std::sort(triangle.begin(), triangle.end());
+    const std::vector<bool> isRepeated = repeats(sorted);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        if (!isRepeated[i]) triangles[kept++] = triangles[i];
+    triangles.resize(kept);
+}
 
 void dropDegenerateAndDuplicate(Workpiece& piece) {
-    std::unordered_set<Triangle, TriangleHash> seen;
-    seen.reserve(piece.triangles.size());
-    const auto isUseless = [&](const Triangle& triangle) {
-        if (hasNoArea(piece.soup.vertices, triangle)) {
-            ++piece.report.degenerateTriangles;
-            return true;
-        }
-        Triangle sorted = triangle;
-        std::sort(sorted.begin(), sorted.end());
-        const bool isNew = seen.insert(sorted).second;
-        piece.report.duplicateTriangles += !isNew;
-        return !isNew;
-    };
-    const auto end = std::remove_if(piece.triangles.begin(), piece.triangles.end(), isUseless);
-    piece.triangles.erase(end, piece.triangles.end());
+    dropDegenerate(piece);
+    const std::size_t before = piece.triangles.size();
+    dropDuplicate(piece.triangles);
+    piece.report.duplicateTriangles = before - piece.triangles.size();
     if (piece.triangles.empty()) throw InvalidModel("no triangle with an area remains of the mesh");
 }
 

@@ -1,7 +1,8 @@
 #include "core/geometry/triangle_mesh.h"
 
+#include "core/geometry/sorted_by_vertex.h"
+
 #include <algorithm>
-#include <unordered_set>
 
 namespace esm {
 
@@ -14,13 +15,16 @@ Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points) {
 
 std::vector<Edge> uniqueEdges(const std::vector<Triangle>& triangles) {
     std::vector<Edge> edges;
-    std::unordered_set<std::uint64_t> seen;
-    seen.reserve(3 * triangles.size());
+    edges.reserve(3 * triangles.size());
     for (const Triangle& triangle : triangles)
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Edge edge = std::minmax({triangle[corner], triangle[(corner + 1) % 3]});
-            if (seen.insert(std::uint64_t{edge.first} << 32 | edge.second).second) edges.push_back(edge);
-        }
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            edges.push_back(std::minmax({triangle[corner], triangle[(corner + 1) % 3]}));
+    const std::vector<bool> isRepeated = repeats(edges);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if (!isRepeated[i]) edges[kept++] = edges[i];
+    edges.resize(kept);
+    edges.shrink_to_fit();
     return edges;
 }
 
