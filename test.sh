@@ -3,6 +3,7 @@
 #   ./test.sh [PRESET]   release (default), debug or asan
 #   ./test.sh --bench    measures instead, in the release build, and prints ratios: on a machine that does nothing else
 #   ./test.sh --bench --against FILE | --record FILE   compares with an earlier program: see scripts/compare_benchmarks.py
+#   ./test.sh --growth [REPETITIONS]   measures how cost grows with the surface, and fails where it grows too fast
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -14,6 +15,12 @@ if [[ ${1:-} == --bench ]]; then
     --against | --record) exec scripts/compare_benchmarks.py build/release/bin/benchmarks "${@:2}" ;;
     *) exec build/release/bin/benchmarks "${@:2}" ;;
   esac
+fi
+
+if [[ ${1:-} == --growth ]]; then
+  cmake --preset release -DESM_BUILD_BENCHMARKS=ON
+  cmake --build --preset release --target growth
+  exec build/release/bin/growth "${@:2}"
 fi
 
 preset=${1:-release}
