@@ -8,26 +8,26 @@ namespace esm {
 
 namespace {
 
-/// A percentage on one line that goes away with the last copy of the progress.
+/// A percentage, where it is known, on one line that goes away with the last copy of the progress.
 class ProgressLine {
 public:
     explicit ProgressLine(std::string label) : m_label(std::move(label)) {}
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
     ~ProgressLine() {
-        if (m_shown >= 0) std::cerr << "\r\033[K" << std::flush;
+        if (!m_shown.empty()) std::cerr << "\r\033[K" << std::flush;
     }
 
     void show(double fraction) {
-        const int percent = static_cast<int>(std::lround(100 * fraction));
-        if (percent == m_shown) return;
-        m_shown = percent;
-        std::cerr << '\r' << m_label << ' ' << percent << " %" << std::flush;
+        const std::string shown =
+            fraction < 0 ? "…" : ' ' + std::to_string(std::lround(100 * fraction)) + " %";
+        if (shown == m_shown) return;
+        m_shown = shown;
+        std::cerr << '\r' << m_label << m_shown << std::flush;
     }
 
 private:
-    std::string m_label;
-    int m_shown = -1;
+    std::string m_label, m_shown;
 };
 
 } // namespace

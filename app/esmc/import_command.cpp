@@ -74,7 +74,7 @@ std::string doubtfulSize(double size, LengthUnit unit) {
 Report runImport(const ImportOptions& options, Context& context) {
     context.subject = options.mesh;
     const ProjectOutput output(options.output);
-    PolygonSoup soup = readMeshFile(options.mesh);
+    PolygonSoup soup = readMeshFile(options.mesh, progressOf(context, "reading"));
     convertToMetres(soup, options.unit, options.up);
     RepairedMesh surface = repair(soup, {options.weld, options.keep});
     const double size = boundingBox(surface.mesh.vertices).sizes().maxCoeff();

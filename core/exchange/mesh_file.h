@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/polygon_soup.h"
+#include "core/support/progress.h"
 
 #include <filesystem>
 #include <string>
@@ -23,16 +24,20 @@ struct FittingUnit {
 /// The units in which so many of a file's units are a plausible size, the smallest first.
 std::vector<FittingUnit> fittingUnits(double extent);
 
-/// Reads a surface: STL, PLY, OFF, glTF and GLB through assimp, OBJ and legacy VTK polydata by readers of our
-/// own. Node transforms are applied; lines and points are ignored. Coordinates and the order of the faces are
-/// the file's.
-/// @throws FileError: missing, empty, truncated, of an unknown format, without a triangle, not finite
-PolygonSoup readMeshFile(const std::filesystem::path& file);
+/// Reads a surface, in a process of its own. Node transforms are applied; lines and points are ignored.
+/// Coordinates and the order of the faces are the file's.
+/// @param progress asked now and then whether to go on; how much is done is not known
+/// @throws FileError: missing, empty, truncated, of an unknown format, without a triangle, not finite, or
+/// beyond what reading it may take of memory and time; Cancelled
+PolygonSoup readMeshFile(const std::filesystem::path& file, const Progress& progress = {});
 
 /// Converts to metres and to Y up.
 void convertToMetres(PolygonSoup& soup, LengthUnit unit, UpAxis up);
 
 /// File name endings that readMeshFile() takes, without the dot.
 const std::vector<std::string>& meshFileEndings();
+
+/// The name's ending in small letters, without the dot; empty where it has none.
+std::string meshFileEnding(const std::filesystem::path& file);
 
 } // namespace esm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/model/project.h"
+#include "core/support/progress.h"
 
 #include <filesystem>
 
@@ -17,11 +18,12 @@ struct OpenedProject {
 };
 
 /// Every number comes back as it was saved, bit by bit.
-/// @throws FileError: missing, not a project, damaged (which entry), or of a newer version
-OpenedProject openProject(const std::filesystem::path& file);
+/// @param progress asked while photos are decoded whether to go on
+/// @throws FileError: missing, not a project, damaged (which entry), or of a newer version; Cancelled
+OpenedProject openProject(const std::filesystem::path& file, const Progress& progress = {});
 
 /// The same for who has nobody to warn.
-Project loadProject(const std::filesystem::path& file);
+Project loadProject(const std::filesystem::path& file, const Progress& progress = {});
 
 /// Saves atomically. The same project gives the same bytes.
 /// @throws FileError, also for a project with problems, which could not be loaded again; an existing file is

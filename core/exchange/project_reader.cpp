@@ -28,8 +28,8 @@ namespace {
 /// The archive while it is read. Problems are collected, so that one pass finds all of them.
 class Source {
 public:
-    Source(const ZipReader& archive, std::vector<std::string>& problems)
-        : m_archive(archive), m_problems(problems) {}
+    Source(const ZipReader& archive, const Progress& progress, std::vector<std::string>& problems)
+        : m_archive(archive), m_progress(progress), m_problems(problems) {}
 
     /// An entry of `size` bytes; empty, and a problem, where it cannot be had. What fails counts too, so that
     /// no file can have the same bytes unpacked again and again.
@@ -58,7 +58,7 @@ public:
         if (format.width > 0 && format.height > 0 && format.width <= most / format.height) {
             takePixels(format.width * format.height, name);
         }
-        return decodePhoto(name, std::move(encoded));
+        return decodePhoto(name, std::move(encoded), m_progress);
     }
 
     /// Prepares a layer's photo, where the picture has room beside the other ones.
@@ -125,6 +125,7 @@ private:
     }
 
     const ZipReader& m_archive;
+    const Progress& m_progress;
     std::vector<std::string>& m_problems;
     std::set<std::string> m_named;
     std::uint64_t m_budget = layout::largestProject;
@@ -334,7 +335,7 @@ struct ReadProject {
     std::vector<std::string> problems, warnings;
 };
 
-ReadProject readProject(const std::filesystem::path& file) {
+ReadProject readProject(const std::filesystem::path& file, const Progress& progress) {
     const Bytes content = readFile(file);
     std::vector<std::string> problems;
     try {
@@ -345,7 +346,7 @@ ReadProject readProject(const std::filesystem::path& file) {
         const Json json = readManifest(archive);
         const JsonReader manifest(json, "", problems);
         requireKnownVersion(manifest);
-        Source source(archive, problems);
+        Source source(archive, progress, problems);
         Project project = readContent(manifest, source);
         if (problems.empty()) problems = validate(project);
         if (!problems.empty()) return {{}, problems, {}};
@@ -360,18 +361,18 @@ ReadProject readProject(const std::filesystem::path& file) {
 
 } // namespace
 
-OpenedProject openProject(const std::filesystem::path& file) {
-    ReadProject read = readProject(file);
+OpenedProject openProject(const std::filesystem::path& file, const Progress& progress) {
+    ReadProject read = readProject(file, progress);
     if (!read.problems.empty()) throw FileError(file, InvalidModel(read.problems).what());
     return {std::move(read.project), std::move(read.warnings)};
 }
 
-Project loadProject(const std::filesystem::path& file) {
-    return openProject(file).project;
+Project loadProject(const std::filesystem::path& file, const Progress& progress) {
+    return openProject(file, progress).project;
 }
 
 std::vector<std::string> validateProjectFile(const std::filesystem::path& file) {
-    ReadProject read = readProject(file);
+    ReadProject read = readProject(file, {});
     read.problems.insert(read.problems.end(), read.warnings.begin(), read.warnings.end());
     return read.problems;
 }

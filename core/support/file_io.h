@@ -9,6 +9,9 @@ namespace esm {
 
 using Bytes = std::vector<std::uint8_t>;
 
+/// Bytes of a file. @throws FileError when it is missing or not a regular file.
+std::uint64_t regularFileSize(const std::filesystem::path& file);
+
 /// Reads a whole file. @throws FileError when it is missing, not a regular file or unreadable.
 Bytes readFile(const std::filesystem::path& file);
 

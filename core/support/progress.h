@@ -6,8 +6,8 @@
 
 namespace esm {
 
-/// Called now and then by long work with the fraction done, 0 to 1. Returning false cancels the work.
-/// May be empty. Called on the thread that does the work.
+/// Called now and then by long work with the fraction done, 0 to 1, below 0 where that is not known.
+/// Returning false cancels the work. May be empty. Called on the thread that does the work.
 using Progress = std::function<bool(double fraction)>;
 
 /// Reports to `progress` if there is one. @throws Cancelled when it asks to stop.

@@ -1,3 +1,4 @@
+import os
 import re
 import signal
 import subprocess
@@ -21,6 +22,30 @@ def wait_until_listening(process):
 def wait_until_worked(process, seconds):
     while process.poll() is None and processor_time(process) < seconds:
         time.sleep(0.005)
+
+
+def read_about(process, file):
+    """What /proc tells of a process; nothing once it has ended."""
+    try:
+        return Path(f"/proc/{process}/{file}").read_bytes()
+    except OSError:
+        return b""
+
+
+def processes_of(file):
+    """Those whose command line names the file: the program, and what decodes the file for it."""
+    running = [int(folder.name) for folder in Path("/proc").glob("[0-9]*")]
+    return [process for process in running if os.fsencode(file) in read_about(process, "cmdline")]
+
+
+def is_held_to_limits(decoder):
+    return re.search(rb"Max cpu time +[0-9]", read_about(decoder, "limits")) is not None
+
+
+def is_running(process):
+    """Not when it is a zombie that waits for the system to take it away."""
+    state = read_about(process, "stat")
+    return state != b"" and b") Z " not in state
 
 
 class InterruptTest(Case):
@@ -69,6 +94,45 @@ class InterruptTest(Case):
         for after in (0, 0.2):
             self.stopped(["import", mesh, "-o", self.file("out.esm"), "--weld", "0.00001"], after)
             self.assertEqual(list(self.folder.iterdir()), [])
+
+    def reading_for_ever(self):
+        """A running import, and the decoder that it started, which would never end."""
+        mesh = self.file("sleep.ply", b"ply\n")
+        stand_in = {**os.environ, "ESM_DECODE": str(Path(ESMC).with_name("decoding_stand_in"))}
+        process = subprocess.Popen([ESMC, "import", mesh, "-o", self.file("out.esm")], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True, env=stand_in)
+        self.addCleanup(process.kill)
+        while process.poll() is None:
+            decoders = [found for found in processes_of(mesh) if found != process.pid and is_held_to_limits(found)]
+            if decoders:
+                return process, decoders[0]
+            time.sleep(0.005)
+        self.fail(process.communicate()[1])
+
+    def test_reading_a_mesh_stops_and_so_does_its_decoder(self):
+        process, decoder = self.reading_for_ever()
+        process.send_signal(signal.SIGINT)
+        self.assertRegex(process.communicate(timeout=120)[1], r"\Aesmc: stopped[^\n]+\n\Z")
+        self.assertEqual(process.returncode, 1)
+        self.assertFalse(Path(f"/proc/{decoder}").exists())
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["sleep.ply"])
+
+    def test_a_decoder_that_is_killed_costs_a_message(self):
+        process, decoder = self.reading_for_ever()
+        os.kill(decoder, signal.SIGKILL)
+        self.assertRegex(process.communicate(timeout=120)[1],
+                         r"\Aesmc: \S+/sleep.ply: [^\n]*the system ended the decoder[^\n]*\n\Z")
+        self.assertEqual(process.returncode, 1)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["sleep.ply"])
+
+    def test_a_decoder_ends_with_the_program_that_waits_for_it(self):
+        process, decoder = self.reading_for_ever()
+        process.kill()
+        process.communicate(timeout=120)
+        deadline = time.monotonic() + 120
+        while is_running(decoder) and time.monotonic() < deadline:
+            time.sleep(0.005)
+        self.assertFalse(is_running(decoder))
 
 
 if __name__ == "__main__":

@@ -3,12 +3,13 @@
 
 #include <iostream>
 
-/// Loads the package named first, runs it for ten steps and prints its number of nodes.
+/// Loads the package named first, runs it for ten steps and prints its number of nodes and its pictures.
 int main(int argumentCount, char** arguments) {
     if (argumentCount != 2) return 2;
     const esm::ModelPackage package = esm::loadPackage(arguments[1]);
     esm::Simulation simulation(package.tissue, esm::SimulationSettings{});
     for (int i = 0; i < 10; ++i)
         if (!simulation.step(esm::Loads{})) return 1;
-    std::cout << simulation.positions().size() << " nodes\n";
+    std::cout << simulation.positions().size() << " nodes, " << package.textures.size() << " picture of "
+              << package.textures.at(0).width << " pixels\n";
 }

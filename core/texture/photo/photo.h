@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/file_io.h"
+#include "core/support/progress.h"
 #include "core/texture/image.h"
 
 #include <filesystem>
@@ -16,9 +17,10 @@ struct Photo {
     Image image;
 };
 
-/// Decodes a photo. @throws FileError when it is missing, not an image, damaged or too large
-std::shared_ptr<const Photo> loadPhoto(const std::filesystem::path& file);
+/// Decodes a photo, in a process of its own. @param progress asked now and then whether to go on
+/// @throws FileError when it is missing, not an image, damaged or too large; Cancelled
+std::shared_ptr<const Photo> loadPhoto(const std::filesystem::path& file, const Progress& progress = {});
 /// The same from bytes; `name` stands in messages.
-std::shared_ptr<const Photo> decodePhoto(std::string name, Bytes encoded);
+std::shared_ptr<const Photo> decodePhoto(std::string name, Bytes encoded, const Progress& progress = {});
 
 } // namespace esm

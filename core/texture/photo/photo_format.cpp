@@ -33,6 +33,12 @@ public:
         return holds(place, length) && std::memcmp(m_bytes.data() + place, text, length) == 0;
     }
     std::size_t size() const { return m_bytes.size(); }
+    /// Empty where the file ends before it does.
+    Bytes part(std::size_t place, std::size_t size) const {
+        if (!holds(place, size)) return {};
+        const auto begin = m_bytes.begin() + static_cast<std::ptrdiff_t>(place);
+        return {begin, begin + static_cast<std::ptrdiff_t>(size)};
+    }
 
 private:
     const Bytes& m_bytes;
@@ -75,10 +81,8 @@ PhotoFormat inspectPng(const Bytes& encoded) {
             format.problem = animated;
             return format;
         }
-        if (cursor.startsWith("eXIf", place + 4)) {
-            const auto begin = encoded.begin() + static_cast<std::ptrdiff_t>(place + 8);
-            format.orientation = exifOrientation(Bytes(begin, begin + static_cast<std::ptrdiff_t>(length)));
-        }
+        if (cursor.startsWith("eXIf", place + 4))
+            format.orientation = exifOrientation(cursor.part(place + 8, length));
         place += frame + length;
     }
     format.problem = truncated;
@@ -96,15 +100,22 @@ std::size_t nextJpegMarker(const Cursor& cursor, std::size_t place) {
     return cursor.size();
 }
 
+/// Of EXIF data in a segment of a JPEG file; 1 where it holds other things.
+int segmentOrientation(const Cursor& cursor, std::size_t place) {
+    constexpr std::size_t exifBegin = 10; // behind marker, length and name
+    const std::size_t length = cursor.number(place + 2, 2);
+    if (length < exifBegin - 2 || !cursor.startsWith("Exif", place + 4)) return 1;
+    return exifOrientation(cursor.part(place + exifBegin, length + 2 - exifBegin));
+}
+
 bool isFrameMarker(std::uint32_t code) {
     return code >= 0xc0 && code <= 0xcf && code != 0xc4 && code != 0xc8 && code != 0xcc;
 }
 
 PhotoFormat inspectJpeg(const Bytes& encoded) {
-    constexpr std::uint32_t endOfImage = 0xd9, startOfImage = 0xd8;
+    constexpr std::uint32_t endOfImage = 0xd9, startOfImage = 0xd8, application = 0xe1;
     const Cursor cursor(encoded, ByteOrder::Big);
     PhotoFormat format;
-    format.isJpeg = true;
     std::size_t place = nextJpegMarker(cursor, 2);
     while (cursor.holds(place, 4)) {
         const std::uint32_t code = cursor.number(place + 1, 1);
@@ -113,6 +124,8 @@ PhotoFormat inspectJpeg(const Bytes& encoded) {
             format.height = cursor.number(place + 5, 2);
             format.width = cursor.number(place + 7, 2);
         }
+        if (code == application && format.orientation == 1)
+            format.orientation = segmentOrientation(cursor, place);
         place = nextJpegMarker(cursor, place + 2 + cursor.number(place + 2, 2));
     }
     if (cursor.number(place + 1, 1) != endOfImage) format.problem = truncated;

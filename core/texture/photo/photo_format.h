@@ -9,11 +9,9 @@ namespace esm {
 
 /// What a picture file says of itself before anything is decoded.
 struct PhotoFormat {
-    std::string problem; ///< why it cannot be used and what to do; empty when it can
-    bool isJpeg = false;
+    std::string problem;                 ///< why it cannot be used and what to do; empty when it can
     std::uint64_t width = 0, height = 0; ///< pixels
-    int orientation =
-        1; ///< 1 to 8, as EXIF counts them, of a PNG; JPEG and TIFF decoders see to it themselves
+    int orientation = 1;                 ///< 1 to 8, as EXIF counts them; TIFF decoders see to it themselves
 };
 
 /// Walks through the structure of a PNG or JPEG file to its end, since decoders fill up a truncated picture

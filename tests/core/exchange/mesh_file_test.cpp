@@ -1,198 +1,47 @@
 #include "core/exchange/mesh_file.h"
-#include "core/geometry/repair.h"
+
+#include "core/decoding/decoder_process.h"
 #include "core/support/errors.h"
-#include "tests/core/exchange/tetrahedron.h"
+#include "tests/core/exchange/overwrite.h"
+#include "tests/support/decode_with.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/test_meshes.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include <cstring>
-#include <fstream>
-#include <functional>
-#include <limits>
-#include <sstream>
+#include <chrono>
+#include <string>
 
 namespace esm {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
-using tetrahedron::corners;
-using tetrahedron::faces;
-using tetrahedron::glb;
-using tetrahedron::gltfDocument;
-using tetrahedron::meshBuffer;
-using tetrahedron::put;
+using Clock = std::chrono::steady_clock;
 
-std::string objText() {
-    return "# tetrahedron\nmtllib missing.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\ng side\nusemtl "
-           "red\n"
-           "f 1/1/1 3/1/1 2/1/1\nv 0 0 1\nusemtl blue\nf 1//1 2//1 4//1\nusemtl red\nf -3/1 -2/1 \\\n "
-           "-1/1\nf 1 4 3\n";
-}
-
-std::string stlText() {
-    std::ostringstream text;
-    text << "solid tetrahedron\n";
-    for (const Triangle& t : faces) {
-        text << "facet normal 0 0 0\nouter loop\n";
-        for (const std::uint32_t v : t)
-            text << "vertex " << corners[v].transpose() << "\n";
-        text << "endloop\nendfacet\n";
+std::string meshError(const fs::path& file) {
+    try {
+        readMeshFile(file);
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith(file.string() + ": "));
+        return error.what();
     }
-    text << "endsolid tetrahedron\n";
-    return text.str();
+    return "no error";
 }
 
-std::string stlBinary() {
-    std::string bytes(80, 's');
-    put(bytes, static_cast<std::uint32_t>(faces.size()));
-    for (const Triangle& t : faces) {
-        for (int i = 0; i < 3; ++i)
-            put(bytes, 0.0F);
-        for (const std::uint32_t v : t)
-            for (const float coordinate : corners[v])
-                put(bytes, coordinate);
-        put(bytes, std::uint16_t{0});
-    }
-    return bytes;
+/// A whole PLY file of zeros that takes no room on the disk.
+fs::path sparsePly(const fs::path& file, std::uint64_t vertices) {
+    const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                               std::to_string(vertices) +
+                               "\nproperty double x\nproperty double y\nproperty double z\n"
+                               "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    overwrite(file, header);
+    fs::resize_file(file, header.size() + 24 * vertices + 1);
+    return file;
 }
 
-std::string plyHeader(const std::string& format) {
-    return "ply\nformat " + format + " 1.0\ncomment made by a test\nelement vertex 4\nproperty float x\n" +
-           "property float y\nproperty float z\nproperty uchar red\nelement face 4\n" +
-           "property list uchar int vertex_indices\nend_header\n";
-}
-
-std::string plyText() {
-    std::ostringstream text;
-    text << plyHeader("ascii");
-    for (const Eigen::Vector3f& corner : corners)
-        text << corner.transpose() << " 200\n";
-    for (const Triangle& t : faces)
-        text << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
-    return text.str();
-}
-
-std::string plyBinary(bool bigEndian) {
-    std::string bytes = plyHeader(bigEndian ? "binary_big_endian" : "binary_little_endian");
-    for (const Eigen::Vector3f& corner : corners) {
-        for (const float coordinate : corner)
-            put(bytes, coordinate, bigEndian);
-        put(bytes, std::uint8_t{200});
-    }
-    for (const Triangle& t : faces) {
-        put(bytes, std::uint8_t{3});
-        for (const std::uint32_t v : t)
-            put(bytes, static_cast<std::int32_t>(v), bigEndian);
-    }
-    return bytes;
-}
-
-std::string offText() {
-    std::ostringstream text;
-    text << "OFF\n# tetrahedron\n4 4 6\n";
-    for (const Eigen::Vector3f& corner : corners)
-        text << corner.transpose() << "\n";
-    for (const Triangle& t : faces)
-        text << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
-    return text.str();
-}
-
-std::string vtkText(const std::string& version = "3.0") {
-    std::ostringstream text;
-    text << "# vtk DataFile Version " << version
-         << "\ntetrahedron\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n";
-    for (const Eigen::Vector3f& corner : corners)
-        text << corner.transpose() << "\n";
-    text << "POLYGONS 4 16\n";
-    for (const Triangle& t : faces)
-        text << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
-    return text.str();
-}
-
-class MeshFile : public testing::Test {
-protected:
-    std::filesystem::path write(const std::string& name, const std::string& content) {
-        std::ofstream(m_folder / name, std::ios::binary) << content;
-        return m_folder / name;
-    }
-
-    PolygonSoup read(const std::string& name, const std::string& content) {
-        return readMeshFile(write(name, content));
-    }
-
-    std::string errorOf(const std::string& name, const std::string& content) {
-        const std::filesystem::path file = write(name, content);
-        try {
-            readMeshFile(file);
-        } catch (const FileError& error) {
-            const std::string message = error.what();
-            EXPECT_EQ(message.rfind(file.string() + ": ", 0), 0U) << message;
-            EXPECT_EQ(message.find('\n'), message.npos) << message;
-            return message.substr(file.string().size() + 2);
-        }
-        return "no error";
-    }
-
-    TemporaryFolder m_folder;
-};
-
-TEST_F(MeshFile, ReadsTheSameTetrahedronFromEveryFormat) {
-    const std::vector<std::pair<std::string, std::string>> files{
-        {"a.obj", objText()}, {"b.stl", stlText()},           {"c.stl", stlBinary()},
-        {"d.ply", plyText()}, {"e.ply", plyBinary(false)},    {"f.PLY", plyBinary(true)},
-        {"g.off", offText()}, {"h.glb", glb(gltfDocument())}, {"i.vtk", vtkText()}};
-    for (const auto& [name, content] : files) {
-        const RepairedMesh mesh = repair(read(name, content));
-        EXPECT_EQ(mesh.mesh.vertices.size(), 4U) << name;
-        EXPECT_EQ(mesh.mesh.triangles.size(), 4U) << name;
-        EXPECT_TRUE(mesh.report.isClosed()) << name;
-        EXPECT_EQ(mesh.report.flippedTriangles, 0U) << name;
-        EXPECT_NEAR(enclosedVolume(mesh.mesh), 1.0 / 6, 1e-6) << name;
-        // The first face is 0 2 1 in all of them, and vertices are numbered by first use.
-        EXPECT_EQ(mesh.mesh.vertices[1], Eigen::Vector3d(0, 1, 0)) << name;
-        EXPECT_EQ(mesh.mesh.vertices[2], Eigen::Vector3d(1, 0, 0)) << name;
-    }
-}
-
-TEST_F(MeshFile, KeepsPolygonsTheirOrderAndUnusedVertices) {
-    const PolygonSoup obj =
-        read("quads.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
-                          "o one\nusemtl a\nf 2 3 4 5\no two\nusemtl b\nf 3 6 7 4\n");
-    EXPECT_EQ(obj.vertices.size(), 7U);
-    EXPECT_EQ(obj.polygons, (std::vector<std::vector<std::uint32_t>>{{1, 2, 3, 4}, {2, 5, 6, 3}}));
-    const PolygonSoup off =
-        read("pentagon.off", "OFF 5 1 0\n0 0 0\n1 0 0\n2 1 0\n1 2 0\n0 1 0\n5 0 1 2 3 4\n");
-    EXPECT_EQ(off.polygons, (std::vector<std::vector<std::uint32_t>>{{0, 1, 2, 3, 4}}));
-}
-
-TEST_F(MeshFile, AppliesNodeTransformsAndRepeatsInstances) {
-    nlohmann::json document = gltfDocument();
-    document["nodes"] = nlohmann::json::parse(
-        R"([{"children": [1, 2], "scale": [2, 2, 2]}, {"mesh": 0, "translation": [10, 0, 0]},
-            {"mesh": 0, "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476]}])");
-    const PolygonSoup soup = read("nodes.glb", glb(document));
-    ASSERT_EQ(soup.vertices.size(), 8U);
-    EXPECT_LT((soup.vertices[1] - Eigen::Vector3d(22, 0, 0)).norm(), 1e-5);
-    EXPECT_LT((soup.vertices[5] - Eigen::Vector3d(0, 2, 0)).norm(), 1e-5);
-    EXPECT_EQ(soup.polygons.size(), 8U);
-}
-
-TEST_F(MeshFile, ReadsGltfWithABufferBesideIt) {
-    nlohmann::json document = gltfDocument();
-    document["buffers"][0]["uri"] = "mesh.bin";
-    EXPECT_THAT(errorOf("mesh.gltf", document.dump()), HasSubstr("mesh.bin"));
-    write("mesh.bin", meshBuffer());
-    EXPECT_EQ(read("mesh.gltf", document.dump()).polygons.size(), 4U);
-    write("mesh.bin", meshBuffer().substr(0, 50));
-    EXPECT_THAT(errorOf("mesh.gltf", document.dump()), AllOf(HasSubstr("cut off"), HasSubstr("72")));
-}
-
-TEST_F(MeshFile, ConvertsUnitAndUpAxis) {
+TEST(MeshFile, ConvertsUnitAndUpAxis) {
     PolygonSoup soup{{{10, 20, 30}}, {}};
     convertToMetres(soup, LengthUnit::Millimetre, UpAxis::Z);
     EXPECT_LT((soup.vertices[0] - Eigen::Vector3d(0.010, 0.030, -0.020)).norm(), 1e-15);
@@ -202,142 +51,96 @@ TEST_F(MeshFile, ConvertsUnitAndUpAxis) {
     EXPECT_LT((soup.vertices[0] - Eigen::Vector3d(0.00010, 0.00030, -0.00020)).norm(), 1e-15);
 }
 
-TEST_F(MeshFile, RefusesMissingEmptyAndUnknownFiles) {
-    EXPECT_THROW(readMeshFile(m_folder / "none.obj"), FileError);
-    EXPECT_THROW(readMeshFile(m_folder.path()), FileError);
-    for (const std::string& ending : meshFileEndings())
-        EXPECT_THAT(errorOf("empty." + ending, ""), HasSubstr("empty"));
-    EXPECT_THAT(errorOf("mesh.xyz", "1 2 3"), AllOf(HasSubstr("unknown kind"), HasSubstr(".stl")));
+TEST(MeshFile, IsReadAsItsDecoderHasIt) {
+    const TemporaryFolder folder;
+    overwrite(folder / "a.obj",
+              std::string("v 0 0 0.1\nv 1 0 0\nv 0 1 1e-300\nv 5 5 5\nf 3 2 1\nf 1 2 3 4\n"));
+    const PolygonSoup soup = readMeshFile(folder / "a.obj");
+    ASSERT_EQ(soup.vertices.size(), 4U);
+    EXPECT_EQ(soup.vertices[0].z(), 0.1);
+    EXPECT_EQ(soup.vertices[2].z(), 1e-300);
+    EXPECT_EQ(soup.polygons, (std::vector<std::vector<std::uint32_t>>{{2, 1, 0}, {0, 1, 2, 3}}));
 }
 
-TEST_F(MeshFile, RefusesContentOfAnotherKindThanTheEndingSays) {
-    EXPECT_THAT(errorOf("a.stl", plyText()), AllOf(HasSubstr("PLY"), HasSubstr(".ply")));
-    EXPECT_THAT(errorOf("b.ply", glb(gltfDocument())), HasSubstr("GLB"));
-    EXPECT_THAT(errorOf("c.obj", "\x89PNG\r\n\x1a\n"), HasSubstr("PNG"));
-    EXPECT_THAT(errorOf("d.stl", "Dear reader,\nthis is a letter and no mesh.\n"), HasSubstr("no STL"));
-    for (const std::string& ending : meshFileEndings())
-        EXPECT_NE(errorOf("letter." + ending, "Dear reader,\nthis is a letter and no mesh.\n"), "no error")
-            << ending;
-    std::string noise;
-    for (std::uint32_t i = 0, x = 1; i < 3000; ++i)
-        noise += static_cast<char>((x = x * 1664525 + 1013904223) >> 24);
-    for (const std::string& ending : meshFileEndings())
-        EXPECT_NE(errorOf("noise." + ending, noise), "no error") << ending;
+TEST(MeshFile, IsRefusedWithTheDecodersWords) {
+    const TemporaryFolder folder;
+    overwrite(folder / "two\nlines: a.obj", std::string("v 0 0 0\nv 1 0"));
+    overwrite(folder / "b.obj", std::string("v 0 0 0\nv 1 0"));
+    EXPECT_THAT(meshError(folder / "b.obj"),
+                HasSubstr("b.obj: has a vertex without three numbers in line 2"));
+    EXPECT_THAT(meshError(folder / "two\nlines: a.obj"),
+                HasSubstr("a.obj: has a vertex without three numbers"));
+    EXPECT_THAT(meshError(folder / "none.obj"), HasSubstr("does not exist"));
+    EXPECT_THAT(meshError(folder / "none.gltf"), HasSubstr("does not exist"));
+    EXPECT_THAT(meshError(folder.path()), HasSubstr("not a regular file"));
 }
 
-TEST_F(MeshFile, RefusesFilesCutOffAnywhere) {
-    const std::vector<std::pair<std::string, std::string>> files{
-        {"b.stl", stlText()},           {"c.stl", stlBinary()},     {"d.ply", plyText()},
-        {"e.ply", plyBinary(false)},    {"f.ply", plyBinary(true)}, {"g.off", offText()},
-        {"h.glb", glb(gltfDocument())}, {"i.vtk", vtkText()}};
-    for (const auto& [name, content] : files)
-        for (std::size_t size = 1; size < content.size() - (name == "b.stl" ? 13 : 2);
-             ++size) // the solid's name
-            EXPECT_NE(errorOf(name, content.substr(0, size)), "no error") << name << " cut off at " << size;
-    // In OBJ nothing says how many faces there are: a cut between two of them cannot be seen, one within them
-    // can.
-    EXPECT_THAT(errorOf("a.obj", objText().substr(0, objText().size() - 3)),
-                AllOf(HasSubstr("line"), HasSubstr("three corners")));
-    EXPECT_THAT(errorOf("a.obj", "v 0 0 0\nv 1 0"), HasSubstr("line 2"));
+TEST(MeshFile, MayBeNamedLikeAnOption) {
+    const TemporaryFolder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path());
+    overwrite("--help.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    EXPECT_EQ(readMeshFile("--help.obj").polygons.size(), 1U);
+    fs::current_path(before);
 }
 
-TEST_F(MeshFile, RefusesSurfacesWithoutATriangle) {
-    EXPECT_THAT(errorOf("points.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), HasSubstr("no triangle"));
-    EXPECT_THAT(errorOf("points.off", "OFF\n1 0 0\n0 0 0\n"), HasSubstr("triangle"));
-    EXPECT_NE(errorOf("empty.stl", "solid nothing\nendsolid nothing\n"), "no error");
-    std::string emptyStl(84, '\0');
-    EXPECT_NE(errorOf("emptybinary.stl", emptyStl), "no error");
-    EXPECT_THAT(errorOf("points.vtk",
-                        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\n"
-                        "VERTICES 1 2\n1 0\n"),
-                HasSubstr("no triangle"));
-}
-
-TEST_F(MeshFile, RefusesCoordinatesThatAreNotFinite) {
-    for (const std::string value : {"nan", "inf", "1e400"}) {
-        EXPECT_THAT(errorOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 " + value + " 0\nf 1 2 3\n"),
-                    HasSubstr("vertex 2"));
-        EXPECT_NE(errorOf("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 " + value + " 0\n3 0 1 2\n"), "no error")
-            << value;
-        EXPECT_THAT(
-            errorOf("a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n"
-                             "0 0 0 1 0 0 0 " +
-                                 value + " 0\nPOLYGONS 1 4\n3 0 1 2\n"),
-            HasSubstr("vertex 2"));
+TEST(MeshFile, CostsAMessageWhenItsDecoderFails) {
+    const TemporaryFolder folder;
+    const DecodeWith standIn(failingDecoder());
+    for (const char* role : {"abort", "crash", "exit"}) {
+        const fs::path file = folder / (std::string(role) + ".ply");
+        overwrite(file, std::string("ply\n"));
+        EXPECT_THAT(meshError(file), HasSubstr("decoder failed")) << role;
     }
-    std::string stl = stlBinary();
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    std::memcpy(stl.data() + 84 + 12, &nan, sizeof nan);
-    EXPECT_THAT(errorOf("a.stl", stl), HasSubstr("finite"));
-    std::string buffer = meshBuffer();
-    std::memcpy(buffer.data(), &nan, sizeof nan);
-    EXPECT_THAT(errorOf("a.glb", glb(gltfDocument(), buffer)), HasSubstr("finite"));
-    std::string ply = plyBinary(false);
-    std::memcpy(ply.data() + plyHeader("binary_little_endian").size(), &nan, sizeof nan);
-    EXPECT_THAT(errorOf("a.ply", ply), HasSubstr("finite"));
-}
-
-TEST_F(MeshFile, RefusesIndicesOutOfRange) {
-    EXPECT_THAT(errorOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n"),
-                AllOf(HasSubstr("line 5"), HasSubstr("vertex 4")));
-    EXPECT_THAT(errorOf("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n"), HasSubstr("line 4"));
-    EXPECT_THAT(errorOf("c.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n"), HasSubstr("line 4"));
-    EXPECT_NE(errorOf("d.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "no error");
-    std::string ply = plyBinary(false);
-    const std::int32_t index = 77;
-    std::memcpy(ply.data() + ply.size() - 4, &index, sizeof index);
-    EXPECT_NE(errorOf("e.ply", ply), "no error");
-    std::string buffer = meshBuffer();
-    buffer[buffer.size() - 1] = 7;
-    EXPECT_NE(errorOf("f.glb", glb(gltfDocument(), buffer)), "no error");
-    EXPECT_THAT(
-        errorOf("g.vtk",
-                "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0\n1 0 0\n"
-                "0 1 0\nPOLYGONS 1 4\n3 0 1 3\n"),
-        AllOf(HasSubstr("point 3"), HasSubstr("line 10")));
-}
-
-TEST_F(MeshFile, DoesNotBelieveHeadersThatLie) {
-    std::string stl = stlBinary();
-    const std::uint32_t many = 4000000000U;
-    std::memcpy(stl.data() + 80, &many, sizeof many);
-    EXPECT_THAT(errorOf("a.stl", stl), HasSubstr("4000000000"));
-    std::string ply = plyBinary(false);
-    ply.replace(ply.find("vertex 4"), 8, "vertex 4000000000");
-    EXPECT_THAT(errorOf("b.ply", ply), HasSubstr("4000000000"));
-    std::string ascii = plyText();
-    ascii.replace(ascii.find("face 4"), 6, "face 99999999999999");
-    EXPECT_NE(errorOf("c.ply", ascii), "no error");
-    EXPECT_NE(errorOf("d.off", "OFF\n4000000000 4000000000 0\n0 0 0\n"), "no error");
-    EXPECT_NE(errorOf("e.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"), "no error");
-    for (const auto& change : std::vector<std::function<void(nlohmann::json&)>>{
-             [](auto& json) { json["accessors"][0]["count"] = 4000000000U; },
-             [](auto& json) { json["accessors"][1]["count"] = 13; },
-             [](auto& json) {
-                 json["accessors"][0].erase("bufferView"), json["accessors"][0]["count"] = 4000000000U;
-             },
-             [](auto& json) { json["bufferViews"][0]["byteLength"] = 4000000000U; },
-             [](auto& json) { json["bufferViews"][0]["byteOffset"] = -4; },
-             [](auto& json) { json["bufferViews"][1]["buffer"] = 3; },
-             [](auto& json) { json["buffers"][0]["byteLength"] = 4000000000U; },
-             [](auto& json) { json["accessors"][0]["bufferView"] = "zero"; },
-             [](auto& json) { json["accessors"] = 5; },
-             [](auto& json) { json["meshes"][0]["primitives"] = 5; },
-             [](auto& json) { json["meshes"][0]["primitives"][0] = 5; },
-             [](auto& json) { json["meshes"][0]["primitives"][0]["attributes"] = "none"; },
-             [](auto& json) { json["meshes"][0] = "none"; }, [](auto& json) { json["nodes"] = 5; },
-             [](auto& json) { json["nodes"][0]["mesh"] = 5; },
-             [](auto& json) { json["scenes"][0]["nodes"] = {5}; }, [](auto& json) { json["scene"] = 5; },
-             [](auto& json) { json["nodes"][0]["children"] = {0}; },
-             [](auto& json) { json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }}) {
-        nlohmann::json document = gltfDocument();
-        change(document);
-        EXPECT_NE(errorOf("f.glb", glb(document)), "no error") << document;
+    for (const char* role : {"nonsense", "silent", "half", "lies", "corner", "place"}) {
+        const fs::path file = folder / (std::string(role) + ".ply");
+        overwrite(file, std::string("ply\n"));
+        EXPECT_THAT(meshError(file), HasSubstr("makes no sense")) << role;
     }
-    EXPECT_THAT(
-        errorOf("g.vtk",
-                "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4000000000 float\n0 0 0\n"),
-        HasSubstr("4000000000"));
+}
+
+TEST(MeshFile, MayTakeTheMostWhereItsNumbersLieInOtherFiles) {
+    const TemporaryFolder folder;
+    const DecodeWith standIn(failingDecoder());
+    for (const char* name : {"limits.gltf", "limits.GLTF", "limits.Gltf"}) {
+        overwrite(folder / name, std::string("{}"));
+        EXPECT_THAT(meshError(folder / name),
+                    HasSubstr(std::to_string(largestMeshDecodingLimits().memory) + " bytes"));
+    }
+}
+
+TEST(MeshFile, IsRefusedAtOnceWhereItCannotFitIntoMemory) {
+    const TemporaryFolder folder;
+    const fs::path file = sparsePly(folder / "huge.ply", 210'000'000); // of 5 GB
+    const auto begin = Clock::now();
+    EXPECT_THAT(meshError(file), AllOf(HasSubstr("5.0 GB"), HasSubstr("reduce the mesh")));
+    EXPECT_LT(Clock::now() - begin, std::chrono::seconds(10));
+}
+
+TEST(MeshFile, IsRefusedWhereReadingItTakesTooMuchMemory) {
+    if (isSanitized()) GTEST_SKIP() << "addresses are not limited under the address sanitizer";
+    const TemporaryFolder folder;
+    const fs::path file = sparsePly(folder / "large.ply", 40'000'000); // of 1 GB
+    const DecodingTask task{file, {"mesh", file.string()}, nullptr, {600'000'000, 1'000'000'000, 60}};
+    try {
+        decodeApart(task, {});
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("0.6 GB of memory"));
+    }
+}
+
+TEST(MeshFile, CanBeCancelledWhileItIsRead) {
+    const TemporaryFolder folder;
+    const fs::path file = sparsePly(folder / "large.ply", 40'000'000);
+    Clock::time_point asked;
+    EXPECT_THROW(readMeshFile(file,
+                              [&](double) {
+                                  asked = Clock::now();
+                                  return false;
+                              }),
+                 Cancelled);
+    EXPECT_LT(Clock::now() - asked, std::chrono::seconds(1));
 }
 
 } // namespace

@@ -1,7 +1,10 @@
 #include "core/texture/photo/photo.h"
 
+#include "core/decoding/decoder_process.h"
 #include "core/support/errors.h"
 #include "core/texture/layers/texture_layer.h"
+#include "tests/support/decode_with.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
@@ -10,8 +13,12 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
+#include <atomic>
+#include <filesystem>
 #include <fstream>
-#include <new>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
 #include <zlib.h>
 
 using namespace esm;
@@ -266,19 +273,59 @@ TEST(Photo, RefusesAnimationsAndImpossibleSizes) {
 }
 
 TEST(Photo, ThatMemoryCannotHoldIsNotCalledDamaged) {
-    struct NoMemory : cv::MatAllocator {
-        cv::UMatData* allocate(int, const int*, int, void*, std::size_t*, cv::AccessFlag,
-                               cv::UMatUsageFlags) const override {
-            CV_Error(cv::Error::StsNoMem, "no memory");
+    if (isSanitized()) GTEST_SKIP() << "addresses are not limited under the address sanitizer";
+    const Bytes png = encoded(".png", cv::Mat(4000, 4000, CV_8UC3, cv::Scalar(1, 2, 3)));
+    const Bytes tiff = encoded(".tiff", cv::Mat(4000, 4000, CV_8UC3, cv::Scalar(1, 2, 3)));
+    for (const Bytes* picture : {&png, &tiff})
+        try {
+            const std::uint64_t memory = picture == &png ? 60'000'000 : 280'000'000;
+            decodeApart({"liver", {"picture"}, picture, {memory, 100'000'000, 60}}, {});
+            ADD_FAILURE();
+        } catch (const FileError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("of memory that it may take"));
         }
-        bool allocate(cv::UMatData*, cv::AccessFlag, cv::UMatUsageFlags) const override { return false; }
-        void deallocate(cv::UMatData*) const override {}
-    } full;
-    const Bytes bytes = encoded(".png", noise(64, 48, CV_8UC3));
-    cv::MatAllocator* const usual = cv::Mat::getDefaultAllocator();
-    cv::Mat::setDefaultAllocator(&full);
-    EXPECT_THROW(decodePhoto("liver.png", bytes), std::bad_alloc);
-    cv::Mat::setDefaultAllocator(usual);
+}
+
+TEST(Photo, CostsAMessageWhenItsDecoderFails) {
+    const TemporaryFolder folder;
+    const Bytes whole = encoded(".png", noise(8, 8, CV_8UC3));
+    for (const char* failure : {"kill -ABRT $$", "kill -SEGV $$", "exit 1", "printf nonsense", "true",
+                                R"(printf '\001esm\010\000\000\000\010\000\000\000short')",
+                                R"(printf '\001esm\377\377\377\377\377\377\377\377')"}) {
+        std::ofstream(folder / "decoder") << "#!/bin/sh\n" << failure << '\n';
+        std::filesystem::permissions(folder / "decoder", std::filesystem::perms::owner_all);
+        const DecodeWith standIn(folder / "decoder");
+        const std::string message = refusal(whole);
+        EXPECT_THAT(message, testing::AllOf(HasSubstr("liver.jpg: "), HasSubstr("cannot be decoded")))
+            << failure;
+    }
+}
+
+TEST(Photo, CanBeCancelled) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "decoder") << "#!/bin/sh\nexec sleep 1000\n";
+    std::filesystem::permissions(folder / "decoder", std::filesystem::perms::owner_all);
+    const DecodeWith standIn(folder / "decoder");
+    EXPECT_THROW(decodePhoto("a.png", encoded(".png", noise(8, 8, CV_8UC3)), [](double) { return false; }),
+                 Cancelled);
+}
+
+TEST(Photo, LeavesStandardErrorWhereItIs) {
+    struct stat before {
+    }, during{};
+    ASSERT_EQ(::fstat(STDERR_FILENO, &before), 0);
+    const Bytes large = encoded(".png", noise(1500, 1500, CV_8UC4));
+    std::atomic<bool> done = false;
+    std::atomic<int> moved = 0;
+    std::thread watcher([&] {
+        while (!done)
+            if (::fstat(STDERR_FILENO, &during) != 0 || during.st_ino != before.st_ino) ++moved;
+    });
+    for (int i = 0; i < 3; ++i)
+        decodePhoto("a.png", large);
+    done = true;
+    watcher.join();
+    EXPECT_EQ(moved, 0) << "what other threads say meanwhile would be lost";
 }
 
 TEST(Photo, IsItsOwnPictureUntilItIsPrepared) {

@@ -1,6 +1,6 @@
-#include "core/exchange/gltf_address.h"
+#include "core/decoders/gltf_address.h"
 
-#include "core/exchange/mesh_file.h"
+#include "core/decoders/mesh_decoder.h"
 #include "core/support/errors.h"
 #include "tests/core/exchange/overwrite.h"
 #include "tests/core/exchange/tetrahedron.h"
@@ -32,7 +32,7 @@ protected:
         document["buffers"][0]["uri"] = address;
         overwrite(file, document.dump());
         try {
-            return readMeshFile(file).polygons.size() == 4 ? "no error" : "another surface";
+            return decodeMesh(file).polygons.size() == 4 ? "no error" : "another surface";
         } catch (const FileError& error) {
             EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
             return error.what();

@@ -1,7 +1,7 @@
+#include "core/decoders/gltf_address.h"
+#include "core/decoders/mesh_file_checks.h"
 #include "core/exchange/glb.h"
-#include "core/exchange/gltf_address.h"
 #include "core/exchange/json_reader.h"
-#include "core/exchange/mesh_file_checks.h"
 #include "core/support/errors.h"
 
 #include <nlohmann/json.hpp>

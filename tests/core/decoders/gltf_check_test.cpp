@@ -1,5 +1,5 @@
-#include "core/exchange/mesh_file.h"
-#include "core/exchange/mesh_file_checks.h"
+#include "core/decoders/mesh_decoder.h"
+#include "core/decoders/mesh_file_checks.h"
 #include "core/support/errors.h"
 #include "tests/core/exchange/overwrite.h"
 #include "tests/core/exchange/tetrahedron.h"
@@ -18,7 +18,7 @@ std::string gltfError(const std::string& name, const std::string& content) {
     const TemporaryFolder folder;
     overwrite(folder / name, content);
     try {
-        readMeshFile(folder / name);
+        decodeMesh(folder / name);
     } catch (const FileError& error) {
         return error.what();
     }

@@ -1,4 +1,4 @@
-#include "core/exchange/mesh_file_checks.h"
+#include "core/decoders/mesh_file_checks.h"
 #include "core/exchange/text_lines.h"
 #include "core/support/byte_order.h"
 #include "core/support/errors.h"

@@ -1,4 +1,4 @@
-#include "core/exchange/obj_mesh.h"
+#include "core/decoders/obj_mesh.h"
 
 #include "core/exchange/text_lines.h"
 #include "core/support/errors.h"

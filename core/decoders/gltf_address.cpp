@@ -1,4 +1,4 @@
-#include "core/exchange/gltf_address.h"
+#include "core/decoders/gltf_address.h"
 
 #include "core/support/errors.h"
 

@@ -1,4 +1,4 @@
-#include "core/exchange/vtk_polydata.h"
+#include "core/decoders/vtk_polydata.h"
 
 #include "core/exchange/text_lines.h"
 #include "core/support/byte_order.h"

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/support/file_io.h"
+#include "core/texture/image.h"
+
+namespace esm {
+
+/// A picture as it is stored, before it is turned upright: 16 bits a channel are rounded to 8, grey becomes
+/// red, green and blue, printer's inks are mixed, and what has no alpha is opaque.
+/// @throws std::runtime_error when it is damaged; std::bad_alloc
+Image decodePng(const Bytes& encoded);
+Image decodeJpeg(const Bytes& encoded);
+
+/// What begins every file of the format.
+bool isPng(const Bytes& encoded);
+bool isJpeg(const Bytes& encoded);
+
+} // namespace esm
