@@ -20,9 +20,12 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
                  Cancelling cancelling = Cancelling::Impossible);
 
 /// The same for work that gives a result.
-template<typename Work> auto computeLong(QWidget* window, const QString& title, Work work) {
+template<typename Work>
+auto computeLong(QWidget* window, const QString& title, Work work,
+                 Cancelling cancelling = Cancelling::Impossible) {
     std::optional<decltype(work(Progress{}))> result;
-    runLongWork(window, title, [&](const Progress& progress) { result = work(progress); });
+    runLongWork(
+        window, title, [&](const Progress& progress) { result = work(progress); }, cancelling);
     return std::move(*result);
 }
 

@@ -140,8 +140,9 @@ void FileController::openProject(const std::filesystem::path& file) {
     attempt(&m_window, tr("The project cannot be opened"), [&] {
         // Before it is read: a change that comes in the meantime is then noticed when it is saved.
         const auto version = versionOf(file);
-        OpenedProject opened = computeLong(&m_window, tr("Opening %1").arg(fileName(file)),
-                                           [&](const Progress&) { return esm::openProject(file); });
+        OpenedProject opened = computeLong(
+            &m_window, tr("Opening %1").arg(fileName(file)),
+            [&](const Progress& progress) { return esm::openProject(file, progress); }, Cancelling::Offered);
         m_document.replace(std::move(opened.project), file);
         m_version = version;
         noteOpened(file);
@@ -153,7 +154,9 @@ void FileController::openProject(const std::filesystem::path& file) {
 void FileController::importMesh(const std::filesystem::path& file) {
     attempt(&m_window, tr("The surface cannot be imported"), [&] {
         const QString title = tr("Importing %1").arg(fileName(file));
-        auto soup = computeLong(&m_window, title, [&](const Progress&) { return readMeshFile(file); });
+        auto soup = computeLong(
+            &m_window, title, [&](const Progress& progress) { return readMeshFile(file, progress); },
+            Cancelling::Offered);
         const auto surfaces =
             computeLong(&m_window, title, [&](const Progress&) { return waysToImport(soup); });
         ImportDialog dialog(fileName(file), surfaces.first, surfaces.second, &m_window);
@@ -193,8 +196,9 @@ std::shared_ptr<const Atlas> FileController::atlasForPhotos() {
 
 void FileController::addPhoto(const std::filesystem::path& file) {
     attempt(&m_window, tr("The photo cannot be added"), [&] {
-        auto photo = computeLong(&m_window, tr("Reading %1").arg(fileName(file)),
-                                 [&](const Progress&) { return loadPhoto(file); });
+        auto photo = computeLong(
+            &m_window, tr("Reading %1").arg(fileName(file)),
+            [&](const Progress& progress) { return loadPhoto(file, progress); }, Cancelling::Offered);
         const auto atlas = atlasForPhotos();
         const Projector projector = projectorFromCamera(m_camera(), photo->image, *m_document.project().mesh);
         m_document.edit(tr("Add photo"),
@@ -275,7 +279,9 @@ void FileController::offerLeftBehind(Autosave& autosave) {
     if (box.clickedButton() == box.button(QMessageBox::Discard)) return Autosave::discard(latest);
     if (box.clickedButton() != restore) return;
     attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
-        m_document.replace(loadProject(latest.copy), std::nullopt, Origin::Unsaved, latest.former);
+        m_document.replace(computeLong(&m_window, tr("Bringing back the unsaved work"),
+                                       [&](const Progress&) { return loadProject(latest.copy); }),
+                           std::nullopt, Origin::Unsaved, latest.former);
         autosave.takeOver(latest);
     });
 }

@@ -1,7 +1,9 @@
+#include "core/exchange/image_file.h"
 #include "core/exchange/project_file.h"
 #include "core/samples/samples.h"
 #include "core/support/file_lock.h"
 #include "tests/app/editor_driver.h"
+#include "tests/support/decode_with.h"
 #include "tests/support/temporary_folder.h"
 
 #include <QAbstractButton>
@@ -239,4 +241,28 @@ TEST_F(FileControllerTest, EscapeInTheImportDialogLeavesEverythingAsItWas) {
     EXPECT_EQ(project().network, network);
     EXPECT_EQ(project().base.mass, 0.5);
     EXPECT_TRUE(window->document().isModified());
+}
+
+TEST_F(FileControllerTest, StopsReadingAFileOnEscapeAndLeavesEverythingAsItWas) {
+    const Image white{8, 8, Bytes(256, 255)};
+    writePng(white, folder / "photo.png");
+    Project withPhoto = makeSample("tube");
+    withPhoto.layers.resize(1);
+    withPhoto.layers[0].photo = decodePhoto("photo.png", encodePng(white));
+    saveProject(withPhoto, folder / "photo.esm");
+    write("decoder", "#!/bin/sh\nexec sleep 1000\n");
+    std::filesystem::permissions(folder / "decoder", std::filesystem::perms::owner_all);
+    const DecodeWith endless(folder / "decoder");
+    const Project before = window->document().project();
+    for (const auto& file : {tetrahedron(), folder / "photo.png", folder / "photo.esm"}) {
+        int drawn = 0;
+        QTimer::singleShot(0, [&drawn] { ++drawn; });
+        dialogs.expectNamed("progressDialog",
+                            [](QDialog* dialog) { QTest::keyClick(dialog, Qt::Key_Escape); });
+        window->openFiles({file});
+        EXPECT_TRUE(dialogs.isDone()) << file;
+        EXPECT_GT(drawn, 0) << "the window was frozen meanwhile";
+        EXPECT_EQ(window->document().project().mesh, before.mesh) << file;
+        EXPECT_EQ(window->document().project().layers.size(), before.layers.size()) << file;
+    }
 }
