@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 namespace {
 
@@ -36,17 +37,24 @@ void decodeMeshFile(const char* file, DecodedWriter& writer) {
     throw std::runtime_error("needs the program " + other + ", which cannot be run; install it");
 }
 
+/// None for kinds that only the other program decodes.
+std::optional<Image> decodeUsualPicture(const Bytes& encoded) {
+    if (isPng(encoded)) return decodePng(encoded);
+    if (isJpeg(encoded)) return decodeJpeg(encoded);
+    return isBmp(encoded) ? decodePlainBmp(encoded) : std::nullopt;
+}
+
 void decodePicture(char** words, DecodedWriter& writer) {
     const Bytes encoded = standardInput();
-    if (!isPng(encoded) && !isJpeg(encoded)) becomeDecoderOfRarePictures(words);
-    Image image;
+    std::optional<Image> image;
     try {
-        image = isPng(encoded) ? decodePng(encoded) : decodeJpeg(encoded);
+        image = decodeUsualPicture(encoded);
     } catch (const std::runtime_error&) {
         throw std::runtime_error(undecodablePicture);
     }
-    writePicture(static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height),
-                 image.pixels.data(), writer);
+    if (!image) becomeDecoderOfRarePictures(words);
+    writePicture(static_cast<std::uint32_t>(image->width), static_cast<std::uint32_t>(image->height),
+                 image->pixels.data(), writer);
 }
 
 void decode(char** words, DecodedWriter& writer) {

@@ -3,6 +3,8 @@
 #include "core/support/file_io.h"
 #include "core/texture/image.h"
 
+#include <optional>
+
 namespace esm {
 
 /// A picture as it is stored, before it is turned upright: 16 bits a channel are rounded to 8, grey becomes
@@ -11,8 +13,13 @@ namespace esm {
 Image decodePng(const Bytes& encoded);
 Image decodeJpeg(const Bytes& encoded);
 
+/// Of BMP files only those with 24 bits a pixel and no compression, as cameras and frame grabbers write them;
+/// none of the others. @throws std::runtime_error when it is cut off
+std::optional<Image> decodePlainBmp(const Bytes& encoded);
+
 /// What begins every file of the format.
 bool isPng(const Bytes& encoded);
 bool isJpeg(const Bytes& encoded);
+bool isBmp(const Bytes& encoded);
 
 } // namespace esm

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 
@@ -30,6 +31,7 @@ const std::vector<Kind> kinds{
     {".jpg", CV_8UC3, {cv::IMWRITE_JPEG_QUALITY, 90}},
     {".jpg", CV_8UC3, {cv::IMWRITE_JPEG_PROGRESSIVE, 1}},
     {".jpg", CV_8UC3, {cv::IMWRITE_JPEG_QUALITY, 100, cv::IMWRITE_JPEG_RST_INTERVAL, 2}},
+    {".bmp", CV_8UC3, {}},
 };
 
 Bytes noiseAs(const Kind& kind, int width, int height) {
@@ -42,14 +44,15 @@ Bytes noiseAs(const Kind& kind, int width, int height) {
 }
 
 Image decoded(const Bytes& encoded) {
-    EXPECT_NE(isPng(encoded), isJpeg(encoded));
+    EXPECT_EQ(isPng(encoded) + isJpeg(encoded) + isBmp(encoded), 1);
+    if (isBmp(encoded)) return decodePlainBmp(encoded).value();
     return isPng(encoded) ? decodePng(encoded) : decodeJpeg(encoded);
 }
 
 /// Every pixel as OpenCV's decoder has it, 16 bits rounded.
 void expectAsOpenCv(const Bytes& encoded, const std::string& what) {
     const Image image = decoded(encoded);
-    cv::Mat expected = cv::imdecode(encoded, isPng(encoded) ? cv::IMREAD_UNCHANGED : cv::IMREAD_COLOR);
+    cv::Mat expected = cv::imdecode(encoded, isJpeg(encoded) ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED);
     if (expected.depth() == CV_16U) expected.convertTo(expected, CV_8U, 255.0 / 65535.0);
     ASSERT_EQ(image.width, expected.cols) << what;
     ASSERT_EQ(image.height, expected.rows) << what;
@@ -81,7 +84,33 @@ TEST(PictureDecoders, AgreeWithOpenCvOnPhotos) {
     }
 }
 
+TEST(PictureDecoders, TakeABmpFromItsTopToo) {
+    Bytes bmp = noiseAs({".bmp", CV_8UC3, {}}, 7, 5);
+    const Image fromBottom = decodePlainBmp(bmp).value();
+    constexpr std::size_t height = 22;
+    for (std::size_t i = 0; i < 4; ++i)
+        bmp[height + i] = static_cast<std::uint8_t>(~bmp[height + i]);
+    bmp[height] = static_cast<std::uint8_t>(bmp[height] + 1); // minus five
+    expectAsOpenCv(bmp, "from the top");
+    EXPECT_EQ(std::memcmp(decodePlainBmp(bmp)->at(0, 4), fromBottom.at(0, 0), 28), 0);
+}
+
+TEST(PictureDecoders, LeaveRareKindsOfBmpToOthers) {
+    EXPECT_FALSE(decodePlainBmp(noiseAs({".bmp", CV_8UC1, {}}, 7, 5)));
+    EXPECT_FALSE(decodePlainBmp(noiseAs({".bmp", CV_8UC4, {}}, 7, 5)));
+    Bytes packed = noiseAs({".bmp", CV_8UC3, {}}, 7, 5);
+    packed[30] = 1;
+    EXPECT_FALSE(decodePlainBmp(packed));
+}
+
 TEST(PictureDecoders, ThrowOnDamage) {
+    const Bytes bmp = noiseAs({".bmp", CV_8UC3, {}}, 64, 48);
+    for (const std::size_t size : {std::size_t{10}, std::size_t{54}, bmp.size() - 1})
+        EXPECT_THROW(decodePlainBmp(Bytes(bmp.begin(), bmp.begin() + std::ptrdiff_t(size))),
+                     std::runtime_error);
+    Bytes lying = bmp;
+    lying[21] = lying[25] = 0x7f;
+    EXPECT_THROW(decodePlainBmp(lying), std::runtime_error);
     const Bytes png = noiseAs(kinds[1], 64, 48);
     for (const std::size_t size : {std::size_t{9}, std::size_t{30}, png.size() / 2})
         EXPECT_THROW(decodePng(Bytes(png.begin(), png.begin() + std::ptrdiff_t(size))), std::runtime_error)
