@@ -41,7 +41,8 @@ void decodeMeshFile(const char* file, DecodedWriter& writer) {
 std::optional<Image> decodeUsualPicture(const Bytes& encoded) {
     if (isPng(encoded)) return decodePng(encoded);
     if (isJpeg(encoded)) return decodeJpeg(encoded);
-    return isBmp(encoded) ? decodePlainBmp(encoded) : std::nullopt;
+    if (isBmp(encoded)) return decodePlainBmp(encoded);
+    return isTiff(encoded) ? decodePlainTiff(encoded) : std::nullopt;
 }
 
 void decodePicture(char** words, DecodedWriter& writer) {

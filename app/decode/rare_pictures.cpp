@@ -38,7 +38,7 @@ void decode(char**, DecodedWriter& writer) {
 
 } // namespace
 
-/// As esm-decode, for pictures in TIFF and packed BMP.
+/// As esm-decode, for rare kinds of TIFF and BMP.
 int main(int wordCount, char** words) {
     ::_exit(esm::decodingMain(wordCount, words, decode));
 }

@@ -17,9 +17,14 @@ Image decodeJpeg(const Bytes& encoded);
 /// none of the others. @throws std::runtime_error when it is cut off
 std::optional<Image> decodePlainBmp(const Bytes& encoded);
 
+/// Of TIFF files those with rows of 8 or 16 bits of grey or of red, green and blue, as cameras and scanners
+/// write them, however packed; none of the others, and none that is damaged.
+std::optional<Image> decodePlainTiff(const Bytes& encoded);
+
 /// What begins every file of the format.
 bool isPng(const Bytes& encoded);
 bool isJpeg(const Bytes& encoded);
 bool isBmp(const Bytes& encoded);
+bool isTiff(const Bytes& encoded);
 
 } // namespace esm

@@ -19,6 +19,8 @@ struct Kind {
     std::vector<int> parameters; ///< for writing
 };
 
+constexpr int unpacked = 1; ///< as TIFF numbers it
+
 const std::vector<Kind> kinds{
     {".png", CV_8UC1, {}},
     {".png", CV_8UC3, {}},
@@ -32,6 +34,11 @@ const std::vector<Kind> kinds{
     {".jpg", CV_8UC3, {cv::IMWRITE_JPEG_PROGRESSIVE, 1}},
     {".jpg", CV_8UC3, {cv::IMWRITE_JPEG_QUALITY, 100, cv::IMWRITE_JPEG_RST_INTERVAL, 2}},
     {".bmp", CV_8UC3, {}},
+    {".tiff", CV_8UC1, {}},
+    {".tiff", CV_8UC3, {}},
+    {".tiff", CV_8UC3, {cv::IMWRITE_TIFF_COMPRESSION, unpacked}},
+    {".tiff", CV_16UC1, {}},
+    {".tiff", CV_16UC3, {}},
 };
 
 Bytes noiseAs(const Kind& kind, int width, int height) {
@@ -44,8 +51,9 @@ Bytes noiseAs(const Kind& kind, int width, int height) {
 }
 
 Image decoded(const Bytes& encoded) {
-    EXPECT_EQ(isPng(encoded) + isJpeg(encoded) + isBmp(encoded), 1);
+    EXPECT_EQ(isPng(encoded) + isJpeg(encoded) + isBmp(encoded) + isTiff(encoded), 1);
     if (isBmp(encoded)) return decodePlainBmp(encoded).value();
+    if (isTiff(encoded)) return decodePlainTiff(encoded).value();
     return isPng(encoded) ? decodePng(encoded) : decodeJpeg(encoded);
 }
 
@@ -101,6 +109,14 @@ TEST(PictureDecoders, LeaveRareKindsOfBmpToOthers) {
     Bytes packed = noiseAs({".bmp", CV_8UC3, {}}, 7, 5);
     packed[30] = 1;
     EXPECT_FALSE(decodePlainBmp(packed));
+}
+
+TEST(PictureDecoders, LeaveRareAndDamagedTiffToOthers) {
+    EXPECT_FALSE(decodePlainTiff(noiseAs({".tiff", CV_8UC4, {}}, 7, 5)));
+    EXPECT_FALSE(decodePlainTiff(noiseAs({".tiff", CV_32FC3, {}}, 7, 5)));
+    const Bytes tiff = noiseAs({".tiff", CV_8UC3, {cv::IMWRITE_TIFF_COMPRESSION, unpacked}}, 64, 48);
+    for (const std::size_t size : {std::size_t{5}, std::size_t{100}, tiff.size() / 2, tiff.size() - 1})
+        EXPECT_FALSE(decodePlainTiff(Bytes(tiff.begin(), tiff.begin() + std::ptrdiff_t(size)))) << size;
 }
 
 TEST(PictureDecoders, ThrowOnDamage) {

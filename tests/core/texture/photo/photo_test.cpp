@@ -274,12 +274,15 @@ TEST(Photo, RefusesAnimationsAndImpossibleSizes) {
 
 TEST(Photo, ThatMemoryCannotHoldIsNotCalledDamaged) {
     if (isSanitized()) GTEST_SKIP() << "addresses are not limited under the address sanitizer";
-    const Bytes png = encoded(".png", cv::Mat(4000, 4000, CV_8UC3, cv::Scalar(1, 2, 3)));
-    const Bytes tiff = encoded(".tiff", cv::Mat(4000, 4000, CV_8UC3, cv::Scalar(1, 2, 3)));
-    for (const Bytes* picture : {&png, &tiff})
+    const auto large = [](const char* ending, int type) {
+        return encoded(ending, cv::Mat(4000, 4000, type, cv::Scalar(1, 2, 3)));
+    };
+    constexpr std::uint64_t little = 60'000'000, withOpenCv = 280'000'000;
+    for (const auto& [picture, memory] : {std::pair{large(".png", CV_8UC3), little},
+                                          {large(".tiff", CV_8UC3), little},
+                                          {large(".tiff", CV_8UC4), withOpenCv}})
         try {
-            const std::uint64_t memory = picture == &png ? 60'000'000 : 280'000'000;
-            decodeApart({"liver", {"picture"}, picture, {memory, 100'000'000, 60}}, {});
+            decodeApart({"liver", {"picture"}, &picture, {memory, 100'000'000, 60}}, {});
             ADD_FAILURE();
         } catch (const FileError& error) {
             EXPECT_THAT(error.what(), HasSubstr("of memory that it may take"));
