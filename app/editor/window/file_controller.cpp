@@ -279,10 +279,11 @@ void FileController::offerLeftBehind(Autosave& autosave) {
     if (box.clickedButton() == box.button(QMessageBox::Discard)) return Autosave::discard(latest);
     if (box.clickedButton() != restore) return;
     attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
-        m_document.replace(computeLong(&m_window, tr("Bringing back the unsaved work"),
-                                       [&](const Progress&) { return loadProject(latest.copy); }),
-                           std::nullopt, Origin::Unsaved, latest.former);
+        OpenedProject opened = computeLong(&m_window, tr("Bringing back the unsaved work"),
+                                           [&](const Progress&) { return esm::openProject(latest.copy); });
+        m_document.replace(std::move(opened.project), std::nullopt, Origin::Unsaved, latest.former);
         autosave.takeOver(latest);
+        tell(&m_window, tr("The work was brought back, but something is wrong with it"), opened.warnings);
     });
 }
 

@@ -244,3 +244,22 @@ TEST_F(LeftBehindTest, IsBroughtBackUnsaved) {
     press(Qt::Key_S, Qt::ControlModifier);
     EXPECT_TRUE(dialogs.isDone());
 }
+
+TEST_F(LeftBehindTest, TellsWhatIsWrongWithIt) {
+    const TemporaryFolder folder;
+    Project slip = makeSample("tube");
+    SpringNetwork network = *slip.network;
+    network.springs[3].restLength = 50;
+    slip.network = std::make_shared<SpringNetwork>(network);
+    saveProject(slip, folder / "left.esm");
+    open(makeSample("liver"));
+    Autosave autosave(window->document(), folder / "");
+    dialogs.expectNamed("leftBehindBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_Return); });
+    dialogs.expectNamed("remarkBox", [](QDialog* box) {
+        EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains("rest length"));
+        box->accept();
+    });
+    window->files().offerLeftBehind(autosave);
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(project().network->springs[3].restLength, 50);
+}
