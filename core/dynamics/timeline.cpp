@@ -50,6 +50,16 @@ void addCorners(std::set<double>& corners, const Path& path, double duration) {
     }
 }
 
+/// Without those that are the same time as the start, the one before or the end: scripts add up 0.1 and 0.2
+/// to a little more than 0.3.
+std::set<double> apart(const std::set<double>& corners, double close, double duration) {
+    std::set<double> kept;
+    for (const double corner : corners)
+        if (corner > (kept.empty() ? 0 : *kept.rbegin()) + close && corner < duration - close)
+            kept.insert(kept.end(), corner);
+    return kept;
+}
+
 /// Chooses the whole steps that are cut at the corners in them, as long as that takes few lengths.
 class CutChoice {
 public:
@@ -117,6 +127,7 @@ Timeline::Timeline(const Scene& scene, const TimeDivision& division, Integrator 
     const std::vector<double> ofForces = forceCorners(scene), ofPaths = pathCorners(scene);
     std::set<double> all(ofForces.begin(), ofForces.end());
     all.insert(ofPaths.begin(), ofPaths.end());
+    all = apart(all, m_close, m_duration);
     if (cutsEverywhere(integrator)) {
         m_corners.assign(all.begin(), all.end());
     } else {
@@ -142,14 +153,20 @@ void Timeline::enter() {
     const bool isAtBegin = std::abs(m_time - begin) <= m_close;
     m_whole = isAtBegin ? m_parts * std::floor((corner - begin + m_close) / m_nominal) : 0;
     m_piece.reset();
-    if (m_whole == 0) m_piece = Piece{m_time, corner < end + m_close ? corner : end};
+    if (m_whole == 0) m_piece = pieceUntil(corner < end + m_close ? corner : end);
+}
+
+/// However often steps are halved, none becomes so short that its ends are the same time.
+Timeline::Piece Timeline::pieceUntil(double end) const {
+    const double most = std::floor((end - m_time) / m_close);
+    return {m_time, end, std::clamp(most, 1.0, m_parts)};
 }
 
 TimeSpan Timeline::next(double until, std::size_t most) const {
     if (m_piece) {
-        const auto& [begin, end, step] = *m_piece;
-        const bool isLast = step + 1 >= m_parts;
-        const double reached = isLast ? end : begin + (step + 1) / m_parts * (end - begin);
+        const auto& [begin, end, parts, step] = *m_piece;
+        const bool isLast = step + 1 >= parts;
+        const double reached = isLast ? end : begin + (step + 1) / parts * (end - begin);
         return {m_time, reached, 1, false, meetsCorner(reached)};
     }
     const double wanted = std::clamp(std::ceil((until - m_time - m_close) / m_step), 1.0,
@@ -181,7 +198,7 @@ void Timeline::advance(const TimeSpan& span, std::size_t steps) {
     m_time = steps == span.steps ? span.end : wholeTime(m_taken + taken);
     if (m_piece) {
         m_piece->step += 1;
-        if (m_piece->step < m_parts) return;
+        if (m_piece->step < m_piece->parts) return;
         if (m_time > wholeTime(m_taken + m_parts) - m_close) m_taken += m_parts;
         enter();
     } else {

@@ -51,13 +51,15 @@ public:
     std::size_t averagedCorners() const { return m_averaged; }
 
 private:
-    /// A part of a cut step; taken in as many steps as a whole one.
+    /// A part of a cut step; taken in as many steps as a whole one, where it is long enough.
     struct Piece {
         double begin, end; ///< s
-        double step = 0;   ///< the number of the next one in it
+        double parts;      ///< steps in it
+        double step = 0;   ///< the number of the next one
     };
 
     void enter();
+    Piece pieceUntil(double end) const;
     bool meetsCorner(double end) const;
     double wholeTime(double step) const { return step * m_step; }
 

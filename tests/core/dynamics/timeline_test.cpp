@@ -48,6 +48,25 @@ TEST(Timeline, CutsWhereLoadsBeginEndOrTurn) {
     EXPECT_THAT(endsOf({scene, {0.1}, Integrator::Propagation, 9}), ends);
 }
 
+TEST(Timeline, TakesTimesForTheSameThatRoundingSetsApart) {
+    Scene scene = sceneOf(0.1 + 0.2 + 0.3);
+    scene.forces = {{0, {1, 0, 0}, 0, 0.3}, {0, {1, 0, 0}, 0.1 + 0.2, 0.6}, {0, {1, 0, 0}, 1e-17, 0.35}};
+    for (const Integrator integrator : {Integrator::Verlet, Integrator::Implicit})
+        EXPECT_THAT(endsOf({scene, {0.1}, integrator, 9}), near({0.1, 0.2, 0.3, 0.35, 0.4, 0.5, 0.6}));
+}
+
+TEST(Timeline, HalvesNoStepToNothing) {
+    Scene scene = sceneOf(0.4);
+    scene.forces = {{0, {1, 0, 0}, 0.3, 0.3 + 3e-10}};
+    for (const int halvings : {0, 1, 4, 12}) {
+        double last = 0;
+        for (const double end : endsOf({scene, {0.1, halvings}, Integrator::Verlet, 9})) {
+            ASSERT_GE(end - last, 0.9e-10) << halvings;
+            last = end;
+        }
+    }
+}
+
 TEST(Timeline, TakesAStepForWholeThatMissesACornerByRounding) {
     Scene scene = sceneOf(0.7);
     scene.forces = {{0, {1, 0, 0}, 0.3, 0.6}}; // 3·0.1 is a little more than 0.3
