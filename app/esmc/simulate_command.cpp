@@ -124,11 +124,17 @@ Report describe(const SceneOutcome& outcome) {
     return report;
 }
 
+/// @param error relative to the motion; infinite where it is not known
+std::string errorInText(double error) {
+    if (std::isinf(error)) return "the error is not known: no two runs came to their end";
+    return "estimated error: " + inText(100 * error) + " % of the motion";
+}
+
 /// Of a run to a wanted error.
 void addError(Report& report, const AccurateOutcome& accurate, std::vector<std::string>& warnings) {
     report.json["estimated_error"] = inJson(accurate.estimatedError);
     report.json["hides_swings"] = accurate.hidesSwings;
-    report.text.push_back("estimated error: " + inText(100 * accurate.estimatedError) + " % of the motion");
+    report.text.push_back(errorInText(accurate.estimatedError));
     if (accurate.hidesSwings)
         warnings.push_back(
             std::string("the estimated error contains nothing of swings that are faster than the steps: ") +
@@ -140,7 +146,12 @@ void addError(Report& report, const AccurateOutcome& accurate, std::vector<std::
 /// Of a run whose way to step was left open.
 void addResolvedError(Report& report, const AccurateOutcome& accurate, std::vector<std::string>& warnings) {
     addError(report, accurate, warnings);
-    if (!accurate.isReached && accurate.outcome.stable)
+    if (accurate.isReached || !accurate.outcome.stable) return;
+    if (std::isinf(accurate.estimatedError))
+        warnings.emplace_back(
+            "how far the motion is off is not known: only the run in the shortest steps came to its "
+            "end");
+    else
         warnings.push_back("the motion may be off by " + numberText(100 * accurate.estimatedError, 2) +
                            " % of itself: shorter steps gained too little, or would take long; --max-error "
                            "waits for them, and tradeoff looks for another way to step");

@@ -7,6 +7,7 @@
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace esm {
@@ -149,8 +150,9 @@ public:
         VainHalvings halvings(m_run.settings, runs.outcome());
         AccurateOutcome found{runs.outcome(), std::numeric_limits<double>::infinity(), false, false};
         for (int halving = 1; halving <= mostHalvings; ++halving) {
-            const double steps = 2.0 * static_cast<double>(runs.outcome().steps);
-            if (halving > leastHalvings && steps > mostSteps) break;
+            const bool isWorthIt =
+                2 * stepsOfWhole(runs.outcome()) <= mostSteps && runs.outcome().timeStep / 2 >= shortestStep;
+            if (halving > leastHalvings && !isWorthIt) break;
             const std::optional<double> change = runs.halve();
             found.outcome = runs.outcome();
             if (!change) continue;
@@ -169,6 +171,11 @@ public:
     }
 
 private:
+    /// Also of one that did not come to its end.
+    double stepsOfWhole(const SceneOutcome& outcome) const {
+        return std::max(static_cast<double>(outcome.steps), m_run.scene.duration / outcome.timeStep);
+    }
+
     /// Goes on against a run that follows the swings.
     AccurateOutcome withSwings(HalvedRuns& runs, double error, const NewFrameSink& newSink) const {
         const auto steps = followingSteps(m_run.model, m_run.settings.damping, m_run.scene.duration);
