@@ -6,8 +6,8 @@
 
 namespace esm {
 
-/// An approximation of the largest eigenvalue of a symmetric matrix, never above it, and how far it may be
-/// from an eigenvalue.
+/// An approximation of the largest eigenvalue of a symmetric matrix, above it by no more than rounding, and
+/// how far it may be from an eigenvalue.
 struct RitzPair {
     double value, residual;
     Eigen::VectorXd coefficients; ///< of its vector in the basis that was built

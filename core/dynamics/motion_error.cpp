@@ -51,8 +51,8 @@ void ComparedFrames::add(double time, const MotionPoints& positions) {
 /// Every other one goes, but the start.
 void ComparedFrames::thinOut() {
     m_stride *= 2;
-    for (auto frame = m_frames.begin(); frame != m_frames.end(); ++frame)
-        frame = std::prev(m_frames.erase(std::next(frame)));
+    for (auto frame = m_frames.begin(); frame != m_frames.end() && ++frame != m_frames.end();)
+        frame = m_frames.erase(frame);
 }
 
 double relativeError(const Trajectory& trajectory, const Trajectory& reference) {

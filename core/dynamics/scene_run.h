@@ -42,7 +42,8 @@ struct SceneRun {
 };
 
 /// Runs a scene from rest. A run that diverges, or comes to a step that cannot be computed, ends with its
-/// last good state and says so in the outcome.
+/// last good state; one that makes energy out of nothing ends where that was noticed, without a frame of it.
+/// The outcome says so.
 /// @throws InvalidModel when the scene is not for the model, takes more than 10¹² steps or cannot begin;
 /// Cancelled
 SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& progress = {});
