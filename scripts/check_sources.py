@@ -28,6 +28,7 @@ MAY_INCLUDE = {
     "app/editor": ("core", "widgets", "app/editor"),
     "app/esm": ("core", "widgets", "app/editor", "app/esm"),
     "app/esmc": ("core", "app/esmc"),
+    "app/decode": ("core", "app/decode"),
 }
 
 TOKEN = re.compile(

@@ -5,6 +5,8 @@
 #include <QCommandLineParser>
 #include <QTimer>
 
+#include <csignal>
+
 namespace {
 
 /// Reads the command line without a window, so that --help and --version need no display; they end the
@@ -29,6 +31,8 @@ QStringList readCommandLine(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    // A limit on file sizes then shows as a write that fails, which is told.
+    std::signal(SIGXFSZ, SIG_IGN);
     const QStringList files = readCommandLine(argc, argv);
     QSurfaceFormat::setDefaultFormat(esm::viewFormat());
 

@@ -9,8 +9,8 @@ namespace esm {
 /// ended no other one may write the file, so that none of two changes to one project is lost.
 class ProjectOutput {
 public:
-    explicit ProjectOutput(
-        const std::filesystem::path& file); ///< @throws FileError where another one writes it
+    /// @throws FileError where another one writes it
+    explicit ProjectOutput(const std::filesystem::path& file);
 
     const std::filesystem::path& file() const { return m_file; }
     /// @throws FileError, InvalidModel as saveProject(), or where another program changed the file

@@ -3,6 +3,7 @@
 #include "core/exchange/glb.h"
 #include "core/exchange/json_reader.h"
 #include "core/support/errors.h"
+#include "core/support/file_io.h"
 
 #include <nlohmann/json.hpp>
 
@@ -185,7 +186,7 @@ void GltfChecker::checkBuffer(const Json& buffer, std::size_t index) const {
         if (name.rfind("data:", 0) == 0) {
             held = (name.size() - std::min(name.size(), name.find(',') + 1)) / 4 * 3;
         } else {
-            held = fs::file_size(fileAtAddress(m_file, name));
+            held = regularFileSize(fileAtAddress(m_file, name));
         }
     }
     if (announced > held)

@@ -82,8 +82,9 @@ public:
     Assimp::IOStream* Open(const char* name, const char* mode) override {
         if (name == m_file) return DefaultIOSystem::Open(name, mode);
         // The importer puts the file's folder before an address.
-        const std::string address = std::string(name).substr(m_file.rfind('/') + 1);
-        return DefaultIOSystem::Open(fileAtAddress(m_file, address).c_str(), mode);
+        const std::string folder = m_file.substr(0, m_file.rfind('/') + 1), wanted = name;
+        if (wanted.compare(0, folder.size(), folder) != 0) return nullptr;
+        return DefaultIOSystem::Open(fileAtAddress(m_file, wanted.substr(folder.size())).c_str(), mode);
     }
 
 private:

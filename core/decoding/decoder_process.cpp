@@ -29,8 +29,6 @@ namespace esm {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 [[noreturn]] void failToStart(const DecodingTask& task, int reason) {
     // Files in memory count as files.
     const char* const advice =
@@ -175,10 +173,10 @@ private:
 void waitFor(Process& process, const DecodingTask& task, const Progress& progress) {
     constexpr std::chrono::milliseconds moment{20};
     constexpr double unknown = -1;
-    const auto latest = Clock::now() + 4 * std::chrono::seconds(task.limits.seconds);
+    const double latest = task.clock() + 4 * static_cast<double>(task.limits.seconds);
     while (!process.endsWithin(moment)) {
         reportProgress(progress, unknown);
-        if (Clock::now() > latest) failFromTime(task);
+        if (task.clock() > latest) failFromTime(task);
     }
 }
 

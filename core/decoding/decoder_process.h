@@ -2,6 +2,7 @@
 
 #include "core/decoding/decoded_stream.h"
 #include "core/decoding/decoding_limits.h"
+#include "core/support/clock.h"
 #include "core/support/progress.h"
 
 #include <string>
@@ -15,10 +16,12 @@ struct DecodingTask {
     std::vector<std::string> arguments; ///< what the decoding program is to do
     const Bytes* input = nullptr;       ///< what it finds on its standard input; null for nothing
     DecodingLimits limits;
+    Clock clock = steadySeconds; ///< holds it to four times the processor time that it may take
 };
 
 /// Decodes a file that cannot be trusted in a process of its own, which a damaged file may crash, hang or
-/// fill with gigabytes without harm to this one. May be called from any thread.
+/// fill with gigabytes without harm to this one. May be called from any thread. A program that does not
+/// ignore SIGXFSZ ends where the system limits the size of files to less than the input's.
 /// @param progress asked every few hundredths of a second; how much is done is not known
 /// @return what was decoded, behind its outcome
 /// @throws FileError naming the subject, whatever becomes of the process; Cancelled

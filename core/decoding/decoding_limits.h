@@ -26,9 +26,9 @@ std::uint64_t mostMeshFileBytes();
 /// Generous for a picture that says it has so many pixels.
 DecodingLimits pictureDecodingLimits(std::uint64_t pixels, std::uint64_t encodedBytes);
 
-/// For the decoding program: holds itself to the limits, before it looks at a file, and ends with the process
-/// that started it. Under the address sanitizer memory is not limited: its shadow takes terabytes of
-/// addresses.
+/// For the decoding program: holds itself to the limits, before it looks at a file, and ends with the thread
+/// that started it, unless that ended before. Under the address sanitizer memory is not limited: its shadow
+/// takes terabytes of addresses.
 void holdTo(const DecodingLimits& limits);
 
 /// The limits as the decoding program's first arguments, and back. @throws std::invalid_argument

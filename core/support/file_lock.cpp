@@ -102,8 +102,8 @@ std::optional<FileVersion> versionOf(const fs::path& file) {
 }
 
 FileLock::FileLock(const fs::path& file) : m_file(file) {
-    constexpr int mostAttempts =
-        100; // a file that is replaced more often than it can be locked is not locked
+    // A file that is replaced more often than it can be locked is not locked.
+    constexpr int mostAttempts = 100;
     for (int attempt = 0; attempt < mostAttempts && !isLocked(); ++attempt)
         if (!tryToLock()) break;
     m_version = versionOf(file);

@@ -92,7 +92,7 @@ class InterruptTest(Case):
     def test_work_that_reports_no_progress_stops_too(self):
         mesh = self.data("meshes/VH_F_Vasculature.glb")
         for after in (0, 0.2):
-            self.stopped(["import", mesh, "-o", self.file("out.esm"), "--weld", "0.00001"], after)
+            self.stopped(["import", mesh, "-o", self.file("out.esm"), "--detail", "3000"], after)
             self.assertEqual(list(self.folder.iterdir()), [])
 
     def reading_for_ever(self):

@@ -74,13 +74,15 @@ class TwoWritersTest(Case):
         self.done("tissue", project, "-o", project)
 
     def test_what_came_between_without_a_lock_is_not_lost_either(self):
-        project = self.sample("tube")
-        first = self.measuring(project)
-        self.done("sample", "liver", "-o", self.file("liver.esm"))
-        os.replace(self.file("liver.esm"), project)
-        self.done("tissue", project, "--name", "after", "-o", project)
-        first.send_signal(signal.SIGINT)
-        self.assertEqual(self.done("info", project)["regions"][-1]["name"], "after")
+        project, other = self.sample("tube"), self.sample("liver").read_bytes()
+        scene = self.file("short.json", {"duration": 0.1, "forces": [{"node": 85, "force": [0, 0, -1]}]})
+        first = self.started("tradeoff", project, "--scene", scene, "--max-seconds", "1", "-o", project)
+        self.wait_until_locked(first, project)
+        self.file("other.esm", other).replace(project)
+        error = first.communicate()[1]
+        self.assertEqual(first.returncode, 1)
+        self.assertRegex(error, r"\Aesmc: [^\n]*was changed by another program[^\n]*\n\Z")
+        self.assertEqual(project.read_bytes(), other)
 
     def test_no_region_of_many_writers_is_lost(self):
         project = self.sample("tube")

@@ -168,7 +168,12 @@ bool PreviewRun::isDrawn() const {
 
 void PreviewRun::stop(const std::string& reason) {
     m_runFailure = reason;
-    if (m_simulation && !isDrawn()) m_simulation->goBack(m_simulation->timeStep());
+    if (!m_simulation || isDrawn()) return;
+    try {
+        m_simulation->goBack(m_simulation->timeStep());
+    } catch (const std::exception&) {
+        m_simulation->reset();
+    }
 }
 
 void PreviewRun::measure(double simulated, double computing) {

@@ -109,12 +109,11 @@ TEST(MeshFile, MayTakeTheMostWhereItsNumbersLieInOtherFiles) {
     }
 }
 
-TEST(MeshFile, IsRefusedAtOnceWhereItCannotFitIntoMemory) {
+TEST(MeshFile, IsRefusedUnreadWhereItCannotFitIntoMemory) {
     const TemporaryFolder folder;
     const fs::path file = sparsePly(folder / "huge.ply", 210'000'000); // of 5 GB
-    const auto begin = Clock::now();
+    const DecodeWith none("none is started");
     EXPECT_THAT(meshError(file), AllOf(HasSubstr("5.0 GB"), HasSubstr("reduce the mesh")));
-    EXPECT_LT(Clock::now() - begin, std::chrono::seconds(10));
 }
 
 TEST(MeshFile, IsRefusedWhereReadingItTakesTooMuchMemory) {
