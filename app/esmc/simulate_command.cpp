@@ -127,7 +127,7 @@ Report describe(const SceneOutcome& outcome) {
 /// @param error relative to the motion; infinite where it is not known
 std::string errorInText(double error) {
     if (std::isinf(error)) return "the error is not known: no two runs came to their end";
-    return "estimated error: " + inText(100 * error) + " % of the motion";
+    return "estimated error: " + percentText(error) + " of the motion";
 }
 
 /// Of a run to a wanted error.
@@ -152,8 +152,8 @@ void addResolvedError(Report& report, const AccurateOutcome& accurate, std::vect
             "how far the motion is off is not known: only the run in the shortest steps came to its "
             "end");
     else
-        warnings.push_back("the motion may be off by " + numberText(100 * accurate.estimatedError, 2) +
-                           " % of itself: shorter steps gained too little, or would take long; --max-error "
+        warnings.push_back("the motion may be off by " + percentText(accurate.estimatedError) +
+                           " of itself: shorter steps gained too little, or would take long; --max-error "
                            "waits for them, and tradeoff looks for another way to step");
 }
 

@@ -11,7 +11,7 @@ namespace esm {
 
 namespace {
 
-constexpr double allowedShare = 0.25;    ///< of the work that went in or out
+constexpr double allowedShare = 0.25;    ///< of the work that went in or out, and of what was held before
 constexpr std::size_t stepsPerLook = 64; ///< of an explicit integrator; a look costs about two of them
 constexpr std::size_t solvesPerLook = 8; ///< a step that solves costs far more than a look
 
@@ -145,7 +145,7 @@ std::string EnergyWatch::look(const WatchedSteps& steps) {
     m_lookedAt = m_steps;
     const double held = keptEnergy(m_system, m_integrator, m_damping, steps) - m_startEnergy;
     const double rounding = m_roundingEnergy * static_cast<double>(m_steps);
-    if (held <= m_work + allowedShare * m_grossWork + rounding) return {};
+    if (held <= m_work + allowedShare * (m_grossWork + m_startEnergy) + rounding) return {};
     return "the steps make energy out of nothing: the tissue holds " + numberText(held, 2) +
            " J more than at its start, of which its loads gave " + numberText(m_work, 2) +
            " J; a shorter step is needed";

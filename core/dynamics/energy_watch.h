@@ -19,7 +19,8 @@ struct WatchedSteps {
 /// Tells steps that make energy out of nothing. Where a step is a little too long, the springs' law may bound
 /// the swings, so that no place and no speed looks wrong, but they hold more energy than the loads ever gave.
 /// Viscosity only takes energy away. The tissue must therefore never hold more than the loads' work, but for
-/// what steps are inexact by: a quarter of all work that went in or out is allowed.
+/// what steps are inexact by: a quarter of all work that went in or out is allowed, and of what the tissue
+/// held at its start, as where its rest lengths were rounded.
 class EnergyWatch {
 public:
     /// Starts where the motion starts. The system outlives the watch.

@@ -33,10 +33,10 @@ constexpr double followedShare =
     const std::string follows = integratorName(follower);
     throw InvalidModel(std::string(integratorName(outcome.integrator)) +
                        " damps away swings that are faster than its steps: at " +
-                       numberText(outcome.timeStep) + " s it is " + numberText(100 * error, 2) +
-                       " % of the motion off a run by " + follows +
-                       ", which follows them, and shorter ones gain little: choose " + follows +
-                       ", or allow a larger error");
+                       numberText(outcome.timeStep) + " s it is " + percentText(error) +
+                       " of the motion off a run by " + follows +
+                       ", which follows them, and shorter ones gain little or would take long: choose " +
+                       follows + ", or allow a larger error");
 }
 
 /// How far the frames at the times of both are apart, relative to the motion of the finer ones. All runs have
@@ -188,9 +188,18 @@ private:
         for (double last = std::numeric_limits<double>::infinity();; last = error) {
             error = followed->errorOf(runs);
             if (error <= m_mostError) return {runs.outcome(), error};
-            if (error > leastGain * last) refuseSwings(runs.outcome(), error, followed->integrator);
+            if (error > leastGain * last && !mayGainLater(runs.outcome()))
+                refuseSwings(runs.outcome(), error, followed->integrator);
             runs.halve();
         }
+    }
+
+    /// Steps that still damp swings away gain nothing until they follow them.
+    bool mayGainLater(const SceneOutcome& outcome) const {
+        constexpr double patience = 10; // s
+        const double most = patience * stepsPerSecond(makeSpringSystem(m_run.model), outcome.integrator);
+        return hidesSwings(m_swings, outcome.integrator, outcome.timeStep, m_run.scene.duration) &&
+               2 * stepsOfWhole(outcome) <= most;
     }
 
     SceneRun following(const FollowingSteps& steps) const {
@@ -257,7 +266,12 @@ AccurateOutcome runSceneResolved(const SceneRun& run, const NewFrameSink& newSin
 
 AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const NewFrameSink& newSink,
                                 const Progress& progress) {
-    return AccuracySearch(run, mostError, progress).search(newSink);
+    SceneRun searched = run;
+    if (run.settings.integrator == Integrator::Auto && !run.settings.timeStep) {
+        const SimulationSettings resolved = resolvedSettings(run);
+        if (isExplicit(resolved.integrator)) searched.settings = resolved;
+    }
+    return AccuracySearch(searched, mostError, progress).search(newSink);
 }
 
 } // namespace esm

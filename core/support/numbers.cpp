@@ -22,4 +22,10 @@ std::string numberText(double value, int digits) {
     return text.str();
 }
 
+std::string percentText(double share) {
+    const double percents = 100 * share;
+    const bool isWhole = percents >= 10 && percents < 1e6;
+    return (isWhole ? numberText(std::round(percents), 7) : numberText(percents, 2)) + " %";
+}
+
 } // namespace esm

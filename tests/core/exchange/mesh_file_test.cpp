@@ -9,7 +9,6 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <string>
 
 namespace esm {
@@ -18,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
-using Clock = std::chrono::steady_clock;
 
 std::string meshError(const fs::path& file) {
     try {
@@ -132,14 +130,9 @@ TEST(MeshFile, IsRefusedWhereReadingItTakesTooMuchMemory) {
 TEST(MeshFile, CanBeCancelledWhileItIsRead) {
     const TemporaryFolder folder;
     const fs::path file = sparsePly(folder / "large.ply", 40'000'000);
-    Clock::time_point asked;
-    EXPECT_THROW(readMeshFile(file,
-                              [&](double) {
-                                  asked = Clock::now();
-                                  return false;
-                              }),
-                 Cancelled);
-    EXPECT_LT(Clock::now() - asked, std::chrono::seconds(1));
+    int asked = 0;
+    EXPECT_THROW(readMeshFile(file, [&](double) { return ++asked > 1; }), Cancelled);
+    EXPECT_EQ(asked, 1);
 }
 
 } // namespace

@@ -33,3 +33,11 @@ TEST(NumberText, HasSoManyDigitsAtMost) {
     EXPECT_EQ(numberText(1.0 / 3, 2), "0.33");
     EXPECT_EQ(numberText(1e30), "1e+30");
 }
+
+TEST(PercentText, IsForPeople) {
+    EXPECT_EQ(percentText(0.0123), "1.2 %");
+    EXPECT_EQ(percentText(0.5), "50 %");
+    EXPECT_EQ(percentText(0.9996), "100 %");
+    EXPECT_EQ(percentText(3.345), "335 %");
+    EXPECT_EQ(percentText(2e-9), "2e-07 %");
+}
