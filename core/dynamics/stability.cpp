@@ -70,6 +70,16 @@ ChosenStep bestChoice(StabilityRules& rules, const SimulationSettings& settings,
     throw InvalidModel(message.str());
 }
 
+[[noreturn]] void refuseUndamped(const SimulationSettings& settings) {
+    const std::string name = integratorName(settings.integrator);
+    if (settings.damping == Damping::Axial)
+        throw InvalidModel(
+            name + " has no stable step with axial damping, by which tissue swings undamped across its "
+                   "springs: choose another integrator or auto, or isotropic damping");
+    throw InvalidModel(name + " has no stable step where a spring or tether has no viscosity: choose another "
+                              "integrator or auto, or give all of the tissue some viscosity");
+}
+
 } // namespace
 
 std::optional<double> criticalStep(const TissueModel& model, Integrator integrator,
@@ -113,9 +123,7 @@ ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settin
     else if (const auto step = rules.largestStable(settings.integrator, cap))
         chosen.timeStep = *step;
     else
-        throw InvalidModel(std::string(integratorName(settings.integrator)) +
-                           " has no stable step where a spring or tether has no viscosity: choose another "
-                           "integrator or auto, or give all of the tissue some viscosity");
+        refuseUndamped(settings);
     chosen.timeStep = std::min(longestStep, chosen.timeStep * safetyFactor);
     if (chosen.timeStep < shortestStep) refuse(chosen.integrator, chosen.timeStep);
     return chosen;

@@ -5,6 +5,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/every_integrator.h"
 #include "tests/support/rounds.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -110,6 +111,7 @@ TEST_P(EnergyWatchByEach, RaisesNoAlarmInStableRuns) {
 
 /// As many as take about as long by any integrator.
 int stepsToWatch(Integrator integrator) {
+    if (isSanitized()) return 10;
     if (isExplicit(integrator)) return roundsOf(300, 5000);
     return integrator == Integrator::Propagation ? roundsOf(8, 500) : roundsOf(40, 500);
 }

@@ -272,6 +272,20 @@ TEST(ChooseStep, TakesAGivenStepAsGiven) {
     EXPECT_EQ(chooseStep(tube, axial).integrator, Integrator::Euler);
 }
 
+TEST(ChooseStep, SaysWhyNoStepIsStable) {
+    const TissueModel damped = tissue::oneSpring({10, 0.1, 1});
+    SimulationSettings settings;
+    settings.integrator = Integrator::Heun;
+    EXPECT_GT(chooseStep(damped, settings).timeStep, 0);
+    settings.damping = Damping::Axial;
+    try {
+        chooseStep(damped, settings);
+        FAIL() << "accepted";
+    } catch (const InvalidModel& problem) {
+        EXPECT_THAT(problem.what(), testing::HasSubstr("isotropic damping"));
+    }
+}
+
 TEST(ChooseStep, RefusesWhatCannotWork) {
     const TissueModel model = tissue::oneSpring({10, 0, 1});
     SimulationSettings settings = withStep(Integrator::Split2, 0);
