@@ -186,6 +186,10 @@ std::vector<std::string> accuracyWarnings(const RunnableModel& model, const Simu
     if (settings.precision == Precision::Float && isSpoiltByRounding(motion))
         warnings.emplace_back("in single precision so small a motion may be off by percents of itself: "
                               "take --precision double, or measure the error with tradeoff");
+    if (outcome.touched && settings.integrator != Integrator::Auto && orderOf(outcome.integrator) > 1)
+        warnings.push_back(
+            "while the instrument touches the organ " + std::string(integratorName(outcome.integrator)) +
+            " is of the first order alone, and no better than euler or split in as long steps");
     if (hidesSwings(swingBounds(model.tissue, settings.damping), outcome.integrator, outcome.timeStep,
                     model.scene.duration))
         warnings.push_back(

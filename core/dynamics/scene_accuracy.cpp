@@ -238,7 +238,8 @@ SimulationSettings resolvedSettings(const SceneRun& run) {
     if (settings.precision == Precision::Float || settings.restTolerance > 0) return settings;
     const ChosenStep chosen = chooseStep(run.model, settings);
     settings.integrator = chosen.integrator;
-    if (chosen.integrator != Integrator::Euler) return settings;
+    // Under an instrument both are of the first order, and Euler's error is the smaller one.
+    if (chosen.integrator != Integrator::Euler || run.scene.instrument) return settings;
     settings.integrator = Integrator::Verlet;
     if (chooseStep(run.model, settings).timeStep < worthItsOrder * chosen.timeStep)
         settings.integrator = Integrator::Euler;

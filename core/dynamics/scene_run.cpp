@@ -165,7 +165,7 @@ double bestOfRepeats(const SceneRun& run, Simulation& simulation, double seconds
 } // namespace
 
 int orderOfErrors(const SceneOutcome& outcome) {
-    return outcome.averagedCorners == 0 ? orderOf(outcome.integrator) : 1;
+    return outcome.averagedCorners == 0 && !outcome.touched ? orderOf(outcome.integrator) : 1;
 }
 
 SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& given) {

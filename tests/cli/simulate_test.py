@@ -314,6 +314,14 @@ class SimulateTest(Case):
         for warnings in (report["warnings"], stored["warnings"]):
             self.assertEqual([warning.split(":")[0] for warning in warnings][:2], ["fixed[1]", "moves[0]"])
 
+    def test_says_that_all_are_of_the_first_order_under_an_instrument(self):
+        touched = {"duration": 0.02, "instrument": {"shape": "sphere", "radius": 0.02, "path": [[0, 0, 0, 0.01], [1, 0, 0, 0]]}}
+        for integrator, dt, is_warned in (("rk4", "2e-6", True), ("split", "auto", False), ("auto", "auto", False)):
+            report, _ = self.simulated(self.sample("tube"), touched, "--integrator", integrator, "--dt", dt)
+            said = "\n".join(report["warnings"])
+            self.assertNotIn("never touches", said)
+            self.assertEqual("of the first order alone" in said, is_warned, integrator)
+
     def test_says_when_the_instrument_never_touches(self):
         project = self.sample("liver")
         _, rest = self.simulated(project, {"duration": 1e-6}, "--dt", "1e-6")
