@@ -2,8 +2,8 @@
 
 #include "core/decoding/decoded_stream.h"
 #include "core/decoding/decoding_limits.h"
-#include "core/support/clock.h"
 #include "core/support/progress.h"
+#include "core/support/time_source.h"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ struct DecodingTask {
     std::vector<std::string> arguments; ///< what the decoding program is to do
     const Bytes* input = nullptr;       ///< what it finds on its standard input; null for nothing
     DecodingLimits limits;
-    Clock clock = steadySeconds; ///< holds it to four times the processor time that it may take
+    TimeSource clock = steadySeconds; ///< holds it to four times the processor time that it may take
 };
 
 /// Decodes a file that cannot be trusted in a process of its own, which a damaged file may crash, hang or

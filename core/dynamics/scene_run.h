@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/dynamics/simulation.h"
-#include "core/support/clock.h"
 #include "core/support/progress.h"
+#include "core/support/time_source.h"
 
 #include <functional>
 
@@ -38,8 +38,8 @@ struct SceneRun {
     const TouchedSurface& surface; ///< what an instrument touches; may be empty
     const Scene& scene;
     SimulationSettings settings = {};
-    int halvings = 0;            ///< of the settings' step, and of every step that is cut, as Timeline says
-    Clock clock = steadySeconds; ///< for the seconds of the outcome, and between two reports of progress
+    int halvings = 0; ///< of the settings' step, and of every step that is cut, as Timeline says
+    TimeSource clock = steadySeconds; ///< for the seconds of the outcome, and between two reports of progress
 };
 
 /// Runs a scene from rest. A run that diverges, or comes to a step that cannot be computed, ends with its

@@ -48,7 +48,7 @@ struct Measured {
 /// A limit on the time of a clock, from when it is started on.
 class TimeLimit {
 public:
-    TimeLimit(double seconds, const Clock& clock)
+    TimeLimit(double seconds, const TimeSource& clock)
         : m_seconds(std::max(seconds, worthStopping)), m_clock(clock) {}
 
     void start() {
@@ -58,7 +58,7 @@ public:
 
 private:
     double m_seconds;
-    const Clock& m_clock;
+    const TimeSource& m_clock;
     std::optional<double> m_start;
 };
 

@@ -63,7 +63,7 @@ struct TradeoffOptions {
     Damping damping = Damping::Isotropic;
     std::size_t threads = 0;              ///< at most; 0: as many as the tissue's size is worth
     std::vector<CoarserRun> coarser = {}; ///< measured too, against the full run
-    Clock clock = steadySeconds;          ///< the wall's
+    TimeSource clock = steadySeconds;     ///< the wall's
 };
 
 /// Receives the reference, and each run as soon as it is measured.

@@ -26,14 +26,14 @@ using testing::HasSubstr;
 constexpr DecodingLimits enough{4'000'000'000, 1'000'000'000, 300};
 
 DecodedStream standIn(const std::string& role, const DecodingLimits& limits = enough,
-                      const Progress& progress = {}, const Clock& clock = steadySeconds) {
+                      const Progress& progress = {}, const TimeSource& clock = steadySeconds) {
     const DecodeWith program(failingDecoder());
     return decodeApart({role + ".ply", {"mesh", role + ".ply"}, nullptr, limits, clock}, progress);
 }
 
 /// The one line that tells of a decoder that plays a role.
 std::string errorOf(const std::string& role, const DecodingLimits& limits = enough,
-                    const Clock& clock = steadySeconds) {
+                    const TimeSource& clock = steadySeconds) {
     try {
         standIn(role, limits, {}, clock);
     } catch (const FileError& error) {
@@ -64,7 +64,7 @@ TEST(DecoderProcess, CostsAMessageWhenItHandsBackNonsense) {
 
 TEST(DecoderProcess, IsHeldToItsTime) {
     EXPECT_THAT(errorOf("loop", {enough.memory, enough.output, 1}), HasSubstr("within the 1 s"));
-    const Clock fast = [now = std::make_shared<double>(0)] { return *now += 1000; };
+    const TimeSource fast = [now = std::make_shared<double>(0)] { return *now += 1000; };
     EXPECT_THAT(errorOf("sleep", enough, fast), HasSubstr("within the 300 s"));
 }
 

@@ -16,7 +16,7 @@ constexpr double mostSeconds = 0.08; ///< of one run, by the clock below
 
 /// A clock that every reading sets on, each by a little more than the one before where it slows down: steps
 /// take as long on every machine.
-Clock setOnByReading(double seconds, double slowing = 0) {
+TimeSource setOnByReading(double seconds, double slowing = 0) {
     return [now = std::make_shared<double>(0), tick = std::make_shared<double>(seconds), slowing] {
         *tick += slowing;
         return *now += *tick;

@@ -7,7 +7,7 @@ namespace esm {
 
 /// Seconds since a moment that stays the same. What limits or measures time asks one that it is given, so
 /// that its limits can be tried without waiting.
-using Clock = std::function<double()>;
+using TimeSource = std::function<double()>;
 
 /// The machine's own, which is never set back.
 inline double steadySeconds() {
