@@ -17,8 +17,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char** environ; // NOLINT(readability-redundant-declaration): POSIX has every program declare it
-
 namespace esm {
 
 // A program of its own is started, not a copy of this process: after fork() in a process with threads only

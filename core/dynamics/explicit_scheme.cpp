@@ -171,18 +171,24 @@ void ExplicitScheme<Real>::computeRates(const StepInput& input, const State& sta
         set(rates[m_kernel.rowOf(held.node)].velocity, Eigen::Vector3d::Zero());
 }
 
+/// record += Σ factor·rates
+template<class Real>
+void ExplicitScheme<Real>::addRates(std::initializer_list<Term> terms, std::size_t row, Record& record) {
+    for (const Term& term : terms) {
+        const auto factor = static_cast<Real>(term.factor);
+        const auto& rate = (*term.rates)[row];
+        for (int axis = 0; axis < 4; ++axis) {
+            record.position[axis] += factor * rate.position[axis];
+            record.velocity[axis] += factor * rate.velocity[axis];
+        }
+    }
+}
+
 /// to = m_state + Σ factor·rates
 template<class Real> void ExplicitScheme<Real>::advance(State& to, std::initializer_list<Term> terms) const {
-    forActiveRows([&, first = terms.begin(), last = terms.end()](std::size_t row) {
-        auto record = m_state[row];
-        for (const Term* term = first; term != last; ++term) {
-            const auto factor = static_cast<Real>(term->factor);
-            const auto& rate = (*term->rates)[row];
-            for (int axis = 0; axis < 4; ++axis) {
-                record.position[axis] += factor * rate.position[axis];
-                record.velocity[axis] += factor * rate.velocity[axis];
-            }
-        }
+    forActiveRows([&to, terms, this](std::size_t row) {
+        Record record = m_state[row];
+        addRates(terms, row, record);
         to[row] = record;
     });
 }
@@ -200,16 +206,9 @@ void ExplicitScheme<Real>::addKeeping(Real change, std::size_t row, int axis, Re
 }
 
 template<class Real> void ExplicitScheme<Real>::finish(std::initializer_list<Term> terms) {
-    forActiveRows([&, first = terms.begin(), last = terms.end()](std::size_t row) {
-        kernel::NodeRecord<Real> change{};
-        for (const Term* term = first; term != last; ++term) {
-            const auto factor = static_cast<Real>(term->factor);
-            const auto& rate = (*term->rates)[row];
-            for (int axis = 0; axis < 4; ++axis) {
-                change.position[axis] += factor * rate.position[axis];
-                change.velocity[axis] += factor * rate.velocity[axis];
-            }
-        }
+    forActiveRows([terms, this](std::size_t row) {
+        Record change{};
+        addRates(terms, row, change);
         m_next[row] = m_state[row];
         for (int axis = 0; axis < 3; ++axis) {
             addKeeping(change.position[axis], row, axis, m_next[row].position[axis]);

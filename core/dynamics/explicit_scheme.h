@@ -31,6 +31,7 @@ public:
 
 private:
     using State = typename TissueKernel<Real>::State;
+    using Record = typename State::value_type;
     struct Term {
         double factor; ///< s
         const State* rates;
@@ -47,6 +48,7 @@ private:
 
     void computeRates(const StepInput& input, const State& state, State& rates);
     const State& stage(std::initializer_list<Term> terms);
+    static void addRates(std::initializer_list<Term> terms, std::size_t row, Record& record);
     void advance(State& to, std::initializer_list<Term> terms) const;
     /// The same into m_next, keeping what rounding takes from the positions.
     void finish(std::initializer_list<Term> terms);

@@ -21,6 +21,14 @@ std::size_t mostFramesOf(std::size_t points) {
     return std::clamp(most, fewestCompared, mostCompared) / 2 * 2;
 }
 
+MotionError errorBetween(const Trajectory& trajectory, const Trajectory& reference) {
+    MotionError error;
+    for (const auto& [time, positions] : trajectory)
+        if (const auto found = reference.find(time); found != reference.end())
+            error.add(positions, found->second, reference.at(0));
+    return error;
+}
+
 } // namespace
 
 void MotionError::add(const MotionPoints& points, const MotionPoints& reference, const MotionPoints& start) {
@@ -56,11 +64,12 @@ void ComparedFrames::thinOut() {
 }
 
 double relativeError(const Trajectory& trajectory, const Trajectory& reference) {
-    MotionError error;
-    for (const auto& [time, positions] : trajectory)
-        if (const auto found = reference.find(time); found != reference.end())
-            error.add(positions, found->second, reference.at(0));
-    return error.relative();
+    return errorBetween(trajectory, reference).relative();
+}
+
+double changeBetween(const Trajectory& coarse, const Trajectory& finer) {
+    const MotionError change = errorBetween(coarse, finer);
+    return change.isNone() ? 0 : change.relative();
 }
 
 double remainingError(const LatestChanges& changes, int order) {

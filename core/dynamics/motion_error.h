@@ -53,6 +53,9 @@ private:
 /// start, or nothing moves.
 double relativeError(const Trajectory& trajectory, const Trajectory& reference);
 
+/// The same of two runs of one scene, but 0 where they are alike to the last bit, as where nothing moves.
+double changeBetween(const Trajectory& coarse, const Trajectory& finer);
+
 /// Of what was there before, halving a step leaves at most that, or it gains nothing: rounding spoils it.
 inline constexpr double leastGain = 0.9;
 

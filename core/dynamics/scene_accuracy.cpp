@@ -39,16 +39,6 @@ constexpr double followedShare =
                        follows + ", or allow a larger error");
 }
 
-/// How far the frames at the times of both are apart, relative to the motion of the finer ones. All runs have
-/// their end in common.
-double changeBetween(const Trajectory& coarse, const Trajectory& finer) {
-    MotionError change;
-    for (const auto& [number, positions] : coarse)
-        if (const auto found = finer.find(number); found != finer.end())
-            change.add(positions, found->second, finer.at(0));
-    return change.isNone() ? 0 : change.relative();
-}
-
 /// One scene in ever shorter steps; of each run what is compared is kept.
 class HalvedRuns {
 public:
