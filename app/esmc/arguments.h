@@ -44,6 +44,10 @@ CLI::Validator positiveNumber();
 /// The same from a least one to a largest.
 CLI::Validator numberWithin(double least, double most);
 
+/// Of errors (relative to the motion) and speeds (times real time) that are asked for: what is beyond no run
+/// comes near, and has no place on a chart.
+inline constexpr double leastWish = 1e-12, mostWish = 1e12;
+
 /// The same from zero to `largestNumber`.
 CLI::Validator nonNegativeNumber();
 

@@ -77,4 +77,10 @@ RunnableModel loadRunnableModel(const std::filesystem::path& file, const std::fi
     return model;
 }
 
+void requireRecording(const Scene& scene) {
+    if (scene.record.nodes && scene.record.nodes->empty())
+        throw InvalidModel("the scene records no node: name some in \"record\", \"nodes\", or leave the list "
+                           "out for all");
+}
+
 } // namespace esm

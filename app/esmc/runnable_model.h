@@ -23,4 +23,7 @@ struct RunnableModel {
 RunnableModel loadRunnableModel(const std::filesystem::path& model, const std::filesystem::path& scene,
                                 Context& context);
 
+/// A run that records no node has no motion to tell the error of. @throws InvalidModel
+void requireRecording(const Scene& scene);
+
 } // namespace esm

@@ -48,7 +48,7 @@ void declareSimulate(CLI::App& command, SimulateOptions& options) {
     command
         .add_option("--max-error", options.mostError,
                     "Halves the step until the estimated error, relative to the motion, is at most this")
-        ->check(positiveNumber());
+        ->check(numberWithin(leastWish, mostWish));
     command.add_option("-o,--output", options.output, "Trajectory to write (.csv): time,node,x,y,z")
         ->required()
         ->check(writtenAs(".csv"));
@@ -144,7 +144,8 @@ void addError(Report& report, const AccurateOutcome& accurate, std::vector<std::
 }
 
 /// Of a run whose way to step was left open.
-void addResolvedError(Report& report, const AccurateOutcome& accurate, std::vector<std::string>& warnings) {
+void addResolvedError(Report& report, const AccurateOutcome& accurate, Precision precision,
+                      std::vector<std::string>& warnings) {
     addError(report, accurate, warnings);
     if (accurate.isReached || !accurate.outcome.stable) return;
     if (std::isinf(accurate.estimatedError))
@@ -152,9 +153,13 @@ void addResolvedError(Report& report, const AccurateOutcome& accurate, std::vect
             "how far the motion is off is not known: only the run in the shortest steps came to its "
             "end");
     else
-        warnings.push_back("the motion may be off by " + percentText(accurate.estimatedError) +
-                           " of itself: shorter steps gained too little, or would take long; --max-error "
-                           "waits for them, and tradeoff looks for another way to step");
+        warnings.push_back(
+            "the motion may be off by " + percentText(accurate.estimatedError) + " of itself: " +
+            (precision == Precision::Float
+                 ? "single precision rounds each step, so that shorter ones gain too little; "
+                   "take --precision double"
+                 : "shorter steps gained too little, or would take long; --max-error waits for "
+                   "them, and tradeoff looks for another way to step"));
 }
 
 /// Sums up what a run gave, beside its outcome.
@@ -257,6 +262,7 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     const RunOutputs outputs{options.output, options.surface};
     requireTwoFiles(outputs);
     const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
+    requireRecording(model.scene);
     requireSurface(outputs, model);
     std::vector<std::string> warnings;
     if (model.stepping && takesRecommended(options))
@@ -281,7 +287,7 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     if (options.mostError)
         addError(report, accurate, warnings);
     else if (isLeftToAuto(settings))
-        addResolvedError(report, accurate, warnings);
+        addResolvedError(report, accurate, settings.precision, warnings);
     else
         append(warnings, accuracyWarnings(model, settings, accurate.outcome, motion));
     append(warnings, integratorWarnings(model.scene, accurate.outcome.integrator));

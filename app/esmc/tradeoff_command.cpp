@@ -18,8 +18,6 @@ namespace esm {
 
 namespace {
 
-constexpr double leastWish = 1e-12, mostWish = 1e12; ///< what is beyond has no place on a chart
-
 /// Which of the recommended runs is saved.
 enum class Wish { MaxError, RealTime };
 
@@ -198,6 +196,7 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     for (const std::string& file : {options.plot, options.output})
         if (!file.empty()) AtomicFile{file}; // refused now rather than after the work
     RunnableModel model = loadRunnableModel(options.model, options.scene, context);
+    requireRecording(model.scene);
     std::vector<std::string> warnings;
     if (!movesTissue(model.scene)) {
         model.scene = withGentlePull(model.tissue, model.scene);

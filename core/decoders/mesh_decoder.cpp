@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* withoutTriangle = "has no triangle; export the surface, not lines or points";
+constexpr const char* withoutTriangle =
+    "has no triangle: it holds lines or points alone, or is cut off; export the surface, and the whole of it";
 
 /// Row-major 3×4 part of a node's transform, in double so that parts that meet keep meeting.
 using Transform = Eigen::Matrix<double, 3, 4>;

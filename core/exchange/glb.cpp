@@ -237,6 +237,7 @@ std::vector<std::uint32_t> GltfArrayReader::indices(const JsonReader& accessor, 
     values.reserve(span.size / sizeof(std::uint32_t));
     for (std::size_t i = 0; i < span.size; i += sizeof(std::uint32_t))
         values.push_back(littleEndian<std::uint32_t>(span.begin + i));
+    if (limit == 0 && !m_problems.empty()) return values;
     const auto bad =
         std::find_if(values.begin(), values.end(), [&](std::uint32_t value) { return value >= limit; });
     if (bad == values.end()) return values;

@@ -63,7 +63,7 @@ public:
     std::size_t count(const JsonReader& accessor) const; ///< elements that an accessor claims
     /// `count` elements, finite. Empty, and a problem, where the accessor is another or damaged.
     std::vector<float> floats(const JsonReader& accessor, GltfType type, std::size_t count) const;
-    /// `count` numbers below `limit`.
+    /// `count` numbers below `limit`. Any, where what they count could not be read, which is told already.
     std::vector<std::uint32_t> indices(const JsonReader& accessor, std::size_t count,
                                        std::size_t limit) const;
     Bytes file(const JsonReader& bufferView) const;

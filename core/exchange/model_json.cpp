@@ -99,6 +99,15 @@ std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader) {
     return measured;
 }
 
+std::vector<std::string> steppingWarnings(const Json& holder) {
+    const auto stepping = holder.find("stepping");
+    if (stepping == holder.end() || stepping->is_null()) return {};
+    const std::string name = (*stepping)["integrator"].get<std::string>();
+    if (integratorFromName(name)) return {};
+    return {"the recommended stepping names the integrator \"" + name +
+            "\", which this program does not know: it is left out; measure the tissue anew (esmc tradeoff)"};
+}
+
 std::vector<double> coordinatesOf(const std::vector<Eigen::Vector3d>& points) {
     std::vector<double> values;
     values.reserve(3 * points.size());

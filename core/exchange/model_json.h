@@ -39,6 +39,9 @@ SpringStiffening stiffeningFromJson(const JsonReader& reader);
 nlohmann::ordered_json toJson(const MeasuredStepping& measured);
 /// Nothing where the integrator is one that only other programs know.
 std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader);
+/// Names the integrator that only other programs know. Precondition: steppingFromJson() found no problem in
+/// the holder's `stepping`.
+std::vector<std::string> steppingWarnings(const nlohmann::ordered_json& holder);
 
 /// x, y, z of every point in one list, and back.
 std::vector<double> coordinatesOf(const std::vector<Eigen::Vector3d>& points);

@@ -95,7 +95,7 @@ void PackageReader::readNodes(const JsonReader& group, SpringNetwork& network, T
 void PackageReader::checkMean(const JsonReader& springs, const char* key, const SpringNetwork& network,
                               const std::vector<double>& ofNodes) const {
     const std::vector<double> values = scalars(springs, key, network.springs.size());
-    if (values.size() != network.springs.size() || ofNodes.size() != network.restPositions.size()) return;
+    if (!m_problems.empty()) return;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double first = ofNodes[network.springs[i].first], second = ofNodes[network.springs[i].second];
         const double allowed = package_layout::meanTolerance * std::max(std::abs(first), std::abs(second));
@@ -227,8 +227,11 @@ ReadPackage readPackage(const std::filesystem::path& file) {
         ModelPackage package = PackageReader(glb, problems).read();
         const Project project = projectOf(package);
         if (problems.empty()) problems = problemsOf(package, project);
-        std::vector<std::string> warnings = containerWarnings(glb.json);
+        std::vector<std::string> warnings = containerWarnings(glb);
         if (!problems.empty()) return {{}, problems, warnings};
+        const Json& extension = glb.json["extensions"][package_layout::extension];
+        for (std::string& warning : steppingWarnings(extension))
+            warnings.push_back(std::move(warning));
         for (std::string& warning : projectWarnings(project))
             warnings.push_back(std::move(warning));
         return {std::move(package), {}, std::move(warnings)};

@@ -103,10 +103,11 @@ public:
         return {};
     }
 
-    /// Whole numbers below `limit`.
+    /// Whole numbers below `limit`. Any, where what they count could not be read, which is told already.
     std::vector<std::uint32_t> indices(const JsonReader& arrays, const char* entry, std::size_t components,
                                        std::size_t limit) {
         std::vector<std::uint32_t> values = array<std::uint32_t>(arrays, entry, components);
+        if (limit == 0 && foundProblems()) return values;
         const auto bad =
             std::find_if(values.begin(), values.end(), [&](std::uint32_t value) { return value >= limit; });
         if (bad == values.end()) return values;
@@ -115,6 +116,8 @@ public:
                              std::to_string(limit));
         return {};
     }
+
+    bool foundProblems() const { return !m_problems.empty(); }
 
 private:
     void takePixels(std::uint64_t pixels, const std::string& name) {
@@ -143,7 +146,7 @@ Binding readBinding(const JsonReader& arrays, Source& source, std::size_t nodes)
     const BindingNumbers numbers{source.indices(arrays, layout::bindingNodes, 3, nodes),
                                  source.numbers(arrays, layout::bindingShares, 3),
                                  source.indices(arrays, layout::bindingLines, 2, nodes)};
-    if (numbers.nodes.size() != numbers.shares.size())
+    if (numbers.nodes.size() != numbers.shares.size() && !source.foundProblems())
         arrays.addProblem("give " + std::to_string(numbers.nodes.size()) +
                           " nodes that carry vertices, but " + std::to_string(numbers.shares.size()) +
                           " shares");
@@ -156,7 +159,7 @@ std::shared_ptr<const SpringNetwork> readNetwork(const JsonReader& arrays, Sourc
     const std::size_t nodes = network->restPositions.size();
     const std::vector<std::uint32_t> ends = source.indices(arrays, layout::networkSprings, 2, nodes);
     const std::vector<double> restLengths = source.numbers(arrays, layout::networkRestLengths, 1);
-    if (ends.size() != 2 * restLengths.size())
+    if (ends.size() != 2 * restLengths.size() && !source.foundProblems())
         arrays.addProblem("give " + std::to_string(ends.size() / 2) + " springs, but " +
                           std::to_string(restLengths.size()) + " rest lengths");
     for (std::size_t i = 0; i < std::min(restLengths.size(), ends.size() / 2); ++i)
@@ -208,6 +211,7 @@ std::shared_ptr<const RepairReport> reportFromJson(const JsonReader& reader) {
 }
 
 Scene readScene(const JsonReader& reader) {
+    if (reader.json().is_null()) return {};
     try {
         return sceneFromJson(reader.json());
     } catch (const InvalidModel& error) {
@@ -351,6 +355,8 @@ ReadProject readProject(const std::filesystem::path& file, const Progress& progr
         if (problems.empty()) problems = validate(project);
         if (!problems.empty()) return {{}, problems, {}};
         std::vector<std::string> warnings = versionWarnings(manifest, project);
+        for (std::string& warning : steppingWarnings(json))
+            warnings.push_back(std::move(warning));
         for (std::string& warning : projectWarnings(project))
             warnings.push_back(std::move(warning));
         return {std::move(project), {}, std::move(warnings)};

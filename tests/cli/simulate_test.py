@@ -207,6 +207,12 @@ class SimulateTest(Case):
         self.assertLess(fine["dt"], rough["dt"])
         self.assertEqual(len(rows), 6 * 170)
 
+    def test_a_scene_that_records_no_node_has_no_error_to_tell(self):
+        scene = self.file("scene.json", {**TUBE_POKE, "record": {"nodes": []}})
+        for command_line in (["simulate", self.sample("tube"), "-o", "out.csv"], ["tradeoff", self.sample("tube")]):
+            self.fails(1, *command_line, "--scene", scene, naming="records no node")
+        self.assertFalse(self.file("out.csv").exists())
+
     def test_says_which_swings_an_estimated_error_leaves_out(self):
         project = self.sample("tube")
         self.assertFalse(self.simulated(project, TUBE_POKE, "--max-error", "0.05")[0]["hides_swings"])

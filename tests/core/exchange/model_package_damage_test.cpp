@@ -205,6 +205,29 @@ TEST_F(ModelPackageFile, ValidationFindsAllProblemsAtOnce) {
         EXPECT_THAT(problems, HasSubstr(named));
 }
 
+TEST_F(ModelPackageFile, WhatRefersToADamagedArrayIsNoFurtherProblem) {
+    exportPackage(richProject(), m_file);
+    const Glb whole = parseGlb(readFile(m_file));
+    for (const char* damaged : {"/nodes/restPosition", "/nodes/mass", "/nodes/viscosity", "/springs/nodes",
+                                "/surface/restPosition", "/tethers/nodes"}) {
+        Glb glb = whole;
+        glb.json["extensions"]["ESM_spring_mass"].at(Json::json_pointer(damaged)) = 9999;
+        overwrite(m_file, writeGlb(glb));
+        EXPECT_THAT(validatePackage(m_file), testing::SizeIs(1)) << damaged;
+    }
+}
+
+TEST_F(ModelPackageFile, AnUnknownIntegratorIsLeftOutAndNamed) {
+    exportPackage(richProject(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    glb.json["extensions"]["ESM_spring_mass"]["stepping"]["integrator"] = "leapfrog";
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(validatePackage(m_file), testing::ElementsAre(HasSubstr("leapfrog")));
+    const OpenedPackage opened = openPackage(m_file);
+    EXPECT_FALSE(opened.package.stepping);
+    EXPECT_THAT(opened.warnings, testing::ElementsAre(HasSubstr("leapfrog")));
+}
+
 TEST_F(ModelPackageFile, WhatIsNoPackageIsRefused) {
     EXPECT_THAT(loadingError(), HasSubstr("does not exist"));
     overwrite(m_file, std::string());

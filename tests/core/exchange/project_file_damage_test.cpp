@@ -276,6 +276,24 @@ TEST_F(ProjectFile, AnEntryThatInflatesWithoutEndIsNotUnpacked) {
     EXPECT_THAT(loadingError(), HasSubstr("mesh/vertices.f64 is larger than"));
 }
 
+TEST_F(ProjectFile, WhatRefersToADamagedArrayIsNoFurtherProblem) {
+    for (const char* damaged :
+         {"mesh/vertices.f64", "network/nodes.f64", "network/springs.u32", "network/rest-lengths.f64"}) {
+        saveChanged(damaged, [](auto&, ZipEntry& entry) { entry.content.pop_back(); });
+        EXPECT_THAT(validateProjectFile(m_file), testing::ElementsAre(HasSubstr(damaged)));
+    }
+}
+
+TEST_F(ProjectFile, AMissingSceneIsOneProblem) {
+    saveChanged(project_layout::manifest, [](auto&, ZipEntry& entry) {
+        Json manifest = Json::parse(entry.content.begin(), entry.content.end());
+        manifest.erase("scene");
+        const std::string text = manifest.dump();
+        entry.content.assign(text.begin(), text.end());
+    });
+    EXPECT_THAT(validateProjectFile(m_file), testing::ElementsAre(HasSubstr("scene")));
+}
+
 TEST_F(ProjectFile, ValidationFindsAllProblemsAtOnce) {
     saveChanged(project_layout::manifest, [](auto& entries, ZipEntry& entry) {
         Json manifest = Json::parse(entry.content.begin(), entry.content.end());
