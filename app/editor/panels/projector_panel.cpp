@@ -118,15 +118,15 @@ void ProjectorPanel::layOut() {
 void ProjectorPanel::connectFields() {
     const QString size = QStringLiteral("projector size");
     connect(m_kind, qOverload<int>(&QComboBox::activated), this, &ProjectorPanel::chooseKind);
-    connect(m_fieldOfView, &NumberField::valueEdited, this, [=](double degrees) {
+    connect(m_fieldOfView, &NumberField::valueEdited, this, [this, size](double degrees) {
         edit(
             tr("Set field of view"), [=](Projector& projector) { projector.fieldOfView = degrees; }, size);
     });
-    connect(m_width, &NumberField::valueEdited, this, [=](double width) {
+    connect(m_width, &NumberField::valueEdited, this, [this, size](double width) {
         edit(
             tr("Resize projector"), [=](Projector& projector) { projector.width = width; }, size);
     });
-    connect(m_height, &NumberField::valueEdited, this, [=](double height) {
+    connect(m_height, &NumberField::valueEdited, this, [this, size](double height) {
         edit(
             tr("Resize projector"), [=](Projector& projector) { projector.height = height; }, size);
     });
@@ -149,7 +149,7 @@ void ProjectorPanel::connectFields() {
 
 void ProjectorPanel::connectIntrinsics() {
     for (std::size_t i = 0; i < m_intrinsics.size(); ++i) {
-        connect(m_intrinsics[i], &NumberField::valueEdited, this, [=](double pixels) {
+        connect(m_intrinsics[i], &NumberField::valueEdited, this, [this, i](double pixels) {
             Intrinsics camera = shownIntrinsics();
             const std::array<double*, 4> values{&camera.fx, &camera.fy, &camera.cx, &camera.cy};
             *values[i] = pixels;

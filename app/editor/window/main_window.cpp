@@ -107,7 +107,7 @@ void MainWindow::buildPanels() {
     connect(m_view, &OrganView::toolChanged, brush,
             [brush](ViewTool tool) { brush->setVisible(tool == ViewTool::Brush); });
     // A layer that is painted has nothing to prepare or to place.
-    const auto showPhotoPanels = [=] {
+    const auto showPhotoPanels = [this, preparation, projector, landmarks] {
         const auto layer = m_selection->photo();
         const bool isPainted = layer && !m_document->project().layers[*layer].photo;
         for (QWidget* panel : {static_cast<QWidget*>(preparation), static_cast<QWidget*>(projector),
