@@ -21,7 +21,8 @@ MOST_FILE_LINES = 400
 # Of a source's lines that are not empty. More would say again what the code says.
 COMMENT_SHARE = (0.04, 0.20)
 # The core's folders in the order in which they build on each other; what is drawn stands beside them.
-CORE_ORDER = ("support", "decoding", "geometry", "fuzzy", "texture", "model", "dynamics", "exchange", "samples")
+CORE_ORDER = ("support", "decoding", "geometry", "surface", "model", "dynamics", "fuzzy", "texture", "project", "authoring",
+              "exchange", "samples")
 MAY_INCLUDE = {
     "core": ("core",),
     "widgets": ("core", "widgets"),
@@ -149,18 +150,17 @@ def cycle(edges):
 
 
 def folder_edges(sources):
-    """For each of the core's folders, as deep as they go, those that its files include from.
+    """For each folder, as deep as they go, those that its files include from.
 
     A folder and one within it are parts of the same, and may know each other.
     """
     edges = {}
     for path, text in sources.items():
         folder = path.rpartition("/")[0]
-        if folder.startswith("core/"):
-            others = {name.rpartition("/")[0] for name in includes(text) if name.startswith("core/")}
-            edges.setdefault(folder, set()).update(
-                other for other in others if not f"{other}/".startswith(f"{folder}/")
-                and not f"{folder}/".startswith(f"{other}/"))
+        others = {name.rpartition("/")[0] for name in includes(text) if name.startswith(PRODUCT)}
+        edges.setdefault(folder, set()).update(
+            other for other in others if not f"{other}/".startswith(f"{folder}/")
+            and not f"{folder}/".startswith(f"{other}/"))
     return edges
 
 
@@ -247,7 +247,7 @@ def main():
     product = {path: text for path, text in sources.items() if path.startswith(PRODUCT)}
     problems = function_problems(product) + file_problems(sources) + comment_problems(product)
     ring = cycle(folder_edges(product))
-    print("folders of the core: " + (" -> ".join(ring) if ring else "no cycles"))
+    print("folders: " + (" -> ".join(ring) if ring else "no cycles"))
     if ring:
         problems.append("folders build on each other in a ring: " + " -> ".join(ring))
     problems += layering_problems(product) + misplaced_tests(list(sources))

@@ -1,7 +1,7 @@
 #include "app/decode/decoding_main.h"
 #include "core/decoders/mesh_decoder.h"
 #include "core/decoders/picture_decoders.h"
-#include "core/exchange/mesh_stream.h"
+#include "core/exchange/meshes/mesh_stream.h"
 
 #include <cstring>
 #include <filesystem>

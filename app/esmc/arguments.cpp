@@ -1,7 +1,7 @@
 #include "app/esmc/arguments.h"
 
 #include "app/esmc/report.h"
-#include "core/exchange/mesh_file.h"
+#include "core/exchange/meshes/mesh_file.h"
 #include "core/support/angles.h"
 #include "core/support/numbers.h"
 

@@ -3,7 +3,7 @@
 #include "app/esmc/opened_file.h"
 #include "app/esmc/packing.h"
 #include "core/exchange/image_file.h"
-#include "core/exchange/project_file.h"
+#include "core/exchange/project/project_file.h"
 #include "core/support/atomic_file.h"
 #include "core/support/errors.h"
 #include "core/texture/layers/composite.h"

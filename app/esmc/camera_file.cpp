@@ -1,6 +1,6 @@
 #include "app/esmc/camera_file.h"
 
-#include "core/exchange/projector_file.h"
+#include "core/exchange/project/projector_file.h"
 #include "core/support/errors.h"
 
 namespace esm {

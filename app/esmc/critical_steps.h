@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/esmc/report.h"
-#include "core/dynamics/stability.h"
+#include "core/dynamics/stability/stability.h"
 
 namespace esm {
 

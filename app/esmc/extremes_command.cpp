@@ -1,6 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
-#include "core/dynamics/extremes.h"
+#include "core/dynamics/measure/extremes.h"
 #include "core/support/file_io.h"
 
 #include <sstream>

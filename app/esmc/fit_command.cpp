@@ -1,8 +1,8 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/opened_file.h"
-#include "core/exchange/pairs_file.h"
-#include "core/exchange/projector_file.h"
+#include "core/exchange/project/pairs_file.h"
+#include "core/exchange/project/projector_file.h"
 #include "core/support/atomic_file.h"
 #include "core/texture/texture_limits.h"
 

@@ -1,6 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
-#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/fuzzy/rule_text.h"
 #include "core/fuzzy/system_warnings.h"
 #include "core/support/file_io.h"

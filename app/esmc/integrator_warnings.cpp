@@ -1,6 +1,6 @@
 #include "app/esmc/integrator_warnings.h"
 
-#include "core/dynamics/swings.h"
+#include "core/dynamics/stability/swings.h"
 
 namespace esm {
 

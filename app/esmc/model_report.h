@@ -3,7 +3,7 @@
 #include "app/esmc/project_output.h"
 #include "app/esmc/report.h"
 #include "core/exchange/model_package.h"
-#include "core/model/project.h"
+#include "core/project/project.h"
 
 namespace esm {
 

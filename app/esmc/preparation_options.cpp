@@ -1,6 +1,6 @@
 #include "app/esmc/preparation_options.h"
 
-#include "core/exchange/preparation_json.h"
+#include "core/exchange/project/preparation_json.h"
 #include "core/texture/layers/surface_match.h"
 
 #include <algorithm>

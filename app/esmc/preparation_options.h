@@ -2,7 +2,7 @@
 
 #include "app/esmc/arguments.h"
 #include "app/esmc/report.h"
-#include "core/model/project.h"
+#include "core/project/project.h"
 
 #include <string>
 

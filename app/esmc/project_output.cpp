@@ -1,6 +1,6 @@
 #include "app/esmc/project_output.h"
 
-#include "core/exchange/project_file.h"
+#include "core/exchange/project/project_file.h"
 
 namespace esm {
 

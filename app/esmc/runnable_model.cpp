@@ -1,7 +1,7 @@
 #include "app/esmc/runnable_model.h"
 
 #include "app/esmc/opened_file.h"
-#include "core/exchange/scene_file.h"
+#include "core/exchange/project/scene_file.h"
 #include "core/support/errors.h"
 
 namespace esm {

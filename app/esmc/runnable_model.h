@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/esmc/context.h"
-#include "core/dynamics/touched_surface.h"
-#include "core/model/project.h"
+#include "core/dynamics/contact/touched_surface.h"
+#include "core/project/project.h"
 
 namespace esm {
 

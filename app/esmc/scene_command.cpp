@@ -1,10 +1,10 @@
-#include "core/exchange/scene_file.h"
+#include "core/exchange/project/scene_file.h"
 
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/opened_file.h"
 #include "app/esmc/project_output.h"
-#include "core/exchange/project_file.h"
+#include "core/exchange/project/project_file.h"
 #include "core/support/errors.h"
 
 namespace esm {

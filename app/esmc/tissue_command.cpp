@@ -3,9 +3,9 @@
 #include "app/esmc/model_report.h"
 #include "app/esmc/opened_file.h"
 #include "app/esmc/project_output.h"
-#include "core/exchange/fuzzy_file.h"
-#include "core/exchange/project_file.h"
-#include "core/exchange/tissue_preset_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
+#include "core/exchange/project/project_file.h"
+#include "core/exchange/project/tissue_preset_file.h"
 #include "core/support/numbers.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/esmc/drawing.h"
-#include "core/dynamics/tradeoff.h"
+#include "core/dynamics/measure/tradeoff.h"
 
 namespace esm {
 

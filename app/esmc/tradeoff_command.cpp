@@ -4,10 +4,10 @@
 #include "app/esmc/project_output.h"
 #include "app/esmc/runnable_model.h"
 #include "app/esmc/tradeoff_chart.h"
-#include "core/dynamics/coarser_runs.h"
+#include "core/authoring/coarser_runs.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/model_package.h"
-#include "core/exchange/project_file.h"
+#include "core/exchange/project/project_file.h"
 #include "core/model/gentle_pull.h"
 #include "core/support/atomic_file.h"
 

@@ -1,6 +1,6 @@
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
-#include "core/exchange/project_file.h"
+#include "core/exchange/project/project_file.h"
 
 namespace esm {
 

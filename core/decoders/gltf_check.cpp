@@ -1,9 +1,9 @@
 #include "core/decoders/gltf_address.h"
 #include "core/decoders/mesh_file_checks.h"
-#include "core/exchange/glb.h"
-#include "core/exchange/json_reader.h"
+#include "core/exchange/package/glb.h"
 #include "core/support/errors.h"
 #include "core/support/file_io.h"
+#include "core/support/json_reader.h"
 
 #include <nlohmann/json.hpp>
 

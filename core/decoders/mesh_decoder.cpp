@@ -4,7 +4,7 @@
 #include "core/decoders/mesh_file_checks.h"
 #include "core/decoders/obj_mesh.h"
 #include "core/decoders/vtk_polydata.h"
-#include "core/exchange/mesh_file.h"
+#include "core/exchange/meshes/mesh_file.h"
 #include "core/support/errors.h"
 #include "core/support/joined.h"
 

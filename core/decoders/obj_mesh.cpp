@@ -1,7 +1,7 @@
 #include "core/decoders/obj_mesh.h"
 
-#include "core/exchange/text_lines.h"
 #include "core/support/errors.h"
+#include "core/support/text_lines.h"
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 #include "core/decoders/mesh_file_checks.h"
-#include "core/exchange/text_lines.h"
 #include "core/support/byte_order.h"
 #include "core/support/errors.h"
+#include "core/support/text_lines.h"
 
 #include <algorithm>
 #include <array>

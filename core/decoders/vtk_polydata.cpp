@@ -1,8 +1,8 @@
 #include "core/decoders/vtk_polydata.h"
 
-#include "core/exchange/text_lines.h"
 #include "core/support/byte_order.h"
 #include "core/support/errors.h"
+#include "core/support/text_lines.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/dynamics/contact/touched_surface.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/motion.h"
 #include "core/dynamics/settings.h"
-#include "core/dynamics/touched_surface.h"
 #include "core/model/tissue_model.h"
 
 #include <memory>

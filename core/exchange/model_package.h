@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/model/project.h"
+#include "core/project/project.h"
 #include "core/support/progress.h"
 
 #include <filesystem>

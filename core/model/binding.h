@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/simplify.h"
+#include "core/surface/simplify.h"
 
 #include <string>
 

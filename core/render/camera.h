@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/surface_query.h"
+#include "core/surface/surface_query.h"
 #include "core/texture/projection/projector.h"
 
 #include <Eigen/Core>

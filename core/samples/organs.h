@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/geometry/surface_query.h"
-#include "core/model/project.h"
+#include "core/project/project.h"
+#include "core/surface/surface_query.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "core/samples/samples.h"
 
-#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/geometry/adjacency.h"
 #include "core/samples/organs.h"
 #include "core/support/errors.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/motion_error.h"
+#include "core/dynamics/measure/motion_error.h"
 #include "core/dynamics/simulation.h"
 #include "core/dynamics/spring_system.h"
 

@@ -1,6 +1,6 @@
 #include "tests/benchmarks/bullet.h"
 
-#include "core/dynamics/stability.h"
+#include "core/dynamics/stability/stability.h"
 #include "tests/benchmarks/accuracy.h"
 #include "tests/support/tissue_models.h"
 

@@ -1,7 +1,7 @@
 #include "tests/benchmarks/critical_step.h"
 
-#include "core/dynamics/stability.h"
-#include "core/dynamics/step_solver.h"
+#include "core/dynamics/schemes/step_solver.h"
+#include "core/dynamics/stability/stability.h"
 #include "tests/benchmarks/slider.h"
 
 namespace benchmarks {

@@ -1,6 +1,6 @@
 #include "tests/benchmarks/fuzzylite.h"
 
-#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/fuzzy/inference.h"
 #include "tests/support/fuzzylite_engine.h"
 

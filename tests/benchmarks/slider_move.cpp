@@ -1,8 +1,8 @@
 #include "tests/benchmarks/slider_move.h"
 
+#include "core/dynamics/schemes/step_solver.h"
 #include "core/dynamics/simulation.h"
-#include "core/dynamics/stability.h"
-#include "core/dynamics/step_solver.h"
+#include "core/dynamics/stability/stability.h"
 #include "tests/benchmarks/slider.h"
 
 namespace benchmarks {

@@ -1,7 +1,7 @@
 #include "tests/benchmarks/stiff_tissue.h"
 
-#include "core/dynamics/stability.h"
-#include "core/model/project.h"
+#include "core/dynamics/stability/stability.h"
+#include "core/project/project.h"
 #include "core/samples/samples.h"
 #include "tests/benchmarks/accuracy.h"
 #include "tests/benchmarks/naive_tissue.h"

@@ -1,9 +1,9 @@
 #include "tests/growth/operations.h"
 
+#include "core/dynamics/schemes/step_solver.h"
 #include "core/dynamics/simulation.h"
-#include "core/dynamics/stability.h"
-#include "core/dynamics/step_solver.h"
-#include "core/exchange/project_file.h"
+#include "core/dynamics/stability/stability.h"
+#include "core/exchange/project/project_file.h"
 
 #include <ctime>
 #include <fstream>

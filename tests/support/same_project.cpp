@@ -1,7 +1,7 @@
 #include "tests/support/same_project.h"
 
-#include "core/exchange/fuzzy_file.h"
-#include "core/exchange/project_layout.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
+#include "core/exchange/project/project_layout.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/ellipsoid.h"
-#include "core/geometry/surface_query.h"
+#include "core/surface/surface_query.h"
 #include "core/texture/projection/projector.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/geometry/surface_query.h"
 #include "core/geometry/surface_spot.h"
 #include "core/render/renderer.h"
+#include "core/surface/surface_query.h"
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "app/editor/document/autosave.h"
 
-#include "core/exchange/project_file.h"
+#include "core/exchange/project/project_file.h"
 
 #include <QFile>
 #include <QFileInfo>

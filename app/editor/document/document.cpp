@@ -1,6 +1,6 @@
 #include "app/editor/document/document.h"
 
-#include "app/editor/commands/project_command.h"
+#include "app/editor/document/project_command.h"
 
 namespace esm {
 

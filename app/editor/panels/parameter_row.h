@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/commands/region_edits.h"
+#include "app/editor/edits/region_edits.h"
 #include "widgets/inputs/number_field.h"
 
 #include <QLabel>

@@ -1,6 +1,6 @@
 #include "app/editor/window/application.h"
 
-#include "app/editor/commands/attempt.h"
+#include "app/editor/dialogs/attempt.h"
 
 #include <QThread>
 

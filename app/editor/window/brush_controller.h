@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/preview/painting.h"
+#include "app/editor/tools/painting.h"
 #include "widgets/view/organ_view.h"
 
 namespace esm {

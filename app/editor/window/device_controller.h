@@ -2,8 +2,8 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/tools/motion_device.h"
 #include "app/editor/window/actions.h"
-#include "app/editor/window/motion_device.h"
 #include "widgets/view/organ_view.h"
 
 namespace esm {

@@ -1,12 +1,12 @@
 #include "app/editor/window/edit_controller.h"
 
-#include "app/editor/commands/ask.h"
-#include "app/editor/commands/attempt.h"
-#include "app/editor/commands/long_work.h"
-#include "app/editor/commands/photo_edits.h"
-#include "app/editor/commands/region_edits.h"
+#include "app/editor/dialogs/ask.h"
+#include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/long_work.h"
+#include "app/editor/edits/photo_edits.h"
+#include "app/editor/edits/region_edits.h"
 #include "app/editor/window/actions.h"
-#include "core/model/detail_change.h"
+#include "core/project/detail_change.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/preview/landmarking.h"
+#include "app/editor/tools/landmarking.h"
 #include "app/editor/window/actions.h"
 #include "widgets/view/organ_view.h"
 #include "widgets/view/photo_view.h"

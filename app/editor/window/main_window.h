@@ -2,8 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
-#include "app/editor/preview/preparation_edits.h"
-#include "app/editor/preview/preview.h"
+#include "app/editor/edits/preparation_edits.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/brush_controller.h"
 #include "app/editor/window/device_controller.h"
@@ -14,6 +13,7 @@
 #include "app/editor/window/status_line.h"
 #include "app/editor/window/tool_controller.h"
 #include "app/editor/window/view_controller.h"
+#include "app/editor/workers/preview.h"
 
 #include <QDialog>
 #include <QDockWidget>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/preview/preview.h"
+#include "app/editor/workers/preview.h"
 
 #include <QWidget>
 

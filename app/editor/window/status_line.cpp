@@ -1,7 +1,7 @@
 #include "app/editor/window/status_line.h"
 
-#include "app/editor/panels/stepping_text.h"
-#include "core/dynamics/stability.h"
+#include "app/editor/panels/organ/stepping_text.h"
+#include "core/dynamics/stability/stability.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QElapsedTimer>

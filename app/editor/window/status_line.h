@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/preview/preview_run.h"
+#include "app/editor/workers/preview_run.h"
 
 #include <QLabel>
 #include <QStatusBar>

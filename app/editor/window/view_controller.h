@@ -2,10 +2,10 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
-#include "app/editor/preview/moving_photo.h"
-#include "app/editor/preview/preview.h"
-#include "app/editor/preview/texture_composer.h"
 #include "app/editor/window/theme.h"
+#include "app/editor/workers/moving_photo.h"
+#include "app/editor/workers/preview.h"
+#include "app/editor/workers/texture_composer.h"
 #include "widgets/view/organ_view.h"
 
 #include <QTimer>

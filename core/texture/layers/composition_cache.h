@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/surface_query.h"
+#include "core/surface/surface_query.h"
 #include "core/texture/layers/lit_triangles.h"
 #include "core/texture/layers/texel_owners.h"
 #include "core/texture/layers/texture_layer.h"

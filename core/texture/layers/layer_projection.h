@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/surface_query.h"
+#include "core/surface/surface_query.h"
 #include "core/texture/layers/patch_scan.h"
 #include "core/texture/layers/texture_layer.h"
 #include "core/texture/photo/photo_sampler.h"

@@ -2,8 +2,8 @@
 
 #include "core/decoders/mesh_decoder.h"
 #include "core/support/errors.h"
+#include "tests/core/exchange/meshes/tetrahedron.h"
 #include "tests/core/exchange/overwrite.h"
-#include "tests/core/exchange/tetrahedron.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>

@@ -1,9 +1,9 @@
 #include "core/decoders/mesh_decoder.h"
 
-#include "core/exchange/mesh_file.h"
+#include "core/exchange/meshes/mesh_file.h"
 #include "core/geometry/repair.h"
 #include "core/support/errors.h"
-#include "tests/core/exchange/tetrahedron.h"
+#include "tests/core/exchange/meshes/tetrahedron.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_meshes.h"
 

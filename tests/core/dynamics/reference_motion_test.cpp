@@ -1,6 +1,6 @@
 #include "tests/support/reference_motion.h"
 
-#include "core/dynamics/scene_run.h"
+#include "core/dynamics/measure/scene_run.h"
 #include "tests/support/tissue_models.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "core/dynamics/settings.h"
-#include "core/dynamics/stability.h"
+#include "core/dynamics/stability/stability.h"
 #include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>

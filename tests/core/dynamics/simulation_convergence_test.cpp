@@ -1,4 +1,4 @@
-#include "core/dynamics/scene_run.h"
+#include "core/dynamics/measure/scene_run.h"
 #include "core/dynamics/simulation.h"
 #include "tests/support/analytic_oscillator.h"
 #include "tests/support/every_integrator.h"

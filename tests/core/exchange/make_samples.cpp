@@ -1,5 +1,5 @@
 #include "core/exchange/model_package.h"
-#include "core/exchange/project_file.h"
+#include "core/exchange/project/project_file.h"
 #include "tests/core/exchange/exchange_projects.h"
 
 #include <cstdio>

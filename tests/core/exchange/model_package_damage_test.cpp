@@ -1,6 +1,6 @@
 #include "tests/core/exchange/model_package_fixture.h"
 
-#include "core/exchange/glb.h"
+#include "core/exchange/package/glb.h"
 #include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/overwrite.h"
 

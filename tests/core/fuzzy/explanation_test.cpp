@@ -1,6 +1,6 @@
 #include "core/fuzzy/explanation.h"
 
-#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "tests/core/fuzzy/degree_system.h"
 #include "tests/core/fuzzy/random_systems.h"
 #include "tests/support/rounds.h"

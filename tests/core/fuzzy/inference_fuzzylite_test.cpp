@@ -1,6 +1,6 @@
 #include "core/fuzzy/inference.h"
 
-#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/fuzzy/rule_text.h"
 #include "tests/core/fuzzy/random_systems.h"
 #include "tests/support/fuzzylite_engine.h"

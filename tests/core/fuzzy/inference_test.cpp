@@ -1,6 +1,6 @@
 #include "core/fuzzy/inference.h"
 
-#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/support/errors.h"
 #include "tests/core/fuzzy/degree_system.h"
 #include "tests/support/shared_data.h"

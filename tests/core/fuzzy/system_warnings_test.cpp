@@ -1,6 +1,6 @@
 #include "core/fuzzy/system_warnings.h"
 
-#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/fuzzy/inference.h"
 #include "core/fuzzy/rule_facts.h"
 #include "core/support/joined.h"

@@ -1,6 +1,6 @@
 #include "core/model/tissue_digest.h"
 
-#include "core/model/project.h"
+#include "core/project/project.h"
 #include "tests/support/tissue_models.h"
 
 #include <gtest/gtest.h>

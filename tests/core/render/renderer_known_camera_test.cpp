@@ -1,4 +1,4 @@
-#include "core/exchange/mesh_file.h"
+#include "core/exchange/meshes/mesh_file.h"
 #include "core/geometry/repair.h"
 #include "core/offscreen/offscreen.h"
 #include "core/texture/layers/composite.h"

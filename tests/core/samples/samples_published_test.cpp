@@ -1,4 +1,4 @@
-#include "core/dynamics/scene_run.h"
+#include "core/dynamics/measure/scene_run.h"
 #include "core/samples/samples.h"
 #include "tests/support/motion_difference.h"
 #include "tests/support/sanitized.h"

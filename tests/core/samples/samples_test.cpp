@@ -1,6 +1,6 @@
 #include "core/samples/samples.h"
 
-#include "core/dynamics/scene_run.h"
+#include "core/dynamics/measure/scene_run.h"
 #include "core/support/errors.h"
 
 #include <gmock/gmock.h>

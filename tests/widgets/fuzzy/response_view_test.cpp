@@ -1,7 +1,7 @@
 #include "widgets/fuzzy/response_curve_view.h"
 #include "widgets/fuzzy/response_map_view.h"
 
-#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "widgets/fuzzy/rule_strengths.h"
 
-#include "core/exchange/fuzzy_file.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/fuzzy/inference.h"
 #include "tests/support/eventually.h"
 

@@ -1,6 +1,6 @@
 #include "app/editor/document/autosave.h"
 
-#include "core/exchange/project_file.h"
+#include "core/exchange/project/project_file.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"

@@ -1,9 +1,9 @@
-#include "app/editor/commands/photo_edits.h"
-#include "app/editor/commands/region_edits.h"
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
-#include "core/geometry/surface_query.h"
+#include "app/editor/edits/photo_edits.h"
+#include "app/editor/edits/region_edits.h"
 #include "core/samples/samples.h"
+#include "core/surface/surface_query.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>

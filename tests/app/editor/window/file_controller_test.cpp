@@ -1,5 +1,5 @@
 #include "core/exchange/image_file.h"
-#include "core/exchange/project_file.h"
+#include "core/exchange/project/project_file.h"
 #include "core/samples/samples.h"
 #include "core/support/file_lock.h"
 #include "tests/app/editor_driver.h"

@@ -1,4 +1,4 @@
-#include "app/editor/commands/region_edits.h"
+#include "app/editor/edits/region_edits.h"
 #include "app/editor/window/application.h"
 #include "app/editor/window/help.h"
 #include "app/editor/window/instrument_options.h"

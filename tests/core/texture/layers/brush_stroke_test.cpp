@@ -1,6 +1,6 @@
-#include "core/geometry/surface_query.h"
-#include "core/model/project.h"
+#include "core/project/project.h"
 #include "core/support/errors.h"
+#include "core/surface/surface_query.h"
 #include "tests/core/texture/layers/painted_pages.h"
 #include "tests/support/test_surfaces.h"
 

@@ -1,6 +1,6 @@
 #include "core/texture/layers/composite.h"
 
-#include "core/exchange/mesh_file.h"
+#include "core/exchange/meshes/mesh_file.h"
 #include "core/geometry/repair.h"
 #include "core/support/errors.h"
 #include "tests/core/texture/layers/painted_pages.h"

@@ -1,0 +1,280 @@
+#include "app/editor/dialogs/import_dialog.h"
+
+#include "core/model/motion_model.h"
+#include "core/project/project.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/number_text.h"
+
+#include <QDialogButtonBox>
+#include <QPushButton>
+#include <QRadioButton>
+
+#include <algorithm>
+#include <array>
+
+namespace esm {
+
+namespace {
+
+constexpr std::array<LengthUnit, 3> units{LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre};
+
+QString lengthText(double metres) {
+    if (metres >= 1) return QObject::tr("%1 m").arg(numberText(metres, 3));
+    return QObject::tr("%1 mm").arg(metres >= 0.01 ? decimalText(metres * 1000, 0)
+                                                   : numberText(metres * 1000, 2));
+}
+
+QLabel* quietLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("quiet", true);
+    return label;
+}
+
+void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice) {
+    QLabel* label = quietLabel(caption, choice->parentWidget());
+    label->setBuddy(choice);
+    choice->setAccessibleName(QString(caption).remove('&'));
+    form->addRow(label, choice);
+}
+
+/// What an open surface means for the organ that is made of it; empty for a closed one.
+QString massOfWall(const RepairReport& report) {
+    if (report.isClosed()) return {};
+    const QString wall = QObject::tr("%1 mm").arg(decimalText(wallThickness * 1000, 0));
+    return report.boundaryEdges > 0
+               ? QObject::tr("An open surface weighs as a wall %1 thick, not as a filled organ.").arg(wall)
+               : QObject::tr("The surface has no clear inside: it weighs as a wall %1 thick.").arg(wall);
+}
+
+QStringList reportLines(const RepairReport& report) {
+    QStringList lines;
+    for (const auto& warning : report.warnings)
+        lines << QString::fromStdString(warning);
+    const QString wall = massOfWall(report);
+    if (!wall.isEmpty()) lines << wall;
+    if (lines.isEmpty()) lines << QObject::tr("The surface is sound: nothing had to be repaired.");
+    return lines;
+}
+
+QString trianglesText(std::size_t count) {
+    return count == 1 ? QObject::tr("1 triangle") : QObject::tr("%1 triangles").arg(countText(count));
+}
+
+QString unitsName(LengthUnit unit) {
+    switch (unit) {
+    case LengthUnit::Millimetre:
+        return QObject::tr("millimetres");
+    case LengthUnit::Centimetre:
+        return QObject::tr("centimetres");
+    case LengthUnit::Metre:
+        break;
+    }
+    return QObject::tr("metres");
+}
+
+/// So many move in real time on any machine.
+constexpr std::size_t suggestedNodes = 2000;
+
+/// From the fewest that make a surface to one for every vertex.
+NumberFormat nodesFormat(std::size_t vertices) {
+    NumberFormat format;
+    format.decimals = 0;
+    format.minimum = fewestVertices;
+    format.maximum = static_cast<double>(std::max(vertices, fewestVertices));
+    return format;
+}
+
+/// More parts than these are crumbs, or no organ.
+constexpr std::size_t mostPartsListed = 12;
+
+} // namespace
+
+LengthUnit likelyUnit(double largestExtent, const QString& fileEnding) {
+    if (fileEnding == QLatin1String("glb") || fileEnding == QLatin1String("gltf")) return LengthUnit::Metre;
+    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Metre, LengthUnit::Centimetre}) {
+        const double metres = largestExtent * metresPer(unit);
+        if (metres >= 0.02 && metres <= 1) return unit;
+    }
+    return LengthUnit::Millimetre;
+}
+
+QString doubtfulExtent(double largestExtent, LengthUnit unit) {
+    const double metres = largestExtent * metresPer(unit);
+    if (isPlausibleSize(metres)) return {};
+    QStringList fitting;
+    for (const auto& [other, size] : fittingUnits(largestExtent))
+        fitting << QObject::tr("%1 in %2").arg(lengthText(size), unitsName(other));
+    if (fitting.isEmpty())
+        return QObject::tr("The organ would be %1 large, and no unit makes it an organ's size.")
+            .arg(lengthText(metres));
+    return QObject::tr("The organ would be %1 large. It would be %2.")
+        .arg(lengthText(metres), fitting.join(QStringLiteral(", ")));
+}
+
+ImportDialog::ImportDialog(const QString& fileName, const ImportedSurface& all,
+                           const std::optional<ImportedSurface>& largest, QWidget* parent)
+    : QDialog(parent), m_all(all), m_largest(largest), m_units(new QButtonGroup(this)),
+      m_up(new QComboBox(this)), m_keep(new QComboBox(this)), m_detail(new QComboBox(this)),
+      m_nodes(new NumberField(nodesFormat(all.vertices), this)),
+      m_fewerNodes(static_cast<double>(std::min(suggestedNodes, all.vertices))), m_size(new QLabel(this)),
+      m_doubt(new QLabel(this)), m_report(new QPlainTextEdit(this)) {
+    setWindowTitle(tr("Import organ surface"));
+    setObjectName(QStringLiteral("importDialog"));
+    setMinimumWidth(460);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 18, 20, 18);
+    column->setSpacing(12);
+    auto* title = new QLabel(fileName, this);
+    title->setProperty("strong", true);
+    column->addWidget(title);
+    addUnits(column, likelyUnit(all.extent.maxCoeff(), fileName.section('.', -1).toLower()));
+    addParts();
+    addOrientation(column);
+    addReport(column);
+    addButtons(column);
+    showKept();
+}
+
+void ImportDialog::addParts() {
+    const std::size_t parts = m_all.parts.size();
+    m_keep->setObjectName(QStringLiteral("importKeep"));
+    m_keep->addItem(parts <= 1 ? tr("the one part") : tr("all %1 parts").arg(parts));
+    m_keep->addItem(parts <= 1
+                        ? tr("the largest part")
+                        : tr("the largest part: %1").arg(trianglesText(m_all.parts.front().triangles)));
+    m_keep->setEnabled(parts > 1);
+    if (parts <= 1) m_keep->setToolTip(tr("The surface is one part"));
+    connect(m_keep, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showKept);
+}
+
+void ImportDialog::addButtons(QVBoxLayout* column) {
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    auto* accept = new QPushButton(tr("&Import"), this);
+    accept->setProperty("primary", true);
+    buttons->addButton(accept, QDialogButtonBox::AcceptRole);
+    accept->setDefault(true);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void ImportDialog::addUnits(QVBoxLayout* column, LengthUnit likely) {
+    column->addWidget(quietLabel(tr("One unit in the file is one …"), this));
+    auto* row = new QHBoxLayout;
+    const std::array<QString, 3> names{tr("&millimetre"), tr("&centimetre"), tr("m&etre")};
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        auto* button = new QRadioButton(names[i], this);
+        button->setObjectName(QStringLiteral("unit%1").arg(i));
+        button->setChecked(units[i] == likely);
+        m_units->addButton(button, static_cast<int>(i));
+        row->addWidget(button);
+    }
+    row->addStretch();
+    column->addLayout(row);
+    connect(m_units, &QButtonGroup::idClicked, this, &ImportDialog::showKept);
+}
+
+void ImportDialog::addOrientation(QVBoxLayout* column) {
+    m_up->addItem(tr("y axis"));
+    m_up->addItem(tr("z axis"));
+    connect(m_up, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showKept);
+    m_size->setObjectName(QStringLiteral("importSize"));
+    m_size->setProperty("strong", true);
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(8);
+    form->addRow(quietLabel(tr("Size of the organ"), this), m_size);
+    m_doubt->setObjectName(QStringLiteral("importDoubt"));
+    m_doubt->setProperty("warning", true);
+    m_doubt->setWordWrap(true);
+    // The room for it is kept, so that nothing moves.
+    m_doubt->setFixedHeight(2 * m_doubt->fontMetrics().lineSpacing());
+    m_doubt->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    form->addRow(m_doubt);
+    addChoice(form, tr("&Upwards in the file"), m_up);
+    addChoice(form, tr("&Keep"), m_keep);
+    addDetail(form);
+    column->addLayout(form);
+}
+
+void ImportDialog::addDetail(QFormLayout* form) {
+    m_detail->setObjectName(QStringLiteral("importDetail"));
+    m_detail->addItems({tr("every vertex"), tr("fewer nodes under the full surface"), tr("one stiff piece")});
+    addChoice(form, tr("&Simulate"), m_detail);
+    m_nodes->setAccessibleName(tr("Nodes"));
+    QLabel* caption = quietLabel(tr("&Nodes"), this);
+    caption->setBuddy(m_nodes);
+    form->addRow(caption, m_nodes);
+    connect(m_detail, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showDetail);
+    connect(m_nodes, &NumberField::valueEdited, this, [this](double nodes) { m_fewerNodes = nodes; });
+}
+
+void ImportDialog::showDetail() {
+    const Detail::Kind kind = detailKind();
+    enable(m_nodes, kind == Detail::Kind::Nodes, tr("More nodes follow a deformation closer and take longer"),
+           tr("Choose fewer nodes to say how many"));
+    const double all = static_cast<double>(kept().vertices);
+    m_nodes->setValue(kind == Detail::Kind::Nodes   ? std::min(m_fewerNodes, all)
+                      : kind == Detail::Kind::Rigid ? double(motionModelNodes)
+                                                    : all);
+}
+
+void ImportDialog::addReport(QVBoxLayout* column) {
+    QLabel* caption = quietLabel(tr("&Repaired and found"), this);
+    caption->setBuddy(m_report);
+    column->addWidget(caption);
+    m_report->setObjectName(QStringLiteral("importReport"));
+    m_report->setReadOnly(true);
+    m_report->setTabChangesFocus(true);
+    m_report->setFixedHeight(170);
+    column->addWidget(m_report);
+}
+
+const ImportedSurface& ImportDialog::kept() const {
+    return m_largest && keptParts() == KeepParts::Largest ? *m_largest : m_all;
+}
+
+QString ImportDialog::sizeText(const Eigen::Vector3d& extent) const {
+    const Eigen::Vector3d size = extent * metresPer(choice().unit);
+    const bool zUp = choice().up == UpAxis::Z;
+    QStringList lengths;
+    for (const double metres : {size.x(), zUp ? size.z() : size.y(), zUp ? size.y() : size.z()})
+        lengths << lengthText(metres);
+    const QString text = lengths.join(QStringLiteral(" × "));
+    // One unit at the end is easier to read when all three share it.
+    return text.count(QStringLiteral(" mm")) == 3
+               ? QString(text).remove(QStringLiteral(" mm")) + QStringLiteral(" mm")
+               : text;
+}
+
+QStringList ImportDialog::partLines() const {
+    const auto& parts = m_all.parts;
+    if (parts.size() <= 1) return {};
+    QStringList lines{tr("Parts in the file:")};
+    const std::size_t listed = std::min(parts.size(), mostPartsListed);
+    for (std::size_t i = 0; i < listed; ++i)
+        lines
+            << tr("%1: %2, %3").arg(i + 1).arg(trianglesText(parts[i].triangles), sizeText(parts[i].extent));
+    if (listed < parts.size()) lines << tr("… and %1 smaller ones").arg(parts.size() - listed);
+    return lines;
+}
+
+void ImportDialog::showKept() {
+    m_report->setPlainText((reportLines(kept().report) + partLines()).join('\n'));
+    m_size->setText(sizeText(kept().extent));
+    m_doubt->setText(doubtfulExtent(kept().extent.maxCoeff(), choice().unit));
+    showDetail();
+}
+
+ImportChoice ImportDialog::choice() const {
+    ImportChoice choice;
+    choice.unit = units[static_cast<std::size_t>(qMax(0, m_units->checkedId()))];
+    choice.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
+    choice.keep = keptParts();
+    choice.detail = {detailKind(), static_cast<std::size_t>(m_nodes->value().value_or(0))};
+    if (choice.detail.nodes >= kept().vertices && choice.detail.kind == Detail::Kind::Nodes)
+        choice.detail.kind = Detail::Kind::EveryVertex;
+    return choice;
+}
+
+} // namespace esm

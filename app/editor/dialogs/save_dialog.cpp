@@ -1,0 +1,48 @@
+#include "app/editor/dialogs/save_dialog.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+bool mayReplace(QWidget* window, const QString& file) {
+    QMessageBox box(QMessageBox::Question, QObject::tr("Replace file"),
+                    QObject::tr("Replace %1?").arg(QFileInfo(file).fileName()), QMessageBox::Cancel, window);
+    box.setObjectName(QStringLiteral("replaceBox"));
+    box.setInformativeText(QObject::tr("It exists already. What it holds now would be lost."));
+    QPushButton* replace = box.addButton(QObject::tr("&Replace"), QMessageBox::AcceptRole);
+    box.exec();
+    return box.clickedButton() == replace;
+}
+
+QString withEnding(const QString& file, const QStringList& endings, int chosen) {
+    for (const QString& ending : endings)
+        if (file.endsWith(ending, Qt::CaseInsensitive)) return file;
+    return file + endings.value(std::max(chosen, 0));
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFile& wanted) {
+    QFileDialog dialog(window, wanted.title, QFileInfo(wanted.suggestedPath).path(), wanted.filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
+    // The dialog would ask about the name as it was typed, without its ending.
+    dialog.setOption(QFileDialog::DontConfirmOverwrite);
+    dialog.selectFile(QFileInfo(wanted.suggestedPath).fileName());
+    while (dialog.exec() == QDialog::Accepted) {
+        const QString file = withEnding(dialog.selectedFiles().value(0), wanted.endings,
+                                        dialog.nameFilters().indexOf(dialog.selectedNameFilter()));
+        if (!QFileInfo::exists(file) || mayReplace(window, file))
+            return std::filesystem::path(file.toStdString());
+    }
+    return std::nullopt;
+}
+
+} // namespace esm

@@ -1,0 +1,167 @@
+#include "app/editor/edits/photo_edits.h"
+
+#include "app/editor/edits/move_item.h"
+
+#include "core/support/angles.h"
+#include "core/support/errors.h"
+#include "core/surface/surface_query.h"
+#include "core/texture/texture_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace esm {
+
+namespace {
+
+/// Nearest point of the organ's box along the view direction, as a distance from the eye.
+double nearestDepth(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& eye,
+                    const Eigen::Vector3d& direction) {
+    double nearest = std::numeric_limits<double>::max();
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
+        nearest = std::min(nearest, (box.corner(type) - eye).dot(direction));
+    }
+    return nearest;
+}
+
+PhotoSize sizeOf(const Image& photo) {
+    return photo.empty() ? PhotoSize{1, 1} : PhotoSize{photo.width, photo.height};
+}
+
+/// How far before the projector its middle meets the organ, or else the organ's middle lies.
+double depthOfOrgan(const Projector& projector, const TriangleMesh& mesh) {
+    const Eigen::Vector3d origin = projector.pose.translation(), towards = -projector.pose.linear().col(2);
+    const auto hit = SurfaceQuery(mesh.vertices, mesh.triangles).firstHit({origin, towards});
+    if (hit && hit->distance > 0) return hit->distance;
+    const Eigen::AlignedBox3d box = boundingBox(mesh.vertices);
+    const double middle = (box.center() - origin).dot(towards);
+    return middle > 0 ? middle : 0.5 * box.diagonal().norm();
+}
+
+/// Lengths that files can hold.
+double photoLength(double metres) {
+    return std::clamp(metres, texture_limits::shortestPhoto, texture_limits::longestPhoto);
+}
+
+} // namespace
+
+Projector aimedByCamera(const Projector& before, const Camera& camera, const Image& photo,
+                        const TriangleMesh& mesh) {
+    Projector projector = before;
+    if (before.kind == ProjectorKind::Parallel) {
+        projector.pose = projectorFromCamera(camera, photo, mesh).pose;
+        return projector;
+    }
+    projector.pose.linear() = cameraAxes(camera);
+    projector.pose.translation() = camera.eye;
+    projector.intrinsics.reset();
+    projector.fieldOfView = toDegrees(camera.verticalFieldOfView);
+    return projector;
+}
+
+Projector ofKind(ProjectorKind kind, const Projector& before, const Image& photo, const TriangleMesh& mesh) {
+    if (kind == before.kind) return before;
+    const double depth = depthOfOrgan(before, mesh);
+    Projector projector = before;
+    projector.kind = kind;
+    if (kind == ProjectorKind::Perspective) {
+        projector.fieldOfView = Projector().fieldOfView;
+        projector.intrinsics.reset();
+        const double distance = before.height / (2 * std::tan(toRadians(projector.fieldOfView) / 2));
+        projector.pose.translation() += (distance - depth) * before.pose.linear().col(2);
+        return projector;
+    }
+    const auto corners = photoCorners(before, sizeOf(photo), depth);
+    projector.width = photoLength((corners[1] - corners[0]).norm());
+    projector.height = photoLength((corners[3] - corners[0]).norm());
+    const Eigen::Vector3d towards = -before.pose.linear().col(2);
+    const Eigen::AlignedBox3d box = boundingBox(mesh.vertices);
+    const double inFront = nearestDepth(box, before.pose.translation(), towards);
+    const double setBack = std::max(0.0, std::min(inFront - 0.04 * box.diagonal().norm(), depth));
+    projector.pose.translation() = (corners[0] + corners[2]) / 2 + (setBack - depth) * towards;
+    projector.intrinsics.reset();
+    return projector;
+}
+
+Projector projectorFromCamera(const Camera& camera, const Image& photo, const TriangleMesh& mesh) {
+    const auto box = boundingBox(mesh.vertices);
+    const Eigen::Vector3d towards = (camera.target - camera.eye).normalized();
+    const Eigen::Vector3d right = towards.cross(camera.up).normalized();
+    Eigen::Matrix3d axes;
+    axes << right, right.cross(towards), -towards;
+
+    const double extent = 0.4 * box.diagonal().norm();
+    const double depth = nearestDepth(box, camera.eye, towards) - 0.1 * extent;
+    const double proportion = photo.empty() ? 1 : double(photo.width) / photo.height;
+    Projector projector;
+    projector.pose.linear() = axes;
+    projector.pose.translation() = camera.eye + depth * towards;
+    projector.width = proportion >= 1 ? extent : extent * proportion;
+    projector.height = projector.width / proportion;
+    return projector;
+}
+
+Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options) {
+    constexpr int largestSize = 8192;
+    for (;; options.size *= 2) {
+        try {
+            return packAtlas(mesh, options);
+        } catch (const InvalidModel&) {
+            if (options.size * 2 > largestSize) throw;
+        }
+    }
+}
+
+namespace {
+
+void takeAtlas(Project& project, std::shared_ptr<const Atlas> atlas) {
+    if (project.atlas) return;
+    project.texture.atlas = atlas->options;
+    project.atlas = std::move(atlas);
+}
+
+/// "Paint 3", the first that no layer is called.
+std::string freePaintName(const Project& project) {
+    for (int number = 1;; ++number) {
+        std::string name = QObject::tr("Paint %1").arg(number).toStdString();
+        if (std::none_of(project.layers.begin(), project.layers.end(),
+                         [&](const TextureLayer& layer) { return layer.name == name; }))
+            return name;
+    }
+}
+
+} // namespace
+
+void addPaintLayer(Project& project, std::shared_ptr<const Atlas> atlas) {
+    takeAtlas(project, std::move(atlas));
+    TextureLayer layer;
+    layer.name = freePaintName(project);
+    project.layers.push_back(std::move(layer));
+}
+
+void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projector& projector,
+              std::shared_ptr<const Atlas> atlas) {
+    takeAtlas(project, std::move(atlas));
+    TextureLayer layer;
+    layer.name = std::filesystem::path(photo->fileName).stem().string();
+    layer.photo = std::move(photo);
+    layer.projector = projector;
+    layer.projector.falloff = true;
+    project.layers.push_back(std::move(layer));
+}
+
+void removePhoto(Project& project, std::size_t photo) {
+    project.layers.erase(project.layers.begin() + static_cast<std::ptrdiff_t>(photo));
+}
+
+bool canMovePhoto(const Project& project, std::size_t photo, int above) {
+    return canMoveItem(project.layers.size(), photo, above);
+}
+
+void movePhoto(Project& project, std::size_t photo, int above) {
+    if (canMovePhoto(project, photo, above)) moveItem(project.layers, photo, above);
+}
+
+} // namespace esm

@@ -1,0 +1,172 @@
+#include "app/editor/panels/fuzzy/fuzzy_workbench.h"
+
+#include "app/editor/dialogs/shipped_systems.h"
+#include "app/editor/edits/edit_system.h"
+#include "app/editor/panels/fuzzy/domains_panel.h"
+#include "app/editor/panels/fuzzy/rules_panel.h"
+#include "app/editor/panels/fuzzy/why_panel.h"
+#include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/icon.h"
+
+#include <QApplication>
+#include <QPushButton>
+#include <QSettings>
+
+namespace esm {
+
+namespace {
+
+QLabel* whatToDo() {
+    auto* text = new QLabel(
+        QObject::tr("No fuzzy system yet. Choose one under Tissue above, or begin a new one there: "
+                    "its rules, the terms of its variables, and why it says what it says, are then "
+                    "shown and edited here."));
+    text->setObjectName(QStringLiteral("noSystem"));
+    text->setWordWrap(true);
+    text->setProperty("quiet", true);
+    text->setAlignment(Qt::AlignTop);
+    return text;
+}
+
+/// The page in front says how much room it needs, not the tallest, nor one that was arranged for another
+/// width.
+void bringToFront(QStackedWidget& pages, int index) {
+    for (int i = 0; i < pages.count(); ++i) {
+        const auto policy = i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        pages.widget(i)->setSizePolicy(policy, policy);
+    }
+    pages.setCurrentIndex(index);
+}
+
+constexpr QSize smallestWindow(720, 560), usualWindow(900, 620);
+const QString geometryKey = QStringLiteral("fuzzyWindow");
+
+} // namespace
+
+FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, QWidget* parent)
+    : Section({}, parent), m_document(document), m_selection(selection), m_content(new QWidget(this)),
+      m_pages(new QStackedWidget(m_content)), m_tabs(new QTabBar), m_panels(new QStackedWidget),
+      m_elsewhere(new QWidget(this)) {
+    m_tabs->setObjectName(QStringLiteral("workbenchTabs"));
+    m_tabs->setAccessibleName(tr("Views of the fuzzy system"));
+    m_tabs->setDrawBase(false);
+    m_tabs->setExpanding(false);
+    guardFromWheel(*m_tabs, Turning::Never);
+    m_tabs->setFocusPolicy(Qt::TabFocus);
+    connect(m_tabs, &QTabBar::currentChanged, this, &FuzzyWorkbench::showTab);
+    auto* tabbed = new QWidget;
+    auto* column = new QVBoxLayout(tabbed);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(m_tabs, 0, Qt::AlignLeft);
+    column->addWidget(m_panels, 1);
+    m_pages->addWidget(whatToDo());
+    m_pages->addWidget(tabbed);
+    auto* whole = new QVBoxLayout(m_content);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(m_pages);
+    body()->addWidget(m_content);
+    body()->addWidget(m_elsewhere);
+    m_elsewhere->hide();
+
+    addTab(tr("Rules"), new RulesPanel(document, selection));
+    addTab(tr("Domains"), new DomainsPanel(document, selection));
+    addTab(tr("Why"), new WhyPanel(document, selection));
+
+    connect(&selection, &Selection::changed, this, &FuzzyWorkbench::showSystem);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.regions || change.mesh) showSystem();
+    });
+    showSystem();
+}
+
+void FuzzyWorkbench::addTab(const QString& name, QWidget* panel) {
+    m_panels->addWidget(panel);
+    m_tabs->addTab(name);
+    showTab(m_tabs->currentIndex());
+}
+
+void FuzzyWorkbench::showTab(int index) {
+    bringToFront(*m_panels, index);
+}
+
+void FuzzyWorkbench::setWindowAction(QAction* action) {
+    m_windowAction = action;
+    QToolButton* enlarge = addHeaderIcon(icon(QStringLiteral("enlarge")), action->toolTip());
+    enlarge->setObjectName(QStringLiteral("headerButton"));
+    auto* back = new QPushButton(tr("Bring it back here"), m_elsewhere);
+    auto* row = new QHBoxLayout(m_elsewhere);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* where = new QLabel(tr("In a window of its own"), m_elsewhere);
+    where->setProperty("quiet", true);
+    row->addWidget(where, 1);
+    row->addWidget(back);
+    follow(enlarge, action);
+    connect(back, &QPushButton::clicked, action, &QAction::trigger);
+    connect(action, &QAction::toggled, this, [this, enlarge](bool inWindow) {
+        enlarge->setVisible(!inWindow);
+        if (inWindow)
+            moveToWindow();
+        else
+            moveToColumn();
+    });
+}
+
+void FuzzyWorkbench::showSystem() {
+    bringToFront(*m_pages, selectedSystem(m_document, m_selection) ? 1 : 0);
+    showName();
+}
+
+void FuzzyWorkbench::showName() {
+    const auto system = selectedSystem(m_document, m_selection);
+    const auto region = m_selection.region();
+    // Whether it is the shipped one takes a moment to tell, and sliders move often.
+    if (!m_named || system != m_named)
+        m_name = system ? tr("Fuzzy system · %1").arg(shownName(*system)) : tr("Fuzzy system");
+    m_named = system;
+    setTitle(m_name);
+    if (!m_window) return;
+    const QString where =
+        region ? QString::fromStdString(m_document.project().regions[*region].name) : tr("Whole organ");
+    m_window->setWindowTitle(QStringLiteral("%1 – %2").arg(m_name, where));
+}
+
+void FuzzyWorkbench::moveToWindow() {
+    if (!m_window) {
+        // As a tool of the main window it leaves that one's keys in force, and stays above it.
+        m_window = new QWidget(window(), Qt::Tool);
+        m_window->setObjectName(QStringLiteral("workbenchWindow"));
+        m_window->setAttribute(Qt::WA_StyledBackground);
+        m_window->setMinimumSize(smallestWindow);
+        m_window->resize(usualWindow);
+        m_window->restoreGeometry(QSettings().value(geometryKey).toByteArray());
+        m_window->installEventFilter(this);
+        keepControlKeys(*m_window);
+        (new QVBoxLayout(m_window))->setContentsMargins(14, 12, 14, 14);
+    }
+    showName();
+    m_elsewhere->show();
+    m_window->layout()->addWidget(m_content);
+    m_content->show();
+    m_window->show();
+    m_window->activateWindow();
+}
+
+void FuzzyWorkbench::moveToColumn() {
+    if (!m_window || m_content->parentWidget() != m_window) return;
+    QSettings().setValue(geometryKey, m_window->saveGeometry());
+    // What is being typed counts, as where any field is left.
+    if (QWidget* focus = m_window->focusWidget()) focus->clearFocus();
+    m_elsewhere->hide();
+    body()->insertWidget(0, m_content);
+    m_content->show();
+    m_window->hide();
+}
+
+bool FuzzyWorkbench::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_window && event->type() == QEvent::Close) m_windowAction->setChecked(false);
+    return Section::eventFilter(watched, event);
+}
+
+} // namespace esm

@@ -1,0 +1,145 @@
+#include "app/editor/panels/texture/atlas_panel.h"
+
+#include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/long_work.h"
+#include "core/texture/texture_limits.h"
+#include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/enabling.h"
+
+namespace esm {
+
+namespace {
+
+/// The length on the organ of a pixel of the texture, m, shown in mm.
+NumberFormat texelFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("mm");
+    format.shownPerValue = 1000;
+    format.minimum = 1 / texture_limits::mostTexelsPerMetre;
+    format.maximum = 1;
+    return format;
+}
+
+bool same(const AtlasOptions& a, const AtlasOptions& b) {
+    return a.size == b.size && a.pages == b.pages && a.gap == b.gap && a.layout == b.layout &&
+           a.texelsPerMetre == b.texelsPerMetre;
+}
+
+} // namespace
+
+AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
+    : Section(tr("Atlas"), parent), m_document(document), m_size(new QComboBox(this)),
+      m_layout(new QComboBox(this)), m_texel(new NumberField(texelFormat(), this)),
+      m_fills(new QCheckBox(tr("As fine as the pages allow"), this)) {
+    for (const int size : {512, 1024, 2048, 4096, 8192})
+        m_size->addItem(tr("%1 × %1").arg(size), size);
+    m_layout->addItem(tr("rows"), static_cast<int>(AtlasLayout::Rows));
+    m_layout->addItem(tr("matched rows"), static_cast<int>(AtlasLayout::MatchedRows));
+    m_layout->addItem(tr("unfolded groups"), static_cast<int>(AtlasLayout::UnfoldedGroups));
+    for (QComboBox* choice : {m_size, m_layout})
+        guardFromWheel(*choice);
+    m_size->setObjectName(QStringLiteral("atlasSize"));
+    m_layout->setObjectName(QStringLiteral("atlasLayout"));
+    m_texel->setObjectName(QStringLiteral("atlasTexel"));
+    m_fills->setObjectName(QStringLiteral("atlasFills"));
+    auto* rows = new ValueRows(this);
+    rows->addField(tr("Si&ze"), m_size);
+    rows->addField(tr("La&yout"), m_layout);
+    rows->addField(tr("Te&xel"), m_texel);
+    auto* results = new ValueRows(this);
+    m_pages = results->addText(tr("Pages"), QStringLiteral("atlasPages"));
+    m_used = results->addText(tr("Used"), QStringLiteral("atlasUsed"));
+    m_seams = results->addText(tr("Seams"), QStringLiteral("atlasSeams"));
+    m_pages->setToolTip(tr("Pictures that the texture takes, each of the size above"));
+    m_used->setToolTip(tr("Part of the texture that triangles cover"));
+    m_seams->setToolTip(tr("Part of the edges whose triangles lie apart in the texture"));
+    for (QWidget* part : std::initializer_list<QWidget*>{rows, m_fills, results})
+        body()->addWidget(part);
+    connectControls();
+    show();
+}
+
+void AtlasPanel::connectControls() {
+    connect(m_size, qOverload<int>(&QComboBox::activated), this, [this] {
+        AtlasOptions options = m_document.project().texture.atlas;
+        options.size = m_size->currentData().toInt();
+        pack(options);
+    });
+    connect(m_layout, qOverload<int>(&QComboBox::activated), this, [this] {
+        AtlasOptions options = m_document.project().texture.atlas;
+        options.layout = static_cast<AtlasLayout>(m_layout->currentData().toInt());
+        pack(options);
+    });
+    connect(m_texel, &NumberField::valueEdited, this, [this](double metres) {
+        AtlasOptions options = m_document.project().texture.atlas;
+        options.texelsPerMetre = 1 / metres;
+        pack(options);
+    });
+    connect(m_fills, &QCheckBox::clicked, this, &AtlasPanel::fill);
+    connect(&m_document, &Document::changed, this, [this](const Change& change) {
+        if (change.texture || change.mesh) show();
+    });
+}
+
+/// From a texel that is asked for back to one page, which is filled; or the texel that there is from now on.
+void AtlasPanel::fill(bool on) {
+    const Project& project = m_document.project();
+    AtlasOptions options = project.texture.atlas;
+    if (on) options.pages = 1;
+    options.texelsPerMetre = on || !project.atlas ? 0 : project.atlas->texelsPerMetre;
+    pack(options);
+}
+
+void AtlasPanel::show() {
+    const Project& project = m_document.project();
+    const AtlasOptions& asked = project.texture.atlas;
+    const int size = asked.size;
+    if (m_size->findData(size) < 0) m_size->addItem(tr("%1 × %1").arg(size), size);
+    m_size->setCurrentIndex(m_size->findData(size));
+    m_layout->setCurrentIndex(m_layout->findData(static_cast<int>(asked.layout)));
+    const QString unknown(QChar(0x2013));
+    const Atlas* atlas = project.atlas.get();
+    m_texel->setValue(atlas ? std::optional(1 / atlas->texelsPerMetre) : std::nullopt);
+    m_fills->setChecked(!(asked.texelsPerMetre > 0));
+    m_pages->setText(atlas ? QString::number(atlas->options.pages) : unknown);
+    m_used->setText(atlas ? tr("%1 %").arg(qRound(atlas->utilisation * 100)) : tr("not packed"));
+    m_seams->setText(atlas ? tr("%1 % of edges").arg(qRound(100 * seamShare(*project.mesh, *atlas)))
+                           : unknown);
+    showUse();
+}
+
+void AtlasPanel::showUse() {
+    const QString noSurface = tr("This model has no surface to lay a texture on");
+    const bool hasSurface = !m_document.project().mesh->triangles.empty();
+    enable(m_size, hasSurface, tr("Size of a page of the texture in pixels"), noSurface);
+    enable(m_layout, hasSurface,
+           tr("How the triangles lie side by side: matched rows use most of the texture, unfolded "
+              "groups have the fewest seams"),
+           noSurface);
+    enable(
+        m_texel, hasSurface,
+        tr("Length on the organ of one pixel of the texture; type the one that you need, and as many pages "
+           "are made as it takes"),
+        noSurface);
+    const bool isPacked = m_document.project().atlas != nullptr;
+    enable(m_fills, hasSurface && isPacked,
+           tr("Fill one page, whatever the texel comes to; otherwise the texel stays and the pages follow"),
+           hasSurface ? tr("The texture is not packed yet") : noSurface);
+}
+
+void AtlasPanel::pack(const AtlasOptions& options) {
+    const Project& project = m_document.project();
+    if (same(options, project.texture.atlas) && project.atlas) return;
+    const auto mesh = project.mesh;
+    attempt(window(), tr("The texture cannot be packed"), [&] {
+        auto atlas = std::make_shared<const Atlas>(computeLong(
+            window(), tr("Packing the texture"), [&](const Progress&) { return packAtlas(*mesh, options); }));
+        m_document.edit(tr("Pack the texture"), [&](Project& edited) {
+            edited.texture.atlas = atlas->options;
+            edited.atlas = atlas;
+        });
+    });
+    show();
+}
+
+} // namespace esm

@@ -1,0 +1,154 @@
+#include "app/editor/panels/texture/brush_panel.h"
+
+#include "app/editor/dialogs/ask.h"
+#include "core/texture/texture_limits.h"
+#include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/quantity_formats.h"
+
+#include <QColorDialog>
+#include <QShortcut>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+QString kindName(BrushKind kind) {
+    switch (kind) {
+    case BrushKind::Erase:
+        return BrushPanel::tr("erase");
+    case BrushKind::Restore:
+        return BrushPanel::tr("restore");
+    case BrushKind::Colour:
+        return BrushPanel::tr("colour");
+    case BrushKind::Clone:
+        return BrushPanel::tr("clone");
+    }
+    return {};
+}
+
+QColor shownColour(const std::array<std::uint8_t, 3>& colour) {
+    return {colour[0], colour[1], colour[2]};
+}
+
+} // namespace
+
+BrushPanel::BrushPanel(Painting& painting, QWidget* parent)
+    : Section(tr("Brush"), parent), m_painting(painting), m_kind(new QComboBox(this)),
+      m_radius(new NumberField(lengthFormat(texture_limits::shortestPhoto), this)),
+      m_softness(new NumberField(shareFormat(), this)), m_strength(new NumberField(shareFormat(), this)),
+      m_colour(new QPushButton(this)), m_remark(new QLabel(this)) {
+    layOut();
+    connectFields();
+    connect(&painting, &Painting::changed, this, &BrushPanel::show);
+    show();
+}
+
+void BrushPanel::layOut() {
+    auto* rows = new ValueRows(this);
+    rows->addField(tr("Does"), m_kind);
+    rows->addField(tr("Radius"), m_radius);
+    rows->addField(tr("Softness"), m_softness);
+    rows->addField(tr("Strength"), m_strength);
+    rows->addField(tr("Colour"), m_colour);
+    m_kind->setObjectName(QStringLiteral("brushKind"));
+    m_radius->setObjectName(QStringLiteral("brushRadius"));
+    m_colour->setObjectName(QStringLiteral("brushColour"));
+    m_remark->setObjectName(QStringLiteral("brushRemark"));
+    m_remark->setProperty("quiet", true);
+    m_remark->setWordWrap(true);
+    m_remark->setAlignment(Qt::AlignTop);
+    m_remark->setMinimumHeight(2 * m_remark->fontMetrics().lineSpacing());
+    guardFromWheel(*m_kind);
+    body()->addWidget(rows);
+    body()->addWidget(m_remark);
+}
+
+void BrushPanel::connectFields() {
+    connect(m_kind, qOverload<int>(&QComboBox::activated), this, [this] {
+        const auto kind = static_cast<BrushKind>(m_kind->currentData().toInt());
+        change([kind](Painting::Brush& brush) { brush.kind = kind; });
+    });
+    connect(m_radius, &NumberField::valueEdited, this,
+            [this](double metres) { change([metres](Painting::Brush& brush) { brush.radius = metres; }); });
+    connect(m_softness, &NumberField::valueEdited, this,
+            [this](double share) { change([share](Painting::Brush& brush) { brush.softness = share; }); });
+    connect(m_strength, &NumberField::valueEdited, this,
+            [this](double share) { change([share](Painting::Brush& brush) { brush.strength = share; }); });
+    connect(m_colour, &QPushButton::clicked, this, &BrushPanel::chooseColour);
+    for (const auto& [key, factor] : {std::pair(Qt::Key_BracketLeft, 0.8), {Qt::Key_BracketRight, 1.25}})
+        connect(new QShortcut(key, this), &QShortcut::activated, this,
+                [this, factor = factor] { resizeBrush(factor); });
+}
+
+void BrushPanel::change(const std::function<void(Painting::Brush&)>& change) {
+    Painting::Brush brush = m_painting.brush();
+    change(brush);
+    m_painting.setBrush(brush);
+}
+
+void BrushPanel::resizeBrush(double factor) {
+    change([factor](Painting::Brush& brush) {
+        brush.radius = std::clamp(factor * brush.radius, smallestLength, texture_limits::longestPhoto);
+    });
+}
+
+void BrushPanel::chooseColour() {
+    const QColor chosen = ask(*window(), [&] {
+        return QColorDialog::getColor(shownColour(m_painting.brush().colour), window(),
+                                      tr("Colour of the brush"));
+    });
+    if (!chosen.isValid()) return;
+    change([&](Painting::Brush& brush) {
+        brush.colour = {static_cast<std::uint8_t>(chosen.red()), static_cast<std::uint8_t>(chosen.green()),
+                        static_cast<std::uint8_t>(chosen.blue())};
+    });
+}
+
+void BrushPanel::show() {
+    const QString none = tr("No layer is selected");
+    const bool hasLayer = m_painting.layer() != nullptr;
+    const Painting::Brush brush = m_painting.brush();
+    showKinds();
+    enable(m_radius, hasLayer, tr("Of the brush on the organ; [ and ] make it smaller and larger"), none);
+    enable(m_softness, hasLayer, tr("Share of the radius over which the brush fades"), none);
+    enable(m_strength, hasLayer, tr("How much the middle of the brush covers"), none);
+    m_radius->setValue(brush.radius);
+    m_softness->setValue(brush.softness);
+    m_strength->setValue(brush.strength);
+    enable(m_colour, hasLayer && brush.kind == BrushKind::Colour, tr("The colour that is laid on the organ"),
+           hasLayer ? tr("Only the colour brush has one") : none);
+    showColour(brush.colour);
+    m_remark->setText(remark());
+}
+
+void BrushPanel::showKinds() {
+    const std::vector<BrushKind> kinds = m_painting.kinds();
+    m_kind->clear();
+    for (const BrushKind kind : kinds)
+        m_kind->addItem(kindName(kind), static_cast<int>(kind));
+    m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(m_painting.brush().kind)));
+    enable(m_kind, !kinds.empty(), tr("What the brush does to the selected layer"),
+           tr("No layer is selected"));
+}
+
+void BrushPanel::showColour(const std::array<std::uint8_t, 3>& colour) {
+    QPixmap swatch(28, 14);
+    swatch.fill(m_colour->isEnabled() ? shownColour(colour) : Qt::transparent);
+    m_colour->setIcon(swatch);
+    m_colour->setIconSize(swatch.size());
+    m_colour->setText(m_colour->isEnabled() ? shownColour(colour).name() : QString(QChar(0x2013)));
+}
+
+QString BrushPanel::remark() const {
+    if (!m_painting.layer()) return {};
+    if (m_painting.layer()->photo)
+        return tr("A photo is erased and restored. Colours are laid on a paint layer: Ctrl+L adds one.");
+    if (m_painting.brush().kind != BrushKind::Clone) return {};
+    return m_painting.source() ? tr("Each stroke begins at the cross. Ctrl and a click move it.")
+                               : tr("Ctrl and a click on the organ say where it takes its colours.");
+}
+
+} // namespace esm

@@ -1,0 +1,116 @@
+#include "app/editor/panels/texture/photo_panel.h"
+
+#include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/quantity_formats.h"
+
+#include <QVariant>
+
+#include <QSignalBlocker>
+
+namespace esm {
+
+PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent)
+    : Section(tr("Layer"), parent), m_document(document), m_selection(selection),
+      m_visible(new QCheckBox(tr("V&isible"), this)),
+      m_occlusion(new QCheckBox(tr("Only what the pro&jector sees"), this)), m_opacity(new ValueSlider(this)),
+      m_opacityField(new NumberField(shareFormat(), this)), m_blending(new QComboBox(this)),
+      m_blend(new NumberField(pixelFormat(), this)) {
+    layOut();
+    connectControls();
+    connect(&selection, &Selection::changed, this, &PhotoPanel::show);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.layers) show();
+    });
+    show();
+}
+
+void PhotoPanel::layOut() {
+    m_opacity->setRange(0, 100);
+    m_opacity->setObjectName(QStringLiteral("opacitySlider"));
+    m_opacity->setAccessibleName(tr("Opacity"));
+    auto* rows = new ValueRows(this);
+    rows->addField(tr("&Opacity"), m_opacityField);
+    body()->addWidget(rows);
+    body()->addWidget(m_opacity);
+    // In the order of `blendings`.
+    m_blending->addItems({tr("normal"), tr("multiply"), tr("multi-band")});
+    guardFromWheel(*m_blending);
+    m_blending->setObjectName(QStringLiteral("blending"));
+    auto* blendRow = new ValueRows(this);
+    blendRow->addField(tr("Blendi&ng"), m_blending);
+    blendRow->addField(tr("&Blend at border"), m_blend);
+    body()->addWidget(blendRow);
+    body()->addWidget(m_visible);
+    body()->addWidget(m_occlusion);
+}
+
+void PhotoPanel::connectControls() {
+    connect(m_opacity, &QSlider::valueChanged, this, [this](int percent) { setOpacity(percent / 100.0); });
+    connect(m_opacity, &ValueSlider::gestureFinished, &m_document, &Document::finishGesture);
+    connect(m_opacityField, &NumberField::valueEdited, this, [this](double opacity) { setOpacity(opacity); });
+    for (NumberField* field : {m_opacityField, m_blend})
+        connect(field, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
+    connect(m_blend, &NumberField::valueEdited, this, [this](double pixels) {
+        edit(
+            tr("Set blend at border"), [=](TextureLayer& layer) { layer.blendPixels = pixels; },
+            QStringLiteral("blending"));
+    });
+    connect(m_blending, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+        const Blending chosen = blendings.at(static_cast<std::size_t>(index));
+        edit(tr("Set blending"), [=](TextureLayer& layer) { layer.blending = chosen; });
+    });
+    connect(m_visible, &QCheckBox::clicked, this, [this](bool on) {
+        edit(on ? tr("Show layer") : tr("Hide layer"), [=](TextureLayer& layer) { layer.visible = on; });
+    });
+    connect(m_occlusion, &QCheckBox::clicked, this, [this](bool on) {
+        edit(tr("Set what the projector reaches"),
+             [=](TextureLayer& layer) { layer.projector.occlusion = on; });
+    });
+}
+
+void PhotoPanel::show() {
+    const auto selected = m_selection.photo();
+    const TextureLayer* layer = selected ? &m_document.project().layers[*selected] : nullptr;
+    showUse(layer);
+    const QSignalBlocker quiet(m_opacity);
+    m_opacityField->setValue(layer ? std::optional(layer->opacity) : std::nullopt);
+    m_blend->setValue(layer ? std::optional(layer->blendPixels) : std::nullopt);
+    m_opacity->setValue(layer ? qRound(layer->opacity * 100) : 0);
+    m_blending->setCurrentIndex(layer ? static_cast<int>(layer->blending) : -1);
+    m_visible->setChecked(layer && layer->visible);
+    m_occlusion->setChecked(layer && layer->projector.occlusion);
+}
+
+void PhotoPanel::showUse(const TextureLayer* layer) {
+    const bool hasPhoto = layer && layer->photo;
+    const QString why = tr("No layer is selected"),
+                  noPhoto = layer ? tr("A painted layer has no photo") : why;
+    const QString opacity = tr("How much of what lies beneath the layer hides");
+    enable(m_visible, layer, tr("Whether the layer is part of the texture"), why);
+    enable(m_occlusion, hasPhoto,
+           tr("Leave out what faces away from the projector or lies behind other tissue"), noPhoto);
+    enable(m_opacity, layer, opacity, why);
+    enable(m_opacityField, layer, opacity, why);
+    enable(
+        m_blending, layer,
+        tr("normal hides what lies beneath, multiply darkens it, multi-band passes into it without a seam"),
+        why);
+    enable(m_blend, hasPhoto, tr("Photo pixels from the border over which the photo fades in"), noPhoto);
+}
+
+void PhotoPanel::setOpacity(double opacity) {
+    edit(
+        tr("Set opacity"), [=](TextureLayer& layer) { layer.opacity = opacity; }, QStringLiteral("opacity"));
+}
+
+void PhotoPanel::edit(const QString& text, const std::function<void(TextureLayer&)>& change,
+                      const QString& mergeKey) {
+    const auto selected = m_selection.photo();
+    if (!selected) return;
+    m_document.edit(
+        text, [&](Project& project) { change(project.layers[*selected]); },
+        mergeKey.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(mergeKey).arg(*selected));
+}
+
+} // namespace esm

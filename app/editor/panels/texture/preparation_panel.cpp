@@ -1,0 +1,282 @@
+#include "app/editor/panels/texture/preparation_panel.h"
+
+#include "widgets/inputs/enabling.h"
+
+#include <QPainter>
+#include <QSignalBlocker>
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr int picturesHeight = 104;
+constexpr double usualEvenLight = 0.7;
+
+NumberFormat strengthFormat() {
+    NumberFormat format;
+    format.decimals = 2;
+    format.minimum = 0;
+    format.maximum = 1;
+    format.step = 0.05;
+    return format;
+}
+
+QLabel* pictureLabel(const QString& name, QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(name);
+    label->setFixedHeight(picturesHeight);
+    label->setAlignment(Qt::AlignCenter);
+    label->setProperty("quiet", true);
+    label->setWordWrap(true);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    return label;
+}
+
+QPixmap fitting(const QImage& picture, const QLabel* label) {
+    const double ratio = label->devicePixelRatioF();
+    const QSize room = QSize(label->width() > 40 ? label->width() : 140, picturesHeight) * ratio;
+    QPixmap pixmap = QPixmap::fromImage(picture.scaled(room, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    pixmap.setDevicePixelRatio(ratio);
+    return pixmap;
+}
+
+QString gainsText(const ColourGains& gains) {
+    return PreparationPanel::tr("red × %1, blue × %2").arg(gains[0], 0, 'f', 2).arg(gains[2], 0, 'f', 2);
+}
+
+/// How far the lens moves what is seen at the photo's corner.
+QString lensText(const Lens& lens, const Image& photo) {
+    const Eigen::Vector2d corner(photo.width, photo.height);
+    const double moved = (distorted(lens, corner) - corner).norm();
+    QString kind =
+        lens.kind == LensKind::Fisheye ? PreparationPanel::tr("fisheye") : PreparationPanel::tr("pinhole");
+    if (!std::isfinite(moved)) return kind;
+    return PreparationPanel::tr("%1, %2 px at the corner").arg(kind).arg(std::round(moved), 0, 'f', 0);
+}
+
+QString strokesText(std::size_t strokes) {
+    return strokes == 1 ? PreparationPanel::tr("1 stroke") : PreparationPanel::tr("%1 strokes").arg(strokes);
+}
+
+} // namespace
+
+PreparationPanel::PreparationPanel(Document& document, PreparationEdits& edits, QWidget* parent)
+    : Section(tr("Photo"), parent), m_edits(edits),
+      m_before(pictureLabel(QStringLiteral("photoBefore"), this)),
+      m_after(pictureLabel(QStringLiteral("photoAfter"), this)), m_steps(new QGridLayout),
+      m_evenLightField(new NumberField(strengthFormat(), this)),
+      m_field(addStep(tr("Roun&d field"), "roundField")), m_strokes(addStep(tr("Brushed out"), "brushedOut")),
+      m_highlights(addStep(tr("Hi&ghlights"), "highlights")),
+      m_evenLight(addStep(tr("Even light"), "evenLight", m_evenLightField)),
+      m_whiteBalance(addStep(tr("&White balance"), "whiteBalance")),
+      m_match(addStep(tr("Match colour beneath"), "matchColour")), m_lens(addStep(tr("Lens"), "lens")),
+      m_crop(addStep(tr("Crop"), "crop")), m_large(new QPushButton(tr("Brush, straighten, crop…"), this)) {
+    layOut();
+    connectControls();
+    connect(&edits, &PreparationEdits::changed, this, &PreparationPanel::show);
+    connect(&edits, &PreparationEdits::failed, this, [this](const QString&, const QString& reason) {
+        m_failure = reason;
+        show();
+    });
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.layers) m_failure.clear();
+    });
+    show();
+}
+
+PreparationPanel::Step PreparationPanel::addStep(const QString& text, const char* name, QWidget* beside) {
+    auto* box = new QCheckBox(text, this);
+    auto* words = new QLabel(this);
+    box->setObjectName(QLatin1String(name));
+    words->setObjectName(QLatin1String(name) + QLatin1String("Words"));
+    words->setProperty("quiet", true);
+    words->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    words->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    const int row = m_steps->rowCount();
+    m_steps->addWidget(box, row, 0);
+    if (beside) {
+        words->hide();
+        m_steps->addWidget(beside, row, 1, Qt::AlignRight);
+    } else {
+        m_steps->addWidget(words, row, 1);
+    }
+    return {box, words};
+}
+
+void PreparationPanel::layOut() {
+    auto* caption = new QLabel(tr("before | after"), this);
+    caption->setProperty("quiet", true);
+    addToHeader(caption);
+    auto* pictures = new QHBoxLayout;
+    pictures->setSpacing(8);
+    pictures->addWidget(m_before, 1);
+    pictures->addWidget(m_after, 1);
+    m_steps->setColumnStretch(1, 1);
+    m_steps->setHorizontalSpacing(8);
+    m_steps->setVerticalSpacing(6);
+    m_evenLightField->setObjectName(QStringLiteral("evenLightStrength"));
+    m_evenLightField->setAccessibleName(tr("Even light, strength"));
+    m_large->setObjectName(QStringLiteral("largePhoto"));
+    body()->addLayout(pictures);
+    body()->addLayout(m_steps);
+    body()->addWidget(m_large, 0, Qt::AlignLeft);
+}
+
+template<typename Part>
+void PreparationPanel::connectKept(Step& step, Part PhotoPreparation::*part, const QString& text) {
+    connect(step.box, &QCheckBox::clicked, this, [this, part, text](bool on) {
+        const Part value = on ? m_last.*part : Part();
+        m_edits.edit(text, [=](PreparationWish& wish) { wish.preparation.*part = value; });
+    });
+}
+
+void PreparationPanel::connectControls() {
+    connect(m_field.box, &QCheckBox::clicked, this, [this](bool on) {
+        m_edits.edit(on ? tr("Mask round field") : tr("Show photo outside its field"),
+                     [=](PreparationWish& wish) {
+                         wish.preparation.field.reset();
+                         wish.find.field = on;
+                     });
+    });
+    connect(m_whiteBalance.box, &QCheckBox::clicked, this, [this](bool on) {
+        m_edits.edit(on ? tr("Balance white") : tr("Undo white balance"), [=](PreparationWish& wish) {
+            wish.preparation.whiteBalance.reset();
+            wish.find.whiteBalance = on;
+        });
+    });
+    connect(m_highlights.box, &QCheckBox::clicked, this, [this](bool on) {
+        m_edits.edit(on ? tr("Fill highlights") : tr("Show highlights"), [=](PreparationWish& wish) {
+            wish.preparation.highlightThreshold =
+                on ? std::optional<int>(usualHighlightThreshold) : std::nullopt;
+        });
+    });
+    connect(m_evenLight.box, &QCheckBox::clicked, this, [this](bool on) {
+        const double strength = on ? m_last.evenLight : 0;
+        m_edits.edit(on ? tr("Even light") : tr("Leave light uneven"),
+                     [=](PreparationWish& wish) { wish.preparation.evenLight = strength; });
+    });
+    connect(m_evenLightField, &NumberField::valueEdited, this, [this](double strength) {
+        m_edits.edit(
+            tr("Even light"), [=](PreparationWish& wish) { wish.preparation.evenLight = strength; },
+            QStringLiteral("even light"));
+    });
+    connect(m_evenLightField, &NumberField::gestureFinished, &m_edits, &PreparationEdits::finishGesture);
+    connect(m_match.box, &QCheckBox::clicked, this, [this](bool on) {
+        m_edits.edit(on ? tr("Match colour beneath") : tr("Keep colour"), [=](PreparationWish& wish) {
+            wish.preparation.match.reset();
+            wish.find.match = on;
+        });
+    });
+    connectKept(m_strokes, &PhotoPreparation::strokes, tr("Use brush mask"));
+    connectKept(m_lens, &PhotoPreparation::lens, tr("Straighten photo"));
+    connectKept(m_crop, &PhotoPreparation::crop, tr("Crop photo"));
+    connect(m_large, &QPushButton::clicked, this, &PreparationPanel::largeViewAsked);
+}
+
+/// The pictures take the room that there is.
+void PreparationPanel::resizeEvent(QResizeEvent* event) {
+    Section::resizeEvent(event);
+    showPictures(m_edits.layer());
+}
+
+void PreparationPanel::show() {
+    const TextureLayer* layer = m_edits.layer();
+    setTitle(layer ? tr("Photo · %1").arg(QString::fromStdString(layer->name)) : tr("Photo"));
+    showPictures(layer);
+    showSteps(layer);
+}
+
+void PreparationPanel::showPictures(const TextureLayer* layer) {
+    const PreparedPhoto* shown = m_edits.shown();
+    m_before->setToolTip(layer ? tr("%1, %2 × %3 pixels")
+                                     .arg(QString::fromStdString(layer->photo->fileName))
+                                     .arg(layer->photo->image.width)
+                                     .arg(layer->photo->image.height)
+                               : QString());
+    m_after->setToolTip(layer ? tr("As it is laid on the organ") : QString());
+    if (shown && !shown->before.isNull()) {
+        m_before->setPixmap(fitting(shown->before, m_before));
+        m_after->setPixmap(fitting(shown->after, m_after));
+        return;
+    }
+    m_before->setText(layer ? QString() : tr("Select or add a photo"));
+    m_after->clear();
+}
+
+QString PreparationPanel::highlightWords(const PhotoPreparation& wanted) const {
+    const PreparedPhoto* shown = m_edits.shown();
+    if (!wanted.highlightThreshold) return {};
+    if (!shown || !shown->preparation.highlightThreshold) return tr("filling…");
+    if (shown->highlightShare == 0) return tr("none found");
+    return tr("%1 % filled").arg(100 * shown->highlightShare, 0, 'f', shown->highlightShare < 0.0995 ? 1 : 0);
+}
+
+void PreparationPanel::showWords(Step& step, bool on, const QString& words) {
+    step.box->setChecked(on);
+    step.words->setText(words);
+    step.words->setToolTip(words);
+}
+
+void PreparationPanel::showSteps(const TextureLayer* layer) {
+    const PreparationWish wish = m_edits.wanted();
+    const PhotoPreparation& wanted = wish.preparation;
+    const SoughtSteps missing = m_edits.missing();
+    if (!layer || layer->photo != m_lastOf) {
+        m_last = {};
+        m_last.evenLight = usualEvenLight;
+        m_lastOf = layer ? layer->photo : nullptr;
+    }
+    if (!wanted.strokes.empty()) m_last.strokes = wanted.strokes;
+    if (wanted.evenLight > 0) m_last.evenLight = wanted.evenLight;
+    if (wanted.lens) m_last.lens = wanted.lens;
+    if (wanted.crop) m_last.crop = wanted.crop;
+
+    showWords(m_field, wanted.field || wish.find.field,
+              wish.find.field ? tr("looking…")
+              : wanted.field  ? tr("found, %1 % trimmed").arg(wanted.field->trim, 0, 'g', 3)
+              : missing.field ? tr("not found: no round border")
+                              : QString());
+    showWords(m_highlights, wanted.highlightThreshold.has_value(), highlightWords(wanted));
+    showWords(m_evenLight, wanted.evenLight > 0, {});
+    showWords(m_whiteBalance, wanted.whiteBalance || wish.find.whiteBalance,
+              wish.find.whiteBalance ? tr("looking…")
+              : wanted.whiteBalance  ? gainsText(*wanted.whiteBalance)
+              : missing.whiteBalance ? tr("not found: nothing is grey")
+                                     : QString());
+    showWords(m_match, wanted.match || wish.find.match,
+              wish.find.match ? tr("comparing…")
+              : wanted.match  ? tr("matched")
+              : missing.match ? tr("meets no surface")
+                              : QString());
+    showWords(m_strokes, !wanted.strokes.empty(),
+              wanted.strokes.empty() ? QString() : strokesText(wanted.strokes.size()));
+    showWords(m_lens, wanted.lens.has_value(),
+              wanted.lens && layer ? lensText(*wanted.lens, layer->photo->image) : QString());
+    showWords(m_crop, wanted.crop.has_value(),
+              wanted.crop ? tr("%1 × %2 px").arg(wanted.crop->width).arg(wanted.crop->height) : QString());
+    m_evenLightField->setValue(layer ? std::optional(wanted.evenLight) : std::nullopt);
+
+    const QString none = tr("No photo is selected");
+    const QString first = layer ? tr("Open the large view first, by the button below") : none;
+    enable(m_field.box, layer, tr("Find the endoscope's round picture and leave out what is dark around it"),
+           none);
+    enable(m_highlights.box, layer, tr("Fill what the lamp burnt out from the tissue around it"), none);
+    enable(m_evenLight.box, layer, tr("Take slow changes of brightness over the photo away"), none);
+    enable(m_evenLightField, layer, tr("From 0, as it is, to 1, as even as can be"), none);
+    enable(m_whiteBalance.box, layer, tr("Make grey what is nearly grey, by the colour of the lamp"), none);
+    enable(m_match.box, layer,
+           tr("Give the photo the mean colour and contrast of what lies beneath it now; tick anew when that "
+              "changes"),
+           none);
+    enable(m_strokes.box, layer && !m_last.strokes.empty(), tr("Leave out what the brush painted over"),
+           first);
+    enable(m_lens.box, layer && m_last.lens, tr("Straighten what the lens bends"), first);
+    enable(m_crop.box, layer && m_last.crop, tr("Keep only a part of the photo"), first);
+    enable(m_large, layer, tr("Show the photo large: brush out text and overlays, straighten lines, crop"),
+           none);
+    if (!m_failure.isEmpty()) m_after->setToolTip(tr("Not prepared: %1").arg(m_failure));
+}
+
+} // namespace esm

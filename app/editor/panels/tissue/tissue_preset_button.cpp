@@ -1,0 +1,75 @@
+#include "app/editor/panels/tissue/tissue_preset_button.h"
+
+#include "app/editor/edits/region_edits.h"
+#include "core/exchange/project/tissue_preset_file.h"
+
+#include <QCursor>
+#include <QMenu>
+
+namespace esm {
+
+namespace {
+
+QString presetToolTip(const TissuePreset& preset, bool isPart) {
+    QStringList parts{QString::fromStdString(preset.description),
+                      QObject::tr("Published: %1.").arg(QString::fromStdString(publishedText(preset))),
+                      QString::fromStdString(preset.source),
+                      QObject::tr("Taken as published, whatever the size of this organ and the number of its "
+                                  "springs: nothing is scaled.")};
+    if (isPart && preset.system)
+        parts << QObject::tr("The selected region takes the tissue; mass and tethers are for a whole organ.");
+    QString text; // rich, so that it is wrapped
+    for (const QString& part : parts)
+        text += QStringLiteral("<p>%1</p>").arg(part.toHtmlEscaped());
+    return text;
+}
+
+} // namespace
+
+TissuePresetButton::TissuePresetButton(Document& document, Selection& selection, QWidget* parent)
+    : QToolButton(parent), m_document(document), m_selection(selection) {
+    setObjectName(QStringLiteral("headerButton"));
+    setText(tr("preset…"));
+    setToolTip(tr("Tissue as it was published, for what is selected: fallopian tube, uterus, bowel, "
+                  "ventricle. Each says where it is from"));
+    setAccessibleName(tr("Published tissue"));
+    setPopupMode(QToolButton::InstantPopup);
+    setFocusPolicy(Qt::TabFocus);
+    auto* menu = new QMenu(this);
+    menu->setToolTipsVisible(true);
+    setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, &TissuePresetButton::fill);
+    // While the menu is open, nobody tells the button that the mouse has left it.
+    connect(menu, &QMenu::aboutToHide, this, [this] {
+        setAttribute(Qt::WA_UnderMouse, rect().contains(mapFromGlobal(QCursor::pos())));
+        update();
+    });
+    fill();
+}
+
+bool TissuePresetButton::isPartSelected() const {
+    const auto region = m_selection.region();
+    return region && m_document.project().regions[*region].ellipsoid;
+}
+
+void TissuePresetButton::fill() {
+    menu()->clear();
+    for (const std::string& name : tissuePresetNames()) {
+        const TissuePreset preset = tissuePreset(name);
+        QAction* action = menu()->addAction(QString::fromStdString(preset.title));
+        action->setObjectName(QString::fromStdString(name));
+        action->setToolTip(presetToolTip(preset, isPartSelected()));
+        connect(action, &QAction::triggered, this, [this, name] { apply(name); });
+    }
+}
+
+void TissuePresetButton::apply(const std::string& name) {
+    const TissuePreset preset = tissuePreset(name);
+    const auto selected = m_selection.region();
+    std::optional<std::size_t> target;
+    m_document.edit(tr("Tissue of preset “%1”").arg(QString::fromStdString(preset.title)),
+                    [&](Project& project) { target = applyPreset(project, selected, preset); });
+    if (target) m_selection.setRegion(*target);
+}
+
+} // namespace esm

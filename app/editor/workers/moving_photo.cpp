@@ -1,0 +1,78 @@
+#include "app/editor/workers/moving_photo.h"
+
+#include "app/editor/document/change.h"
+
+#include <chrono>
+
+namespace esm {
+
+namespace {
+
+/// Without an edit for so long, a projector rests.
+constexpr std::chrono::milliseconds restTime{300};
+
+bool differsInProjector(TextureLayer before, const TextureLayer& now) {
+    if (before.projector == now.projector) return false;
+    before.projector = now.projector;
+    return same(before, now);
+}
+
+} // namespace
+
+std::optional<std::size_t> movedLayer(const std::vector<TextureLayer>& before,
+                                      const std::vector<TextureLayer>& now) {
+    std::optional<std::size_t> moved;
+    if (before.size() != now.size()) return moved;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (same(before[i], now[i])) continue;
+        if (moved || !differsInProjector(before[i], now[i])) return std::nullopt;
+        moved = i;
+    }
+    return moved;
+}
+
+MovingPhoto::MovingPhoto(TextureComposer& composer, QObject* parent) : QObject(parent), m_composer(composer) {
+    m_rest.setSingleShot(true);
+    connect(&m_rest, &QTimer::timeout, this, &MovingPhoto::rest);
+    connect(&composer, &TextureComposer::composed, this, &MovingPhoto::takeTexture);
+}
+
+void MovingPhoto::follow(const Project& project) {
+    const bool isSameTexture = project.mesh == m_project.mesh && project.atlas == m_project.atlas;
+    const auto moved = isSameTexture ? movedLayer(m_project.layers, project.layers) : std::nullopt;
+    m_project = project;
+    if (moved && project.atlas && project.layers[*moved].photo && isShown(project.layers[*moved]))
+        return move(*moved);
+    m_layer.reset();
+    m_rest.stop();
+    m_composer.compose(project);
+}
+
+void MovingPhoto::move(std::size_t layer) {
+    m_rest.start(restTime);
+    if (m_layer == layer && !m_isResting) return;
+    m_layer = layer;
+    m_isResting = false;
+    Project around = m_project;
+    around.layers[layer].visible = false;
+    m_composer.compose(around);
+}
+
+void MovingPhoto::rest() {
+    m_isResting = true;
+    m_composer.compose(m_project);
+    emit rested();
+}
+
+void MovingPhoto::takeTexture() {
+    if (m_isResting && !m_composer.isWorking()) m_layer.reset();
+}
+
+std::optional<ThrownPhoto> MovingPhoto::thrown() const {
+    if (!m_layer) return std::nullopt;
+    const TextureLayer& layer = m_project.layers[*m_layer];
+    return ThrownPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity,
+                       layer.blending == Blending::Multiply};
+}
+
+} // namespace esm

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/editor/workers/texture_composer.h"
+#include "core/render/renderer.h"
+
+#include <QTimer>
+
+namespace esm {
+
+/// While a projector moves, its photo is thrown on the organ by the renderer, over a texture that is composed
+/// without it; once it rests, it is painted like all others.
+class MovingPhoto : public QObject {
+    Q_OBJECT
+
+public:
+    explicit MovingPhoto(TextureComposer& composer, QObject* parent = nullptr);
+
+    /// Looks at what became of the photos, and has composed what is to be seen.
+    void follow(const Project& project);
+    /// What the renderer is to throw; nothing while all lies in the texture.
+    std::optional<ThrownPhoto> thrown() const;
+    /// Whether what is composed now is only what lies around the moving photo.
+    bool isMoving() const { return m_layer && !m_isResting; }
+
+signals:
+    /// The projector rests, its photo is being painted.
+    void rested();
+
+private:
+    void move(std::size_t layer);
+    void rest();
+    void takeTexture();
+
+    TextureComposer& m_composer;
+    Project m_project;                  ///< as it was last seen
+    std::optional<std::size_t> m_layer; ///< that is thrown
+    bool m_isResting = false;           ///< and about to be painted
+    QTimer m_rest;
+};
+
+/// The layer that differs in its projector, where nothing else does.
+std::optional<std::size_t> movedLayer(const std::vector<TextureLayer>& before,
+                                      const std::vector<TextureLayer>& now);
+
+} // namespace esm

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "app/editor/workers/latest_input.h"
+#include "core/project/project.h"
+#include "core/texture/photo/photo.h"
+#include "core/texture/photo/photo_preparation.h"
+
+#include <QImage>
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace esm {
+
+/// Steps that are to be found in the photo, or by the surface that it is laid on.
+struct SoughtSteps : StepsToFind {
+    bool match = false;
+    bool any() const { return StepsToFind::any() || match; }
+};
+
+/// A layer where it lies.
+struct LaidLayer {
+    Project project;
+    std::size_t layer;
+};
+
+/// A photo, how it is to be prepared, and what is to be found in it first.
+struct PreparationRequest {
+    std::shared_ptr<const Photo> photo;
+    PhotoPreparation preparation;
+    SoughtSteps find;
+    std::optional<LaidLayer> laid;      ///< to match the surface beneath; none where that is not sought
+    std::shared_ptr<const Image> known; ///< the picture that comes of it, where it is known already
+};
+
+/// What became of it.
+struct PreparedPhoto {
+    int number = 0; ///< of the request, from 1; 0 while there is none
+    std::shared_ptr<const Photo> photo;
+    PhotoPreparation preparation;         ///< with what was found
+    std::shared_ptr<const Image> picture; ///< null where the preparation does nothing
+    double highlightShare = 0;            ///< filled, of what is shown, 0 to 1
+    QImage before, after;                 ///< small ones, for panels
+    QString failure;                      ///< why there is no picture; empty when there is
+};
+
+/// Prepares photos on a thread of its own. A request that comes while it works replaces the one it works on.
+class PhotoPreparer : public QObject {
+    Q_OBJECT
+
+public:
+    explicit PhotoPreparer(QObject* parent = nullptr);
+    ~PhotoPreparer() override;
+
+    /// Gives the request's number.
+    int prepare(PreparationRequest request);
+    PreparedPhoto result() const;
+
+signals:
+    void prepared();
+
+private:
+    struct Asked {
+        PreparationRequest request;
+        int number;
+    };
+
+    void work();
+    PreparedPhoto answer(const Asked& asked) const;
+
+    LatestInput<Asked> m_requests;
+    mutable std::mutex m_mutex; ///< guards the result
+    PreparedPhoto m_result;
+    int m_asked = 0;
+    std::thread m_thread;
+};
+
+} // namespace esm

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "app/editor/workers/grasp.h"
+#include "core/project/project.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace esm {
+
+/// A pull in progress: the node that was caught and where the mouse wants it.
+struct Pull {
+    std::uint32_t node;
+    Eigen::Vector3d target; ///< m
+};
+
+/// What acts on the preview from outside.
+struct PreviewLoads {
+    std::optional<Pull> pull;
+    std::optional<Sphere> instrument;
+    bool gentleMotion = false; ///< the slow pull of a newly opened organ
+};
+
+/// How the run goes.
+struct PreviewStatus {
+    bool playing = false;
+    std::optional<Integrator> integrator; ///< none without a simulation
+    double timeStep = 0;                  ///< s
+    std::optional<double> safeStep; ///< s, largest stable step of the integrator; infinite without a limit
+    double realTimeFactor = 0;      ///< simulated over computing time
+    int halvings = 0;               ///< of the step, each time that the motion ran wild
+    bool isReplaced = false;        ///< the project's way to step, by the program's, where it ran ever wilder
+    bool isShortened = false;       ///< the project's step, which is too long to be watched
+    std::string failure;            ///< why the tissue cannot move; empty when all is well
+};
+
+/// s; of longer steps the organ would be seen to jump.
+inline constexpr double longestWatchedStep = 0.04;
+
+/// The simulation behind the window, run by the preview's thread alone.
+class PreviewRun {
+public:
+    /// Takes a project; the motion goes on when the network is the same. False when it cannot be
+    /// simulated: nothing moves until another project can be.
+    bool setProject(const Project& project);
+    /// Back to rest, and past what stopped the run.
+    void reset();
+    /// Stops the run for a reason, at the last good state that can be drawn.
+    void stop(const std::string& reason);
+    /// Steps until `seconds` are simulated, or more than that has been spent computing. Motion that runs
+    /// wild, or comes to a step that cannot be computed, goes back to where it was calm and on in half as
+    /// long steps, and where they are of no help as the program chooses, until the parameters change. False
+    /// when the run stopped, as it does where nothing helps, or nothing can be drawn any more.
+    bool advance(double seconds, const PreviewLoads& loads);
+
+    bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
+    const TissueModel& model() const { return m_model; }
+    /// Precondition: a project was taken.
+    Integrator integrator() const { return m_simulation->integrator(); }
+    const std::vector<Eigen::Vector3d>& positions() const;
+    const std::shared_ptr<const SpringNetwork>& network() const { return m_model.network; }
+    PreviewStatus status() const;
+
+private:
+    void followLoads(const PreviewLoads& loads);
+    bool step(const PreviewLoads& loads);
+    bool goBack();
+    bool isDrawn() const;
+    void measure(double simulated, double computing);
+
+    TissueModel m_model;
+    SimulationSettings m_settings; ///< the project's way to step, in steps that can be watched
+    bool m_isShortened = false;    ///< the project's step
+    std::optional<Simulation> m_simulation;
+    std::optional<Grasp> m_pull, m_gentleGrasp;
+    std::optional<GentlePull> m_gentlePull;
+    double m_gentleTime = 0;
+    Eigen::Vector3d m_gravity = Eigen::Vector3d::Zero();
+    bool m_isReplaced = false;               ///< the project's way to step, by the program's
+    int m_halvings = 0;                      ///< of the step, with this way to step
+    int m_framesSinceKept = 0;               ///< since the state was kept
+    double m_debt = 0;                       ///< s that were asked for and not simulated yet
+    double m_simulated = 0, m_computing = 0; ///< s, decaying sums for the real-time factor
+    std::string m_modelFailure;              ///< why the latest project cannot be simulated
+    std::string m_runFailure;                ///< why the motion ended
+};
+
+} // namespace esm

@@ -1,0 +1,85 @@
+#include "core/authoring/coarser_runs.h"
+
+#include "core/dynamics/spring_system.h"
+#include "core/model/tissue_digest.h"
+#include "core/project/detail_change.h"
+
+#include <numeric>
+
+namespace esm {
+
+namespace {
+
+constexpr std::size_t fewestWorthMeasuring = 50; ///< nodes; fewer keep no organ's shape
+
+/// The vertex at which each node shows; noIndex where it shows at none.
+std::vector<std::uint32_t> vertexOfEveryNode(const Project& project) {
+    const SpringNetwork& network = *project.network;
+    std::vector<std::uint32_t> vertices(network.restPositions.size(), noIndex);
+    for (std::uint32_t vertex = 0; vertex < network.vertexNodes.size(); ++vertex) {
+        const std::uint32_t node = network.vertexNodes[vertex];
+        if (project.mesh->vertices[vertex] == network.restPositions[node]) vertices[node] = vertex;
+    }
+    return vertices;
+}
+
+/// The vertices at which the recorded nodes show; nothing where one shows at none.
+std::optional<std::vector<std::uint32_t>> recordedVertices(const Project& project, const Scene& scene) {
+    const std::vector<std::uint32_t> vertexOf = vertexOfEveryNode(project);
+    std::vector<std::uint32_t> nodes(vertexOf.size());
+    std::iota(nodes.begin(), nodes.end(), 0U);
+    if (scene.record.nodes) nodes = *scene.record.nodes;
+    std::vector<std::uint32_t> vertices;
+    for (const std::uint32_t node : nodes) {
+        if (vertexOf[node] == noIndex) return std::nullopt;
+        vertices.push_back(vertexOf[node]);
+    }
+    return vertices;
+}
+
+CoarserRun runOf(const Project& fewer, const Detail& detail, const std::vector<std::uint32_t>& vertices) {
+    CoarserRun run{
+        detail, evaluateModel(fewer), touchedSurface(*fewer.mesh, *fewer.network), fewer.scene, {}};
+    run.scene.record.nodes.reset();
+    Vectors rest;
+    Binding binding{fewer.network->binding->surface, fewer.network->binding->lines, {}};
+    for (const std::uint32_t vertex : vertices) {
+        rest.push_back(fewer.mesh->vertices[vertex]);
+        binding.vertices.push_back(fewer.network->binding->vertices[vertex]);
+    }
+    run.recorded = [rest, binding, network = fewer.network](const Vectors& positions) {
+        return carried(rest, binding, network->restPositions, positions);
+    };
+    return run;
+}
+
+} // namespace
+
+std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, const Progress& progress) {
+    if (detailOf(*project.network).kind == Detail::Kind::Rigid) return {};
+    const auto vertices = recordedVertices(project, scene);
+    if (!vertices) return {};
+    Project full = project;
+    full.scene = scene;
+    std::vector<CoarserRun> runs;
+    std::size_t last = full.network->restPositions.size();
+    for (std::size_t nodes = last / 4; nodes >= fewestWorthMeasuring; nodes /= 4) {
+        reportProgress(progress, 0);
+        const Detail detail{Detail::Kind::Nodes, nodes};
+        const Project fewer = withDetail(full, detail);
+        // A surface of many parts may have no fewer.
+        if (fewer.network->restPositions.size() >= last) break;
+        last = fewer.network->restPositions.size();
+        runs.push_back(runOf(fewer, detail, *vertices));
+    }
+    return runs;
+}
+
+Project withRun(const Project& project, const TradeoffRun& run) {
+    Project changed = run.coarser ? withDetail(project, *run.coarser) : project;
+    changed.stepping = MeasuredStepping{run.stepping, run.error, run.wallPerSimulatedSecond,
+                                        tissueDigest(evaluateModel(changed))};
+    return changed;
+}
+
+} // namespace esm

@@ -1,0 +1,16 @@
+#include "core/dynamics/contact/touched_surface.h"
+
+namespace esm {
+
+TouchedSurface touchedSurface(const TriangleMesh& mesh, const SpringNetwork& network) {
+    const bool isBody =
+        network.binding && network.binding->surface.empty() && network.binding->lines.size() == 1;
+    if (!isBody) return simulatedSurface(mesh, network);
+    const Edge line = network.binding->lines.front();
+    TouchedSurface surface(mesh.triangles);
+    surface.body = TouchedSurface::Body{mesh.vertices, line, network.restPositions[line.first],
+                                        network.restPositions[line.second]};
+    return surface;
+}
+
+} // namespace esm

@@ -1,0 +1,106 @@
+#include "core/dynamics/measure/motion_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace esm {
+
+namespace {
+
+using MotionPoints = std::vector<Eigen::Vector3d>;
+
+constexpr std::size_t fewestCompared = 8, mostCompared = 100; ///< frames
+constexpr std::size_t mostComparedPoints = 20'000'000;        ///< half a gigabyte
+constexpr double mostIntervals = 1e12;                        ///< shorter ones cannot be told apart
+
+/// Even, so that every other one can go.
+std::size_t mostFramesOf(std::size_t points) {
+    const std::size_t most = mostComparedPoints / std::max<std::size_t>(1, points);
+    return std::clamp(most, fewestCompared, mostCompared) / 2 * 2;
+}
+
+MotionError errorBetween(const Trajectory& trajectory, const Trajectory& reference) {
+    MotionError error;
+    for (const auto& [time, positions] : trajectory)
+        if (const auto found = reference.find(time); found != reference.end())
+            error.add(positions, found->second, reference.at(0));
+    return error;
+}
+
+} // namespace
+
+void MotionError::add(const MotionPoints& points, const MotionPoints& reference, const MotionPoints& start) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        m_difference += (points[i] - reference[i]).squaredNorm();
+        m_motion += (reference[i] - start[i]).squaredNorm();
+    }
+}
+
+double MotionError::relative() const {
+    return m_motion > 0 ? std::sqrt(m_difference / m_motion) : std::numeric_limits<double>::infinity();
+}
+
+ComparedFrames::ComparedFrames(double duration, double every)
+    : m_interval(std::clamp(every, duration / mostIntervals, duration)), m_duration(duration) {}
+
+void ComparedFrames::add(double time, const MotionPoints& positions) {
+    const double intervals = time / m_interval, number = std::round(intervals);
+    const bool isMultiple = std::abs(intervals - number) <= std::max(1e-6, 1e-12 * number);
+    if (time >= m_duration) {
+        m_frames.insert_or_assign(static_cast<long>(isMultiple ? number : std::ceil(intervals)), positions);
+    } else if (isMultiple && m_met++ % m_stride == 0) {
+        if (m_frames.size() >= mostFramesOf(positions.size())) thinOut();
+        m_frames.emplace(static_cast<long>(number), positions);
+    }
+}
+
+/// Every other one goes, but the start.
+void ComparedFrames::thinOut() {
+    m_stride *= 2;
+    for (auto frame = m_frames.begin(); frame != m_frames.end() && ++frame != m_frames.end();)
+        frame = m_frames.erase(frame);
+}
+
+double relativeError(const Trajectory& trajectory, const Trajectory& reference) {
+    return errorBetween(trajectory, reference).relative();
+}
+
+double changeBetween(const Trajectory& coarse, const Trajectory& finer) {
+    const MotionError change = errorBetween(coarse, finer);
+    return change.isNone() ? 0 : change.relative();
+}
+
+double remainingError(const LatestChanges& changes, int order) {
+    constexpr double mostShare = leastGain; // above, it is rounding that spoils the gain
+    constexpr double unsureShare = 0.5;
+    const auto& [last, beforeLast, beforeThat] = changes;
+    if (last == 0) return 0;
+    if (std::isinf(beforeLast)) return last * mostShare / (1 - mostShare);
+    const double promised = std::exp2(-order);
+    double believed = std::max(last, promised * beforeLast);
+    double share = std::max(last / beforeLast, order > 1 ? 0.25 : 0.5);
+    if (std::isinf(beforeThat)) {
+        share = std::max(share, unsureShare);
+    } else {
+        believed = std::max(believed, promised * promised * beforeThat);
+        share = std::max(share, beforeLast / beforeThat);
+    }
+    share = std::min(share, mostShare);
+    return believed * share / (1 - share);
+}
+
+void HalvingChanges::add(double change, int order) {
+    m_order = order;
+    const bool gains = change <= leastGain * m_changes.last;
+    m_inVain = gains ? 0 : m_inVain + 1;
+    m_largest = gains ? change : std::max(m_largest, change);
+    m_changes.add(change);
+}
+
+double HalvingChanges::remaining() const {
+    return standsStill() ? m_largest : remainingError(m_changes, m_order);
+}
+
+} // namespace esm

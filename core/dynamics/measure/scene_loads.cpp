@@ -1,0 +1,35 @@
+#include "core/dynamics/measure/scene_loads.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+/// The part of a step during which a force acts. What rounding leaves of a long one is none.
+double shareOf(const NodeForce& force, double start, double end) {
+    constexpr double rounding = 1e-9;
+    const double duration = end - start;
+    const double overlap = std::min(force.to, end) - std::max(force.from, start);
+    if (overlap <= 0) return 0;
+    if (force.to - force.from < duration) return overlap / duration;
+    if (overlap < rounding * duration) return 0;
+    return overlap > (1 - rounding) * duration ? 1 : overlap / duration;
+}
+
+} // namespace
+
+Loads loadsDuring(const Scene& scene, const std::vector<Eigen::Vector3d>& rest, double start, double end) {
+    Loads loads;
+    loads.gravity = scene.gravity;
+    for (const NodeForce& force : scene.forces)
+        if (const double share = shareOf(force, start, end); share > 0)
+            loads.forces.emplace_back(force.node, share * force.force);
+    for (const NodeMove& move : scene.moves)
+        loads.held.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
+    if (scene.instrument)
+        loads.instrument = Sphere{positionAt(scene.instrument->path, end), scene.instrument->radius};
+    return loads;
+}
+
+} // namespace esm

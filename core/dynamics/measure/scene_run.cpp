@@ -1,0 +1,204 @@
+#include "core/dynamics/measure/scene_run.h"
+
+#include "core/dynamics/measure/scene_loads.h"
+#include "core/dynamics/measure/timeline.h"
+#include "core/dynamics/measure/watched_run.h"
+#include "core/dynamics/stability/stability.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr double tooShortToTime = 0.03; // s
+constexpr int mostRepeats = 5;
+constexpr double progressInterval = 0.1; // s
+constexpr double mostAtOnce = 16;        ///< on a whole tissue, so that a run can be stopped within a second
+constexpr double mostSteps = 1e12;       // at a microsecond each, eleven days
+
+/// @throws InvalidModel when there are more steps than can be run
+void requireRunnable(const Scene& scene, double timeStep) {
+    if (!(scene.duration / timeStep > mostSteps)) return;
+    throw InvalidModel("duration: " + numberText(scene.duration) + " s in steps of " + numberText(timeStep) +
+                       " s are more steps than can be run, " + numberText(mostSteps) +
+                       "; shorten the duration or lengthen the step");
+}
+
+class Recorder {
+public:
+    Recorder(const Scene& scene, double timeStep, FrameSink sink)
+        : m_scene(scene), m_timeStep(timeStep), m_sink(std::move(sink)) {}
+
+    /// Hands out the state at a time when a frame is due, or when it is the last there will be.
+    void offer(double time, const Simulation& simulation, bool last) {
+        const bool isDue = time >= m_due;
+        if (!isDue && !(last && time > m_given)) return;
+        if (m_sink) m_sink(time, recorded(simulation.positions()));
+        m_given = time;
+        if (isDue) m_due = dueAfter(time);
+    }
+
+    /// s, when the next frame is to be handed out.
+    double due() const { return m_due; }
+
+private:
+    /// A step that misses a time by rounding alone reaches it. Each is due when frames follow faster than
+    /// steps.
+    double dueAfter(double time) {
+        constexpr double rounding = 1e-6;
+        const double every = m_scene.record.every;
+        if (every <= m_timeStep) return std::nextafter(time, noStepLimit);
+        m_frame = std::max(m_frame + 1, std::floor((time + rounding * m_timeStep) / every) + 1);
+        return m_frame * every - rounding * m_timeStep;
+    }
+
+    Vectors recorded(const Vectors& positions) const {
+        if (!m_scene.record.nodes) return positions;
+        Vectors chosen;
+        for (std::uint32_t node : *m_scene.record.nodes)
+            chosen.push_back(positions[node]);
+        return chosen;
+    }
+
+    const Scene& m_scene;
+    double m_timeStep;                          ///< s
+    double m_due = 0, m_given = 0, m_frame = 0; ///< s, s, a whole number; may be beyond any time
+    FrameSink m_sink;
+};
+
+/// How many whole steps may be taken together. Only explicit ones are short enough to be worth it, under
+/// loads that stay as they are.
+std::size_t mostTogether(const Scene& scene, const Simulation& simulation) {
+    if (!isExplicit(simulation.integrator()) || !scene.moves.empty() || scene.instrument) return 1;
+    return static_cast<std::size_t>(mostAtOnce / std::max(simulation.activeFraction(), 1e-3));
+}
+
+/// How many of the steps were taken; failure() says why not all.
+std::size_t stepsTaken(Simulation& simulation, const Loads& loads, const TimeSpan& span) {
+    try {
+        if (span.isWhole) return simulation.advance(loads, span.steps);
+        return simulation.stepTo(span.end, loads) ? 1 : 0;
+    } catch (const InvalidModel&) {
+        return 0;
+    }
+}
+
+double lengthOf(const TimeSpan& span) {
+    return (span.end - span.start) / static_cast<double>(span.steps);
+}
+
+void count(const TimeSpan& span, std::size_t taken, SceneOutcome& outcome) {
+    outcome.steps += taken;
+    if (taken == 0 || span.isWhole) return;
+    ++outcome.cutSteps;
+    outcome.shortestStep = std::min(outcome.shortestStep, lengthOf(span));
+}
+
+/// Runs the scene from rest, its instrument standing at its path's start; returns the seconds spent stepping.
+double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& recorder, const Progress& progress,
+                   SceneOutcome& outcome) {
+    double stepping = 0;
+    SimulationSettings settings = run.settings;
+    settings.integrator = simulation.integrator();
+    WatchedRun watched(simulation, settings);
+    double lastReport = run.clock();
+    const Vectors& rest = run.model.network->restPositions;
+    const TimeDivision division{std::ldexp(simulation.timeStep(), run.halvings), run.halvings};
+    Timeline timeline(run.scene, division, simulation.integrator(), rest.size());
+    outcome.averagedCorners = timeline.averagedCorners();
+    if (run.scene.instrument) simulation.placeInstrument(positionAt(run.scene.instrument->path, 0));
+    recorder.offer(0, simulation, false);
+    while (!timeline.isAtEnd()) {
+        const TimeSpan span = timeline.next(recorder.due(), mostTogether(run.scene, simulation));
+        Loads loads = loadsDuring(run.scene, rest, span.start, span.end);
+        loads.beginsAnew = span.beginsAnew;
+        watched.begin();
+        const double start = run.clock();
+        const std::size_t taken = stepsTaken(simulation, loads, span);
+        stepping += run.clock() - start;
+        timeline.advance(span, taken);
+        count(span, taken, outcome);
+        outcome.stable = taken == span.steps;
+        if (!outcome.stable) {
+            outcome.outcome = simulation.failure();
+            recorder.offer(timeline.time(), simulation, true);
+            break;
+        }
+        outcome.outcome = watched.problemAfter(loads, lengthOf(span), span.steps, timeline.isAtEnd());
+        outcome.stable = outcome.outcome.empty();
+        if (!outcome.stable) break;
+        recorder.offer(timeline.time(), simulation, timeline.isAtEnd());
+        if (run.clock() - lastReport < progressInterval) continue;
+        lastReport = run.clock();
+        reportProgress(progress, timeline.time() / run.scene.duration);
+    }
+    outcome.simulatedSeconds = timeline.time();
+    return stepping;
+}
+
+/// A chosen step is shortened so that frames fall on steps, where that leaves it long enough.
+SimulationSettings withStep(const SceneRun& run) {
+    SimulationSettings settings = run.settings;
+    if (settings.timeStep) return settings;
+    const ChosenStep chosen = chooseStep(run.model, settings);
+    settings.integrator = chosen.integrator;
+    const double every = run.scene.record.every;
+    const double shortened = every / std::ceil(every / chosen.timeStep * (1 - 1e-9));
+    settings.timeStep = shortened >= shortestStep ? shortened : chosen.timeStep;
+    return settings;
+}
+
+double bestOfRepeats(const SceneRun& run, Simulation& simulation, double seconds) {
+    for (int repeat = 1; repeat < mostRepeats && seconds < tooShortToTime; ++repeat) {
+        simulation.reset();
+        SceneOutcome ignored;
+        Recorder nothing(run.scene, simulation.timeStep(), {});
+        seconds = std::min(seconds, stepThrough(run, simulation, nothing, {}, ignored));
+    }
+    return seconds;
+}
+
+} // namespace
+
+int orderOfErrors(const SceneOutcome& outcome) {
+    return outcome.averagedCorners == 0 && !outcome.touched ? orderOf(outcome.integrator) : 1;
+}
+
+SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& given) {
+    if (auto problems = validate(run.scene, run.model.mass.size()); !problems.empty())
+        throw InvalidModel(std::move(problems));
+    double done = 0; // as told last; a step that takes long asks with it whether it is still wanted
+    const Progress progress = [&](double fraction) {
+        done = fraction;
+        return !given || given(fraction);
+    };
+    reportProgress(progress, 0);
+    const double start = run.clock();
+    SimulationSettings settings = withStep(run);
+    SceneOutcome outcome;
+    outcome.timeStep = std::ldexp(*settings.timeStep, -run.halvings);
+    requireRunnable(run.scene, outcome.timeStep);
+    const double longest = std::ldexp(run.scene.duration, -run.halvings);
+    settings.timeStep = outcome.shortestStep = std::min(outcome.timeStep, longest);
+    settings.isWanted = [&] { return progress(done); };
+    Simulation simulation(run.model, settings, run.scene.instrument ? run.surface : TouchedSurface());
+    outcome.setupSeconds = run.clock() - start;
+    outcome.factorisationSeconds = simulation.factorisationSeconds();
+    outcome.integrator = simulation.integrator();
+
+    Recorder recorder(run.scene, simulation.timeStep(), sink);
+    outcome.wallSeconds = stepThrough(run, simulation, recorder, progress, outcome);
+    outcome.energy = simulation.energy();
+    outcome.activeFraction = simulation.activeFraction();
+    outcome.touched = simulation.wasTouched();
+    if (outcome.stable) outcome.outcome = "completed";
+    if (outcome.stable) outcome.wallSeconds = bestOfRepeats(run, simulation, outcome.wallSeconds);
+    reportProgress(progress, 1);
+    return outcome;
+}
+
+} // namespace esm

@@ -1,0 +1,162 @@
+#include "core/dynamics/schemes/implicit_system.h"
+
+#include "core/support/errors.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int mostSolverIterations = 1000;
+
+double scalarProduct(const Vectors& a, const Vectors& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i].dot(b[i]);
+    return sum;
+}
+
+void addMultiple(Vectors& target, double factor, const Vectors& vectors) {
+    for (std::size_t i = 0; i < target.size(); ++i)
+        target[i] += factor * vectors[i];
+}
+
+/// The nodes whose velocities are sought.
+class UnknownNodes {
+public:
+    UnknownNodes(const StepMatrix& matrix, const std::vector<HeldNode>& led, std::size_t count)
+        : m_matrix(matrix), m_given(count) {
+        for (std::uint32_t i = 0; i < count; ++i)
+            m_given[i] = matrix.isPrescribed(i);
+        for (const HeldNode& held : led)
+            m_given[held.node] = 1;
+    }
+
+    void keep(Vectors& vectors) const {
+        for (std::size_t i = 0; i < vectors.size(); ++i)
+            if (m_given[i]) vectors[i].setZero();
+    }
+
+    /// What the preconditioner makes of a residual.
+    Vectors preconditioned(const Vectors& residual) const {
+        Vectors result(residual.size(), Vector3d::Zero()), half;
+        m_matrix.solveLower(residual, result, half);
+        m_matrix.solveUpper(std::move(half), result);
+        keep(result);
+        return result;
+    }
+
+private:
+    const StepMatrix& m_matrix;
+    std::vector<char> m_given;
+};
+
+enum class Solved { Yes, Indefinite, No };
+
+Solved conjugateGradients(const TangentMatrix& matrix, const UnknownNodes& unknown, const Vectors& momentum,
+                          double tolerance, Vectors& velocities) {
+    Vectors residual;
+    matrix.multiply(velocities, residual);
+    for (std::size_t i = 0; i < residual.size(); ++i)
+        residual[i] = momentum[i] - residual[i];
+    unknown.keep(residual);
+    Vectors direction = unknown.preconditioned(residual), image;
+    double rate = scalarProduct(residual, direction);
+    const double scale = scalarProduct(momentum, unknown.preconditioned(momentum)) + rate;
+    for (int iteration = 0; iteration < mostSolverIterations; ++iteration) {
+        if (!(rate > tolerance * tolerance * scale)) return Solved::Yes;
+        matrix.multiply(direction, image);
+        unknown.keep(image);
+        const double curvature = scalarProduct(direction, image);
+        if (!(curvature > 0)) return Solved::Indefinite;
+        addMultiple(velocities, rate / curvature, direction);
+        addMultiple(residual, -rate / curvature, image);
+        Vectors next = unknown.preconditioned(residual);
+        const double nextRate = scalarProduct(residual, next);
+        addMultiple(next, nextRate / rate, direction);
+        direction = std::move(next);
+        rate = nextRate;
+    }
+    return Solved::No;
+}
+
+} // namespace
+
+TangentMatrix::TangentMatrix(const SpringSystem& system, Damping damping, const MatrixFactors& factors,
+                             const Vectors& positions)
+    : m_system(system), m_damping(damping), m_factors(factors) {
+    m_tangents.reserve(system.springs.size());
+    for (const auto& spring : system.springs) {
+        const Vector3d between = positions[spring.first] - positions[spring.second];
+        const double length = between.norm();
+        const double restRatio = spring.restLength / length;
+        if (length > 0)
+            m_tangents.push_back({between / length,
+                                  slope(spring.springConstant, spring.secondPhase, restRatio),
+                                  tensionPerLength(spring.springConstant, spring.secondPhase, restRatio)});
+        else
+            m_tangents.push_back({Vector3d::Zero(), 0, 0});
+    }
+}
+
+void TangentMatrix::omitBuckling() {
+    for (Tangent& tangent : m_tangents)
+        tangent.lateral = std::max(0.0, tangent.lateral);
+}
+
+void TangentMatrix::multiply(const Vectors& velocities, Vectors& product) const {
+    product.resize(velocities.size());
+    for (std::size_t i = 0; i < product.size(); ++i)
+        product[i] = m_factors.mass * m_system.mass[i] * velocities[i];
+    addSprings(m_factors, velocities, product);
+}
+
+Vectors TangentMatrix::stiffnessTimes(const Vectors& displacements) const {
+    Vectors product(displacements.size(), Vector3d::Zero());
+    addSprings({0, 0, 1}, displacements, product);
+    return product;
+}
+
+void TangentMatrix::addSprings(const MatrixFactors& factors, const Vectors& velocities,
+                               Vectors& product) const {
+    for (std::size_t i = 0; i < m_system.springs.size(); ++i) {
+        const auto& spring = m_system.springs[i];
+        const auto& [direction, axial, lateral] = m_tangents[i];
+        const double damping = factors.damping * spring.viscosity;
+        const double across = factors.stiffness * lateral + (m_damping == Damping::Axial ? 0 : damping);
+        const double along = factors.stiffness * axial + damping;
+        const Vector3d difference = velocities[spring.first] - velocities[spring.second];
+        const Vector3d force = across * difference + (along - across) * direction.dot(difference) * direction;
+        product[spring.first] += force;
+        product[spring.second] -= force;
+    }
+    for (const Tether& tether : m_system.tethers)
+        product[tether.node] +=
+            (factors.damping * tether.viscosity + factors.stiffness * tether.springConstant) *
+            velocities[tether.node];
+}
+
+void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner, const std::vector<HeldNode>& led,
+                   const Vectors& momentum, Vectors& velocities, double tolerance) {
+    Vectors half;
+    preconditioner.solveLower(momentum, velocities, half);
+    Vectors start = velocities;
+    preconditioner.solveUpper(std::move(half), start);
+    for (const HeldNode& held : led)
+        start[held.node] = velocities[held.node];
+    const UnknownNodes unknown(preconditioner, led, velocities.size());
+    velocities = start;
+    Solved solved = conjugateGradients(matrix, unknown, momentum, tolerance, velocities);
+    if (solved == Solved::Indefinite) {
+        matrix.omitBuckling();
+        velocities = std::move(start);
+        solved = conjugateGradients(matrix, unknown, momentum, tolerance, velocities);
+    }
+    if (solved != Solved::Yes)
+        throw InvalidModel("the implicit step found no solution: shorten the step, or choose split");
+}
+
+} // namespace esm

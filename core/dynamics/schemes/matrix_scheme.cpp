@@ -1,0 +1,236 @@
+#include "core/dynamics/schemes/matrix_scheme.h"
+
+#include "core/dynamics/forces.h"
+#include "core/dynamics/schemes/axial_dampers.h"
+#include "core/dynamics/schemes/implicit_system.h"
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr double roundingShare = 1e-9; ///< of potentials; differences below it say nothing
+constexpr int mostHalfWays = 4;
+
+// Newton's steps with axial damping. To solve each of them more exactly gains nothing.
+constexpr int mostNewtonSteps = 4;
+constexpr double newtonTolerance = 1e-3; ///< of the velocities, in the mean square over masses
+constexpr double solverTolerance = 1e-3; ///< of a step's equation
+constexpr int mostNewtonHalvings = 9;    ///< of a step that would go uphill
+
+double kineticEnergy(const SpringSystem& system, const Vectors& velocities) {
+    double sum = 0;
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+        sum += 0.5 * system.mass[i] * velocities[i].squaredNorm();
+    return sum;
+}
+
+} // namespace
+
+struct MatrixScheme::Start {
+    const SpringSystem& system;
+    const StepInput& input;
+    const Motion& before;
+};
+
+/// M·(massFactor·v⁺ − drive) = h·(f(x⁺) − D·v⁺ + g), x⁺ = x + drift + reach·v⁺: both orders have this form.
+struct MatrixScheme::Form {
+    MatrixFactors factors;
+    Vectors drive; ///< m/s
+    Vectors drift; ///< m; empty: none
+    double reach;  ///< s
+};
+
+MatrixScheme::Form MatrixScheme::formOf(const StepInput& input, const Motion& before, bool builds) const {
+    const double h = input.duration;
+    Form form{stepFactors(m_integrator, h, builds), before.velocities, {}, h};
+    if (!builds) return form;
+    form.reach = 2 * h / 3;
+    form.drift.resize(before.positions.size());
+    for (std::size_t i = 0; i < form.drift.size(); ++i) {
+        form.drive[i] = 2 * before.velocities[i] - 0.5 * m_previous->velocities[i];
+        form.drift[i] = (before.positions[i] - m_previous->positions[i]) / 3;
+    }
+    return form;
+}
+
+/// Gives the led nodes the velocities that take them where they are led.
+void MatrixScheme::lead(const std::vector<HeldNode>& held, const Form& form, const Vectors& positions,
+                        Vectors& velocities) {
+    for (const HeldNode& led : held) {
+        Eigen::Vector3d way = led.position - positions[led.node];
+        if (!form.drift.empty()) way -= form.drift[led.node];
+        velocities[led.node] = way / form.reach;
+    }
+}
+
+void MatrixScheme::remember(Motion before) {
+    m_previous = std::move(before);
+    m_previousForces.swap(m_forces);
+}
+
+std::optional<UntouchedStep> MatrixScheme::step(const SpringSystem& system, const StepInput& input,
+                                                const Motion& before, StepSolver& solver, bool builds) {
+    elasticForces(system, before.positions, m_forces);
+    const Start start{system, input, before};
+    const Form form = formOf(input, before, builds);
+    UntouchedStep step{before, {}};
+    lead(input.held, form, before.positions, step.motion.velocities);
+    if (hasConstantMatrix(m_integrator))
+        solveConstant(start, form, solver, step);
+    else if (m_damping == Damping::Axial)
+        solveTurning(start, form, solver, step.motion.velocities);
+    else if (!solveTangent(start, form, solver, step))
+        return std::nullopt;
+    step.motion.positions = placesAfter(start, form, step.motion.velocities);
+    return step;
+}
+
+/// Written as a change, so that what rests stays where it is to the last bit.
+Vectors MatrixScheme::placesAfter(const Start& start, const Form& form, const Vectors& velocities) {
+    Vectors places = start.before.positions;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i] += form.reach * velocities[i];
+        if (!form.drift.empty()) places[i] += form.drift[i];
+    }
+    return places;
+}
+
+void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolver& solver,
+                                 UntouchedStep& step) const {
+    Vectors& velocities = step.motion.velocities;
+    Vectors extrapolated;
+    if (!form.drift.empty()) {
+        extrapolated = m_previousForces;
+        for (std::size_t i = 0; i < extrapolated.size(); ++i)
+            extrapolated[i] -= m_forces[i];
+    }
+    solver.matrix.solveLower(momentum(start, form, extrapolated), velocities, step.half);
+    const auto led = ledByImpulses(solver.matrix, start.input.held);
+    if (!led.empty()) solver.impulses.lead(led, velocities, step.half);
+    solver.matrix.solveUpper(step.half, velocities);
+}
+
+// A long Newton step may overshoot, as where tissue lies in a plane and resists no force across it, or where
+// springs become stiffer on the way. The step of the constant matrix never does, but it is a small one: a
+// part of the way from there to where the long step led is often better.
+bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver& solver,
+                                UntouchedStep& step) const {
+    TangentMatrix tangent(start.system, m_damping, form.factors, start.before.positions);
+    // The first order needs no exact tangent.
+    if (form.drift.empty()) tangent.omitBuckling();
+    const Vectors stiffened = form.drift.empty() ? Vectors{} : tangent.stiffnessTimes(form.drift);
+    const Vectors asked = momentum(start, form, stiffened);
+
+    Vectors& velocities = step.motion.velocities;
+    Vectors safe = velocities, half;
+    if (form.drift.empty()) {
+        solver.matrix.solveLower(asked, safe, half);
+        const auto led = ledByImpulses(solver.matrix, start.input.held);
+        if (!led.empty()) solver.impulses.lead(led, safe, half);
+        solver.matrix.solveUpper(std::move(half), safe);
+    }
+    solveImplicit(tangent, solver.matrix, start.input.held, asked, velocities);
+    const double known = potential(start, form, safe);
+    const auto overshoots = [&] {
+        const double reached = potential(start, form, velocities);
+        return reached - known > roundingShare * (std::abs(reached) + std::abs(known));
+    };
+    if (!overshoots()) return true;
+    if (!form.drift.empty()) return false;
+    for (int halving = 0; halving < mostHalfWays; ++halving) {
+        for (std::size_t i = 0; i < velocities.size(); ++i)
+            velocities[i] = 0.5 * (velocities[i] + safe[i]);
+        if (!overshoots()) return true;
+    }
+    velocities = std::move(safe);
+    return true;
+}
+
+SpringSystem MatrixScheme::axiallyDamped(const Start& start, const Form& form) const {
+    const auto& [system, input, before] = start;
+    const LengthChange change =
+        form.drift.empty() ? changeFrom(system, before.positions, input.duration)
+                           : changeFrom(system, before.positions, m_previous->positions, input.duration);
+    return withAxialDampers(system, change);
+}
+
+// Springs that damp along their axes alone turn within a step, and where they are viscous even a small turn
+// matters: tissue that moved on along the old directions would stretch them, next to unresisted, by what the
+// arc departs from its tangent. Newton's steps start from where the tissue is going, and each gains as much
+// as the potential falls.
+void MatrixScheme::solveTurning(const Start& start, const Form& form, StepSolver& solver,
+                                Vectors& velocities) const {
+    const SpringSystem damped = axiallyDamped(start, form);
+    const Start turning{damped, start.input, start.before};
+    for (int round = 0; round < mostNewtonSteps; ++round) {
+        const Vectors places = placesAfter(start, form, velocities);
+        TangentMatrix tangent(damped, Damping::Isotropic, form.factors, places);
+        tangent.omitBuckling();
+        Vectors change(velocities.size(), Eigen::Vector3d::Zero());
+        solveImplicit(tangent, solver.matrix, start.input.held, missing(turning, form, places, velocities),
+                      change, solverTolerance);
+        const double share = takeDownhill(turning, form, change, velocities);
+        const double changed = share * share * kineticEnergy(damped, change);
+        if (changed <= newtonTolerance * newtonTolerance * kineticEnergy(damped, velocities)) return;
+    }
+}
+
+/// Adds so large a share of a change that the potential does not rise; which share.
+double MatrixScheme::takeDownhill(const Start& start, const Form& form, const Vectors& change,
+                                  Vectors& velocities) const {
+    const Vectors from = velocities;
+    const double known = potential(start, form, from);
+    for (int halving = 0; halving <= mostNewtonHalvings; ++halving) {
+        const double share = std::ldexp(1, -halving);
+        for (std::size_t i = 0; i < velocities.size(); ++i)
+            velocities[i] = from[i] + share * change[i];
+        const double reached = potential(start, form, velocities);
+        if (reached - known <= roundingShare * (std::abs(reached) + std::abs(known))) return share;
+    }
+    velocities = from;
+    return 0;
+}
+
+/// @param stiffened what is taken from the forces, N; empty: nothing
+Vectors MatrixScheme::momentum(const Start& start, const Form& form, const Vectors& stiffened) const {
+    const double h = start.input.duration;
+    Vectors forces = m_forces;
+    for (std::size_t i = 0; i < stiffened.size(); ++i)
+        forces[i] -= stiffened[i];
+    addExternalForces(start.system, *start.input.loads, forces);
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        forces[i] = start.system.mass[i] * form.drive[i] + h * forces[i];
+    return forces;
+}
+
+/// N·s, by which these velocities miss the step's equation.
+Vectors MatrixScheme::missing(const Start& start, const Form& form, const Vectors& places,
+                              const Vectors& velocities) const {
+    Vectors forces;
+    elasticForces(start.system, places, forces);
+    addExternalForces(start.system, *start.input.loads, forces);
+    addDampingForces(start.system, m_damping, places, velocities, forces);
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        forces[i] = start.system.mass[i] * (form.drive[i] - form.factors.mass * velocities[i]) +
+                    start.input.duration * forces[i];
+    return forces;
+}
+
+/// J, what an exact step has the least of: the form above is where its gradient vanishes.
+double MatrixScheme::potential(const Start& start, const Form& form, const Vectors& velocities) const {
+    const double h = start.input.duration;
+    Vectors damping(velocities.size(), Eigen::Vector3d::Zero()), external = damping;
+    addDampingForces(start.system, m_damping, start.before.positions, velocities, damping);
+    addExternalForces(start.system, *start.input.loads, external);
+    double result = 0;
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+        const Eigen::Vector3d& v = velocities[i];
+        result += start.system.mass[i] * v.dot(0.5 * form.factors.mass * v - form.drive[i]) -
+                  h * v.dot(external[i] + 0.5 * damping[i]);
+    }
+    return result + h / form.reach * energy(start.system, placesAfter(start, form, velocities), {}).elastic;
+}
+
+} // namespace esm

@@ -1,0 +1,169 @@
+#include "core/dynamics/schemes/propagation.h"
+
+#include "core/support/errors.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double settled = 1e-8; ///< change of a force, of the largest there was
+constexpr int mostPasses = 2000, passesUnasked = 16;
+constexpr double roundingMargin = 1e-14; ///< of a place; what springs make of it cannot settle
+
+/// Of one spring, on the node it is seen from.
+Vector3d springForce(const SpringSystem::Element& spring, Damping damping, const Vector3d& between,
+                     const Vector3d& approach) {
+    const double length = between.norm();
+    if (!(length > 0))
+        return damping == Damping::Axial ? Vector3d::Zero() : Vector3d(-spring.viscosity * approach);
+    const Vector3d elastic =
+        -between * tensionPerLength(spring.springConstant, spring.secondPhase, spring.restLength / length);
+    if (damping == Damping::Isotropic) return elastic - spring.viscosity * approach;
+    const Vector3d direction = between / length;
+    return elastic - spring.viscosity * direction.dot(approach) * direction;
+}
+
+} // namespace
+
+PropagationScheme::PropagationScheme(const SpringSystem& system, Damping damping,
+                                     std::function<bool()> isWanted)
+    : m_damping(damping), m_isWanted(std::move(isWanted)), m_start(system.mass.size() + 1, 0),
+      m_neighbours(2 * system.springs.size()), m_tethers(system.mass.size()) {
+    for (const auto& spring : system.springs)
+        for (const std::uint32_t node : {spring.first, spring.second})
+            ++m_start[node + 1];
+    for (std::size_t i = 1; i < m_start.size(); ++i)
+        m_start[i] += m_start[i - 1];
+    std::vector<std::size_t> next(m_start.begin(), m_start.end() - 1);
+    for (std::uint32_t i = 0; i < system.springs.size(); ++i) {
+        const auto& spring = system.springs[i];
+        m_neighbours[next[spring.first]++] = {spring.second, i};
+        m_neighbours[next[spring.second]++] = {spring.first, i};
+    }
+    for (const Tether& tether : system.tethers)
+        m_tethers[tether.node].push_back(tether);
+}
+
+// Breadth first; then the parts that hang on nothing of it.
+std::vector<std::uint32_t> PropagationScheme::outwardsFrom(std::uint32_t node) const {
+    const auto count = static_cast<std::uint32_t>(m_tethers.size());
+    std::vector<std::uint32_t> order;
+    std::vector<char> seen(count, 0);
+    order.reserve(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t seed = i == 0 ? node : i - 1 < node ? i - 1 : i;
+        if (std::exchange(seen[seed], 1)) continue;
+        std::size_t reached = order.size();
+        for (order.push_back(seed); reached < order.size(); ++reached)
+            for (std::size_t n = m_start[order[reached]]; n < m_start[order[reached] + 1]; ++n)
+                if (!std::exchange(seen[m_neighbours[n].node], 1)) order.push_back(m_neighbours[n].node);
+    }
+    return order;
+}
+
+Vector3d PropagationScheme::forceOn(std::uint32_t node, const SpringSystem& system,
+                                    const Motion& motion) const {
+    Vector3d force = Vector3d::Zero();
+    for (std::size_t n = m_start[node]; n < m_start[node + 1]; ++n) {
+        const auto [other, spring] = m_neighbours[n];
+        force +=
+            springForce(system.springs[spring], m_damping, motion.positions[node] - motion.positions[other],
+                        motion.velocities[node] - motion.velocities[other]);
+    }
+    for (const Tether& tether : m_tethers[node])
+        force -= tether.springConstant * (motion.positions[node] - system.network->restPositions[node]) +
+                 tether.viscosity * motion.velocities[node];
+    return force;
+}
+
+/// The first phase of one step: passes over the nodes until their forces settle.
+class PropagationScheme::LocalPropagation {
+public:
+    LocalPropagation(const PropagationScheme& scheme, const SpringSystem& system, const StepInput& input,
+                     const Motion& before, Motion& after)
+        : m_scheme(scheme), m_system(system), m_step(input.duration), m_before(before), m_after(after),
+          m_given(system.fixed), m_external(before.positions.size(), Vector3d::Zero()), m_forces(m_external) {
+        addExternalForces(system, *input.loads, m_external);
+        m_after = before;
+        leadHeldNodes(input, before.positions, m_after.velocities);
+        for (const HeldNode& held : input.held) {
+            m_given[held.node] = 1;
+            m_after.positions[held.node] = held.position;
+        }
+        for (std::uint32_t node = 0; node < m_forces.size(); ++node) {
+            m_resistance.push_back(scheme.diagonalOf(node, system, {1, m_step, m_step * m_step}));
+            m_forces[node] = scheme.forceOn(node, system, before) + m_external[node];
+            if (!m_given[node]) note(node, m_forces[node].norm(), m_largestForce);
+            m_rounding = std::max(m_rounding, roundingMargin * scheme.diagonalOf(node, system, {0, 0, 1}) *
+                                                  before.positions[node].norm());
+        }
+    }
+
+    /// False when the forces have settled.
+    bool pass() {
+        const std::vector<std::uint32_t> order = m_scheme.outwardsFrom(m_start);
+        double largestChange = 0;
+        for (const std::uint32_t node : order)
+            if (!m_given[node]) note(node, settle(node), largestChange);
+        return largestChange > settled * m_largestForce + m_rounding;
+    }
+
+private:
+    /// The next pass starts at the node with the largest value.
+    void note(std::uint32_t node, double value, double& largest) {
+        if (!(value > largest)) return;
+        largest = value;
+        m_start = node;
+    }
+
+    /// Gives a node the velocity its springs ask of it; by how much its force changed or is not met yet, N.
+    double settle(std::uint32_t node) {
+        const Vector3d force = m_scheme.forceOn(node, m_system, m_after) + m_external[node];
+        const Vector3d missing =
+            m_system.mass[node] * (m_before.velocities[node] - m_after.velocities[node]) + m_step * force;
+        m_after.velocities[node] += missing / m_resistance[node];
+        m_after.positions[node] = m_before.positions[node] + m_step * m_after.velocities[node];
+        m_largestForce = std::max(m_largestForce, force.norm());
+        return std::max((force - std::exchange(m_forces[node], force)).norm(), missing.norm() / m_step);
+    }
+
+    const PropagationScheme& m_scheme;
+    const SpringSystem& m_system;
+    double m_step; ///< s
+    const Motion& m_before;
+    Motion& m_after;
+    std::vector<char> m_given;
+    Vectors m_external, m_forces;     ///< N, from outside; of the last pass
+    std::vector<double> m_resistance; ///< kg
+    double m_largestForce = 0;        ///< N, ever met
+    double m_rounding = 0;            ///< N
+    std::uint32_t m_start = 0;
+};
+
+double PropagationScheme::diagonalOf(std::uint32_t node, const SpringSystem& system,
+                                     const MatrixFactors& factors) const {
+    double diagonal = factors.mass * system.mass[node];
+    for (std::size_t n = m_start[node]; n < m_start[node + 1]; ++n) {
+        const auto& spring = system.springs[m_neighbours[n].spring];
+        diagonal += factors.damping * spring.viscosity + factors.stiffness * largestSpringConstant(spring);
+    }
+    for (const Tether& tether : m_tethers[node])
+        diagonal += factors.damping * tether.viscosity + factors.stiffness * tether.springConstant;
+    return diagonal;
+}
+
+void PropagationScheme::step(const SpringSystem& system, const StepInput& input, const Motion& before,
+                             Motion& after) const {
+    LocalPropagation propagation(*this, system, input, before, after);
+    for (int pass = 1; pass <= mostPasses; ++pass) {
+        if (!propagation.pass()) return;
+        if (pass % passesUnasked == 0 && m_isWanted && !m_isWanted()) throw Cancelled();
+    }
+    throw InvalidModel("the propagation does not settle within a step: shorten the step, or choose split");
+}
+
+} // namespace esm

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/dynamics/contact/node_impulses.h"
+#include "core/dynamics/motion.h"
+#include "core/model/integrators.h"
+
+namespace esm {
+
+/// The factorised matrix of a step, and how impulses on single nodes act through it.
+struct StepSolver {
+    StepMatrix matrix;
+    NodeImpulses impulses;
+
+    explicit StepSolver(StepMatrix&& factorised) : matrix(std::move(factorised)), impulses(matrix) {}
+    StepSolver(const StepSolver&) = delete;
+    StepSolver& operator=(const StepSolver&) = delete;
+};
+
+/// The matrix of a step of so many seconds: that of the integrator itself where it is constant, else the
+/// constant one that comes closest.
+/// @param builds on the step before; only where the integrator has a second-order form
+MatrixFactors stepFactors(Integrator integrator, double duration, bool builds);
+
+/// A step before anything touched it.
+struct UntouchedStep {
+    Motion motion;
+    Vectors half; ///< half-solved velocities, N·s/√kg; empty where none were needed
+};
+
+/// The led nodes that the matrix does not take for prescribed.
+std::vector<std::uint32_t> ledByImpulses(const StepMatrix& matrix, const std::vector<HeldNode>& held);
+
+} // namespace esm

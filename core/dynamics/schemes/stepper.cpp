@@ -1,0 +1,331 @@
+#include "core/dynamics/schemes/stepper.h"
+
+#include "core/dynamics/contact/contact_impulses.h"
+#include "core/dynamics/forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+/// Above this, leading nodes through their responses to each other costs more than a factorisation without
+/// them.
+constexpr std::size_t mostLedByImpulses = 64;
+
+/// What touches beyond this is pushed out one by one, without dragging along what is around it.
+constexpr std::size_t mostContacts = 256;
+constexpr int mostContactRounds = 3;
+constexpr int mostBranchRounds = 4;       ///< after which all springs are taken for strained
+constexpr std::size_t mostSolvers = 24;   ///< kept; steps cut to ever other lengths ask for ever other ones
+constexpr double contactTolerance = 1e-3; ///< in radii; the rest is projected out
+constexpr double impulseTolerance = 1e-5; ///< in radii
+
+/// Of the larger of two velocities, what smooth ways change from step to step.
+constexpr double smoothChange = 0.5;
+
+bool isJump(const Eigen::Vector3d& before, const Eigen::Vector3d& now) {
+    const double larger = std::max(before.squaredNorm(), now.squaredNorm());
+    return (now - before).squaredNorm() > smoothChange * smoothChange * larger;
+}
+
+/// The same for durations that differ by rounding alone.
+long lengthOf(double duration) {
+    constexpr double parts = 1 << 28;
+    return std::lround(parts * std::log2(duration));
+}
+
+/// The last place given for each node that is free to follow, in the order of nodes.
+std::vector<HeldNode> movable(std::vector<HeldNode> held, const std::vector<char>& fixed) {
+    std::stable_sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+    std::vector<HeldNode> result;
+    for (const HeldNode& node : held) {
+        if (fixed[node.node]) continue;
+        if (!result.empty() && result.back().node == node.node) result.pop_back();
+        result.push_back(node);
+    }
+    return result;
+}
+
+/// To the last bit.
+void place(const std::vector<HeldNode>& held, Vectors& positions) {
+    for (const HeldNode& node : held)
+        positions[node.node] = node.position;
+}
+
+} // namespace
+
+Stepper::Stepper(SpringSystem system, TouchedSurface surface, const StepperOptions& options,
+                 const Stepper* former)
+    : m_system(std::move(system)), m_surface(std::move(surface)), m_options(options),
+      m_integrator(options.chosen.integrator), m_duration(options.chosen.timeStep),
+      m_free(m_system.fixed, former ? former->m_free.factoriser : std::make_shared<MatrixFactoriser>()),
+      m_led(m_system.fixed, former ? former->m_led.factoriser : std::make_shared<MatrixFactoriser>()),
+      m_strained(m_system), m_scheme(makeScheme(former)) {
+    if (std::holds_alternative<MatrixScheme>(m_scheme)) solverFor(m_duration, false);
+    if (hasSecondOrderForm(m_integrator)) solverFor(m_duration, true);
+}
+
+bool Stepper::canTakeScheme(const Stepper& former) const {
+    const SimulationSettings &settings = m_options.settings, &others = former.m_options.settings;
+    return isExplicit(m_integrator) && m_integrator == former.m_integrator &&
+           m_system.network == former.m_system.network && m_options.team == former.m_options.team &&
+           settings.damping == others.damping && settings.precision == others.precision &&
+           settings.restTolerance == others.restTolerance;
+}
+
+Stepper::Scheme Stepper::makeScheme(const Stepper* former) const {
+    if (former && canTakeScheme(*former)) {
+        if (auto* inDouble = std::get_if<ExplicitScheme<double>>(&former->m_scheme))
+            return inDouble->withParameters(m_system);
+        if (auto* inFloat = std::get_if<ExplicitScheme<float>>(&former->m_scheme))
+            return inFloat->withParameters(m_system);
+    }
+    const SimulationSettings& settings = m_options.settings;
+    const KernelOptions options{settings.damping, {}, m_options.team};
+    if (m_integrator == Integrator::Propagation)
+        return PropagationScheme(m_system, settings.damping, settings.isWanted);
+    if (!isExplicit(m_integrator)) return MatrixScheme(m_integrator, settings.damping);
+    if (settings.precision == Precision::Float)
+        return ExplicitScheme<float>(m_system, m_integrator, options, settings.restTolerance);
+    return ExplicitScheme<double>(m_system, m_integrator, options, settings.restTolerance);
+}
+
+void Stepper::restart() {
+    m_lastLoads.reset();
+    forgetSteps();
+}
+
+void Stepper::forgetSteps() {
+    if (auto* scheme = std::get_if<MatrixScheme>(&m_scheme)) scheme->restart();
+    if (auto* scheme = std::get_if<ExplicitScheme<double>>(&m_scheme)) scheme->restart();
+    if (auto* scheme = std::get_if<ExplicitScheme<float>>(&m_scheme)) scheme->restart();
+}
+
+double Stepper::activeFraction() const {
+    if (auto* scheme = std::get_if<ExplicitScheme<double>>(&m_scheme)) return scheme->activeFraction();
+    if (auto* scheme = std::get_if<ExplicitScheme<float>>(&m_scheme)) return scheme->activeFraction();
+    return 1;
+}
+
+bool Stepper::touchesNothing(const Loads& loads) const {
+    return isExplicit(m_integrator) && loads.held.empty() && (!loads.instrument || m_surface.empty());
+}
+
+void Stepper::steps(Motion& motion, const Request& request) {
+    const Loads& loads = request.loads;
+    if (!m_lastLoads || m_lastLoads->gravity != loads.gravity || m_lastLoads->forces != loads.forces ||
+        lengthOf(m_duration) != lengthOf(request.duration) || loads.beginsAnew)
+        forgetSteps();
+    m_duration = request.duration;
+    m_touched = false;
+    m_contactWork = 0;
+    if (touchesNothing(loads)) {
+        explicitSteps({m_duration, &loads, {}}, request.count, motion, motion);
+    } else {
+        for (const Piece& piece : piecesOf(motion, request))
+            advance(motion, piece);
+    }
+    m_lastLoads = loads;
+}
+
+std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Request& request) const {
+    const Loads& loads = request.loads;
+    const double duration = request.duration;
+    const std::vector<HeldNode> held = movable(loads.held, m_system.fixed);
+    if (!request.sphere || m_surface.empty()) return {{{duration, &loads, held}, true, {}}};
+    Vectors velocities = motion.velocities;
+    leadHeldNodes({duration, &loads, held}, motion.positions, velocities);
+    const int parts = contactParts(m_surface, motion.positions, velocities, *request.sphere, duration);
+
+    std::vector<Piece> pieces;
+    const auto& [from, to, radius] = *request.sphere;
+    Eigen::Vector3d reached = from;
+    for (int part = 1; part <= parts; ++part) {
+        const double fraction = static_cast<double>(part) / parts;
+        Piece piece{{duration / parts, &loads, held}, parts == 1, {}};
+        for (HeldNode& node : piece.input.held) {
+            const Eigen::Vector3d& start = motion.positions[node.node];
+            if (part < parts) node.position = start + fraction * (node.position - start);
+        }
+        const Eigen::Vector3d next = part < parts ? Eigen::Vector3d(from + fraction * (to - from)) : to;
+        piece.sphere = SphereMove{std::exchange(reached, next), next, radius};
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
+}
+
+void Stepper::advance(Motion& motion, const Piece& piece) {
+    prescribe(piece.input.held);
+    if (hasBranches() && m_strained.follow(m_system, motion.positions)) forgetBranches();
+    auto* const scheme = std::get_if<MatrixScheme>(&m_scheme);
+    const bool standsAlone = !piece.isWhole || (!scheme && !piece.input.held.empty());
+    if (jumps(piece.input, motion.positions) || standsAlone) forgetSteps();
+    UntouchedStep untouched = untouchedStep(motion, piece);
+    const bool touched = touches(motion, piece, untouched.motion.positions);
+    m_touched = m_touched || touched;
+    if (touched && scheme && scheme->canBuild()) untouched = firstOrderStep(motion, piece);
+    if (touched) m_contactWork -= energy(m_system, untouched.motion).total();
+    Motion next = touched ? madeWay(motion, piece, std::move(untouched)) : std::move(untouched.motion);
+    if (touched) m_contactWork += energy(m_system, next).total();
+
+    std::swap(motion, next);
+    if (touched || standsAlone)
+        forgetSteps();
+    else if (hasSecondOrderForm(m_integrator))
+        scheme->remember(std::move(next));
+}
+
+bool Stepper::jumps(const StepInput& input, const Vectors& positions) {
+    std::vector<LedNode> ways;
+    for (const HeldNode& held : input.held)
+        ways.push_back({held.node, (held.position - positions[held.node]) / input.duration});
+    const auto goesOn = [](const LedNode& before, const LedNode& now) {
+        return before.node == now.node && !isJump(before.velocity, now.velocity);
+    };
+    const bool goOn = std::equal(m_ways.begin(), m_ways.end(), ways.begin(), ways.end(), goesOn);
+    m_ways = std::move(ways);
+    return !goOn;
+}
+
+bool Stepper::explicitSteps(const StepInput& input, std::size_t count, const Motion& before, Motion& after) {
+    if (auto* inDouble = std::get_if<ExplicitScheme<double>>(&m_scheme))
+        inDouble->steps(input, count, before, after);
+    else if (auto* inFloat = std::get_if<ExplicitScheme<float>>(&m_scheme))
+        inFloat->steps(input, count, before, after);
+    else
+        return false;
+    return true;
+}
+
+UntouchedStep Stepper::untouchedStep(const Motion& motion, const Piece& piece) {
+    UntouchedStep untouched;
+    if (auto* scheme = std::get_if<MatrixScheme>(&m_scheme)) {
+        if (scheme->canBuild())
+            if (auto step = scheme->step(m_system, piece.input, motion, solverFor(piece.input.duration, true),
+                                         true)) {
+                place(piece.input.held, step->motion.positions);
+                return std::move(*step);
+            }
+        return firstOrderStep(motion, piece);
+    }
+    if (!explicitSteps(piece.input, 1, motion, untouched.motion))
+        std::get<PropagationScheme>(m_scheme).step(m_system, piece.input, motion, untouched.motion);
+    place(piece.input.held, untouched.motion.positions);
+    return untouched;
+}
+
+// Where a spring is up to its strain before and after, it is so in between, and the matrix resists it no less
+// than its law does: only then is the step sure not to overshoot.
+UntouchedStep Stepper::branchStep(const Motion& motion, const Piece& piece) {
+    for (int round = 0;; ++round) {
+        UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(
+            m_system, piece.input, motion, branchSolverFor(piece.input.duration), false);
+        place(piece.input.held, step.motion.positions);
+        if (!m_strained.add(m_system, step.motion.positions)) return step;
+        if (round == mostBranchRounds) m_strained.addAll();
+        forgetBranches();
+    }
+}
+
+UntouchedStep Stepper::firstOrderStep(const Motion& motion, const Piece& piece) {
+    if (m_integrator == Integrator::Projective && hasBranches()) return branchStep(motion, piece);
+    UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(
+        m_system, piece.input, motion, solverFor(piece.input.duration, false), false);
+    place(piece.input.held, step.motion.positions);
+    return step;
+}
+
+std::vector<char> Stepper::immovable(const Piece& piece) const {
+    std::vector<char> result = m_system.fixed;
+    for (const HeldNode& held : piece.input.held)
+        result[held.node] = 1;
+    return result;
+}
+
+bool Stepper::touches(const Motion& motion, const Piece& piece, const Vectors& next) const {
+    return piece.sphere &&
+           !findContacts(m_surface, immovable(piece), motion.positions, next, *piece.sphere).empty();
+}
+
+// Each round solves anew from the untouched step, with the contacts of the rounds before, turned to where the
+// surface came to lie, and those that were found since: nothing is pushed twice.
+Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched) {
+    const double h = piece.input.duration;
+    StepSolver& solver = hasBranches() ? branchSolverFor(h) : solverFor(h, false);
+    if (untouched.half.empty()) solver.matrix.multiplyUpper(untouched.motion.velocities, untouched.half);
+    const SphereMove& sphere = *piece.sphere;
+    const std::vector<char> stays = immovable(piece);
+    const std::vector<std::uint32_t> led = ledByImpulses(solver.matrix, piece.input.held);
+    const Motion& free = untouched.motion;
+    Motion next = free;
+    std::vector<Contact> contacts;
+    Eigen::VectorXd impulses;
+    for (int round = 0; round < mostContactRounds; ++round) {
+        const auto found = findContacts(m_surface, stays, motion.positions, next.positions, sphere);
+        if (round > 0 && deepest(found) <= contactTolerance * sphere.radius) break;
+        mergeContacts(contacts, found, mostContacts);
+        Eigen::VectorXd needed(contacts.size());
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            turnOutward(contacts[i], motion.positions, next.positions, sphere);
+            needed[static_cast<Eigen::Index>(i)] = depth(contacts[i], free.positions, sphere) / h;
+        }
+        impulses.conservativeResizeLike(Eigen::VectorXd::Zero(needed.size()));
+        Vectors half = untouched.half;
+        const double tolerance = impulseTolerance * sphere.radius / h;
+        pushContacts({contacts, needed, led, stays, tolerance}, solver.impulses, impulses, half);
+        solver.matrix.solveUpper(std::move(half), next.velocities);
+        for (std::size_t i = 0; i < next.positions.size(); ++i)
+            if (!stays[i])
+                next.positions[i] = free.positions[i] + h * (next.velocities[i] - free.velocities[i]);
+    }
+    const Vectors solved = next.positions;
+    projectOut(m_surface, stays, motion.positions, sphere, next.positions);
+    for (std::size_t i = 0; i < solved.size(); ++i)
+        next.velocities[i] += (next.positions[i] - solved[i]) / h;
+    return next;
+}
+
+StepSolver& Stepper::solverFor(double duration, bool builds) {
+    auto& [prescribed, factoriser, linear, branches] = solvers();
+    const std::pair key(lengthOf(duration), builds);
+    if (const auto known = linear.find(key); known != linear.end()) return *known->second;
+    if (linear.size() >= mostSolvers) linear.clear();
+    auto solver = std::make_unique<StepSolver>(
+        StepMatrix(m_system, stepFactors(m_integrator, duration, builds), prescribed, *factoriser));
+    return *(linear[key] = std::move(solver));
+}
+
+bool Stepper::hasBranches() const {
+    return m_strained.canChange() && stepFactors(m_integrator, m_duration, false).stiffness > 0;
+}
+
+StepSolver& Stepper::branchSolverFor(double duration) {
+    auto& [prescribed, factoriser, linear, branches] = solvers();
+    const long key = lengthOf(duration);
+    if (const auto known = branches.find(key); known != branches.end()) return *known->second;
+    if (branches.size() >= mostSolvers) branches.clear();
+    auto solver = std::make_unique<StepSolver>(StepMatrix(m_strained.linearised(m_system),
+                                                          stepFactors(m_integrator, duration, false),
+                                                          prescribed, *factoriser));
+    return *(branches[key] = std::move(solver));
+}
+
+void Stepper::forgetBranches() {
+    m_free.branches.clear();
+    m_led.branches.clear();
+}
+
+// The matrices without the led nodes stay, for when they are let go.
+void Stepper::prescribe(const std::vector<HeldNode>& held) {
+    m_leadsMany = held.size() > mostLedByImpulses;
+    if (!m_leadsMany) return;
+    std::vector<char> prescribed = m_system.fixed;
+    for (const HeldNode& node : held)
+        prescribed[node.node] = 1;
+    if (prescribed == m_led.prescribed) return;
+    m_led = Solvers(std::move(prescribed), m_led.factoriser);
+}
+
+} // namespace esm

@@ -1,0 +1,127 @@
+#include "core/dynamics/stability/definite_step.h"
+
+#include "core/dynamics/stability/lanczos.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace esm {
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+double form(const Matrix& matrix, const Eigen::VectorXd& x) {
+    return x.dot(matrix.selfadjointView<Eigen::Lower>() * x);
+}
+
+/// By what makes Q large without making it indefinite, so that parts of the tissue that differ by orders of
+/// magnitude weigh alike.
+Eigen::VectorXd scaleOf(const StepFamily& family, double h) {
+    Eigen::VectorXd scale = family.factors.mass * family.mass.diagonal();
+    scale += std::max(0.0, family.factors.damping * h) * family.damping.diagonal();
+    scale += std::max(0.0, family.factors.stiffness * h * h) * family.stiffness.diagonal();
+    return scale.cwiseSqrt().cwiseInverse();
+}
+
+enum class Verdict { Definite, Indefinite, Open };
+
+struct Trial {
+    Verdict verdict;
+    Eigen::VectorXd motion; ///< for which Q is negative, where it is indefinite
+};
+
+/// −Q(h), scaled.
+Matrix scaledNegative(const StepFamily& family, double h, const Eigen::VectorXd& scale) {
+    const MatrixFactors& factors = family.factors;
+    const Matrix sum = factors.mass * family.mass + factors.damping * h * family.damping +
+                       factors.stiffness * h * h * family.stiffness;
+    return Matrix(-(scale.asDiagonal() * sum * scale.asDiagonal()));
+}
+
+/// Q(h) is definite where the largest eigenvalue of its scaled negative is below zero. `ask` is called now
+/// and then.
+Trial tryStep(const StepFamily& family, double h, double tolerance, const std::function<void()>& ask) {
+    const Eigen::VectorXd scale = scaleOf(family, h);
+    const Matrix matrix = scaledNegative(family, h, scale);
+    const Eigen::VectorXd start = arbitraryDirection(matrix.rows());
+    const int least = iterationsToNotice(tolerance, matrix.rows());
+    const auto isEnough = [&](const RitzPair& pair) {
+        ask();
+        if (pair.value > 0) return pair.residual < std::max(0.25 * tolerance, 0.1 * pair.value);
+        return pair.value + pair.residual < 0 && pair.coefficients.size() >= least;
+    };
+    const RitzPair pair = largestRitzPair(matrix, start, {isEnough, 1, 4 * least});
+    if (pair.value > 0) return {Verdict::Indefinite, scale.cwiseProduct(ritzVector(pair, matrix, start))};
+    return {pair.value + pair.residual < 0 ? Verdict::Definite : Verdict::Open, {}};
+}
+
+} // namespace
+
+// The smallest positive root of a + b·h + c·h² with a > 0, written so that nothing cancels.
+double firstZero(const StepFamily& family, const Eigen::VectorXd& x) {
+    const double a = family.factors.mass * form(family.mass, x),
+                 b = family.factors.damping * form(family.damping, x),
+                 c = family.factors.stiffness * form(family.stiffness, x);
+    const double discriminant = b * b - 4 * a * c;
+    const double divisor = discriminant < 0 ? 0 : std::sqrt(discriminant) - b;
+    return divisor > 0 ? 2 * a / divisor : std::numeric_limits<double>::infinity();
+}
+
+// The limit is the least first zero of all motions: any motion bounds it from above. At a step that is too
+// long, the motion that Q is most negative for has a first zero that is off the limit by the square of what
+// the motion is off the limit's, as with Rayleigh's quotient; so a few such motions lead there. A step
+// shorter by the tolerance is then shown to be definite. All of it takes products with the matrices, no
+// factorisation: time in proportion to their size.
+double largestDefiniteStep(const StepFamily& family, const Eigen::VectorXd& near,
+                           const DefiniteSearch& search) {
+    if (search.sure >= search.cap) return search.cap;
+    const double first = near.size() > 0 ? firstZero(family, near) : search.cap;
+    double bound = std::min(search.cap, first), shrink = 1 + search.tolerance;
+    if (!std::isfinite(bound)) return bound;
+    double trial = bound < search.cap ? bound / shrink : bound;
+    for (int tries = 0; bound > (1 + search.tolerance) * search.sure; ++tries) {
+        trial = std::max(trial, search.sure);
+        const auto ask = [&] { reportProgress(search.progress, 1 - 1 / (1 + 0.1 * tries)); };
+        const Trial tried = tryStep(family, trial, search.tolerance, ask);
+        if (tried.verdict == Verdict::Definite) return trial;
+        bound = trial;
+        if (tried.verdict == Verdict::Indefinite) bound = std::min(bound, firstZero(family, tried.motion));
+        if (tried.verdict == Verdict::Open) shrink *= shrink;
+        trial = bound / shrink;
+    }
+    return std::min(search.sure, search.cap);
+}
+
+// With nothing positive beside its diagonal, A = h·D − share·M is positive definite exactly where some
+// positive v has A·v > 0. Conjugate gradients towards A·v = M·1 either come to such a v or past a direction
+// in which A is not positive; where they do neither for long, the answer is the careful one.
+bool isDampedBeyond(double share, double h, const Eigen::SparseMatrix<double>& mass,
+                    const Eigen::SparseMatrix<double>& damping) {
+    constexpr int mostIterations = 1000;
+    const Matrix matrix = h * damping - share * mass;
+    const Eigen::VectorXd diagonal = matrix.diagonal(), wanted = mass.diagonal();
+    if (!(diagonal.minCoeff() > 0)) return false;
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(wanted.size()), residual = wanted;
+    // Where all that moves moves alike, springs do not damp.
+    Eigen::VectorXd direction = Eigen::VectorXd::Ones(wanted.size());
+    if (!(form(matrix, direction) > 0)) return false;
+    direction = residual.cwiseQuotient(diagonal);
+    double weight = residual.dot(direction);
+    for (int iteration = 0; iteration < mostIterations; ++iteration) {
+        const Eigen::VectorXd product = matrix.selfadjointView<Eigen::Lower>() * direction;
+        const double curvature = direction.dot(product);
+        if (!(curvature > 0)) return false;
+        v += weight / curvature * direction;
+        residual -= weight / curvature * product;
+        if (v.minCoeff() > 0 && (wanted - residual).minCoeff() > 0) return true;
+        const double former = std::exchange(weight, residual.dot(residual.cwiseQuotient(diagonal)));
+        direction = residual.cwiseQuotient(diagonal) + weight / former * direction;
+    }
+    return false;
+}
+
+} // namespace esm

@@ -1,0 +1,132 @@
+#include "core/dynamics/stability/stability.h"
+
+#include "core/dynamics/stability/stability_rules.h"
+#include "core/support/errors.h"
+
+#include <sstream>
+
+namespace esm {
+
+namespace {
+
+constexpr double safetyFactor = 0.9;
+
+/// Only explicit integrators compute in float or leave out what rests.
+bool hasToBeExplicit(const SimulationSettings& settings) {
+    return settings.precision == Precision::Float || settings.restTolerance > 0;
+}
+
+/// Where a given step is too long for all that take elasticity explicitly, it has to be taken implicitly.
+Integrator integratorFor(StabilityRules& rules, const SimulationSettings& settings, double step) {
+    if (hasToBeExplicit(settings)) return Integrator::Euler;
+    std::vector<Integrator> candidates{Integrator::Euler};
+    if (settings.damping == Damping::Isotropic)
+        candidates = {Integrator::Split2, Integrator::Split, Integrator::Euler};
+    for (const Integrator integrator : candidates)
+        if (rules.largestStable(integrator, step).value_or(0) >= step) return integrator;
+    return Integrator::Bdf2;
+}
+
+/// Of a simulated second, the wall time it roughly takes, s per spring.
+double costOf(const ChosenStep& chosen) {
+    constexpr double explicitSeconds = 5e-9, solvingSeconds = 8e-8, iteratingSeconds = 4e-7; // a step
+    const double seconds = isExplicit(chosen.integrator)          ? explicitSeconds
+                           : hasConstantMatrix(chosen.integrator) ? solvingSeconds
+                                                                  : iteratingSeconds;
+    return seconds / chosen.timeStep;
+}
+
+/// The second-order form is worth a shorter step than the first-order one, but not any; where viscosity is so
+/// small that taking it implicitly gains nothing, the explicit step is as good and cheaper. Where all of them
+/// fall behind real time, elasticity has to be taken implicitly as well.
+ChosenStep bestChoice(StabilityRules& rules, const SimulationSettings& settings, double cap,
+                      std::size_t springs) {
+    const auto longest = [&](Integrator integrator) {
+        return ChosenStep{integrator, rules.largestStable(integrator, cap).value_or(0)};
+    };
+    const auto inTime = [&](const ChosenStep& chosen) {
+        if (costOf(chosen) * static_cast<double>(springs) <= 1) return chosen;
+        // As long as conjugate gradients are sure to solve for it.
+        const ChosenStep implicit{Integrator::Bdf2, rules.largestSolvable(cap)};
+        // An organ so large that no step keeps up is not made faster by one that costs more.
+        const bool isTooShort = chosen.timeStep * safetyFactor < shortestStep;
+        return isTooShort || costOf(implicit) < costOf(chosen) ? implicit : chosen;
+    };
+    if (hasToBeExplicit(settings)) return longest(Integrator::Euler);
+    if (settings.damping == Damping::Axial) return inTime(longest(Integrator::Euler));
+    const ChosenStep split = longest(Integrator::Split);
+    ChosenStep split2 = longest(Integrator::Split2);
+    // Steps after a jump are first-order ones.
+    split2.timeStep = std::min(split.timeStep, split2.timeStep);
+    if (split2.timeStep >= 0.5 * split.timeStep) return inTime(split2);
+    const ChosenStep euler = longest(Integrator::Euler);
+    return inTime(euler.timeStep >= 0.8 * split.timeStep ? euler : split);
+}
+
+[[noreturn]] void refuse(Integrator integrator, double step) {
+    std::ostringstream message;
+    message << "the longest stable step of " << integratorName(integrator) << " would be " << step
+            << " s, too short to compute with: lower the spring constant or the viscosity, or raise the mass";
+    throw InvalidModel(message.str());
+}
+
+[[noreturn]] void refuseUndamped(const SimulationSettings& settings) {
+    const std::string name = integratorName(settings.integrator);
+    if (settings.damping == Damping::Axial)
+        throw InvalidModel(
+            name + " has no stable step with axial damping, by which tissue swings undamped across its "
+                   "springs: choose another integrator or auto, or isotropic damping");
+    throw InvalidModel(name + " has no stable step where a spring or tether has no viscosity: choose another "
+                              "integrator or auto, or give all of the tissue some viscosity");
+}
+
+} // namespace
+
+std::optional<double> criticalStep(const TissueModel& model, Integrator integrator,
+                                   const StabilitySearch& search) {
+    return StabilityRules(makeSpringSystem(model), Damping::Isotropic, search)
+        .largestStable(integrator, noStepLimit);
+}
+
+CriticalSteps criticalSteps(const TissueModel& model, Damping damping, const StabilitySearch& search) {
+    StabilityRules rules(makeSpringSystem(model), damping, search);
+    CriticalSteps steps;
+    for (const Integrator integrator : allIntegrators)
+        if (damping == Damping::Isotropic || !hasConstantMatrix(integrator))
+            steps[integrator] = rules.largestStable(integrator, noStepLimit);
+    return steps;
+}
+
+bool isStable(const TissueModel& model, const Stepping& stepping) {
+    constexpr double tolerance = 0.01; // less than the margin of any step that is chosen
+    StabilityRules rules(makeSpringSystem(model), Damping::Isotropic, {tolerance, Deformation::Any, {}});
+    const double step = stepping.timeStep;
+    return rules.largestStable(stepping.integrator, step).value_or(0) >= step * (1 - 1e-9);
+}
+
+double largestAngularFrequency(const TissueModel& model) {
+    return StabilityRules(makeSpringSystem(model), Damping::Isotropic, {1e-3, Deformation::AtRest, {}})
+        .largestAngularFrequency();
+}
+
+ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings) {
+    if (auto problems = validate(settings); !problems.empty()) throw InvalidModel(std::move(problems));
+    const bool isAuto = settings.integrator == Integrator::Auto;
+    if (settings.timeStep && !isAuto) return {settings.integrator, *settings.timeStep};
+    StabilityRules rules(makeSpringSystem(model), settings.damping, {0.05, Deformation::Any, {}});
+    if (settings.timeStep) return {integratorFor(rules, settings, *settings.timeStep), *settings.timeStep};
+
+    const double cap = longestStep / safetyFactor;
+    ChosenStep chosen{settings.integrator, 0};
+    if (isAuto)
+        chosen = bestChoice(rules, settings, cap, model.network->springs.size());
+    else if (const auto step = rules.largestStable(settings.integrator, cap))
+        chosen.timeStep = *step;
+    else
+        refuseUndamped(settings);
+    chosen.timeStep = std::min(longestStep, chosen.timeStep * safetyFactor);
+    if (chosen.timeStep < shortestStep) refuse(chosen.integrator, chosen.timeStep);
+    return chosen;
+}
+
+} // namespace esm

@@ -1,0 +1,397 @@
+#include "core/exchange/image_file.h"
+#include "core/exchange/model_package.h"
+#include "core/exchange/package/glb.h"
+#include "core/exchange/package/package_layout.h"
+#include "core/exchange/project/model_json.h"
+#include "core/exchange/project/region_json.h"
+#include "core/support/errors.h"
+#include "core/texture/layers/composite.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace esm {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// A project with everything that a package needs worked out.
+struct Ingredients {
+    Project project; ///< with an atlas, where there is a texture
+    TissueModel tissue;
+    std::shared_ptr<const std::vector<Image>> pages; ///< null: no texture
+    Image preview;                                   ///< empty: none
+};
+
+/// Accessors that the drawn mesh and the extension share.
+struct Shared {
+    std::size_t nodePositions = 0, springNodes = 0, vertexPositions = 0, vertexNodes = 0, triangles = 0;
+};
+
+class PackageBuilder {
+public:
+    PackageBuilder(const Ingredients& from, const Progress& progress)
+        : m_from(from), m_network(*from.tissue.network), m_mesh(*from.project.mesh), m_progress(progress),
+          m_normals(vertexNormals(m_mesh.vertices, m_mesh.triangles)), m_arrays(m_glb) {}
+
+    Glb build();
+    const std::vector<std::string>& problems() const { return m_problems; }
+
+private:
+    std::vector<float> floats(const std::vector<double>& values, const char* what);
+    std::vector<float> coordinates(const std::vector<Eigen::Vector3d>& points, const char* what);
+    std::size_t addScalars(const std::vector<double>& values, const char* what) {
+        return m_arrays.addFloats(floats(values, what), GltfType::Scalar);
+    }
+
+    Json nodes();
+    Json springs();
+    Json tethers();
+    Json fixedNodes();
+    Json surface();
+    Json binding();
+    Json texture() const;
+    Json extension();
+
+    struct PageVertices {
+        std::vector<Eigen::Vector3d> positions, normals;
+        std::vector<float> places;                  ///< in the texture; two per vertex
+        std::vector<std::uint32_t> nodes, vertices; ///< of the surface
+    };
+    bool isBound() const { return m_network.binding && !m_mesh.vertices.empty(); }
+    PageVertices pageVertices(const std::vector<std::uint32_t>& triangles) const;
+    Json drawnPages(Json& drawn);
+    Json drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, Json& drawn);
+    Json drawnSurface(Json& drawn);
+    Json drawnNetwork(Json& drawn);
+    void addMaterial(const Json& colour);
+    std::size_t addImage(const Image& image, double texelsPerMetre);
+    std::size_t addTexture(const Image& page);
+    std::size_t addPreview();
+
+    const Ingredients& m_from;
+    const SpringNetwork& m_network;
+    const TriangleMesh& m_mesh;
+    const Progress& m_progress;
+    const std::vector<Eigen::Vector3d> m_normals;
+    Glb m_glb;
+    GltfArrays m_arrays;
+    Shared m_shared;
+    std::vector<std::string> m_problems;
+};
+
+std::vector<float> PackageBuilder::floats(const std::vector<double>& values, const char* what) {
+    std::vector<float> result;
+    result.reserve(values.size());
+    for (const double value : values) {
+        const bool fits = std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+        if (!fits && (m_problems.empty() || m_problems.back().find(what) == std::string::npos))
+            m_problems.push_back(std::string(what) + " " + std::to_string(result.size()) +
+                                 " is beyond the range of a package's 32-bit numbers");
+        result.push_back(fits ? static_cast<float>(value) : 0.0F);
+    }
+    return result;
+}
+
+std::vector<float> PackageBuilder::coordinates(const std::vector<Eigen::Vector3d>& points, const char* what) {
+    return floats(coordinatesOf(points), what);
+}
+
+Json PackageBuilder::nodes() {
+    m_shared.nodePositions = m_arrays.addFloats(coordinates(m_network.restPositions, "coordinate of a node"),
+                                                GltfType::Vec3, GltfTarget::Vertices);
+    return {{"count", m_network.restPositions.size()},
+            {"restPosition", m_shared.nodePositions},
+            {"mass", addScalars(m_from.tissue.mass, "mass of node")},
+            {"springConstant", addScalars(m_from.tissue.springConstant, "spring constant of node")},
+            {"viscosity", addScalars(m_from.tissue.viscosity, "viscosity of node")}};
+}
+
+Json PackageBuilder::springs() {
+    Json json{{"count", m_network.springs.size()}};
+    if (m_network.springs.empty()) return json;
+    std::vector<std::uint32_t> ends;
+    std::vector<double> restLengths, springConstants, viscosities;
+    for (const Spring& spring : m_network.springs) {
+        ends.insert(ends.end(), {spring.first, spring.second});
+        restLengths.push_back(spring.restLength);
+        springConstants.push_back(springConstant(m_from.tissue, spring));
+        viscosities.push_back(viscosity(m_from.tissue, spring));
+    }
+    m_shared.springNodes = m_arrays.addIndices(ends, GltfTarget::Indices);
+    json["nodes"] = m_shared.springNodes;
+    json["restLength"] = addScalars(restLengths, "rest length of spring");
+    json["springConstant"] = addScalars(springConstants, "spring constant of spring");
+    json["viscosity"] = addScalars(viscosities, "viscosity of spring");
+    return json;
+}
+
+Json PackageBuilder::tethers() {
+    Json json{{"count", m_from.tissue.tethers.size()}};
+    if (m_from.tissue.tethers.empty()) return json;
+    std::vector<std::uint32_t> nodes;
+    std::vector<double> springConstants, viscosities;
+    for (const Tether& tether : m_from.tissue.tethers) {
+        nodes.push_back(tether.node);
+        springConstants.push_back(tether.springConstant);
+        viscosities.push_back(tether.viscosity);
+    }
+    json["nodes"] = m_arrays.addIndices(nodes);
+    json["springConstant"] = addScalars(springConstants, "spring constant of tether");
+    json["viscosity"] = addScalars(viscosities, "viscosity of tether");
+    return json;
+}
+
+Json PackageBuilder::fixedNodes() {
+    Json json{{"count", m_from.tissue.fixedNodes.size()}};
+    if (!m_from.tissue.fixedNodes.empty()) json["nodes"] = m_arrays.addIndices(m_from.tissue.fixedNodes);
+    return json;
+}
+
+Json PackageBuilder::surface() {
+    Json json{{"vertexCount", m_mesh.vertices.size()}, {"triangleCount", m_mesh.triangles.size()}};
+    if (m_mesh.vertices.empty()) return json;
+    m_shared.vertexPositions =
+        m_mesh.vertices == m_network.restPositions
+            ? m_shared.nodePositions
+            : m_arrays.addFloats(coordinates(m_mesh.vertices, "coordinate of a vertex"), GltfType::Vec3,
+                                 GltfTarget::Vertices);
+    m_shared.vertexNodes = m_arrays.addIndices(m_network.vertexNodes);
+    json["restPosition"] = m_shared.vertexPositions;
+    json["vertexNodes"] = m_shared.vertexNodes;
+    if (m_mesh.triangles.empty()) return json;
+    m_shared.triangles = m_arrays.addIndices(cornersOf(m_mesh.triangles), GltfTarget::Indices);
+    json["triangles"] = m_shared.triangles;
+    return json;
+}
+
+Json PackageBuilder::binding() {
+    const BindingNumbers numbers = numbersOf(*m_network.binding);
+    const std::vector<Triangle>& triangles = m_network.binding->surface;
+    Json json{{"nodes", m_arrays.addIndices(numbers.nodes)},
+              {"shares", m_arrays.addFloats(floats(numbers.shares, "share of a node"), GltfType::Vec3)},
+              {"triangleCount", triangles.size()}};
+    if (!triangles.empty()) json["triangles"] = m_arrays.addIndices(cornersOf(triangles));
+    json["lineCount"] = m_network.binding->lines.size();
+    if (!numbers.lines.empty()) json["lines"] = m_arrays.addIndices(numbers.lines);
+    return json;
+}
+
+Json PackageBuilder::texture() const {
+    const Atlas& atlas = *m_from.project.atlas;
+    return {{"size", atlas.options.size},
+            {"gap", atlas.options.gap},
+            {"texelsPerMetre", atlas.texelsPerMetre},
+            {"utilisation", atlas.utilisation}};
+}
+
+Json PackageBuilder::extension() {
+    const Project& project = m_from.project;
+    RegionsJson regions = toJson(project.regions);
+    const bool stiffens = m_from.tissue.stiffening.has_value();
+    Json json{{"version", versionOf(needsOf(project.regions, isBound(), stiffens))},
+              {"name", project.name},
+              {"units", package_layout::units},
+              {"damping", "isotropic"}};
+    if (m_from.tissue.stiffening) json["stiffening"] = toJson(*m_from.tissue.stiffening);
+    json["nodes"] = nodes();
+    json["springs"] = springs();
+    json["tethers"] = tethers();
+    json["fixedNodes"] = fixedNodes();
+    json["surface"] = surface();
+    if (isBound()) json["binding"] = binding();
+    json["base"] = toJson(project.base);
+    json["fuzzySystems"] = std::move(regions.systems);
+    json["regions"] = std::move(regions.regions);
+    if (project.stepping) json["stepping"] = toJson(*project.stepping);
+    json["baseColour"] = colourToJson(project.texture.baseColour);
+    if (m_from.pages) json["texture"] = texture();
+    return json;
+}
+
+void PackageBuilder::addMaterial(const Json& colour) {
+    Json surface{{"metallicFactor", 0}, {"roughnessFactor", 0.6}};
+    surface.update(colour);
+    m_glb.json["materials"].push_back({{"pbrMetallicRoughness", std::move(surface)}, {"doubleSided", true}});
+}
+
+std::size_t PackageBuilder::addImage(const Image& image, double texelsPerMetre) {
+    Json& images = m_glb.json["images"];
+    const Bytes png = encodePng(image, texelsPerMetre);
+    images.push_back({{"bufferView", m_arrays.addFile(png)}, {"mimeType", "image/png"}});
+    return images.size() - 1;
+}
+
+std::size_t PackageBuilder::addTexture(const Image& page) {
+    const std::size_t image = addImage(page, m_from.project.atlas->texelsPerMetre);
+    m_glb.json["textures"].push_back({{"sampler", 0}, {"source", image}});
+    return m_glb.json["textures"].size() - 1;
+}
+
+std::size_t PackageBuilder::addPreview() {
+    const std::size_t image = addImage(m_from.preview, 0);
+    m_glb.json["images"][image]["name"] = "preview";
+    return image;
+}
+
+/// Every corner has a vertex of its own, since every triangle has a texture patch of its own.
+PackageBuilder::PageVertices PackageBuilder::pageVertices(const std::vector<std::uint32_t>& triangles) const {
+    PageVertices vertices;
+    for (const std::uint32_t triangle : triangles)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = m_mesh.triangles[triangle][corner];
+            vertices.positions.push_back(m_mesh.vertices[vertex]);
+            vertices.normals.push_back(m_normals[vertex]);
+            vertices.nodes.push_back(m_network.vertexNodes[vertex]);
+            vertices.vertices.push_back(vertex);
+            const Eigen::Vector2d place =
+                m_from.project.atlas->corners[triangle][corner] / m_from.project.atlas->options.size;
+            for (const double value : {place.x(), place.y()})
+                vertices.places.push_back(static_cast<float>(std::clamp(value, 0.0, 1.0)));
+        }
+    return vertices;
+}
+
+Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, Json& drawn) {
+    const PageVertices vertices = pageVertices(triangles);
+    std::vector<std::uint32_t> indices(vertices.nodes.size());
+    std::iota(indices.begin(), indices.end(), 0U);
+    const Json attributes{
+        {"POSITION", m_arrays.addFloats(coordinates(vertices.positions, "coordinate"), GltfType::Vec3,
+                                        GltfTarget::Vertices)},
+        {"NORMAL",
+         m_arrays.addFloats(coordinates(vertices.normals, "normal"), GltfType::Vec3, GltfTarget::Vertices)},
+        {"TEXCOORD_0", m_arrays.addFloats(vertices.places, GltfType::Vec2, GltfTarget::Vertices)}};
+    const std::size_t order = m_arrays.addIndices(indices, GltfTarget::Indices);
+    const std::size_t texture = addTexture((*m_from.pages)[page]);
+    addMaterial({{"baseColorTexture", {{"index", texture}}}});
+    drawn.push_back({{"mesh", 0},
+                     {"primitive", drawn.size()},
+                     {"vertexNodes", m_arrays.addIndices(vertices.nodes)},
+                     {"triangles", m_arrays.addIndices(triangles)}});
+    if (isBound()) drawn.back()["vertices"] = m_arrays.addIndices(vertices.vertices);
+    return {{"attributes", attributes}, {"indices", order}, {"material", m_glb.json["materials"].size() - 1}};
+}
+
+Json PackageBuilder::drawnPages(Json& drawn) {
+    constexpr int linear = 9729, clampToEdge = 33071; // mip-maps would mix patches that are not neighbours
+    m_glb.json["samplers"].push_back(
+        {{"magFilter", linear}, {"minFilter", linear}, {"wrapS", clampToEdge}, {"wrapT", clampToEdge}});
+    std::vector<std::vector<std::uint32_t>> pages(m_from.pages->size());
+    for (std::uint32_t triangle = 0; triangle < m_mesh.triangles.size(); ++triangle)
+        pages[m_from.project.atlas->page[triangle]].push_back(triangle);
+    Json primitives = Json::array();
+    for (std::size_t page = 0; page < pages.size(); ++page) {
+        reportProgress(m_progress, 0.5 + 0.5 * static_cast<double>(page) / static_cast<double>(pages.size()));
+        if (!pages[page].empty()) primitives.push_back(drawnPage(page, pages[page], drawn));
+    }
+    return primitives;
+}
+
+/// glTF's colour factors are linear light, the project's colour is sRGB.
+double linearLight(std::uint8_t channel) {
+    const double value = channel / 255.0;
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+Json PackageBuilder::drawnSurface(Json& drawn) {
+    const auto& colour = m_from.project.texture.baseColour;
+    addMaterial(
+        {{"baseColorFactor", {linearLight(colour[0]), linearLight(colour[1]), linearLight(colour[2]), 1.0}}});
+    std::vector<std::uint32_t> triangles(m_mesh.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), 0U);
+    const Json attributes{{"POSITION", m_shared.vertexPositions},
+                          {"NORMAL", m_arrays.addFloats(coordinates(m_normals, "normal"), GltfType::Vec3,
+                                                        GltfTarget::Vertices)}};
+    drawn.push_back({{"mesh", 0},
+                     {"primitive", 0},
+                     {"vertexNodes", m_shared.vertexNodes},
+                     {"triangles", m_arrays.addIndices(triangles)}});
+    if (isBound()) {
+        std::vector<std::uint32_t> vertices(m_mesh.vertices.size());
+        std::iota(vertices.begin(), vertices.end(), 0U);
+        drawn.back()["vertices"] = m_arrays.addIndices(vertices);
+    }
+    Json primitive{{"attributes", attributes}, {"indices", m_shared.triangles}, {"material", 0}};
+    return Json::array({std::move(primitive)});
+}
+
+/// A model without surface shows its springs as lines, or its nodes as points.
+Json PackageBuilder::drawnNetwork(Json& drawn) {
+    constexpr int points = 0, lines = 1;
+    std::vector<std::uint32_t> nodes(m_network.restPositions.size());
+    std::iota(nodes.begin(), nodes.end(), 0U);
+    drawn.push_back({{"mesh", 0}, {"primitive", 0}, {"vertexNodes", m_arrays.addIndices(nodes)}});
+    Json primitive{{"attributes", {{"POSITION", m_shared.nodePositions}}},
+                   {"mode", m_network.springs.empty() ? points : lines}};
+    if (!m_network.springs.empty()) primitive["indices"] = m_shared.springNodes;
+    return Json::array({std::move(primitive)});
+}
+
+Glb PackageBuilder::build() {
+    Json& gltf = m_glb.json;
+    gltf["asset"] = {{"version", "2.0"},
+                     {"generator", std::string("Elastodynamic Shape Modeler ") + ESM_VERSION}};
+    gltf["extensionsUsed"] = Json::array({package_layout::extension});
+    Json springMass = extension(), drawn = Json::array();
+    Json primitives = m_mesh.triangles.empty() ? drawnNetwork(drawn)
+                      : m_from.pages           ? drawnPages(drawn)
+                                               : drawnSurface(drawn);
+    springMass["drawn"] = std::move(drawn);
+    if (!m_from.preview.empty()) springMass["preview"] = addPreview();
+    gltf["scene"] = 0;
+    gltf["scenes"].push_back({{"nodes", Json::array({0})}});
+    gltf["nodes"].push_back({{"mesh", 0}, {"name", m_from.project.name}});
+    gltf["meshes"].push_back({{"primitives", std::move(primitives)}, {"name", m_from.project.name}});
+    gltf["buffers"].push_back({{"byteLength", m_glb.binary.size()}});
+    gltf["extensions"][package_layout::extension] = std::move(springMass);
+    for (const std::string& place : nonFiniteNumbers(gltf))
+        m_problems.push_back(place + " is not a finite number");
+    return std::move(m_glb);
+}
+
+void refuse(const std::vector<std::string>& problems) {
+    if (!problems.empty()) throw InvalidModel(problems);
+}
+
+std::shared_ptr<const std::vector<Image>> bakedPages(const Project& project, const Progress& progress) {
+    if (!project.atlas) return nullptr;
+    return std::make_shared<const std::vector<Image>>(
+        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
+                  [&](double fraction) { return !progress || progress(0.5 * fraction); }));
+}
+
+Ingredients prepare(const Project& project, const Progress& progress, const DrawPreview& drawPreview) {
+    refuse(validate(project));
+    Ingredients result{project, evaluateModel(project), nullptr, {}};
+    refuse(validate(result.tissue));
+    const TriangleMesh& mesh = *project.mesh;
+    if (mesh.triangles.empty())
+        result.project.atlas = nullptr;
+    else if (!project.atlas && !project.layers.empty())
+        result.project.atlas = std::make_shared<Atlas>(packAtlas(mesh, project.texture.atlas));
+    result.pages = bakedPages(result.project, progress);
+    if (drawPreview) result.preview = drawPreview(result.project, result.pages);
+    return result;
+}
+
+} // namespace
+
+void exportPackage(const Project& project, const std::filesystem::path& file, const Progress& progress,
+                   const DrawPreview& drawPreview) {
+    try {
+        const Ingredients ingredients = prepare(project, progress, drawPreview);
+        PackageBuilder builder(ingredients, progress);
+        const Glb glb = builder.build();
+        refuse(builder.problems());
+        const Bytes content = writeGlb(glb);
+        reportProgress(progress, 1);
+        writeFileAtomically(file, content);
+    } catch (const InvalidModel& error) {
+        throw FileError(file, std::string("was not exported: ") + error.what());
+    }
+}
+
+} // namespace esm

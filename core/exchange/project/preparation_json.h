@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/support/json_reader.h"
+#include "core/texture/photo/photo_preparation.h"
+
+#include <filesystem>
+
+namespace esm {
+
+/// A photo's preparation as `docs/project-file.md` describes it. Its numbers are finite, and no more is
+/// checked: `validate()` does.
+PhotoPreparation preparationFromJson(const JsonReader& reader);
+nlohmann::ordered_json toJson(const PhotoPreparation& preparation);
+
+/// A lens in the form that it has in a preparation. @throws FileError
+Lens readLensFile(const std::filesystem::path& file);
+void writeLensFile(const Lens& lens, const std::filesystem::path& file); ///< @throws FileError
+
+} // namespace esm

@@ -1,0 +1,47 @@
+#include "core/exchange/project/project_version.h"
+
+#include "core/exchange/project/model_json.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+bool needsPerspective(const TextureLayer& layer) {
+    return layer.projector.kind == ProjectorKind::Perspective || layer.projector.falloff;
+}
+
+bool needsPainting(const TextureLayer& layer) {
+    return !layer.photo || layer.blending != Blending::Normal || !layer.strokes.empty();
+}
+
+bool needsPreparation(const TextureLayer& layer) {
+    return !layer.preparation.isNothing();
+}
+
+bool needsMask(const TextureLayer& layer) {
+    return !layer.preparation.strokes.empty() || layer.preparation.match;
+}
+
+bool needsLandmarks(const TextureLayer& layer) {
+    return !layer.landmarks.empty();
+}
+
+} // namespace
+
+int projectVersionOf(const Project& project) {
+    VersionNeeds needs =
+        needsOf(project.regions, project.network->binding.has_value(), project.base.stiffening.has_value());
+    const auto any = [&](auto&& needed) {
+        return std::any_of(project.layers.begin(), project.layers.end(), needed);
+    };
+    needs.perspective = any(needsPerspective);
+    needs.preparation = any(needsPreparation);
+    needs.painting = any(needsPainting);
+    needs.landmarks = any(needsLandmarks);
+    needs.maskedPhotos = any(needsMask);
+    return versionOf(needs);
+}
+
+} // namespace esm

@@ -1,0 +1,191 @@
+#include "core/exchange/project/scene_file.h"
+
+#include "core/exchange/project/ellipsoid_json.h"
+#include "core/support/errors.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace esm {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::uint32_t nodeFromJson(const JsonReader& reader) {
+    return static_cast<std::uint32_t>(reader.integer(0, std::numeric_limits<std::uint32_t>::max()));
+}
+
+std::vector<std::uint32_t> nodesFromJson(const JsonReader& reader) {
+    std::vector<std::uint32_t> nodes;
+    for (const JsonReader& node : reader.elements())
+        nodes.push_back(nodeFromJson(node));
+    return nodes;
+}
+
+Path pathFromJson(const JsonReader& reader) {
+    Path path;
+    for (const JsonReader& point : reader.elements()) {
+        const std::vector<double> txyz = point.numbers(4);
+        path.push_back({txyz[0], {txyz[1], txyz[2], txyz[3]}});
+    }
+    return path;
+}
+
+NodeSelection selectionFromJson(const JsonReader& reader) {
+    reader.allowOnly({"nodes", "ellipsoid"});
+    NodeSelection selection;
+    if (!reader.json().is_object()) return selection;
+    if (!reader.has("nodes") && !reader.has("ellipsoid"))
+        reader.addProblem("must name nodes, an ellipsoid or both");
+    if (reader.has("nodes")) selection.nodes = nodesFromJson(reader.member("nodes"));
+    if (reader.has("ellipsoid")) selection.ellipsoid = ellipsoidFromJson(reader.member("ellipsoid"));
+    return selection;
+}
+
+TetherRule tetherFromJson(const JsonReader& reader) {
+    reader.allowOnly({"every", "spring_constant", "viscosity"});
+    if (!reader.json().is_object()) return {};
+    return {nodeFromJson(reader.member("every")), reader.member("spring_constant").number(),
+            reader.member("viscosity").number()};
+}
+
+NodeForce forceFromJson(const JsonReader& reader, double duration) {
+    reader.allowOnly({"node", "force", "from", "to"});
+    if (!reader.json().is_object()) return {0, Eigen::Vector3d::Zero(), 0, 0};
+    return {nodeFromJson(reader.member("node")), reader.member("force").vector(),
+            reader.has("from") ? reader.member("from").number() : 0,
+            reader.has("to") ? reader.member("to").number() : duration};
+}
+
+NodeMove moveFromJson(const JsonReader& reader) {
+    reader.allowOnly({"node", "path"});
+    if (!reader.json().is_object()) return {};
+    return {nodeFromJson(reader.member("node")), pathFromJson(reader.member("path"))};
+}
+
+InstrumentMotion instrumentFromJson(const JsonReader& reader) {
+    reader.allowOnly({"shape", "radius", "path"});
+    if (!reader.json().is_object()) return {};
+    const JsonReader shape = reader.member("shape");
+    if (shape.json() == "capsule")
+        shape.addProblem("\"capsule\" is not offered yet; use \"sphere\"");
+    else if (!shape.json().is_null() && shape.json() != "sphere")
+        shape.addProblem("must be \"sphere\"");
+    return {reader.member("radius").number(), pathFromJson(reader.member("path"))};
+}
+
+Recording recordingFromJson(const JsonReader& reader) {
+    reader.allowOnly({"every", "nodes"});
+    Recording record;
+    if (reader.has("every")) record.every = reader.member("every").number();
+    if (!reader.has("nodes") || reader.member("nodes").json() == "all") return record;
+    if (reader.member("nodes").json().is_string())
+        reader.member("nodes").addProblem("must be \"all\" or a list of nodes");
+    else
+        record.nodes = nodesFromJson(reader.member("nodes"));
+    return record;
+}
+
+template<class Entry, class Read>
+std::vector<Entry> list(const JsonReader& reader, const char* key, Read read) {
+    std::vector<Entry> entries;
+    if (reader.has(key))
+        for (const JsonReader& element : reader.member(key).elements())
+            entries.push_back(read(element));
+    return entries;
+}
+
+Scene sceneFromMembers(const JsonReader& reader) {
+    Scene scene;
+    scene.duration = reader.member("duration").number();
+    if (reader.has("gravity")) scene.gravity = reader.member("gravity").vector();
+    scene.fixed = list<NodeSelection>(reader, "fixed", selectionFromJson);
+    scene.tethers = list<TetherRule>(reader, "tethers", tetherFromJson);
+    scene.forces = list<NodeForce>(
+        reader, "forces", [&](const JsonReader& force) { return forceFromJson(force, scene.duration); });
+    scene.moves = list<NodeMove>(reader, "moves", moveFromJson);
+    if (reader.has("instrument")) scene.instrument = instrumentFromJson(reader.member("instrument"));
+    if (reader.has("record")) scene.record = recordingFromJson(reader.member("record"));
+    return scene;
+}
+
+/// A value that could not be read stands in the scene as a harmless default, of which nothing more is said.
+bool speaksOfUnread(const std::string& problem, const std::vector<std::string>& unread) {
+    const std::string place = problem.substr(0, problem.find(": "));
+    return std::any_of(unread.begin(), unread.end(),
+                       [&](const std::string& text) { return text.compare(0, place.size(), place) == 0; });
+}
+
+Json toJson(const Path& path) {
+    Json json = Json::array();
+    for (const PathPoint& point : path)
+        json.push_back({point.time, point.value.x(), point.value.y(), point.value.z()});
+    return json;
+}
+
+Json toJson(const NodeSelection& selection) {
+    Json json{{"nodes", selection.nodes}};
+    if (selection.ellipsoid) json["ellipsoid"] = toJson(*selection.ellipsoid);
+    return json;
+}
+
+Json toJson(const TetherRule& rule) {
+    return {{"every", rule.every}, {"spring_constant", rule.springConstant}, {"viscosity", rule.viscosity}};
+}
+
+Json toJson(const NodeForce& force) {
+    return {
+        {"node", force.node}, {"force", vectorToJson(force.force)}, {"from", force.from}, {"to", force.to}};
+}
+
+Json toJson(const NodeMove& move) {
+    return {{"node", move.node}, {"path", toJson(move.path)}};
+}
+
+template<class Entry> void addList(Json& json, const char* key, const std::vector<Entry>& entries) {
+    for (const Entry& entry : entries)
+        json[key].push_back(toJson(entry));
+}
+
+} // namespace
+
+Scene sceneFromJson(const Json& json) {
+    std::vector<std::string> problems;
+    const JsonReader reader(json, "", problems);
+    reader.allowOnly({"duration", "gravity", "fixed", "tethers", "forces", "moves", "instrument", "record"});
+    if (!json.is_object()) throw InvalidModel(problems);
+    Scene scene = sceneFromMembers(reader);
+
+    const std::vector<std::string> unread = problems;
+    for (const std::string& problem : validate(scene, std::numeric_limits<std::size_t>::max()))
+        if (!speaksOfUnread(problem, unread)) problems.push_back(problem);
+    if (!problems.empty()) throw InvalidModel(problems);
+    return scene;
+}
+
+Json toJson(const Scene& scene) {
+    Json json{{"duration", scene.duration}, {"gravity", vectorToJson(scene.gravity)}};
+    addList(json, "fixed", scene.fixed);
+    addList(json, "tethers", scene.tethers);
+    addList(json, "forces", scene.forces);
+    addList(json, "moves", scene.moves);
+    if (scene.instrument)
+        json["instrument"] = {{"shape", "sphere"},
+                              {"radius", scene.instrument->radius},
+                              {"path", toJson(scene.instrument->path)}};
+    json["record"]["every"] = scene.record.every;
+    json["record"]["nodes"] = scene.record.nodes ? Json(*scene.record.nodes) : Json("all");
+    return json;
+}
+
+Scene readSceneFile(const std::filesystem::path& file) {
+    const Json json = readJsonFile(file);
+    try {
+        return sceneFromJson(json);
+    } catch (const InvalidModel& error) {
+        throw FileError(file, error.what());
+    }
+}
+
+} // namespace esm

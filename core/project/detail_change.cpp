@@ -1,0 +1,128 @@
+#include "core/project/detail_change.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <set>
+
+namespace esm {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+using Nodes = std::vector<std::uint32_t>;
+
+/// Points in the order of one coordinate, so that only those near in it have to be looked at.
+class PointSearch {
+public:
+    explicit PointSearch(const Points& points) : m_points(points), m_order(points.size()) {
+        std::iota(m_order.begin(), m_order.end(), 0U);
+        std::sort(m_order.begin(), m_order.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return points[a].x() < points[b].x(); });
+    }
+
+    /// Of points equally near the first.
+    std::uint32_t nearest(const Eigen::Vector3d& place) const {
+        std::pair<double, std::uint32_t> best{std::numeric_limits<double>::infinity(), 0};
+        // Whether those farther on may be nearer still.
+        const auto lookAt = [&](std::uint32_t point) {
+            const Eigen::Vector3d way = m_points[point] - place;
+            best = std::min(best, {way.squaredNorm(), point});
+            return way.x() * way.x() <= best.first;
+        };
+        const auto middle =
+            std::lower_bound(m_order.begin(), m_order.end(), place.x(),
+                             [&](std::uint32_t point, double x) { return m_points[point].x() < x; });
+        for (auto point = middle; point != m_order.end() && lookAt(*point);)
+            ++point;
+        for (auto point = std::make_reverse_iterator(middle); point != m_order.rend() && lookAt(*point);)
+            ++point;
+        return best.second;
+    }
+
+    Nodes nearest(const Points& places, const Nodes& nodes) const {
+        Nodes found;
+        found.reserve(nodes.size());
+        for (const std::uint32_t node : nodes)
+            found.push_back(nearest(places[node]));
+        return found;
+    }
+
+private:
+    const Points& m_points;
+    Nodes m_order;
+};
+
+/// The new nodes that lie nearest to a fixed one, and those that a fixed one lies nearest to.
+Nodes stillFixed(const Points& before, const Points& after, const PointSearch& afterwards,
+                 const Nodes& fixed) {
+    if (fixed.empty()) return {};
+    Nodes result = afterwards.nearest(before, fixed);
+    const std::set<std::uint32_t> wasFixed(fixed.begin(), fixed.end());
+    const PointSearch formerly(before);
+    for (std::uint32_t node = 0; node < after.size(); ++node)
+        if (wasFixed.count(formerly.nearest(after[node])) > 0) result.push_back(node);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+TetherRule asStrong(TetherRule rule, std::size_t nodesBefore, std::size_t nodesAfter) {
+    const auto tethers = [&rule](std::size_t nodes) {
+        const std::size_t count = (nodes + rule.every - 1) / rule.every;
+        return static_cast<double>(count);
+    };
+    const double factor = tethers(nodesBefore) / tethers(nodesAfter);
+    rule.springConstant *= factor;
+    rule.viscosity *= factor;
+    return rule;
+}
+
+Scene overOtherNodes(Scene scene, const Points& before, const Points& after) {
+    const PointSearch afterwards(after);
+    for (NodeSelection& selection : scene.fixed)
+        selection.nodes = stillFixed(before, after, afterwards, selection.nodes);
+    for (TetherRule& rule : scene.tethers)
+        rule = asStrong(rule, before.size(), after.size());
+    for (NodeForce& force : scene.forces)
+        force.node = afterwards.nearest(before[force.node]);
+    std::set<std::uint32_t> led;
+    std::vector<NodeMove> moves;
+    for (NodeMove& move : scene.moves) {
+        move.node = afterwards.nearest(before[move.node]);
+        if (led.insert(move.node).second) moves.push_back(std::move(move));
+    }
+    scene.moves = std::move(moves);
+    if (scene.record.nodes) scene.record.nodes = afterwards.nearest(before, *scene.record.nodes);
+    return scene;
+}
+
+bool isRigid(const Project& project) {
+    return detailOf(*project.network).kind == Detail::Kind::Rigid;
+}
+
+} // namespace
+
+Project withDetail(const Project& project, const Detail& detail) {
+    const Project fresh =
+        makeProject(project.name, {*project.mesh, *project.importReport}, project.base.mass, detail);
+    Project changed = project;
+    changed.network = fresh.network;
+    changed.stepping.reset();
+    if (!isRigid(project) && !isRigid(fresh)) {
+        changed.scene =
+            overOtherNodes(project.scene, project.network->restPositions, fresh.network->restPositions);
+    } else if (isRigid(project) != isRigid(fresh)) {
+        changed.base = fresh.base;
+        changed.base.stiffening = project.base.stiffening;
+        changed.scene.fixed = fresh.scene.fixed;
+        changed.scene.tethers = fresh.scene.tethers;
+        changed.scene.forces.clear();
+        changed.scene.moves.clear();
+        changed.scene.record.nodes.reset();
+    }
+    return changed;
+}
+
+} // namespace esm

@@ -1,0 +1,253 @@
+#include "core/project/project.h"
+
+#include "core/geometry/disjoint_sets.h"
+#include "core/model/motion_model.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace esm {
+
+namespace {
+
+/// "flexible" of SUSILAP-G at consistency 5.5 [R C.1]. The stiffness of a membrane of springs within its
+/// surface does not depend on the springs' length, so one constant suits every size and resolution.
+constexpr double defaultSpringConstant = 16.26; // N/m
+constexpr double defaultViscosity = 2.877;      // N·s/m
+
+/// The same system at consistency 10.1: the springs that move the uterus as a whole [R C.1].
+constexpr double rigidSpringConstant = 81.3091; // N/m
+constexpr double rigidViscosity = 6;            // N·s/m
+
+constexpr double tissueDensity = 1000; // kg/m³
+
+/// The part of the organ's size over which a poke fades.
+constexpr double pokeExtent = 0.15;
+
+/// Within this time viscosity has to overcome inertia, or the organ would wobble like no tissue. Organs of
+/// anatomical size and density stay below it by far.
+constexpr double longestInertia = 0.05; // s
+
+double defaultMass(const TriangleMesh& mesh, bool closed) {
+    const double volume = closed ? std::abs(enclosedVolume(mesh)) : 0;
+    return tissueDensity * (volume > 0 ? volume : surfaceArea(mesh) * wallThickness);
+}
+
+double meanRestLength(const SpringNetwork& network) {
+    double sum = 0;
+    for (const Spring& spring : network.springs)
+        sum += spring.restLength;
+    return sum / static_cast<double>(network.springs.size());
+}
+
+/// A part held by fewer than three tethers could turn or drift away.
+bool everyPartIsHeld(const SpringNetwork& network, std::uint32_t every) {
+    const auto nodes = static_cast<std::uint32_t>(network.restPositions.size());
+    DisjointSets parts(nodes);
+    for (const Spring& spring : network.springs)
+        parts.join(spring.first, spring.second);
+    std::vector<std::uint32_t> tethers(nodes, 0);
+    for (std::uint32_t node = 0; node < nodes; ++node)
+        tethers[parts.lowest(node)] += node % every == 0;
+    for (std::uint32_t node = 0; node < nodes; ++node)
+        if (tethers[parts.lowest(node)] < 3) return false;
+    return true;
+}
+
+/// A tether's share of a spring for which a poke takes along the same part of the organ however fine its mesh
+/// is: springs c and tethers k per node fade a displacement over a length L = e·sqrt(c/k), e the springs'
+/// length.
+double tetherShare(const SpringNetwork& network) {
+    const double extent = pokeExtent * boundingBox(network.restPositions).diagonal().norm();
+    const double edgesPerExtent = extent / meanRestLength(network);
+    return 1 / (edgesPerExtent * edgesPerExtent);
+}
+
+/// Default tissue for an organ of this mass. Mass grows with the size's cube and viscosity does not, so what
+/// is larger than any organ (a unit mistaken, say) needs firmer tissue to move like one.
+BaseTissue defaultTissue(double mass, double nodes, double share) {
+    const double inertia = mass / nodes / (share * defaultViscosity); // s, of the organ on its tethers
+    const double firmness = std::max(1.0, inertia / longestInertia);
+    return {firmness * defaultSpringConstant, firmness * defaultViscosity, mass};
+}
+
+/// The surrounding tissue [R 5.1], with the tissue's own relation of viscosity to stiffness.
+TetherRule defaultTethers(const SpringNetwork& network, const BaseTissue& base, double share) {
+    const std::uint32_t every = everyPartIsHeld(network, 3) ? 3 : 1;
+    return {every, every * share * base.springConstant, every * share * base.viscosity};
+}
+
+/// Tissue and tethers for a surface of springs. Precondition: the base has its mass.
+void tieToSurroundings(Project& project) {
+    const SpringNetwork& network = *project.network;
+    const double share = tetherShare(network);
+    project.base = defaultTissue(project.base.mass, static_cast<double>(network.restPositions.size()), share);
+    project.scene.tethers.push_back(defaultTethers(network, project.base, share));
+}
+
+/// What moves rigidly: held by its fixed nodes, firm as the uterus.
+void hangOnFixedNodes(Project& project) {
+    project.base.springConstant = rigidSpringConstant;
+    project.base.viscosity = rigidViscosity;
+    project.scene.fixed.push_back({{motionModelFixed.begin(), motionModelFixed.end()}, std::nullopt});
+}
+
+void noteCoarseness(RepairReport& report, const Detail& detail, std::size_t nodes) {
+    if (detail.kind != Detail::Kind::Nodes || nodes == detail.nodes) return;
+    report.warnings.push_back(std::to_string(detail.nodes) + " nodes were asked for, but the surface keeps " +
+                              std::to_string(nodes) +
+                              ": its parts and edges of more than two triangles can be made no coarser");
+}
+
+/// Between both, also by rounding; exactly one of them where the weight is 0 or 1.
+double mixed(double beneath, double above, double weight) {
+    if (weight == 1) return above;
+    const double value = beneath + weight * (above - beneath);
+    return std::clamp(value, std::min(beneath, above), std::max(beneath, above));
+}
+
+/// Mixes a region's parameters into those beneath.
+void lay(TissueModel& model, const Region& region) {
+    const TissueValues values = evaluate(region).values;
+    const std::vector<double> weights = nodeWeights(*model.network, region);
+    // What is reached with less than the weight of one node gets no more than its share: a rim that hardly
+    // touches a single node would else load the whole mass upon it.
+    const double sum = std::max(1.0, std::accumulate(weights.begin(), weights.end(), 0.0));
+    for (std::size_t node = 0; node < weights.size(); ++node) {
+        const double weight = weights[node];
+        if (weight == 0) continue;
+        if (values.springConstant)
+            model.springConstant[node] = mixed(model.springConstant[node], *values.springConstant, weight);
+        if (values.viscosity) model.viscosity[node] = mixed(model.viscosity[node], *values.viscosity, weight);
+        if (values.mass) model.mass[node] = mixed(model.mass[node], *values.mass / sum, weight);
+    }
+}
+
+void tie(TissueModel& model, const TetherRule& rule) {
+    for (std::size_t node = 0; node < model.network->restPositions.size(); node += rule.every)
+        model.tethers.push_back({static_cast<std::uint32_t>(node), rule.springConstant, rule.viscosity});
+}
+
+} // namespace
+
+Project makeProject(std::string name, RepairedMesh surface, std::optional<double> massKilograms,
+                    const Detail& detail) {
+    if (massKilograms && !isMass(*massKilograms))
+        throw InvalidModel("the mass must be from " + numberText(1 / largestNumber) + " to " +
+                           numberText(largestNumber) + " kg, got " + numberText(*massKilograms));
+    Project project;
+    project.name = std::move(name);
+    const double mass = massKilograms ? *massKilograms : defaultMass(surface.mesh, surface.report.isClosed());
+    project.network = std::make_shared<const SpringNetwork>(networkOf(surface.mesh, detail));
+    project.base = {defaultSpringConstant, defaultViscosity, mass};
+    if (detail.kind == Detail::Kind::Rigid)
+        hangOnFixedNodes(project);
+    else if (!project.network->springs.empty())
+        tieToSurroundings(project);
+    noteCoarseness(surface.report, detail, project.network->restPositions.size());
+    project.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
+    project.importReport = std::make_shared<const RepairReport>(std::move(surface.report));
+    return project;
+}
+
+std::vector<double> nodeWeights(const SpringNetwork& network, const Region& region) {
+    std::vector<double> weights;
+    weights.reserve(network.restPositions.size());
+    for (const Eigen::Vector3d& position : network.restPositions)
+        weights.push_back(weightAt(region, position));
+    return weights;
+}
+
+RegionCount countOf(const SpringNetwork& network, const Region& region) {
+    const std::vector<double> weights = nodeWeights(network, region);
+    RegionCount count;
+    for (const double weight : weights) {
+        count.nodes += weight == 1;
+        count.rimNodes += weight > 0 && weight < 1;
+    }
+    for (const Spring& spring : network.springs) {
+        const double least = std::min(weights[spring.first], weights[spring.second]);
+        count.springs += least == 1;
+        count.rimSprings += least > 0 && least < 1;
+    }
+    return count;
+}
+
+TissueModel evaluateModel(const Project& project, const Scene& scene) {
+    const std::size_t nodes = project.network->restPositions.size();
+    TissueModel model;
+    model.network = project.network;
+    model.mass.assign(nodes, project.base.mass / static_cast<double>(nodes));
+    model.springConstant.assign(nodes, project.base.springConstant);
+    model.viscosity.assign(nodes, project.base.viscosity);
+    model.stiffening = project.base.stiffening;
+    for (const Region& region : project.regions)
+        lay(model, region);
+    for (const TetherRule& rule : scene.tethers)
+        tie(model, rule);
+    model.fixedNodes = fixedNodesOf(*project.network, scene);
+    return model;
+}
+
+std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scene& scene) {
+    std::vector<std::uint32_t> fixed;
+    for (const NodeSelection& selection : scene.fixed) {
+        fixed.insert(fixed.end(), selection.nodes.begin(), selection.nodes.end());
+        if (!selection.ellipsoid) continue;
+        for (std::uint32_t node = 0; node < network.restPositions.size(); ++node)
+            if (contains(*selection.ellipsoid, network.restPositions[node])) fixed.push_back(node);
+    }
+    std::sort(fixed.begin(), fixed.end());
+    fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+    return fixed;
+}
+
+std::size_t tetherCountOf(const SpringNetwork& network, const Scene& scene) {
+    std::size_t count = 0;
+    for (const TetherRule& rule : scene.tethers)
+        count += (network.restPositions.size() + rule.every - 1) / rule.every;
+    return count;
+}
+
+std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& model) {
+    std::vector<std::string> warnings;
+    const auto& positions = model.network->restPositions;
+    for (std::size_t i = 0; i < scene.fixed.size(); ++i) {
+        const auto& ellipsoid = scene.fixed[i].ellipsoid;
+        if (ellipsoid && std::none_of(positions.begin(), positions.end(),
+                                      [&](const auto& position) { return contains(*ellipsoid, position); }))
+            warnings.push_back(sceneEntry("fixed", i) +
+                               ": the ellipsoid holds no node and fixes nothing; move or enlarge it");
+    }
+    const auto warnIfFixed = [&](const char* list, std::size_t i, std::uint32_t node, const char* fate) {
+        if (std::binary_search(model.fixedNodes.begin(), model.fixedNodes.end(), node))
+            warnings.push_back(sceneEntry(list, i) + ": node " + std::to_string(node) + " is fixed and " +
+                               fate);
+    };
+    for (std::size_t i = 0; i < scene.forces.size(); ++i) {
+        const NodeForce& force = scene.forces[i];
+        warnIfFixed("forces", i, force.node, "does not give way");
+        if (!(force.from < std::min(force.to, scene.duration)))
+            warnings.push_back(sceneEntry("forces", i) +
+                               ": it never acts; it should begin before its end, and "
+                               "before that of the scene");
+    }
+    for (std::size_t i = 0; i < scene.moves.size(); ++i)
+        warnIfFixed("moves", i, scene.moves[i].node, "does not follow its path");
+    return warnings;
+}
+
+RegionResult evaluateRegion(const Project& project, const Region& region) {
+    RegionResult result{countOf(*project.network, region), evaluate(region)};
+    if (result.nodes > 0) return result;
+    result.tissue.warnings.emplace_back(
+        result.rimNodes > 0
+            ? "no node lies inside the region, only its soft rim reaches some; move or enlarge it"
+            : "the region holds no node and changes nothing; move or enlarge it");
+    return result;
+}
+
+} // namespace esm

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "core/geometry/repair.h"
+#include "core/model/detail.h"
+#include "core/model/scene.h"
+#include "core/model/stepping.h"
+#include "core/model/tissue_model.h"
+#include "core/project/region.h"
+#include "core/texture/atlas/atlas.h"
+#include "core/texture/layers/texture_layer.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+/// Tissue of the whole organ before any region.
+struct BaseTissue {
+    double springConstant = 0;                    ///< N/m
+    double viscosity = 0;                         ///< N·s/m
+    double mass = 0;                              ///< kg, total
+    std::optional<SpringStiffening> stiffening{}; ///< of all springs, in regions too; linear without
+};
+
+/// How the organ got its texture space. The packed atlas is derived from the mesh and these.
+struct TextureSettings {
+    AtlasOptions atlas;
+    std::array<std::uint8_t, 3> baseColour{186, 92, 84}; ///< where no photo lies
+};
+
+/// One organ and all that was said about it. A value: a copy costs a few pointers and small lists; an edit
+/// makes a new value.
+struct Project {
+    std::string name;
+    std::shared_ptr<const TriangleMesh> mesh; ///< never null; may have no triangle (a pure motion model)
+    std::shared_ptr<const RepairReport> importReport; ///< never null
+    std::shared_ptr<const SpringNetwork> network;     ///< never null
+    BaseTissue base;
+    std::vector<Region> regions; ///< from the first to the last; a later one lies over an earlier one
+    Scene scene;
+    std::optional<MeasuredStepping> stepping; ///< that is recommended; none until measured
+    std::vector<TextureLayer> layers;         ///< from the lowest to the topmost
+    TextureSettings texture;
+    std::shared_ptr<const Atlas> atlas; ///< null until packed
+};
+
+inline constexpr double wallThickness = 0.003; ///< m, that an open surface weighs as
+
+/// A project around an imported or made mesh, with default tissue and tethers that are stable and behave like
+/// tissue at any size. Without a mass: closed surface, its volume × 1000 kg/m³; open, area × 3 mm × 1000
+/// kg/m³. What moves rigidly hangs on fixed nodes, with the published parameters of the uterus [R C.1].
+/// @throws InvalidModel when the mass is not above zero, or the surface has no such level of detail
+Project makeProject(std::string name, RepairedMesh surface,
+                    std::optional<double> massKilograms = std::nullopt, const Detail& detail = {});
+
+/// What a region reaches. A spring is inside when both its ends are, and in the rim when both are inside or
+/// in the rim, but not both inside.
+struct RegionCount {
+    std::size_t nodes = 0, springs = 0;       ///< wholly inside
+    std::size_t rimNodes = 0, rimSprings = 0; ///< in the soft rim
+};
+
+/// What one region came to.
+struct RegionResult : RegionCount {
+    RegionTissue tissue;
+};
+
+/// Evaluates regions from the bottom up, then the scene's tethers and fixed nodes. In a soft rim the region's
+/// spring constant and viscosity mix with those beneath in proportion to its weight w, w·c + (1 − w)·c',
+/// which stays between both, is defined down to 0, and is how a spring takes the mean of its ends. Of its
+/// mass each node gets what is in proportion to w, all of them together exactly the region's mass (but Σw of
+/// it where the weights make less than one node), and keeps (1 − w) of what it weighed beneath.
+/// Precondition: the scene is valid for the network.
+/// @throws InvalidModel when a region sets inputs that its fuzzy system does not have
+TissueModel evaluateModel(const Project& project, const Scene& scene);
+inline TissueModel evaluateModel(const Project& project) {
+    return evaluateModel(project, project.scene);
+}
+
+/// The nodes that a scene fixes, in order, each once.
+std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scene& scene);
+
+/// How many tethers a scene's rules make.
+std::size_t tetherCountOf(const SpringNetwork& network, const Scene& scene);
+
+/// What of a scene has no effect on the model it was evaluated for: ellipsoids that hold no node, forces and
+/// paths of fixed nodes. Precondition: the scene is valid for the network.
+std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& model);
+
+/// Counts and values of one region for reports and panels.
+/// @throws InvalidModel when the region sets inputs that its fuzzy system does not have
+RegionResult evaluateRegion(const Project& project, const Region& region);
+
+/// The region's weight at every node, see `weightAt`.
+std::vector<double> nodeWeights(const SpringNetwork& network, const Region& region);
+
+/// Without evaluating the region's tissue.
+RegionCount countOf(const SpringNetwork& network, const Region& region);
+
+/// Every problem of the project and its parts. Empty when all is well.
+std::vector<std::string> validate(const Project& project);
+
+} // namespace esm

@@ -1,0 +1,148 @@
+#include "core/project/region.h"
+
+#include "core/support/numbers.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+bool setsParameter(const std::string& output, Parameter parameter) {
+    switch (parameter) {
+    case Parameter::SpringConstant:
+        return output == "spring_const" || output == "spring_constant";
+    case Parameter::Viscosity:
+        return output == "viscosity";
+    default:
+        return output == "mass";
+    }
+}
+
+void warnOfInputsOutOfRange(RegionTissue& tissue, const FuzzySystem& system,
+                            const std::vector<std::optional<double>>& inputs) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const FuzzyVariable& variable = system.inputs[i];
+        if (!inputs[i] || (*inputs[i] >= variable.minimum && *inputs[i] <= variable.maximum)) continue;
+        tissue.warnings.push_back(variable.name + " " + numberText(*inputs[i]) + " is out of its range, " +
+                                  numberText(variable.minimum) + " to " + numberText(variable.maximum));
+    }
+}
+
+/// Outputs without a value, unless one is held in its place.
+void warnOfOutputsNotReached(RegionTissue& tissue, const Region& region) {
+    for (std::size_t i = 0; i < region.system->outputs.size(); ++i) {
+        const std::string& name = region.system->outputs[i].name;
+        const bool isHeld =
+            std::any_of(everyParameter.begin(), everyParameter.end(), [&](Parameter parameter) {
+                return setsParameter(name, parameter) && valueOf(region.held, parameter);
+            });
+        if (!tissue.inference.outputs[i] && !isHeld)
+            tissue.warnings.push_back("no rule reaches " + name + ", which stays as it was");
+    }
+}
+
+/// Outputs that set nothing because an earlier one sets the same, or because none has a parameter's name.
+void warnOfUselessOutputs(RegionTissue& tissue, const FuzzySystem& system) {
+    bool setsAny = false;
+    for (const Parameter parameter : everyParameter) {
+        const std::optional<std::size_t> first = outputFor(system, parameter);
+        if (!first) continue;
+        setsAny = true;
+        for (std::size_t i = *first + 1; i < system.outputs.size(); ++i)
+            if (setsParameter(system.outputs[i].name, parameter))
+                tissue.warnings.push_back(system.outputs[i].name + " sets nothing, since " +
+                                          system.outputs[*first].name + " before it sets the same");
+    }
+    if (!setsAny)
+        tissue.warnings.push_back("the fuzzy system " + system.name +
+                                  " sets no tissue: none of its outputs is named spring_constant, viscosity "
+                                  "or mass");
+}
+
+/// Runs the system; what it says of tissue goes into `tissue.values`.
+void takeInferred(RegionTissue& tissue, const Region& region) {
+    const FuzzySystem& system = *region.system;
+    const auto inputs = orderedInputs(system, region.inputs);
+    warnOfInputsOutOfRange(tissue, system, inputs);
+    tissue.inference = infer(system, inputs);
+    warnOfOutputsNotReached(tissue, region);
+    warnOfUselessOutputs(tissue, system);
+    for (const Parameter parameter : everyParameter)
+        if (const auto output = outputFor(system, parameter))
+            valueOf(tissue.values, parameter) = tissue.inference.outputs[*output];
+}
+
+/// Takes a value no tissue can have out again, so that what lies beneath shows through.
+void dropImpossible(RegionTissue& tissue, Parameter parameter, const char* name) {
+    const bool isOfMass = parameter == Parameter::Mass;
+    std::optional<double>& value = valueOf(tissue.values, parameter);
+    if (!value || (isOfMass ? isMass(*value) : isAmount(*value))) return;
+    tissue.warnings.push_back(name + (" " + numberText(*value)) +
+                              (isOfMass ? " is not above zero" : " is not zero or more") + " and at most " +
+                              numberText(largestNumber) + ", so it stays as it was");
+    value.reset();
+}
+
+} // namespace
+
+std::optional<double>& valueOf(TissueValues& values, Parameter parameter) {
+    if (parameter == Parameter::SpringConstant) return values.springConstant;
+    return parameter == Parameter::Viscosity ? values.viscosity : values.mass;
+}
+
+std::optional<double> valueOf(const TissueValues& values, Parameter parameter) {
+    TissueValues copy = values;
+    return valueOf(copy, parameter);
+}
+
+std::optional<std::size_t> outputFor(const FuzzySystem& system, Parameter parameter) {
+    for (std::size_t i = 0; i < system.outputs.size(); ++i)
+        if (setsParameter(system.outputs[i].name, parameter)) return i;
+    return std::nullopt;
+}
+
+std::optional<Parameter> parameterOf(const FuzzySystem& system, std::size_t output) {
+    for (const Parameter parameter : everyParameter)
+        if (outputFor(system, parameter) == output) return parameter;
+    return std::nullopt;
+}
+
+std::optional<double> valueOf(const NamedValues& values, const std::string& name) {
+    const auto found =
+        std::find_if(values.begin(), values.end(), [&](const auto& value) { return value.first == name; });
+    return found != values.end() ? std::optional(found->second) : std::nullopt;
+}
+
+void setInput(Region& region, const std::string& variable, double value) {
+    const auto found = std::find_if(region.inputs.begin(), region.inputs.end(),
+                                    [&](const auto& input) { return input.first == variable; });
+    if (found != region.inputs.end())
+        found->second = value;
+    else
+        region.inputs.emplace_back(variable, value);
+}
+
+double weightAt(const Region& region, const Eigen::Vector3d& point) {
+    if (!region.ellipsoid) return 1;
+    const Ellipsoid& ellipsoid = *region.ellipsoid;
+    // Most of an organ is far away, which is quickly told; what is near the end is told exactly.
+    const double reach = 1.001 * (ellipsoid.radii.maxCoeff() + region.rim);
+    if ((point - ellipsoid.centre).squaredNorm() > reach * reach) return 0;
+    if (contains(ellipsoid, point)) return 1;
+    const double share = region.rim > 0 ? distanceOutside(ellipsoid, point) / region.rim : 1;
+    return share < 1 ? (1 - share) * (1 - share) * (1 + 2 * share) : 0;
+}
+
+RegionTissue evaluate(const Region& region) {
+    RegionTissue tissue;
+    if (region.system) takeInferred(tissue, region);
+    for (const Parameter parameter : everyParameter)
+        if (const auto held = valueOf(region.held, parameter)) valueOf(tissue.values, parameter) = held;
+    dropImpossible(tissue, Parameter::SpringConstant, "spring constant");
+    dropImpossible(tissue, Parameter::Viscosity, "viscosity");
+    dropImpossible(tissue, Parameter::Mass, "mass");
+    return tissue;
+}
+
+} // namespace esm

@@ -1,0 +1,32 @@
+#include "core/project/tissue_preset.h"
+
+#include "core/support/joined.h"
+#include "core/support/numbers.h"
+
+namespace esm {
+
+void layPreset(Region& region, const TissuePreset& preset) {
+    if (!preset.system) return;
+    region.system = preset.system;
+    region.inputs = preset.inputs;
+    region.held.springConstant.reset();
+    region.held.viscosity.reset();
+}
+
+void tiePreset(Scene& scene, const TissuePreset& preset) {
+    if (!preset.tethers.empty()) scene.tethers = preset.tethers;
+}
+
+std::string publishedText(const TissuePreset& preset) {
+    std::vector<std::string> parts;
+    const TissueValues& values = preset.published;
+    if (values.springConstant) parts.push_back(numberText(*values.springConstant) + " N/m");
+    if (values.viscosity) parts.push_back(numberText(*values.viscosity) + " N·s/m");
+    if (values.mass) parts.push_back(numberText(*values.mass) + " kg");
+    for (const TetherRule& rule : preset.tethers)
+        parts.push_back("a tether of " + numberText(rule.springConstant) + " N/m and " +
+                        numberText(rule.viscosity) + " N·s/m at one node in " + std::to_string(rule.every));
+    return joined(parts);
+}
+
+} // namespace esm

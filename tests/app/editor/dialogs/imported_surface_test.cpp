@@ -1,0 +1,37 @@
+#include "app/editor/dialogs/imported_surface.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+namespace {
+
+/// A tetrahedron of this size, and a triangle apart from it.
+PolygonSoup tetrahedronAndTriangle(double size) {
+    PolygonSoup soup;
+    soup.vertices = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}, {9, 9, 9}, {11, 9, 9}, {9, 10, 9}};
+    soup.polygons = {{4, 5, 6}, {0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    return soup;
+}
+
+} // namespace
+
+TEST(ImportedSurface, KnowsThePartsLargestFirst) {
+    const auto [all, largest] = waysToImport(tetrahedronAndTriangle(3));
+    ASSERT_EQ(all.parts.size(), 2U);
+    EXPECT_EQ(all.parts[0].triangles, 4U);
+    EXPECT_EQ(all.parts[0].extent, Eigen::Vector3d(3, 3, 3));
+    EXPECT_EQ(all.parts[1].triangles, 1U);
+    EXPECT_EQ(all.parts[1].extent, Eigen::Vector3d(2, 1, 0));
+    EXPECT_EQ(all.extent, Eigen::Vector3d(11, 10, 9));
+    ASSERT_TRUE(largest);
+    EXPECT_EQ(largest->extent, Eigen::Vector3d(3, 3, 3));
+}
+
+TEST(ImportedSurface, HasOneWayWhereThereIsOnePart) {
+    PolygonSoup soup = tetrahedronAndTriangle(3);
+    soup.polygons.erase(soup.polygons.begin());
+    const auto [all, largest] = waysToImport(soup);
+    EXPECT_EQ(all.parts.size(), 1U);
+    EXPECT_FALSE(largest);
+}

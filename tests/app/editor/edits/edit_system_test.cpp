@@ -1,0 +1,87 @@
+#include "app/editor/edits/edit_system.h"
+
+#include "app/editor/edits/region_edits.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
+#include "core/samples/samples.h"
+#include "core/support/errors.h"
+
+#include <gmock/gmock.h>
+
+using namespace esm;
+using testing::ElementsAre;
+using testing::Pair;
+
+namespace {
+
+/// Two regions that were given the same preset one after the other, and one with another.
+Project threeRegions() {
+    Project project = makeSample("tube");
+    project.regions.clear();
+    for (const char* preset : {"susilap-g", "susilap-g", "robo-sim"}) {
+        addRegion(project, Eigen::Vector3d::Zero());
+        setSystem(project, project.regions.size() - 1,
+                  std::make_shared<const FuzzySystem>(fuzzyPreset(preset)));
+    }
+    return project;
+}
+
+} // namespace
+
+TEST(EditSystem, GoesToEveryRegionOfTheSameLanguage) {
+    Project project = threeRegions();
+    const auto other = project.regions[2].system;
+    setInput(project.regions[0], "consistency", 5.5);
+    FuzzySystem system = *project.regions[0].system;
+    system.inputs[0].name = "firmness";
+    editSystem(project, 0, system);
+    EXPECT_EQ(project.regions[0].system->inputs[0].name, "firmness");
+    EXPECT_EQ(project.regions[0].system, project.regions[1].system);
+    EXPECT_EQ(project.regions[2].system, other);
+    EXPECT_THAT(project.regions[0].inputs, ElementsAre(Pair("firmness", 5.5)));
+    EXPECT_THAT(project.regions[1].inputs, ElementsAre(Pair("firmness", 6)));
+}
+
+TEST(EditSystem, ValuesGoWithTheirInputs) {
+    Project project = threeRegions();
+    Region& region = project.regions[2];
+    region.inputs = {{"consistency", 7.3}, {"sensitiveness", 4.9}}; // shiftability is left out
+    FuzzySystem system = *region.system;
+    system.rules.clear();
+    std::swap(system.inputs[0], system.inputs[2]);
+    editSystem(project, 2, system);
+    EXPECT_THAT(region.inputs, ElementsAre(Pair("consistency", 7.3), Pair("sensitiveness", 4.9)));
+    system.inputs.erase(system.inputs.begin() + 1);
+    system.inputs.push_back({"wetness", 2, 4, {{"wet", {2, 2, 4, 4}}}});
+    system.inputs.push_back({"age", 0, 4, {{"old", {2, 2, 4, 4}}}});
+    editSystem(project, 2, system);
+    EXPECT_THAT(region.inputs, ElementsAre(Pair("consistency", 7.3), Pair("wetness", 3), Pair("age", 2)));
+}
+
+TEST(EditSystem, RefusesWhatCannotBeEvaluated) {
+    Project project = threeRegions();
+    const auto before = project.regions[0].system;
+    FuzzySystem system = *before;
+    system.inputs[0].terms[0].set.a = 11;
+    EXPECT_THROW(editSystem(project, 0, system), InvalidModel);
+    EXPECT_EQ(project.regions[0].system, before);
+}
+
+TEST(EditSystem, IsOneStepForADragAndNoneWhereNothingChanges) {
+    Document document(threeRegions());
+    Selection selection(document);
+    selection.setRegion(0);
+    const FuzzySystem before = *selectedSystem(document, selection);
+    const auto moveTo = [&](double corner) {
+        FuzzySystem system = *selectedSystem(document, selection);
+        system.inputs[0].terms[1].set.b = corner;
+        editSelectedSystem(document, selection, "Move corner", system, "corner");
+    };
+    moveTo(before.inputs[0].terms[1].set.b);
+    EXPECT_EQ(document.undoStack()->count(), 0);
+    moveTo(2.6);
+    moveTo(2.7);
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    document.undoStack()->undo();
+    EXPECT_EQ(*selectedSystem(document, selection), before);
+    EXPECT_TRUE(isFuzzyPreset(*selectedSystem(document, selection)));
+}

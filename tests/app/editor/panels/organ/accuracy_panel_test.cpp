@@ -1,0 +1,169 @@
+#include "app/editor/panels/organ/accuracy_panel.h"
+#include "app/editor/workers/accuracy_measurement.h"
+#include "core/model/tissue_digest.h"
+#include "core/samples/samples.h"
+#include "core/support/errors.h"
+#include "tests/support/eventually.h"
+#include "tests/support/tissue_models.h"
+
+#include <gmock/gmock.h>
+
+#include <QProgressDialog>
+#include <QTest>
+#include <QTimer>
+
+using namespace esm;
+
+namespace {
+
+class AccuracyPanelTest : public testing::Test {
+protected:
+    AccuracyPanelTest() : m_document(briefTube()), m_panel(m_document, m_preview) {
+        m_panel.resize(340, 700);
+        m_panel.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&m_panel, patience));
+    }
+
+    static Project briefTube() {
+        Project tube = makeSample("tube");
+        tube.scene.duration = 0.05;
+        tube.scene.instrument.reset();
+        tube.scene.forces = {{85, {0, 0, 0.1}, 0, 1}};
+        return tube;
+    }
+
+    QToolButton* button(const QString& text) {
+        for (auto* found : m_panel.findChildren<QToolButton*>())
+            if (found->text() == text) return found;
+        ADD_FAILURE() << "no button " << text.toStdString();
+        return nullptr;
+    }
+    QString inUse() { return m_panel.findChild<QLabel*>(QStringLiteral("steppingInUse"))->text(); }
+    QPushButton* recommendation(const char* name) {
+        return m_panel.findChild<QPushButton*>(QString::fromLatin1(name));
+    }
+    static void type(NumberField& field, const QString& text) {
+        field.selectAll();
+        QTest::keyClicks(&field, text);
+        QTest::keyClick(&field, Qt::Key_Return);
+    }
+    const std::optional<MeasuredStepping>& stepping() { return m_document.project().stepping; }
+
+    Document m_document;
+    Preview m_preview;
+    AccuracyPanel m_panel;
+};
+
+TEST_F(AccuracyPanelTest, MeasuresRecommendsAndLetsOneBeChosenAndTakenBack) {
+    EXPECT_FALSE(recommendation("toError")->isVisible());
+    EXPECT_FALSE(button("automatic")->isEnabled());
+    button("measure")->click();
+    ASSERT_TRUE(recommendation("toError")->isVisible());
+    EXPECT_FALSE(m_document.isModified()) << "to measure changes nothing";
+    constexpr int columnWidth = 320; // with room for a scroll bar
+    EXPECT_LE(m_panel.minimumSizeHint().width(), columnWidth);
+
+    ASSERT_TRUE(recommendation("toError")->isEnabled());
+    const QString recommended = recommendation("toError")->text();
+    recommendation("toError")->click();
+    ASSERT_TRUE(stepping());
+    EXPECT_LE(stepping()->error, 0.01);
+    EXPECT_EQ(inUse(), recommended);
+    EXPECT_TRUE(button("automatic")->isEnabled());
+
+    button("automatic")->click();
+    EXPECT_FALSE(stepping());
+    m_document.undoStack()->undo();
+    EXPECT_TRUE(stepping());
+    m_document.undoStack()->undo();
+    EXPECT_FALSE(stepping());
+
+    auto* mostError = m_panel.findChild<NumberField*>(QStringLiteral("mostError"));
+    type(*mostError, "0.000001");
+    EXPECT_FALSE(recommendation("toError")->isEnabled());
+    type(*mostError, "50");
+    EXPECT_TRUE(recommendation("toError")->isEnabled());
+
+    auto* hint = m_panel.findChild<QLabel*>(QStringLiteral("accuracyHint"));
+    EXPECT_FALSE(hint->isVisible());
+    m_document.edit("softer", [](Project& project) { project.base.viscosity *= 2; });
+    EXPECT_TRUE(hint->isVisible());
+    EXPECT_TRUE(recommendation("toError")->isVisible());
+}
+
+TEST_F(AccuracyPanelTest, SaysOfAnOpenedProjectThatItsTissueHasChanged) {
+    const auto* hint = m_panel.findChild<QLabel*>(QStringLiteral("accuracyHint"));
+    const auto warns = [&] { return hint->text().contains(QStringLiteral("have changed since")); };
+    Project tube = briefTube();
+    tube.stepping = {{Integrator::Split2, 0.01, Precision::Double}, 0.01, 0.1, ""};
+    tube.stepping->tissue = tissueDigest(evaluateModel(tube));
+    m_document.replace(tube, std::nullopt);
+    ESM_EVENTUALLY(!m_panel.isComparing());
+    EXPECT_FALSE(warns());
+    m_document.edit("stiffer", [](Project& project) { project.regions.back().held.springConstant = 99; });
+    EXPECT_TRUE(QTest::qWaitFor(warns, patience));
+    m_document.undoStack()->undo();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !warns(); }, patience));
+}
+
+TEST_F(AccuracyPanelTest, KeepsTheMeasurementWhenARunOnFewerNodesIsChosen) {
+    Project sheet = makeProject("sheet", {tissue::gridMesh(16, 0.1), {}});
+    sheet.scene.gravity = {0, 0, -1};
+    sheet.scene.duration = sheet.scene.record.every = 0.002;
+    m_document.replace(sheet, std::nullopt);
+    const auto network = m_document.project().network;
+    const std::size_t fewer = networkOf(*sheet.mesh, {Detail::Kind::Nodes, 64}).restPositions.size();
+    ASSERT_LT(fewer, 256U);
+    button("measure")->click();
+    ASSERT_TRUE(recommendation("toError")->isVisible());
+
+    auto* chart = m_panel.findChild<AccuracyChart*>(QStringLiteral("accuracyChart"));
+    const auto nodes = [this] { return m_document.project().network->restPositions.size(); };
+    const auto choose = [&](Qt::Key direction, std::size_t wanted) {
+        for (int tries = 0; tries < 300 && (!stepping() || nodes() != wanted); ++tries) {
+            QTest::keyClick(chart, direction);
+            QTest::keyClick(chart, Qt::Key_Return);
+        }
+        EXPECT_EQ(nodes(), wanted);
+    };
+    auto* hint = m_panel.findChild<QLabel*>(QStringLiteral("accuracyHint"));
+    choose(Qt::Key_Right, fewer);
+    EXPECT_TRUE(recommendation("toError")->isVisible());
+    EXPECT_FALSE(hint->isVisible());
+    choose(Qt::Key_Left, 256);
+    EXPECT_EQ(m_document.project().network, network);
+    EXPECT_FALSE(hint->isVisible());
+}
+
+TEST_F(AccuracyPanelTest, CancelledItLeavesAllAsItWas) {
+    m_preview.setProject(m_document.project());
+    QTimer cancel;
+    QObject::connect(&cancel, &QTimer::timeout, [] {
+        for (QWidget* window : QApplication::topLevelWidgets())
+            if (auto* dialog = qobject_cast<QProgressDialog*>(window))
+                dialog->findChild<QPushButton*>()->click();
+    });
+    cancel.start(20);
+    Project large = makeSample("liver");
+    m_document.replace(large, std::nullopt);
+    button("measure")->click();
+    EXPECT_FALSE(recommendation("toError")->isVisible());
+    EXPECT_FALSE(stepping());
+    EXPECT_FALSE(m_document.isModified());
+}
+
+TEST(AccuracyMeasurement, PullsAtTheEdgeWhereTheSceneMovesNothing) {
+    Project tube = makeSample("tube");
+    EXPECT_TRUE(measuredScene(tube).moves.empty());
+    tube.scene.instrument.reset();
+    const Scene pulled = measuredScene(tube);
+    EXPECT_FALSE(pulled.moves.empty());
+    EXPECT_TRUE(validate(pulled, tube.network->restPositions.size()).empty());
+    NodeSelection all;
+    for (std::uint32_t node = 0; node < tube.network->restPositions.size(); ++node)
+        all.nodes.push_back(node);
+    tube.scene.fixed = {all};
+    EXPECT_THROW(measuredScene(tube), InvalidModel);
+}
+
+} // namespace

@@ -1,0 +1,161 @@
+#include "app/editor/panels/texture/photo_dialog.h"
+
+#include "core/exchange/project/preparation_json.h"
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+#include "tests/support/temporary_folder.h"
+
+#include <QLabel>
+
+using namespace esm;
+
+namespace {
+
+constexpr int photoWidth = 400, photoHeight = 320;
+
+Project withPhoto() {
+    Project project = makeSample("ventricle");
+    auto photo = std::make_shared<Photo>();
+    photo->fileName = "grey.png";
+    photo->image.width = photoWidth;
+    photo->image.height = photoHeight;
+    photo->image.pixels.assign(4 * photoWidth * photoHeight, 255);
+    TextureLayer layer;
+    layer.name = "grey";
+    layer.photo = photo;
+    project.layers = {layer};
+    return project;
+}
+
+class PhotoDialogTest : public testing::Test {
+protected:
+    PhotoDialogTest() : document(withPhoto()) {
+        selection.setPhoto(0);
+        dialog = std::make_unique<PhotoDialog>(document, edits);
+        dialog->show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(dialog.get(), patience));
+        QApplication::setActiveWindow(dialog.get());
+        canvas = dialog->findChild<PhotoCanvas*>();
+    }
+    const TextureLayer& layer() const { return document.project().layers[0]; }
+    QPoint placeOf(double x, double y) const { return canvas->toWidget({x, y}).toPoint(); }
+    void drag(double fromX, double fromY, double toX, double toY) const {
+        QTest::mousePress(canvas, Qt::LeftButton, {}, placeOf(fromX, fromY));
+        for (const double share : {0.3, 0.7, 1.0}) {
+            const QPoint at = placeOf(fromX + share * (toX - fromX), fromY + share * (toY - fromY));
+            QMouseEvent move(QEvent::MouseMove, at, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(canvas, &move);
+        }
+        QTest::mouseRelease(canvas, Qt::LeftButton, {}, placeOf(toX, toY));
+    }
+    void draw(const Lens& lens, const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+        for (int i = 0; i <= 6; ++i) {
+            const Eigen::Vector2d place = distorted(lens, from + i / 6.0 * (to - from));
+            QTest::mouseClick(canvas, Qt::LeftButton, {}, placeOf(place.x(), place.y()));
+        }
+        QTest::keyClick(canvas, Qt::Key_Return);
+    }
+    void choose(Qt::Key tool) const { QTest::keyClick(dialog.get(), tool); }
+
+    Document document;
+    Selection& selection = *new Selection(document);
+    PreparationEdits& edits = *new PreparationEdits(document, selection);
+    std::unique_ptr<PhotoDialog> dialog;
+    PhotoCanvas* canvas = nullptr;
+};
+
+} // namespace
+
+TEST_F(PhotoDialogTest, LeavesOutWhatIsBrushedOverAndTakesItBack) {
+    dialog->findChild<NumberField*>("photoBrushRadius")->setValue(15);
+    choose(Qt::Key_B);
+    drag(100, 100, 300, 100);
+    ESM_EVENTUALLY(!edits.isWorking());
+    ASSERT_EQ(layer().preparation.strokes.size(), 1U);
+    EXPECT_EQ(layer().preparation.strokes[0].radius, 15);
+    ASSERT_TRUE(layer().prepared);
+    EXPECT_EQ(layer().prepared->at(200, 100)[3], 0);
+    EXPECT_EQ(layer().prepared->at(200, 130)[3], 255);
+    choose(Qt::Key_E);
+    drag(200, 100, 201, 100);
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_EQ(layer().prepared->at(200, 100)[3], 255);
+    EXPECT_EQ(layer().prepared->at(120, 100)[3], 0);
+    EXPECT_EQ(document.undoStack()->count(), 2);
+    QTest::keyClick(dialog.get(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(layer().prepared->at(200, 100)[3], 0);
+}
+
+TEST_F(PhotoDialogTest, StraightensByDrawnLines) {
+    const double half = 0.5 * std::hypot(photoWidth, photoHeight);
+    const Lens known{LensKind::Pinhole, {half, half, 200, 160}, {-0.2, 0, 0, 0, 0}};
+    auto* straighten = dialog->findChild<QPushButton*>("straightenPhoto");
+    choose(Qt::Key_L);
+    draw(known, {30, 30}, {370, 20});
+    EXPECT_FALSE(straighten->isEnabled());
+    draw(known, {20, 300}, {380, 290});
+    ASSERT_TRUE(straighten->isEnabled());
+    straighten->click();
+    ESM_EVENTUALLY(!edits.isWorking());
+    ASSERT_TRUE(layer().preparation.lens);
+    EXPECT_NEAR(layer().preparation.lens->coefficients[0], -0.2, 0.02);
+}
+
+TEST_F(PhotoDialogTest, ALineThatWasNotEndedGoesWithItsTool) {
+    choose(Qt::Key_L);
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, placeOf(50, 50));
+    choose(Qt::Key_C);
+    choose(Qt::Key_L);
+    draw({LensKind::Pinhole, {100, 100, 200, 160}, {}}, {30, 200}, {370, 200});
+    ASSERT_EQ(canvas->lines().size(), 1U);
+    EXPECT_EQ(canvas->lines()[0].size(), 7U);
+}
+
+TEST_F(PhotoDialogTest, SaysWhyLinesDoNotDo) {
+    choose(Qt::Key_L);
+    const Lens none{LensKind::Pinhole, {100, 100, 200, 160}, {}};
+    draw(none, {0, 160}, {400, 160});
+    draw(none, {200, 0}, {200, 320});
+    dialog->findChild<QPushButton*>("straightenPhoto")->click();
+    EXPECT_TRUE(dialog->findChild<QLabel*>("photoHint")->text().contains("do not tell"));
+    EXPECT_EQ(document.undoStack()->count(), 0);
+}
+
+TEST_F(PhotoDialogTest, ALensServesOtherPhotosByItsFile) {
+    const TemporaryFolder folder;
+    const Lens known{LensKind::Fisheye, {150, 151, 200, 160}, {0.1, 0.01, 0, 0, 0}};
+    writeLensFile(known, folder / "scope.json");
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    DialogScript dialogs;
+    choose(Qt::Key_L);
+    EXPECT_FALSE(dialog->findChild<QPushButton*>("saveLens")->isEnabled());
+    dialogs.expectFile(folder / "scope.json");
+    dialog->findChild<QPushButton*>("loadLens")->click();
+    ESM_EVENTUALLY(layer().preparation.lens);
+    EXPECT_EQ(*layer().preparation.lens, known);
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    dialogs.expectFile(folder / "copy.json");
+    dialog->findChild<QPushButton*>("saveLens")->click();
+    EXPECT_EQ(readLensFile(folder / "copy.json"), known);
+    EXPECT_TRUE(dialogs.isDone());
+}
+
+TEST_F(PhotoDialogTest, CropsByAFrameAndByNumbers) {
+    choose(Qt::Key_C);
+    drag(50, 40, 250, 240);
+    ESM_EVENTUALLY(!edits.isWorking());
+    ASSERT_TRUE(layer().preparation.crop);
+    EXPECT_NEAR(layer().preparation.crop->x, 50, 1);
+    EXPECT_NEAR(layer().preparation.crop->height, 200, 2);
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    auto* width = dialog->findChild<NumberField*>("cropWidth");
+    emit width->valueEdited(9000);
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_EQ(layer().preparation.crop->x + layer().preparation.crop->width, photoWidth);
+    EXPECT_EQ(layer().prepared->at(10, 100)[3], 0);
+}
+
+TEST_F(PhotoDialogTest, ClosesWithItsPhoto) {
+    document.edit("Remove", [](Project& project) { project.layers.clear(); });
+    EXPECT_FALSE(dialog->isVisible());
+}

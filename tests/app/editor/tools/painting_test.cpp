@@ -1,0 +1,150 @@
+#include "app/editor/tools/painting.h"
+
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+#include "widgets/inputs/number_field.h"
+
+#include <QComboBox>
+#include <QLabel>
+
+using namespace esm;
+
+namespace {
+
+class PaintingTest : public EditorTest {
+protected:
+    void SetUp() override {
+        Project project = makeSample("liver");
+        TextureLayer photo;
+        photo.name = "photo";
+        photo.photo = makeSamplePhoto("serosa");
+        project.layers = {photo};
+        open(project);
+        window->windowActions().texture->trigger();
+        takeBrush();
+    }
+    void takeBrush() {
+        press(Qt::Key_D);
+        ASSERT_EQ(window->view().tool(), ViewTool::Brush);
+    }
+    QPoint middle() const { return window->view().rect().center(); }
+    void move(const QPoint& to) const {
+        QMouseEvent move(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&window->view(), &move);
+    }
+    void begin() const {
+        QTest::mousePress(&window->view(), Qt::LeftButton, {}, middle());
+        for (int step = 1; step <= 20; ++step)
+            move(middle() + QPoint(4 * step, 0));
+    }
+    void stroke() const {
+        begin();
+        QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, middle() + QPoint(80, 0));
+    }
+    const BrushStrokes& strokes(std::size_t layer = 0) const { return project().layers.at(layer).strokes; }
+    void choose(BrushKind kind) const {
+        auto* choice = child<QComboBox>("brushKind");
+        const int index = choice->findData(static_cast<int>(kind));
+        ASSERT_GE(index, 0);
+        choice->setCurrentIndex(index);
+        emit choice->activated(index);
+    }
+};
+
+} // namespace
+
+TEST_F(PaintingTest, ADragIsOneStrokeAndOneStep) {
+    const int steps = window->document().undoStack()->count();
+    stroke();
+    ASSERT_EQ(strokes().size(), 1U);
+    const BrushStroke& painted = *strokes()[0];
+    EXPECT_EQ(painted.kind, BrushKind::Erase);
+    EXPECT_GE(painted.path.size(), 2U);
+    EXPECT_LT(painted.path.size(), 20U) << "close points are left out";
+    EXPECT_TRUE(validate(painted).empty());
+    EXPECT_EQ(window->document().undoStack()->count(), steps + 1);
+    EXPECT_EQ(window->document().undoStack()->undoText(), "Erase with the brush");
+    stroke();
+    EXPECT_EQ(strokes().size(), 2U);
+    EXPECT_EQ(window->document().undoStack()->count(), steps + 2) << "each stroke is a step";
+    window->document().undoStack()->undo();
+    window->document().undoStack()->undo();
+    EXPECT_TRUE(strokes().empty());
+}
+
+TEST_F(PaintingTest, LiesOnTheSurfaceUnderTheMouse) {
+    stroke();
+    ASSERT_FALSE(strokes().empty());
+    const TriangleMesh& mesh = *project().mesh;
+    const double size = boundingBox(mesh.vertices).diagonal().norm();
+    const SurfaceQuery query(mesh.vertices, mesh.triangles);
+    for (const BrushPoint& point : strokes()[0]->path) {
+        const auto hit = query.nearest(point.place);
+        ASSERT_TRUE(hit);
+        EXPECT_LT(hit->distance, 1e-4 * size);
+        const Triangle& t = mesh.triangles[hit->triangle];
+        const Eigen::Vector3d normal =
+            (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
+        EXPECT_GT(normal.dot(point.normal), 0) << "the brush paints on the side that it sees";
+    }
+}
+
+TEST_F(PaintingTest, EscapeDropsTheStroke) {
+    begin();
+    ASSERT_EQ(strokes().size(), 1U);
+    press(Qt::Key_Escape);
+    EXPECT_TRUE(strokes().empty());
+    QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, middle());
+    EXPECT_TRUE(strokes().empty());
+}
+
+TEST_F(PaintingTest, ALayerOffersWhatCanBeDoneToIt) {
+    auto* kind = child<QComboBox>("brushKind");
+    EXPECT_EQ(kind->count(), 2) << "a photo is erased and restored";
+    window->windowActions().addPaint->trigger();
+    ASSERT_EQ(project().layers.size(), 2U);
+    EXPECT_EQ(project().layers[1].name, "Paint 1");
+    EXPECT_FALSE(project().layers[1].photo);
+    EXPECT_EQ(window->view().tool(), ViewTool::Brush);
+    EXPECT_FALSE(window->windowActions().projector->isEnabled()) << "there is no photo to place";
+    EXPECT_EQ(kind->count(), 4);
+    EXPECT_TRUE(child<QWidget>("projectorKind")->parentWidget()->parentWidget()->isHidden());
+    stroke();
+    ASSERT_EQ(strokes(1).size(), 1U);
+    EXPECT_EQ(strokes(1)[0]->kind, BrushKind::Colour);
+    EXPECT_TRUE(validate(project()).empty());
+}
+
+TEST_F(PaintingTest, CloningNeedsAPlaceToTakeColoursFrom) {
+    window->windowActions().addPaint->trigger();
+    choose(BrushKind::Clone);
+    stroke();
+    EXPECT_TRUE(strokes(1).empty());
+    QTest::mouseClick(&window->view(), Qt::LeftButton, Qt::ControlModifier, middle() + QPoint(-60, 0));
+    EXPECT_TRUE(strokes(1).empty());
+    stroke();
+    ASSERT_EQ(strokes(1).size(), 1U);
+    EXPECT_LT(strokes(1)[0]->shift.x(), 0) << "the source lies to the left";
+}
+
+TEST_F(PaintingTest, BracketsSizeTheBrush) {
+    auto* radius = child<NumberField>("brushRadius");
+    const double before = *radius->value();
+    press(Qt::Key_BracketRight);
+    EXPECT_NEAR(*radius->value(), 1.25 * before, 1e-9);
+    press(Qt::Key_BracketLeft);
+    press(Qt::Key_BracketLeft);
+    EXPECT_NEAR(*radius->value(), 0.8 * before, 1e-9);
+    stroke();
+    EXPECT_NEAR(strokes()[0]->radius, 0.8 * before, 1e-9);
+}
+
+TEST_F(PaintingTest, SaysWhereNothingWillBeSeen) {
+    window->document().edit("hide", [](Project& p) { p.layers[0].visible = false; });
+    QString said;
+    QObject::connect(window->findChild<Painting*>(), &Painting::message,
+                     [&](const QString& text) { said = text; });
+    stroke();
+    EXPECT_TRUE(said.contains("hidden")) << said.toStdString();
+    EXPECT_EQ(strokes().size(), 1U);
+}

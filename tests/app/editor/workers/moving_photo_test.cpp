@@ -1,0 +1,82 @@
+#include "app/editor/workers/moving_photo.h"
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+namespace {
+
+Project withPhotos() {
+    Project project = makeSample("ventricle");
+    AtlasOptions options;
+    options.size = 512;
+    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, options));
+    project.texture.atlas = project.atlas->options;
+    project.layers.resize(2);
+    for (TextureLayer& layer : project.layers)
+        layer.photo = makeSamplePhoto("serosa");
+    return project;
+}
+
+void shift(TextureLayer& layer) {
+    layer.projector.pose.translation().x() += 0.001;
+}
+
+TEST(MovingPhoto, IsTheOneThatDiffersInItsProjectorAlone) {
+    const std::vector<TextureLayer> before = withPhotos().layers;
+    const auto moved = [&](const std::function<void(std::vector<TextureLayer>&)>& change) {
+        std::vector<TextureLayer> now = before;
+        change(now);
+        return movedLayer(before, now);
+    };
+    using Layers = std::vector<TextureLayer>;
+    EXPECT_EQ(moved([](Layers& now) { shift(now[1]); }), 1U);
+    EXPECT_FALSE(moved([](Layers&) {}));
+    EXPECT_FALSE(moved([](Layers& now) { now[1].opacity = 0.5; }));
+    EXPECT_FALSE(moved([](Layers& now) {
+        shift(now[1]);
+        now[1].opacity = 0.5;
+    }));
+    EXPECT_FALSE(moved([](Layers& now) {
+        shift(now[0]);
+        shift(now[1]);
+    }));
+    EXPECT_FALSE(moved([](Layers& now) { now.pop_back(); }));
+}
+
+TEST(MovingPhoto, IsThrownWhileItMovesAndPaintedWhenItRests) {
+    Project project = withPhotos();
+    TextureComposer composer;
+    MovingPhoto moving(composer);
+    moving.follow(project);
+    EXPECT_FALSE(moving.thrown());
+    ESM_EVENTUALLY(!composer.isWorking());
+    const TextureComposer::Pages before = composer.pages();
+    for (int i = 0; i < 3; ++i) {
+        shift(project.layers[1]);
+        moving.follow(project);
+        ASSERT_TRUE(moving.thrown());
+        EXPECT_TRUE(moving.thrown()->projector == project.layers[1].projector);
+        EXPECT_EQ(moving.thrown()->photo, pictureOf(project.layers[1]));
+        EXPECT_TRUE(moving.isMoving());
+    }
+    bool rested = false;
+    QObject::connect(&moving, &MovingPhoto::rested, [&] { rested = true; });
+    ESM_EVENTUALLY(rested && !moving.thrown());
+    EXPECT_NE(composer.pages(), before);
+}
+
+TEST(MovingPhoto, ThatIsHiddenIsNotThrown) {
+    Project project = withPhotos();
+    project.layers[1].visible = false;
+    TextureComposer composer;
+    MovingPhoto moving(composer);
+    moving.follow(project);
+    shift(project.layers[1]);
+    moving.follow(project);
+    EXPECT_FALSE(moving.thrown());
+}
+
+} // namespace

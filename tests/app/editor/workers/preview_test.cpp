@@ -1,0 +1,303 @@
+#include "app/editor/workers/preview.h"
+#include "core/dynamics/stability/stability.h"
+#include "core/render/drawn_shape.h"
+#include "core/samples/samples.h"
+#include "tests/support/eventually.h"
+
+#include <gtest/gtest.h>
+#include <QTest>
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+
+using namespace esm;
+
+namespace {
+
+/// Whether the preview has taken all that was handed to it before, which it does in order: a last project is
+/// handed to it, and comes out with a frame.
+bool hasTakenAll(Preview& preview, const Project& last, int number) {
+    preview.setProject(last);
+    return QTest::qWaitFor([&] { return preview.frame().project == number; }, patience);
+}
+
+Project refusedProject() {
+    Project project = makeSample("tube");
+    project.base.mass = -1;
+    return project;
+}
+
+/// To be stepped by Euler steps of so many times the longest stable one.
+Project steppedTooLong(double factor) {
+    Project tube = makeSample("tube");
+    const double longest = *criticalStep(evaluateModel(tube), Integrator::Euler);
+    tube.stepping = {{Integrator::Euler, factor * longest, Precision::Double}, 0.01, 1};
+    return tube;
+}
+
+/// The size of what moves over its size at rest.
+double growth(const PreviewRun& run) {
+    return boundingBox(run.positions()).diagonal().norm() /
+           boundingBox(run.network()->restPositions).diagonal().norm();
+}
+
+/// Plays up to so many frames, until the run stops or its step was halved that often.
+bool playUntilHalved(PreviewRun& run, int halvings, int mostFrames) {
+    PreviewLoads loads;
+    loads.gentleMotion = true;
+    for (int frame = 0; frame < mostFrames && run.status().halvings < halvings; ++frame)
+        if (!run.advance(1.0 / 60, loads)) return false;
+    return true;
+}
+
+} // namespace
+
+TEST(PreviewRun, DoesNotMoveOnWithAModelThatWasRefused) {
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(makeSample("tube")));
+    EXPECT_TRUE(run.isReady());
+    EXPECT_FALSE(run.setProject(refusedProject()));
+    run.reset();
+    EXPECT_FALSE(run.isReady());
+    EXPECT_NE(run.status().failure, "");
+    EXPECT_TRUE(run.setProject(makeSample("tube")));
+    EXPECT_TRUE(run.isReady());
+    EXPECT_EQ(run.status().failure, "");
+}
+
+TEST(PreviewRun, GoesOnFromRestAfterItWasStopped) {
+    PreviewRun run;
+    run.setProject(makeSample("tube"));
+    run.stop("no reason");
+    EXPECT_FALSE(run.isReady());
+    EXPECT_EQ(run.status().failure, "no reason");
+    run.reset();
+    EXPECT_TRUE(run.isReady());
+}
+
+TEST(PreviewRun, GoesBackAndOnInShorterStepsWhenTheMotionRunsWild) {
+    const Project tube = steppedTooLong(3);
+    const double timeStep = tube.stepping->stepping.timeStep;
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_TRUE(playUntilHalved(run, 2, 2000));
+    EXPECT_EQ(run.status().halvings, 2);
+    EXPECT_DOUBLE_EQ(run.status().timeStep, timeStep / 4);
+    EXPECT_TRUE(playUntilHalved(run, 3, 20));
+    EXPECT_EQ(run.status().halvings, 2) << "shorter steps were of help";
+    EXPECT_EQ(run.status().failure, "");
+    EXPECT_LT(growth(run), 2);
+
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_EQ(run.status().halvings, 0);
+    EXPECT_DOUBLE_EQ(run.status().timeStep, timeStep);
+}
+
+TEST(PreviewRun, GoesOnAsTheProgramChoosesWhereShorterStepsAreOfNoHelp) {
+    const Project tube = steppedTooLong(1000);
+    const double timeStep = tube.stepping->stepping.timeStep;
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_TRUE(playUntilHalved(run, 100, 200));
+    EXPECT_TRUE(run.status().isReplaced);
+    EXPECT_EQ(run.status().halvings, 0) << "its own step may be halved as often as the first";
+    EXPECT_NE(run.status().integrator, Integrator::Euler);
+    EXPECT_EQ(run.status().failure, "");
+    EXPECT_LT(growth(run), 2);
+    run.reset();
+    EXPECT_FALSE(run.status().isReplaced);
+    EXPECT_EQ(run.status().halvings, 0);
+    EXPECT_DOUBLE_EQ(run.status().timeStep, timeStep);
+}
+
+TEST(PreviewRun, TakesShorterStepsWhereOneCannotBeComputed) {
+    Project tube = makeSample("tube");
+    tube.regions.clear(); // the base tissue is to be seen
+    tube.base.viscosity *= 1e6;
+    tube.stepping = {{Integrator::Propagation, longestWatchedStep, Precision::Double}, 0.01, 1};
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_TRUE(playUntilHalved(run, 1, 20)) << run.status().failure;
+    EXPECT_EQ(run.status().halvings, 1);
+    EXPECT_EQ(run.status().timeStep, longestWatchedStep / 2);
+    EXPECT_EQ(run.status().failure, "");
+}
+
+TEST(PreviewRun, StopsWithAWordWhereTheTissueCanBeSeenForTheLastTime) {
+    Project tube = makeSample("tube");
+    tube.scene = {};
+    tube.scene.gravity = {0, -1e9, 0}; // and nothing holds it
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    for (int frame = 0; frame < 100 && run.isReady(); ++frame) {
+        run.advance(1.0 / 60, {});
+        ASSERT_TRUE(std::all_of(run.positions().begin(), run.positions().end(), isDrawable)) << frame;
+    }
+    EXPECT_FALSE(run.isReady());
+    EXPECT_NE(run.status().failure.find("too far away to be drawn"), std::string::npos)
+        << run.status().failure;
+    run.reset();
+    EXPECT_TRUE(run.isReady());
+    EXPECT_NEAR(growth(run), 1, 1e-12);
+}
+
+TEST(PreviewRun, StepsAsTheProjectSays) {
+    Project tube = makeSample("tube");
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    const Integrator automatic = *run.status().integrator;
+    tube.stepping = {{Integrator::Bdf2, 0.004, Precision::Double}, 0.01, 1};
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_EQ(run.status().integrator, Integrator::Bdf2);
+    EXPECT_EQ(run.status().timeStep, 0.004);
+    tube.stepping.reset();
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_EQ(run.status().integrator, automatic);
+}
+
+TEST(PreviewRun, ShortensStepsThatAreTooLongToBeWatched) {
+    Project tube = makeSample("tube");
+    tube.stepping = {{Integrator::Split2, 0.1, Precision::Double}, 0.01, 1};
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_DOUBLE_EQ(run.status().timeStep, 0.1 / 3);
+    EXPECT_TRUE(run.status().isShortened);
+    tube.stepping->stepping.timeStep = longestWatchedStep;
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_EQ(run.status().timeStep, longestWatchedStep);
+    EXPECT_FALSE(run.status().isShortened);
+    tube.stepping.reset();
+    ASSERT_TRUE(run.setProject(tube));
+    EXPECT_FALSE(run.status().isShortened);
+}
+
+TEST(Preview, SaysWhyARefusedModelDoesNotPlay) {
+    Preview preview;
+    preview.setProject(refusedProject());
+    preview.togglePlaying();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !preview.status().failure.empty(); }, patience));
+    preview.togglePlaying();
+    ASSERT_TRUE(hasTakenAll(preview, refusedProject(), 2));
+    EXPECT_FALSE(preview.status().playing);
+    EXPECT_NE(preview.status().failure, "");
+}
+
+TEST(Preview, SaysWhatWentWrongOutsideTheSimulationAndLivesOn) {
+    std::atomic<bool> broken = true; // outlives the thread that asks
+    Preview preview;
+    QObject::connect(&preview, &Preview::frameReady, [&broken] {
+        if (broken) throw std::runtime_error("no reason");
+    });
+    preview.setProject(makeSample("tube"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.status().failure == "no reason"; }, patience));
+    EXPECT_FALSE(preview.status().playing);
+    broken = false;
+    preview.frame();
+    preview.togglePlaying();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return preview.status().playing; }, patience));
+    EXPECT_EQ(preview.status().failure, "");
+}
+
+TEST(Preview, PlaysAfterAnOddNumberOfToggles) {
+    Preview preview;
+    preview.setProject(makeSample("tube"));
+    for (int i = 0; i < 3; ++i)
+        preview.togglePlaying();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.status().playing; }, patience));
+    preview.togglePlaying();
+    preview.togglePlaying();
+    ASSERT_TRUE(hasTakenAll(preview, makeSample("tube"), 2));
+    EXPECT_TRUE(preview.status().playing);
+    preview.togglePlaying();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !preview.status().playing; }, patience));
+}
+
+TEST(Preview, ShowsAChangeAfterTheFrameThatIsUnderWay) {
+    std::atomic<int> project = 0, frames = 0, framesOfFormer = 0; // outlive the thread that counts
+    Preview preview;
+    QObject::connect(&preview, &Preview::frameReady, [&] {
+        // Taken at once, every frame is announced.
+        if (preview.frame().project < project) ++framesOfFormer;
+        ++frames;
+    });
+    Project tube = makeSample("tube");
+    preview.setProject(tube);
+    preview.setPlaying(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.frame().project == 1; }, patience));
+    for (int change = 2; change < 12; ++change) {
+        tube.base.viscosity *= 1.1;
+        preview.setProject(tube);
+        framesOfFormer = 0;
+        project = change;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return preview.frame().project == change; }, patience));
+        EXPECT_LE(framesOfFormer, 1);
+        ESM_EVENTUALLY(preview.frame().project == change && frames > 3 * change);
+    }
+}
+
+TEST(Preview, LearnsHowFarTheStepMayGo) {
+    Preview preview;
+    preview.setProject(makeSample("tube"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.status().safeStep.has_value(); }, patience));
+    EXPECT_GT(*preview.status().safeStep, preview.status().timeStep);
+}
+
+TEST(Preview, TellsWhenItLearntHowFarTheStepMayGo) {
+    std::atomic<bool> isTold = false;
+    Preview preview;
+    QObject::connect(&preview, &Preview::statusChanged,
+                     [&] { isTold = isTold || preview.status().safeStep.has_value(); });
+    preview.setProject(makeSample("tube"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isTold.load(); }, patience));
+}
+
+TEST(Preview, LearnsItAnewOfTheIntegratorThatTookOver) {
+    Preview preview;
+    preview.setGentleMotion(true);
+    preview.setProject(steppedTooLong(1000));
+    preview.setPlaying(true);
+    PreviewStatus status;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            status = preview.status();
+            return status.isReplaced && status.safeStep;
+        },
+        patience));
+    EXPECT_GT(*status.safeStep, status.timeStep);
+}
+
+TEST(Preview, NeverSetsTheStepBesideTheLimitOfOtherParameters) {
+    Project project = makeSample("tube");
+    project.regions.clear(); // the base tissue is to be seen
+    Preview preview;
+    preview.setProject(project);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.status().safeStep.has_value(); }, patience));
+    const PreviewStatus before = preview.status();
+    project.base.springConstant *= 1e4;
+    preview.setProject(project);
+    PreviewStatus after;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            after = preview.status();
+            return after.timeStep != before.timeStep;
+        },
+        patience));
+    EXPECT_NE(after.safeStep, before.safeStep);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return preview.status().safeStep.has_value(); }, patience));
+}
+
+TEST(SafeStepFinder, TellsOnlyTheLatestModelsStep) {
+    const TissueModel tube = evaluateModel(makeSample("tube")),
+                      ventricle = evaluateModel(makeSample("ventricle"));
+    std::promise<std::optional<double>> told;
+    SafeStepFinder finder([&](std::optional<double> step) {
+        if (step) told.set_value(step);
+    });
+    finder.find(ventricle, Integrator::Split);
+    finder.find(tube, Integrator::Euler);
+    auto step = told.get_future();
+    ASSERT_EQ(step.wait_for(std::chrono::milliseconds(patience)), std::future_status::ready);
+    const double expected = *criticalSteps(tube).at(Integrator::Euler);
+    EXPECT_NEAR(*step.get(), expected, 0.05 * expected);
+}

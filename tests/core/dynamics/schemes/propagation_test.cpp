@@ -1,0 +1,83 @@
+#include "core/dynamics/forces.h"
+#include "core/dynamics/schemes/propagation.h"
+#include "core/support/errors.h"
+#include "tests/support/tissue_models.h"
+
+#include <gmock/gmock.h>
+
+using namespace esm;
+using tissue::Vectors;
+
+namespace {
+
+struct Pulled {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(9, 0.1), {10, 0.05, 0.001});
+    SpringSystem system;
+    Loads loads;
+    Motion before;
+
+    Pulled() {
+        model.fixedNodes = {0, 8};
+        model.tethers = {{70, 3, 0.2}};
+        system = makeSpringSystem(model);
+        loads.gravity = {0, 0, -9.81};
+        loads.forces = {{40, {0.1, 0.05, 0.2}}};
+        before = {model.network->restPositions, Vectors(81, Eigen::Vector3d::Zero())};
+    }
+};
+
+} // namespace
+
+// What settles is the step of implicit Euler, its forces taken where it ends: M·(v⁺ − v) = h·(f(x⁺) − D·v⁺ +
+// g).
+TEST(Propagation, SettlesInTheImplicitStep) {
+    for (const Damping damping : {Damping::Isotropic, Damping::Axial}) {
+        const Pulled pulled;
+        const double h = 0.02;
+        Motion after;
+        PropagationScheme(pulled.system, damping)
+            .step(pulled.system, {h, &pulled.loads, {{30, pulled.before.positions[30]}}}, pulled.before,
+                  after);
+        Vectors forces;
+        elasticForces(pulled.system, after.positions, forces);
+        addDampingForces(pulled.system, damping, after.positions, after.velocities, forces);
+        addExternalForces(pulled.system, pulled.loads, forces);
+        EXPECT_GT((after.positions[40] - pulled.before.positions[40]).norm(), 1e-3);
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            if (i == 0 || i == 8 || i == 30) {
+                EXPECT_EQ(after.positions[i], pulled.before.positions[i]);
+                continue;
+            }
+            const Eigen::Vector3d asked = pulled.before.velocities[i] + h / 0.001 * forces[i];
+            EXPECT_LT((after.velocities[i] - asked).norm(), 1e-7) << i;
+            EXPECT_LT((after.positions[i] - pulled.before.positions[i] - h * after.velocities[i]).norm(),
+                      1e-15);
+        }
+    }
+}
+
+TEST(Propagation, SaysWhenForcesDoNotSettle) {
+    TissueModel model = tissue::fromMesh(tissue::gridMesh(9, 0.1), {1e6, 1e6, 1e-9});
+    const SpringSystem system = makeSpringSystem(model);
+    Loads loads;
+    loads.forces = {{40, {0, 0, 1}}};
+    Motion after;
+    EXPECT_THROW(PropagationScheme(system, Damping::Isotropic)
+                     .step(system, {1, &loads, {}},
+                           {model.network->restPositions, Vectors(81, Eigen::Vector3d::Zero())}, after),
+                 InvalidModel);
+}
+
+TEST(Propagation, CanBeCancelledWithinAStep) {
+    const SpringSystem system =
+        makeSpringSystem(tissue::fromMesh(tissue::gridMesh(9, 0.1), {1e6, 1e6, 1e-9}));
+    Loads loads;
+    loads.forces = {{40, {0, 0, 1}}};
+    Motion after;
+    int asked = 0;
+    const PropagationScheme scheme(system, Damping::Isotropic, [&asked] { return ++asked < 3; });
+    EXPECT_THROW(scheme.step(system, {1, &loads, {}},
+                             {system.network->restPositions, Vectors(81, Eigen::Vector3d::Zero())}, after),
+                 Cancelled);
+    EXPECT_EQ(asked, 3);
+}

@@ -1,0 +1,60 @@
+#include "core/dynamics/simulation.h"
+#include "core/dynamics/stability/oscillator.h"
+#include "tests/support/simulation_settings.h"
+#include "tests/support/tissue_models.h"
+
+#include <gmock/gmock.h>
+
+using namespace esm;
+
+namespace {
+
+/// Whether one node of 1 kg on a tether, stepped by 1 s, moves more after many steps than after few.
+bool grows(Integrator integrator, double damping, double stiffness) {
+    TissueModel model = tissue::oneSpring({0, 0, 1});
+    model.tethers = {{1, stiffness, damping}};
+    Simulation simulation(model, withStep(integrator, 1));
+    Loads kick;
+    kick.forces = {{1, {1e-3, 0, 0}}};
+    EXPECT_TRUE(simulation.step(kick));
+    double early = 0, late = 0;
+    for (int i = 0; i < 20000; ++i) {
+        if (!simulation.step({})) return true;
+        const double size =
+            (simulation.positions()[1] - Eigen::Vector3d(1, 0, 0)).norm() + simulation.velocities()[1].norm();
+        double& largest = i < 200 ? early : late;
+        if (i < 200 || i > 19000) largest = std::max(largest, size);
+        if (size > 0.5) return true;
+    }
+    return late > early;
+}
+
+constexpr std::array multistage{Integrator::Heun, Integrator::Rk4, Integrator::AdamsMoulton};
+
+} // namespace
+
+TEST(Oscillator, GrowsAboveItsLimitAndNotBelow) {
+    for (const Integrator integrator : multistage)
+        for (const double damping : {0.02, 0.3, 1.0, 1.25}) {
+            SCOPED_TRACE(std::string(integratorName(integrator)) + ", damping " + std::to_string(damping));
+            const double limit = stiffnessLimit(integrator, damping);
+            EXPECT_FALSE(grows(integrator, damping, 0.99 * limit)) << limit;
+            EXPECT_TRUE(grows(integrator, damping, 1.01 * limit)) << limit;
+        }
+}
+
+TEST(Oscillator, KnowsTheTextbookLimits) {
+    EXPECT_NEAR(stiffnessLimit(Integrator::Rk4, 0), 8, 1e-6); // |z| = √8 on the imaginary axis
+    EXPECT_LT(stiffnessLimit(Integrator::Heun, 0), 1e-3);     // unstable without damping
+    EXPECT_NEAR(decayLimit(Integrator::Heun), 2, 1e-9);
+    EXPECT_NEAR(decayLimit(Integrator::Rk4), 2.7852935634, 1e-8);
+}
+
+TEST(Oscillator, DecaysBelowItsLimitAndNotAbove) {
+    for (const Integrator integrator : multistage) {
+        SCOPED_TRACE(integratorName(integrator));
+        const double limit = decayLimit(integrator);
+        EXPECT_LE(growthFactor(integrator, {0.99 * limit, 0}), 1 + 1e-12);
+        EXPECT_GT(growthFactor(integrator, {1.01 * limit, 0}), 1 + 1e-6);
+    }
+}

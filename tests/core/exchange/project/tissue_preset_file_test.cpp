@@ -1,0 +1,69 @@
+#include "core/exchange/project/tissue_preset_file.h"
+
+#include "core/support/errors.h"
+#include "core/support/json_reader.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+using namespace esm;
+using testing::HasSubstr;
+
+TEST(TissuePresetFile, IsTheFileThatShips) {
+    const std::filesystem::path folder = std::filesystem::path(ESM_SOURCE_DIR) / "presets/tissue";
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        files.push_back(entry.path().stem());
+    EXPECT_THAT(tissuePresetNames(), testing::UnorderedElementsAreArray(files));
+    for (const std::string& name : tissuePresetNames()) {
+        EXPECT_EQ(tissuePresetFromJson(readJsonFile(folder / (name + ".json"))).name, name);
+        EXPECT_THAT(tissuePreset(name).source, HasSubstr("Radetzky")) << name;
+    }
+}
+
+TEST(TissuePresetFile, SaysInWordsWhatWasPublished) {
+    for (const std::string& name : tissuePresetNames()) {
+        const TissuePreset preset = tissuePreset(name);
+        EXPECT_EQ(preset.system != nullptr, preset.published.springConstant.has_value()) << name;
+        if (!preset.system) continue;
+        Region region;
+        layPreset(region, preset);
+        const RegionTissue tissue = evaluate(region);
+        EXPECT_TRUE(tissue.warnings.empty()) << name;
+        EXPECT_NEAR(*tissue.values.springConstant / *preset.published.springConstant, 1, 2e-4) << name;
+        EXPECT_NEAR(*tissue.values.viscosity / *preset.published.viscosity, 1, 2e-4) << name;
+    }
+}
+
+TEST(TissuePresetFile, HoldsThePublishedFigures) {
+    const TissuePreset tube = tissuePreset("tube");
+    EXPECT_EQ(tube.published.springConstant, 16.2606);
+    EXPECT_EQ(tube.published.viscosity, 2.87713);
+    EXPECT_EQ(tube.published.mass, 0.010);
+    EXPECT_EQ(tissuePreset("uterus").published.mass, 0.5);
+    EXPECT_EQ(tissuePreset("uterus").published.springConstant, 81.3091);
+    EXPECT_EQ(tissuePreset("bowel").published.mass, 0.1);
+    EXPECT_EQ(tissuePreset("bowel").published.viscosity, 9.13015);
+    EXPECT_EQ(tissuePreset("ventricle").published.mass, 1);
+    EXPECT_EQ(tissuePreset("ventricle").published.viscosity, 72.8125);
+    EXPECT_FALSE(tissuePreset("tube-tethers").system);
+    for (const char* name : {"tube", "tube-tethers"}) {
+        ASSERT_EQ(tissuePreset(name).tethers.size(), 1U);
+        EXPECT_EQ(tissuePreset(name).tethers[0].every, 3U);
+        EXPECT_EQ(tissuePreset(name).tethers[0].springConstant, 2.41327);
+        EXPECT_EQ(tissuePreset(name).tethers[0].viscosity, 10.6875);
+    }
+    EXPECT_EQ(publishedText(tube), "16.2606 N/m, 2.87713 N·s/m, 0.01 kg, a tether of 2.41327 N/m and 10.6875 "
+                                   "N·s/m at one node in 3");
+}
+
+TEST(TissuePresetFile, ThatIsNotThereIsAnsweredWithThoseThatAre) {
+    try {
+        tissuePreset("tub");
+        FAIL() << "accepted";
+    } catch (const InvalidModel& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("\"tub\""), HasSubstr("tube-tethers")));
+    }
+    EXPECT_THROW(tissuePresetFromJson({{"name", "x"}}), InvalidModel);
+}
