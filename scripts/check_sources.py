@@ -21,7 +21,7 @@ MOST_FILE_LINES = 400
 # Of a source's lines that are not empty. More would say again what the code says.
 COMMENT_SHARE = (0.04, 0.20)
 # The core's folders in the order in which they build on each other; what is drawn stands beside them.
-CORE_ORDER = ("support", "decoding", "geometry", "surface", "model", "dynamics", "fuzzy", "texture", "project", "authoring",
+CORE_ORDER = ("support", "geometry", "model", "dynamics", "decoding", "surface", "fuzzy", "texture", "project", "authoring",
               "exchange", "samples")
 MAY_INCLUDE = {
     "core": ("core",),

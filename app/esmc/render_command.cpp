@@ -11,6 +11,7 @@
 #include "core/texture/layers/page_levels.h"
 
 #include <algorithm>
+#include <cctype>
 #include <variant>
 
 namespace esm {
@@ -57,7 +58,8 @@ PictureSize parseSize(const std::string& text) {
 
 /// "ex ey ez tx ty tz"
 Camera freeCamera(const std::string& view) {
-    const std::vector<double> numbers = parseNumbers(view, "--view");
+    const bool isWord = !view.empty() && std::isalpha(static_cast<unsigned char>(view.front()));
+    const std::vector<double> numbers = isWord ? std::vector<double>() : parseNumbers(view, "--view");
     const bool isPair = numbers.size() == 6;
     Camera camera;
     if (isPair) camera.eye = {numbers[0], numbers[1], numbers[2]};

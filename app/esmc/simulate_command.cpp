@@ -96,6 +96,12 @@ std::string cutsInWords(const SceneOutcome& outcome) {
     return words;
 }
 
+/// What the outcome itself advises, else what helps in most cases.
+std::string withAdvice(const std::string& outcome) {
+    const bool advises = outcome.find("shorter step") != std::string::npos;
+    return advises ? outcome : outcome + "; take a shorter step or smaller loads, or leave both to auto";
+}
+
 Report describe(const SceneOutcome& outcome) {
     const double realTimeFactor = outcome.simulatedSeconds / outcome.wallSeconds;
     Report report;
@@ -120,7 +126,7 @@ Report describe(const SceneOutcome& outcome) {
                    inText(outcome.wallSeconds) + " s of computing" + realTimeInWords(realTimeFactor),
                    "energy at the end: kinetic " + inText(outcome.energy.kinetic) + " J, elastic " +
                        inText(outcome.energy.elastic) + " J"};
-    if (!outcome.stable) report.failure = "the run stopped: " + outcome.outcome;
+    if (!outcome.stable) report.failure = "the run stopped: " + withAdvice(outcome.outcome);
     return report;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/exchange/package/packaged_tissue.h"
 #include "core/project/project.h"
 #include "core/support/progress.h"
 
@@ -8,24 +9,14 @@
 
 namespace esm {
 
-/// The model package for simulators: one `.glb`, a textured mesh to any viewer, with the spring-mass model in
-/// the extension `ESM_spring_mass`. Specified in `docs/model-package.md`. This is the newest version; a
-/// package is of the oldest that has all it holds, see `versionOf()`.
-constexpr int modelPackageVersion = 5;
-
-/// What a package holds. Nodes, springs and triangles are numbered as in the project it was made from;
-/// numbers are the project's, rounded to 32-bit floats.
-struct ModelPackage {
-    std::string name;
-    TriangleMesh mesh; ///< drawn triangles over the welded vertices
-    TissueModel tissue;
-    BaseTissue base; ///< for people: already in `tissue`, as the regions are
-    std::vector<Region> regions;
-    std::optional<MeasuredStepping> stepping; ///< that is recommended
+/// All that a package holds; numbers are the project's, rounded to 32-bit floats.
+struct ModelPackage : PackagedTissue {
+    BaseTissue base{}; ///< for people: already in `tissue`, as the regions are
+    std::vector<Region> regions{};
     std::array<std::uint8_t, 3> baseColour{}; ///< of a surface without texture
-    std::shared_ptr<const Atlas> atlas;       ///< null without textures
-    std::vector<Image> textures;              ///< one per page of the atlas
-    Image preview;                            ///< of the organ, for lists of packages; empty without one
+    std::shared_ptr<const Atlas> atlas{};     ///< null without textures
+    std::vector<Image> textures{};            ///< one per page of the atlas
+    Image preview{};                          ///< of the organ, for lists of packages; empty without one
 };
 
 /// Draws a package's preview picture. @param pages one per page of the project's atlas; null without one

@@ -121,7 +121,9 @@ void dropDegenerateAndDuplicate(Workpiece& piece) {
     const std::size_t before = piece.triangles.size();
     dropDuplicate(piece.triangles);
     piece.report.duplicateTriangles = before - piece.triangles.size();
-    if (piece.triangles.empty()) throw InvalidModel("no triangle with an area remains of the mesh");
+    if (piece.triangles.empty())
+        throw InvalidModel("no triangle with an area remains of the mesh; export the surface again, or weld "
+                           "points that are less far apart");
 }
 
 void selectParts(Workpiece& piece, KeepParts keep) {

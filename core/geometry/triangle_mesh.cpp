@@ -1,6 +1,7 @@
 #include "core/geometry/triangle_mesh.h"
 
 #include "core/geometry/sorted_by_vertex.h"
+#include "core/support/offenders.h"
 
 #include <algorithm>
 
@@ -66,6 +67,19 @@ std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& p
         normal = length > 0 ? Eigen::Vector3d(normal / length) : Eigen::Vector3d::UnitZ();
     }
     return normals;
+}
+
+std::vector<std::string> validate(const TriangleMesh& mesh) {
+    std::vector<std::string> problems;
+    reportOffenders(
+        problems, "mesh point", "without a finite position",
+        placesWhere(mesh.vertices.size(), [&](std::size_t i) { return !mesh.vertices[i].allFinite(); }));
+    reportOffenders(problems, "triangle", "with a corner that does not exist",
+                    placesWhere(mesh.triangles.size(), [&](std::size_t i) {
+                        const Triangle& triangle = mesh.triangles[i];
+                        return *std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size();
+                    }));
+    return problems;
 }
 
 } // namespace esm

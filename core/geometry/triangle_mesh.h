@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,5 +45,8 @@ double sixfoldVolume(const std::vector<Eigen::Vector3d>& vertices, const Triangl
 /// Unit normals at the vertices, area-weighted. A vertex whose triangles have no area gets (0, 0, 1).
 std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& positions,
                                            const std::vector<Triangle>& triangles);
+
+/// Points without a finite position, triangles with a corner that does not exist.
+std::vector<std::string> validate(const TriangleMesh& mesh);
 
 } // namespace esm

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/surface/simplify.h"
+#include "core/geometry/simplified_mesh.h"
 
 #include <string>
 

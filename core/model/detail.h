@@ -15,11 +15,6 @@ struct Detail {
     std::size_t nodes = 0; ///< wanted, where the kind is Nodes
 };
 
-/// The network of a surface at a level of detail. A surface that cannot be made as coarse as wanted has more
-/// nodes.
-/// @throws InvalidModel when fewer than 4 nodes or more than there are vertices are wanted
-SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail);
-
 /// The level of detail that a network has, with the number of its nodes.
 Detail detailOf(const SpringNetwork& network);
 

@@ -45,4 +45,16 @@ std::vector<Triangle> simulatedSurface(const TriangleMesh& mesh, const SpringNet
     return surface;
 }
 
+std::vector<std::string> carryingProblems(const TriangleMesh& mesh, const SpringNetwork& network) {
+    std::vector<std::string> problems;
+    if (network.vertexNodes.size() != mesh.vertices.size())
+        problems.push_back(std::to_string(network.vertexNodes.size()) + " of the mesh's " +
+                           std::to_string(mesh.vertices.size()) + " vertices are tied to nodes");
+    if (!network.binding) return problems;
+    for (std::string& problem :
+         validate(*network.binding, mesh.vertices.size(), network.restPositions.size()))
+        problems.push_back(std::move(problem));
+    return problems;
+}
+
 } // namespace esm

@@ -34,4 +34,7 @@ Eigen::AlignedBox3d organBox(const TriangleMesh& mesh, const SpringNetwork& netw
 /// The triangles over the nodes that an instrument touches. Empty for what only its nodes show or carry.
 std::vector<Triangle> simulatedSurface(const TriangleMesh& mesh, const SpringNetwork& network);
 
+/// Every problem in how a network carries a drawn mesh.
+std::vector<std::string> carryingProblems(const TriangleMesh& mesh, const SpringNetwork& network);
+
 } // namespace esm

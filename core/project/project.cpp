@@ -2,6 +2,7 @@
 
 #include "core/geometry/disjoint_sets.h"
 #include "core/model/motion_model.h"
+#include "core/project/simulated_network.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
@@ -237,6 +238,8 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& mo
     }
     for (std::size_t i = 0; i < scene.moves.size(); ++i)
         warnIfFixed("moves", i, scene.moves[i].node, "does not follow its path");
+    if (scene.record.nodes && scene.record.nodes->empty())
+        warnings.emplace_back("record: it names no node, and a run needs one; leave the list out for all");
     return warnings;
 }
 

@@ -14,19 +14,6 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-Problems meshProblems(const TriangleMesh& mesh) {
-    Problems problems;
-    reportOffenders(
-        problems, "mesh point", "without a finite position",
-        placesWhere(mesh.vertices.size(), [&](std::size_t i) { return !mesh.vertices[i].allFinite(); }));
-    reportOffenders(problems, "triangle", "with a corner that does not exist",
-                    placesWhere(mesh.triangles.size(), [&](std::size_t i) {
-                        const Triangle& triangle = mesh.triangles[i];
-                        return *std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size();
-                    }));
-    return problems;
-}
-
 void requireValue(Problems& problems, const std::string& name, double value, bool zeroAllowed) {
     if (zeroAllowed ? isAmount(value) : isMass(value)) return;
     problems.push_back(name + (zeroAllowed ? " must be 0 or more" : " must be above 0") + " and at most " +
@@ -121,15 +108,7 @@ Problems textureProblems(const Project& project) {
 }
 
 Problems networkProblems(const Project& project) {
-    Problems problems;
-    if (project.network->vertexNodes.size() != project.mesh->vertices.size())
-        problems.push_back(std::to_string(project.network->vertexNodes.size()) + " of the mesh's " +
-                           std::to_string(project.mesh->vertices.size()) + " vertices are tied to nodes");
-    if (project.network->binding) {
-        const Problems found = validate(*project.network->binding, project.mesh->vertices.size(),
-                                        project.network->restPositions.size());
-        problems.insert(problems.end(), found.begin(), found.end());
-    }
+    Problems problems = carryingProblems(*project.mesh, *project.network);
     requireValue(problems, "the organ's spring constant", project.base.springConstant, true);
     requireValue(problems, "the organ's viscosity", project.base.viscosity, true);
     requireValue(problems, "the organ's mass", project.base.mass, false);
@@ -146,7 +125,7 @@ std::vector<std::string> validate(const Project& project) {
     if (!project.mesh || !project.network || !project.importReport)
         return {"the project has no organ; import a mesh"};
     Problems problems;
-    addUnder(problems, "mesh", meshProblems(*project.mesh));
+    addUnder(problems, "mesh", validate(*project.mesh));
     addUnder(problems, "model", networkProblems(project));
     addUnder(problems, "scene", validate(project.scene, project.network->restPositions.size()));
     if (project.stepping) addUnder(problems, "stepping", validate(*project.stepping));

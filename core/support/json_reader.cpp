@@ -158,7 +158,10 @@ bool JsonReader::has(const char* key) const {
 JsonReader JsonReader::member(const char* key) const {
     std::string place = memberPlace(m_place, key);
     if (has(key)) return {&m_json->at(key), std::move(place), m_problems};
-    if (m_json) m_problems->push_back(place + " is missing");
+    if (m_json && !m_json->is_object())
+        addProblem("should be an object in { }");
+    else if (m_json)
+        m_problems->push_back(place + " is missing");
     return {nullptr, std::move(place), m_problems};
 }
 
@@ -255,6 +258,15 @@ const Json& JsonReader::json() const {
 
 void JsonReader::addProblem(const std::string& problem) const {
     m_problems->push_back((m_place.empty() ? "the file" : m_place) + " " + problem);
+}
+
+void refuseNewerVersion(const JsonReader& file, int known) {
+    const std::uint64_t version =
+        file.member("version").integer(1, std::numeric_limits<std::uint32_t>::max());
+    if (version > static_cast<std::uint64_t>(known))
+        throw InvalidModel("was made by a newer version (" + std::to_string(version) +
+                           ") of the program; this one reads up to " + std::to_string(known) +
+                           "; update the program");
 }
 
 } // namespace esm

@@ -67,4 +67,7 @@ private:
     std::vector<std::string>* m_problems;
 };
 
+/// @throws InvalidModel where the file's `version` is a newer one than `known`
+void refuseNewerVersion(const JsonReader& file, int known);
+
 } // namespace esm

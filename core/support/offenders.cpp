@@ -22,4 +22,11 @@ void addUnder(std::vector<std::string>& problems, const std::string& place,
         problems.push_back(prefix + problem);
 }
 
+std::vector<std::string> eachOnce(const std::vector<std::string>& problems) {
+    std::vector<std::string> result;
+    for (const std::string& problem : problems)
+        if (std::find(result.begin(), result.end(), problem) == result.end()) result.push_back(problem);
+    return result;
+}
+
 } // namespace esm

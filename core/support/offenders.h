@@ -17,6 +17,9 @@ void reportOffenders(std::vector<std::string>& problems, const std::string& subj
 void addUnder(std::vector<std::string>& problems, const std::string& place,
               const std::vector<std::string>& found);
 
+/// Every problem where it stands first: what is missing may be looked for more than once.
+std::vector<std::string> eachOnce(const std::vector<std::string>& problems);
+
 /// The places in 0 … count − 1 where `isBad` holds.
 template<class Predicate> std::vector<std::size_t> placesWhere(std::size_t count, Predicate isBad) {
     std::vector<std::size_t> places;

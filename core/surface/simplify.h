@@ -1,16 +1,8 @@
 #pragma once
 
-#include "core/geometry/triangle_mesh.h"
+#include "core/geometry/simplified_mesh.h"
 
 namespace esm {
-
-/// A coarser surface through some of the vertices of another.
-struct SimplifiedMesh {
-    std::vector<std::uint32_t> vertices; ///< those of the finer surface that are kept, ascending
-    std::vector<Triangle> triangles;     ///< places in `vertices`
-};
-
-constexpr std::size_t fewestVertices = 4;
 
 /// Leaves out vertices until `vertexCount` remain, first where the surface changes least (quadric error
 /// metrics, meshoptimizer), but nowhere far more than elsewhere. Borders count more than what lies within;

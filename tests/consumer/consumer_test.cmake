@@ -1,17 +1,31 @@
-# Installs the core, builds a stranger's program against it and lets that load a model package.
+# Installs the core, builds strangers' programs against it and lets them load a model package.
 #   cmake -D BUILD=… -D SOURCE=… -D ESMC=… -P consumer_test.cmake
 set(work ${BUILD}/consumer)
 file(REMOVE_RECURSE ${work})
-foreach(command
-    "${CMAKE_COMMAND};--install;${BUILD};--prefix;${work}/installed"
-    "${CMAKE_COMMAND};-S;${SOURCE};-B;${work}/build;-G;Ninja;-DCMAKE_PREFIX_PATH=${work}/installed"
-    "${CMAKE_COMMAND};--build;${work}/build"
-    "${ESMC};sample;tube;-o;${work}/tube.esm"
-    "${ESMC};texture;pack;${work}/tube.esm;--size;64;-o;${work}/tube.esm"
-    "${ESMC};export;${work}/tube.esm;--to;glb;-o;${work}/tube.glb"
-    "${work}/build/consumer;${work}/tube.glb")
-  execute_process(COMMAND ${command} COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE output)
-endforeach()
-if(NOT output MATCHES "170 nodes, 1 picture of 64 pixels")
-  message(FATAL_ERROR "the consumer printed: ${output}")
-endif()
+
+function(run)
+  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE output)
+  set(output ${output} PARENT_SCOPE)
+endfunction()
+
+function(build_consumer source)
+  run(${CMAKE_COMMAND} -S ${source} -B ${work}/build/${source} -G Ninja -DCMAKE_PREFIX_PATH=${work}/installed
+      -DCMAKE_RUNTIME_OUTPUT_DIRECTORY=${work}/bin)
+  run(${CMAKE_COMMAND} --build ${work}/build/${source})
+endfunction()
+
+function(expect_output text)
+  run(${ARGN})
+  if(NOT output MATCHES "${text}")
+    message(FATAL_ERROR "the consumer printed: ${output}")
+  endif()
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/installed)
+run(${ESMC} sample tube -o ${work}/tube.esm)
+run(${ESMC} texture pack ${work}/tube.esm --size 64 -o ${work}/tube.esm)
+run(${ESMC} export ${work}/tube.esm --to glb -o ${work}/tube.glb)
+build_consumer(${SOURCE})
+build_consumer(${SOURCE}/mechanics)
+expect_output("170 nodes, 1 picture of 64 pixels" ${work}/bin/consumer ${work}/tube.glb)
+expect_output("170 nodes, 320 triangles" ${work}/bin/mechanics_consumer ${work}/tube.glb)

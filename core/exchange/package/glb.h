@@ -60,6 +60,8 @@ public:
     /// The value that `reference`, a place in the JSON's list `list`, speaks of.
     JsonReader element(const char* list, const JsonReader& reference) const;
 
+    std::size_t bytes() const { return m_glb.binary.size(); } ///< of binary data: no array has more elements
+    bool foundProblems() const { return !m_problems.empty(); }
     std::size_t count(const JsonReader& accessor) const; ///< elements that an accessor claims
     /// `count` elements, finite. Empty, and a problem, where the accessor is another or damaged.
     std::vector<float> floats(const JsonReader& accessor, GltfType type, std::size_t count) const;

@@ -1,7 +1,5 @@
 #include "core/exchange/package/package_container.h"
 
-#include "core/exchange/package/package_layout.h"
-
 namespace esm {
 
 using Json = nlohmann::ordered_json;
@@ -50,9 +48,11 @@ void checkBuffer(const Glb& glb, Warnings& warnings) {
         return;
     }
     const std::uint64_t length = unsignedMember(buffers->front(), "byteLength");
-    if (length > glb.binary.size() || glb.binary.size() - length > 3)
+    if (length > glb.binary.size() || glb.binary.size() - length > 3) {
         warnings.push_back("buffers[0] should have the byteLength " + std::to_string(glb.binary.size()) +
                            ", that of the file's binary data");
+        return;
+    }
     forEachOf(glb.json, "bufferViews", [&](const Json& view, const std::string& place) {
         const std::uint64_t begin = unsignedMember(view, "byteOffset");
         if (begin > length || unsignedMember(view, "byteLength") > length - begin)
@@ -62,7 +62,7 @@ void checkBuffer(const Glb& glb, Warnings& warnings) {
 
 void checkRequiredExtensions(const Json& gltf, Warnings& warnings) {
     forEachOf(gltf, "extensionsRequired", [&](const Json& name, const std::string& place) {
-        if (name.is_string() && name != package_layout::extension)
+        if (name.is_string())
             warnings.push_back(place + " should not name " + name.get<std::string>() +
                                ": programs that do not know it refuse the file");
     });

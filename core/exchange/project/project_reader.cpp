@@ -11,6 +11,7 @@
 #include "core/project/project_warnings.h"
 #include "core/support/byte_order.h"
 #include "core/support/errors.h"
+#include "core/support/offenders.h"
 #include "core/texture/photo/photo_format.h"
 #include "core/texture/texture_limits.h"
 
@@ -353,7 +354,7 @@ ReadProject readProject(const std::filesystem::path& file, const Progress& progr
         Source source(archive, progress, problems);
         Project project = readContent(manifest, source);
         if (problems.empty()) problems = validate(project);
-        if (!problems.empty()) return {{}, problems, {}};
+        if (!problems.empty()) return {{}, eachOnce(problems), {}};
         std::vector<std::string> warnings = versionWarnings(manifest, project);
         for (std::string& warning : steppingWarnings(json))
             warnings.push_back(std::move(warning));

@@ -1,6 +1,7 @@
 #include "tests/core/exchange/exchange_projects.h"
 
 #include "core/exchange/image_file.h"
+#include "core/project/simulated_network.h"
 #include "tests/support/test_meshes.h"
 
 namespace esm {

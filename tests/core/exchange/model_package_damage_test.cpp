@@ -4,6 +4,8 @@
 #include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/overwrite.h"
 
+#include <set>
+
 namespace esm {
 namespace {
 
@@ -138,7 +140,7 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
         {"/drawn/0/vertexNodes", nullptr, "vertexNodes"},
         {"//asset/version", "1.0", "asset"},
         {"//extensionsUsed", Json::array(), "extensionsUsed"},
-        {"//extensionsRequired", {"ESM_spring_mass"}, "extensionsRequired"},
+        {"/nodes", {1}, "nodes should be an object"},
         {"//extensions", Json::object(), "no model package"},
         {"//accessors", nullptr, "accessors"},
         {"//accessors/0/count", 18446744073709551615U, "accessors"},
@@ -226,6 +228,19 @@ TEST_F(ModelPackageFile, AnUnknownIntegratorIsLeftOutAndNamed) {
     const OpenedPackage opened = openPackage(m_file);
     EXPECT_FALSE(opened.package.stepping);
     EXPECT_THAT(opened.warnings, testing::ElementsAre(HasSubstr("leapfrog")));
+}
+
+TEST_F(ModelPackageFile, WhatIsMissingIsNamedOnce) {
+    exportPackage(richProject(), m_file);
+    const Glb whole = parseGlb(readFile(m_file));
+    for (const char* missing : {"version", "damping", "surface", "nodes"}) {
+        Glb glb = whole;
+        glb.json["extensions"]["ESM_spring_mass"].erase(missing);
+        overwrite(m_file, writeGlb(glb));
+        const std::vector<std::string> problems = validatePackage(m_file);
+        EXPECT_EQ(std::set<std::string>(problems.begin(), problems.end()).size(), problems.size()) << missing;
+        EXPECT_THAT(problems, testing::Contains(HasSubstr(missing + std::string(" is missing"))));
+    }
 }
 
 TEST_F(ModelPackageFile, WhatIsNoPackageIsRefused) {

@@ -1,4 +1,4 @@
-#include "core/model/detail.h"
+#include "core/project/simulated_network.h"
 
 #include "core/geometry/adjacency.h"
 #include "core/support/errors.h"

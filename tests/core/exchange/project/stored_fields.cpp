@@ -1,6 +1,7 @@
 #include "tests/core/exchange/project/stored_fields.h"
 
 #include "core/exchange/fuzzy/fuzzy_file.h"
+#include "core/project/simulated_network.h"
 #include "core/support/numbers.h"
 #include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/project/stored_field_settings.h"

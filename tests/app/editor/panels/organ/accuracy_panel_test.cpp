@@ -1,6 +1,7 @@
 #include "app/editor/panels/organ/accuracy_panel.h"
 #include "app/editor/workers/accuracy_measurement.h"
 #include "core/model/tissue_digest.h"
+#include "core/project/simulated_network.h"
 #include "core/samples/samples.h"
 #include "core/support/errors.h"
 #include "tests/support/eventually.h"

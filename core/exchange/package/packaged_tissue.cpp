@@ -1,0 +1,34 @@
+#include "core/exchange/package/packaged_tissue.h"
+
+#include "core/exchange/package/tissue_reader.h"
+#include "core/support/errors.h"
+#include "core/support/offenders.h"
+
+namespace esm {
+
+PackagedTissue loadPackagedTissue(const std::filesystem::path& file) {
+    const Bytes content = readFile(file);
+    std::vector<std::string> problems;
+    PackagedTissue package;
+    try {
+        const Glb glb = parseGlb(content);
+        const JsonReader extension = springMassOf(JsonReader(glb.json, "", problems));
+        package = readTissue(extension, GltfArrayReader(glb, problems));
+        if (problems.empty()) problems = validate(package);
+    } catch (const InvalidModel& error) {
+        problems = error.problems();
+    }
+    if (!problems.empty()) throw FileError(file, InvalidModel(eachOnce(problems)).what());
+    return package;
+}
+
+std::vector<std::string> validate(const PackagedTissue& package) {
+    std::vector<std::string> problems = validate(package.mesh);
+    for (const auto& found :
+         {carryingProblems(package.mesh, *package.tissue.network), validate(package.tissue)})
+        problems.insert(problems.end(), found.begin(), found.end());
+    if (package.stepping) addUnder(problems, "stepping", validate(*package.stepping));
+    return problems;
+}
+
+} // namespace esm

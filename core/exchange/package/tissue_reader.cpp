@@ -1,0 +1,169 @@
+#include "core/exchange/package/tissue_reader.h"
+
+#include "core/exchange/package/package_layout.h"
+#include "core/exchange/tissue_json.h"
+#include "core/support/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+class TissueReader {
+public:
+    explicit TissueReader(const GltfArrayReader& arrays) : m_arrays(arrays) {}
+
+    PackagedTissue read(const JsonReader& extension) const;
+
+private:
+    std::vector<double> scalars(const JsonReader& group, const char* key, std::size_t count) const {
+        const std::vector<float> values = m_arrays.floats(group.member(key), GltfType::Scalar, count);
+        return {values.begin(), values.end()};
+    }
+    std::size_t countOf(const JsonReader& group, const char* key = "count") const {
+        return static_cast<std::size_t>(group.member(key).integer(0, m_arrays.bytes()));
+    }
+
+    void readNodes(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const;
+    void readSprings(const JsonReader& group, SpringNetwork& network, const TissueModel& tissue) const;
+    void readTethers(const JsonReader& group, TissueModel& tissue) const;
+    void readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const;
+    void readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const;
+    void checkMean(const JsonReader& springs, const char* key, const SpringNetwork& network,
+                   const std::vector<double>& ofNodes) const;
+
+    const GltfArrayReader& m_arrays;
+};
+
+void TissueReader::readNodes(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const {
+    const std::size_t count = countOf(group);
+    network.restPositions = pointsOf(m_arrays.floats(group.member("restPosition"), GltfType::Vec3, count));
+    tissue.mass = scalars(group, "mass", count);
+    tissue.springConstant = scalars(group, "springConstant", count);
+    tissue.viscosity = scalars(group, "viscosity", count);
+}
+
+/// A package that says one thing per spring and another per node would run differently in different
+/// simulators.
+void TissueReader::checkMean(const JsonReader& springs, const char* key, const SpringNetwork& network,
+                             const std::vector<double>& ofNodes) const {
+    const std::vector<double> values = scalars(springs, key, network.springs.size());
+    if (m_arrays.foundProblems()) return;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double first = ofNodes[network.springs[i].first], second = ofNodes[network.springs[i].second];
+        const double allowed = package_layout::meanTolerance * std::max(std::abs(first), std::abs(second));
+        if (std::abs(values[i] - (first + second) / 2) <=
+            allowed + static_cast<double>(std::numeric_limits<float>::min()))
+            continue;
+        springs.member(key).addProblem("holds " + std::to_string(values[i]) + " for spring " +
+                                       std::to_string(i) + ", but its ends' mean is " +
+                                       std::to_string((first + second) / 2));
+        return;
+    }
+}
+
+void TissueReader::readSprings(const JsonReader& group, SpringNetwork& network,
+                               const TissueModel& tissue) const {
+    const std::size_t count = countOf(group);
+    if (count == 0) return;
+    const std::vector<std::uint32_t> ends =
+        m_arrays.indices(group.member("nodes"), 2 * count, network.restPositions.size());
+    const std::vector<double> restLengths = scalars(group, "restLength", count);
+    if (ends.size() != 2 * count || restLengths.size() != count) return;
+    for (std::size_t i = 0; i < count; ++i)
+        network.springs.push_back({ends[2 * i], ends[2 * i + 1], restLengths[i]});
+    checkMean(group, "springConstant", network, tissue.springConstant);
+    checkMean(group, "viscosity", network, tissue.viscosity);
+}
+
+void TissueReader::readTethers(const JsonReader& group, TissueModel& tissue) const {
+    const std::size_t count = countOf(group);
+    if (count == 0) return;
+    const std::vector<std::uint32_t> nodes =
+        m_arrays.indices(group.member("nodes"), count, tissue.mass.size());
+    const std::vector<double> springConstants = scalars(group, "springConstant", count);
+    const std::vector<double> viscosities = scalars(group, "viscosity", count);
+    if (nodes.size() != count || springConstants.size() != count || viscosities.size() != count) return;
+    for (std::size_t i = 0; i < count; ++i)
+        tissue.tethers.push_back({nodes[i], springConstants[i], viscosities[i]});
+}
+
+void TissueReader::readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const {
+    const std::size_t vertices = countOf(group, "vertexCount"), triangles = countOf(group, "triangleCount");
+    if (vertices > 0) {
+        mesh.vertices = pointsOf(m_arrays.floats(group.member("restPosition"), GltfType::Vec3, vertices));
+        network.vertexNodes =
+            m_arrays.indices(group.member("vertexNodes"), vertices, network.restPositions.size());
+    }
+    if (triangles == 0) return;
+    mesh.triangles =
+        trianglesOf(m_arrays.indices(group.member("triangles"), 3 * triangles, mesh.vertices.size()));
+}
+
+void TissueReader::readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const {
+    const std::size_t nodes = network.restPositions.size();
+    const std::size_t triangles = countOf(group, "triangleCount"), lines = countOf(group, "lineCount");
+    BindingNumbers numbers;
+    numbers.nodes = m_arrays.indices(group.member("nodes"), 3 * vertices, nodes);
+    const std::vector<float> shares = m_arrays.floats(group.member("shares"), GltfType::Vec3, vertices);
+    numbers.shares.assign(shares.begin(), shares.end());
+    if (lines > 0) numbers.lines = m_arrays.indices(group.member("lines"), 2 * lines, nodes);
+    std::vector<std::uint32_t> corners;
+    if (triangles > 0) corners = m_arrays.indices(group.member("triangles"), 3 * triangles, nodes);
+    network.binding = bindingOf(numbers, trianglesOf(corners));
+}
+
+PackagedTissue TissueReader::read(const JsonReader& extension) const {
+    PackagedTissue package;
+    auto network = std::make_shared<SpringNetwork>();
+    package.tissue.network = network;
+    package.name = extension.member("name").text();
+    if (extension.member("damping").text() != "isotropic")
+        extension.member("damping").addProblem("should be isotropic");
+    if (extension.has("stiffening"))
+        package.tissue.stiffening = stiffeningFromJson(extension.member("stiffening"));
+    readNodes(extension.member("nodes"), *network, package.tissue);
+    readSprings(extension.member("springs"), *network, package.tissue);
+    readTethers(extension.member("tethers"), package.tissue);
+    const JsonReader fixed = extension.member("fixedNodes");
+    if (const std::size_t count = countOf(fixed); count > 0)
+        package.tissue.fixedNodes =
+            m_arrays.indices(fixed.member("nodes"), count, network->restPositions.size());
+    const JsonReader surface = extension.member("surface");
+    readSurface(surface, *network, package.mesh);
+    if (extension.has("binding"))
+        readBinding(extension.member("binding"), *network, countOf(surface, "vertexCount"));
+    if (extension.has("stepping")) package.stepping = steppingFromJson(extension.member("stepping"));
+    return package;
+}
+
+} // namespace
+
+JsonReader springMassOf(const JsonReader& gltf) {
+    const std::string name = package_layout::extension;
+    if (!gltf.has("extensions") || !gltf.member("extensions").has(name.c_str()))
+        throw InvalidModel("is a glTF file, but no model package: it has no " + name);
+    JsonReader extension = gltf.member("extensions").member(name.c_str());
+    refuseNewerVersion(extension, modelPackageVersion);
+    return extension;
+}
+
+void checkNamesOfExtension(const JsonReader& gltf) {
+    const std::string name = package_layout::extension;
+    const auto isUsed = [&] {
+        const std::vector<std::string> all = gltf.member("extensionsUsed").texts();
+        return std::find(all.begin(), all.end(), name) != all.end();
+    };
+    const JsonReader version = gltf.member("asset").member("version");
+    if (version.text() != "2.0") version.addProblem("should be 2.0");
+    if (!gltf.has("extensionsUsed") || !isUsed())
+        gltf.addProblem("should name " + name + " in extensionsUsed");
+}
+
+PackagedTissue readTissue(const JsonReader& extension, const GltfArrayReader& arrays) {
+    return TissueReader(arrays).read(extension);
+}
+
+} // namespace esm

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/model/stepping.h"
+#include "core/model/tissue_model.h"
+#include "core/support/json_reader.h"
+
+#include <vector>
+
+/// What of tissue the project file and the model package hold alike.
+namespace esm {
+
+nlohmann::ordered_json toJson(const SpringStiffening& stiffening);
+SpringStiffening stiffeningFromJson(const JsonReader& reader);
+
+nlohmann::ordered_json toJson(const MeasuredStepping& measured);
+/// Nothing where the integrator is one that only other programs know.
+std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader);
+/// Names the integrator that only other programs know. Precondition: steppingFromJson() found no problem in
+/// the holder's `stepping`.
+std::vector<std::string> steppingWarnings(const nlohmann::ordered_json& holder);
+
+/// x, y, z of every point in one list, and back.
+std::vector<double> coordinatesOf(const std::vector<Eigen::Vector3d>& points);
+
+template<typename Number> std::vector<Eigen::Vector3d> pointsOf(const std::vector<Number>& coordinates) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(coordinates.size() / 3);
+    for (std::size_t i = 0; i < coordinates.size(); i += 3)
+        points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+    return points;
+}
+
+/// Three corners per triangle in one list, and back.
+std::vector<std::uint32_t> cornersOf(const std::vector<Triangle>& triangles);
+std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& corners);
+
+/// A binding's vertices and lines as lists: three nodes and three shares per vertex, two nodes per line; and
+/// back, as many vertices as both lists give.
+struct BindingNumbers {
+    std::vector<std::uint32_t> nodes;
+    std::vector<double> shares;
+    std::vector<std::uint32_t> lines;
+};
+BindingNumbers numbersOf(const Binding& binding);
+Binding bindingOf(const BindingNumbers& numbers, std::vector<Triangle> surface);
+
+} // namespace esm

@@ -1,0 +1,36 @@
+#include "core/project/simulated_network.h"
+
+#include "core/model/motion_model.h"
+#include "core/surface/simplify.h"
+
+namespace esm {
+
+namespace {
+
+SpringNetwork coarserNetwork(const TriangleMesh& mesh, std::size_t nodes) {
+    const SimplifiedMesh simulated = simplify(mesh, nodes);
+    if (simulated.vertices.size() == mesh.vertices.size()) return networkFromMesh(mesh);
+    TriangleMesh coarse{{}, simulated.triangles};
+    for (const std::uint32_t vertex : simulated.vertices)
+        coarse.vertices.push_back(mesh.vertices[vertex]);
+    SpringNetwork network = networkFromMesh(coarse);
+    network.binding = bindToSurface(mesh, simulated);
+    network.vertexNodes = mainNodes(*network.binding);
+    return network;
+}
+
+} // namespace
+
+SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail) {
+    switch (detail.kind) {
+    case Detail::Kind::Nodes:
+        return coarserNetwork(mesh, detail.nodes);
+    case Detail::Kind::Rigid:
+        return motionModelOf(mesh);
+    case Detail::Kind::EveryVertex:
+        break;
+    }
+    return networkFromMesh(mesh);
+}
+
+} // namespace esm
