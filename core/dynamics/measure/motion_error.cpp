@@ -72,7 +72,7 @@ double changeBetween(const Trajectory& coarse, const Trajectory& finer) {
     return change.isNone() ? 0 : change.relative();
 }
 
-double remainingError(const LatestChanges& changes, int order) {
+double remainingError(const LatestChanges& changes, double order) {
     constexpr double mostShare = leastGain; // above, it is rounding that spoils the gain
     constexpr double unsureShare = 0.5;
     const auto& [last, beforeLast, beforeThat] = changes;
@@ -80,7 +80,7 @@ double remainingError(const LatestChanges& changes, int order) {
     if (std::isinf(beforeLast)) return last * mostShare / (1 - mostShare);
     const double promised = std::exp2(-order);
     double believed = std::max(last, promised * beforeLast);
-    double share = std::max(last / beforeLast, order > 1 ? 0.25 : 0.5);
+    double share = std::max(last / beforeLast, std::max(promised, 0.25));
     if (std::isinf(beforeThat)) {
         share = std::max(share, unsureShare);
     } else {
@@ -91,7 +91,7 @@ double remainingError(const LatestChanges& changes, int order) {
     return believed * share / (1 - share);
 }
 
-void HalvingChanges::add(double change, int order) {
+void HalvingChanges::add(double change, double order) {
     m_order = order;
     const bool gains = change <= leastGain * m_changes.last;
     m_inVain = gains ? 0 : m_inVain + 1;
@@ -100,7 +100,8 @@ void HalvingChanges::add(double change, int order) {
 }
 
 double HalvingChanges::remaining() const {
-    return standsStill() ? m_largest : remainingError(m_changes, m_order);
+    const bool isByChance = m_inVain >= HalvingPatience().followed && m_largest < unfollowedChange;
+    return isByChance ? m_largest : remainingError(m_changes, m_order);
 }
 
 } // namespace esm

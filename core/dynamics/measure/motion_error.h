@@ -74,28 +74,41 @@ struct LatestChanges {
 /// What is left of a trajectory's error, relative to its motion. If each halving leaves the same share r of
 /// the error, then r·change/(1 − r) is left. The share is the larger one of the last two that the changes
 /// tell: where motion has corners, as where springs stiffen, errors fall by fits and starts. Until there are
-/// two a half is taken to be left at least; of orders above the second no more is believed than of that.
+/// two a half is taken to be left at least; of orders above the second no more is believed than of that, and
+/// of those below the first no more than they promise.
 ///
 /// A change that fell by more than the order promises is luck: two parts of the error cancelled, and one of
 /// them will come to light. It counts as what the order would have left of the two changes before.
-double remainingError(const LatestChanges& changes, int order);
+double remainingError(const LatestChanges& changes, double order);
+
+/// How many halvings one after the other may gain nothing before no more is expected of them: where an
+/// instrument touches or a node is led, what the next one gains is a matter of chance.
+struct HalvingPatience {
+    int followed = 3;
+    int unfollowed = 7; ///< while steps do not follow the motion yet
+};
 
 /// What one halving of the step after another changes of a trajectory, relative to its motion.
 class HalvingChanges {
 public:
-    /// @param order to which power of the step errors fall
-    void add(double change, int order);
+    explicit HalvingChanges(const HalvingPatience& patience = {}) : m_patience(patience) {}
 
+    /// @param order to which power of the step errors fall
+    void add(double change, double order);
+
+    /// Whether the latest one made the change smaller.
+    bool gained() const { return m_inVain == 0; }
     /// Of the latest trajectory's error. Of changes that stand still the largest is taken: trajectories that
-    /// differ by chance, as where an instrument touches, are no further from the truth than from each other.
+    /// differ by chance are no further from the truth than from each other.
     double remaining() const;
     /// Whether the latest halvings gained nothing, and will not.
-    bool standsStill() const { return m_inVain >= mostInVain && m_largest < unfollowedChange; }
+    bool standsStill() const {
+        return m_inVain >= (m_largest < unfollowedChange ? m_patience.followed : m_patience.unfollowed);
+    }
 
 private:
-    static constexpr int mostInVain = 2;
-
-    int m_order = 1;
+    HalvingPatience m_patience;
+    double m_order = 1;
     LatestChanges m_changes;
     double m_largest = 0; ///< since the latest that gained
     int m_inVain = 0;

@@ -15,7 +15,6 @@ namespace esm {
 namespace {
 
 constexpr int mostHalvings = 30;
-constexpr int mostInVain = 6;
 constexpr double followedShare =
     0.25; ///< of the error that is wanted, for a run that others are held against
 
@@ -81,30 +80,10 @@ private:
     Trajectory m_frames;
 };
 
-/// Whether halving no longer gains, and will not. Steps that do not follow the motion yet gain nothing either
-/// until they do; but in float rounding may be as large as that.
-class VainHalvings {
-public:
-    VainHalvings(const SimulationSettings& settings, const SceneOutcome& outcome)
-        : m_order(orderOfErrors(outcome)), m_most(settings.precision == Precision::Float ? 0 : mostInVain) {}
-
-    /// Takes note of what one more halving changed.
-    void add(double change) {
-        m_gained = change <= leastGain * m_changes.last;
-        m_changes.add(change);
-        if (!m_gained && change >= unfollowedChange) ++m_unfollowed;
-    }
-    bool gained() const { return m_gained; }
-    bool isInVain() const {
-        return !m_gained && (m_changes.last < unfollowedChange || m_unfollowed > m_most);
-    }
-    double remaining() const { return remainingError(m_changes, m_order); }
-
-private:
-    LatestChanges m_changes;
-    bool m_gained = true;
-    int m_order, m_most, m_unfollowed = 0;
-};
+/// In float, what gains nothing is spoilt by rounding, which may be as large as the motion.
+HalvingPatience patienceOf(const SimulationSettings& settings) {
+    return settings.precision == Precision::Float ? HalvingPatience{1, 1} : HalvingPatience{};
+}
 
 /// A run that follows the swings, and how far it may be off itself, relative to the motion.
 struct FollowedRun {
@@ -137,7 +116,7 @@ public:
 
     /// As far as is worth waiting for. @param leastHalvings however many steps they take
     AccurateOutcome closest(HalvedRuns& runs, double mostSteps, int leastHalvings) const {
-        VainHalvings halvings(m_run.settings, runs.outcome());
+        HalvingChanges halvings(patienceOf(m_run.settings));
         AccurateOutcome found{runs.outcome(), std::numeric_limits<double>::infinity(), false, false};
         for (int halving = 1; halving <= mostHalvings; ++halving) {
             const bool isWorthIt =
@@ -146,7 +125,7 @@ public:
             const std::optional<double> change = runs.halve();
             found.outcome = runs.outcome();
             if (!change) continue;
-            halvings.add(*change);
+            halvings.add(*change, orderOfErrors(runs.outcome()));
             const double error = halvings.remaining();
             const bool hides = hidesSwings(m_swings, runs.outcome().integrator, 2 * runs.outcome().timeStep,
                                            m_run.scene.duration);
@@ -155,7 +134,7 @@ public:
             // An explicit one soon follows them itself.
             const bool stays = hides && !isExplicit(runs.outcome().integrator);
             if (stays && (error <= m_mostError || !halvings.gained())) break;
-            if (halvings.isInVain()) break;
+            if (halvings.standsStill()) break;
         }
         return found;
     }

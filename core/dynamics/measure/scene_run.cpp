@@ -164,8 +164,12 @@ double bestOfRepeats(const SceneRun& run, Simulation& simulation, double seconds
 
 } // namespace
 
-int orderOfErrors(const SceneOutcome& outcome) {
-    return outcome.averagedCorners == 0 && !outcome.touched ? orderOf(outcome.integrator) : 1;
+double orderOfErrors(const SceneOutcome& outcome) {
+    // Which node is touched when changes with the step. On an open colon each of three halvings left 0.65 to
+    // 0.69 of the error.
+    constexpr double touchedOrder = 0.5;
+    if (outcome.touched) return touchedOrder;
+    return outcome.averagedCorners == 0 ? orderOf(outcome.integrator) : 1;
 }
 
 SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& given) {

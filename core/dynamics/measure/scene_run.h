@@ -30,7 +30,7 @@ struct SceneOutcome {
 /// To which power of the step errors are sure to fall. Where a mean stands in for a corner of a load, they
 /// depend on where in its step that lies, which each halving changes; where an instrument touches, on the
 /// moment within a step at which it meets a node.
-int orderOfErrors(const SceneOutcome& outcome);
+double orderOfErrors(const SceneOutcome& outcome);
 
 /// What is run, and how.
 struct SceneRun {

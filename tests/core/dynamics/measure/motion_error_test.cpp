@@ -69,6 +69,9 @@ TEST(RemainingError, FollowsHowMuchHalvingGains) {
     EXPECT_DOUBLE_EQ(remainingError({0.1, 0.01, 1}, 2), 0.9);
     EXPECT_EQ(remainingError({0, 0, 0}, 2), 0);
     EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 1.6}, 1), 0.4); // more than the first order can gain
+    const double half = std::sqrt(0.5);
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.1 / half, 0.2}, 0.5), 0.1 * half / (1 - half));
+    EXPECT_DOUBLE_EQ(remainingError({0.1, 0.4, 0.4}, 0.5), 0.1 * 4 * half * 0.9 / (1 - 0.9)); // chance
 }
 
 TEST(HalvingChanges, ExtrapolateWhatGains) {
@@ -79,11 +82,12 @@ TEST(HalvingChanges, ExtrapolateWhatGains) {
     EXPECT_DOUBLE_EQ(changes.remaining(), 0.01);
 }
 
-TEST(HalvingChanges, StandStillWhereTwoGainNothing) {
+TEST(HalvingChanges, StandStillWhereThreeGainNothing) {
     HalvingChanges changes;
-    for (const double change : {0.04, 0.002, 0.003})
+    for (const double change : {0.04, 0.002, 0.0028, 0.003})
         changes.add(change, 2);
     EXPECT_FALSE(changes.standsStill());
+    EXPECT_FALSE(changes.gained());
     changes.add(0.0028, 2);
     EXPECT_TRUE(changes.standsStill());
     EXPECT_DOUBLE_EQ(changes.remaining(), 0.003);
@@ -99,6 +103,20 @@ TEST(HalvingChanges, DoNotStandStillBeforeStepsFollowTheMotion) {
         changes.add(0.5, 2);
     EXPECT_FALSE(changes.standsStill());
     EXPECT_DOUBLE_EQ(changes.remaining(), 4.5);
+    for (int halving = 0; halving < 3; ++halving)
+        changes.add(0.5, 2);
+    EXPECT_TRUE(changes.standsStill()) << "no motion is worth more of them";
+    EXPECT_DOUBLE_EQ(changes.remaining(), 4.5);
+}
+
+TEST(HalvingChanges, OfFloatStandStillAtOnce) {
+    HalvingChanges changes({1, 1});
+    for (const double change : {0.04, 0.02})
+        changes.add(change, 2);
+    EXPECT_FALSE(changes.standsStill());
+    changes.add(0.019, 2);
+    EXPECT_TRUE(changes.standsStill());
+    EXPECT_DOUBLE_EQ(changes.remaining(), 0.019 * 9) << "more than a part of what rounding spoils";
 }
 
 } // namespace
