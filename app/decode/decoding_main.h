@@ -7,16 +7,24 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace esm {
 
-/// All of the standard input, a file.
-inline Bytes standardInput() {
-    DecodedStream input("standard input", Descriptor(::dup(STDIN_FILENO)));
-    return input.array<std::uint8_t>(input.left());
+/// All of the standard input, a file, as it lies in memory until the process ends: not copied once more.
+inline std::span<const std::uint8_t> standardInput() {
+    struct stat status {};
+    if (::fstat(STDIN_FILENO, &status) != 0) throw std::runtime_error("nothing to decode");
+    const auto size = static_cast<std::size_t>(status.st_size);
+    if (size == 0) return {};
+    void* const begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, STDIN_FILENO, 0);
+    if (begin == MAP_FAILED) throw std::bad_alloc();
+    return {static_cast<const std::uint8_t*>(begin), size};
 }
 
 inline void sayProblem(const std::string& problem, DecodedWriter& writer) {

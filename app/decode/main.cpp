@@ -38,7 +38,7 @@ void decodeMeshFile(const char* file, DecodedWriter& writer) {
 }
 
 /// None for kinds that only the other program decodes.
-std::optional<Image> decodeUsualPicture(const Bytes& encoded) {
+std::optional<Image> decodeUsualPicture(ByteView encoded) {
     if (isPng(encoded)) return decodePng(encoded);
     if (isJpeg(encoded)) return decodeJpeg(encoded);
     if (isBmp(encoded)) return decodePlainBmp(encoded);
@@ -46,7 +46,7 @@ std::optional<Image> decodeUsualPicture(const Bytes& encoded) {
 }
 
 void decodePicture(char** words, DecodedWriter& writer) {
-    const Bytes encoded = standardInput();
+    const ByteView encoded = standardInput();
     std::optional<Image> image;
     try {
         image = decodeUsualPicture(encoded);

@@ -3,6 +3,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <limits>
+
 namespace {
 
 using namespace esm;
@@ -20,9 +22,13 @@ cv::Mat toRgba(const cv::Mat& decoded) {
 }
 
 /// Empty where the file cannot be decoded.
-cv::Mat decodeRarePicture(const Bytes& encoded) {
+cv::Mat decodeRarePicture(std::span<const std::uint8_t> encoded) {
+    if (encoded.size() > std::numeric_limits<int>::max()) return {};
     try {
-        return toRgba(cv::imdecode(encoded, cv::IMREAD_UNCHANGED));
+        // A matrix cannot say that its numbers are not to be changed; imdecode() only reads them.
+        const cv::Mat bytes(1, static_cast<int>(encoded.size()), CV_8U,
+                            const_cast<std::uint8_t*>(encoded.data()));
+        return toRgba(cv::imdecode(bytes, cv::IMREAD_UNCHANGED));
     } catch (const cv::Exception& error) {
         if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
         return {};

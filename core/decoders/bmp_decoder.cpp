@@ -17,7 +17,7 @@ struct BmpHeader {
     std::uint32_t compression = 0;
 };
 
-BmpHeader headerOf(const Bytes& encoded) {
+BmpHeader headerOf(ByteView encoded) {
     constexpr std::size_t shortest = 54;
     if (encoded.size() < shortest) throw std::runtime_error("cut off");
     const auto number = [&](std::size_t place, std::size_t size) {
@@ -31,11 +31,11 @@ BmpHeader headerOf(const Bytes& encoded) {
 
 } // namespace
 
-bool isBmp(const Bytes& encoded) {
+bool isBmp(ByteView encoded) {
     return encoded.size() > 2 && encoded[0] == 'B' && encoded[1] == 'M';
 }
 
-std::optional<Image> decodePlainBmp(const Bytes& encoded) {
+std::optional<Image> decodePlainBmp(ByteView encoded) {
     const BmpHeader header = headerOf(encoded);
     if (header.bits != 24 || header.compression != 0) return std::nullopt;
     if (header.width <= 0 || header.height == 0 || header.height == std::numeric_limits<std::int32_t>::min())

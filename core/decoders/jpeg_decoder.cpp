@@ -40,7 +40,7 @@ bool isInked(const JpegReader& reader) {
     return reader.info.num_components == 4;
 }
 
-bool begin(JpegReader& reader, const Bytes& encoded) {
+bool begin(JpegReader& reader, ByteView encoded) {
     if (setjmp(reader.escape)) return false;
     jpeg_create_decompress(&reader.info);
     jpeg_mem_src(&reader.info, encoded.data(), encoded.size());
@@ -73,11 +73,11 @@ void mixInks(Image& image) {
 
 } // namespace
 
-bool isJpeg(const Bytes& encoded) {
+bool isJpeg(ByteView encoded) {
     return encoded.size() > 2 && encoded[0] == 0xff && encoded[1] == 0xd8 && encoded[2] == 0xff;
 }
 
-Image decodeJpeg(const Bytes& encoded) {
+Image decodeJpeg(ByteView encoded) {
     JpegReader reader;
     if (!begin(reader, encoded)) reader.fail();
     Image image;

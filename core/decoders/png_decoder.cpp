@@ -14,7 +14,7 @@ namespace {
 
 /// libpng leaves by longjmp: everything with a destructor lives outside the functions that call it.
 struct PngReader {
-    explicit PngReader(const Bytes& encoded)
+    explicit PngReader(ByteView encoded)
         : left(encoded.size()), next(encoded.data()),
           png(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr)),
           info(png ? png_create_info_struct(png) : nullptr) {
@@ -60,12 +60,12 @@ bool readRows(PngReader& reader, std::vector<png_bytep>& rows) {
 
 } // namespace
 
-bool isPng(const Bytes& encoded) {
+bool isPng(ByteView encoded) {
     return png_sig_cmp(encoded.data(), 0, std::min<std::size_t>(8, encoded.size())) == 0 &&
            encoded.size() > 8;
 }
 
-Image decodePng(const Bytes& encoded) {
+Image decodePng(ByteView encoded) {
     PngReader reader(encoded);
     if (!readHeader(reader)) throw std::runtime_error("damaged header");
     Image image;

@@ -14,7 +14,7 @@ namespace {
 
 /// A file in memory, as libtiff asks for the parts of one.
 struct TiffSource {
-    const Bytes& encoded;
+    ByteView encoded;
     std::uint64_t place = 0;
 };
 
@@ -115,12 +115,12 @@ template<typename Channel> std::optional<Image> readRows(TIFF* file, const TiffL
 
 } // namespace
 
-bool isTiff(const Bytes& encoded) {
+bool isTiff(ByteView encoded) {
     return encoded.size() > 4 &&
            (std::memcmp(encoded.data(), "II*\0", 4) == 0 || std::memcmp(encoded.data(), "MM\0*", 4) == 0);
 }
 
-std::optional<Image> decodePlainTiff(const Bytes& encoded) {
+std::optional<Image> decodePlainTiff(ByteView encoded) {
     TiffSource source{encoded};
     const TiffFile file = openTiff(source);
     const auto layout = file ? plainLayoutOf(file.get()) : std::nullopt;

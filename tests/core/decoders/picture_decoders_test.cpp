@@ -1,5 +1,6 @@
 #include "core/decoders/picture_decoders.h"
 
+#include "core/support/file_io.h"
 #include "tests/support/shared_data.h"
 
 #include <gtest/gtest.h>
@@ -134,5 +135,5 @@ TEST(PictureDecoders, ThrowOnDamage) {
     Bytes jpeg = noiseAs(kinds[8], 64, 48);
     jpeg.resize(20);
     EXPECT_THROW(decodeJpeg(jpeg), std::runtime_error);
-    EXPECT_THROW(decodeJpeg({0xff, 0xd8, 0xff}), std::runtime_error);
+    EXPECT_THROW(decodeJpeg(Bytes{0xff, 0xd8, 0xff}), std::runtime_error);
 }
