@@ -19,6 +19,7 @@ constexpr double stabilityMargin = 0.95;
 constexpr double longestShare = 0.25; ///< a step is at most this part of the scene
 constexpr double mostFrames = 50;     ///< compared
 constexpr int mostShorterSteps = 8;
+constexpr int mostToWish = 14; ///< of them, while the error that is wanted is not reached
 constexpr int mostReferenceRuns = 17;
 constexpr double referenceShare = 0.3;   ///< of the whole work
 constexpr double referencePatience = 10; ///< times what another run may take
@@ -268,7 +269,10 @@ private:
         double leastError = std::numeric_limits<double>::infinity();
         const double enough = std::max(smallestError(), 2 * m_result.reference.estimatedError);
         int inVain = 0;
-        for (int halving = 0; halving < mostShorterSteps; ++halving, stepping.timeStep /= 2) {
+        const auto isWorthTrying = [&](int halving) {
+            return halving < (leastError > m_options.wishes.mostError ? mostToWish : mostShorterSteps);
+        };
+        for (int halving = 0; isWorthTrying(halving); ++halving, stepping.timeStep /= 2) {
             // How many there will be is not known: each takes half of what is left.
             m_part = {part.from, part.share / 2};
             part = {part.from + part.share / 2, part.share / 2};

@@ -104,6 +104,18 @@ TEST(Tradeoff, KeepsRunsAsExactAsTheReference) {
     EXPECT_GT(bounded, 0U);
 }
 
+TEST(Tradeoff, GoesOnToTheErrorThatIsWanted) {
+    PulledTube tube;
+    tube.scene.duration = 0.2;
+    const auto runsOfSplit = [&](double mostError) {
+        const Tradeoff tradeoff = tube.measured(optionsFor({1, mostError}, 0.3));
+        return std::count_if(tradeoff.runs.begin(), tradeoff.runs.end(), [](const TradeoffRun& run) {
+            return run.stepping.integrator == Integrator::Split;
+        });
+    };
+    EXPECT_GT(runsOfSplit(1e-4), runsOfSplit(0.01));
+}
+
 TEST(Tradeoff, FindsAReferenceWhereRegionsHaveNoViscosity) {
     PulledTube tube;
     for (std::size_t node = 0; node < 40; ++node)
