@@ -2,6 +2,7 @@
 
 #include "app/esmc/report.h"
 #include "core/exchange/meshes/mesh_file.h"
+#include "core/exchange/simulators/exporters.h"
 #include "core/support/angles.h"
 #include "core/support/numbers.h"
 
@@ -71,6 +72,7 @@ bool isKnownEnding(const std::string& ending) {
                                                  ".bmp", ".tif", ".tiff", ".webp", ".fcl",  ".fll"};
     const auto& meshes = meshFileEndings();
     return std::find(others.begin(), others.end(), ending) != others.end() ||
+           exporterFor("file" + ending).ending == ending ||
            std::find(meshes.begin(), meshes.end(), ending.substr(1)) != meshes.end();
 }
 

@@ -77,8 +77,8 @@ template<typename Value> using Words = std::vector<std::pair<std::string, Value>
 
 /// Adds an option that takes one of `words` and nothing else; `chosen` keeps its value without the option.
 template<typename Value>
-void addChoice(CLI::App& command, const std::string& name, Value& chosen, const Words<Value>& words,
-               const std::string& description) {
+CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen, const Words<Value>& words,
+                       const std::string& description) {
     std::vector<std::string> known;
     for (const auto& [word, value] : words)
         known.push_back(word);
@@ -86,7 +86,7 @@ void addChoice(CLI::App& command, const std::string& name, Value& chosen, const 
         for (const auto& [word, value] : words)
             if (word == given) chosen = value;
     };
-    command.add_option_function<std::string>(name, choose, description)
+    return command.add_option_function<std::string>(name, choose, description)
         ->check(oneOf(known))
         ->option_text(joined(known, "|"));
 }

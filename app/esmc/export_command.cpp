@@ -1,7 +1,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/opened_file.h"
-#include "core/exchange/model_package.h"
+#include "core/exchange/simulators/exporters.h"
 #include "core/model/tissue_digest.h"
 #include "core/offscreen/preview_picture.h"
 
@@ -10,28 +10,31 @@ namespace esm {
 namespace {
 
 struct ExportOptions {
-    std::string project, output, format;
+    std::string project, output;
+    const Exporter* exporter = nullptr;
 };
 
 void declareExport(CLI::App& command, ExportOptions& options) {
     command.add_option("project", options.project, "Project to read (.esm)")->required();
+    Words<const Exporter*> words;
+    std::vector<std::string> purposes, endings;
+    for (const Exporter& exporter : exporters()) {
+        words.emplace_back(exporter.name, &exporter);
+        purposes.push_back(exporter.name + ": " + exporter.purpose);
+        endings.push_back(exporter.ending);
+    }
     // Before the output, whose ending is that of a format there is.
-    command.add_option("--to", options.format, "glb: the model package for simulators")
-        ->required()
-        ->check(CLI::Validator(
-            [](const std::string& format) {
-                return format == "glb" ? std::string() : "'" + format + "' is not offered; there is glb";
-            },
-            ""));
-    command.add_option("-o,--output", options.output, "File to write (.glb)")
-        ->required()
-        ->check(writtenAs(".glb"));
+    addChoice(command, "--to", options.exporter, words, joined(purposes, "; "))->required();
+    command.add_option("-o,--output", options.output, "File to write (" + joined(endings) + ")")->required();
 }
 
 Report runExport(const ExportOptions& options, Context& context) {
+    const Exporter& exporter = *options.exporter;
+    if (const std::string problem = endingProblem(options.output, exporter.ending); !problem.empty())
+        throw UsageError("--output: " + problem);
     context.subject = options.project;
     const Project project = openedProject(options.project, context);
-    exportPackage(project, options.output, progressOf(context, "exporting"), previewPicture);
+    exportProject(project, exporter, options.output, {progressOf(context, "exporting"), previewPicture});
     Report report;
     if (project.stepping && isFromOtherTissue(*project.stepping, evaluateModel(project)))
         addWarnings(report, {"the tissue has changed since its step was recommended: measure again with "

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/exchange/package/packaged_tissue.h"
-#include "core/project/project.h"
-#include "core/support/progress.h"
+#include "core/exchange/simulators/handover.h"
 
 #include <filesystem>
 #include <functional>
@@ -19,17 +18,9 @@ struct ModelPackage : PackagedTissue {
     Image preview{};                          ///< of the organ, for lists of packages; empty without one
 };
 
-/// Draws a package's preview picture. @param pages one per page of the project's atlas; null without one
-using DrawPreview =
-    std::function<Image(const Project& project, const std::shared_ptr<const std::vector<Image>>& pages)>;
-
-/// Bakes the textures and writes the package atomically. Photos of a project whose atlas is not packed yet
-/// get one packed with the project's settings.
-/// @param drawPreview none: a package without preview
-/// @throws FileError, also for a project with problems and for numbers that 32-bit floats cannot hold;
-/// Cancelled; what drawing throws
-void exportPackage(const Project& project, const std::filesystem::path& file, const Progress& progress = {},
-                   const DrawPreview& drawPreview = {});
+/// Bakes the textures and writes the package atomically, with a preview where one can be drawn.
+/// @throws InvalidModel for numbers that 32-bit floats cannot hold; FileError, Cancelled; what drawing throws
+void writePackage(const Handover& handover, const std::filesystem::path& file, const HandoverMeans& means);
 
 /// True for a model package, false for what should be a project; told by the first bytes, else by the name.
 bool isModelPackage(const std::filesystem::path& file);

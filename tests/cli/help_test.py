@@ -1,6 +1,8 @@
 import json
+import re
 import subprocess
 import unittest
+from pathlib import Path
 
 from esmc import ESMC, Case, command
 
@@ -120,6 +122,14 @@ class HelpTest(Case):
                                      timeout=60)
         self.assertEqual(process.returncode, 1)
         self.assertRegex(process.stderr, r"\Aesmc: standard output[^\n]+\n\Z")
+
+
+    def test_the_docs_list_the_formats_that_export_offers(self):
+        described = re.search(r"--to .*?(?=-o,)", command("export", "--help").stdout, re.S)[0]
+        offered = re.findall(r"\b([a-z]+): ", described)
+        page = (Path(__file__).parents[2] / "docs/command-line.md").read_text()
+        table = page[page.index("### `export"):page.index("### `validate")]
+        self.assertEqual(re.findall(r"^\| `([a-z]+)` \| `\.", table, re.M), offered)
 
 
 if __name__ == "__main__":

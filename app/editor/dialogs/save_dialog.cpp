@@ -27,6 +27,13 @@ QString withEnding(const QString& file, const QStringList& endings, int chosen) 
     return file + endings.value(std::max(chosen, 0));
 }
 
+/// Without one of these; as it is where it has none.
+QString withoutEnding(const QString& name, const QStringList& endings) {
+    for (const QString& ending : endings)
+        if (name.endsWith(ending, Qt::CaseInsensitive)) return name.chopped(ending.size());
+    return name;
+}
+
 } // namespace
 
 std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFile& wanted) {
@@ -36,6 +43,11 @@ std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFil
     // The dialog would ask about the name as it was typed, without its ending.
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     dialog.selectFile(QFileInfo(wanted.suggestedPath).fileName());
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& filter) {
+        const QString name = QFileInfo(dialog.selectedFiles().value(0)).fileName();
+        dialog.selectFile(withoutEnding(name, wanted.endings) +
+                          wanted.endings.value(dialog.nameFilters().indexOf(filter)));
+    });
     while (dialog.exec() == QDialog::Accepted) {
         const QString file = withEnding(dialog.selectedFiles().value(0), wanted.endings,
                                         dialog.nameFilters().indexOf(dialog.selectedNameFilter()));

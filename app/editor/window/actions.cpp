@@ -73,7 +73,7 @@ void ActionMaker::makeFileActions() {
     a.save = make(tr("&Save"), QKeySequence::Save, tr("Save the project"));
     a.saveAs = make(tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), tr("Save under another name"));
     a.exportPackage =
-        make(tr("&Export package…"), QKeySequence("Ctrl+E"), tr("Write the model package for simulators"));
+        make(tr("&Export…"), QKeySequence("Ctrl+E"), tr("Write a file for simulators and viewers"));
     a.quit = make(tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
     for (const auto& name : sampleNames()) {
         QString title = QString::fromStdString(name);

@@ -9,8 +9,8 @@
 #include "app/editor/window/actions.h"
 #include "app/editor/window/recent_menu.h"
 #include "core/exchange/meshes/mesh_file.h"
-#include "core/exchange/model_package.h"
 #include "core/exchange/project/project_file.h"
+#include "core/exchange/simulators/exporters.h"
 #include "core/offscreen/preview_picture.h"
 #include "core/samples/samples.h"
 
@@ -252,12 +252,15 @@ void FileController::write(const std::filesystem::path& file, const std::optiona
 }
 
 void FileController::exportTo(const std::filesystem::path& file) {
+    const Exporter& exporter = exporterFor(file);
     commitTyping();
-    attempt(&m_window, tr("The package was not written"), [&] {
+    attempt(&m_window, tr("The organ was not exported"), [&] {
         const Project project = m_document.project();
         runLongWork(
             &m_window, tr("Exporting %1").arg(fileName(file)),
-            [&](const Progress& progress) { exportPackage(project, file, progress, previewPicture); },
+            [&](const Progress& progress) {
+                exportProject(project, exporter, file, {progress, previewPicture});
+            },
             Cancelling::Offered);
         emit message(tr("Exported %1").arg(fileName(file)));
     });
@@ -337,10 +340,15 @@ bool FileController::saveAs() {
 }
 
 void FileController::chooseExport() {
-    const QString ending = QStringLiteral(".glb");
     const QString folder = startFolder(FileKind::Package, m_document.path());
-    const NewFile asked{
-        tr("Export package"), suggestedPath(folder, ending), tr("Model packages (*.glb)"), {ending}};
+    QStringList filters, endings;
+    for (const Exporter& exporter : exporters()) {
+        endings.append(QString::fromStdString(exporter.ending));
+        filters.append(
+            QStringLiteral("%1 (*%2)").arg(QString::fromStdString(exporter.title), endings.back()));
+    }
+    const NewFile asked{tr("Export"), suggestedPath(folder, endings.front()),
+                        filters.join(QStringLiteral(";;")), endings};
     const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
     if (!file) return;
     rememberFolder(FileKind::Package, *file);

@@ -34,6 +34,7 @@ public:
     void addPhoto(const std::filesystem::path& file);
     void addPaint();
     bool saveTo(const std::filesystem::path& file);
+    /// In the format that the file's ending says; the first there is where it says none.
     void exportTo(const std::filesystem::path& file);
     /// Offers the latest unsaved work that a sudden end of the program left behind.
     void offerLeftBehind(Autosave& autosave);

@@ -17,10 +17,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// A project with everything that a package needs worked out.
+/// A handover with its texture and its picture.
 struct Ingredients {
-    Project project; ///< with an atlas, where there is a texture
-    TissueModel tissue;
+    const Project& project;
+    const TissueModel& tissue;
     std::shared_ptr<const std::vector<Image>> pages; ///< null: no texture
     Image preview;                                   ///< empty: none
 };
@@ -352,10 +352,6 @@ Glb PackageBuilder::build() {
     return std::move(m_glb);
 }
 
-void refuse(const std::vector<std::string>& problems) {
-    if (!problems.empty()) throw InvalidModel(problems);
-}
-
 std::shared_ptr<const std::vector<Image>> bakedPages(const Project& project, const Progress& progress) {
     if (!project.atlas) return nullptr;
     return std::make_shared<const std::vector<Image>>(
@@ -363,35 +359,18 @@ std::shared_ptr<const std::vector<Image>> bakedPages(const Project& project, con
                   [&](double fraction) { return !progress || progress(0.5 * fraction); }));
 }
 
-Ingredients prepare(const Project& project, const Progress& progress, const DrawPreview& drawPreview) {
-    refuse(validate(project));
-    Ingredients result{project, evaluateModel(project), nullptr, {}};
-    refuse(validate(result.tissue));
-    const TriangleMesh& mesh = *project.mesh;
-    if (mesh.triangles.empty())
-        result.project.atlas = nullptr;
-    else if (!project.atlas && !project.layers.empty())
-        result.project.atlas = std::make_shared<Atlas>(packAtlas(mesh, project.texture.atlas));
-    result.pages = bakedPages(result.project, progress);
-    if (drawPreview) result.preview = drawPreview(result.project, result.pages);
-    return result;
-}
-
 } // namespace
 
-void exportPackage(const Project& project, const std::filesystem::path& file, const Progress& progress,
-                   const DrawPreview& drawPreview) {
-    try {
-        const Ingredients ingredients = prepare(project, progress, drawPreview);
-        PackageBuilder builder(ingredients, progress);
-        const Glb glb = builder.build();
-        refuse(builder.problems());
-        const Bytes content = writeGlb(glb);
-        reportProgress(progress, 1);
-        writeFileAtomically(file, content);
-    } catch (const InvalidModel& error) {
-        throw FileError(file, std::string("was not exported: ") + error.what());
-    }
+void writePackage(const Handover& handover, const std::filesystem::path& file, const HandoverMeans& means) {
+    const auto& [project, tissue] = handover;
+    Ingredients ingredients{project, tissue, bakedPages(project, means.progress), {}};
+    if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages);
+    PackageBuilder builder(ingredients, means.progress);
+    const Glb glb = builder.build();
+    if (!builder.problems().empty()) throw InvalidModel(builder.problems());
+    const Bytes content = writeGlb(glb);
+    reportProgress(means.progress, 1);
+    writeFileAtomically(file, content);
 }
 
 } // namespace esm

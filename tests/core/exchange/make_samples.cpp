@@ -1,6 +1,6 @@
-#include "core/exchange/model_package.h"
 #include "core/exchange/project/project_file.h"
 #include "tests/core/exchange/exchange_projects.h"
+#include "tests/core/exchange/export_package.h"
 
 #include <cstdio>
 #include <exception>
@@ -93,8 +93,8 @@ void writeSamples(const std::filesystem::path& folder) {
     for (const auto& [name, project] : sampleProjects()) {
         saveProject(project, folder / "projects" / (name + ".esm"));
         if (name[8] - '0' > modelPackageVersion) continue;
-        exportPackage(project, folder / "packages" / (name + ".glb"), {},
-                      [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; });
+        exportPackage(project, folder / "packages" / (name + ".glb"),
+                      {{}, [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; }});
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/exchange/model_package.h"
 #include "core/support/errors.h"
+#include "tests/core/exchange/export_package.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>

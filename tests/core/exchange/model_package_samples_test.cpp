@@ -1,7 +1,7 @@
-#include "core/exchange/model_package.h"
 #include "core/exchange/package/glb.h"
 #include "core/exchange/package/package_layout.h"
 #include "core/exchange/project/project_file.h"
+#include "tests/core/exchange/export_package.h"
 #include "tests/core/exchange/rounded_tissue.h"
 #include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
@@ -91,8 +91,8 @@ TEST(ModelPackageSamples, AreExportedAsTheyWere) {
         SCOPED_TRACE(file.filename());
         const ModelPackage package = loadPackage(file);
         const std::filesystem::path again = folder / "again.glb";
-        exportPackage(loadProject(projectOf(file)), again, {},
-                      [&](const Project&, const auto&) { return package.preview; });
+        exportPackage(loadProject(projectOf(file)), again,
+                      {{}, [&](const Project&, const auto&) { return package.preview; }});
         expectSameGlb(file, again);
         expectSameTextures(package, loadPackage(again));
     }

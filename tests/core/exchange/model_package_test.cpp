@@ -56,10 +56,11 @@ TEST_F(ModelPackageFile, HoldsTheTissueRoundedToFloat) {
 TEST_F(ModelPackageFile, ShowsAPictureOfItsOrganBesideTheTexture) {
     const Project project = richProject();
     Image drawn{2, 1, {10, 20, 30, 255, 40, 50, 60, 255}};
-    exportPackage(project, m_file, {}, [&](const Project& packed, const auto& pages) {
-        EXPECT_EQ(pages->size(), static_cast<std::size_t>(packed.atlas->options.pages));
-        return drawn;
-    });
+    exportPackage(project, m_file, {{}, [&](const Project& packed, const auto& pages) {
+                                        EXPECT_EQ(pages->size(),
+                                                  static_cast<std::size_t>(packed.atlas->options.pages));
+                                        return drawn;
+                                    }});
     const ModelPackage package = loadPackage(m_file);
     EXPECT_EQ(package.preview.pixels, drawn.pixels);
     EXPECT_EQ(package.textures.size(), exported(project).textures.size());
@@ -67,9 +68,9 @@ TEST_F(ModelPackageFile, ShowsAPictureOfItsOrganBesideTheTexture) {
 }
 
 TEST_F(ModelPackageFile, APreviewThatIsNoneOrFillsTheMemoryIsRefused) {
-    exportPackage(richProject(), m_file, {}, [](const Project&, const auto&) {
-        return Image{5000, 1, Bytes(std::size_t{4} * 5000, 255)};
-    });
+    exportPackage(richProject(), m_file, {{}, [](const Project&, const auto&) {
+                                              return Image{5000, 1, Bytes(std::size_t{4} * 5000, 255)};
+                                          }});
     EXPECT_THAT(loadingError(), HasSubstr("at most 4096 pixels"));
     Glb glb = parseGlb(readFile(m_file));
     glb.json["extensions"]["ESM_spring_mass"]["preview"] = 99;
@@ -271,7 +272,8 @@ TEST_F(ModelPackageFile, AnExportThatFailsLeavesTheOldFile) {
     exportPackage(bareProject(), m_file);
     const Bytes before = readFile(m_file);
     const Project project = richProject();
-    EXPECT_THROW(exportPackage(project, m_file, [](double fraction) { return fraction < 0.7; }), Cancelled);
+    EXPECT_THROW(exportPackage(project, m_file, {[](double fraction) { return fraction < 0.7; }, {}}),
+                 Cancelled);
     EXPECT_EQ(before, readFile(m_file));
     EXPECT_TRUE(throwsOnFullDisk<FileError>(before.size(), [&] { exportPackage(project, m_file); }));
     EXPECT_EQ(before, readFile(m_file));

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/exchange/simulators/handover.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+/// One way to hand an organ over. Command line and window list what there is from `exporters()`.
+struct Exporter {
+    std::string name;    ///< on the command line: "glb"
+    std::string ending;  ///< ".glb"
+    std::string title;   ///< of its files, in a dialog: "Model packages"
+    std::string purpose; ///< what it is for, in half a sentence
+    /// Writes the file atomically. @throws InvalidModel for what the format cannot hold, FileError, Cancelled
+    std::function<void(const Handover& handover, const std::filesystem::path& file,
+                       const HandoverMeans& means)>
+        write;
+};
+
+const std::vector<Exporter>& exporters();
+
+/// Null where there is none of that name.
+const Exporter* exporterNamed(const std::string& name);
+
+/// The one whose ending a file has, the first there is where it has none of theirs.
+const Exporter& exporterFor(const std::filesystem::path& file);
+
+/// Evaluates the project and writes it. @throws FileError, also for a project with problems and for what the
+/// format cannot hold; Cancelled; what drawing throws
+void exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
+                   const HandoverMeans& means = {});
+
+} // namespace esm

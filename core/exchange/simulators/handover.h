@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/project/project.h"
+#include "core/support/progress.h"
+#include "core/texture/image.h"
+
+#include <functional>
+
+namespace esm {
+
+/// Draws a picture of the organ. @param pages one per page of the project's atlas; null without one
+using DrawPreview =
+    std::function<Image(const Project& project, const std::shared_ptr<const std::vector<Image>>& pages)>;
+
+/// A project with all that a simulator needs to know of it, valid and evaluated once.
+struct Handover {
+    Project project; ///< with an atlas, where photos lie on a surface
+    TissueModel tissue;
+};
+
+/// Photos of a project whose atlas is not packed yet get one packed with the project's settings.
+/// @throws InvalidModel with every problem of the project and of the tissue that it comes to
+Handover handoverOf(const Project& project);
+
+/// What helps to write a handover, beside the handover itself.
+struct HandoverMeans {
+    Progress progress;       ///< fraction done
+    DrawPreview drawPreview; ///< none: without a picture
+};
+
+} // namespace esm

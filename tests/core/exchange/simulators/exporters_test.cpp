@@ -1,0 +1,45 @@
+#include "core/exchange/simulators/exporters.h"
+
+#include "core/support/errors.h"
+#include "tests/core/exchange/exchange_projects.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+namespace esm {
+namespace {
+
+TEST(Exporters, HaveNamesAndEndingsOfTheirOwn) {
+    std::set<std::string> names, endings;
+    for (const Exporter& exporter : exporters()) {
+        EXPECT_TRUE(names.insert(exporter.name).second) << exporter.name;
+        EXPECT_TRUE(endings.insert(exporter.ending).second) << exporter.ending;
+        EXPECT_EQ(exporterNamed(exporter.name), &exporter);
+        EXPECT_EQ(&exporterFor("a folder/organ" + exporter.ending), &exporter);
+        EXPECT_FALSE(exporter.title.empty() || exporter.purpose.empty()) << exporter.name;
+    }
+    EXPECT_EQ(exporterNamed("carrier pigeon"), nullptr);
+    EXPECT_EQ(&exporterFor("organ"), &exporters().front());
+}
+
+TEST(Exporters, RefuseAProjectWithProblemsAndLeaveNoFile) {
+    const TemporaryFolder folder;
+    Project project = bareProject();
+    project.base.mass = -1;
+    for (const Exporter& exporter : exporters()) {
+        const std::filesystem::path file = folder / ("organ" + exporter.ending);
+        try {
+            exportProject(project, exporter, file);
+            ADD_FAILURE() << exporter.name;
+        } catch (const FileError& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr("was not exported: "));
+            EXPECT_THAT(error.what(), testing::HasSubstr("mass"));
+        }
+        EXPECT_FALSE(std::filesystem::exists(file)) << exporter.name;
+    }
+}
+
+} // namespace
+} // namespace esm
