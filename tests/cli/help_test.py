@@ -85,6 +85,8 @@ class HelpTest(Case):
                              (".esm", ["scene", project, "--scene", "s.json", "-o", "x.glb"]),
                              (".esm", ["texture", "pack", project, "-o", "x.png"]),
                              (".glb", ["export", project, "--to", "glb", "-o", "x.esm"]),
+                             (".glb", ["export", project, "--to", "glb", "-o", "x.vtp"]),
+                             (".vtp", ["export", project, "--to", "vtp", "-o", "x.glb"]),
                              (".csv", ["simulate", project, "-o", "x.json"])]:
             with self.subTest(line):
                 name, out = line[-1], self.file(line[-1])

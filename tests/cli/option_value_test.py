@@ -151,7 +151,7 @@ class OptionValueTest(Case):
     def test_a_format_that_is_not_there_is_named_before_its_ending(self):
         for output in ("organ.obj", "organ.glb", "organ"):
             message = self.fails(2, "export", self.file("organ.esm"), "--to", "obj", "-o", self.file(output))
-            self.assertIn("--to: 'obj' is not one of glb", message)
+            self.assertIn("--to: 'obj' is not one of glb, vtp", message)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #include "core/exchange/simulators/exporters.h"
 
 #include "core/exchange/model_package.h"
+#include "core/exchange/simulators/vtp_file.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -8,9 +9,11 @@
 namespace esm {
 
 const std::vector<Exporter>& exporters() {
-    static const std::vector<Exporter> all{{"glb", ".glb", "Model packages",
-                                            "the model package for simulators, a textured mesh to any viewer",
-                                            writePackage}};
+    static const std::vector<Exporter> all{
+        {"glb", ".glb", "Model packages", "the model package for simulators, a textured mesh to any viewer",
+         writePackage},
+        {"vtp", ".vtp", "VTK surfaces",
+         "surface and springs with their parameters as arrays, for ParaView and 3D Slicer", writeVtp}};
     return all;
 }
 
