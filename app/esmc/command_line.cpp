@@ -33,6 +33,7 @@ void describe(CLI::App& app, Context& context) {
     addInfoCommand(app, context);
     addFuzzyCommands(app, context);
     addTissueCommand(app, context);
+    addScaleCommand(app, context);
     addSceneCommand(app, context);
     addSimulateCommand(app, context);
     addStabilityCommand(app, context);

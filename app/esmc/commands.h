@@ -11,6 +11,7 @@ void addSampleCommand(CLI::App& app, Context& context);
 void addInfoCommand(CLI::App& app, Context& context);
 void addFuzzyCommands(CLI::App& app, Context& context);
 void addTissueCommand(CLI::App& app, Context& context);
+void addScaleCommand(CLI::App& app, Context& context);
 void addSceneCommand(CLI::App& app, Context& context);
 void addSimulateCommand(CLI::App& app, Context& context);
 void addStabilityCommand(CLI::App& app, Context& context);

@@ -33,6 +33,8 @@ COMMANDS = {
                          "--biphasic": [["0.2"], ["0", "5"], ["-1", "5"], ["nan", "5"], ["0.2", "0"], ["0.2", "1e31"],
                                         ["1e31", "5"], ["", "5"]],
                          "--linear": [["--biphasic", "0.2", "5"]]},
+    "scale organ.esm": {"project": FILE, "-o": TO_PROJECT, "--factor": POSITIVE, "--keep": ["volume", ""],
+                        "--points": ["x", "1 2 3", "0 0 0 0 0 0", "nan 0 0 1 1 1", ""], "--length": POSITIVE},
     "scene organ.esm --scene scene.json": {"project": FILE, "--scene": FILE, "-o": TO_PROJECT},
     "simulate organ.esm --scene scene.json": {
         "model": FILE, "--scene": FILE, "-o": ["-", "out.esm", ""], "--integrator": ["leapfrog", "EULER", ""],

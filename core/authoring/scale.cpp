@@ -1,0 +1,116 @@
+#include "core/authoring/scale.h"
+
+#include "core/model/tissue_digest.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+
+namespace esm {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+Points scaled(Points points, double factor) {
+    for (Eigen::Vector3d& point : points)
+        point *= factor;
+    return points;
+}
+
+std::shared_ptr<const TriangleMesh> scaled(const TriangleMesh& mesh, double factor) {
+    return std::make_shared<const TriangleMesh>(TriangleMesh{scaled(mesh.vertices, factor), mesh.triangles});
+}
+
+/// A binding's shares and turns do not depend on size.
+std::shared_ptr<const SpringNetwork> scaled(const SpringNetwork& network, double factor) {
+    auto result = std::make_shared<SpringNetwork>(network);
+    result->restPositions = scaled(network.restPositions, factor);
+    for (Spring& spring : result->springs)
+        spring.restLength *= factor;
+    return result;
+}
+
+void scale(std::optional<Ellipsoid>& ellipsoid, double factor) {
+    if (!ellipsoid) return;
+    ellipsoid->centre *= factor;
+    ellipsoid->radii *= factor;
+}
+
+void scale(Path& path, double factor) {
+    for (PathPoint& point : path)
+        point.value *= factor;
+}
+
+void scale(Scene& scene, double factor) {
+    for (NodeSelection& selection : scene.fixed)
+        scale(selection.ellipsoid, factor);
+    for (NodeMove& move : scene.moves)
+        scale(move.path, factor);
+    if (!scene.instrument) return;
+    scene.instrument->radius *= factor;
+    scale(scene.instrument->path, factor);
+}
+
+std::shared_ptr<const BrushStroke> scaled(BrushStroke stroke, double factor) {
+    stroke.radius *= factor;
+    stroke.shift *= factor;
+    for (BrushPoint& point : stroke.path)
+        point.place *= factor;
+    return std::make_shared<const BrushStroke>(std::move(stroke));
+}
+
+void scale(TextureLayer& layer, double factor) {
+    layer.projector.pose.translation() *= factor;
+    layer.projector.width *= factor;
+    layer.projector.height *= factor;
+    for (auto& stroke : layer.strokes)
+        stroke = scaled(*stroke, factor);
+    for (LandmarkPair& pair : layer.landmarks)
+        pair.organ *= factor;
+}
+
+/// The same texels lie on more or fewer metres.
+std::shared_ptr<const Atlas> scaled(const Atlas& atlas, double factor) {
+    auto result = std::make_shared<Atlas>(atlas);
+    result->texelsPerMetre /= factor;
+    result->options.texelsPerMetre /= factor;
+    return result;
+}
+
+void growMasses(Project& project, double factor) {
+    const double cube = factor * factor * factor;
+    project.base.mass *= cube;
+    for (Region& region : project.regions)
+        if (region.held.mass) *region.held.mass *= cube;
+}
+
+} // namespace
+
+Project scaled(const Project& project, double factor, KeptByScaling kept) {
+    if (!isPositive(factor)) throw InvalidModel("an organ can only be scaled by a factor above 0");
+    Project result = project;
+    if (result.stepping && result.stepping->tissue.empty())
+        result.stepping->tissue = tissueDigest(evaluateModel(project));
+    result.mesh = scaled(*project.mesh, factor);
+    result.network = scaled(*project.network, factor);
+    for (Region& region : result.regions) {
+        scale(region.ellipsoid, factor);
+        region.rim *= factor;
+    }
+    scale(result.scene, factor);
+    for (TextureLayer& layer : result.layers)
+        scale(layer, factor);
+    result.texture.atlas.texelsPerMetre /= factor;
+    if (result.atlas) result.atlas = scaled(*project.atlas, factor);
+    if (kept == KeptByScaling::Density) growMasses(result, factor);
+    if (auto problems = validate(result); !problems.empty()) throw InvalidModel(std::move(problems));
+    return result;
+}
+
+double scaleFactor(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double trueLength) {
+    const double distance = (to - from).norm();
+    if (!isPositive(distance)) throw InvalidModel("the two points are one; choose two apart");
+    if (!isPositive(trueLength)) throw InvalidModel("the true length must be above 0");
+    return trueLength / distance;
+}
+
+} // namespace esm
