@@ -108,7 +108,7 @@ TEST(Tradeoff, GoesOnToTheErrorThatIsWanted) {
     PulledTube tube;
     tube.scene.duration = 0.2;
     const auto runsOfSplit = [&](double mostError) {
-        const Tradeoff tradeoff = tube.measured(optionsFor({1, mostError}, 0.3));
+        const Tradeoff tradeoff = tube.measured(optionsFor({1, mostError}));
         return std::count_if(tradeoff.runs.begin(), tradeoff.runs.end(), [](const TradeoffRun& run) {
             return run.stepping.integrator == Integrator::Split;
         });
