@@ -3,6 +3,7 @@
 #include "core/support/errors.h"
 #include "tests/support/reference_motion.h"
 #include "tests/support/rounds.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/tissue_models.h"
 
 #include <gtest/gtest.h>
@@ -254,7 +255,7 @@ std::ostream& operator<<(std::ostream& out, const Verdict& verdict) {
 }
 
 TEST(ClaimedError, IsNoLessThanTheTrueOne) {
-    const int rounds = roundsOf(20, 200);
+    const int rounds = roundsOf(isSanitized() ? 3 : 20, 200);
     int claims = 0;
     for (int round = 0; round < rounds; ++round) {
         const Trial trial = drawnTrial(seedOf(round));
