@@ -1,6 +1,7 @@
 #include "core/authoring/coarser_runs.h"
 #include "core/project/detail_change.h"
 #include "core/support/errors.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
@@ -105,6 +106,7 @@ TEST(Tradeoff, KeepsRunsAsExactAsTheReference) {
 }
 
 TEST(Tradeoff, GoesOnToTheErrorThatIsWanted) {
+    if (isSanitized()) GTEST_SKIP() << "thousands of runs' steps show nothing more to the sanitizers";
     PulledTube tube;
     tube.scene.duration = 0.2;
     const auto runsOfSplit = [&](double mostError) {
