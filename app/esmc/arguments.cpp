@@ -72,7 +72,8 @@ bool isKnownEnding(const std::string& ending) {
                                                  ".bmp", ".tif", ".tiff", ".webp", ".fcl",  ".fll"};
     const auto& meshes = meshFileEndings();
     return std::find(others.begin(), others.end(), ending) != others.end() ||
-           exporterFor("file" + ending).ending == ending ||
+           std::any_of(exporters().begin(), exporters().end(),
+                       [&](const Exporter& exporter) { return exporter.ending == ending; }) ||
            std::find(meshes.begin(), meshes.end(), ending.substr(1)) != meshes.end();
 }
 

@@ -4,7 +4,7 @@
 #include "core/model/tissue_digest.h"
 #include "core/support/errors.h"
 #include "core/texture/layers/composite.h"
-#include "tests/core/exchange/exchange_projects.h"
+#include "tests/support/exchange_projects.h"
 #include "tests/support/same_project.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "core/exchange/project/project_file.h"
-#include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/export_package.h"
+#include "tests/support/exchange_projects.h"
 
 #include <cstdio>
 #include <exception>

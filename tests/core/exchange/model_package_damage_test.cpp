@@ -1,8 +1,8 @@
 #include "tests/core/exchange/model_package_fixture.h"
 
 #include "core/exchange/package/glb.h"
-#include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/overwrite.h"
+#include "tests/support/exchange_projects.h"
 
 #include <set>
 

@@ -57,14 +57,14 @@ void expectSameTextures(const ModelPackage& a, const ModelPackage& b) {
         EXPECT_TRUE(a.textures[page].pixels == b.textures[page].pixels) << page;
 }
 
-int versionOf(const PackageJson& gltf) {
+int writtenVersionOf(const PackageJson& gltf) {
     return gltf["extensions"][package_layout::extension]["version"].get<int>();
 }
 
 TEST(ModelPackageSamples, AreOfEveryVersion) {
     std::set<int> versions;
     for (const std::filesystem::path& file : samples("packages"))
-        versions.insert(versionOf(parseGlb(readFile(file)).json));
+        versions.insert(writtenVersionOf(parseGlb(readFile(file)).json));
     for (int version = 1; version <= modelPackageVersion; ++version)
         EXPECT_EQ(versions.count(version), 1U) << version;
 }

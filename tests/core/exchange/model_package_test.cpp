@@ -6,9 +6,9 @@
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/project_file.h"
 #include "core/texture/layers/composite.h"
-#include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/overwrite.h"
 #include "tests/core/exchange/rounded_tissue.h"
+#include "tests/support/exchange_projects.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/same_project.h"
 

@@ -1,5 +1,6 @@
+#include "core/dynamics/measure/tradeoff.h"
+
 #include "core/authoring/coarser_runs.h"
-#include "core/project/detail_change.h"
 #include "core/support/errors.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/tissue_models.h"
@@ -226,42 +227,4 @@ TEST(Tradeoff, MeasuresFewerNodesAgainstAll) {
     EXPECT_LT(least, 0.01);
     EXPECT_GT(leastOnFewer, least);
     EXPECT_LT(leastOnFewer, 0.5);
-}
-
-TEST(CoarserRuns, CanBeCancelled) {
-    const Project project = makeProject("ball", {tissue::sphereMesh(3, 0.1), {}});
-    EXPECT_THROW(coarserRuns(project, project.scene, [](double) { return false; }), Cancelled);
-}
-
-TEST(CoarserRuns, AreNoneOfWhatMovesRigidlyOrShowsNoVertex) {
-    Project project = makeProject("ball", {tissue::sphereMesh(3, 0.1), {}});
-    EXPECT_EQ(coarserRuns(project, project.scene).size(), 1U);
-    SpringNetwork inside = *project.network;
-    inside.restPositions.emplace_back(0, 0, 0);
-    project.network = std::make_shared<const SpringNetwork>(inside);
-    EXPECT_TRUE(coarserRuns(project, project.scene).empty());
-    const Project rigid =
-        makeProject("ball", {tissue::sphereMesh(3, 0.1), {}}, 0.5, {Detail::Kind::Rigid, 0});
-    EXPECT_TRUE(coarserRuns(rigid, rigid.scene).empty());
-}
-
-TEST(WithRun, RecommendsItOnItsNodes) {
-    const Project project = makeProject("ball", {tissue::sphereMesh(3, 0.1), {}});
-    TradeoffRun run;
-    run.stepping = {Integrator::Split, 0.02, Precision::Double};
-    run.error = 0.03;
-    run.wallPerSimulatedSecond = 0.004;
-    const Project same = withRun(project, run);
-    EXPECT_EQ(same.network, project.network);
-    ASSERT_TRUE(same.stepping);
-    EXPECT_EQ(same.stepping->stepping.integrator, Integrator::Split);
-    EXPECT_EQ(same.stepping->stepping.timeStep, 0.02);
-    EXPECT_EQ(same.stepping->error, 0.03);
-    EXPECT_EQ(same.stepping->wallPerSimulatedSecond, 0.004);
-
-    run.coarser = Detail{Detail::Kind::Nodes, 160};
-    const Project fewer = withRun(same, run);
-    EXPECT_EQ(fewer.network->restPositions.size(), 160U);
-    EXPECT_TRUE(fewer.stepping);
-    EXPECT_FALSE(withDetail(same, {Detail::Kind::Nodes, 160}).stepping);
 }

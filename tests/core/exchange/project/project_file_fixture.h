@@ -4,8 +4,8 @@
 #include "core/exchange/project/project_layout.h"
 #include "core/exchange/project/zip_archive.h"
 #include "core/support/errors.h"
-#include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/overwrite.h"
+#include "tests/support/exchange_projects.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>

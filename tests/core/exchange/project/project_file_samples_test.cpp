@@ -47,7 +47,7 @@ void expectSameArchive(const std::filesystem::path& before, const std::filesyste
     EXPECT_TRUE(a.dump() == b.dump()) << "the order of keys differs, or the sign of a 0";
 }
 
-int versionOf(const std::filesystem::path& project) {
+int writtenVersionOf(const std::filesystem::path& project) {
     const Bytes content = readFile(project);
     return manifestWithoutProgram(ZipReader(content))["version"].get<int>();
 }
@@ -55,7 +55,7 @@ int versionOf(const std::filesystem::path& project) {
 TEST(ProjectFileSamples, AreOfEveryVersion) {
     std::set<int> versions;
     for (const std::filesystem::path& file : samples("projects"))
-        versions.insert(versionOf(file));
+        versions.insert(writtenVersionOf(file));
     for (int version = 1; version <= projectFileVersion; ++version)
         EXPECT_EQ(versions.count(version), 1U) << version;
 }

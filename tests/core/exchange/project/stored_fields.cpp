@@ -3,8 +3,8 @@
 #include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/project/simulated_network.h"
 #include "core/support/numbers.h"
-#include "tests/core/exchange/exchange_projects.h"
 #include "tests/core/exchange/project/stored_field_settings.h"
+#include "tests/support/exchange_projects.h"
 
 namespace esm::stored {
 

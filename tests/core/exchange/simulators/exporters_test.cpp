@@ -1,7 +1,7 @@
 #include "core/exchange/simulators/exporters.h"
 
 #include "core/support/errors.h"
-#include "tests/core/exchange/exchange_projects.h"
+#include "tests/support/exchange_projects.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 
 #include "core/exchange/simulators/exporters.h"
 #include "core/support/byte_order.h"
-#include "tests/core/exchange/exchange_projects.h"
+#include "tests/support/exchange_projects.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>

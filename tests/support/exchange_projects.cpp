@@ -1,4 +1,4 @@
-#include "tests/core/exchange/exchange_projects.h"
+#include "tests/support/exchange_projects.h"
 
 #include "core/exchange/image_file.h"
 #include "core/project/simulated_network.h"

@@ -1,7 +1,6 @@
-#include "core/model/detail.h"
+#include "core/project/detail_change.h"
 
 #include "core/dynamics/measure/scene_run.h"
-#include "core/project/detail_change.h"
 #include "core/support/errors.h"
 #include "tests/support/test_surfaces.h"
 #include "tests/support/tissue_models.h"
