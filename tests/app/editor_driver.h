@@ -106,6 +106,8 @@ protected:
             if (field->accessibleName() == QLatin1String("Base mass")) return field;
         return nullptr;
     }
+    /// Its name in the table.
+    QString toolInHand() const { return window->view().tool().objectName(); }
     const esm::Project& project() const { return window->document().project(); }
     template<typename Widget> Widget* child(const char* name) const {
         return window->findChild<Widget*>(name);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace esm {
 namespace {
@@ -42,7 +43,7 @@ OrganView::~OrganView() {
 void OrganView::setScene(RenderScene scene) {
     m_scene = std::move(scene);
     m_picker.sceneChanged();
-    if (m_instrument) showInstrument();
+    m_tool->dress(m_scene);
     if (!m_framed && !organBox().isEmpty()) frameOrgan();
     update();
 }
@@ -58,44 +59,37 @@ void OrganView::setLegend(std::optional<ViewLegend> legend) {
     update();
 }
 
-void OrganView::setMarks(std::vector<OrganMark> marks) {
-    m_marks = std::move(marks);
-    update();
-}
-
 void OrganView::setHint(const QString& hint) {
     m_hint = hint;
     update();
 }
 
-void OrganView::setTool(ViewTool tool) {
-    if (tool == m_tool) return;
-    letGo();
-    m_tool = tool;
-    m_brushAt.reset();
-    const bool points = tool == ViewTool::Place || tool == ViewTool::Landmark || tool == ViewTool::Brush;
-    setCursor(points ? Qt::CrossCursor : Qt::ArrowCursor);
-    update();
-    emit toolChanged(tool);
-    if (tool == ViewTool::Instrument && underMouse()) moveInstrument(mapFromGlobal(QCursor::pos()));
+void OrganView::setTool(ViewTool& tool) {
+    if (&tool == m_tool) return;
+    cancel();
+    disconnect(m_tool, nullptr, this, nullptr);
+    m_tool = &tool;
+    connect(m_tool, &ViewTool::changed, this, &OrganView::followTool);
+    followTool();
+    emit toolChanged();
+    if (!underMouse()) return;
+    const QPointF place = mapFromGlobal(QCursor::pos());
+    moveTool({sight(), place, Qt::NoModifier});
 }
 
-void OrganView::setInstrumentRadius(double metres) {
-    m_instrumentRadius = metres;
-    if (!m_instrument) return;
-    showInstrument();
-    emit instrumentMoved(*m_instrument);
-}
-
-void OrganView::setBrush(const ViewBrush& brush) {
-    m_brush = brush;
+void OrganView::followTool() {
+    m_tool->dress(m_scene);
+    setCursor(m_tool->cursor());
     update();
 }
 
 void OrganView::letGo() {
-    dropStroke();
-    endDrag();
-    removeInstrument();
+    if (std::exchange(m_hold, Hold::Nothing) != Hold::Nothing) m_tool->release();
+}
+
+void OrganView::cancel() {
+    m_hold = Hold::Nothing;
+    m_tool->cancel();
 }
 
 void OrganView::setCamera(const Camera& camera) {
@@ -121,14 +115,8 @@ double OrganView::aspect() const {
     return static_cast<double>(std::max(1, width())) / std::max(1, height());
 }
 
-Ray OrganView::rayAt(const QPointF& place) const {
-    return pickRay(camera(), place.x() / std::max(1, width()), place.y() / std::max(1, height()), aspect());
-}
-
-std::optional<QPointF> OrganView::placeOf(const Eigen::Vector3d& point) const {
-    const std::optional<Eigen::Vector2d> place = picturePoint(camera(), point, aspect());
-    if (!place) return std::nullopt;
-    return QPointF(place->x() * width(), place->y() * height());
+Sight OrganView::sight() {
+    return {m_scene, camera(), size(), m_picker};
 }
 
 Eigen::AlignedBox3d OrganView::organBox() const {
@@ -186,33 +174,10 @@ void OrganView::paintOverlay() {
     }
     painter.setRenderHint(QPainter::Antialiasing);
     const OverlayStyle style{size(), palette()};
-    if (m_tool == ViewTool::Region)
-        paintHandles(painter, paintedRegionHandles(), style.palette.color(QPalette::Highlight));
-    if (m_tool == ViewTool::Projector)
-        paintHandles(painter, projectorHandles(), style.palette.color(QPalette::LinkVisited));
-    if (m_tool == ViewTool::Landmark) paintMarks(painter, paintedMarks(), style.palette);
-    if (m_tool == ViewTool::Brush) paintBrushTool(painter);
+    m_tool->draw(painter, sight(), style.palette);
     if (m_legend) paintLegend(painter, style, *m_legend);
-    paintHint(painter, style, hint(), m_legend.has_value());
+    paintHint(painter, style, m_hint, m_legend.has_value());
     paintAxisCube(painter, camera(), cubeSquare(size()), style.palette);
-}
-
-void OrganView::paintBrushTool(QPainter& painter) {
-    if (m_brush.source)
-        if (const auto place = placeOf(*m_brush.source)) paintSource(painter, *place);
-    if (!m_brushAt) return;
-    const auto circle = [this](double radius) {
-        return seen(circleAround(m_brushAt->point, m_brushAt->spot.outward, radius));
-    };
-    paintBrush(painter, circle(m_brush.radius), circle((1 - m_brush.softness) * m_brush.radius));
-}
-
-/// Without what lies behind the eye.
-QPolygonF OrganView::seen(const std::vector<Eigen::Vector3d>& points) const {
-    QPolygonF polygon;
-    for (const Eigen::Vector3d& point : points)
-        if (const auto place = placeOf(point)) polygon << *place;
-    return polygon;
 }
 
 } // namespace esm

@@ -1,24 +1,75 @@
 #pragma once
 
-#include <QString>
+#include "widgets/view/sight.h"
+
+#include <QObject>
+#include <QPainter>
+#include <QPalette>
 
 namespace esm {
 
-/// What the left mouse button does in the organ's view.
-enum class ViewTool {
-    Select,     ///< turns the view; a click picks
-    Pull,       ///< pulls the tissue
-    Instrument, ///< moves the sphere instrument over the surface
-    Region,     ///< moves, sizes and turns a region's ellipsoid, and widens its rim
-    Place,      ///< turns the view; a click lays a region on the surface
-    Projector,  ///< moves and scales a photo's projector
-    Landmark,   ///< turns the view; a click says where a point of the photo lies
-    Brush       ///< paints on the surface
+/// Where the mouse is in the view, and the organ as it is seen there.
+struct ToolMouse {
+    Sight sight;
+    QPointF place; ///< pixels
+    Qt::KeyboardModifiers keys;
+
+    Ray ray() const { return sight.rayAt(place); }
+    std::optional<PickedPoint> picked() const { return sight.pickAt(place); }
 };
 
-/// What only this tool does, in one line.
-QString toolUse(ViewTool tool);
-/// The same with what else helps while the tool is in hand.
-QString toolHint(ViewTool tool);
+/// How what a press takes hold of follows the mouse.
+enum class Hold {
+    Nothing, ///< the view turns instead
+    Drag,    ///< once the mouse went farther than a click may wander
+    Stroke   ///< from the first pixel; a press is never a click
+};
+
+/// What the left mouse button does in the organ's view. The view tells the tool in hand what the user does;
+/// the tool owns its drag and makes the edit. What it does not say is the view's: this one only turns it.
+class ViewTool : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    virtual Hold press(const ToolMouse&) { return Hold::Nothing; }
+    /// Whether a press with Shift is for the tool here. Elsewhere it shifts the view.
+    virtual bool takesShift(const ToolMouse&) const { return false; }
+    /// With what is held, or with nothing.
+    virtual void move(const ToolMouse&) {}
+    /// Ends what a press took hold of.
+    virtual void release() {}
+    /// The button came up where it went down, after release().
+    virtual void click(const ToolMouse&) {}
+    /// Esc, or another tool is taken.
+    virtual void cancel() { release(); }
+    /// The mouse left the view.
+    virtual void leave() {}
+    /// False leaves the wheel to the view.
+    virtual bool wheel(const ToolMouse&, double /*notches*/) { return false; }
+
+    /// Changes what is shown of the organ while the tool is in hand; again whenever it changed().
+    virtual void dress(RenderScene&) const {}
+    /// Paints over the organ.
+    virtual void draw(QPainter&, const Sight&, const QPalette&) const {}
+    virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
+
+    /// What to do now, where that is not what the tool always says.
+    virtual QString hint() const { return {}; }
+    /// Why the tool cannot be taken now; empty where it can.
+    virtual QString whyNot() const { return {}; }
+    /// What can be set at the tool, seen while it is in hand; null where there is nothing. Stays the
+    /// caller's.
+    virtual QWidget* makeOptions() { return nullptr; }
+
+signals:
+    /// What it shows or says is another.
+    void changed();
+    /// Something for the line at the bottom.
+    void message(const QString& text);
+    /// Its work is done, and goes on with the tool of this name.
+    void done(const QString& next);
+};
 
 } // namespace esm

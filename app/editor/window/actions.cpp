@@ -1,5 +1,6 @@
 #include "app/editor/window/actions.h"
 
+#include "app/editor/tools/tool_table.h"
 #include "core/samples/samples.h"
 #include "widgets/inputs/icon.h"
 
@@ -7,6 +8,7 @@
 #include <QUndoStack>
 
 #include <array>
+#include <stdexcept>
 
 namespace esm {
 
@@ -23,7 +25,6 @@ public:
 private:
     QAction* make(const QString& text, const QKeySequence& key, const QString& toolTip);
     QAction* makeSwitch(QAction* action, bool on);
-    QAction* makeTool(QAction* action, const QString& iconName);
     QAction* makeWorkspace(QAction* action);
 
     void makeFileActions();
@@ -49,13 +50,6 @@ QAction* ActionMaker::make(const QString& text, const QKeySequence& key, const Q
 QAction* ActionMaker::makeSwitch(QAction* action, bool on) {
     action->setCheckable(true);
     action->setChecked(on);
-    return action;
-}
-
-QAction* ActionMaker::makeTool(QAction* action, const QString& iconName) {
-    action->setCheckable(true);
-    action->setIcon(icon(iconName));
-    m_actions.tools->addAction(action);
     return action;
 }
 
@@ -148,29 +142,13 @@ void ActionMaker::makeViewActions() {
 void ActionMaker::makeTools() {
     Actions& a = m_actions;
     a.tools = new QActionGroup(m_window);
-    a.look = makeTool(make(tr("&Look"), QKeySequence(Qt::Key_V), tr("Turn and shift the view")),
-                      QStringLiteral("look"));
-    a.pull = makeTool(make(tr("P&ull"), QKeySequence(Qt::Key_P), tr("Grasp the tissue and pull")),
-                      QStringLiteral("pull"));
-    a.instrument = makeTool(
-        make(tr("&Instrument"), QKeySequence(Qt::Key_I), tr("Push the tissue with a round instrument")),
-        QStringLiteral("instrument"));
-    a.region = makeTool(
-        make(tr("Re&gion"), QKeySequence(Qt::Key_E), tr("Move, size and turn the region's ellipsoid")),
-        QStringLiteral("region"));
-    a.place = makeTool(make(tr("Place &on surface"), QKeySequence(Qt::Key_O),
-                            tr("Lay a region on the surface with a click")),
-                       QStringLiteral("place"));
-    a.projector =
-        makeTool(make(tr("P&hoto"), QKeySequence(Qt::Key_J), tr("Move and size the photo's projector")),
-                 QStringLiteral("photo"));
-    a.landmarks = makeTool(make(tr("Land&marks"), QKeySequence(Qt::Key_M),
-                                tr("Place the photo by points that it shares with the organ")),
-                           QStringLiteral("landmark"));
-    a.brush = makeTool(
-        make(tr("&Brush"), QKeySequence(Qt::Key_D), tr("Erase and restore the photo, or paint on the organ")),
-        QStringLiteral("brush"));
-    a.pull->setChecked(true);
+    for (const ToolRow& row : toolTable()) {
+        QAction* tool = make(row.text, row.key, row.does);
+        tool->setObjectName(row.name);
+        tool->setCheckable(true);
+        tool->setIcon(icon(row.icon));
+        a.tools->addAction(tool);
+    }
     a.letGo =
         make(tr("L&et go"), QKeySequence(Qt::Key_Escape), tr("End a drag and take the instrument away"));
 }
@@ -204,6 +182,12 @@ Actions ActionMaker::makeAll(QUndoStack* undoStack) {
 }
 
 } // namespace
+
+QAction* Actions::tool(const QString& name) const {
+    for (QAction* action : tools->actions())
+        if (action->objectName() == name) return action;
+    throw std::out_of_range("no tool is called " + name.toStdString());
+}
 
 QString withShortcut(const QString& toolTip, const QAction* action) {
     const QString key = action->shortcut().toString(QKeySequence::NativeText);

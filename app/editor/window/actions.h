@@ -24,10 +24,12 @@ struct Actions {
     QAction *addPhoto, *addPaint, *fromCamera;
     QAction *play, *reset, *letGo;
     QAction *about, *keys;
-    QActionGroup* tools;
-    QAction *look, *pull, *instrument, *region, *place, *projector, *landmarks, *brush;
+    QActionGroup* tools; ///< in the order of the table
     QActionGroup* workspaces;
     QAction *tissue, *texture;
+
+    /// That takes the tool of this name. @throws std::out_of_range where the table has none
+    QAction* tool(const QString& name) const;
 };
 
 Actions createActions(QWidget* window, QUndoStack* undoStack);

@@ -100,13 +100,6 @@ void EditController::duplicateRegion() {
     emit regionAdded();
 }
 
-void EditController::placeRegion(const SurfaceSpot& spot, bool anew) {
-    m_document.edit(tr("Place region"), [&](Project& project) {
-        esm::placeRegion(project, anew ? std::nullopt : m_selection.region(), spot);
-    });
-    emit regionAdded();
-}
-
 void EditController::removeRegion() {
     const auto region = m_selection.region();
     if (!region) return;

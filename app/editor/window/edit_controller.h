@@ -2,7 +2,6 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
-#include "core/geometry/surface_spot.h"
 #include "core/render/camera.h"
 
 #include <QWidget>
@@ -21,11 +20,9 @@ public:
     void connectActions(const Actions& actions);
     /// Throws the selected photo from where the user looks; keeps its size.
     void projectFromCamera();
-    /// Lays the selected region on the surface; a new one where it has no ellipsoid, or `anew`.
-    void placeRegion(const SurfaceSpot& spot, bool anew);
 
 signals:
-    /// One was added or laid elsewhere: what comes next is to shape it.
+    /// What comes next is to shape it.
     void regionAdded();
 
 private:

@@ -1,6 +1,6 @@
 #include "app/editor/window/help.h"
 
-#include "widgets/view/view_tool.h"
+#include "app/editor/tools/tool_table.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -46,12 +46,9 @@ QString viewRows(const Actions& a) {
 
 QString toolRows(const Actions& a) {
     QString rows;
-    for (const auto& [action, tool] :
-         {std::pair(a.look, ViewTool::Select), std::pair(a.pull, ViewTool::Pull),
-          std::pair(a.instrument, ViewTool::Instrument), std::pair(a.region, ViewTool::Region),
-          std::pair(a.place, ViewTool::Place), std::pair(a.projector, ViewTool::Projector),
-          std::pair(a.landmarks, ViewTool::Landmark), std::pair(a.brush, ViewTool::Brush)})
-        rows += row(keysOf(action), QObject::tr("%1: %2").arg(action->text().remove('&'), toolUse(tool)));
+    for (const ToolRow& tool : toolTable())
+        rows += row(keysOf(a.tool(tool.name)),
+                    QObject::tr("%1: %2").arg(QString(tool.text).remove('&'), tool.use));
     return rows + actionRow(a.letGo);
 }
 

@@ -1,5 +1,7 @@
 #include "app/editor/window/layout.h"
 
+#include "app/editor/tools/tool_table.h"
+
 #include <QCoreApplication>
 #include <QFontMetrics>
 #include <QHBoxLayout>
@@ -138,10 +140,13 @@ void buildToolStrip(QMainWindow& window, const Actions& a) {
     strip->setMovable(false);
     strip->setContextMenuPolicy(Qt::PreventContextMenu);
     strip->setIconSize({20, 20});
-    strip->addActions({a.look, a.pull, a.instrument});
-    strip->addSeparator();
-    strip->addActions({a.region, a.place, a.projector, a.landmarks, a.brush});
-    for (QAction* tool : a.tools->actions()) {
+    // Those of every workspace come first.
+    bool isEverywhere = true;
+    for (const ToolRow& row : toolTable()) {
+        if (isEverywhere && row.workspace != ToolWorkspace::Any) strip->addSeparator();
+        isEverywhere = row.workspace == ToolWorkspace::Any;
+        QAction* tool = a.tool(row.name);
+        strip->addAction(tool);
         auto* button = qobject_cast<QToolButton*>(strip->widgetForAction(tool));
         button->setFocusPolicy(Qt::TabFocus);
         button->setFixedSize(34, 34);
@@ -154,7 +159,7 @@ void buildToolStrip(QMainWindow& window, const Actions& a) {
     window.addToolBar(Qt::LeftToolBarArea, strip);
 }
 
-void buildTopBar(QMainWindow& window, const Actions& a, QWidget* toolOptions) {
+void buildTopBar(QMainWindow& window, const Actions& a, const std::vector<QWidget*>& toolOptions) {
     auto* bar = new QToolBar(QObject::tr("Top bar"), &window);
     bar->setObjectName(QStringLiteral("topBar"));
     bar->setMovable(false);
@@ -167,7 +172,8 @@ void buildTopBar(QMainWindow& window, const Actions& a, QWidget* toolOptions) {
     QHBoxLayout* left = addSide(row, content);
     left->addWidget(iconButton(a.undo, content));
     left->addWidget(iconButton(a.redo, content));
-    left->addWidget(toolOptions);
+    for (QWidget* options : toolOptions)
+        left->addWidget(options);
     left->addStretch();
     row->addWidget(workspaceSwitch(a, content));
     QHBoxLayout* right = addSide(row, content);
@@ -182,7 +188,7 @@ void buildTopBar(QMainWindow& window, const Actions& a, QWidget* toolOptions) {
 }
 
 QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QString& title,
-                         std::initializer_list<QWidget*> panels) {
+                         const std::vector<QWidget*>& panels) {
     auto* body = new QWidget;
     body->setObjectName(QStringLiteral("columnBody"));
     auto* column = new QVBoxLayout(body);
@@ -208,11 +214,11 @@ QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QSt
     return dock;
 }
 
-QWidget* stacked(QWidget* above, QWidget* below) {
+QWidget* stacked(const std::vector<QWidget*>& views) {
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->setChildrenCollapsible(false);
     splitter->setHandleWidth(3);
-    for (QWidget* view : {above, below}) {
+    for (QWidget* view : views) {
         splitter->addWidget(view);
         splitter->setStretchFactor(splitter->indexOf(view), 1);
     }

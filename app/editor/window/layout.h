@@ -6,7 +6,7 @@
 #include <QMainWindow>
 #include <QPushButton>
 
-#include <initializer_list>
+#include <vector>
 
 namespace esm {
 
@@ -16,13 +16,13 @@ void buildToolStrip(QMainWindow& window, const Actions& actions);
 
 /// Undo, redo and the options of the tool in hand at the left, workspaces in the middle, playing and handing
 /// over at the right.
-void buildTopBar(QMainWindow& window, const Actions& actions, QWidget* toolOptions);
+void buildTopBar(QMainWindow& window, const Actions& actions, const std::vector<QWidget*>& toolOptions);
 
 /// A scrolling column of panels at one side of the view.
 QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QString& title,
-                         std::initializer_list<QWidget*> panels);
+                         const std::vector<QWidget*>& panels);
 
-/// Two views that share the middle of the window; a hidden one leaves it to the other.
-QWidget* stacked(QWidget* above, QWidget* below);
+/// Views that share the middle of the window, one above the other; a hidden one leaves it to the others.
+QWidget* stacked(const std::vector<QWidget*>& views);
 
 } // namespace esm

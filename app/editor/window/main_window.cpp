@@ -4,7 +4,6 @@
 #include "app/editor/panels/organ/accuracy_panel.h"
 #include "app/editor/panels/organ/model_panel.h"
 #include "app/editor/panels/texture/atlas_panel.h"
-#include "app/editor/panels/texture/brush_panel.h"
 #include "app/editor/panels/texture/landmarks_panel.h"
 #include "app/editor/panels/texture/photo_dialog.h"
 #include "app/editor/panels/texture/photo_panel.h"
@@ -15,7 +14,6 @@
 #include "app/editor/panels/tissue/regions_panel.h"
 #include "app/editor/panels/tissue/tissue_panel.h"
 #include "app/editor/window/help.h"
-#include "app/editor/window/instrument_options.h"
 #include "app/editor/window/layout.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/icon.h"
@@ -48,8 +46,10 @@ MainWindow::MainWindow(Project project)
     : m_document(new Document(std::move(project), this)), m_selection(new Selection(*m_document)),
       m_preparations(new PreparationEdits(*m_document, *m_selection)), m_preview(new Preview(this)),
       m_actions(createActions(this, m_document->undoStack())), m_view(new OrganView(this)),
-      m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
-      m_tools(new ToolController(*m_view, *m_document, *m_selection, *m_preview)) {
+      m_landmarking(new Landmarking(*m_document, *m_selection, this)),
+      m_tools(new ToolController(
+          *m_view, {*m_document, *m_selection, *m_preview, *m_landmarking, *m_actions.showRegions})),
+      m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)) {
     const auto camera = [this] { return m_view->camera(); };
     m_files = new FileController(*this, *m_document, camera);
     m_edits = new EditController(*this, *m_document, *m_selection, camera);
@@ -62,14 +62,11 @@ MainWindow::MainWindow(Project project)
     m_title->setObjectName(QStringLiteral("documentName"));
     menuBar()->setCornerWidget(m_title, Qt::TopRightCorner);
 
-    m_landmarking = new Landmarking(*m_document, *m_selection, this);
-    auto* photo = new PhotoView;
-    m_landmarkController = new LandmarkController(*m_view, *photo, *m_landmarking);
-    m_painting = new Painting(*m_document, *m_selection, this);
-    new BrushController(*m_view, *m_painting);
-    setCentralWidget(stacked(photo, m_view));
+    auto views = m_tools->makeOptions(ToolOptions::Above);
+    views.push_back(m_view);
+    setCentralWidget(stacked(views));
     buildMenus(*this, m_actions);
-    buildTopBar(*this, m_actions, new InstrumentOptions(*m_view, *m_viewController));
+    buildTopBar(*this, m_actions, m_tools->makeOptions(ToolOptions::Bar));
     buildToolStrip(*this, m_actions);
     buildPanels();
     connectParts();
@@ -100,12 +97,8 @@ void MainWindow::buildPanels() {
     photos->setPaintAction(m_actions.addPaint);
     projector->setFromCameraAction(m_actions.fromCamera);
     auto* landmarks = new LandmarksPanel(*m_landmarking);
-    landmarks->setToolAction(m_actions.landmarks);
+    landmarks->setToolAction(m_actions.tool(QStringLiteral("landmarks")));
     connect(preparation, &PreparationPanel::largeViewAsked, this, &MainWindow::showLargePhoto);
-    auto* brush = new BrushPanel(*m_painting);
-    brush->hide();
-    connect(m_view, &OrganView::toolChanged, brush,
-            [brush](ViewTool tool) { brush->setVisible(tool == ViewTool::Brush); });
     // A layer that is painted has nothing to prepare or to place.
     const auto showPhotoPanels = [this, preparation, projector, landmarks] {
         const auto layer = m_selection->photo();
@@ -124,12 +117,19 @@ void MainWindow::buildPanels() {
                     {new ModelPanel(*m_document), regions, new EllipsoidPanel(*m_document, *m_selection)});
     m_textureLeft =
         buildColumn(*this, Qt::LeftDockWidgetArea, tr("Photos"), {photos, new AtlasPanel(*m_document)});
+    const auto underOptions = [this](ToolWorkspace workspace, std::initializer_list<QWidget*> panels) {
+        auto column = m_tools->makeOptions(ToolOptions::Column, workspace);
+        column.insert(column.end(), panels);
+        return column;
+    };
     m_tissueRight = buildColumn(
         *this, Qt::RightDockWidgetArea, tr("Tissue"),
-        {new TissuePanel(*m_document, *m_selection), workbench, new AccuracyPanel(*m_document, *m_preview)});
-    m_textureRight =
-        buildColumn(*this, Qt::RightDockWidgetArea, tr("Photo"),
-                    {brush, preparation, new PhotoPanel(*m_document, *m_selection), projector, landmarks});
+        underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection), workbench,
+                                             new AccuracyPanel(*m_document, *m_preview)}));
+    m_textureRight = buildColumn(
+        *this, Qt::RightDockWidgetArea, tr("Photo"),
+        underOptions(ToolWorkspace::Texture,
+                     {preparation, new PhotoPanel(*m_document, *m_selection), projector, landmarks}));
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({m_tissueLeft, m_tissueRight}, {leftWidth, rightWidth}, Qt::Horizontal);
@@ -151,10 +151,8 @@ void MainWindow::connectParts() {
     m_files->connectActions(m_actions);
     m_edits->connectActions(m_actions);
     m_play->connectActions(m_actions);
-    m_landmarkController->connectActions(m_actions);
     m_device->connectActions(m_actions);
     connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);
-    connect(m_viewController, &ViewController::touched, m_play, &PlayController::endGentleMotion);
     connect(m_view, &OrganView::drawn, m_status, &StatusLine::countPicture);
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
@@ -162,12 +160,12 @@ void MainWindow::connectParts() {
     connect(m_autosave, &Autosave::failed, m_status, &StatusLine::showCopyFailure);
     connect(m_autosave, &Autosave::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::photoAdded, m_actions.texture, &QAction::trigger);
-    connect(m_painting, &Painting::message, m_status, &StatusLine::showMessage);
+    connect(m_tools, &ToolController::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::paintAdded, m_actions.texture, &QAction::trigger);
-    connect(m_files, &FileController::paintAdded, m_actions.brush, &QAction::trigger);
-    connect(m_view, &OrganView::spotPicked, m_edits, &EditController::placeRegion);
+    connect(m_files, &FileController::paintAdded, m_actions.tool(QStringLiteral("brush")), &QAction::trigger);
     connect(m_edits, &EditController::regionAdded, m_actions.tissue, &QAction::trigger);
-    connect(m_edits, &EditController::regionAdded, m_actions.region, &QAction::trigger);
+    connect(m_edits, &EditController::regionAdded, m_actions.tool(QStringLiteral("region")),
+            &QAction::trigger);
     const auto showStatus = [this] { m_status->showStatus(m_preview->status()); };
     connect(m_preview, &Preview::statusChanged, m_status, showStatus);
     auto* slow = new QTimer(this);
@@ -189,10 +187,12 @@ void MainWindow::connectParts() {
 void MainWindow::connectWorkspaces() {
     for (QAction* action : {m_actions.tissue, m_actions.texture, m_actions.showLeft, m_actions.showRight})
         connect(action, &QAction::toggled, this, &MainWindow::showWorkspace);
-    connect(m_actions.tissue, &QAction::triggered, m_actions.pull, &QAction::trigger);
+    connect(m_actions.tissue, &QAction::triggered, m_actions.tool(QStringLiteral("pull")), &QAction::trigger);
     // An action that cannot be used can still be triggered from here.
-    connect(m_actions.texture, &QAction::triggered, this,
-            [this] { (m_actions.projector->isEnabled() ? m_actions.projector : m_actions.look)->trigger(); });
+    connect(m_actions.texture, &QAction::triggered, this, [this] {
+        QAction* projector = m_actions.tool(QStringLiteral("projector"));
+        (projector->isEnabled() ? projector : m_actions.tool(QStringLiteral("look")))->trigger();
+    });
     showWorkspace();
 }
 

@@ -4,11 +4,9 @@
 #include "app/editor/document/selection.h"
 #include "app/editor/edits/preparation_edits.h"
 #include "app/editor/window/actions.h"
-#include "app/editor/window/brush_controller.h"
 #include "app/editor/window/device_controller.h"
 #include "app/editor/window/edit_controller.h"
 #include "app/editor/window/file_controller.h"
-#include "app/editor/window/landmark_controller.h"
 #include "app/editor/window/play_controller.h"
 #include "app/editor/window/status_line.h"
 #include "app/editor/window/tool_controller.h"
@@ -65,15 +63,13 @@ private:
     Preview* m_preview;
     Actions m_actions;
     OrganView* m_view;
-    ViewController* m_viewController;
+    Landmarking* m_landmarking;
     ToolController* m_tools;
+    ViewController* m_viewController;
     FileController* m_files;
     Autosave* m_autosave;
     EditController* m_edits;
     PlayController* m_play;
-    Landmarking* m_landmarking;
-    LandmarkController* m_landmarkController;
-    Painting* m_painting;
     DeviceController* m_device;
     StatusLine* m_status;
     QLabel* m_title;

@@ -1,92 +1,89 @@
 #include "app/editor/window/tool_controller.h"
 
-#include <algorithm>
-
 namespace esm {
 
-ToolController::ToolController(OrganView& view, Document& document, Selection& selection, Preview& preview)
-    : QObject(&view), m_view(view), m_document(document), m_selection(selection), m_preview(preview),
-      m_actions() {}
+ToolController::ToolController(OrganView& view, const ToolContext& context)
+    : QObject(&view), m_view(view), m_document(context.document), m_selection(context.selection),
+      m_actions() {
+    for (const ToolRow& row : toolTable()) {
+        ViewTool* tool = row.make(context);
+        tool->setParent(this);
+        tool->setObjectName(row.name);
+        connect(tool, &ViewTool::message, this, &ToolController::message);
+        connect(tool, &ViewTool::changed, this, [this, tool] {
+            if (&m_view.tool() == tool) updateHint();
+        });
+        m_tools.push_back({row, tool});
+    }
+}
 
 void ToolController::connectActions(const Actions& actions) {
     m_actions = actions;
-    bind(actions.look, ViewTool::Select);
-    bind(actions.pull, ViewTool::Pull);
-    bind(actions.instrument, ViewTool::Instrument);
-    bind(actions.region, ViewTool::Region);
-    bind(actions.place, ViewTool::Place);
-    bind(actions.projector, ViewTool::Projector);
-    bind(actions.landmarks, ViewTool::Landmark);
-    bind(actions.brush, ViewTool::Brush);
-    m_view.setTool(ViewTool::Pull);
-    connect(actions.letGo, &QAction::triggered, &m_view, &OrganView::letGo);
+    for (const auto& [row, tool] : m_tools) {
+        QAction* action = actions.tool(row.name);
+        connect(action, &QAction::triggered, this, [this, tool = tool] { m_view.setTool(*tool); });
+        connect(&m_view, &OrganView::toolChanged, action, [this, action, tool = tool] {
+            if (&m_view.tool() == tool) action->setChecked(true);
+        });
+        connect(tool, &ViewTool::done, this,
+                [this](const QString& next) { m_actions.tool(next)->trigger(); });
+    }
+    actions.tool(QStringLiteral("pull"))->trigger();
+    connect(actions.letGo, &QAction::triggered, &m_view, &OrganView::cancel);
     connect(actions.texture, &QAction::toggled, this, &ToolController::updateTools);
     connect(actions.showRegions, &QAction::toggled, this, &ToolController::updateTools);
     connect(&m_document, &Document::changed, this, &ToolController::updateTools);
     connect(&m_selection, &Selection::changed, this, &ToolController::updateTools);
-    connect(&m_preview, &Preview::statusChanged, this, &ToolController::updateHint);
     connect(&m_view, &OrganView::toolChanged, this, &ToolController::updateHint);
     connect(actions.addPhoto, &QAction::changed, this, &ToolController::updateHint);
     updateTools();
 }
 
-void ToolController::bind(QAction* action, ViewTool tool) {
-    connect(action, &QAction::triggered, this, [this, tool] { m_view.setTool(tool); });
-    connect(&m_view, &OrganView::toolChanged, action, [action, tool](ViewTool now) {
-        if (now == tool) action->setChecked(true);
-    });
+std::vector<QWidget*> ToolController::makeOptions(ToolOptions place, ToolWorkspace workspace) {
+    std::vector<QWidget*> made;
+    for (const auto& [row, tool] : m_tools) {
+        const bool isThere = workspace == ToolWorkspace::Any || row.workspace == ToolWorkspace::Any ||
+                             row.workspace == workspace;
+        if (row.options != place || !isThere) continue;
+        QWidget* options = tool->makeOptions();
+        options->setVisible(&m_view.tool() == tool);
+        connect(&m_view, &OrganView::toolChanged, options,
+                [this, options, tool = tool] { options->setVisible(&m_view.tool() == tool); });
+        made.push_back(options);
+    }
+    return made;
+}
+
+QString ToolController::whyNot(const Tool& tool) const {
+    const bool texture = m_actions.texture->isChecked();
+    if (texture && tool.row.workspace == ToolWorkspace::Tissue)
+        return tr("Regions are shaped in the workspace Tissue (Ctrl+1)");
+    if (!texture && tool.row.workspace == ToolWorkspace::Texture)
+        return tr("Photos are placed in the workspace Texture (Ctrl+2)");
+    return tool.tool->whyNot();
 }
 
 void ToolController::updateTools() {
-    const bool texture = m_actions.texture->isChecked();
-    const auto& regions = m_document.project().regions;
-    const bool none = std::none_of(regions.begin(), regions.end(),
-                                   [](const Region& region) { return region.ellipsoid.has_value(); });
-    const QString unseen = texture ? tr("Regions are shaped in the workspace Tissue (Ctrl+1)")
-                           : !m_actions.showRegions->isChecked() ? tr("The regions are hidden: H shows them")
-                                                                 : QString();
-    allow(m_actions.region, ViewTool::Region,
-          withShortcut(tr("Move, size and turn the region's ellipsoid"), m_actions.region),
-          none && !texture ? tr("There is no region yet: Ctrl+R adds one") : unseen);
-    allow(m_actions.place, ViewTool::Place,
-          withShortcut(tr("Lay a region on the surface with a click"), m_actions.place), unseen);
-    const auto layer = m_selection.photo();
-    const bool isPainted = layer && !m_document.project().layers[*layer].photo;
-    const QString noLayer = !texture ? tr("Photos are placed in the workspace Texture (Ctrl+2)")
-                            : !layer ? tr("There is no photo yet: Ctrl+P adds one")
-                                     : QString();
-    const QString noPhoto =
-        isPainted && texture ? tr("The selected layer has no photo, it is painted") : noLayer;
-    allow(m_actions.projector, ViewTool::Projector,
-          withShortcut(tr("Move and size the photo's projector"), m_actions.projector), noPhoto);
-    allow(m_actions.landmarks, ViewTool::Landmark,
-          withShortcut(tr("Place the photo by points that it shares with the organ"), m_actions.landmarks),
-          noPhoto);
-    allow(m_actions.brush, ViewTool::Brush,
-          withShortcut(tr("Erase and restore the photo, or paint on the organ"), m_actions.brush), noLayer);
+    for (const Tool& tool : m_tools) {
+        const QString reason = whyNot(tool);
+        QAction* action = m_actions.tool(tool.row.name);
+        action->setEnabled(reason.isEmpty());
+        action->setToolTip(reason.isEmpty() ? withShortcut(tool.row.does, action) : reason);
+        if (!reason.isEmpty() && &m_view.tool() == tool.tool) m_view.setTool(*m_tools.front().tool);
+    }
     updateHint();
 }
 
-void ToolController::allow(QAction* action, ViewTool tool, const QString& does, const QString& whyNot) {
-    const bool allowed = whyNot.isEmpty();
-    action->setEnabled(allowed);
-    action->setToolTip(allowed ? does : whyNot);
-    if (!allowed && m_view.tool() == tool) m_view.setTool(ViewTool::Select);
-}
-
 void ToolController::updateHint() {
-    const bool moves = m_view.tool() == ViewTool::Pull || m_view.tool() == ViewTool::Instrument;
-    const PreviewStatus status = m_preview.status();
     if (m_actions.texture->isChecked() && m_document.project().layers.empty())
         return m_view.setHint(m_actions.addPhoto->isEnabled()
                                   ? tr("No photo yet: Ctrl+P adds one, or drop a picture on the organ")
                                   : m_actions.addPhoto->toolTip());
-    if (!moves || status.playing)
-        m_view.setHint({});
-    else if (status.failure.empty())
-        m_view.setHint(tr("Paused: Space lets the tissue move again"));
-    else
-        m_view.setHint(tr("The tissue does not move: the line at the bottom says why"));
+    for (const auto& [row, tool] : m_tools) {
+        if (&m_view.tool() != tool) continue;
+        const QString now = tool->hint();
+        m_view.setHint(now.isEmpty() ? row.use + QStringLiteral(" · ") + row.aside : now);
+    }
 }
 
 } // namespace esm

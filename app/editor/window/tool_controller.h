@@ -1,33 +1,42 @@
 #pragma once
 
-#include "app/editor/document/document.h"
-#include "app/editor/document/selection.h"
+#include "app/editor/tools/tool_table.h"
 #include "app/editor/window/actions.h"
-#include "app/editor/workers/preview.h"
 #include "widgets/view/organ_view.h"
 
 namespace esm {
 
-/// Which tool is in hand, which can be taken, and why not.
+/// The tools of the table: which is in hand, which can be taken, and why not.
 class ToolController : public QObject {
     Q_OBJECT
 
 public:
-    ToolController(OrganView& view, Document& document, Selection& selection, Preview& preview);
+    ToolController(OrganView& view, const ToolContext& context);
 
     void connectActions(const Actions& actions);
+    /// The options that stand there in a workspace, each seen while its tool is in hand.
+    std::vector<QWidget*> makeOptions(ToolOptions place, ToolWorkspace workspace = ToolWorkspace::Any);
+
+signals:
+    /// Something for the line at the bottom.
+    void message(const QString& text);
 
 private:
-    void bind(QAction* action, ViewTool tool);
+    /// A tool that was made; actions hold the same order.
+    struct Tool {
+        ToolRow row;
+        ViewTool* tool;
+    };
+
+    QString whyNot(const Tool& tool) const;
     void updateTools();
-    void allow(QAction* action, ViewTool tool, const QString& does, const QString& whyNot);
     void updateHint();
 
     OrganView& m_view;
     Document& m_document;
     Selection& m_selection;
-    Preview& m_preview;
     Actions m_actions;
+    std::vector<Tool> m_tools;
 };
 
 } // namespace esm

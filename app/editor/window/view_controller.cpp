@@ -23,13 +23,6 @@ std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& mo
 /// Quick work needs no announcement; long work is announced again before the line forgets it.
 constexpr std::chrono::milliseconds redrawingPatience{400}, redrawingReminder{5000};
 
-/// A twentieth of the organ's diagonal, to half a millimetre where that is fine enough.
-double fittingInstrument(const Project& project) {
-    constexpr double half = 0.0005; // m
-    const double twentieth = 0.05 * organBox(*project.mesh, *project.network).diagonal().norm();
-    return twentieth > 10 * half ? half * std::round(twentieth / half) : twentieth;
-}
-
 } // namespace
 
 ViewController::ViewController(OrganView& view, Document& document, Selection& selection, Preview& preview)
@@ -40,28 +33,8 @@ ViewController::ViewController(OrganView& view, Document& document, Selection& s
     connect(&m_redrawing, &QTimer::timeout, this, &ViewController::announceRedrawing);
     connect(&m_composer, &TextureComposer::composed, this, &ViewController::showTexture);
     connect(&m_moving, &MovingPhoto::rested, this, &ViewController::expectPhotos);
-    connectView();
+    connect(&view, &OrganView::toolChanged, this, &ViewController::rebuildScene);
     followDocument(Change::everything());
-}
-
-void ViewController::connectView() {
-    connect(&m_view, &OrganView::pullStarted, this, &ViewController::touched);
-    connect(&m_view, &OrganView::instrumentMoved, this, &ViewController::touched);
-    connect(&m_view, &OrganView::pullMoved, this, [this](quint32 node, const Eigen::Vector3d& target) {
-        m_preview.setPull(Pull{node, target});
-    });
-    connect(&m_view, &OrganView::pullReleased, this, [this] { m_preview.setPull(std::nullopt); });
-    connect(&m_view, &OrganView::instrumentMoved, this, [this](const Eigen::Vector3d& centre) {
-        m_preview.setInstrument(Sphere{centre, m_instrumentRadius});
-    });
-    connect(&m_view, &OrganView::instrumentRemoved, this, [this] { m_preview.setInstrument(std::nullopt); });
-    connect(&m_view, &OrganView::toolChanged, this, &ViewController::rebuildScene);
-    connect(&m_view, &OrganView::regionPicked, this, &ViewController::pickRegion);
-    connect(&m_view, &OrganView::regionDragged, this, &ViewController::dragRegion);
-    connect(&m_view, &OrganView::rimDragged, this, &ViewController::dragRim);
-    connect(&m_view, &OrganView::projectorDragged, this,
-            [this](int, const Projector& projector) { dragProjector(projector); });
-    connect(&m_view, &OrganView::dragFinished, this, [this] { m_document.finishGesture(); });
 }
 
 void ViewController::connectActions(const Actions& actions) {
@@ -96,7 +69,6 @@ void ViewController::followDocument(const Change& change) {
     if (change.model()) m_springConstants.reset();
     if (change.mesh || change.scene) m_fixedNodes = fixedNodesOf(*project.network, project.scene);
     if (change.picture()) composePhotos();
-    if (change.mesh && !m_instrumentChosen) setInstrumentRadius(fittingInstrument(project));
     rebuildScene();
     if (change.mesh) m_view.frameOrgan();
 }
@@ -125,17 +97,6 @@ void ViewController::endRedrawing(const QString& result) {
     if (wasAnnounced || !result.isEmpty()) emit message(result);
 }
 
-void ViewController::chooseInstrumentRadius(double metres) {
-    m_instrumentChosen = true;
-    setInstrumentRadius(metres);
-}
-
-void ViewController::setInstrumentRadius(double metres) {
-    m_instrumentRadius = metres;
-    m_view.setInstrumentRadius(metres);
-    emit instrumentRadiusChanged(metres);
-}
-
 void ViewController::rebuildScene() {
     const Project& project = m_document.project();
     RenderScene scene;
@@ -161,14 +122,12 @@ void ViewController::rebuildScene() {
 }
 
 void ViewController::addEllipsoids(RenderScene& scene) {
-    m_shownRegions.clear();
     if (m_textureWorkspace || !m_showRegions) return;
     const auto& regions = m_document.project().regions;
     for (std::size_t i = 0; i < regions.size(); ++i) {
         if (!regions[i].ellipsoid) continue;
         scene.ellipsoids.push_back(
             {*regions[i].ellipsoid, regions[i].colour, m_selection.region() == i, regions[i].rim});
-        m_shownRegions.push_back(i);
     }
 }
 
@@ -186,9 +145,7 @@ void ViewController::markRegion(RenderScene& scene) {
 
 void ViewController::addProjector(RenderScene& scene) {
     const auto selected = m_selection.photo();
-    // Landmarks are set, and strokes painted, on the bare organ.
-    const bool isBare = m_view.tool() == ViewTool::Landmark || m_view.tool() == ViewTool::Brush;
-    if (!m_textureWorkspace || !selected || isBare) return;
+    if (!m_textureWorkspace || !selected) return;
     const TextureLayer& layer = m_document.project().layers[*selected];
     if (!layer.photo) return;
     const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
@@ -228,42 +185,6 @@ void ViewController::showTexture() {
     if (m_composer.isWorking()) m_redrawing.start(redrawingPatience);
     const QString failure = QString::fromStdString(m_composer.failure());
     emit pictureFailed(failure.isEmpty() ? QString() : tr("The photos cannot be composed: %1").arg(failure));
-}
-
-void ViewController::pickRegion(int index) {
-    takeRegion(index);
-}
-
-std::optional<std::size_t> ViewController::takeRegion(int index) {
-    const auto shown = static_cast<std::size_t>(index);
-    if (index < 0 || shown >= m_shownRegions.size()) return std::nullopt;
-    const std::size_t region = m_shownRegions[shown];
-    m_selection.setRegion(region);
-    return region;
-}
-
-void ViewController::dragRegion(int index, const Ellipsoid& shape) {
-    const auto region = takeRegion(index);
-    if (!region) return;
-    m_document.edit(
-        tr("Shape region"), [&](Project& project) { project.regions[*region].ellipsoid = shape; },
-        QStringLiteral("region %1").arg(*region));
-}
-
-void ViewController::dragRim(int index, double metres) {
-    const auto region = takeRegion(index);
-    if (!region) return;
-    m_document.edit(
-        tr("Soft rim"), [&](Project& project) { project.regions[*region].rim = metres; },
-        QStringLiteral("rim %1").arg(*region));
-}
-
-void ViewController::dragProjector(const Projector& projector) {
-    const auto selected = m_selection.photo();
-    if (!selected) return;
-    m_document.edit(
-        tr("Place photo"), [&](Project& project) { project.layers[*selected].projector = projector; },
-        QStringLiteral("projector %1").arg(*selected));
 }
 
 } // namespace esm

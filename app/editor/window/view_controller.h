@@ -14,8 +14,7 @@ namespace esm {
 
 struct Actions;
 
-/// Between the view and everything else: what is shown comes from document, selection, preview and composed
-/// texture; what the user does in the view becomes edits and loads.
+/// What the view shows: it comes from document, selection, preview and composed texture.
 class ViewController : public QObject {
     Q_OBJECT
 
@@ -24,14 +23,8 @@ public:
 
     void connectActions(const Actions& actions);
     void setTheme(Theme theme);
-    double instrumentRadius() const { return m_instrumentRadius; } ///< m
-    /// The user's own size, kept for every organ from now on.
-    void chooseInstrumentRadius(double metres);
 
 signals:
-    void instrumentRadiusChanged(double metres);
-    /// The user took the tissue in hand.
-    void touched();
     void message(const QString& text);
     /// Why the photos are not on the organ; empty when they are.
     void pictureFailed(const QString& reason);
@@ -44,8 +37,6 @@ private:
         std::shared_ptr<const std::vector<double>> weights; ///< per node
     };
 
-    void connectView();
-    void setInstrumentRadius(double metres);
     void followDocument(const Change& change);
     void composePhotos();
     void expectPhotos();
@@ -59,12 +50,6 @@ private:
     void addSprings(RenderScene& scene);
     void showFrame();
     void showTexture();
-    /// Selects the region of an ellipsoid that is drawn.
-    std::optional<std::size_t> takeRegion(int index);
-    void dragRegion(int index, const Ellipsoid& shape);
-    void dragRim(int index, double metres);
-    void dragProjector(const Projector& projector);
-    void pickRegion(int index);
 
     OrganView& m_view;
     Document& m_document;
@@ -72,8 +57,6 @@ private:
     Preview& m_preview;
     TextureComposer m_composer;
     MovingPhoto m_moving{m_composer};
-    double m_instrumentRadius = 0.01; ///< m
-    bool m_instrumentChosen = false;  ///< by the user
     Theme m_theme = Theme::Dark;
     QTimer m_redrawing; ///< runs while the photos are redrawn
     bool m_redrawingAnnounced = false;
@@ -81,7 +64,6 @@ private:
     std::shared_ptr<const std::vector<double>> m_springConstants; ///< N/m per spring, of the model as it is
     std::vector<std::uint32_t> m_fixedNodes;
     Mark m_mark;
-    std::vector<std::size_t> m_shownRegions; ///< the region of each ellipsoid that is drawn
 };
 
 } // namespace esm

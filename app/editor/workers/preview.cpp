@@ -66,6 +66,11 @@ void Preview::setGentleMotion(bool on) {
     send([&](Inbox& inbox) { inbox.loads.gentleMotion = on; });
 }
 
+PreviewLoads Preview::loads() const {
+    const std::lock_guard lock(m_mutex);
+    return m_inbox.loads;
+}
+
 PreviewFrame Preview::frame() {
     m_frameAnnounced = false;
     const std::lock_guard lock(m_mutex);

@@ -36,6 +36,8 @@ public:
     void setPull(const std::optional<Pull>& pull);
     void setInstrument(const std::optional<Sphere>& instrument);
     void setGentleMotion(bool on);
+    /// What acts on the tissue from now on.
+    PreviewLoads loads() const;
 
     PreviewFrame frame();
     PreviewStatus status() const;

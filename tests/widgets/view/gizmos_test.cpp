@@ -129,17 +129,14 @@ TEST(Gizmos, HandlesOfAPerspectivePhotoChangeItsFieldOfView) {
     EXPECT_GE(shut.fieldOfView, 0.1);
 }
 
-TEST(Gizmos, ProjectorMovesInItsPlane) {
+TEST(Gizmos, ADragGoesAsFarAsTheMouseInItsPlane) {
     const Projector projector = slanted();
     const Vector3d from = projector.pose * Vector3d(0.01, 0.01, 0),
                    to = projector.pose * Vector3d(-0.05, 0.03, 0);
-    const ProjectorMove drag{0, projector, {from, projector.pose.linear().col(2)}};
-    const Projector result = dragged(drag, towards(eye, to));
-    EXPECT_TRUE((result.pose.translation() - projector.pose.translation()).isApprox(to - from, 1e-9));
-    EXPECT_TRUE(result.pose.linear().isApprox(projector.pose.linear()));
-    // A ray that misses the plane leaves it where it is.
-    const Projector kept = dragged(drag, {eye, projector.pose.linear().col(0)});
-    EXPECT_TRUE(kept.pose.isApprox(projector.pose));
+    const DragPlane plane{from, projector.pose.linear().col(2)};
+    EXPECT_TRUE(shift(plane, towards(eye, to)).isApprox(to - from, 1e-9));
+    EXPECT_TRUE(shift(plane, {eye, projector.pose.linear().col(0)}).isZero())
+        << "a ray that misses the plane";
 }
 
 TEST(Gizmos, TheSelectedShapeIsTakenFirst) {

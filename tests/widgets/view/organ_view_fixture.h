@@ -14,7 +14,7 @@
 
 namespace esm {
 
-/// A view of 600 × 450 pixels that shows a ball of 0.1 m, with everything it says written down.
+/// A view of 600 × 450 pixels that shows a ball of 0.1 m.
 class OrganViewTest : public testing::Test {
 protected:
     void SetUp() override {
@@ -29,25 +29,9 @@ protected:
         view.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&view, patience));
         view.frameOrgan();
-        QObject::connect(&view, &OrganView::pullStarted, [this](quint32 node) { pulled = node; });
-        QObject::connect(&view, &OrganView::pullMoved, [this](quint32 node, const Eigen::Vector3d& to) {
-            EXPECT_EQ(node, pulled.value());
-            target = to;
-        });
-        QObject::connect(&view, &OrganView::pullReleased, [this] { ++releases; });
     }
 
     double aspect() const { return double(view.width()) / view.height(); }
-    /// An ellipsoid around the origin with its handles, m.
-    DrawnEllipsoid selectEllipsoid(const Eigen::Vector3d& radii) {
-        DrawnEllipsoid drawn;
-        drawn.shape.radii = radii;
-        drawn.selected = true;
-        scene.ellipsoids = {drawn};
-        view.setScene(scene);
-        view.setTool(ViewTool::Region);
-        return drawn;
-    }
     QPoint placeOf(const Eigen::Vector3d& point) const {
         const Eigen::Vector2d place = picturePoint(view.camera(), point, aspect()).value();
         return {qRound(place.x() * view.width()), qRound(place.y() * view.height())};
@@ -74,10 +58,8 @@ protected:
     double distance() const { return (view.camera().eye - view.camera().target).norm(); }
 
     RenderScene scene;
+    ViewTool noTool;
     OrganView view;
-    std::optional<quint32> pulled;
-    std::optional<Eigen::Vector3d> target;
-    int releases = 0;
 };
 
 } // namespace esm

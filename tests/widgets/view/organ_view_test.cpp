@@ -7,6 +7,36 @@
 using namespace esm;
 using Eigen::Vector3d;
 
+namespace {
+
+/// Writes down what the view tells it.
+class RecordingTool : public ViewTool {
+public:
+    Hold press(const ToolMouse&) override {
+        told += "press ";
+        return holds;
+    }
+    bool takesShift(const ToolMouse&) const override { return takesMore; }
+    void move(const ToolMouse&) override { told += "move "; }
+    void release() override { told += "release "; }
+    void click(const ToolMouse& mouse) override {
+        told += "click ";
+        picked = mouse.picked();
+    }
+    void cancel() override { told += "cancel "; }
+    bool wheel(const ToolMouse&, double) override {
+        if (takesMore) told += "wheel ";
+        return takesMore;
+    }
+
+    Hold holds = Hold::Nothing;
+    bool takesMore = false;
+    std::string told;
+    std::optional<PickedPoint> picked;
+};
+
+} // namespace
+
 TEST_F(OrganViewTest, ShowsTheOrganOverItsBackground) {
     const QImage picture = view.grabFramebuffer();
     ASSERT_FALSE(picture.isNull());
@@ -54,12 +84,15 @@ TEST_F(OrganViewTest, ButtonsTurnAndShift) {
     release(middle(), Qt::MiddleButton);
     EXPECT_LE((placeOf(start.target) - middle() - QPoint(0, 45)).manhattanLength(), 2);
     view.setCamera(start);
-    view.setTool(ViewTool::Pull);
+    RecordingTool tool;
+    tool.holds = Hold::Drag;
+    view.setTool(tool);
     press(middle(), Qt::LeftButton, Qt::AltModifier);
     moveTo(middle() + QPoint(0, 60));
     release(middle());
     EXPECT_GT(view.camera().eye.y(), start.eye.y() + 0.01);
-    EXPECT_FALSE(pulled);
+    EXPECT_EQ(tool.told, "");
+    view.setTool(noTool);
 }
 
 TEST_F(OrganViewTest, ShowsStandardViewsAndTheWholeOrgan) {
@@ -82,20 +115,72 @@ TEST_F(OrganViewTest, CubeTurnsToItsFace) {
     EXPECT_TRUE(viewDirection().isApprox(Vector3d::UnitZ(), 1e-9));
 }
 
-TEST_F(OrganViewTest, ClicksPickButDragsTurn) {
-    std::optional<Vector3d> picked;
-    QObject::connect(&view, &OrganView::pointPicked, [&](quint32, const Vector3d& point) { picked = point; });
+TEST_F(OrganViewTest, AToolThatTakesNothingTurnsTheViewOrHearsOfAClick) {
+    RecordingTool tool;
+    view.setTool(tool);
     QTest::mouseClick(&view, Qt::LeftButton, {}, middle());
-    ASSERT_TRUE(picked);
-    EXPECT_NEAR(picked->norm(), 0.1, 0.002);
-    EXPECT_GT(picked->z(), 0.09);
-    picked.reset();
+    EXPECT_EQ(tool.told, "press click ");
+    ASSERT_TRUE(tool.picked);
+    EXPECT_NEAR(tool.picked->point.norm(), 0.1, 0.002);
+    EXPECT_GT(tool.picked->point.z(), 0.09);
     const Vector3d eye = view.camera().eye;
     press(middle());
     moveTo(middle() + QPoint(50, 0));
     release(middle() + QPoint(50, 0));
-    EXPECT_FALSE(picked);
+    EXPECT_EQ(tool.told, "press click press ");
     EXPECT_NE(view.camera().eye, eye);
+    view.setTool(noTool);
+}
+
+TEST_F(OrganViewTest, WhatAToolHoldsFollowsOnceItIsNoClick) {
+    RecordingTool tool;
+    tool.holds = Hold::Drag;
+    view.setTool(tool);
+    const Vector3d eye = view.camera().eye;
+    press(middle());
+    moveTo(middle() + QPoint(2, 0));
+    EXPECT_EQ(tool.told, "press ");
+    release(middle() + QPoint(2, 0));
+    EXPECT_EQ(tool.told, "press release click ");
+    tool.told.clear();
+    press(middle());
+    moveTo(middle() + QPoint(20, 0));
+    press(middle() + QPoint(20, 0), Qt::RightButton);
+    release(middle() + QPoint(20, 0), Qt::RightButton);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    release(middle() + QPoint(20, 0));
+    EXPECT_EQ(tool.told, "press move cancel ");
+    EXPECT_EQ(view.camera().eye, eye);
+    tool.told.clear();
+    tool.holds = Hold::Stroke;
+    press(middle());
+    moveTo(middle() + QPoint(1, 0));
+    release(middle() + QPoint(1, 0));
+    EXPECT_EQ(tool.told, "press move release ") << "the first pixel counts, and a press is no click";
+    view.setTool(noTool);
+    EXPECT_EQ(tool.told, "press move release cancel ");
+}
+
+TEST_F(OrganViewTest, ShiftAndTheWheelAreTheViewsUnlessTheToolTakesThem) {
+    RecordingTool tool;
+    tool.holds = Hold::Drag;
+    view.setTool(tool);
+    const Vector3d eye = view.camera().eye;
+    tool.takesMore = true;
+    press(middle(), Qt::LeftButton, Qt::ShiftModifier);
+    release(middle());
+    wheel(middle(), 1);
+    EXPECT_EQ(view.camera().eye, eye);
+    EXPECT_EQ(tool.told, "press release click wheel ");
+    tool.takesMore = false;
+    wheel(middle(), 1);
+    EXPECT_NE(view.camera().eye, eye);
+    const Vector3d target = view.camera().target;
+    press(middle(), Qt::LeftButton, Qt::ShiftModifier);
+    moveTo(middle() + QPoint(30, 0), Qt::LeftButton, Qt::ShiftModifier);
+    release(middle());
+    EXPECT_NE(view.camera().target, target);
+    view.setTool(noTool);
 }
 
 TEST_F(OrganViewTest, TextureIsNotReadBeyondItsPatches) {

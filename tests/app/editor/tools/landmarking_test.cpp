@@ -161,7 +161,7 @@ TEST_F(LandmarksInTheWindow, AreSetInThePhotoAndOnTheOrgan) {
     auto* photo = child<PhotoView>("photoView");
     ASSERT_FALSE(photo->isVisible());
     press(Qt::Key_M);
-    ASSERT_EQ(window->view().tool(), ViewTool::Landmark);
+    ASSERT_EQ(toolInHand(), "landmarks");
     ESM_EVENTUALLY(photo->isVisible() && window->view().width() > 200);
     settledHeight(&window->view());
     window->view().frameOrgan();
@@ -180,7 +180,7 @@ TEST_F(LandmarksInTheWindow, AreSetInThePhotoAndOnTheOrgan) {
     EXPECT_TRUE(project().layers[0].landmarks.empty());
     window->windowActions().undo->trigger();
     EXPECT_EQ(project().layers[0].landmarks, std::vector<LandmarkPair>{pair});
-    window->windowActions().look->trigger();
+    window->windowActions().tool("look")->trigger();
     EXPECT_FALSE(photo->isVisible());
 }
 
@@ -220,7 +220,7 @@ TEST_F(LandmarksInTheWindow, GiveAKnownCameraBackFromEightClicks) {
     const Projector truth = knownCamera();
     open(before);
     window->windowActions().texture->trigger();
-    window->windowActions().landmarks->trigger();
+    window->windowActions().tool("landmarks")->trigger();
     auto* photo = child<PhotoView>("photoView");
     OrganView& organ = window->view();
     ESM_EVENTUALLY(photo->isVisible() && organ.height() > 200);

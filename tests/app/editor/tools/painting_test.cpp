@@ -25,7 +25,7 @@ protected:
     }
     void takeBrush() {
         press(Qt::Key_D);
-        ASSERT_EQ(window->view().tool(), ViewTool::Brush);
+        ASSERT_EQ(toolInHand(), "brush");
     }
     QPoint middle() const { return window->view().rect().center(); }
     void move(const QPoint& to) const {
@@ -105,8 +105,8 @@ TEST_F(PaintingTest, ALayerOffersWhatCanBeDoneToIt) {
     ASSERT_EQ(project().layers.size(), 2U);
     EXPECT_EQ(project().layers[1].name, "Paint 1");
     EXPECT_FALSE(project().layers[1].photo);
-    EXPECT_EQ(window->view().tool(), ViewTool::Brush);
-    EXPECT_FALSE(window->windowActions().projector->isEnabled()) << "there is no photo to place";
+    EXPECT_EQ(toolInHand(), "brush");
+    EXPECT_FALSE(window->windowActions().tool("projector")->isEnabled()) << "there is no photo to place";
     EXPECT_EQ(kind->count(), 4);
     EXPECT_TRUE(child<QWidget>("projectorKind")->parentWidget()->parentWidget()->isHidden());
     stroke();

@@ -128,7 +128,7 @@ TEST_F(KeysTest, TakeViewsAndTools) {
     press(Qt::Key_T);
     EXPECT_TRUE(viewDirection().isApprox(Eigen::Vector3d::UnitY(), 1e-9));
     press(Qt::Key_E);
-    EXPECT_EQ(window->view().tool(), ViewTool::Region);
+    EXPECT_EQ(toolInHand(), "region");
     press(Qt::Key_V);
-    EXPECT_EQ(window->view().tool(), ViewTool::Select);
+    EXPECT_EQ(toolInHand(), "look");
 }

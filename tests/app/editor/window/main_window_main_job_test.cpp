@@ -7,7 +7,6 @@
 
 #include <QComboBox>
 #include <QRadioButton>
-#include <QSignalSpy>
 #include <QSlider>
 #include <QToolButton>
 
@@ -67,7 +66,7 @@ public:
     void softenRegion() {
         press(Qt::Key_R, Qt::ControlModifier);
         ASSERT_EQ(project().regions.size(), 1U);
-        EXPECT_EQ(window->view().tool(), ViewTool::Region) << "the ellipsoid can be dragged at once";
+        EXPECT_EQ(toolInHand(), "region") << "the ellipsoid can be dragged at once";
         EXPECT_GT(evaluateRegion(project(), project().regions[0]).nodes, 0U);
         auto* choice = child<QComboBox>("systemChoice");
         const auto first = project().regions[0].system;
@@ -92,7 +91,7 @@ public:
 
     void sizeRegion() {
         press(Qt::Key_E);
-        ASSERT_EQ(window->view().tool(), ViewTool::Region);
+        ASSERT_EQ(toolInHand(), "region");
         const Ellipsoid before = *project().regions[0].ellipsoid;
         drag(placeOf(handles(before)[0]), {30, 0});
         const Ellipsoid after = *project().regions[0].ellipsoid;
@@ -103,16 +102,15 @@ public:
 
     void pullTissue() {
         press(Qt::Key_V);
-        ASSERT_EQ(window->view().tool(), ViewTool::Select);
+        ASSERT_EQ(toolInHand(), "look");
         press(Qt::Key_P);
-        ASSERT_EQ(window->view().tool(), ViewTool::Pull);
+        ASSERT_EQ(toolInHand(), "pull");
         ESM_EVENTUALLY(window->preview().status().playing && !window->view().scene().nodePositions.empty());
-        QSignalSpy started(&window->view(), &OrganView::pullStarted);
         const QPoint middle = window->view().rect().center();
         QTest::mousePress(&window->view(), Qt::LeftButton, {}, middle);
-        ASSERT_EQ(started.count(), 1);
-        const auto node = started[0][0].toUInt();
         moveMouse(middle + QPoint(40, -30));
+        ASSERT_TRUE(window->preview().loads().pull);
+        const std::uint32_t node = window->preview().loads().pull->node;
         moveMouse(middle + QPoint(80, -60));
         const auto moved = [&] {
             return (window->view().scene().nodePositions[node] - project().network->restPositions[node])
@@ -130,7 +128,7 @@ public:
         press(Qt::Key_P, Qt::ControlModifier);
         ASSERT_TRUE(dialogs.isDone());
         EXPECT_TRUE(window->windowActions().texture->isChecked());
-        ASSERT_EQ(window->view().tool(), ViewTool::Projector);
+        ASSERT_EQ(toolInHand(), "projector");
         ASSERT_EQ(project().layers.size(), 1U);
         ASSERT_NE(project().atlas, nullptr);
         ESM_EVENTUALLY(window->view().scene().texturePages);

@@ -22,7 +22,7 @@ protected:
         press(Qt::Key_Space); // nothing moves by itself
         press(Qt::Key_R, Qt::ControlModifier);
         ASSERT_EQ(project().regions.size(), 2U);
-        ASSERT_EQ(window->view().tool(), ViewTool::Region);
+        ASSERT_EQ(toolInHand(), "region");
     }
     const Region& region() const { return project().regions[1]; }
     QUndoStack* steps() { return window->document().undoStack(); }
@@ -124,10 +124,10 @@ TEST_F(RegionsTest, OneClickLaysARegionOnASpot) {
     window->windowActions().reset->trigger();
     ESM_EVENTUALLY(isAtRest());
     press(Qt::Key_O);
-    ASSERT_EQ(window->view().tool(), ViewTool::Place);
+    ASSERT_EQ(toolInHand(), "place");
     const QPoint spot = window->view().rect().center() + QPoint(-60, 10);
     QTest::mouseClick(&window->view(), Qt::LeftButton, {}, spot);
-    EXPECT_EQ(window->view().tool(), ViewTool::Region) << "to be shaped next";
+    EXPECT_EQ(toolInHand(), "region") << "to be shaped next";
     EXPECT_EQ(project().regions.size(), 2U);
     EXPECT_EQ(region().ellipsoid->radii, first.radii);
     EXPECT_LE((placeOf(region().ellipsoid->centre) - spot).manhattanLength(), 3);

@@ -44,18 +44,17 @@ TEST_F(SimulatedNodesTest, CarryTheWholeSurfaceAndCanBeTakenBack) {
 
 TEST_F(SimulatedNodesTest, AreWhatAPullTakes) {
     choose(60);
-    window->windowActions().pull->trigger();
-    std::optional<quint32> pulled;
-    QObject context;
-    QObject::connect(&window->view(), &OrganView::pullStarted, &context,
-                     [&](quint32 node) { pulled = node; });
+    window->windowActions().tool("pull")->trigger();
+    std::optional<Pull> pulled;
     const auto& vertices = project().mesh->vertices;
     for (std::size_t i = 80; i < 90 && !pulled; ++i) {
         QTest::mousePress(&window->view(), Qt::LeftButton, {}, placeOf(vertices[i]));
+        moveMouse(placeOf(vertices[i]) + QPoint(20, 0));
+        pulled = window->preview().loads().pull;
         QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, placeOf(vertices[i]));
     }
     ASSERT_TRUE(pulled);
-    EXPECT_LT(*pulled, 60U);
+    EXPECT_LT(pulled->node, 60U);
 }
 
 TEST_F(SimulatedNodesTest, AreOfferedOnlyWhereThereIsASurface) {

@@ -1,5 +1,6 @@
-#include "app/editor/window/instrument_options.h"
+#include "app/editor/tools/instrument_options.h"
 
+#include "widgets/inputs/number_field.h"
 #include "widgets/inputs/quantity_formats.h"
 
 #include <QHBoxLayout>
@@ -8,8 +9,7 @@
 
 namespace esm {
 
-InstrumentOptions::InstrumentOptions(OrganView& view, ViewController& controller, QWidget* parent)
-    : QWidget(parent) {
+InstrumentOptions::InstrumentOptions(InstrumentTool& tool, QWidget* parent) : QWidget(parent) {
     auto* caption = new QLabel(tr("Instrument radius"), this);
     caption->setProperty("quiet", true);
     auto* radius = new NumberField(lengthFormat(smallestLength), this);
@@ -25,13 +25,10 @@ InstrumentOptions::InstrumentOptions(OrganView& view, ViewController& controller
     row->addWidget(caption);
     row->addWidget(radius);
 
-    radius->setValue(controller.instrumentRadius());
-    connect(radius, &NumberField::valueEdited, &controller, &ViewController::chooseInstrumentRadius);
-    connect(&controller, &ViewController::instrumentRadiusChanged, radius,
+    radius->setValue(tool.radius());
+    connect(radius, &NumberField::valueEdited, &tool, &InstrumentTool::chooseRadius);
+    connect(&tool, &InstrumentTool::radiusChanged, radius,
             [radius](double metres) { radius->setValue(metres); });
-    connect(&view, &OrganView::toolChanged, this,
-            [this](ViewTool tool) { setVisible(tool == ViewTool::Instrument); });
-    setVisible(view.tool() == ViewTool::Instrument);
 }
 
 } // namespace esm

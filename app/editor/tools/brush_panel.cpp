@@ -1,4 +1,4 @@
-#include "app/editor/panels/texture/brush_panel.h"
+#include "app/editor/tools/brush_panel.h"
 
 #include "app/editor/dialogs/ask.h"
 #include "core/texture/texture_limits.h"

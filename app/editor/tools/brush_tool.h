@@ -1,0 +1,39 @@
+#pragma once
+
+#include "app/editor/tools/painting.h"
+#include "app/editor/tools/tool_context.h"
+#include "widgets/view/view_tool.h"
+
+namespace esm {
+
+/// Paints on the surface; a click with Ctrl says where a clone brush takes its colours.
+class BrushTool : public ViewTool {
+    Q_OBJECT
+
+public:
+    explicit BrushTool(const ToolContext& context);
+
+    Hold press(const ToolMouse& mouse) override;
+    void move(const ToolMouse& mouse) override;
+    void release() override;
+    void cancel() override;
+    void leave() override;
+    /// Strokes are painted on the bare organ.
+    void dress(RenderScene& scene) const override { scene.projectors.clear(); }
+    void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
+    Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+    QString whyNot() const override { return missingLayer(m_selection); }
+    QWidget* makeOptions() override;
+
+private:
+    /// The place under the mouse that the brush is led over; nothing beside the surface.
+    std::optional<BrushPoint> pointAt(const ToolMouse& mouse);
+    void lookAt(const std::optional<PickedPoint>& point);
+
+    Selection& m_selection;
+    Painting m_painting;
+    std::optional<PickedPoint> m_at; ///< under the mouse, as it was last moved
+    bool m_isDown = false;
+};
+
+} // namespace esm

@@ -1,0 +1,76 @@
+#include "app/editor/tools/projector_tool.h"
+
+#include "widgets/view/overlay.h"
+
+namespace esm {
+
+namespace {
+
+constexpr double photoHandleReach = 9; // pixels around a handle's middle
+
+/// The handle of the selected photo under the mouse.
+std::optional<std::size_t> photoHandleAt(const ToolMouse& mouse) {
+    const DrawnProjector* selected = selectedOf(mouse.sight.scene.projectors);
+    if (!selected) return std::nullopt;
+    const auto places = handles(faceOf(*selected));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto seen = mouse.sight.placeOf(places[i]);
+        if (seen && distance(*seen, mouse.place) <= photoHandleReach) return i;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+ProjectorTool::ProjectorTool(const ToolContext& context)
+    : m_document(context.document), m_selection(context.selection) {}
+
+Hold ProjectorTool::press(const ToolMouse& mouse) {
+    const auto& projectors = mouse.sight.scene.projectors;
+    if (const auto handle = photoHandleAt(mouse)) {
+        m_drag = Drag{faceOf(*selectedOf(projectors)), *handle};
+        return Hold::Drag;
+    }
+    const Ray ray = mouse.ray();
+    const int under = projectorUnder(mouse.sight.scene, ray);
+    if (under < 0) return Hold::Nothing;
+    const PhotoFace face = faceOf(projectors[static_cast<std::size_t>(under)]);
+    const Eigen::Vector3d grabbed = ray.origin + *distanceTo(face, ray) * ray.direction.normalized();
+    m_drag = Drag{face, DragPlane{grabbed, face.projector.pose.linear().col(2)}};
+    return Hold::Drag;
+}
+
+/// A corner is drawn freely with it.
+bool ProjectorTool::takesShift(const ToolMouse& mouse) const {
+    return photoHandleAt(mouse).has_value();
+}
+
+void ProjectorTool::move(const ToolMouse& mouse) {
+    const auto selected = m_selection.photo();
+    if (!m_drag || !selected) return;
+    const bool isFree = mouse.keys.testFlag(Qt::ShiftModifier);
+    Projector dragged = m_drag->start.projector;
+    if (const auto* handle = std::get_if<std::size_t>(&m_drag->held))
+        dragged = scaled(m_drag->start, *handle, mouse.ray(), isFree ? Proportions::Free : Proportions::Kept);
+    else
+        dragged.pose.pretranslate(shift(std::get<DragPlane>(m_drag->held), mouse.ray()));
+    m_document.edit(
+        tr("Place photo"), [&](Project& project) { project.layers[*selected].projector = dragged; },
+        QStringLiteral("projector %1").arg(*selected));
+}
+
+void ProjectorTool::release() {
+    if (m_drag) m_document.finishGesture();
+    m_drag.reset();
+}
+
+void ProjectorTool::draw(QPainter& painter, const Sight& sight, const QPalette& palette) const {
+    const DrawnProjector* selected = selectedOf(sight.scene.projectors);
+    if (!selected) return;
+    std::vector<PaintedHandle> painted;
+    for (const Eigen::Vector3d& handle : handles(faceOf(*selected)))
+        if (const auto place = sight.placeOf(handle)) painted.push_back({*place});
+    paintHandles(painter, painted, palette.color(QPalette::LinkVisited));
+}
+
+} // namespace esm

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/editor/tools/tool_context.h"
+#include "widgets/view/dragging.h"
+#include "widgets/view/view_tool.h"
+
+#include <variant>
+
+namespace esm {
+
+/// Moves a photo's projector and sizes it by its handles.
+class ProjectorTool : public ViewTool {
+    Q_OBJECT
+
+public:
+    explicit ProjectorTool(const ToolContext& context);
+
+    Hold press(const ToolMouse& mouse) override;
+    bool takesShift(const ToolMouse& mouse) const override;
+    void move(const ToolMouse& mouse) override;
+    void release() override;
+    void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
+    QString whyNot() const override { return missingPhoto(m_document, m_selection); }
+
+private:
+    struct Drag {
+        PhotoFace start;
+        std::variant<std::size_t, DragPlane> held; ///< a handle, or the photo's plane, in which it is moved
+    };
+
+    Document& m_document;
+    Selection& m_selection;
+    std::optional<Drag> m_drag;
+};
+
+} // namespace esm

@@ -1,0 +1,147 @@
+#include "app/editor/tools/region_tool.h"
+
+#include "app/editor/tools/region_picking.h"
+#include "widgets/view/overlay.h"
+
+#include <QAction>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+constexpr double handleReach = 9; // pixels around a handle's middle
+constexpr double turnReach = 26;  // pixels from an axis' end to its turning handle
+
+/// Those of the selected region.
+std::vector<RegionHandle> shownHandles(const Sight& sight) {
+    const DrawnEllipsoid* region = selectedOf(sight.scene.ellipsoids);
+    if (!region) return {};
+    return regionHandles(*region, sight.camera, turnReach * sight.pixelAt(region->shape.centre));
+}
+
+std::optional<RegionHandle> handleAt(const ToolMouse& mouse) {
+    std::optional<RegionHandle> nearest;
+    double least = handleReach;
+    for (const RegionHandle& handle : shownHandles(mouse.sight)) {
+        const auto seen = mouse.sight.placeOf(handle.place);
+        if (!seen || distance(*seen, mouse.place) > least) continue;
+        least = distance(*seen, mouse.place);
+        nearest = handle;
+    }
+    return nearest;
+}
+
+PaintedHandle::Form formOf(RegionHandle::Kind kind) {
+    using Kind = RegionHandle::Kind;
+    if (kind == Kind::Size) return PaintedHandle::Form::Square;
+    return kind == Kind::Turn ? PaintedHandle::Form::Round : PaintedHandle::Form::Diamond;
+}
+
+} // namespace
+
+RegionTool::RegionTool(const ToolContext& context)
+    : m_document(context.document), m_selection(context.selection), m_showRegions(context.showRegions) {}
+
+Hold RegionTool::press(const ToolMouse& mouse) {
+    m_drag = dragAt(mouse);
+    return m_drag ? Hold::Drag : Hold::Nothing;
+}
+
+std::optional<RegionTool::Drag> RegionTool::dragAt(const ToolMouse& mouse) const {
+    const auto& [scene, camera, size, picker] = mouse.sight;
+    const Ray ray = mouse.ray();
+    if (const auto handle = handleAt(mouse)) {
+        const DrawnEllipsoid* selected = selectedOf(scene.ellipsoids);
+        const int drawn = static_cast<int>(selected - scene.ellipsoids.data());
+        switch (handle->kind) {
+        case RegionHandle::Kind::Size:
+            return Drag{drawn, selected->shape, Size{handle->end}};
+        case RegionHandle::Kind::Turn:
+            return Drag{drawn, selected->shape, Turn{{handle->place, ray}}};
+        case RegionHandle::Kind::Rim:
+            return Drag{drawn, selected->shape, Rim{picturePlane(camera, handle->place)}};
+        }
+    }
+    const int under = ellipsoidUnder(scene, ray);
+    if (under < 0) return std::nullopt;
+    const Ellipsoid& shape = scene.ellipsoids[static_cast<std::size_t>(under)].shape;
+    const Eigen::Vector3d grabbed = ray.origin + *distanceTo(shape, ray) * ray.direction.normalized();
+    return Drag{under, shape, Move{picturePlane(camera, grabbed)}};
+}
+
+void RegionTool::move(const ToolMouse& mouse) {
+    if (!m_drag) {
+        m_isOverHandle = handleAt(mouse).has_value();
+        return;
+    }
+    const Drag drag = *m_drag; // who hears of the edit may end the drag
+    follow(drag, mouse.ray());
+}
+
+void RegionTool::follow(const Drag& drag, const Ray& ray) {
+    if (const auto* rim = std::get_if<Rim>(&drag.what)) {
+        // None inside.
+        if (const auto point = meet(ray, rim->plane))
+            widenRim(drag.drawn, distanceOutside(drag.start, *point));
+    } else if (const auto* size = std::get_if<Size>(&drag.what)) {
+        shape(drag.drawn, scaled(drag.start, size->end, ray));
+    } else if (const auto* turn = std::get_if<Turn>(&drag.what)) {
+        shape(drag.drawn, turned(drag.start, turn->grip, ray));
+    } else {
+        Ellipsoid moved = drag.start;
+        moved.centre += shift(std::get<Move>(drag.what).plane, ray);
+        shape(drag.drawn, moved);
+    }
+}
+
+void RegionTool::shape(int drawn, const Ellipsoid& shape) {
+    const auto region = selectDrawnRegion(m_document, m_selection, drawn);
+    if (!region) return;
+    m_document.edit(
+        tr("Shape region"), [&](Project& project) { project.regions[*region].ellipsoid = shape; },
+        QStringLiteral("region %1").arg(*region));
+}
+
+void RegionTool::widenRim(int drawn, double metres) {
+    const auto region = selectDrawnRegion(m_document, m_selection, drawn);
+    if (!region) return;
+    m_document.edit(
+        tr("Soft rim"), [&](Project& project) { project.regions[*region].rim = metres; },
+        QStringLiteral("rim %1").arg(*region));
+}
+
+void RegionTool::release() {
+    if (m_drag) m_document.finishGesture();
+    m_drag.reset();
+}
+
+void RegionTool::click(const ToolMouse& mouse) {
+    selectRegionUnder(mouse, m_document, m_selection);
+}
+
+void RegionTool::draw(QPainter& painter, const Sight& sight, const QPalette& palette) const {
+    std::vector<PaintedHandle> painted;
+    for (const RegionHandle& handle : shownHandles(sight)) {
+        const PaintedHandle::Form form = formOf(handle.kind);
+        const auto place = sight.placeOf(handle.place), root = sight.placeOf(handle.root);
+        if (place)
+            painted.push_back({*place, form, form == PaintedHandle::Form::Round ? root : std::nullopt});
+    }
+    paintHandles(painter, painted, palette.color(QPalette::Highlight));
+}
+
+Qt::CursorShape RegionTool::cursor() const {
+    return m_isOverHandle ? Qt::PointingHandCursor : Qt::ArrowCursor;
+}
+
+QString RegionTool::whyNot() const {
+    const auto& regions = m_document.project().regions;
+    const bool hasEllipsoid = std::any_of(regions.begin(), regions.end(),
+                                          [](const Region& region) { return region.ellipsoid.has_value(); });
+    if (!hasEllipsoid) return tr("There is no region yet: Ctrl+R adds one");
+    return m_showRegions.isChecked() ? QString() : tr("The regions are hidden: H shows them");
+}
+
+} // namespace esm

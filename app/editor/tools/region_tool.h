@@ -1,0 +1,58 @@
+#pragma once
+
+#include "app/editor/tools/tool_context.h"
+#include "widgets/view/dragging.h"
+#include "widgets/view/region_handles.h"
+#include "widgets/view/view_tool.h"
+
+#include <variant>
+
+namespace esm {
+
+/// Moves, sizes and turns a region's ellipsoid, and widens its rim. A click selects.
+class RegionTool : public ViewTool {
+    Q_OBJECT
+
+public:
+    explicit RegionTool(const ToolContext& context);
+
+    Hold press(const ToolMouse& mouse) override;
+    void move(const ToolMouse& mouse) override;
+    void release() override;
+    void click(const ToolMouse& mouse) override;
+    void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
+    Qt::CursorShape cursor() const override;
+    QString whyNot() const override;
+
+private:
+    struct Move {
+        DragPlane plane;
+    };
+    struct Size {
+        std::size_t end; ///< counts as in `handles`
+    };
+    struct Turn {
+        Grip grip;
+    };
+    struct Rim {
+        DragPlane plane;
+    };
+    struct Drag {
+        int drawn; ///< which of the ellipsoids that are shown
+        Ellipsoid start;
+        std::variant<Move, Size, Turn, Rim> what;
+    };
+
+    std::optional<Drag> dragAt(const ToolMouse& mouse) const;
+    void follow(const Drag& drag, const Ray& ray);
+    void shape(int drawn, const Ellipsoid& shape);
+    void widenRim(int drawn, double metres);
+
+    Document& m_document;
+    Selection& m_selection;
+    const QAction& m_showRegions;
+    std::optional<Drag> m_drag;
+    bool m_isOverHandle = false;
+};
+
+} // namespace esm

@@ -1,0 +1,23 @@
+#include "app/editor/tools/tool_context.h"
+
+namespace esm {
+
+QString stillnessHint(const Preview& preview) {
+    const PreviewStatus status = preview.status();
+    if (status.playing) return {};
+    return status.failure.empty() ? QObject::tr("Paused: Space lets the tissue move again")
+                                  : QObject::tr("The tissue does not move: the line at the bottom says why");
+}
+
+QString missingLayer(const Selection& selection) {
+    return selection.photo() ? QString() : QObject::tr("There is no photo yet: Ctrl+P adds one");
+}
+
+QString missingPhoto(const Document& document, const Selection& selection) {
+    const auto layer = selection.photo();
+    const bool isPainted = layer && !document.project().layers[*layer].photo;
+    return isPainted ? QObject::tr("The selected layer has no photo, it is painted")
+                     : missingLayer(selection);
+}
+
+} // namespace esm

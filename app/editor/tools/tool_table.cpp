@@ -1,0 +1,66 @@
+#include "app/editor/tools/tool_table.h"
+
+#include "app/editor/tools/brush_tool.h"
+#include "app/editor/tools/instrument_tool.h"
+#include "app/editor/tools/landmark_tool.h"
+#include "app/editor/tools/look_tool.h"
+#include "app/editor/tools/place_tool.h"
+#include "app/editor/tools/projector_tool.h"
+#include "app/editor/tools/pull_tool.h"
+#include "app/editor/tools/region_tool.h"
+
+namespace esm {
+
+namespace {
+
+QString translated(const char* text) {
+    return QObject::tr(text);
+}
+
+template<typename Tool> ViewTool* made(const ToolContext& context) {
+    return new Tool(context);
+}
+
+} // namespace
+
+std::vector<ToolRow> toolTable() {
+    using Workspace = ToolWorkspace;
+    using Options = ToolOptions;
+    return {
+        {"look", "look", translated("&Look"), Qt::Key_V, translated("Turn and shift the view"),
+         translated("Drag to turn the view · click picks"), translated("wheel zooms · Home shows all"),
+         Workspace::Any, Options::None, made<LookTool>},
+        {"pull", "pull", translated("P&ull"), Qt::Key_P, translated("Grasp the tissue and pull"),
+         translated("Drag to pull the tissue"), translated("Alt to turn the view · Esc lets go"),
+         Workspace::Any, Options::None, made<PullTool>},
+        {"instrument", "instrument", translated("&Instrument"), Qt::Key_I,
+         translated("Push the tissue with a round instrument"),
+         translated("Move to touch the surface · Ctrl and wheel push in and out"),
+         translated("Esc takes it away"), Workspace::Any, Options::Bar, made<InstrumentTool>},
+        {"region", "region", translated("Re&gion"), Qt::Key_E,
+         translated("Move, size and turn the region's ellipsoid"),
+         translated("Drag the ellipsoid to move it · squares size it, dots turn it, the diamond widens its "
+                    "soft rim"),
+         translated("Alt to turn the view"), Workspace::Tissue, Options::None, made<RegionTool>},
+        {"place", "place", translated("Place &on surface"), Qt::Key_O,
+         translated("Lay a region on the surface with a click"),
+         translated("Click the surface: the selected region lies there · with Ctrl a new one"),
+         translated("drag to turn the view"), Workspace::Tissue, Options::None, made<PlaceTool>},
+        {"projector", "photo", translated("P&hoto"), Qt::Key_J,
+         translated("Move and size the photo's projector"),
+         translated("Drag the photo to place it · corners scale it, with Shift width and height apart"),
+         translated("Alt to turn the view"), Workspace::Texture, Options::None, made<ProjectorTool>},
+        {"landmarks", "landmark", translated("Land&marks"), Qt::Key_M,
+         translated("Place the photo by points that it shares with the organ"),
+         translated("Click a point in the photo, then the same point on the organ · drag a mark to move it"),
+         translated("drag elsewhere to turn the view"), Workspace::Texture, Options::Above,
+         made<LandmarkTool>},
+        {"brush", "brush", translated("&Brush"), Qt::Key_D,
+         translated("Erase and restore the photo, or paint on the organ"),
+         translated("Drag over the organ to paint · [ and ] make the brush smaller and larger"),
+         translated("Alt to turn the view · Esc drops the stroke"), Workspace::Texture, Options::Column,
+         made<BrushTool>},
+    };
+}
+
+} // namespace esm
