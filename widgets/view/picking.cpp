@@ -4,9 +4,20 @@
 
 namespace esm {
 
+Eigen::Vector3d pointOf(const CarriedPlace& place, const std::vector<Eigen::Vector3d>& positions) {
+    const auto& [a, b, c] = place.corners;
+    return place.weights[0] * positions[a] + place.weights[1] * positions[b] +
+           place.weights[2] * positions[c];
+}
+
 std::optional<PickedPoint> Picker::pick(const RenderScene& scene, const Ray& ray, double tolerance) {
     if (m_changed) refresh(scene);
     return m_query ? pickSurface(ray) : pickNode(ray, tolerance);
+}
+
+Eigen::Vector3d Picker::carried(const RenderScene& scene, const CarriedPlace& place) {
+    if (m_changed) refresh(scene);
+    return pointOf(place, m_query ? m_vertices : m_nodes);
 }
 
 void Picker::refresh(const RenderScene& scene) {
@@ -31,8 +42,12 @@ std::optional<PickedPoint> Picker::pickSurface(const Ray& ray) {
     hit->barycentric.maxCoeff(&nearest);
     const std::uint32_t vertex = m_mesh->triangles[hit->triangle][static_cast<std::size_t>(nearest)];
     const std::uint32_t node = m_network ? m_network->vertexNodes[vertex] : vertex;
-    return PickedPoint{node, ray.origin + hit->distance * ray.direction.normalized(), m_nodes[node],
-                       spotOf(*hit, ray), normalOf(*hit, m_mesh->vertices).stableNormalized()};
+    return PickedPoint{node,
+                       ray.origin + hit->distance * ray.direction.normalized(),
+                       m_nodes[node],
+                       spotOf(*hit, ray),
+                       normalOf(*hit, m_mesh->vertices).stableNormalized(),
+                       CarriedPlace{m_mesh->triangles[hit->triangle], hit->barycentric}};
 }
 
 Eigen::Vector3d Picker::normalOf(const RayHit& hit, const std::vector<Eigen::Vector3d>& vertices) const {
@@ -59,8 +74,12 @@ std::optional<PickedPoint> Picker::pickNode(const Ray& ray, double tolerance) co
         const double slope = offset.cross(direction).norm() / offset.dot(direction);
         if (slope < 0 || slope > smallest) continue;
         smallest = slope;
-        picked = PickedPoint{node, m_nodes[node], m_nodes[node], SurfaceSpot{rest[node], -direction},
-                             Eigen::Vector3d::Zero()};
+        picked = PickedPoint{node,
+                             m_nodes[node],
+                             m_nodes[node],
+                             SurfaceSpot{rest[node], -direction},
+                             Eigen::Vector3d::Zero(),
+                             CarriedPlace{{node, node, node}, Eigen::Vector3d::UnitX()}};
     }
     return picked;
 }

@@ -4,11 +4,21 @@
 #include "core/render/renderer.h"
 #include "core/surface/surface_query.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace esm {
+
+/// A place on the organ that goes where the surface carries it: in a triangle, or a node of a model without
+/// one.
+struct CarriedPlace {
+    std::array<std::uint32_t, 3> corners; ///< vertices, or the node thrice
+    Eigen::Vector3d weights;              ///< of the corners
+};
+/// Where it is among vertices, or nodes, at these positions, m.
+Eigen::Vector3d pointOf(const CarriedPlace& place, const std::vector<Eigen::Vector3d>& positions);
 
 struct PickedPoint {
     std::uint32_t node;           ///< nearest to the point
@@ -16,6 +26,7 @@ struct PickedPoint {
     Eigen::Vector3d nodePosition; ///< m
     SurfaceSpot spot;             ///< the same on the organ at rest, the viewer being outside
     Eigen::Vector3d normal;       ///< of the surface at rest, as its triangle turns; zero without a surface
+    CarriedPlace carried;
 };
 
 /// Finds what lies under the mouse on the organ as it is drawn now.
@@ -28,6 +39,8 @@ public:
     /// to the ray, seen from the ray's origin under at most `tolerance` (rad). The scene's mesh and network
     /// may be null.
     std::optional<PickedPoint> pick(const RenderScene& scene, const Ray& ray, double tolerance);
+    /// Where the organ as it is drawn now carries a place of its own, m.
+    Eigen::Vector3d carried(const RenderScene& scene, const CarriedPlace& place);
 
 private:
     void refresh(const RenderScene& scene);
