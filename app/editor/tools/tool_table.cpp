@@ -1,6 +1,7 @@
 #include "app/editor/tools/tool_table.h"
 
 #include "app/editor/tools/brush_tool.h"
+#include "app/editor/tools/distance_tool.h"
 #include "app/editor/tools/instrument_tool.h"
 #include "app/editor/tools/landmark_tool.h"
 #include "app/editor/tools/look_tool.h"
@@ -37,6 +38,11 @@ std::vector<ToolRow> toolTable() {
          translated("Push the tissue with a round instrument"),
          translated("Move to touch the surface · Ctrl and wheel push in and out"),
          translated("Esc takes it away"), Workspace::Any, Options::Bar, made<InstrumentTool>},
+        {"distance", "distance", translated("&Distance"), Qt::Key_G,
+         translated("Measure between two points, and scale the organ to a true length"),
+         translated("Drag between two points of the organ, or click both: their distance at rest"),
+         translated("Alt to turn the view · Esc drops the points"), Workspace::Any, Options::Column,
+         made<DistanceTool>},
         {"region", "region", translated("Re&gion"), Qt::Key_E,
          translated("Move, size and turn the region's ellipsoid"),
          translated("Drag the ellipsoid to move it · squares size it, dots turn it, the diamond widens its "
