@@ -11,19 +11,6 @@ bool isDeeperThan(int levels, const FuzzyCondition& condition) {
                        [&](const FuzzyCondition& part) { return isDeeperThan(levels - 1, part); });
 }
 
-bool operator==(const FuzzyProposition& one, const FuzzyProposition& other) {
-    return one.variable == other.variable && one.term == other.term;
-}
-
-bool operator==(const FuzzyCondition& one, const FuzzyCondition& other) {
-    return one.kind == other.kind && one.proposition == other.proposition && one.parts == other.parts;
-}
-
-bool operator==(const FuzzyRule& one, const FuzzyRule& other) {
-    return one.condition == other.condition && one.conclusions == other.conclusions &&
-           one.weight == other.weight;
-}
-
 FuzzyCondition negation(FuzzyCondition condition) {
     FuzzyCondition result{{}, FuzzyCondition::Kind::Not, {}};
     result.parts.push_back(std::move(condition));

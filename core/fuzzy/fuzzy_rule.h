@@ -9,6 +9,8 @@ namespace esm {
 struct FuzzyProposition {
     std::size_t variable = 0;
     std::size_t term = 0;
+
+    bool operator==(const FuzzyProposition&) const = default;
 };
 
 /// What must hold for a rule to fire: "variable IS term" over the inputs, or NOT, AND, OR of conditions.
@@ -18,6 +20,8 @@ struct FuzzyCondition {
     FuzzyProposition proposition; ///< of Is
     Kind kind = Kind::Is;
     std::vector<FuzzyCondition> parts = {}; ///< one of Not, two or more of And and of Or, none of Is
+
+    bool operator==(const FuzzyCondition&) const = default;
 };
 
 /// Conditions within conditions, itself counted: whoever goes through one may call himself that often.
@@ -35,10 +39,8 @@ struct FuzzyRule {
     FuzzyCondition condition;
     std::vector<FuzzyProposition> conclusions;
     double weight = 1; ///< 0 to 1, by which the condition's degree is multiplied
-};
 
-bool operator==(const FuzzyProposition& one, const FuzzyProposition& other);
-bool operator==(const FuzzyCondition& one, const FuzzyCondition& other);
-bool operator==(const FuzzyRule& one, const FuzzyRule& other);
+    bool operator==(const FuzzyRule&) const = default;
+};
 
 } // namespace esm

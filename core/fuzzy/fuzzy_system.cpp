@@ -7,25 +7,6 @@
 
 namespace esm {
 
-bool operator==(const Trapezoid& one, const Trapezoid& other) {
-    return one.a == other.a && one.b == other.b && one.c == other.c && one.d == other.d;
-}
-
-bool operator==(const FuzzyTerm& one, const FuzzyTerm& other) {
-    return one.name == other.name && one.set == other.set;
-}
-
-bool operator==(const FuzzyVariable& one, const FuzzyVariable& other) {
-    return one.name == other.name && one.minimum == other.minimum && one.maximum == other.maximum &&
-           one.terms == other.terms && one.unit == other.unit;
-}
-
-bool operator==(const FuzzySystem& one, const FuzzySystem& other) {
-    return one.name == other.name && one.description == other.description && one.note == other.note &&
-           one.inputs == other.inputs && one.outputs == other.outputs && one.rules == other.rules &&
-           one.norms == other.norms;
-}
-
 std::string nameProblem(const std::string& name) {
     const auto endsWord = [](char c) {
         return static_cast<unsigned char>(c) <= ' ' || c == 127 || isBracket(c);

@@ -12,6 +12,8 @@ namespace esm {
 /// Trapezoidal fuzzy set a ≤ b ≤ c ≤ d [R 2.47]. `a = b` or `c = d` is a shoulder at the end of a domain.
 struct Trapezoid {
     double a = 0, b = 0, c = 0, d = 0;
+
+    bool operator==(const Trapezoid&) const = default;
 };
 
 /// One without area, all four corners at one place. It is a shoulder nowhere, not even at an end of a domain.
@@ -25,6 +27,8 @@ double membership(const Trapezoid& set, double x);
 struct FuzzyTerm {
     std::string name;
     Trapezoid set;
+
+    bool operator==(const FuzzyTerm&) const = default;
 };
 
 inline constexpr std::size_t longestUnit = 500; ///< bytes, of a variable
@@ -35,6 +39,8 @@ struct FuzzyVariable {
     double minimum = 0, maximum = 1;
     std::vector<FuzzyTerm> terms; ///< in the order of the partition
     std::string unit = {};        ///< of its values, for people; may be empty
+
+    bool operator==(const FuzzyVariable&) const = default;
 };
 
 /// A Mamdani fuzzy system. The order of variables and terms is the order of sliders and partitions.
@@ -46,13 +52,9 @@ struct FuzzySystem {
     std::vector<FuzzyVariable> outputs;
     std::vector<FuzzyRule> rules;
     FuzzyNorms norms;
-};
 
-bool operator==(const Trapezoid& one, const Trapezoid& other);
-bool operator==(const FuzzyTerm& one, const FuzzyTerm& other);
-bool operator==(const FuzzyVariable& one, const FuzzyVariable& other);
-/// Alike in all they hold, texts for people as well.
-bool operator==(const FuzzySystem& one, const FuzzySystem& other);
+    bool operator==(const FuzzySystem&) const = default;
+};
 
 /// More than any expert reads; the time of an inference grows with the square of the conclusions.
 inline constexpr std::size_t mostFuzzyRules = 2000;

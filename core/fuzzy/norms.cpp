@@ -21,11 +21,6 @@ std::optional<Norm> normFromName(const std::array<const char*, 3>& names, const 
 
 } // namespace
 
-bool operator==(const FuzzyNorms& one, const FuzzyNorms& other) {
-    return one.conjunction == other.conjunction && one.disjunction == other.disjunction &&
-           one.implication == other.implication && one.aggregation == other.aggregation;
-}
-
 TConorm dual(TNorm norm) {
     return static_cast<TConorm>(norm); // they stand at the same places
 }

@@ -18,6 +18,8 @@ struct FuzzyNorms {
     TConorm disjunction = TConorm::Maximum; ///< OR
     TNorm implication = TNorm::Minimum;     ///< what a rule's degree leaves of a conclusion's set
     TConorm aggregation = TConorm::Maximum; ///< what the sets of several rules make together
+
+    bool operator==(const FuzzyNorms&) const = default;
 };
 
 /// Of the same family: NOT (a AND b) is then NOT a OR NOT b, by De Morgan's laws.
@@ -26,8 +28,6 @@ TNorm dual(TConorm norm);
 
 /// Whether AND and OR are.
 bool areDual(const FuzzyNorms& norms);
-
-bool operator==(const FuzzyNorms& one, const FuzzyNorms& other);
 
 /// Of two degrees, each 0 to 1.
 inline double combined(TNorm norm, double a, double b) {

@@ -159,10 +159,6 @@ FuzzyVariable threeTerms(const std::string& name, double maximum, const std::str
 
 } // namespace
 
-bool operator==(const VariablePlace& one, const VariablePlace& other) {
-    return one.side == other.side && one.index == other.index;
-}
-
 const std::vector<FuzzyVariable>& variablesOf(const FuzzySystem& system, FuzzySide side) {
     return side == FuzzySide::Inputs ? system.inputs : system.outputs;
 }

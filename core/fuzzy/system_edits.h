@@ -17,9 +17,9 @@ enum class FuzzySide { Inputs, Outputs };
 struct VariablePlace {
     FuzzySide side = FuzzySide::Inputs;
     std::size_t index = 0;
-};
 
-bool operator==(const VariablePlace& one, const VariablePlace& other);
+    bool operator==(const VariablePlace&) const = default;
+};
 
 const std::vector<FuzzyVariable>& variablesOf(const FuzzySystem& system, FuzzySide side);
 const FuzzyVariable& variableAt(const FuzzySystem& system, const VariablePlace& place);

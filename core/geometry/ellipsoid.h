@@ -13,6 +13,8 @@ struct Ellipsoid {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< m
     Eigen::Vector3d radii = Eigen::Vector3d::Ones();  ///< m, along the ellipsoid's own axes, each > 0
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity(); ///< own axes → model
+
+    bool operator==(const Ellipsoid&) const = default;
 };
 
 /// True for points inside or on the surface.

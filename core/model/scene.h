@@ -12,6 +12,8 @@ namespace esm {
 struct NodeSelection {
     std::vector<std::uint32_t> nodes;
     std::optional<Ellipsoid> ellipsoid; ///< at rest; added to `nodes`
+
+    bool operator==(const NodeSelection&) const = default;
 };
 
 /// Springs that tie every n-th node (0, n, 2n, …) to its rest position: the surrounding tissue. [R 5.1]
@@ -19,17 +21,23 @@ struct TetherRule {
     std::uint32_t every = 3;
     double springConstant = 0; ///< N/m
     double viscosity = 0;      ///< N·s/m
+
+    bool operator==(const TetherRule&) const = default;
 };
 
 struct NodeForce {
     std::uint32_t node;
     Eigen::Vector3d force; ///< N
     double from, to;       ///< s; acts for from ≤ t < to
+
+    bool operator==(const NodeForce&) const = default;
 };
 
 struct PathPoint {
     double time;           ///< s
     Eigen::Vector3d value; ///< m
+
+    bool operator==(const PathPoint&) const = default;
 };
 using Path = std::vector<PathPoint>; ///< times strictly increasing; linear between, constant outside
 
@@ -37,17 +45,23 @@ using Path = std::vector<PathPoint>; ///< times strictly increasing; linear betw
 struct NodeMove {
     std::uint32_t node;
     Path path;
+
+    bool operator==(const NodeMove&) const = default;
 };
 
 /// A rigid instrument that pushes the surface. A capsule is not offered yet.
 struct InstrumentMotion {
     double radius; ///< m, > 0
     Path path;     ///< of the centre, in model coordinates
+
+    bool operator==(const InstrumentMotion&) const = default;
 };
 
 struct Recording {
     double every = 0.01;                             ///< s
     std::optional<std::vector<std::uint32_t>> nodes; ///< all without
+
+    bool operator==(const Recording&) const = default;
 };
 
 /// What happens to the model in a run: boundary conditions, loads and what is recorded.
@@ -60,6 +74,8 @@ struct Scene {
     std::vector<NodeMove> moves;
     std::optional<InstrumentMotion> instrument;
     Recording record;
+
+    bool operator==(const Scene&) const = default;
 };
 
 /// Where a path is at a time. Precondition: the path has a point.

@@ -20,6 +20,8 @@ struct Stepping {
     Integrator integrator = Integrator::Auto;
     double timeStep = 0; ///< s
     Precision precision = Precision::Double;
+
+    bool operator==(const Stepping&) const = default;
 };
 
 /// A way to step that was measured on a scene, with isotropic damping.
@@ -28,6 +30,8 @@ struct MeasuredStepping {
     double error = 0;                  ///< relative to the motion itself
     double wallPerSimulatedSecond = 0; ///< on the machine that measured
     std::string tissue = {};           ///< tissueDigest of what it was measured on; empty where nobody said
+
+    bool operator==(const MeasuredStepping&) const = default;
 };
 
 /// Every problem. Empty when tissue can be stepped so.

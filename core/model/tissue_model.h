@@ -22,11 +22,9 @@ struct Tether {
 struct SpringStiffening {
     double strain = 0; ///< relative lengthening, > 0
     double factor = 1; ///< of the spring's own constant, > 0; below 1 it becomes softer
-};
 
-inline bool operator==(const SpringStiffening& a, const SpringStiffening& b) {
-    return a.strain == b.strain && a.factor == b.factor;
-}
+    bool operator==(const SpringStiffening&) const = default;
+};
 
 /// What is not above zero and at most 10³⁰.
 std::vector<std::string> validate(const SpringStiffening& stiffening);

@@ -22,12 +22,16 @@ struct BaseTissue {
     double viscosity = 0;                         ///< N·s/m
     double mass = 0;                              ///< kg, total
     std::optional<SpringStiffening> stiffening{}; ///< of all springs, in regions too; linear without
+
+    bool operator==(const BaseTissue&) const = default;
 };
 
 /// How the organ got its texture space. The packed atlas is derived from the mesh and these.
 struct TextureSettings {
     AtlasOptions atlas;
     std::array<std::uint8_t, 3> baseColour{186, 92, 84}; ///< where no photo lies
+
+    bool operator==(const TextureSettings&) const = default;
 };
 
 /// One organ and all that was said about it. A value: a copy costs a few pointers and small lists; an edit
@@ -44,6 +48,8 @@ struct Project {
     std::vector<TextureLayer> layers;         ///< from the lowest to the topmost
     TextureSettings texture;
     std::shared_ptr<const Atlas> atlas; ///< null until packed
+
+    bool operator==(const Project&) const = default;
 };
 
 inline constexpr double wallThickness = 0.003; ///< m, that an open surface weighs as

@@ -2,6 +2,7 @@
 
 #include "core/fuzzy/inference.h"
 #include "core/geometry/ellipsoid.h"
+#include "core/support/shared_values.h"
 
 #include <array>
 #include <memory>
@@ -15,6 +16,8 @@ struct TissueValues {
     std::optional<double> springConstant; ///< N/m
     std::optional<double> viscosity;      ///< N·s/m
     std::optional<double> mass;           ///< kg, total of the region, spread evenly over its nodes
+
+    bool operator==(const TissueValues&) const = default;
 };
 
 /// One of them.
@@ -41,9 +44,11 @@ struct Region {
     std::array<std::uint8_t, 3> colour{63, 182, 168}; ///< red, green, blue; the same in list and view
     std::optional<Ellipsoid> ellipsoid;               ///< the whole organ without
     double rim = 0; ///< m around the ellipsoid, over which its tissue fades into what lies beneath; 0: sharp
-    std::shared_ptr<const FuzzySystem> system; ///< may be null: then only `held` counts
-    NamedValues inputs;                        ///< of the fuzzy system
-    TissueValues held;                         ///< set by hand, in place of what the system infers
+    ByValue<FuzzySystem> system; ///< may be null: then only `held` counts
+    NamedValues inputs;          ///< of the fuzzy system
+    TissueValues held;           ///< set by hand, in place of what the system infers
+
+    bool operator==(const Region&) const = default;
 };
 
 /// Sets or adds one input value.

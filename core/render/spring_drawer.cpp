@@ -75,10 +75,6 @@ void SpringDrawer::takeNetwork(const RenderScene& scene) {
     m_cover = static_cast<float>(coverOver(scene));
 }
 
-bool SpringDrawer::SpringColours::operator==(const SpringColours& other) const {
-    return values == other.values && minimum == other.minimum && maximum == other.maximum;
-}
-
 std::optional<Colour> SpringDrawer::SpringColours::of(std::size_t spring) const {
     if (!values || !std::isfinite((*values)[spring])) return std::nullopt;
     const double range = maximum > minimum ? maximum - minimum : 1;

@@ -30,7 +30,7 @@ private:
         std::shared_ptr<const std::vector<double>> values; ///< null, or one per spring
         double minimum = 0, maximum = 0;
 
-        bool operator==(const SpringColours& other) const;
+        bool operator==(const SpringColours&) const = default;
         /// None for a spring without a value.
         std::optional<Colour> of(std::size_t spring) const;
     };

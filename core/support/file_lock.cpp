@@ -87,14 +87,6 @@ Lock lock(int descriptor) {
 
 } // namespace
 
-bool operator==(const FileVersion& a, const FileVersion& b) {
-    return a.device == b.device && a.inode == b.inode && a.size == b.size && a.modified == b.modified;
-}
-
-bool operator!=(const FileVersion& a, const FileVersion& b) {
-    return !(a == b);
-}
-
 std::optional<FileVersion> versionOf(const fs::path& file) {
     struct stat status {};
     if (::stat(file.c_str(), &status) != 0) return std::nullopt;

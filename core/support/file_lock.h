@@ -14,9 +14,9 @@ struct FileVersion {
     ino_t inode = 0;
     off_t size = 0;
     std::int64_t modified = 0; ///< ns
+
+    bool operator==(const FileVersion&) const = default;
 };
-bool operator==(const FileVersion& a, const FileVersion& b);
-bool operator!=(const FileVersion& a, const FileVersion& b);
 
 /// Nothing where there is no such file.
 std::optional<FileVersion> versionOf(const std::filesystem::path& file);

@@ -7,6 +7,8 @@ struct PhotoSize {
     int width, height;
 
     double aspect() const { return static_cast<double>(width) / height; }
+
+    bool operator==(const PhotoSize&) const = default;
 };
 
 /// A pinhole camera in photo pixels: focal lengths, and the principal point from the photo's top left corner.
@@ -14,9 +16,7 @@ struct Intrinsics {
     double fx, fy; ///< > 0
     double cx, cy;
 
-    bool operator==(const Intrinsics& other) const {
-        return fx == other.fx && fy == other.fy && cx == other.cx && cy == other.cy;
-    }
+    bool operator==(const Intrinsics&) const = default;
 };
 
 } // namespace esm

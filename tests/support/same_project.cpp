@@ -146,7 +146,7 @@ void expectSameRegions(const std::vector<Region>& a, const std::vector<Region>& 
         EXPECT_EQ(r.colour, s.colour);
         EXPECT_TRUE(sameEllipsoid(r.ellipsoid, s.ellipsoid));
         EXPECT_TRUE(sameBits(r.rim, s.rim));
-        ASSERT_EQ(r.system == nullptr, s.system == nullptr);
+        ASSERT_EQ(!r.system, !s.system);
         if (r.system) {
             EXPECT_EQ(toJson(*r.system), toJson(*s.system));
         }

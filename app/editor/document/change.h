@@ -33,16 +33,10 @@ struct Change {
     static Change everything() { return {true, true, true, true, true, true, true, true, true, {}}; }
 };
 
-/// Whether both are alike in all they hold, or both missing.
-bool same(const std::shared_ptr<const FuzzySystem>& a, const std::shared_ptr<const FuzzySystem>& b);
-/// Shared parts but fuzzy systems are compared by pointer, all else by value.
-bool same(const Region& a, const Region& b);
 /// Whether both reach the same places: their ellipsoids and soft rims.
 bool sameReach(const Region& a, const Region& b);
-/// But for landmarks, which only say where the photo was to be placed.
-bool same(const TextureLayer& a, const TextureLayer& b);
-bool same(const Stepping& a, const Stepping& b);
-bool same(const std::optional<MeasuredStepping>& a, const std::optional<MeasuredStepping>& b);
+/// Landmarks only say where the photo was to be placed.
+bool sameButForLandmarks(const TextureLayer& a, const TextureLayer& b);
 Change difference(const Project& before, const Project& after);
 
 } // namespace esm

@@ -23,7 +23,7 @@ void Document::edit(const QString& text, const std::function<void(Project&)>& ch
                     std::optional<std::size_t> systemOf) {
     Project after = m_project;
     change(after);
-    if (!difference(m_project, after).any()) return;
+    if (after == m_project) return;
     const QString key = mergeKey.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(m_gesture).arg(mergeKey);
     m_undoStack.push(new ProjectCommand(*this, std::move(after), {text, key, systemOf}));
 }
@@ -42,7 +42,7 @@ void Document::replace(Project project, std::optional<std::filesystem::path> pat
 
 void Document::markSaved(const std::filesystem::path& path, const Project& written) {
     m_path = path;
-    if (difference(written, m_project).any())
+    if (written != m_project)
         m_undoStack.resetClean();
     else
         m_undoStack.setClean();
@@ -54,7 +54,7 @@ void Document::take(const Project& project, std::optional<std::size_t> systemOf)
     Change change = difference(m_project, project);
     if (systemOf) change.system = {m_project.regions[*systemOf].system, project.regions[*systemOf].system};
     m_project = project;
-    if (change.any()) emit changed(change);
+    emit changed(change);
 }
 
 } // namespace esm

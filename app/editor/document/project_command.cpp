@@ -21,7 +21,7 @@ bool ProjectCommand::mergeWith(const QUndoCommand* next) {
     const auto& later = static_cast<const ProjectCommand&>(*next);
     if (later.m_kind.mergeKey != m_kind.mergeKey) return false;
     m_after = later.m_after;
-    setObsolete(!difference(m_before, m_after).any());
+    setObsolete(m_before == m_after);
     return true;
 }
 

@@ -15,12 +15,11 @@ struct DifferingRange {
 
 template<typename Item>
 DifferingRange differingRange(const std::vector<Item>& before, const std::vector<Item>& now) {
-    const auto equal = [](const Item& a, const Item& b) { return same(a, b); };
     const auto begin = static_cast<std::size_t>(
-        std::mismatch(before.begin(), before.end(), now.begin(), now.end(), equal).first - before.begin());
+        std::mismatch(before.begin(), before.end(), now.begin(), now.end()).first - before.begin());
     std::size_t end = 0;
     while (end < std::min(before.size(), now.size()) - begin &&
-           equal(before[before.size() - 1 - end], now[now.size() - 1 - end]))
+           before[before.size() - 1 - end] == now[now.size() - 1 - end])
         ++end;
     return {begin, before.size() - end, now.size() - end};
 }
@@ -33,7 +32,7 @@ std::optional<std::size_t> follow(std::optional<std::size_t> selected, const std
     if (!selected || *selected < range.begin) return selected;
     if (*selected >= range.endBefore) return *selected - before.size() + now.size();
     for (std::size_t i = range.begin; i < range.endNow; ++i)
-        if (same(before[*selected], now[i])) return i;
+        if (before[*selected] == now[i]) return i;
     if (now.size() == before.size()) return selected;
     // Gone: its neighbour above takes its place, else the one below.
     if (now.empty()) return std::nullopt;

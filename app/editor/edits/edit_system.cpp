@@ -51,7 +51,7 @@ void editSystem(Project& project, std::size_t region, const FuzzySystem& system)
     const auto before = project.regions[region].system;
     const auto after = std::make_shared<const FuzzySystem>(system);
     for (Region& other : project.regions) {
-        if (!other.system || !(other.system == before || *other.system == *before)) continue;
+        if (!other.system || other.system != before) continue;
         other.inputs = laterValues(other.inputs, before->inputs, after->inputs);
         other.system = after;
     }

@@ -92,7 +92,8 @@ bool PreparationEdits::beginEdit(const Edit& edit) {
 
 void PreparationEdits::look() {
     const TextureLayer* selected = layer();
-    if (!selected || (m_shown.photo == selected->photo && m_shown.picture == selected->prepared)) return;
+    if (!selected || (m_shown.photo == selected->photo && m_shown.picture.get() == selected->prepared.get()))
+        return;
     const int number =
         m_preparer.prepare({selected->photo, selected->preparation, {}, std::nullopt, selected->prepared});
     m_running = Running{std::nullopt, {selected->preparation, {}}, selected->preparation, number};

@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds restTime{300};
 bool differsInProjector(TextureLayer before, const TextureLayer& now) {
     if (before.projector == now.projector) return false;
     before.projector = now.projector;
-    return same(before, now);
+    return sameButForLandmarks(before, now);
 }
 
 } // namespace
@@ -24,7 +24,7 @@ std::optional<std::size_t> movedLayer(const std::vector<TextureLayer>& before,
     std::optional<std::size_t> moved;
     if (before.size() != now.size()) return moved;
     for (std::size_t i = 0; i < now.size(); ++i) {
-        if (same(before[i], now[i])) continue;
+        if (sameButForLandmarks(before[i], now[i])) continue;
         if (moved || !differsInProjector(before[i], now[i])) return std::nullopt;
         moved = i;
     }

@@ -18,11 +18,6 @@ PoseAnswer answerTo(PoseQuestion question) {
 
 } // namespace
 
-bool PoseQuestion::operator==(const PoseQuestion& other) const {
-    return pairs == other.pairs && camera.size.width == other.camera.size.width &&
-           camera.size.height == other.camera.size.height && camera.intrinsics == other.camera.intrinsics;
-}
-
 PoseFinder::PoseFinder(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
 
 PoseFinder::~PoseFinder() {

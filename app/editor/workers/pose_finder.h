@@ -16,7 +16,8 @@ namespace esm {
 struct PoseQuestion {
     std::vector<LandmarkPair> pairs;
     PhotoCamera camera;
-    bool operator==(const PoseQuestion& other) const;
+
+    bool operator==(const PoseQuestion&) const = default;
 };
 
 struct PoseAnswer {

@@ -29,6 +29,8 @@ struct AtlasOptions {
     AtlasLayout layout = AtlasLayout::MatchedRows;
     /// Asked for: as many pages are made as that takes. 0: as many as the pages that there are have room for.
     double texelsPerMetre = 0;
+
+    bool operator==(const AtlasOptions&) const = default;
 };
 
 /// Where every triangle lies in texture space: similar to its 3-D shape, one scale for all [R 4.3.2], in a

@@ -34,16 +34,6 @@ const char* brushName(BrushKind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
-bool BrushStroke::operator==(const BrushStroke& other) const {
-    return kind == other.kind && radius == other.radius && softness == other.softness &&
-           strength == other.strength && colour == other.colour && shift == other.shift && path == other.path;
-}
-
-bool operator==(const BrushStrokes& a, const BrushStrokes& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const auto& x, const auto& y) { return x == y || *x == *y; });
-}
-
 std::vector<std::string> validate(const BrushStroke& stroke) {
     std::vector<std::string> problems;
     if (!(stroke.radius >= texture_limits::shortestPhoto && stroke.radius <= texture_limits::longestPhoto))

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/support/shared_values.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -35,7 +37,7 @@ struct BrushPoint {
     Eigen::Vector3d place;  ///< m
     Eigen::Vector3d normal; ///< of the surface there, length > 0
 
-    bool operator==(const BrushPoint& other) const { return place == other.place && normal == other.normal; }
+    bool operator==(const BrushPoint&) const = default;
 };
 
 /// What one movement of a brush does to the surface around its path, in space and not in texels: it lies
@@ -51,13 +53,11 @@ struct BrushStroke {
         Eigen::Vector3d::Zero()}; ///< m, of a clone brush, from where it paints to its source
     std::vector<BrushPoint> path; ///< at least one point; joined by straight lines
 
-    bool operator==(const BrushStroke& other) const;
+    bool operator==(const BrushStroke&) const = default;
 };
 
 /// Never null; shared, so that a copy of a layer costs little.
-using BrushStrokes = std::vector<std::shared_ptr<const BrushStroke>>;
-
-bool operator==(const BrushStrokes& a, const BrushStrokes& b);
+using BrushStrokes = std::vector<ByValue<BrushStroke>>;
 
 /// Every problem of a stroke. Empty when all is well.
 std::vector<std::string> validate(const BrushStroke& stroke);

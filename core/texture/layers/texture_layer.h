@@ -37,12 +37,14 @@ struct TextureLayer {
     double opacity = 1;      ///< 0 to 1
     bool visible = true;
     PhotoPreparation preparation;
-    std::shared_ptr<const Image> prepared; ///< what it makes of the photo; null where it does nothing
+    Derived<Image> prepared; ///< what it makes of the photo; null where it does nothing
     Blending blending = Blending::Normal;
     /// In the order in which they were painted. Erasing and restoring ones make the layer's mask; colour and
     /// clone brushes are for layers without a photo, where painting over what was erased shows again.
     BrushStrokes strokes;
     std::vector<LandmarkPair> landmarks; ///< that place the photo, in pixels of the picture that is thrown
+
+    bool operator==(const TextureLayer&) const = default;
 };
 
 /// What the projector throws: the prepared picture, or the photo's own; null without a photo.

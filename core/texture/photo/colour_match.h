@@ -12,7 +12,8 @@ namespace esm {
 struct ColourMatch {
     std::array<double, 3> scale{1, 1, 1};
     std::array<double, 3> offset{0, 0, 0};
-    bool operator==(const ColourMatch& o) const { return scale == o.scale && offset == o.offset; }
+
+    bool operator==(const ColourMatch&) const = default;
 };
 
 constexpr double smallestSpread = 0.5, largestSpread = 2; ///< of a match's scales

@@ -17,9 +17,7 @@ struct Lens {
     Intrinsics camera{1, 1, 0, 0};
     std::array<double, 5> coefficients{}; ///< k1 k2 p1 p2 k3; of a fisheye k1 k2 k3 k4, and 0
 
-    bool operator==(const Lens& o) const {
-        return kind == o.kind && camera == o.camera && coefficients == o.coefficients;
-    }
+    bool operator==(const Lens&) const = default;
 };
 
 /// Where the photo shows what a lens without distortion would show at `place`.

@@ -16,9 +16,7 @@ struct PhotoStroke {
     double softness = 0;               ///< share of the radius over which it fades, 0 (hard) to 1
     bool takesBack = false;
 
-    bool operator==(const PhotoStroke& o) const {
-        return path == o.path && radius == o.radius && softness == o.softness && takesBack == o.takesBack;
-    }
+    bool operator==(const PhotoStroke&) const = default;
 };
 
 /// Takes the alpha of what the strokes leave out away, one stroke after another; even a hard one has an edge

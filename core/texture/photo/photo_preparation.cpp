@@ -108,12 +108,6 @@ bool PhotoPreparation::isNothing() const {
     return *this == PhotoPreparation();
 }
 
-bool PhotoPreparation::operator==(const PhotoPreparation& o) const {
-    return field == o.field && strokes == o.strokes && highlightThreshold == o.highlightThreshold &&
-           evenLight == o.evenLight && whiteBalance == o.whiteBalance && match == o.match && lens == o.lens &&
-           crop == o.crop;
-}
-
 std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height) {
     Problems problems;
     if (preparation.field) checkField(*preparation.field, problems);

@@ -19,9 +19,8 @@ namespace esm {
 /// What stays of a photo, in pixels from its top left corner.
 struct PhotoCrop {
     int x = 0, y = 0, width = 0, height = 0;
-    bool operator==(const PhotoCrop& o) const {
-        return x == o.x && y == o.y && width == o.width && height == o.height;
-    }
+
+    bool operator==(const PhotoCrop&) const = default;
 };
 
 /// What is done to a photo before it is laid on the organ; by default nothing. Applied in this order, so that
@@ -37,8 +36,8 @@ struct PhotoPreparation {
     std::optional<PhotoCrop> crop; ///< alpha 0 outside
 
     bool isNothing() const;
-    bool operator==(const PhotoPreparation& other) const;
-    bool operator!=(const PhotoPreparation& other) const { return !(*this == other); }
+
+    bool operator==(const PhotoPreparation&) const = default;
 };
 
 /// Every problem of a preparation for a photo of that size. Empty when all is well.

@@ -10,9 +10,8 @@ namespace esm {
 struct RoundField {
     double centreX = 0, centreY = 0, radius = 0;
     double trim = 2; ///< percent of the radius that is left away at the rim, 0 to 90
-    bool operator==(const RoundField& o) const {
-        return centreX == o.centreX && centreY == o.centreY && radius == o.radius && trim == o.trim;
-    }
+
+    bool operator==(const RoundField&) const = default;
 };
 
 /// The circle at which the dark rim ends, fitted to the border's points so that instruments, dark organs and

@@ -9,7 +9,7 @@ struct LandmarkPair {
     Eigen::Vector2d photo; ///< pixels from the top left corner
     Eigen::Vector3d organ; ///< m
 
-    bool operator==(const LandmarkPair& other) const { return photo == other.photo && organ == other.organ; }
+    bool operator==(const LandmarkPair&) const = default;
 };
 
 } // namespace esm

@@ -29,6 +29,8 @@ constexpr double assumedFieldOfView = 60; ///< degrees, vertical
 struct PhotoCamera {
     PhotoSize size;
     std::optional<Intrinsics> intrinsics;
+
+    bool operator==(const PhotoCamera&) const = default;
 };
 
 /// The pose from which a camera sees the landmarks where the photo shows them: from three of them each

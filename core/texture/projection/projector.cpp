@@ -32,12 +32,6 @@ Eigen::Matrix4d fromOwnSpace(const Projector& projector, PhotoSize photo) {
 
 } // namespace
 
-bool operator==(const Projector& a, const Projector& b) {
-    return a.pose.matrix() == b.pose.matrix() && a.width == b.width && a.height == b.height &&
-           a.occlusion == b.occlusion && a.kind == b.kind && a.fieldOfView == b.fieldOfView &&
-           a.intrinsics == b.intrinsics && a.falloff == b.falloff;
-}
-
 Intrinsics intrinsicsOf(const Projector& projector, PhotoSize photo) {
     if (projector.intrinsics) return *projector.intrinsics;
     const double focal = photo.height / (2 * std::tan(toRadians(projector.fieldOfView) / 2));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/pose.h"
 #include "core/texture/intrinsics.h"
 
 #include <Eigen/Core>
@@ -17,15 +18,16 @@ enum class ProjectorKind {
 
 /// Where a photo is thrown from, x right and y up in its own space [R 4.3.2.3].
 struct Projector {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< projector → model, m
-    double width = 0.1, height = 0.1;                       ///< parallel: of the photo in space, m, > 0
-    bool occlusion = true; ///< colour only what the projector sees: not hidden, and facing it
+    Pose pose = Pose::Identity();     ///< projector → model, m
+    double width = 0.1, height = 0.1; ///< parallel: of the photo in space, m, > 0
+    bool occlusion = true;            ///< colour only what the projector sees: not hidden, and facing it
     ProjectorKind kind = ProjectorKind::Parallel;
     double fieldOfView = 40;              ///< perspective: vertical, degrees, as a file says it
     std::optional<Intrinsics> intrinsics; ///< perspective: in place of the field of view
     bool falloff = false;                 ///< the weight falls with the angle, see `angleWeight`
+
+    bool operator==(const Projector&) const = default;
 };
-bool operator==(const Projector& a, const Projector& b);
 
 /// The camera of a perspective projector; from a field of view one with square pixels and the principal point
 /// in the photo's middle.

@@ -32,11 +32,6 @@ QString withInputs(const QString& name, const FuzzySystem& system) {
 
 } // namespace
 
-bool FuzzyChoice::Entry::operator==(const Entry& other) const {
-    return text == other.text && name == other.name && toolTip == other.toolTip && kind == other.kind &&
-           place == other.place;
-}
-
 FuzzyChoice::FuzzyChoice(QWidget* parent) : QComboBox(parent) {
     setObjectName(QStringLiteral("systemChoice"));
     setAccessibleName(tr("Fuzzy system"));

@@ -44,7 +44,7 @@ private:
         Kind kind;
         uint place = 0; ///< among m_others
 
-        bool operator==(const Entry& other) const;
+        bool operator==(const Entry&) const = default;
     };
 
     void recognise();

@@ -20,7 +20,7 @@ void RuleDrafts::keep(const System& system, const QString& text) {
 
 std::optional<QString> RuleDrafts::take(const System& system) {
     const auto found = std::find_if(m_texts.begin(), m_texts.end(),
-                                    [&](const auto& kept) { return same(kept.first, system); });
+                                    [&](const auto& kept) { return sameValue(kept.first, system); });
     if (found == m_texts.end()) return std::nullopt;
     QString text = std::move(found->second);
     m_texts.erase(found);
@@ -30,7 +30,7 @@ std::optional<QString> RuleDrafts::take(const System& system) {
 void RuleDrafts::follow(const EditedSystem& edited) {
     if (!edited.before || !edited.after) return;
     for (auto& [system, text] : m_texts) {
-        if (!same(system, edited.before)) continue;
+        if (!sameValue(system, edited.before)) continue;
         text = withNamesOf(*edited.after, *edited.before, text);
         system = edited.after;
     }
@@ -39,15 +39,16 @@ void RuleDrafts::follow(const EditedSystem& edited) {
 void RuleDrafts::forgetAllBut(const std::vector<Region>& regions) {
     const auto isGone = [&](const auto& kept) {
         return std::none_of(regions.begin(), regions.end(),
-                            [&](const Region& region) { return region.system == kept.first; });
+                            [&](const Region& region) { return region.system.get() == kept.first.get(); });
     };
     m_texts.erase(std::remove_if(m_texts.begin(), m_texts.end(), isGone), m_texts.end());
 }
 
 bool RuleDrafts::concern(const std::vector<Region>& regions) const {
     return std::any_of(m_texts.begin(), m_texts.end(), [&](const auto& kept) {
-        return std::any_of(regions.begin(), regions.end(),
-                           [&](const Region& region) { return same(region.system, kept.first); });
+        return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
+            return sameValue<FuzzySystem>(region.system, kept.first);
+        });
     });
 }
 

@@ -126,8 +126,8 @@ void RulesPanel::follow(const EditedSystem& edited) {
     leaveOrgan();
     m_drafts.follow(edited);
     const auto system = selectedSystem(m_document, m_selection);
-    const bool goesOn =
-        m_system && (same(system, m_system) || (same(edited.before, m_system) && same(edited.after, system)));
+    const bool goesOn = m_system && (sameValue(system, m_system) ||
+                                     (sameValue(edited.before, m_system) && sameValue(edited.after, system)));
     if (system != m_system) {
         if (!goesOn && isUnfinished()) m_drafts.keep(m_system, m_text->toPlainText());
         const auto before = std::exchange(m_system, system);
@@ -166,7 +166,7 @@ void RulesPanel::leaveOrgan() {
     if (project.mesh == m_organ) return;
     m_organ = project.mesh;
     m_drafts.forgetAllBut(project.regions);
-    const auto isHere = [&](const Region& region) { return region.system == m_system; };
+    const auto isHere = [&](const Region& region) { return region.system.get() == m_system.get(); };
     if (std::none_of(project.regions.begin(), project.regions.end(), isHere)) m_system = nullptr;
 }
 

@@ -187,7 +187,7 @@ const Region* WhyPanel::region() const {
 
 void WhyPanel::showSystem() {
     const Region* shown = region();
-    const auto system = shown ? shown->system : nullptr;
+    const std::shared_ptr<const FuzzySystem> system = shown ? shown->system : nullptr;
     // What nobody looks at waits.
     if (!isVisible()) return;
     if (system != m_system) {

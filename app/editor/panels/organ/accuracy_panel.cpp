@@ -233,7 +233,7 @@ void AccuracyPanel::showInUse() {
     const auto& runs = m_measurement->tradeoff.runs;
     const std::size_t nodes = m_document.project().network->restPositions.size();
     const auto marked = std::find_if(runs.begin(), runs.end(), [&](const TradeoffRun& run) {
-        return inUse && run.nodes == nodes && same(run.stepping, inUse->stepping);
+        return inUse && run.nodes == nodes && run.stepping == inUse->stepping;
     });
     m_chart->setChosen(marked == runs.end() ? std::nullopt
                                             : std::optional<std::size_t>(marked - runs.begin()));

@@ -20,11 +20,6 @@ NumberFormat texelFormat() {
     return format;
 }
 
-bool same(const AtlasOptions& a, const AtlasOptions& b) {
-    return a.size == b.size && a.pages == b.pages && a.gap == b.gap && a.layout == b.layout &&
-           a.texelsPerMetre == b.texelsPerMetre;
-}
-
 } // namespace
 
 AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
@@ -129,7 +124,7 @@ void AtlasPanel::showUse() {
 
 void AtlasPanel::pack(const AtlasOptions& options) {
     const Project& project = m_document.project();
-    if (same(options, project.texture.atlas) && project.atlas) return;
+    if (options == project.texture.atlas && project.atlas) return;
     const auto mesh = project.mesh;
     attempt(window(), tr("The texture cannot be packed"), [&] {
         auto atlas = std::make_shared<const Atlas>(computeLong(

@@ -35,7 +35,7 @@ TEST(EditSystem, GoesToEveryRegionOfTheSameLanguage) {
     system.inputs[0].name = "firmness";
     editSystem(project, 0, system);
     EXPECT_EQ(project.regions[0].system->inputs[0].name, "firmness");
-    EXPECT_EQ(project.regions[0].system, project.regions[1].system);
+    EXPECT_EQ(project.regions[0].system.get(), project.regions[1].system.get());
     EXPECT_EQ(project.regions[2].system, other);
     EXPECT_THAT(project.regions[0].inputs, ElementsAre(Pair("firmness", 5.5)));
     EXPECT_THAT(project.regions[1].inputs, ElementsAre(Pair("firmness", 6)));

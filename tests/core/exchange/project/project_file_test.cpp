@@ -211,7 +211,7 @@ TEST_F(ProjectFile, NamesWhatIsWrongWithAPreparation) {
 TEST_F(ProjectFile, SharesWhatWasShared) {
     saveProject(richProject(), m_file);
     const Project loaded = loadProject(m_file);
-    EXPECT_EQ(loaded.regions[0].system, loaded.regions[1].system);
+    EXPECT_EQ(loaded.regions[0].system.get(), loaded.regions[1].system.get());
     EXPECT_EQ(loaded.layers[0].photo, loaded.layers[2].photo);
 }
 

@@ -258,7 +258,7 @@ TEST_F(RulesPanelTest, WhatIsNotInForceDoesNotGoOverToAnotherSystem) {
 TEST_F(RulesPanelTest, WhatIsNotInForceGoesWithItsSystemWhereAnotherRegionSpeaksIt) {
     press(Qt::Key_R, Qt::ControlModifier);
     const std::size_t last = project().regions.size() - 1;
-    ASSERT_NE(project().regions[last].system, project().regions[last - 1].system);
+    ASSERT_NE(project().regions[last].system.get(), project().regions[last - 1].system.get());
     selection().setRegion(last - 1);
     const QString draft = writeDraft();
     selection().setRegion(last);
