@@ -1,15 +1,17 @@
 #include "app/esmc/integrator_warnings.h"
 
-#include "core/dynamics/stability/swings.h"
-
 namespace esm {
 
 std::vector<std::string> integratorWarnings(const Scene& scene, Integrator integrator) {
     std::vector<std::string> warnings;
-    if (integrator == Integrator::AdamsMoulton && !scene.moves.empty())
-        warnings.emplace_back("while a node is led adams-moulton steps as rk4 does: what it gives is rk4's");
-    if (lagsWhereTissueTurns(integrator))
-        warnings.push_back(std::string(integratorName(integrator)) +
+    const IntegratorTraits& traits = traitsOf(integrator);
+    const std::string name = traits.name, first = integratorName(traits.startsAs);
+    // Explicit ones begin anew in every step that leads nodes.
+    if (isExplicit(integrator) && traits.startsAs != integrator && !scene.moves.empty())
+        warnings.push_back("while a node is led " + name + " steps as " + first + " does: what it gives is " +
+                           first + "'s");
+    if (traits.lagsWhereTissueTurns)
+        warnings.push_back(name +
                            " lags behind where tissue turns, unless its steps are very short: implicit and "
                            "bdf2 follow it");
     return warnings;

@@ -24,22 +24,9 @@ struct WishStyle {
 };
 constexpr WishStyle realTimeStyle{{200, 60, 60}, 8}, errorStyle{{0, 100, 170}, 11};
 
-/// By integrator, in their order: told apart by people who see few colours as well.
-constexpr std::array<Drawing::Colour, 12> colours{{{0, 0, 0},
-                                                   {230, 159, 0},
-                                                   {86, 180, 233},
-                                                   {0, 158, 115},
-                                                   {240, 228, 66},
-                                                   {0, 114, 178},
-                                                   {213, 94, 0},
-                                                   {204, 121, 167},
-                                                   {120, 120, 120},
-                                                   {130, 60, 20},
-                                                   {90, 60, 180},
-                                                   {20, 90, 40}}};
-
-const Drawing::Colour& colourOf(Integrator integrator) {
-    return colours.at(static_cast<std::size_t>(integrator));
+Drawing::Colour colourOf(Integrator integrator) {
+    const auto& [red, green, blue] = traitsOf(integrator).colour;
+    return {red, green, blue};
 }
 
 constexpr double mostDecades = 20; ///< to either side of 1

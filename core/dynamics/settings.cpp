@@ -11,7 +11,7 @@ std::vector<std::string> validate(const SimulationSettings& settings) {
     const std::string integrator = integratorName(settings.integrator);
     if (!isAmount(settings.restTolerance))
         problems.emplace_back("the rest tolerance must be a number of metres, zero or more");
-    if (hasConstantMatrix(settings.integrator) && settings.damping == Damping::Axial)
+    if (settings.damping == Damping::Axial && !traitsOf(settings.integrator).mayDampAxially)
         problems.push_back(
             integrator +
             " needs isotropic damping: choose isotropic damping or another integrator, as implicit");

@@ -3,6 +3,7 @@
 #include "core/dynamics/divergence.h"
 #include "core/dynamics/forces.h"
 #include "core/dynamics/schemes/stepper.h"
+#include "core/dynamics/stability/stability.h"
 #include "core/support/errors.h"
 
 #include <algorithm>

@@ -4,54 +4,150 @@ namespace esm {
 
 namespace {
 
-constexpr std::array names{"auto",        "euler",    "verlet", "heun",       "rk4",   "adams-moulton",
-                           "propagation", "implicit", "bdf2",   "projective", "split", "split2"};
+/// One row for each integrator, in the order of the enumeration. What a row leaves out is as most have it.
+constexpr std::array rows{
+    IntegratorTraits{.integrator = Integrator::Auto,
+                     .name = "auto",
+                     .kind = StepKind::Open,
+                     .order = 1,
+                     .startsAs = Integrator::Auto,
+                     .colour = {0, 0, 0},
+                     .sentence = ""},
+    IntegratorTraits{.integrator = Integrator::Euler,
+                     .name = "euler",
+                     .kind = StepKind::Explicit,
+                     .order = 1,
+                     .startsAs = Integrator::Euler,
+                     .keptEnergy = KeptEnergy::InStepBefore,
+                     .colour = {230, 159, 0},
+                     .sentence = "euler, the simplest method; it needs small steps"},
+    IntegratorTraits{.integrator = Integrator::Verlet,
+                     .name = "verlet",
+                     .kind = StepKind::Explicit,
+                     .order = 2,
+                     .startsAs = Integrator::Verlet,
+                     .keptEnergy = KeptEnergy::InStepAfter,
+                     .colour = {86, 180, 233},
+                     .sentence = "verlet, a simple method of second order; it needs small steps"},
+    IntegratorTraits{.integrator = Integrator::Heun,
+                     .name = "heun",
+                     .kind = StepKind::Explicit,
+                     .order = 2,
+                     .startsAs = Integrator::Heun,
+                     .colour = {0, 158, 115},
+                     .sentence = "heun, a method of second order; it needs small steps and some viscosity"},
+    IntegratorTraits{.integrator = Integrator::Rk4,
+                     .name = "rk4",
+                     .kind = StepKind::Explicit,
+                     .order = 4,
+                     .startsAs = Integrator::Rk4,
+                     .colour = {240, 228, 66},
+                     .sentence = "rk4, a very accurate method; it needs small steps"},
+    IntegratorTraits{.integrator = Integrator::AdamsMoulton,
+                     .name = "adams-moulton",
+                     .kind = StepKind::Explicit,
+                     .order = 4,
+                     .startsAs = Integrator::Rk4,
+                     .colour = {0, 114, 178},
+                     .sentence = "adams-moulton, a very accurate method; it needs very small steps"},
+    IntegratorTraits{.integrator = Integrator::Propagation,
+                     .name = "propagation",
+                     .kind = StepKind::Searching,
+                     .order = 1,
+                     .startsAs = Integrator::Propagation,
+                     .colour = {213, 94, 0},
+                     .sentence = "propagation, where forces settle node by node before the tissue moves on"},
+    IntegratorTraits{.integrator = Integrator::Implicit,
+                     .name = "implicit",
+                     .kind = StepKind::Solving,
+                     .order = 1,
+                     .startsAs = Integrator::Implicit,
+                     .colour = {204, 121, 167},
+                     .sentence = "implicit, a method that stays calm however stiff the tissue is, and calms "
+                                 "its motion"},
+    IntegratorTraits{.integrator = Integrator::Bdf2,
+                     .name = "bdf2",
+                     .kind = StepKind::Solving,
+                     .order = 2,
+                     .startsAs = Integrator::Implicit,
+                     .colour = {120, 120, 120},
+                     .sentence =
+                         "bdf2, a method of second order that stays calm however stiff the tissue is"},
+    IntegratorTraits{.integrator = Integrator::Projective,
+                     .name = "projective",
+                     .kind = StepKind::Solving,
+                     .order = 1,
+                     .startsAs = Integrator::Projective,
+                     .hasConstantMatrix = true,
+                     .mayDampAxially = false,
+                     .lagsWhereTissueTurns = true,
+                     .colour = {130, 60, 20},
+                     .sentence = "projective, a fast method that lags behind where tissue turns; measure "
+                                 "again for a better one"},
+    IntegratorTraits{.integrator = Integrator::Split,
+                     .name = "split",
+                     .kind = StepKind::Solving,
+                     .order = 1,
+                     .startsAs = Integrator::Split,
+                     .hasConstantMatrix = true,
+                     .mayDampAxially = false,
+                     .keptEnergy = KeptEnergy::InStepBefore,
+                     .colour = {90, 60, 180},
+                     .sentence = "split, a method that stays calm however viscous the tissue is"},
+    IntegratorTraits{.integrator = Integrator::Split2,
+                     .name = "split2",
+                     .kind = StepKind::Solving,
+                     .order = 2,
+                     .startsAs = Integrator::Split,
+                     .hasConstantMatrix = true,
+                     .mayDampAxially = false,
+                     .colour = {20, 90, 40},
+                     .sentence =
+                         "split2, a method of second order that stays calm however viscous the tissue is"},
+};
+
+constexpr bool isRowOf(std::size_t index, Integrator integrator) {
+    return rows[index].integrator == integrator && static_cast<std::size_t>(integrator) == index;
+}
+
+/// Whether the rows are those of `Auto` and of all the others, each where its number says.
+constexpr bool areComplete() {
+    if (rows.size() != allIntegrators.size() + 1 || !isRowOf(0, Integrator::Auto)) return false;
+    for (std::size_t i = 0; i < allIntegrators.size(); ++i)
+        if (!isRowOf(i + 1, allIntegrators[i])) return false;
+    return true;
+}
+static_assert(areComplete(), "an integrator has no row, or one in another place");
 
 } // namespace
 
+const IntegratorTraits& traitsOf(Integrator integrator) {
+    return rows.at(static_cast<std::size_t>(integrator));
+}
+
 const char* integratorName(Integrator integrator) {
-    return names.at(static_cast<std::size_t>(integrator));
+    return traitsOf(integrator).name;
 }
 
 std::optional<Integrator> integratorFromName(const std::string& name) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (name == names.at(i)) return static_cast<Integrator>(i);
+    for (const IntegratorTraits& row : rows)
+        if (name == row.name) return row.integrator;
     return std::nullopt;
 }
 
 std::string integratorNames() {
     std::string list;
-    for (const char* name : names)
-        list += (list.empty() ? "" : ", ") + std::string(name);
+    for (const IntegratorTraits& row : rows)
+        list += (list.empty() ? "" : ", ") + std::string(row.name);
     return list;
 }
 
 int orderOf(Integrator integrator) {
-    switch (integrator) {
-    case Integrator::Rk4:
-    case Integrator::AdamsMoulton:
-        return 4;
-    case Integrator::Verlet:
-    case Integrator::Heun:
-    case Integrator::Bdf2:
-    case Integrator::Split2:
-        return 2;
-    default:
-        return 1;
-    }
+    return traitsOf(integrator).order;
 }
 
 bool isExplicit(Integrator integrator) {
-    switch (integrator) {
-    case Integrator::Euler:
-    case Integrator::Verlet:
-    case Integrator::Heun:
-    case Integrator::Rk4:
-    case Integrator::AdamsMoulton:
-        return true;
-    default:
-        return false;
-    }
+    return traitsOf(integrator).kind == StepKind::Explicit;
 }
 
 bool mayBeExplicit(Integrator integrator) {
@@ -59,12 +155,12 @@ bool mayBeExplicit(Integrator integrator) {
 }
 
 bool hasConstantMatrix(Integrator integrator) {
-    return integrator == Integrator::Projective || integrator == Integrator::Split ||
-           integrator == Integrator::Split2;
+    return traitsOf(integrator).hasConstantMatrix;
 }
 
 bool hasSecondOrderForm(Integrator integrator) {
-    return integrator == Integrator::Bdf2 || integrator == Integrator::Split2;
+    const IntegratorTraits& traits = traitsOf(integrator);
+    return traits.kind == StepKind::Solving && traits.startsAs != integrator;
 }
 
 } // namespace esm

@@ -71,7 +71,7 @@ MiddleStep stepBefore(const WatchedSteps& last, Integrator integrator) {
     const Motion& motion = last.after;
     const double half = last.duration / 2;
     return {moved(motion.positions, -last.duration, motion.velocities), motion.positions, motion.velocities,
-            integrator == Integrator::Split ? half : -half};
+            isExplicit(integrator) ? -half : half};
 }
 
 /// Verlet's next one, as long as the last.
@@ -113,15 +113,15 @@ double middleEnergy(const SpringSystem& system, Damping damping, const WatchedSt
 
 double keptEnergy(const SpringSystem& system, Integrator integrator, Damping damping,
                   const WatchedSteps& steps) {
-    switch (integrator) {
-    case Integrator::Euler:
-    case Integrator::Split:
+    switch (traitsOf(integrator).keptEnergy) {
+    case KeptEnergy::InStepBefore:
         return middleEnergy(system, damping, steps, stepBefore(steps, integrator));
-    case Integrator::Verlet:
+    case KeptEnergy::InStepAfter:
         return middleEnergy(system, damping, steps, stepAfter(system, damping, steps));
-    default:
-        return energy(system, steps.after.positions, steps.after.velocities).total();
+    case KeptEnergy::AtEnd:
+        break;
     }
+    return energy(system, steps.after.positions, steps.after.velocities).total();
 }
 
 EnergyWatch::EnergyWatch(const SpringSystem& system, const SimulationSettings& settings, const Motion& start)

@@ -22,7 +22,7 @@ constexpr std::size_t mostLengths = 8;
 constexpr std::size_t mostNodesForLengths = 100'000;
 
 bool cutsEverywhere(Integrator integrator) {
-    return isExplicit(integrator) || integrator == Integrator::Propagation;
+    return isExplicit(integrator) || traitsOf(integrator).kind == StepKind::Searching;
 }
 
 void addCorner(std::set<double>& corners, double time, double duration) {

@@ -133,7 +133,7 @@ private:
         std::vector<Stepping> ways;
         for (const Integrator integrator : allIntegrators) {
             const double step = longestStep(integrator);
-            if (!(step >= shortestStep) || lagsWhereTissueTurns(integrator)) continue;
+            if (!(step >= shortestStep) || traitsOf(integrator).lagsWhereTissueTurns) continue;
             ways.push_back({integrator, step, Precision::Double});
             if (isExplicit(integrator)) ways.push_back({integrator, step, Precision::Float});
         }

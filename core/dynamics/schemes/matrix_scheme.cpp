@@ -3,6 +3,7 @@
 #include "core/dynamics/forces.h"
 #include "core/dynamics/schemes/axial_dampers.h"
 #include "core/dynamics/schemes/implicit_system.h"
+#include "core/dynamics/schemes/schemes.h"
 
 #include <cmath>
 
@@ -34,25 +35,15 @@ struct MatrixScheme::Start {
     const Motion& before;
 };
 
-/// M·(massFactor·v⁺ − drive) = h·(f(x⁺) − D·v⁺ + g), x⁺ = x + drift + reach·v⁺: both orders have this form.
-struct MatrixScheme::Form {
+/// The step's form, with the matrix that it solves for.
+struct MatrixScheme::Form : StepForm {
     MatrixFactors factors;
-    Vectors drive; ///< m/s
-    Vectors drift; ///< m; empty: none
-    double reach;  ///< s
 };
 
 MatrixScheme::Form MatrixScheme::formOf(const StepInput& input, const Motion& before, bool builds) const {
     const double h = input.duration;
-    Form form{stepFactors(m_integrator, h, builds), before.velocities, {}, h};
-    if (!builds) return form;
-    form.reach = 2 * h / 3;
-    form.drift.resize(before.positions.size());
-    for (std::size_t i = 0; i < form.drift.size(); ++i) {
-        form.drive[i] = 2 * before.velocities[i] - 0.5 * m_previous->velocities[i];
-        form.drift[i] = (before.positions[i] - m_previous->positions[i]) / 3;
-    }
-    return form;
+    const Scheme& scheme = schemeOf(builds ? m_integrator : traitsOf(m_integrator).startsAs);
+    return {scheme.form(h, before, builds ? &*m_previous : nullptr), scheme.factors(h)};
 }
 
 /// Gives the led nodes the velocities that take them where they are led.
@@ -84,6 +75,7 @@ std::optional<UntouchedStep> MatrixScheme::step(const SpringSystem& system, cons
     else if (!solveTangent(start, form, solver, step))
         return std::nullopt;
     step.motion.positions = placesAfter(start, form, step.motion.velocities);
+    goBeyond(start, form, step.motion.velocities);
     return step;
 }
 
@@ -97,11 +89,21 @@ Vectors MatrixScheme::placesAfter(const Start& start, const Form& form, const Ve
     return places;
 }
 
+/// From the velocities that the form solves for to those at the step's end. Led nodes keep theirs.
+void MatrixScheme::goBeyond(const Start& start, const Form& form, Vectors& velocities) {
+    if (form.beyond == 0) return;
+    std::vector<char> isLed(velocities.size(), 0);
+    for (const HeldNode& led : start.input.held)
+        isLed[led.node] = 1;
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+        if (!isLed[i]) velocities[i] += form.beyond * (velocities[i] - start.before.velocities[i]);
+}
+
 void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolver& solver,
                                  UntouchedStep& step) const {
     Vectors& velocities = step.motion.velocities;
     Vectors extrapolated;
-    if (!form.drift.empty()) {
+    if (form.extrapolates) {
         extrapolated = m_previousForces;
         for (std::size_t i = 0; i < extrapolated.size(); ++i)
             extrapolated[i] -= m_forces[i];
@@ -118,14 +120,15 @@ void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolve
 bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver& solver,
                                 UntouchedStep& step) const {
     TangentMatrix tangent(start.system, m_damping, form.factors, start.before.positions);
-    // The first order needs no exact tangent.
-    if (form.drift.empty()) tangent.omitBuckling();
-    const Vectors stiffened = form.drift.empty() ? Vectors{} : tangent.stiffnessTimes(form.drift);
+    if (!form.isExact) tangent.omitBuckling();
+    Vectors stiffened = form.drift.empty() ? Vectors{} : tangent.stiffnessTimes(form.drift);
+    for (Eigen::Vector3d& force : stiffened)
+        force *= form.endShare;
     const Vectors asked = momentum(start, form, stiffened);
 
     Vectors& velocities = step.motion.velocities;
     Vectors safe = velocities, half;
-    if (form.drift.empty()) {
+    if (!form.isExact) {
         solver.matrix.solveLower(asked, safe, half);
         const auto led = ledByImpulses(solver.matrix, start.input.held);
         if (!led.empty()) solver.impulses.lead(led, safe, half);
@@ -138,7 +141,7 @@ bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver
         return reached - known > roundingShare * (std::abs(reached) + std::abs(known));
     };
     if (!overshoots()) return true;
-    if (!form.drift.empty()) return false;
+    if (form.isExact) return false;
     for (int halving = 0; halving < mostHalfWays; ++halving) {
         for (std::size_t i = 0; i < velocities.size(); ++i)
             velocities[i] = 0.5 * (velocities[i] + safe[i]);
@@ -205,11 +208,19 @@ Vectors MatrixScheme::momentum(const Start& start, const Form& form, const Vecto
     return forces;
 }
 
+/// Makes of the elastic forces at the step's end, N, those that the form takes.
+void MatrixScheme::addShareBefore(const Form& form, Vectors& forces) const {
+    if (form.endShare == 1) return;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        forces[i] = form.endShare * forces[i] + (1 - form.endShare) * m_forces[i];
+}
+
 /// N·s, by which these velocities miss the step's equation.
 Vectors MatrixScheme::missing(const Start& start, const Form& form, const Vectors& places,
                               const Vectors& velocities) const {
     Vectors forces;
     elasticForces(start.system, places, forces);
+    addShareBefore(form, forces);
     addExternalForces(start.system, *start.input.loads, forces);
     addDampingForces(start.system, m_damping, places, velocities, forces);
     for (std::size_t i = 0; i < forces.size(); ++i)
@@ -223,6 +234,9 @@ double MatrixScheme::potential(const Start& start, const Form& form, const Vecto
     const double h = start.input.duration;
     Vectors damping(velocities.size(), Eigen::Vector3d::Zero()), external = damping;
     addDampingForces(start.system, m_damping, start.before.positions, velocities, damping);
+    if (form.endShare < 1)
+        for (std::size_t i = 0; i < external.size(); ++i)
+            external[i] = (1 - form.endShare) * m_forces[i];
     addExternalForces(start.system, *start.input.loads, external);
     double result = 0;
     for (std::size_t i = 0; i < velocities.size(); ++i) {
@@ -230,7 +244,8 @@ double MatrixScheme::potential(const Start& start, const Form& form, const Vecto
         result += start.system.mass[i] * v.dot(0.5 * form.factors.mass * v - form.drive[i]) -
                   h * v.dot(external[i] + 0.5 * damping[i]);
     }
-    return result + h / form.reach * energy(start.system, placesAfter(start, form, velocities), {}).elastic;
+    return result + form.endShare * h / form.reach *
+                        energy(start.system, placesAfter(start, form, velocities), {}).elastic;
 }
 
 } // namespace esm

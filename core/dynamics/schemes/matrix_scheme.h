@@ -7,8 +7,7 @@
 
 namespace esm {
 
-/// The integrators that solve for velocities: implicit, bdf2, projective, split and split2, and what they
-/// carry from step to step.
+/// The integrators that solve for velocities, each by its StepForm, and what they carry from step to step.
 class MatrixScheme {
 public:
     MatrixScheme(Integrator integrator, Damping damping) : m_integrator(integrator), m_damping(damping) {}
@@ -35,6 +34,7 @@ private:
     static void lead(const std::vector<HeldNode>& held, const Form& form, const Vectors& positions,
                      Vectors& velocities);
     Form formOf(const StepInput& input, const Motion& before, bool builds) const;
+    static void goBeyond(const Start& start, const Form& form, Vectors& velocities);
     void solveConstant(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;
     bool solveTangent(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;
     void solveTurning(const Start& start, const Form& form, StepSolver& solver, Vectors& velocities) const;
@@ -43,6 +43,7 @@ private:
                         Vectors& velocities) const;
     Vectors momentum(const Start& start, const Form& form, const Vectors& stiffened) const;
     static Vectors placesAfter(const Start& start, const Form& form, const Vectors& velocities);
+    void addShareBefore(const Form& form, Vectors& forces) const;
     Vectors missing(const Start& start, const Form& form, const Vectors& places,
                     const Vectors& velocities) const;
     double potential(const Start& start, const Form& form, const Vectors& velocities) const;

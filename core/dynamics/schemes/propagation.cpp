@@ -1,8 +1,10 @@
 #include "core/dynamics/schemes/propagation.h"
 
+#include "core/dynamics/schemes/schemes.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace esm {
 
@@ -27,7 +29,19 @@ Vector3d springForce(const SpringSystem::Element& spring, Damping damping, const
     return elastic - spring.viscosity * direction.dot(approach) * direction;
 }
 
+// Always stable; but forces settle the slower the more a node's springs outweigh its mass: h·D + h²·K <
+// 100·M.
+std::optional<double> largestPropagationStep(TissueSpectrum& tissue, double cap) {
+    constexpr double most = 100;
+    const double d = tissue.largestDamping();
+    return std::min(cap, 2 * most / (d + std::sqrt(d * d + 4 * most * tissue.largestStiffness())));
+}
+
 } // namespace
+
+const Scheme propagationScheme{.largestStable = largestPropagationStep,
+                               .ownDamping = dampsAsImplicitEuler,
+                               .factors = implicitEulerFactors};
 
 PropagationScheme::PropagationScheme(const SpringSystem& system, Damping damping,
                                      std::function<bool()> isWanted)

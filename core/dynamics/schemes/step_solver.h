@@ -16,9 +16,8 @@ struct StepSolver {
     StepSolver& operator=(const StepSolver&) = delete;
 };
 
-/// The matrix of a step of so many seconds: that of the integrator itself where it is constant, else the
-/// constant one that comes closest.
-/// @param builds on the step before; only where the integrator has a second-order form
+/// The matrix of a step of so many seconds, as Scheme::factors says.
+/// @param builds on the step before; else the matrix is that of the integrator it starts as
 MatrixFactors stepFactors(Integrator integrator, double duration, bool builds);
 
 /// A step before anything touched it.

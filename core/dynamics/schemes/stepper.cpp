@@ -84,7 +84,7 @@ Stepper::Scheme Stepper::makeScheme(const Stepper* former) const {
     }
     const SimulationSettings& settings = m_options.settings;
     const KernelOptions options{settings.damping, {}, m_options.team};
-    if (m_integrator == Integrator::Propagation)
+    if (traitsOf(m_integrator).kind == StepKind::Searching)
         return PropagationScheme(m_system, settings.damping, settings.isWanted);
     if (!isExplicit(m_integrator)) return MatrixScheme(m_integrator, settings.damping);
     if (settings.precision == Precision::Float)
@@ -230,7 +230,7 @@ UntouchedStep Stepper::branchStep(const Motion& motion, const Piece& piece) {
 }
 
 UntouchedStep Stepper::firstOrderStep(const Motion& motion, const Piece& piece) {
-    if (m_integrator == Integrator::Projective && hasBranches()) return branchStep(motion, piece);
+    if (hasConstantMatrix(m_integrator) && hasBranches()) return branchStep(motion, piece);
     UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(
         m_system, piece.input, motion, solverFor(piece.input.duration, false), false);
     place(piece.input.held, step.motion.positions);

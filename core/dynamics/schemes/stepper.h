@@ -4,7 +4,6 @@
 #include "core/dynamics/schemes/explicit_scheme.h"
 #include "core/dynamics/schemes/matrix_scheme.h"
 #include "core/dynamics/schemes/propagation.h"
-#include "core/dynamics/stability/stability.h"
 #include "core/dynamics/strained_springs.h"
 
 #include <map>
@@ -21,8 +20,8 @@ struct StepperOptions {
 /// Steps one spring system by any of the integrators, leading nodes and making way for an instrument: first
 /// as if nothing touched the tissue, then with the impulses that its contacts ask for. Integrators that build
 /// on earlier steps begin anew after every jump, of loads, of parameters or of a led node's velocity, and
-/// while the tissue is touched; the first step of split2 is one of split, of bdf2 one of implicit. Explicit
-/// ones begin anew in each step that leads nodes, which go evenly through it.
+/// while the tissue is touched; such a first step is one of the integrator that IntegratorTraits names.
+/// Explicit ones begin anew in each step that leads nodes, which go evenly through it.
 class Stepper {
 public:
     /// @param former what stepped the same network before: orders and layouts that hang on the network alone

@@ -1,8 +1,10 @@
 #include "core/dynamics/stability/stability.h"
 
-#include "core/dynamics/stability/stability_rules.h"
+#include "core/dynamics/schemes/schemes.h"
+#include "core/dynamics/spectrum/tissue_spectrum.h"
 #include "core/support/errors.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace esm {
@@ -16,14 +18,25 @@ bool hasToBeExplicit(const SimulationSettings& settings) {
     return settings.precision == Precision::Float || settings.restTolerance > 0;
 }
 
+// Preconditioned with the Laplacian's matrix, M + h·D + h²·K has its eigenvalues between 1 and 1/c, where K
+// may vanish for a motion that the Laplacian resists with k: c = 1 + h²·k/(1 + h·d), most at the largest k,
+// where d is at least ratio·k. Conjugate gradients take some 12·√c iterations to their tolerance.
+/// Largest step up to `cap`, s, at which `implicit` and `bdf2` are sure to solve for the velocities.
+double largestSolvable(const TissueSpectrum& tissue, double cap) {
+    constexpr double mostContrast = 5000;
+    if (tissue.largestStiffness() == 0) return cap;
+    const double damped = 0.5 * mostContrast * tissue.dampingRatio();
+    return std::min(cap, damped + std::sqrt(damped * damped + mostContrast / tissue.largestStiffness()));
+}
+
 /// Where a given step is too long for all that take elasticity explicitly, it has to be taken implicitly.
-Integrator integratorFor(StabilityRules& rules, const SimulationSettings& settings, double step) {
+Integrator integratorFor(TissueSpectrum& tissue, const SimulationSettings& settings, double step) {
     if (hasToBeExplicit(settings)) return Integrator::Euler;
     std::vector<Integrator> candidates{Integrator::Euler};
     if (settings.damping == Damping::Isotropic)
         candidates = {Integrator::Split2, Integrator::Split, Integrator::Euler};
     for (const Integrator integrator : candidates)
-        if (rules.largestStable(integrator, step).value_or(0) >= step) return integrator;
+        if (schemeOf(integrator).largestStable(tissue, step).value_or(0) >= step) return integrator;
     return Integrator::Bdf2;
 }
 
@@ -39,15 +52,15 @@ double costOf(const ChosenStep& chosen) {
 /// The second-order form is worth a shorter step than the first-order one, but not any; where viscosity is so
 /// small that taking it implicitly gains nothing, the explicit step is as good and cheaper. Where all of them
 /// fall behind real time, elasticity has to be taken implicitly as well.
-ChosenStep bestChoice(StabilityRules& rules, const SimulationSettings& settings, double cap,
+ChosenStep bestChoice(TissueSpectrum& tissue, const SimulationSettings& settings, double cap,
                       std::size_t springs) {
     const auto longest = [&](Integrator integrator) {
-        return ChosenStep{integrator, rules.largestStable(integrator, cap).value_or(0)};
+        return ChosenStep{integrator, schemeOf(integrator).largestStable(tissue, cap).value_or(0)};
     };
     const auto inTime = [&](const ChosenStep& chosen) {
         if (costOf(chosen) * static_cast<double>(springs) <= 1) return chosen;
         // As long as conjugate gradients are sure to solve for it.
-        const ChosenStep implicit{Integrator::Bdf2, rules.largestSolvable(cap)};
+        const ChosenStep implicit{Integrator::Bdf2, largestSolvable(tissue, cap)};
         // An organ so large that no step keeps up is not made faster by one that costs more.
         const bool isTooShort = chosen.timeStep * safetyFactor < shortestStep;
         return isTooShort || costOf(implicit) < costOf(chosen) ? implicit : chosen;
@@ -84,28 +97,28 @@ ChosenStep bestChoice(StabilityRules& rules, const SimulationSettings& settings,
 
 std::optional<double> criticalStep(const TissueModel& model, Integrator integrator,
                                    const StabilitySearch& search) {
-    return StabilityRules(makeSpringSystem(model), Damping::Isotropic, search)
-        .largestStable(integrator, noStepLimit);
+    TissueSpectrum tissue(makeSpringSystem(model), Damping::Isotropic, search);
+    return schemeOf(integrator).largestStable(tissue, noStepLimit);
 }
 
 CriticalSteps criticalSteps(const TissueModel& model, Damping damping, const StabilitySearch& search) {
-    StabilityRules rules(makeSpringSystem(model), damping, search);
+    TissueSpectrum tissue(makeSpringSystem(model), damping, search);
     CriticalSteps steps;
     for (const Integrator integrator : allIntegrators)
-        if (damping == Damping::Isotropic || !hasConstantMatrix(integrator))
-            steps[integrator] = rules.largestStable(integrator, noStepLimit);
+        if (damping == Damping::Isotropic || traitsOf(integrator).mayDampAxially)
+            steps[integrator] = schemeOf(integrator).largestStable(tissue, noStepLimit);
     return steps;
 }
 
 bool isStable(const TissueModel& model, const Stepping& stepping) {
     constexpr double tolerance = 0.01; // less than the margin of any step that is chosen
-    StabilityRules rules(makeSpringSystem(model), Damping::Isotropic, {tolerance, Deformation::Any, {}});
+    TissueSpectrum tissue(makeSpringSystem(model), Damping::Isotropic, {tolerance, Deformation::Any, {}});
     const double step = stepping.timeStep;
-    return rules.largestStable(stepping.integrator, step).value_or(0) >= step * (1 - 1e-9);
+    return schemeOf(stepping.integrator).largestStable(tissue, step).value_or(0) >= step * (1 - 1e-9);
 }
 
 double largestAngularFrequency(const TissueModel& model) {
-    return StabilityRules(makeSpringSystem(model), Damping::Isotropic, {1e-3, Deformation::AtRest, {}})
+    return TissueSpectrum(makeSpringSystem(model), Damping::Isotropic, {1e-3, Deformation::AtRest, {}})
         .largestAngularFrequency();
 }
 
@@ -113,14 +126,14 @@ ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settin
     if (auto problems = validate(settings); !problems.empty()) throw InvalidModel(std::move(problems));
     const bool isAuto = settings.integrator == Integrator::Auto;
     if (settings.timeStep && !isAuto) return {settings.integrator, *settings.timeStep};
-    StabilityRules rules(makeSpringSystem(model), settings.damping, {0.05, Deformation::Any, {}});
-    if (settings.timeStep) return {integratorFor(rules, settings, *settings.timeStep), *settings.timeStep};
+    TissueSpectrum tissue(makeSpringSystem(model), settings.damping, {0.05, Deformation::Any, {}});
+    if (settings.timeStep) return {integratorFor(tissue, settings, *settings.timeStep), *settings.timeStep};
 
     const double cap = longestStep / safetyFactor;
     ChosenStep chosen{settings.integrator, 0};
     if (isAuto)
-        chosen = bestChoice(rules, settings, cap, model.network->springs.size());
-    else if (const auto step = rules.largestStable(settings.integrator, cap))
+        chosen = bestChoice(tissue, settings, cap, model.network->springs.size());
+    else if (const auto step = schemeOf(settings.integrator).largestStable(tissue, cap))
         chosen.timeStep = *step;
     else
         refuseUndamped(settings);

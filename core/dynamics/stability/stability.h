@@ -1,27 +1,15 @@
 #pragma once
 
 #include "core/dynamics/settings.h"
+#include "core/dynamics/spectrum/stability_search.h"
 #include "core/model/tissue_model.h"
-#include "core/support/progress.h"
 
-#include <limits>
 #include <map>
 
 namespace esm {
 
-inline constexpr double noStepLimit = std::numeric_limits<double>::infinity(); ///< s
 inline constexpr double longestStep = 0.01;  ///< s; what is chosen stays at or below this
 inline constexpr double shortestStep = 1e-9; ///< s; and at or above this
-
-/// Which deformations a step is to be stable at: close to rest, or any, where elasticity is bounded by its
-/// weighted graph Laplacian.
-enum class Deformation { AtRest, Any };
-
-struct StabilitySearch {
-    double tolerance = 1e-3; ///< relative; a step is found too short by at most this
-    Deformation deformation = Deformation::Any;
-    Progress progress; ///< asked at every step that is tried; how many there will be is not known
-};
 
 /// Largest stable step, s, of an integrator (not `Auto`) with isotropic damping, without a safety factor;
 /// empty where there is no stable step, infinite where there is no limit.
@@ -44,14 +32,8 @@ double largestAngularFrequency(const TissueModel& model);
 /// What `Integrator::Auto` and a missing time step become: `split2` where its stable step is at least half
 /// that of `split`; else `euler` where viscosity is so small that its step is nearly as long; else `split`.
 /// Where these fall behind real time, `bdf2`, in steps as long as its solution is sure to be found,
-/// if that is cheaper. The step keeps a margin to the critical one.
-struct ChosenStep {
-    Integrator integrator;
-    double timeStep; ///< s
-};
-
-/// A given time step is taken as given; `Auto` then becomes an integrator that is stable at it (in float,
-/// `euler`).
+/// if that is cheaper. The step keeps a margin to the critical one. A given time step is taken as given;
+/// `Auto` then becomes an integrator that is stable at it (in float, `euler`).
 /// @throws InvalidModel when model or settings have problems, or no step of at least 1 ns would be stable
 ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings);
 

@@ -24,10 +24,6 @@ bool hidesSwings(const SwingBounds& bounds, Integrator integrator, double timeSt
 /// How many steps take about a second; the same on every machine.
 double stepsPerSecond(const SpringSystem& system, Integrator integrator);
 
-/// Takes the turning of tissue for a deformation and resists it, so that it lags behind at any but the
-/// shortest steps: it runs where it is asked for by name, with a warning, and is never chosen or measured.
-bool lagsWhereTissueTurns(Integrator integrator);
-
 /// Steps that follow every swing.
 struct FollowingSteps {
     Integrator integrator = Integrator::Auto;

@@ -1,6 +1,6 @@
 #include "core/dynamics/forces.h"
 #include "core/dynamics/schemes/implicit_system.h"
-#include "core/dynamics/stability/rest_matrix.h"
+#include "core/dynamics/spectrum/rest_matrix.h"
 #include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>

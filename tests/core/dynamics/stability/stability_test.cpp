@@ -1,4 +1,4 @@
-#include "core/dynamics/stability/oscillator.h"
+#include "core/dynamics/schemes/split2.h"
 #include "core/dynamics/stability/stability.h"
 #include "core/dynamics/stability/swings.h"
 #include "core/support/errors.h"
@@ -213,7 +213,7 @@ TEST(ChooseStep, NeverTakesWhatLagsWhereTissueTurns) {
             for (const std::optional<double> step : {std::optional<double>(), {0.02}, {10.0}}) {
                 SimulationSettings settings;
                 settings.timeStep = step;
-                EXPECT_FALSE(lagsWhereTissueTurns(chooseStep(model, settings).integrator));
+                EXPECT_FALSE(traitsOf(chooseStep(model, settings).integrator).lagsWhereTissueTurns);
             }
         }
 }

@@ -179,13 +179,10 @@ void addScene(Fields& fields) {
 
 void addStepping(Fields& fields) {
     StoredField stepping{"stepping", {[](Project& p) { p.stepping.reset(); }}};
-    for (int i = 1; integratorFromName(integratorName(static_cast<Integrator>(i))) != std::nullopt; ++i) {
-        if (static_cast<Integrator>(i) == Integrator::Split2) break;
-        stepping.settings.push_back([i](Project& p) {
-            p.stepping = MeasuredStepping{
-                {static_cast<Integrator>(i), smallest, Precision::Double}, largest, smallest, ""};
+    for (const Integrator integrator : allIntegrators)
+        stepping.settings.push_back([integrator](Project& p) {
+            p.stepping = MeasuredStepping{{integrator, smallest, Precision::Double}, largest, smallest, ""};
         });
-    }
     stepping.settings.push_back([](Project& p) {
         p.stepping = MeasuredStepping{
             {Integrator::Split2, largest, Precision::Double}, 0, largest, "fedcba9876543210"};

@@ -1,4 +1,4 @@
-#include "core/dynamics/stability/definite_step.h"
+#include "core/dynamics/spectrum/definite_step.h"
 #include "tests/support/tissue_models.h"
 
 #include <Eigen/Dense>

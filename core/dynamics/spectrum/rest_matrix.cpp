@@ -1,4 +1,4 @@
-#include "core/dynamics/stability/rest_matrix.h"
+#include "core/dynamics/spectrum/rest_matrix.h"
 
 namespace esm {
 

@@ -1,6 +1,6 @@
-#include "core/dynamics/stability/largest_eigenvalue.h"
+#include "core/dynamics/spectrum/largest_eigenvalue.h"
 
-#include "core/dynamics/stability/lanczos.h"
+#include "core/dynamics/spectrum/lanczos.h"
 
 namespace esm {
 

@@ -1,4 +1,4 @@
-#include "core/dynamics/stability/largest_eigenvalue.h"
+#include "core/dynamics/spectrum/largest_eigenvalue.h"
 #include "core/dynamics/step_matrix.h"
 #include "tests/support/tissue_models.h"
 

@@ -1,4 +1,4 @@
-#include "core/dynamics/stability/lanczos.h"
+#include "core/dynamics/spectrum/lanczos.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "core/dynamics/stability/definite_step.h"
+#include "core/dynamics/spectrum/definite_step.h"
 
-#include "core/dynamics/stability/lanczos.h"
+#include "core/dynamics/spectrum/lanczos.h"
 
 #include <algorithm>
 #include <cmath>

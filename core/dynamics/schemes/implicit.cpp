@@ -1,0 +1,17 @@
+#include "core/dynamics/schemes/schemes.h"
+
+namespace esm {
+
+// Implicit Euler, (M + h·D + h²·K)·v⁺ = M·v + h·(f(x) + g), x⁺ = x + h·v⁺: one Newton step, where in K, the
+// tangent of −f, springs do not buckle. With axial damping up to four Newton steps, towards f and D at x⁺.
+// First order, stable at any step, and takes every swing away that is faster than its steps.
+const Scheme implicitScheme{.largestStable = alwaysStable,
+                            .ownDamping = dampsAsImplicitEuler,
+                            .factors = implicitEulerFactors,
+                            .form = eulerForm};
+
+StepForm eulerForm(double timeStep, const Motion& before, const Motion* /*previous*/) {
+    return {.drive = before.velocities, .drift = {}, .reach = timeStep};
+}
+
+} // namespace esm

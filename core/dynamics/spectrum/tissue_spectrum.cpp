@@ -1,0 +1,61 @@
+#include "core/dynamics/spectrum/tissue_spectrum.h"
+
+#include "core/dynamics/spectrum/definite_step.h"
+#include "core/dynamics/spectrum/largest_eigenvalue.h"
+#include "core/dynamics/spectrum/rest_matrix.h"
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+Matrix massNormalised(const Matrix& matrix, const Matrix& mass) {
+    const Eigen::VectorXd scale = mass.diagonal().cwiseSqrt().cwiseInverse();
+    return Matrix(scale.asDiagonal() * matrix * scale.asDiagonal());
+}
+
+} // namespace
+
+TissueSpectrum::TissueSpectrum(const SpringSystem& system, Damping damping, StabilitySearch search)
+    : m_search(std::move(search)) {
+    const bool isAtRest = m_search.deformation == Deformation::AtRest;
+    const auto matrix = [&](const MatrixFactors& factors) {
+        return isAtRest ? restMatrix(system, damping, factors)
+                        : laplacianMatrix(system, factors, system.fixed);
+    };
+    m_mass = matrix({1, 0, 0});
+    m_damping = matrix({0, 1, 0});
+    m_stiffness = matrix({0, 0, 1});
+    reportProgress(m_search.progress, 0);
+    Eigenpair stiffest = largestEigenpair(massNormalised(m_stiffness, m_mass), m_search.tolerance / 2);
+    m_largestStiffness = stiffest.value;
+    if (stiffest.value > 0) m_stiffest = stiffest.vector.cwiseQuotient(m_mass.diagonal().cwiseSqrt());
+    // Moved across their axes, springs that damp along them alone have no damping.
+    m_ratio = isAtRest || damping == Damping::Isotropic ? leastDampingRatio(system) : 0;
+}
+
+double TissueSpectrum::largestAngularFrequency() const {
+    return std::sqrt(m_largestStiffness);
+}
+
+bool TissueSpectrum::isDampedBeyond(double least, double timeStep) const {
+    return esm::isDampedBeyond(least, timeStep, m_mass, m_damping);
+}
+
+double TissueSpectrum::largestDefinite(const MatrixFactors& factors, double sure, double cap) const {
+    if (m_largestStiffness == 0) return std::min(sure, cap);
+    const StepFamily family{m_mass, m_damping, m_stiffness, factors};
+    return largestDefiniteStep(family, m_stiffest, {sure, cap, m_search.tolerance, m_search.progress});
+}
+
+double TissueSpectrum::largestDamping() {
+    if (m_largestDamping) return *m_largestDamping;
+    reportProgress(m_search.progress, 0);
+    m_largestDamping = largestEigenvalue(massNormalised(m_damping, m_mass), m_search.tolerance / 2);
+    return *m_largestDamping;
+}
+
+} // namespace esm
