@@ -7,6 +7,8 @@
 
 namespace esm {
 
+class TangentMatrix;
+
 /// The integrators that solve for velocities, each by its StepForm, and what they carry from step to step.
 class MatrixScheme {
 public:
@@ -34,6 +36,8 @@ private:
     static void lead(const std::vector<HeldNode>& held, const Form& form, const Vectors& positions,
                      Vectors& velocities);
     Form formOf(const StepInput& input, const Motion& before, bool builds) const;
+    bool gainsEnergy(const Start& start, const Form& form, const TangentMatrix& tangent,
+                     const Vectors& velocities) const;
     static void goBeyond(const Start& start, const Form& form, Vectors& velocities);
     void solveConstant(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;
     bool solveTangent(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;

@@ -33,6 +33,7 @@ struct StepForm {
     double endShare = 1; ///< 0 to 1
     double beyond = 0;
     bool isExact = false;      ///< its order needs all of the tangent, what pressed springs take away too
+    bool keepsEnergy = false;  ///< damps nothing: a step in which the tangent's error gains energy is refused
     bool extrapolates = false; ///< takes 2·f(x) − f(x⁻) for the elastic forces
 };
 
