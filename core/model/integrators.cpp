@@ -104,6 +104,15 @@ constexpr std::array rows{
                      .colour = {20, 90, 40},
                      .sentence =
                          "split2, a method of second order that stays calm however viscous the tissue is"},
+    IntegratorTraits{.integrator = Integrator::Trapezoid,
+                     .name = "trapezoid",
+                     .kind = StepKind::Solving,
+                     .order = 2,
+                     .startsAs = Integrator::Implicit,
+                     .mayDampAxially = false,
+                     .colour = {160, 0, 80},
+                     .sentence =
+                         "trapezoid, a method of second order that bears stiff tissue and lets it swing on"},
 };
 
 constexpr bool isRowOf(std::size_t index, Integrator integrator) {

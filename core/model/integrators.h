@@ -21,14 +21,15 @@ enum class Integrator {
     Bdf2,
     Projective,
     Split,
-    Split2
+    Split2,
+    Trapezoid
 };
 
 /// Those that can be stepped, `Auto` left out.
 inline constexpr std::array allIntegrators{
     Integrator::Euler,        Integrator::Verlet,      Integrator::Heun,     Integrator::Rk4,
     Integrator::AdamsMoulton, Integrator::Propagation, Integrator::Implicit, Integrator::Bdf2,
-    Integrator::Projective,   Integrator::Split,       Integrator::Split2};
+    Integrator::Projective,   Integrator::Split,       Integrator::Split2,   Integrator::Trapezoid};
 
 /// What finds the state after a step: nobody knows yet, accelerations alone, a search node by node, or
 /// systems of linear equations.

@@ -9,7 +9,7 @@ namespace esm {
 
 /// Each in the file of its name.
 extern const Scheme eulerScheme, verletScheme, heunScheme, rk4Scheme, adamsMoultonScheme, propagationScheme,
-    implicitScheme, bdf2Scheme, projectiveScheme, splitScheme, split2Scheme;
+    implicitScheme, bdf2Scheme, projectiveScheme, splitScheme, split2Scheme, trapezoidScheme;
 
 /// Precondition: not `Auto`, which steps nothing. The switch is without a default, so that the compiler finds
 /// the forgotten.
@@ -39,6 +39,8 @@ inline const Scheme& schemeOf(Integrator integrator) {
         return splitScheme;
     case Integrator::Split2:
         return split2Scheme;
+    case Integrator::Trapezoid:
+        return trapezoidScheme;
     }
     throw std::logic_error("an integrator without a scheme was asked for its step");
 }
