@@ -25,115 +25,82 @@ bool isSameDrawing(const std::optional<WhyQuestion>& drawn, const WhyQuestion& a
     return inputs == asked.point.inputs;
 }
 
+void explain(const WhyQuestion& question, WhyAnswer& answer) {
+    const ResponseQuestion& point = question.point;
+    answer.rules = explainRules(*question.system, point.inputs);
+    std::vector<double> firing;
+    firing.reserve(answer.rules.size());
+    for (const RuleExplanation& rule : answer.rules)
+        firing.push_back(rule.firing);
+    answer.output = explainOutput(*question.system, point.output, firing);
+    answer.inputs = point.inputs;
+}
+
 } // namespace
 
-ExplanationFinder::ExplanationFinder(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
-
-ExplanationFinder::~ExplanationFinder() {
-    m_questions.stop();
-    m_thread.join();
-}
-
-int ExplanationFinder::ask(const WhyQuestion& question) {
-    m_questions.put({question, ++m_asked});
-    return m_asked;
-}
+ExplanationFinder::ExplanationFinder(QObject* parent)
+    : QObject(parent),
+      m_worker([this](const Worker::Task& task) { return answerTo(task); }, [this] { emit found(); }) {}
 
 WhyAnswer ExplanationFinder::answer() const {
-    const std::lock_guard lock(m_mutex);
-    return m_answer;
+    const Outcome<WhyAnswer> outcome = m_worker.outcome();
+    WhyAnswer answer = outcome.answer;
+    answer.complete = outcome.number;
+    if (!outcome.failure.empty()) answer.failed = outcome.number;
+    answer.failure = QString::fromStdString(outcome.failure);
+    return answer;
 }
 
-template<typename Change> void ExplanationFinder::tell(const Change& change) {
-    {
-        const std::lock_guard lock(m_mutex);
-        change(m_answer);
+WhyAnswer ExplanationFinder::answerTo(const Worker::Task& task) {
+    try {
+        explain(task.question, m_known);
+        m_known.explained = task.number;
+        task.show(m_known);
+        drawCurve(task);
+        drawMap(task);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (...) {
+        // The next question may be simpler, and finds nothing half drawn.
+        m_curveOf.reset();
+        m_mapOf.reset();
+        throw;
     }
-    emit found();
+    return m_known;
 }
 
-void ExplanationFinder::work() {
-    while (const auto asked = m_questions.take()) {
-        try {
-            explain(*asked);
-            drawCurve(*asked);
-            drawMap(*asked);
-            tell([&](WhyAnswer& answer) { answer.complete = asked->number; });
-        } catch (const Cancelled&) {
-            continue; // another question waits
-        } catch (const std::bad_alloc&) {
-            giveUp(*asked, tr("there is not enough memory for it."));
-        } catch (const std::exception& error) {
-            giveUp(*asked, QString::fromStdString(error.what()));
-        }
-    }
-}
-
-/// Of this question; the next may be simpler.
-void ExplanationFinder::giveUp(const Asked& asked, const QString& reason) {
-    m_curveOf.reset();
-    m_mapOf.reset();
-    tell([&](WhyAnswer& answer) {
-        answer.complete = answer.failed = asked.number;
-        answer.failure = reason;
-    });
-}
-
-void ExplanationFinder::explain(const Asked& asked) {
-    const auto& system = asked.question.system;
-    const ResponseQuestion& point = asked.question.point;
-    std::vector<RuleExplanation> rules = explainRules(*system, point.inputs);
-    std::vector<double> firing;
-    firing.reserve(rules.size());
-    for (const RuleExplanation& rule : rules)
-        firing.push_back(rule.firing);
-    OutputExplanation output = explainOutput(*system, point.output, firing);
-    tell([&](WhyAnswer& answer) {
-        answer.explained = asked.number;
-        answer.inputs = point.inputs;
-        answer.rules = std::move(rules);
-        answer.output = std::move(output);
-    });
-}
-
-void ExplanationFinder::drawCurve(const Asked& asked) {
-    const WhyQuestion& question = asked.question;
+void ExplanationFinder::drawCurve(const Worker::Task& task) {
+    const WhyQuestion& question = task.question;
     if (!isSameDrawing(m_curveOf, question, {question.across})) {
         m_curveOf.reset();
-        const auto goOn = [&](double) { return !m_questions.isObsolete(); };
-        auto curve = std::make_shared<const ResponseCurve>(
-            responseCurve(*question.system, question.point, question.across, goOn));
+        m_known.curve = std::make_shared<const ResponseCurve>(
+            responseCurve(*question.system, question.point, question.across, task.progress()));
         m_curveOf = question;
-        tell([&](WhyAnswer& answer) {
-            answer.curve = std::move(curve);
-            answer.drawn = asked.number;
-        });
-        return;
     }
-    tell([&](WhyAnswer& answer) { answer.drawn = asked.number; });
+    m_known.drawn = task.number;
+    task.show(m_known);
 }
 
-void ExplanationFinder::drawMap(const Asked& asked) {
-    const WhyQuestion& question = asked.question;
+void ExplanationFinder::drawMap(const Worker::Task& task) {
+    const WhyQuestion& question = task.question;
     if (!question.up) return;
     if (isSameDrawing(m_mapOf, question, {question.across, *question.up})) {
-        tell([&](WhyAnswer& answer) { answer.mapped = asked.number; });
+        m_known.mapped = task.number;
         return;
     }
     m_mapOf.reset();
-    const auto goOn = [&](double) { return !m_questions.isObsolete(); };
     for (std::size_t cells = coarsestMap; cells <= finestMap; cells *= 2) {
         const auto start = Clock::now();
-        auto map = std::make_shared<const ResponseMap>(
-            responseMap(*question.system, question.point, {question.across, *question.up}, cells, goOn));
+        auto map = std::make_shared<const ResponseMap>(responseMap(
+            *question.system, question.point, {question.across, *question.up}, cells, task.progress()));
         const auto took = Clock::now() - start;
         const bool isLast = 2 * cells > finestMap || 4 * took > mostForMap;
         // What is finer soon need not be shown.
-        if (isLast || took > soon)
-            tell([&](WhyAnswer& answer) {
-                answer.map = std::move(map);
-                answer.mapped = asked.number;
-            });
+        if (isLast || took > soon) {
+            m_known.map = std::move(map);
+            m_known.mapped = task.number;
+            task.show(m_known);
+        }
         if (isLast) break;
     }
     m_mapOf = question;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/workers/latest_input.h"
+#include "app/editor/workers/latest_worker.h"
 #include "core/fuzzy/explanation.h"
 #include "core/fuzzy/output_response.h"
 
@@ -8,8 +8,6 @@
 #include <QString>
 
 #include <memory>
-#include <mutex>
-#include <thread>
 
 namespace esm {
 
@@ -41,10 +39,9 @@ class ExplanationFinder : public QObject {
 
 public:
     explicit ExplanationFinder(QObject* parent = nullptr);
-    ~ExplanationFinder() override;
 
     /// Gives the question's number.
-    int ask(const WhyQuestion& question);
+    int ask(const WhyQuestion& question) { return m_worker.ask(question); }
     WhyAnswer answer() const;
 
 signals:
@@ -52,25 +49,16 @@ signals:
     void found();
 
 private:
-    struct Asked {
-        WhyQuestion question;
-        int number;
-    };
+    using Worker = LatestWorker<WhyQuestion, WhyAnswer>;
 
-    void work();
-    void giveUp(const Asked& asked, const QString& reason);
-    void explain(const Asked& asked);
-    void drawCurve(const Asked& asked);
-    void drawMap(const Asked& asked);
-    template<typename Change> void tell(const Change& change);
+    WhyAnswer answerTo(const Worker::Task& task);
+    void drawCurve(const Worker::Task& task);
+    void drawMap(const Worker::Task& task);
 
-    LatestInput<Asked> m_questions;
-    mutable std::mutex m_mutex; ///< guards the answer
-    WhyAnswer m_answer;
-    int m_asked = 0;
-    /// The worker's own: what the curve and the map were drawn for.
+    /// The worker's own: what is known so far, and what the curve and the map were drawn for.
+    WhyAnswer m_known;
     std::optional<WhyQuestion> m_curveOf, m_mapOf;
-    std::thread m_thread;
+    Worker m_worker;
 };
 
 } // namespace esm

@@ -20,49 +20,7 @@ std::optional<ColourMatch> matched(const PreparationRequest& request, const Phot
     return matchToSurface(*project.mesh, beneath, project.texture.baseColour, layer, progress);
 }
 
-} // namespace
-
-PhotoPreparer::PhotoPreparer(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
-
-PhotoPreparer::~PhotoPreparer() {
-    m_requests.stop();
-    m_thread.join();
-}
-
-int PhotoPreparer::prepare(PreparationRequest request) {
-    m_requests.put({std::move(request), ++m_asked});
-    return m_asked;
-}
-
-PreparedPhoto PhotoPreparer::result() const {
-    const std::lock_guard lock(m_mutex);
-    return m_result;
-}
-
-void PhotoPreparer::work() {
-    while (const auto asked = m_requests.take()) {
-        PreparedPhoto result;
-        try {
-            result = answer(*asked);
-        } catch (const Cancelled&) {
-            continue; // another request waits
-        } catch (const std::bad_alloc&) {
-            result.failure = tr("there is not enough memory for it.");
-        } catch (const std::exception& error) {
-            result.failure = QString::fromStdString(error.what());
-        }
-        result.number = asked->number;
-        {
-            const std::lock_guard lock(m_mutex);
-            m_result = std::move(result);
-        }
-        emit prepared();
-    }
-}
-
-PreparedPhoto PhotoPreparer::answer(const Asked& asked) const {
-    const auto goOn = [&](double) { return !m_requests.isObsolete(); };
-    const PreparationRequest& request = asked.request;
+PreparedPhoto answerTo(const PreparationRequest& request, const Progress& goOn) {
     const Image& photo = request.photo->image;
     PreparedPhoto result;
     result.photo = request.photo;
@@ -74,6 +32,20 @@ PreparedPhoto PhotoPreparer::answer(const Asked& asked) const {
     result.highlightShare = highlightShare(photo, result.preparation);
     result.before = smaller(photo, smallPicture);
     result.after = result.picture ? smaller(*result.picture, smallPicture) : result.before;
+    return result;
+}
+
+} // namespace
+
+PhotoPreparer::PhotoPreparer(QObject* parent)
+    : QObject(parent), m_worker([](const auto& task) { return answerTo(task.question, task.progress()); },
+                                [this] { emit prepared(); }) {}
+
+PreparedPhoto PhotoPreparer::result() const {
+    const Outcome<PreparedPhoto> outcome = m_worker.outcome();
+    PreparedPhoto result = outcome.failure.empty() ? outcome.answer : PreparedPhoto{};
+    result.number = outcome.number;
+    result.failure = QString::fromStdString(outcome.failure);
     return result;
 }
 

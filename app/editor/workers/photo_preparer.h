@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/workers/latest_input.h"
+#include "app/editor/workers/latest_worker.h"
 #include "core/project/project.h"
 #include "core/texture/photo/photo.h"
 #include "core/texture/photo/photo_preparation.h"
@@ -10,8 +10,6 @@
 #include <QString>
 
 #include <memory>
-#include <mutex>
-#include <thread>
 
 namespace esm {
 
@@ -53,29 +51,16 @@ class PhotoPreparer : public QObject {
 
 public:
     explicit PhotoPreparer(QObject* parent = nullptr);
-    ~PhotoPreparer() override;
 
     /// Gives the request's number.
-    int prepare(PreparationRequest request);
+    int prepare(PreparationRequest request) { return m_worker.ask(std::move(request)); }
     PreparedPhoto result() const;
 
 signals:
     void prepared();
 
 private:
-    struct Asked {
-        PreparationRequest request;
-        int number;
-    };
-
-    void work();
-    PreparedPhoto answer(const Asked& asked) const;
-
-    LatestInput<Asked> m_requests;
-    mutable std::mutex m_mutex; ///< guards the result
-    PreparedPhoto m_result;
-    int m_asked = 0;
-    std::thread m_thread;
+    LatestWorker<PreparationRequest, PreparedPhoto> m_worker;
 };
 
 } // namespace esm

@@ -1,14 +1,12 @@
 #pragma once
 
-#include "app/editor/workers/latest_input.h"
+#include "app/editor/workers/latest_worker.h"
 #include "core/texture/projection/pose_fit.h"
 
 #include <QObject>
 
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace esm {
@@ -33,22 +31,16 @@ class PoseFinder : public QObject {
 
 public:
     explicit PoseFinder(QObject* parent = nullptr);
-    ~PoseFinder() override;
 
-    void find(PoseQuestion question) { m_questions.put(std::move(question)); }
+    void find(PoseQuestion question) { m_worker.ask(std::move(question)); }
     /// The latest; null before the first.
-    std::shared_ptr<const PoseAnswer> answer() const;
+    std::shared_ptr<const PoseAnswer> answer() const { return m_worker.outcome().answer; }
 
 signals:
     void answered();
 
 private:
-    void work();
-
-    LatestInput<PoseQuestion> m_questions;
-    mutable std::mutex m_mutex; ///< guards the answer
-    std::shared_ptr<const PoseAnswer> m_answer;
-    std::thread m_thread;
+    LatestWorker<PoseQuestion, std::shared_ptr<const PoseAnswer>> m_worker;
 };
 
 } // namespace esm

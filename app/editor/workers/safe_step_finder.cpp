@@ -16,36 +16,25 @@ constexpr double tolerance = 0.05; ///< enough for a gauge
 } // namespace
 
 SafeStepFinder::SafeStepFinder(Found found)
-    : m_found(std::move(found)), m_thread(QThread::create([this] { work(); })) {
-    m_thread->start(QThread::IdlePriority);
-}
+    : m_found(std::move(found)),
+      m_worker([](const auto& task) { return stepOf(task.question, task.progress()); }, [this] { tell(); },
+               {QThread::IdlePriority, settleTime}) {}
 
-SafeStepFinder::~SafeStepFinder() {
-    m_questions.stop();
-    // Nobody is kept waiting for what idles.
-    m_thread->setPriority(QThread::NormalPriority);
-    m_thread->wait();
+std::optional<double> SafeStepFinder::stepOf(const Question& question, const Progress& progress) {
+    return criticalStep(question.model, question.integrator, {tolerance, Deformation::Any, progress});
 }
 
 void SafeStepFinder::find(TissueModel model, Integrator integrator) {
     const std::lock_guard lock(m_telling);
-    m_questions.put({std::move(model), integrator});
+    m_latest = m_worker.ask({std::move(model), integrator});
     m_found(std::nullopt);
 }
 
-void SafeStepFinder::work() {
-    while (const auto question = m_questions.take()) {
-        if (m_questions.becomesObsoleteWithin(settleTime)) continue;
-        try {
-            const auto step = criticalStep(
-                question->model, question->integrator,
-                {tolerance, Deformation::Any, [this](double) { return !m_questions.isObsolete(); }});
-            const std::lock_guard lock(m_telling);
-            if (!m_questions.isObsolete()) m_found(step);
-        } catch (const std::exception&) {
-            // Superseded; or the simulation says itself what is wrong with the model.
-        }
-    }
+/// Of a failure the simulation says itself what is wrong with the model.
+void SafeStepFinder::tell() {
+    const std::lock_guard lock(m_telling);
+    const Outcome<std::optional<double>> outcome = m_worker.outcome();
+    if (outcome.number == m_latest && outcome.failure.empty()) m_found(outcome.answer);
 }
 
 } // namespace esm

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "app/editor/workers/latest_input.h"
+#include "app/editor/workers/latest_worker.h"
 #include "core/dynamics/simulation.h"
 
-#include <QThread>
-
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -21,7 +18,6 @@ public:
 
     /// @param found called on the finder's thread, and by find()
     explicit SafeStepFinder(Found found);
-    ~SafeStepFinder();
 
     void find(TissueModel model, Integrator integrator);
 
@@ -31,12 +27,13 @@ private:
         Integrator integrator;
     };
 
-    void work();
+    static std::optional<double> stepOf(const Question& question, const Progress& progress);
+    void tell();
 
     Found m_found;
     std::mutex m_telling; ///< so that no former model's step is told after a new question
-    LatestInput<Question> m_questions;
-    std::unique_ptr<QThread> m_thread;
+    int m_latest = 0;     ///< question
+    LatestWorker<Question, std::optional<double>> m_worker;
 };
 
 } // namespace esm

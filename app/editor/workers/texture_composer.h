@@ -1,17 +1,14 @@
 #pragma once
 
-#include "app/editor/workers/latest_input.h"
+#include "app/editor/workers/latest_worker.h"
 #include "core/project/project.h"
 #include "core/texture/layers/composite.h"
 #include "core/texture/layers/page_levels.h"
 
 #include <QObject>
 
-#include <atomic>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace esm {
@@ -26,12 +23,11 @@ public:
     using Pages = std::shared_ptr<const std::vector<Image>>;
 
     explicit TextureComposer(QObject* parent = nullptr);
-    ~TextureComposer() override;
 
-    void compose(const Project& project);
+    void compose(const Project& project) { m_worker.ask(project); }
 
     /// Whether a composition is under way or waits.
-    bool isWorking() const { return m_finished != m_asked; }
+    bool isWorking() const { return m_worker.isWorking(); }
     Pages pages() const;                                      ///< null while nothing is composed
     std::shared_ptr<const SmallerPages> smallerPages() const; ///< of those pages
     std::shared_ptr<const Atlas> atlas() const;               ///< the one the pages belong to
@@ -42,15 +38,12 @@ signals:
     void composed();
 
 private:
-    struct Request {
-        Project project;
-        int number; ///< of the request, from 1
+    struct Composed {
+        std::shared_ptr<const Atlas> atlas;
+        Pages pages;
+        std::shared_ptr<const SmallerPages> smallerPages;
+        double milliseconds = 0;
     };
-
-    void work();
-    void compose(const Request& request);
-    Pages pagesOf(const Project& project);
-
     /// What the thread keeps for the next composition.
     struct Kept {
         std::shared_ptr<const TriangleMesh> mesh;
@@ -59,17 +52,14 @@ private:
         std::shared_ptr<const SmallerPages> smaller; ///< of the composition's pages
         CompositionCache cache;
     };
+    using Worker = LatestWorker<Project, Composed>;
 
-    LatestInput<Request> m_requests;
+    Composed compositionOf(const Worker::Task& task);
+    void keepPages(const Worker::Task& task);
+    Composed result() const;
+
     Kept m_kept;
-    mutable std::mutex m_mutex; ///< guards the result
-    std::shared_ptr<const Atlas> m_atlas;
-    Pages m_pages;
-    std::shared_ptr<const SmallerPages> m_smallerPages;
-    double m_milliseconds = 0;
-    std::string m_failure;
-    std::atomic<int> m_asked = 0, m_finished = 0; ///< numbers of requests
-    std::thread m_thread;
+    Worker m_worker;
 };
 
 } // namespace esm
