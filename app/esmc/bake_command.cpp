@@ -1,7 +1,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/opened_file.h"
-#include "app/esmc/packing.h"
+#include "core/authoring/packing.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/project/project_file.h"
 #include "core/support/atomic_file.h"

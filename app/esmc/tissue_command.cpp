@@ -3,6 +3,7 @@
 #include "app/esmc/model_report.h"
 #include "app/esmc/opened_file.h"
 #include "app/esmc/project_output.h"
+#include "core/authoring/regions.h"
 #include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/exchange/project/project_file.h"
 #include "core/exchange/project/tissue_preset_file.h"
@@ -111,13 +112,6 @@ void setSpringLaw(BaseTissue& base, const TissueOptions& options) {
     if (!options.biphasic.empty()) base.stiffening = {options.biphasic[0], options.biphasic[1]};
 }
 
-/// A colour that the regions before it do not have, as long as there are some left.
-std::array<std::uint8_t, 3> colourOf(std::size_t region) {
-    constexpr std::array<std::array<std::uint8_t, 3>, 6> colours{
-        {{63, 182, 168}, {122, 162, 247}, {201, 138, 219}, {158, 194, 92}, {240, 136, 98}, {226, 112, 158}}};
-    return colours.at(region % colours.size());
-}
-
 /// What the command line alone says of the region.
 Region requestedRegion(const TissueOptions& options, const ChosenPreset& preset) {
     Region region;
@@ -178,7 +172,7 @@ void complete(Region& region, const TissueOptions& options, const NamedWords& in
         warnings.insert(warnings.end(), imported.warnings.begin(), imported.warnings.end());
         region.inputs = inputsFor(*region.system, inputs, "--set");
     }
-    region.colour = colourOf(project.regions.size());
+    region.colour = unusedColour(project.regions);
     region.name = !options.name.empty() ? options.name
                   : region.ellipsoid    ? "region " + std::to_string(project.regions.size() + 1)
                                         : "whole organ";

@@ -1,6 +1,6 @@
 #include "app/editor/edits/edit_system.h"
 
-#include "app/editor/edits/region_edits.h"
+#include "core/authoring/regions.h"
 #include "core/support/errors.h"
 
 #include <algorithm>

@@ -1,11 +1,12 @@
 #include "app/editor/edits/photo_edits.h"
 
-#include "app/editor/edits/move_item.h"
-
+#include "core/authoring/move_item.h"
+#include "core/authoring/packing.h"
 #include "core/support/angles.h"
-#include "core/support/errors.h"
 #include "core/surface/surface_query.h"
 #include "core/texture/texture_limits.h"
+
+#include <QObject>
 
 #include <algorithm>
 #include <cmath>
@@ -103,24 +104,7 @@ Projector projectorFromCamera(const Camera& camera, const Image& photo, const Tr
     return projector;
 }
 
-Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options) {
-    constexpr int largestSize = 8192;
-    for (;; options.size *= 2) {
-        try {
-            return packAtlas(mesh, options);
-        } catch (const InvalidModel&) {
-            if (options.size * 2 > largestSize) throw;
-        }
-    }
-}
-
 namespace {
-
-void takeAtlas(Project& project, std::shared_ptr<const Atlas> atlas) {
-    if (project.atlas) return;
-    project.texture.atlas = atlas->options;
-    project.atlas = std::move(atlas);
-}
 
 /// "Paint 3", the first that no layer is called.
 std::string freePaintName(const Project& project) {

@@ -20,10 +20,6 @@ Projector aimedByCamera(const Projector& before, const Camera& camera, const Ima
 /// The same projector of another kind, its photo in the same place and size where its middle meets the organ.
 Projector ofKind(ProjectorKind kind, const Projector& before, const Image& photo, const TriangleMesh& mesh);
 
-/// Packs the mesh; where the size cannot hold it, doubles the size up to 8192. @throws InvalidModel when even
-/// that is too small
-Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options);
-
 /// A photo on top of the others, thrown by `projector` with falloff; `atlas` is taken where the project has
 /// none.
 void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projector& projector,

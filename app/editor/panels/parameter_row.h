@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/edits/region_edits.h"
+#include "core/authoring/regions.h"
 #include "widgets/inputs/number_field.h"
 
 #include <QLabel>

@@ -1,6 +1,7 @@
 #include "app/editor/tools/place_tool.h"
 
-#include "app/editor/edits/region_edits.h"
+#include "app/editor/edits/starting_system.h"
+#include "core/authoring/regions.h"
 
 #include <QAction>
 
@@ -14,7 +15,7 @@ void PlaceTool::click(const ToolMouse& mouse) {
     if (!picked) return;
     const bool isNew = mouse.keys.testFlag(Qt::ControlModifier);
     m_document.edit(tr("Place region"), [&](Project& project) {
-        placeRegion(project, isNew ? std::nullopt : m_selection.region(), picked->spot);
+        placeRegion(project, isNew ? std::nullopt : m_selection.region(), picked->spot, startingSystem());
     });
     emit done(QStringLiteral("region"));
 }

@@ -4,8 +4,9 @@
 #include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/edits/photo_edits.h"
-#include "app/editor/edits/region_edits.h"
+#include "app/editor/edits/starting_system.h"
 #include "app/editor/window/actions.h"
+#include "core/authoring/regions.h"
 #include "core/project/detail_change.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
@@ -87,7 +88,7 @@ void EditController::addRegion() {
             nodes.begin(), nodes.end(), [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
                 return (a - middle).squaredNorm() < (b - middle).squaredNorm();
             });
-        esm::addRegion(project, *nearest);
+        esm::addRegion(project, *nearest, startingSystem());
     });
     emit regionAdded();
 }

@@ -1,4 +1,5 @@
 #include "core/exchange/simulators/handover.h"
+#include "core/authoring/packing.h"
 
 #include "core/support/errors.h"
 
@@ -20,7 +21,7 @@ Handover handoverOf(const Project& project) {
     if (mesh.triangles.empty())
         handover.project.atlas = nullptr;
     else if (!project.atlas && !project.layers.empty())
-        handover.project.atlas = std::make_shared<Atlas>(packAtlas(mesh, project.texture.atlas));
+        pack(handover.project);
     return handover;
 }
 

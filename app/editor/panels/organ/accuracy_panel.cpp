@@ -3,7 +3,7 @@
 #include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/panels/organ/stepping_text.h"
-#include "app/editor/workers/accuracy_measurement.h"
+#include "core/authoring/accuracy.h"
 #include "core/authoring/coarser_runs.h"
 #include "core/model/tissue_digest.h"
 #include "core/project/detail_change.h"

@@ -1,6 +1,6 @@
 #include "app/editor/panels/tissue/regions_panel.h"
 
-#include "app/editor/edits/region_edits.h"
+#include "core/authoring/regions.h"
 #include "widgets/inputs/number_text.h"
 
 namespace esm {

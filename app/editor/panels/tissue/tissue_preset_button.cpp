@@ -1,6 +1,6 @@
 #include "app/editor/panels/tissue/tissue_preset_button.h"
 
-#include "app/editor/edits/region_edits.h"
+#include "core/authoring/regions.h"
 #include "core/exchange/project/tissue_preset_file.h"
 
 #include <QCursor>

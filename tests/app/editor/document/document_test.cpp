@@ -1,7 +1,7 @@
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
 #include "app/editor/edits/photo_edits.h"
-#include "app/editor/edits/region_edits.h"
+#include "core/authoring/regions.h"
 #include "core/samples/samples.h"
 #include "core/surface/surface_query.h"
 

@@ -1,4 +1,4 @@
-#include "app/editor/edits/region_edits.h"
+#include "core/authoring/regions.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/test_meshes.h"

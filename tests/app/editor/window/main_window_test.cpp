@@ -1,8 +1,8 @@
-#include "app/editor/edits/region_edits.h"
 #include "app/editor/tools/instrument_options.h"
 #include "app/editor/tools/tool_table.h"
 #include "app/editor/window/application.h"
 #include "app/editor/window/help.h"
+#include "core/authoring/regions.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 

@@ -1,7 +1,7 @@
 #include "app/editor/panels/fuzzy/domains_panel.h"
 
-#include "app/editor/edits/region_edits.h"
 #include "app/editor/panels/fuzzy/fuzzy_workbench.h"
+#include "core/authoring/regions.h"
 #include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/fuzzy/rule_text.h"
 #include "core/samples/samples.h"

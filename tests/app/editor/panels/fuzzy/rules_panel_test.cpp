@@ -1,7 +1,7 @@
 #include "app/editor/panels/fuzzy/rules_panel.h"
 
 #include "app/editor/edits/edit_system.h"
-#include "app/editor/edits/region_edits.h"
+#include "core/authoring/regions.h"
 #include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/fuzzy/system_edits.h"
 #include "core/samples/samples.h"

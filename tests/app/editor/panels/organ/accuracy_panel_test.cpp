@@ -1,5 +1,4 @@
 #include "app/editor/panels/organ/accuracy_panel.h"
-#include "app/editor/workers/accuracy_measurement.h"
 #include "core/model/tissue_digest.h"
 #include "core/project/simulated_network.h"
 #include "core/samples/samples.h"
@@ -151,20 +150,6 @@ TEST_F(AccuracyPanelTest, CancelledItLeavesAllAsItWas) {
     EXPECT_FALSE(recommendation("toError")->isVisible());
     EXPECT_FALSE(stepping());
     EXPECT_FALSE(m_document.isModified());
-}
-
-TEST(AccuracyMeasurement, PullsAtTheEdgeWhereTheSceneMovesNothing) {
-    Project tube = makeSample("tube");
-    EXPECT_TRUE(measuredScene(tube).moves.empty());
-    tube.scene.instrument.reset();
-    const Scene pulled = measuredScene(tube);
-    EXPECT_FALSE(pulled.moves.empty());
-    EXPECT_TRUE(validate(pulled, tube.network->restPositions.size()).empty());
-    NodeSelection all;
-    for (std::uint32_t node = 0; node < tube.network->restPositions.size(); ++node)
-        all.nodes.push_back(node);
-    tube.scene.fixed = {all};
-    EXPECT_THROW(measuredScene(tube), InvalidModel);
 }
 
 } // namespace

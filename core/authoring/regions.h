@@ -10,9 +10,15 @@
 
 namespace esm {
 
-/// A new ellipsoid region on top, a quarter of the organ's size, around a point, with a colour of its own and
-/// the simplest of the shipped fuzzy systems.
-void addRegion(Project& project, const Eigen::Vector3d& centre);
+/// Shared by regions that speak the same language.
+using SharedSystem = std::shared_ptr<const FuzzySystem>;
+
+/// The colour that is told apart best from those in use.
+std::array<std::uint8_t, 3> unusedColour(const std::vector<Region>& regions);
+
+/// A new ellipsoid region on top, a quarter of the organ's size, around a point, with a name and a colour of
+/// its own.
+void addRegion(Project& project, const Eigen::Vector3d& centre, SharedSystem system = {});
 
 /// Where the list's "Whole organ" row keeps its tissue: a lowest region without an ellipsoid, if there is
 /// one.
@@ -21,8 +27,7 @@ std::optional<std::size_t> wholeOrganRegion(const Project& project);
 /// A fuzzy system for a region; its inputs start in the middle of their ranges, unless the one before had the
 /// same. Null takes the system away.
 /// Without a region, a region of the whole organ is laid beneath the others first. Gives the region's index.
-std::size_t setSystem(Project& project, std::optional<std::size_t> region,
-                      std::shared_ptr<const FuzzySystem> system);
+std::size_t setSystem(Project& project, std::optional<std::size_t> region, SharedSystem system);
 
 /// Gives a region's tissue the preset's words. What is no part of an organ, a region without an ellipsoid or
 /// none, takes its mass and tethers too; without a region one is made as by setSystem(). A preset of tethers
@@ -42,8 +47,10 @@ void removeRegion(Project& project, std::size_t region);
 void duplicateRegion(Project& project, std::size_t region);
 
 /// Lays a region's ellipsoid flat on the surface around a spot. Without a region, or where it has no
-/// ellipsoid, a new one is added as `addRegion` does, round, large enough for a twentieth of the nodes.
-void placeRegion(Project& project, std::optional<std::size_t> region, const SurfaceSpot& spot);
+/// ellipsoid, a new one with this system is added as `addRegion` does, round, large enough for a twentieth of
+/// the nodes.
+void placeRegion(Project& project, std::optional<std::size_t> region, const SurfaceSpot& spot,
+                 SharedSystem system = {});
 
 /// Fixes the nodes inside a region's ellipsoid in space. Precondition: it has one.
 void fixNodesInside(Project& project, std::size_t region);

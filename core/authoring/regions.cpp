@@ -1,7 +1,6 @@
-#include "app/editor/edits/region_edits.h"
+#include "core/authoring/regions.h"
 
-#include "app/editor/edits/move_item.h"
-#include "core/exchange/fuzzy/fuzzy_file.h"
+#include "core/authoring/move_item.h"
 
 #include <algorithm>
 #include <array>
@@ -24,18 +23,6 @@ int distance(const Colour& a, const Colour& b) {
     for (std::size_t i = 0; i < 3; ++i)
         sum += std::abs(int(a[i]) - int(b[i]));
     return sum;
-}
-
-/// The colour that is told apart best from those in use.
-Colour unusedColour(const std::vector<Region>& regions) {
-    const auto nearest = [&](const Colour& colour) {
-        int least = std::numeric_limits<int>::max();
-        for (const Region& region : regions)
-            least = std::min(least, distance(colour, region.colour));
-        return least;
-    };
-    return *std::max_element(regionColours.begin(), regionColours.end(),
-                             [&](const Colour& a, const Colour& b) { return nearest(a) < nearest(b); });
 }
 
 /// "Region 1", or the next number that is free.
@@ -74,7 +61,18 @@ Eigen::Vector3d fittingRadii(const Project& project, const Eigen::Vector3d& cent
 
 } // namespace
 
-void addRegion(Project& project, const Eigen::Vector3d& centre) {
+Colour unusedColour(const std::vector<Region>& regions) {
+    const auto nearest = [&](const Colour& colour) {
+        int least = std::numeric_limits<int>::max();
+        for (const Region& region : regions)
+            least = std::min(least, distance(colour, region.colour));
+        return least;
+    };
+    return *std::max_element(regionColours.begin(), regionColours.end(),
+                             [&](const Colour& a, const Colour& b) { return nearest(a) < nearest(b); });
+}
+
+void addRegion(Project& project, const Eigen::Vector3d& centre, SharedSystem system) {
     const auto box = organBox(*project.mesh, *project.network);
     // At least a tenth of the largest extent, so that a flat organ does not get a flat ellipsoid.
     const double smallest = 0.1 * box.sizes().maxCoeff();
@@ -84,8 +82,7 @@ void addRegion(Project& project, const Eigen::Vector3d& centre) {
     region.ellipsoid =
         Ellipsoid{centre, (0.25 * box.sizes()).cwiseMax(smallest), Eigen::Quaterniond::Identity()};
     project.regions.push_back(std::move(region));
-    setSystem(project, project.regions.size() - 1,
-              std::make_shared<const FuzzySystem>(fuzzyPreset("susilap-g")));
+    setSystem(project, project.regions.size() - 1, std::move(system));
 }
 
 std::optional<std::size_t> wholeOrganRegion(const Project& project) {
@@ -93,8 +90,7 @@ std::optional<std::size_t> wholeOrganRegion(const Project& project) {
     return 0;
 }
 
-std::size_t setSystem(Project& project, std::optional<std::size_t> region,
-                      std::shared_ptr<const FuzzySystem> system) {
+std::size_t setSystem(Project& project, std::optional<std::size_t> region, SharedSystem system) {
     if (!region) region = layWholeOrgan(project);
     Region& target = project.regions[*region];
     const auto before = std::exchange(target.system, std::move(system));
@@ -116,10 +112,7 @@ std::optional<std::size_t> applyPreset(Project& project, std::optional<std::size
     if (!region) region = wholeOrganRegion(project);
     if (!region) region = layWholeOrgan(project);
     Region& target = project.regions[*region];
-    const std::shared_ptr<const FuzzySystem> before = target.system;
     layPreset(target, preset);
-    // The same system again is no edit.
-    if (before && before->name == preset.system->name && isFuzzyPreset(*before)) target.system = before;
     if (!isPart && mass) target.held.mass.reset();
     return region;
 }
@@ -148,13 +141,14 @@ void duplicateRegion(Project& project, std::size_t region) {
                            std::move(copy));
 }
 
-void placeRegion(Project& project, std::optional<std::size_t> region, const SurfaceSpot& spot) {
+void placeRegion(Project& project, std::optional<std::size_t> region, const SurfaceSpot& spot,
+                 SharedSystem system) {
     if (region && project.regions[*region].ellipsoid) {
         Ellipsoid& ellipsoid = *project.regions[*region].ellipsoid;
         ellipsoid = laidOn(*project.mesh, spot, ellipsoid.radii);
         return;
     }
-    addRegion(project, spot.point);
+    addRegion(project, spot.point, std::move(system));
     project.regions.back().ellipsoid = laidOn(*project.mesh, spot, fittingRadii(project, spot.point));
 }
 

@@ -1,4 +1,4 @@
-#include "app/editor/edits/region_edits.h"
+#include "core/authoring/regions.h"
 
 #include "core/samples/samples.h"
 
@@ -36,7 +36,7 @@ SurfaceSpot topOf(const Project& project) {
 
 } // namespace
 
-TEST(RegionEdits, MoveARegionByAnyNumberOfPlaces) {
+TEST(Regions, MoveARegionByAnyNumberOfPlaces) {
     Project project = layered();
     moveRegion(project, 0, 2);
     EXPECT_THAT(namesOf(project), ElementsAre("b", "c", "a", "d"));
@@ -51,7 +51,7 @@ TEST(RegionEdits, MoveARegionByAnyNumberOfPlaces) {
     EXPECT_TRUE(canMoveRegion(project, 2, -1));
 }
 
-TEST(RegionEdits, DuplicateIsAnotherRegionOfTheSameTissue) {
+TEST(Regions, DuplicateIsAnotherRegionOfTheSameTissue) {
     Project project = layered();
     project.regions[1].rim = 0.002;
     project.regions[1].held.viscosity = 4;
@@ -67,7 +67,7 @@ TEST(RegionEdits, DuplicateIsAnotherRegionOfTheSameTissue) {
     EXPECT_THAT(validate(project), IsEmpty());
 }
 
-TEST(RegionEdits, PlaceLaysASelectedRegionElsewhereAndKeepsItsSize) {
+TEST(Regions, PlaceLaysASelectedRegionElsewhereAndKeepsItsSize) {
     Project project = layered();
     const SurfaceSpot spot = topOf(project);
     const Ellipsoid before = *project.regions[2].ellipsoid;
@@ -77,7 +77,7 @@ TEST(RegionEdits, PlaceLaysASelectedRegionElsewhereAndKeepsItsSize) {
     EXPECT_EQ(project.regions[2].ellipsoid->radii, before.radii);
 }
 
-TEST(RegionEdits, PlaceAddsARegionOfASensibleSize) {
+TEST(Regions, PlaceAddsARegionOfASensibleSize) {
     for (const std::string& name : sampleNames()) {
         Project project = makeSample(name);
         if (project.mesh->triangles.empty()) continue;

@@ -1,4 +1,4 @@
-#include "app/editor/workers/accuracy_measurement.h"
+#include "core/authoring/accuracy.h"
 
 #include "core/authoring/coarser_runs.h"
 #include "core/model/gentle_pull.h"
