@@ -11,8 +11,9 @@ namespace esm {
 
 namespace {
 
-/// Of the tolerance, what a node may still have to go when it is left to rest: what is left off adds up, and
-/// across flat tissue, where next to nothing brings nodes back, they go farther than their springs tell.
+/// Of the tolerance, what a node may still have to go when it is left to rest. It is much less than all of
+/// it: what is left off at each node adds up, and across flat tissue, where next to nothing brings nodes
+/// back, they go farther than their springs tell.
 constexpr double restingShare = 0.05;
 
 /// The slices that springs join, in both directions and each once.
@@ -83,6 +84,10 @@ void ActiveSlices<Real>::forNeighbours(std::size_t slice, const Visit& visit) co
         visit(m_neighbours[i]);
 }
 
+// Whether a slice still moves is asked of how far it has to go, not of how fast it is: viscous tissue creeps
+// slowly, but for long, and a limit on speed would stop it half-way. Speed and acceleration are both asked,
+// since a node at its turning point is not at rest. The condition is written so that a velocity that is not a
+// number keeps its slice awake, where the run's guards find it.
 template<class Real>
 bool ActiveSlices<Real>::moves(std::size_t slice, const State& before, const State& state,
                                double timeStep) const {
@@ -106,6 +111,10 @@ template<class Real> void ActiveSlices<Real>::findBorder() {
     }
 }
 
+// A ring of neighbours is kept awake around what moves. One evaluation of the forces carries motion no
+// farther than along the springs of a node, so that it cannot pass the ring unseen: follow() asks the slices
+// of the border alone, which costs next to nothing in every step, and release() looks at all that is active
+// now and then.
 template<class Real>
 typename ActiveSlices<Real>::SliceList ActiveSlices<Real>::release(const State& before, const State& state,
                                                                    double timeStep) {

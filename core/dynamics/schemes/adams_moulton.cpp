@@ -11,9 +11,11 @@ namespace esm {
 
 namespace {
 
-// With y = (x,v) and F = (v,a): predicts ỹ = y + h/24·(55F − 59F⁻ + 37F⁻² − 9F⁻³), corrects
-// y⁺ = y + h/24·(9F̃ + 19F − 5F⁻ + F⁻²) [B 4.2]. Fourth order, two evaluations; starts with Runge-Kutta's
-// steps, until three lie behind it.
+// Adams-Bashforth predicts, Adams-Moulton corrects [B 4.2]. With y = (x,v) and F = (v,a): ỹ = y + h/24·(55F −
+// 59F⁻ + 37F⁻² − 9F⁻³), y⁺ = y + h/24·(9F̃ + 19F − 5F⁻ + F⁻²). Fourth order for two evaluations, half of what
+// Runge-Kutta's form takes, since three are left over from the steps before. For the same reason it has to
+// begin anew after a jump: it starts with Runge-Kutta's steps, until three lie behind it. The next step
+// evaluates F at y⁺ anew; to go on with F̃ would save that, but shorten the stable step.
 template<class Real> void adamsMoultonStep(ExplicitWork<Real>& work, const StepInput& input) {
     std::rotate(work.keptRates.begin(), work.keptRates.end() - 1, work.keptRates.end());
     work.computeRates(input, work.state, work.keptRates[0]);
@@ -30,7 +32,8 @@ template<class Real> void adamsMoultonStep(ExplicitWork<Real>& work, const StepI
     work.finish({{9 * part, &predicted}, {19 * part, &now}, {-5 * part, &last}, {part, &second}});
 }
 
-// The largest root of the recurrence over four steps, of its companion matrix.
+// With F = z·y in both formulas, y⁺ is a sum over the last four y: the first row of the companion matrix. Its
+// largest eigenvalue is the largest root of that recurrence.
 double adamsMoultonGrowth(std::complex<double> z) {
     const std::complex<double> part = z / 24.0;
     Eigen::Matrix4cd recurrence = Eigen::Matrix4cd::Zero();

@@ -10,6 +10,11 @@ double lengthOf(const SpringSystem::Element& spring, const Vectors& positions) {
 
 } // namespace
 
+// Viscosity along a spring's axis depends on the direction that the spring has at the end of the step, which
+// is not known yet. A matrix D with the old directions would let a spring that turns grow longer against no
+// resistance. Written as a spring that wants its former length back, the damper turns with the tissue: its
+// force is the gradient of d/(2·duration)·(length − former)², so that it fits into the potential that
+// Newton's steps go down.
 LengthChange changeFrom(const SpringSystem& system, const Vectors& positions, double timeStep) {
     LengthChange change{{}, timeStep};
     change.former.reserve(system.springs.size());
@@ -20,6 +25,7 @@ LengthChange changeFrom(const SpringSystem& system, const Vectors& positions, do
 
 LengthChange changeFrom(const SpringSystem& system, const Vectors& positions, const Vectors& previous,
                         double timeStep) {
+    // The rate (3l⁺ − 4l + l⁻)/(2h), written as (l⁺ − former)/duration.
     LengthChange change{{}, 2 * timeStep / 3};
     change.former.reserve(system.springs.size());
     for (const auto& spring : system.springs)

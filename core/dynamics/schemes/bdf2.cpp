@@ -32,6 +32,8 @@ double bdf2Damping(double timeStep, double frequency) {
 const Scheme bdf2Scheme{
     .largestStable = alwaysStable, .ownDamping = bdf2Damping, .factors = bdf2Factors, .form = bdf2Form};
 
+// Both rows of the formula, for positions and for velocities, are 3y⁺ = 4y − y⁻ + 2h·ẏ⁺. That of the
+// positions gives x⁺ − x = (x − x⁻)/3 + 2h/3·v⁺: the drift and the reach.
 StepForm backwardDifferences(double timeStep, const Motion& before, const Motion& previous) {
     StepForm form{.drive = before.velocities, .drift = {}, .reach = 2 * timeStep / 3};
     form.drift.resize(before.positions.size());

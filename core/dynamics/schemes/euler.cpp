@@ -35,7 +35,9 @@ template<class Real> void eulerStep(ExplicitWork<Real>& work, const StepInput& i
     }
 }
 
-// λmax(h²K + 2hD) < 4
+// The step of one oscillator, x⁺ − 2x + x⁻ + h²k·x + hd·(x − x⁻) = 0, has its roots' product at 1 − hd and
+// reaches −1 first, where h²k + 2hd = 4. What is sure, before any search, is that bound with the largest k
+// and the largest d together, though no motion need have both.
 std::optional<double> largestEulerStep(TissueSpectrum& tissue, double cap) {
     const double d = tissue.largestDamping();
     const double sure = 4 / (d + std::sqrt(d * d + 4 * tissue.largestStiffness()));

@@ -9,7 +9,8 @@ namespace esm {
 
 namespace {
 
-/// Steps between two looks at what has come to rest. Where motion spreads is looked at every step.
+/// Steps between two looks at what has come to rest, so many that a look costs next to nothing beside them. A
+/// late look costs time only. Where motion spreads is looked at every step: there a late look would be wrong.
 constexpr std::size_t stepsBetweenReleases = 64;
 
 template<class Real> auto stepOf(const ExplicitMethod& method) {
@@ -95,6 +96,9 @@ template<class Real> void ExplicitScheme<Real>::followMotion(double timeStep) {
         m_work.active.follow(m_work.next, m_work.state, timeStep);
 }
 
+// What rests is no longer written by any step, while the buffers of a step change places. All of them must
+// therefore hold the same state for it, or it would jump to an old place with every other step; and rates
+// that are kept must be none, or a form over several steps would move it on.
 template<class Real> void ExplicitScheme<Real>::rest(const typename TissueKernel<Real>::SliceList& slices) {
     const auto forget = [](std::vector<State>& states, std::size_t row) {
         for (State& rates : states)

@@ -42,6 +42,8 @@ template<class Real> void ExplicitWork<Real>::advance(State& to, std::initialize
     });
 }
 
+// The terms are summed up before they are added to the position, beside which each is small: added one by
+// one, each would be rounded to the position's last digit.
 template<class Real> void ExplicitWork<Real>::finish(std::initializer_list<Term> terms) {
     forActiveRows([terms, this](std::size_t row) {
         Record change{};

@@ -10,6 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Some 12·√contrast of them are needed, and `auto` takes steps with a contrast of at most 5000
+/// (stability.cpp).
 constexpr int mostSolverIterations = 1000;
 
 double scalarProduct(const Vectors& a, const Vectors& b) {
@@ -56,6 +58,17 @@ private:
 
 enum class Solved { Yes, Indefinite, No };
 
+// Conjugate gradients (Hestenes and Stiefel 1952), preconditioned. Given nodes stay in the matrix, but their
+// rows are set to zero in every residual and image, the filter of Baraff and Witkin (1998): neither the
+// tangent nor the factorised preconditioner has to change where other nodes are led.
+//
+// The preconditioned residual is measured against that of the momentum and of the start together. The
+// momentum alone would not do: where only led nodes move there is none, and no residual would ever be small
+// beside it.
+//
+// A direction without positive curvature shows that pressed springs buckle. What solves the equation is then
+// a saddle of the potential, not its least place, and conjugate gradients may not get there either: the
+// caller is told.
 Solved conjugateGradients(const TangentMatrix& matrix, const UnknownNodes& unknown, const Vectors& momentum,
                           double tolerance, Vectors& velocities) {
     Vectors residual;
@@ -85,6 +98,9 @@ Solved conjugateGradients(const TangentMatrix& matrix, const UnknownNodes& unkno
 
 } // namespace
 
+// A spring's force is its tension T(l) along its direction n. Lengthened, it changes by dT/dl along n;
+// turned, it keeps its size and turns with n, which is T/l across. T/l is below zero for a pressed spring: it
+// pushes its ends further aside the further they are aside.
 TangentMatrix::TangentMatrix(const SpringSystem& system, Damping damping, const MatrixFactors& factors,
                              const Vectors& positions)
     : m_system(system), m_damping(damping), m_factors(factors) {
@@ -102,6 +118,8 @@ TangentMatrix::TangentMatrix(const SpringSystem& system, Damping damping, const 
     }
 }
 
+// The least change that leaves each spring's part positive semidefinite, and with M the sum definite. The
+// step then errs towards what is stiffer, and is as long as that allows.
 void TangentMatrix::omitBuckling() {
     for (Tangent& tangent : m_tangents)
         tangent.lateral = std::max(0.0, tangent.lateral);
@@ -139,6 +157,9 @@ void TangentMatrix::addSprings(const MatrixFactors& factors, const Vectors& velo
             velocities[tether.node];
 }
 
+// Where the tangent is found to be indefinite, pressed springs buckle and are left out of it. Not before:
+// mostly their neighbours and their mass hold them, and forms whose order needs all of the tangent would lose
+// it. The second try starts from the same place, since the first may have gone anywhere.
 void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner, const std::vector<HeldNode>& led,
                    const Vectors& momentum, Vectors& velocities, double tolerance) {
     Vectors half;

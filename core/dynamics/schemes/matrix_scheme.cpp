@@ -12,7 +12,7 @@ namespace esm {
 namespace {
 
 constexpr double roundingShare = 1e-9; ///< of potentials; differences below it say nothing
-constexpr int mostHalfWays = 4;
+constexpr int mostHalfWays = 4; ///< from a step that overshoots to the safe one: to a sixteenth of the way
 constexpr double gainedShare = 1e-4; ///< of the energy that moves in a step; in 1000 steps a tenth
 
 // Newton's steps with axial damping. To solve each of them more exactly gains nothing.
@@ -100,6 +100,9 @@ void MatrixScheme::goBeyond(const Start& start, const Form& form, Vectors& veloc
         if (!isLed[i]) velocities[i] += form.beyond * (velocities[i] - start.before.velocities[i]);
 }
 
+// One solve is the whole step. Led nodes that are in the matrix come between its two halves: there an impulse
+// on a single node is one sparse column, and the impulses that give all of them their velocities are a small
+// dense system.
 void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolver& solver,
                                  UntouchedStep& step) const {
     Vectors& velocities = step.motion.velocities;
@@ -115,9 +118,14 @@ void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolve
     solver.matrix.solveUpper(step.half, velocities);
 }
 
-// A long Newton step may overshoot, as where tissue lies in a plane and resists no force across it, or where
-// springs become stiffer on the way. The step of the constant matrix never does, but it is a small one: a
-// part of the way from there to where the long step led is often better.
+// One Newton step, and what is done where it is not good. The measure is the step's potential, which an exact
+// step has the least of (Gast et al. 2015): where it rises, the step has gone too far. It does so where
+// tissue lies in a plane and resists no force across it, or where springs become stiffer on the way.
+//
+// The constant matrix is nowhere below the tangent, so that its step never overshoots; but it is a small one.
+// Half-way from the long step towards it, and half-way again, is often better. A form that is exact must not
+// take such a mixture, which is of the first order. Nor has it to: it is held against the velocities there
+// were, and where it is no better the step is refused and taken by the form that it starts as.
 bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver& solver,
                                 UntouchedStep& step) const {
     TangentMatrix tangent(start.system, m_damping, form.factors, start.before.positions);
@@ -152,10 +160,11 @@ bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver
     return true;
 }
 
-// Over a step that is linear in its velocities w, kinetic energy changes by what the forces do along h·w.
-// Those of the linearised tissue are not quite the slope of its energy: what they lack, of the third order in
-// h·w, comes from nowhere. It is harmless as far as viscosity takes it, or nearly nothing; else a form that
-// damps nothing would gather it, in long steps without end.
+// The step solves with linearised forces, and what they do along its way h·w is what kinetic energy gains.
+// The tissue is not linear: what its elastic energy loses on that way is something else, by the third order
+// in h·w. Where it loses less than was gained, energy came from nowhere. That is harmless as far as viscosity
+// takes it in the same step, or where it is next to nothing; a form that damps nothing would else gather it,
+// in long steps without end.
 bool MatrixScheme::gainsEnergy(const Start& start, const Form& form, const TangentMatrix& tangent,
                                const Vectors& velocities) const {
     const auto& [system, input, before] = start;
@@ -176,6 +185,8 @@ bool MatrixScheme::gainsEnergy(const Start& start, const Form& form, const Tange
     return stored + work > heat + gainedShare * moved;
 }
 
+// The former length is that by the same formula by which the form takes its rates: over one step, or over
+// two.
 SpringSystem MatrixScheme::axiallyDamped(const Start& start, const Form& form) const {
     const auto& [system, input, before] = start;
     const LengthChange change =
@@ -205,7 +216,9 @@ void MatrixScheme::solveTurning(const Start& start, const Form& form, StepSolver
     }
 }
 
-/// Adds so large a share of a change that the potential does not rise; which share.
+/// Adds so large a share of a change that the potential does not rise; which share. The matrix is positive
+/// definite, so that the change goes downhill at first, and some share will do. No more is asked than not to
+/// rise: what is missing is left to the Newton steps that follow.
 double MatrixScheme::takeDownhill(const Start& start, const Form& form, const Vectors& change,
                                   Vectors& velocities) const {
     const Vectors from = velocities;
@@ -255,6 +268,9 @@ Vectors MatrixScheme::missing(const Start& start, const Form& form, const Vector
 }
 
 /// J, what an exact step has the least of: the form above is where its gradient vanishes.
+// Its gradient by w is M·(mass·w − drive) − h·(endShare·f(x⁺) + (1 − endShare)·f(x) − D·w + g). Forces at x⁺
+// enter by their energy, whose gradient by w has the factor reach: hence h/reach. All that does not depend on
+// x⁺ is linear in w, and viscosity is quadratic, so that it enters with half its force.
 double MatrixScheme::potential(const Start& start, const Form& form, const Vectors& velocities) const {
     const double h = start.input.duration;
     Vectors damping(velocities.size(), Eigen::Vector3d::Zero()), external = damping;

@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 
 constexpr double settled = 1e-8; ///< change of a force, of the largest there was
 constexpr int mostPasses = 2000, passesUnasked = 16;
-constexpr double roundingMargin = 1e-14; ///< of a place; what springs make of it cannot settle
+/// Of a place, some 50 roundings; what springs make of it cannot settle.
+constexpr double roundingMargin = 1e-14;
 
 /// Of one spring, on the node it is seen from.
 Vector3d springForce(const SpringSystem::Element& spring, Damping damping, const Vector3d& between,
@@ -29,8 +30,9 @@ Vector3d springForce(const SpringSystem::Element& spring, Damping damping, const
     return elastic - spring.viscosity * direction.dot(approach) * direction;
 }
 
-// Always stable; but forces settle the slower the more a node's springs outweigh its mass: h·D + h²·K <
-// 100·M.
+// Always stable; but the more a node's springs outweigh its mass, the more passes its forces take to settle.
+// Steps are kept to h·D + h²·K < 100·M for each motion; the root of that quadratic is written so that nothing
+// cancels.
 std::optional<double> largestPropagationStep(TissueSpectrum& tissue, double cap) {
     constexpr double most = 100;
     const double d = tissue.largestDamping();
@@ -94,7 +96,9 @@ Vector3d PropagationScheme::forceOn(std::uint32_t node, const SpringSystem& syst
     return force;
 }
 
-/// The first phase of one step: passes over the nodes until their forces settle.
+/// The first phase of one step: passes over the nodes until their forces settle. That is so when no force
+/// changed by more than 10⁻⁸ of the largest force there ever was, not of its own: forces that balance are
+/// next to nothing, and what rounding leaves of them never settles.
 class PropagationScheme::LocalPropagation {
 public:
     LocalPropagation(const PropagationScheme& scheme, const SpringSystem& system, const StepInput& input,
@@ -135,6 +139,12 @@ private:
     }
 
     /// Gives a node the velocity its springs ask of it; by how much its force changed or is not met yet, N.
+    ///
+    /// Over all nodes this is Gauss and Seidel's method for the step of implicit Euler, with forces as they
+    /// really are: each node sees at once what was settled before it. Its resistance is at least what its
+    /// springs' forces can change by, whichever way it goes, so that it never goes beyond the place where its
+    /// own forces balance. With its mass alone stiff tissue would be thrown from side to side and never
+    /// settle.
     double settle(std::uint32_t node) {
         const Vector3d force = m_scheme.forceOn(node, m_system, m_after) + m_external[node];
         const Vector3d missing =

@@ -9,13 +9,16 @@ namespace esm {
 
 namespace {
 
-// The classical Runge-Kutta form: the slope at the beginning, two in the middle and one at the end, weighed
-// 1:2:2:1. Four evaluations, fourth order.
+// The classical Runge-Kutta form [B 4.2]: the slope at the beginning, two in the middle and one at the end,
+// weighed 1:2:2:1. Four evaluations, fourth order. It needs no step before it, so that Adams-Moulton starts
+// with it.
 template<class Real> void rk4Step(ExplicitWork<Real>& work, const StepInput& input) {
     work.computeRates(input, work.state, work.stageRates[0]);
     rungeKuttaStep(work, input, work.stageRates[0]);
 }
 
+// The series of e^z as far as the fourth order. On the imaginary axis it stays below 1 up to 2√2, so that
+// undamped tissue has stable steps, which it has not by Heun's form.
 double rk4Growth(std::complex<double> z) {
     return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
 }

@@ -6,13 +6,17 @@ namespace esm {
 
 namespace {
 
-// (M + h·D)·v⁺ = M·v + h·(f(x) + g), x⁺ = x + h·v⁺: viscosity implicit, elasticity explicit. First order. The
-// matrix is constant, and viscous tissue, where D limits explicit steps, is stable in long ones.
+// (M + h·D)·v⁺ = M·v + h·(f(x) + g), x⁺ = x + h·v⁺: viscosity implicit, elasticity explicit. First order.
+// Published organs are so viscous that D alone limits explicit steps; taken implicitly, it lengthens the
+// stable step instead. Isotropic damping does not depend on places: its matrix is constant, and the solve is
+// exact, nothing being linearised.
 MatrixFactors splitFactors(double timeStep) {
     return {1, timeStep, 0};
 }
 
-// λmax(h²K − 2hD) < 4; on the line d = ratio·k that is h² − 2h·ratio < 4/k.
+// One oscillator's step, (1 + hd)·x⁺ − (2 + hd − h²k)·x + x⁻ = 0, reaches −1 where h²k − 2hd = 4. On the line
+// d = ratio·k, the least damping there may be, that is h² − 2h·ratio < 4/k, hardest for the largest k: up to
+// its root no motion grows.
 std::optional<double> largestSplitStep(TissueSpectrum& tissue, double cap) {
     if (tissue.largestStiffness() == 0) return cap;
     const double ratio = tissue.dampingRatio();

@@ -14,6 +14,8 @@ namespace {
 // (3/2·M + h·D)·v⁺ = M·(2v − v⁻/2) + h·(2f − f⁻ + g), x⁺ = (4x − x⁻ + 2h·v⁺)/3: backward differences with the
 // viscosity implicit and the elasticity extrapolated from two steps. Second order, a constant matrix. The
 // extrapolation lets undamped swings grow: all of the tissue needs some viscosity.
+//
+// It is one of the implicit-explicit multistep forms of Ascher, Ruuth and Wetton (1995).
 MatrixFactors split2Factors(double timeStep) {
     return {1.5, timeStep, 0};
 }
@@ -27,9 +29,13 @@ StepForm split2Form(double timeStep, const Motion& before, const Motion* previou
 /// The least of split2Limit(x)/x up to x = 8/7.
 const double leastQuotient = 2.5 + std::sqrt(6.0);
 
-// On the line d = ratio·k up to the largest k: h/ratio must stay below split2Limit(x)/x for every
-// x ≤ h·ratio·k. That quotient falls to 5/2 + √6 at x = 0.3866, rises a little and falls again, not below
-// that before x = 8/7.
+// On the line d = ratio·k up to the largest k: h/ratio must stay below split2Limit(x)/x for every x ≤
+// h·ratio·k. That quotient falls to 5/2 + √6 at x = 0.3866, rises a little and falls again, not below that
+// before x = 8/7.
+//
+// The search starts from a step that holds: h = 4/3·ratio, at which h²k is 4/3·hd for every motion and so
+// below both branches. With little damping a longer one does, where (hω)² is √(2·hd) at the largest k; that
+// is tried.
 double split2OnLine(const TissueSpectrum& tissue, double cap) {
     const double ratio = tissue.dampingRatio(), stiffest = tissue.largestStiffness();
     const auto holds = [ratio, stiffest](double h) {
@@ -41,8 +47,9 @@ double split2OnLine(const TissueSpectrum& tissue, double cap) {
     return largestHolding(holds(weak) ? std::max(weak, strong) : strong, cap, 1e-3, holds);
 }
 
-// Motions with h·d ≥ 8/7 leave the unit circle at −1: for them a half plane is the rule. The others are
-// stable up to h = leastQuotient·ratio, and are none where all of the tissue is damped that much.
+// There are two kinds of motion. Those with h·d ≥ 8/7 leave the unit circle at −1: there the rule is a half
+// plane of (k, d), and so a matrix that has to be definite. The others are stable up to h =
+// leastQuotient·ratio, all of them; and where all of the tissue is damped beyond 8/7, there are none.
 std::optional<double> largestSplit2Step(TissueSpectrum& tissue, double cap) {
     if (tissue.largestStiffness() == 0) return cap;
     if (tissue.dampingRatio() == 0) return std::nullopt;

@@ -9,8 +9,9 @@ namespace esm {
 
 namespace {
 
-// Velocity Verlet: x⁺ = x + h·v + h²/2·a, a⁺ = a(x⁺, v + h·a), v⁺ = v + h/2·(a + a⁺). Second order, and one
-// evaluation as in Euler's step, since a⁺ is the next step's a.
+// Velocity Verlet (Swope et al. 1982): x⁺ = x + h·v + h²/2·a, a⁺ = a(x⁺, v + h·a), v⁺ = v + h/2·(a + a⁺).
+// Second order, and one evaluation as in Euler's step, since a⁺ is the next step's a. It was asked for at the
+// predicted velocity: to ask again at v⁺ would cost a second evaluation in every step.
 template<class Real> void verletStep(ExplicitWork<Real>& work, const StepInput& input) {
     const double h = input.duration;
     auto &last = work.keptRates[0], &now = work.keptRates[1];
@@ -37,7 +38,9 @@ template<class Real> void verletStep(ExplicitWork<Real>& work, const StepInput& 
     work.ratesKnown = 1;
 }
 
-// λmax(h²K + 4hD) < 4
+// In terms of the velocities in the middle of steps, w = v + h/2·a, it is w⁺ = w − h·(K·x⁺ + D·(3w − w⁻)/2):
+// leapfrog, its damping extrapolated from two steps. That reaches −1 first, where h²k + 4hd = 4.
+// Extrapolating costs viscous tissue half of the step that Euler's has.
 std::optional<double> largestVerletStep(TissueSpectrum& tissue, double cap) {
     const double d = tissue.largestDamping();
     const double sure = 2 / (d + std::sqrt(d * d + tissue.largestStiffness()));
