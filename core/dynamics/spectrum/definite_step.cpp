@@ -19,7 +19,8 @@ double form(const Matrix& matrix, const Eigen::VectorXd& x) {
 }
 
 /// By what makes Q large without making it indefinite, so that parts of the tissue that differ by orders of
-/// magnitude weigh alike.
+/// magnitude weigh alike. Scaling from both sides changes no sign of Q's eigenvalues (Sylvester), but brings
+/// them close together, so that the one next to zero is a larger part of the spectrum and sooner found.
 Eigen::VectorXd scaleOf(const StepFamily& family, double h) {
     Eigen::VectorXd scale = family.factors.mass * family.mass.diagonal();
     scale += std::max(0.0, family.factors.damping * h) * family.damping.diagonal();
@@ -44,6 +45,12 @@ Matrix scaledNegative(const StepFamily& family, double h, const Eigen::VectorXd&
 
 /// Q(h) is definite where the largest eigenvalue of its scaled negative is below zero. `ask` is called now
 /// and then.
+///
+/// The two answers are not alike. A Ritz value above zero is itself some xᵀ·(−Q)·x: that proves Q indefinite,
+/// and what is still waited for is a better x. A Ritz value below zero proves nothing, since Lanczos' method
+/// may not have met the largest eigenvalue yet; it counts only after so many iterations that one which stands
+/// out by the tolerance would hardly have escaped. Where neither comes within four times as many, Q is nearly
+/// singular, and a shorter step is easier to judge.
 Trial tryStep(const StepFamily& family, double h, double tolerance, const std::function<void()>& ask) {
     const Eigen::VectorXd scale = scaleOf(family, h);
     const Matrix matrix = scaledNegative(family, h, scale);
@@ -76,6 +83,9 @@ double firstZero(const StepFamily& family, const Eigen::VectorXd& x) {
 // the motion is off the limit's, as with Rayleigh's quotient; so a few such motions lead there. A step
 // shorter by the tolerance is then shown to be definite. All of it takes products with the matrices, no
 // factorisation: time in proportion to their size.
+//
+// Where a step can neither be shown to be definite nor not, the share by which the next is shorter is
+// squared. The answer then loses some of its length, never its safety.
 double largestDefiniteStep(const StepFamily& family, const Eigen::VectorXd& near,
                            const DefiniteSearch& search) {
     if (search.sure >= search.cap) return search.cap;
@@ -97,8 +107,9 @@ double largestDefiniteStep(const StepFamily& family, const Eigen::VectorXd& near
 }
 
 // With nothing positive beside its diagonal, A = h·D − share·M is positive definite exactly where some
-// positive v has A·v > 0. Conjugate gradients towards A·v = M·1 either come to such a v or past a direction
-// in which A is not positive; where they do neither for long, the answer is the careful one.
+// positive v has A·v > 0 (it is then an M-matrix, Berman and Plemmons 1979). Conjugate gradients towards A·v
+// = M·1 either come to such a v or past a direction in which A is not positive; where they do neither for
+// long, the answer is the careful one.
 bool isDampedBeyond(double share, double h, const Eigen::SparseMatrix<double>& mass,
                     const Eigen::SparseMatrix<double>& damping) {
     constexpr int mostIterations = 1000;

@@ -16,7 +16,8 @@ struct Tridiagonal {
     std::vector<double> diagonal, below;
 };
 
-/// Sturm's test by the pivots of shift − T.
+/// Sturm's test: a number is above all eigenvalues exactly where shift − T is positive definite, that is
+/// where all pivots of its elimination are positive.
 bool liesAboveSpectrum(double shift, const Tridiagonal& matrix) {
     double pivot = shift - matrix.diagonal[0];
     for (std::size_t i = 1; i < matrix.diagonal.size() && pivot > 0; ++i)
@@ -40,7 +41,9 @@ Bracket gershgorinBracket(const Tridiagonal& matrix) {
     return {largest, most + 1e-12 * scale + std::numeric_limits<double>::min()};
 }
 
-/// The largest eigenvalue between two numbers a rounding apart.
+/// The largest eigenvalue between two numbers a rounding apart. Halving is slow beside other methods, but T
+/// has some hundreds of rows at most, nothing here can fail to converge, and the upper end is above the
+/// eigenvalue for sure. The largest entry of the diagonal is below it, as every Rayleigh quotient is.
 Bracket largestEigenvalue(const Tridiagonal& matrix) {
     Bracket bracket = gershgorinBracket(matrix);
     const double width = 1e-15 * std::max(std::abs(bracket.below), std::abs(bracket.above));
@@ -72,7 +75,9 @@ void iterateInversely(const Tridiagonal& matrix, double shift, Eigen::VectorXd& 
 }
 
 // Inverse iteration from just above the eigenvalue finds its vector in two steps: all of its entries are
-// positive, and so are those of the start.
+// positive (Perron and Frobenius, since all of T beside the diagonal is), and so are those of the start,
+// which therefore is not across it. The residual of a Ritz pair is the last entry of its vector times the
+// last number below the diagonal (Parlett 1980).
 RitzPair largestPairOf(const Tridiagonal& matrix) {
     const auto size = static_cast<Eigen::Index>(matrix.diagonal.size());
     const double above = largestEigenvalue(matrix).above;
@@ -82,7 +87,10 @@ RitzPair largestPairOf(const Tridiagonal& matrix) {
     return {above, matrix.below.back() * std::abs(vector[size - 1]), std::move(vector)};
 }
 
-/// Lanczos' three-term recurrence, one basis vector after the other.
+/// Lanczos' three-term recurrence (1950), one basis vector after the other. They are not made orthogonal to
+/// all of those before. With rounding they cease to be once an eigenvalue has converged, and copies of it
+/// turn up; but copies do no harm to who looks for the largest alone (Paige 1971), and neither time nor
+/// memory grows with the square of the iterations.
 class Lanczos {
 public:
     Lanczos(const Eigen::SparseMatrix<double>& lower, Eigen::VectorXd start)

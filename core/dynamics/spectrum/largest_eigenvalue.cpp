@@ -6,6 +6,9 @@ namespace esm {
 
 namespace {
 
+// No eigenvalue is larger than the largest sum of a row's absolute values. That costs one pass and is never
+// too low, but too high: for the graph Laplacian of an even triangle mesh 12 in place of 9. Lanczos' value
+// comes close, but from below; with its residual added it is above an eigenvalue, and rarely not the largest.
 double gershgorinBound(const Eigen::SparseMatrix<double>& lower) {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(lower.rows());
     for (int column = 0; column < lower.outerSize(); ++column)

@@ -15,6 +15,9 @@ struct StepBounds {
     double stiffness, damping, ratio;
 };
 
+// For each damping up to the bound's, the stiffest oscillator that the tissue may have is held against the
+// curve. It is asked at the curve's points and at the bound itself, between which the curve is taken as
+// straight.
 bool staysBelow(const std::vector<std::pair<double, double>>& curve, const StepBounds& bounds) {
     const auto stiffest = [&](double damping) {
         return bounds.ratio > 0 ? std::min(bounds.stiffness, damping / bounds.ratio) : bounds.stiffness;
@@ -33,6 +36,9 @@ bool staysBelow(const std::vector<std::pair<double, double>>& curve, const StepB
 
 } // namespace
 
+// Points over all orders of magnitude, each a quarter above the last: near no damping the limit may fall to
+// nothing, as that of Heun's form does. Each limit is taken at a damping a little below its own: at the last
+// point decay is about to leave the stable region, and rounding could say that it has.
 MultistageLimits multistageLimits(Growth growth) {
     constexpr int points = 96;
     constexpr double least = 1e-9;

@@ -29,6 +29,8 @@ double growthFactor(Growth growth, const StepOscillator& oscillator) {
     return std::max(growth((-b + root) / 2.0), growth((-b - root) / 2.0));
 }
 
+// Searched upwards in steps of a fifth before it is halved in: growth need not rise steadily with stiffness,
+// and the first stiffness that grows is what counts, not one of several ends of stable stretches.
 double stiffnessLimit(Growth growth, double stepDamping) {
     const auto holds = [&](double stiffness) {
         return growthFactor(growth, {stepDamping, stiffness}) <= 1 + roundingSlack;

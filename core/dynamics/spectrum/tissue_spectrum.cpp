@@ -19,6 +19,9 @@ Matrix massNormalised(const Matrix& matrix, const Matrix& mass) {
 
 } // namespace
 
+// With y = √M·x the eigenvalues of M⁻¹K are those of the symmetric M^(−1/2)·K·M^(−1/2), which Lanczos' method
+// can take: ω² of the swings without damping. The motion of the largest one is kept. It starts every search
+// for a longest step, since it is next to the motion that limits it.
 TissueSpectrum::TissueSpectrum(const SpringSystem& system, Damping damping, StabilitySearch search)
     : m_search(std::move(search)) {
     const bool isAtRest = m_search.deformation == Deformation::AtRest;
