@@ -35,6 +35,9 @@ private:
     NodeList m_neighbours;
 };
 
+// Cuthill and McKee (1969), turned round as George (1971) does. A step reads, for each node, those its
+// springs join. In this order they are of the same level of the breadth-first search or of the next one, so
+// that what one node needs is still in the cache for another, however the mesh has scattered its neighbours.
 class CuthillMcKee {
 public:
     explicit CuthillMcKee(const SpringSystem& system) : m_graph(system), m_round(m_graph.size(), 0) {
@@ -59,8 +62,9 @@ private:
         bool operator()(std::uint32_t a, std::uint32_t b) const { return graph.degree(a) < graph.degree(b); }
     };
 
-    /// Appends the component of a node, and keeps it only when the node is as far out as a few searches find:
-    /// a long, thin ordering has the smallest bandwidth.
+    /// Appends the component of a node. The search begins anew from the farthest node that it found, as long
+    /// as that makes it deeper (George and Liu 1979): the more levels there are the narrower they are, and
+    /// narrow levels keep neighbours close. The limit is for graphs that become deeper by a level each time.
     void orderComponent(std::uint32_t start) {
         constexpr int mostSearches = 8;
         const std::size_t ordered = m_order.size();

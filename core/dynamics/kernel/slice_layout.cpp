@@ -22,8 +22,10 @@ Numbers springsPerNode(const SpringSystem& system) {
     return count;
 }
 
-/// Sorts by the number of springs within stretches of the order, so that the rows of a slice are about
-/// equally long and neighbours stay near.
+/// Sorts by the number of springs within stretches of the order (SELL-C-σ of Kreutzer et al. 2014, with C = 8
+/// and σ = 128). A slice is as wide as its longest row, so that rows of like length in a slice leave little
+/// of it empty. To sort all nodes would leave less still, but tear neighbours apart; within a stretch they
+/// stay near.
 void evenOut(Numbers& order, const Numbers& springCounts) {
     constexpr std::size_t stretch = 16 * sliceHeight;
     const auto hasMore = [&](std::uint32_t a, std::uint32_t b) { return springCounts[a] > springCounts[b]; };
@@ -45,6 +47,8 @@ Numbers columnStarts(const Numbers& order, const Numbers& springCounts) {
     return starts;
 }
 
+// Places in a row that no spring fills point back at the row's own node, with all parameters 0: the kernel
+// computes them as springs of no length and no force, and needs no branch for the ends of rows.
 LargeVector<kernel::Neighbours> ownNeighbours(const Numbers& starts, std::size_t recordSize) {
     LargeVector<kernel::Neighbours> neighbours(starts.back());
     for (std::size_t slice = 0; slice + 1 < starts.size(); ++slice)
@@ -56,7 +60,8 @@ LargeVector<kernel::Neighbours> ownNeighbours(const Numbers& starts, std::size_t
 }
 
 /// Springs in the order of the lower of their rows, then of the higher: every row then meets its neighbours
-/// in the order of theirs.
+/// in the order of theirs. The order in which a node's forces are added up hangs on the rows alone, and not
+/// on the order of the model's list of springs.
 Numbers springsByRows(const SpringSystem& system, const Numbers& rowOfNode) {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted;
     sorted.reserve(system.springs.size());

@@ -8,8 +8,10 @@ namespace esm {
 
 namespace {
 
-// m_state: the lowest bits count the threads inside, then one bit says that the job is open, then one that
-// the team ends; above them is the number of the job.
+// One word holds all that threads must agree on, so that each change of it is one atomic operation. m_state:
+// the lowest bits count the threads inside, then one bit says that the job is open, then one that the team
+// ends; above them is the number of the job. A thread enters by comparing and swapping the whole word: it
+// cannot come into a job that has been closed since it looked.
 constexpr std::uint64_t insideMask = 0xffff, openBit = 0x10000, endBit = 0x20000, jobUnit = 0x40000;
 
 constexpr int spins = 2000; ///< some tens of microseconds
@@ -63,13 +65,19 @@ void ThreadTeam::runJob(Job job) {
     closeAndWait();
 }
 
+// Job and queues are plain data. They are written while nobody is inside, since the job before was closed and
+// waited for, and become visible to who enters by the store that opens the job.
+//
+// No thread may sleep through it. The opener writes the state, then reads how many sleep; a thread that goes
+// to sleep adds itself to them, then reads the state. All four are sequentially consistent, so that at least
+// one of the two sees the other. A thread that has looked, but does not sleep yet, holds the mutex: to lock
+// it once waits for that thread.
 void ThreadTeam::open(const Job& job) {
     m_job = job;
     for (std::size_t thread = 0; thread < job.threads; ++thread) {
         m_queues[thread].next.store(job.parts * thread / job.threads, std::memory_order_relaxed);
         m_queues[thread].end = job.parts * (thread + 1) / job.threads;
     }
-    // Sequentially consistent, as where a thread goes to sleep: one of the two sees the other.
     m_state.store(((m_state.load() & ~(insideMask | openBit)) + jobUnit) | openBit);
     if (m_sleepers.load() == 0) return;
     { const std::lock_guard<std::mutex> lock(m_mutex); }
@@ -84,6 +92,7 @@ void ThreadTeam::closeAndWait() {
     }
 }
 
+// A thread beyond those that the job is worth leaves at once: it has no queue.
 bool ThreadTeam::enter(std::uint64_t seen, std::size_t thread) {
     while (seen & openBit) {
         if (!m_state.compare_exchange_weak(seen, seen + 1, std::memory_order_acquire)) continue;
@@ -98,6 +107,9 @@ void ThreadTeam::leave() {
     m_state.fetch_sub(1, std::memory_order_release);
 }
 
+// First its own queue, then what the others have not begun: a part is taken by one addition, by whoever
+// comes. The plain look before it keeps threads that only find empty queues from taking the cache line from
+// one that works, and the number from growing without end.
 void ThreadTeam::work(std::size_t thread) {
     for (std::size_t i = 0; i < m_job.threads; ++i) {
         Queue& queue = m_queues[(thread + i) % m_job.threads];

@@ -9,7 +9,8 @@ namespace {
 
 using kernel::sliceHeight;
 
-/// Columns of eight springs below which another thread costs more than it gains: a few microseconds.
+/// Columns of eight springs below which another thread costs more than it gains: a few microseconds of waking
+/// it and of waiting for it.
 constexpr std::size_t fewestColumnsPerThread = 750;
 /// More parts than threads even out what else the machine does.
 constexpr std::size_t partsPerThread = 4;
@@ -42,6 +43,13 @@ InstructionSet bestInstructionSet() {
                                                                            : InstructionSet::V2;
 }
 
+// Every spring is computed twice, at each of its ends, and each node adds up its own. To compute it once and
+// add its force to both ends would be half the arithmetic, but two threads, or two lanes of one vector, could
+// then write to the same node, and sums would come in an order that depends on the threads. So nodes are only
+// read, each is written by one lane, and the result is the same however many threads there are.
+//
+// Nodes are records of position and velocity together, eight numbers on one cache line in double: a spring
+// needs all of them of its other end, at a place that cannot be foreseen, and meets one line instead of six.
 template<class Real>
 TissueKernel<Real>::TissueKernel(const SpringSystem& system, const KernelOptions& options)
     : m_damping(options.damping), m_team(options.team), m_mostThreads(options.threads),
@@ -81,6 +89,8 @@ template<class Real> void TissueKernel<Real>::setSprings(const SpringSystem& sys
     }
 }
 
+// The inverse is kept since a step multiplies by it, and because 0 then stands for what does not move: fixed
+// nodes and rows behind the last node need no branch.
 template<class Real> void TissueKernel<Real>::setMasses(const SpringSystem& system) {
     m_inverseMass.assign(sliceCount(), kernel::Lane<Real>{});
     for (std::size_t node = 0; node < nodeCount(); ++node)
@@ -158,7 +168,8 @@ template<class Real> std::size_t TissueKernel<Real>::threadsFor(std::size_t colu
     return std::clamp<std::size_t>(columns / fewestColumnsPerThread, 1, m_team->size());
 }
 
-/// Parts that cost about the same.
+/// Parts that cost about the same, by the columns they have, which differ from slice to slice. The parts are
+/// made once: a thread then has the same slices in every step, whose data is in its cache still.
 template<class Real> void TissueKernel<Real>::partition() {
     const auto cost = [this](std::size_t slice) { return m_layout.starts[slice] + columnsPerSlice * slice; };
     const std::size_t threads = threadsFor(m_layout.starts.back());
