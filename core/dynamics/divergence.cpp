@@ -45,11 +45,19 @@ double workOfForces(const DivergenceGuard::Step& step) {
 
 } // namespace
 
+// Too long a step multiplies the fastest swing by more than 1 each time, until numbers overflow [R 2.2]. Size
+// alone does not tell that from tissue that was pulled far or fell, and energy costs a pass over all springs.
+// So size is asked first, which every step can afford; only tissue that has become much larger than it was
+// and than its loads reach is asked where its energy came from. Growth by a factor in each step soon leaves
+// any margin behind. The margins are therefore wide, lest sound runs be stopped.
 void DivergenceGuard::restart(const Vectors& rest) {
     *this = {};
     m_size = rest.empty() ? 0 : spread(rest, middle(rest));
 }
 
+// What work a led node or an instrument does is not to be told from its way alone. But what is light takes at
+// most twice the speed of something heavy that hits it: the fastest there ever was stands for what all of the
+// tissue may have got.
 void DivergenceGuard::take(const Step& step, const Eigen::Vector3d& centre, double size) {
     m_work += workOfForces(step);
     for (const HeldNode& held : step.loads.held) {

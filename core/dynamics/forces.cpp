@@ -2,6 +2,9 @@
 
 namespace esm {
 
+// Force is tension over length times the vector between the ends, so that no direction has to be divided out
+// first. What one end gets is taken from the other, the same number: springs add nothing to the momentum of
+// the whole.
 void elasticForces(const SpringSystem& system, const Vectors& positions, Vectors& forces) {
     forces.assign(positions.size(), Eigen::Vector3d::Zero());
     for (const auto& spring : system.springs) {
@@ -18,6 +21,7 @@ void elasticForces(const SpringSystem& system, const Vectors& positions, Vectors
         forces[tether.node] -= tether.springConstant * (positions[tether.node] - rest[tether.node]);
 }
 
+// Of a spring without length the normalised direction is zero, and so is its axial damping: it has no axis.
 void addDampingForces(const SpringSystem& system, Damping damping, const Vectors& positions,
                       const Vectors& velocities, Vectors& forces) {
     for (const auto& spring : system.springs) {

@@ -72,8 +72,10 @@ double leastSpringConstant(const SpringSystem::Element& spring) {
                                          : std::min(spring.springConstant, spring.secondPhase.springConstant);
 }
 
-// Each node's fastest hold, in the order of the time that a wave takes to it: Dijkstra's way from all of them
-// at once, a spring as long as a wave takes to pass it.
+// Each node's fastest hold, in the order of the time that a wave takes to it: Dijkstra's way (1959) from all
+// holds at once, a spring as long as a wave takes to pass it. Along a row of like masses and springs a wave
+// passes one of them in √(m/c). What a queue still holds of a node that was reached faster since is passed
+// over.
 std::vector<Hold> fastestHolds(const SpringSystem& system) {
     std::vector<double> waveTimes(system.mass.size(), never);
     std::vector<Hold> holds;
@@ -108,9 +110,11 @@ std::vector<Hold> fastestHolds(const SpringSystem& system) {
 
 } // namespace
 
-// What dampers between nodes slow down settles with each spring by itself. What drags at the surroundings
-// adds up: each spring of the way has to bring back all that hangs on it, as a line of resistors charges its
-// capacitors (Elmore's bound).
+// How long a slow motion takes depends on what slows it. A damper between two nodes slows its own spring,
+// which settles in d/c whatever the others do: of these times the longest on the way to the hold counts. A
+// damper to the surroundings drags at its node, and each spring of the way has to bring back all that hangs
+// on it, as a line of resistors charges its capacitors: these times add up along the way (Elmore's bound,
+// 1948). A hundred nodes in a row take thousands of times as long as one of them.
 std::vector<Settling> settlingOf(const SpringSystem& system) {
     std::vector<Settling> nodes(system.mass.size(), {never, never});
     const std::vector<Hold> holds = fastestHolds(system);

@@ -23,6 +23,9 @@ template<class Element> double coupling(const MatrixFactors& factors, const Elem
     return factors.damping * element.viscosity + factors.stiffness * largestSpringConstant(element);
 }
 
+// A spring resists every motion of its ends alike in this matrix, be it along the spring or across it. The
+// price is that it resists turning; what it buys is that x, y and z do not meet: one matrix with a row per
+// node, a ninth of the entries of the true one, serves all three, and depends on no position.
 Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFactors& factors,
                                      const std::vector<int>& index) {
     std::vector<double> diagonal(index.size());
@@ -61,6 +64,9 @@ Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const Ma
     return assemble(system, factors, freeIndices(prescribed));
 }
 
+// Analysing, which finds an order of elimination with little fill-in and the places of the factor's entries,
+// needs to know where entries are, not what they are. Where a slider moves parameters they stay in their
+// places, so that it is done once for a network.
 const Eigen::SimplicialLLT<MatrixFactoriser::Matrix>* MatrixFactoriser::factorise(const Matrix& matrix) {
     const auto start = std::chrono::steady_clock::now();
     if (!isAnalysed(matrix)) {
@@ -146,6 +152,10 @@ void StepMatrix::multiplyUpper(const Vectors& velocities, Vectors& half) const {
                 it.value() * ordered[static_cast<std::size_t>(it.row())];
 }
 
+// Solves L·x = e for one row's unit vector. Only the rows on the way from that row to the root of the
+// elimination tree come out other than zero (Davis 2006), so that the way is walked first and only its rows
+// are computed. Below a row of the way, its column's entries are on the way as well and in its order, so that
+// one pass over the rest of the way meets them all.
 HalfColumn StepMatrix::halfColumn(std::uint32_t node) const {
     const int* start = m_lower.outerIndexPtr();
     const int* row = m_lower.innerIndexPtr();
@@ -175,7 +185,10 @@ HalfColumn StepMatrix::halfColumn(std::uint32_t node) const {
 }
 
 // The mode that rounding spoils first is all nodes moving as one: only mass, tethers and prescribed nodes
-// resist it.
+// resist it, and on the diagonal their part is lost in that of springs where these are 10¹⁶ times as large.
+// Cholesky's method need not fail there, but gives wrong velocities. So the matrix is applied to that mode by
+// hand, where springs cancel exactly, and solved for again. A thousandth is far more than rounding does to a
+// sound matrix.
 void StepMatrix::checkAccuracy(const SpringSystem& system, const MatrixFactors& factors) const {
     Vectors momentum(system.mass.size()), velocities(system.mass.size(), Eigen::Vector3d::Ones()), half;
     for (std::size_t i = 0; i < momentum.size(); ++i)

@@ -11,7 +11,10 @@ bool becomesStiffer(const SpringSystem::Element& spring) {
     return largestSpringConstant(spring) > spring.springConstant;
 }
 
-/// Of its strain, from where on a spring is taken in together with those that are beyond theirs.
+/// Of its strain, from where on a spring is taken in together with those that are beyond theirs. Where one
+/// passes its strain, for which the matrix is factorised anew, its neighbours soon follow: taken in ahead,
+/// many of them cost one factorisation. Taken in much earlier, they would make the matrix stiffer than the
+/// tissue, and its motion slower.
 constexpr double nearShare = 0.8;
 
 /// @param share of each spring's strain
@@ -33,6 +36,8 @@ StrainedSprings::StrainedSprings(const SpringSystem& system)
     : m_canChange(std::any_of(system.springs.begin(), system.springs.end(), becomesStiffer)),
       m_isStrained(system.springs.size(), 0) {}
 
+// Springs are let go only where those that are still needed have become the smaller half. To let each go as
+// it slackens would factorise as often as tissue swings about its strain.
 bool StrainedSprings::follow(const SpringSystem& system, const Vectors& positions) {
     const bool hasGrown = add(system, positions);
     std::vector<char> near = strainedAt(system, positions, nearShare);

@@ -15,7 +15,9 @@ constexpr double allowedShare = 0.25;    ///< of the work that went in or out, a
 constexpr std::size_t stepsPerLook = 64; ///< of an explicit integrator; a look costs about two of them
 constexpr std::size_t solvesPerLook = 8; ///< a step that solves costs far more than a look
 
-/// J, of all springs when each of their ends is off by a rounding of the largest coordinate.
+/// J, of all springs when each of their ends is off by a rounding of the largest coordinate. Stiff tissue at
+/// rest would else be found to hold energy that nobody gave it: in single precision far from the origin that
+/// can be more than its loads do.
 double roundingEnergyOf(const SpringSystem& system, Precision precision, const Vectors& positions) {
     double size = 0, stiffness = 0;
     for (const Eigen::Vector3d& position : positions)
@@ -59,7 +61,8 @@ Vectors innerForces(const SpringSystem& system, Damping damping, const Motion& m
     return forces;
 }
 
-/// Where a step that passes through the middle of its time comes from and goes to, m, and how fast, m/s.
+/// A step as it is seen in the middle of its time: the places before and after it, m, and the velocities
+/// between them, m/s.
 struct MiddleStep {
     Vectors from, to, velocities;
     double viscousTime; ///< s, the share of the step by which viscosity adds to the inertia
@@ -141,6 +144,9 @@ bool EnergyWatch::isDue() const {
     return m_steps - m_lookedAt >= (isExplicit(m_integrator) ? stepsPerLook : solvesPerLook);
 }
 
+// What may be held is the loads' work with a margin on all that passed to and fro, not on what is left of it:
+// a load that pushes and pulls in turn may leave next to nothing, while its steps were inexact by a part of
+// each push.
 std::string EnergyWatch::look(const WatchedSteps& steps) {
     m_lookedAt = m_steps;
     const double held = keptEnergy(m_system, m_integrator, m_damping, steps) - m_startEnergy;

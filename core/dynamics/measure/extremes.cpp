@@ -60,6 +60,8 @@ ExtremeCase pulled(std::string family, std::string name, TissueModel model) {
     return {std::move(family), std::move(name), std::move(model), last, {0, 0, force}, {}};
 }
 
+// From far below to far above any tissue, in all combinations: what one extreme does not break, two of them
+// together may, as a stiff spring on a light node does.
 void addParameters(std::vector<ExtremeCase>& cases) {
     for (const double springConstant : {1e-6, 1.0, 1e4, 1e9})
         for (const double viscosity : {0.0, 1e-6, 1.0, 1e3, 1e6})
@@ -82,6 +84,7 @@ void addSteps(std::vector<ExtremeCase>& cases) {
         }
 }
 
+// Shapes that meet a division by zero somewhere, if it has no guard: lengths, areas and matrices that vanish.
 void addShapes(std::vector<ExtremeCase>& cases) {
     SpringNetwork flat = sheet();
     flat.restPositions[20] = flat.restPositions[21];

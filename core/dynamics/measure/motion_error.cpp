@@ -72,6 +72,11 @@ double changeBetween(const Trajectory& coarse, const Trajectory& finer) {
     return change.isNone() ? 0 : change.relative();
 }
 
+// Richardson's extrapolation (1911), made careful. If errors fall by the share r with each halving, the
+// changes still to come are change·(r + r² + …) = change·r/(1 − r). An integrator of the order p promises r =
+// 2⁻ᵖ. Scenes do not always keep that promise, so that r is also taken from the changes themselves, and the
+// larger one counts; less than ¼, that of the second order, is not believed. Before there are changes to
+// compare, r is taken as badly as it may be.
 double remainingError(const LatestChanges& changes, double order) {
     constexpr double mostShare = leastGain; // above, it is rounding that spoils the gain
     constexpr double unsureShare = 0.5;
@@ -99,6 +104,9 @@ void HalvingChanges::add(double change, double order) {
     m_changes.add(change);
 }
 
+// Changes that do not fall any more, and are small, are no series with a limit: contacts that come a step
+// sooner or later throw the motion to one side or the other. To extrapolate would multiply that chance by
+// r/(1 − r), up to nine; the largest change there was says as much as is known.
 double HalvingChanges::remaining() const {
     const bool isByChance = m_inVain >= HalvingPatience().followed && m_largest < unfollowedChange;
     return isByChance ? m_largest : remainingError(m_changes, m_order);

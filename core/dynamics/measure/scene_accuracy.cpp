@@ -94,6 +94,10 @@ struct FollowedRun {
     double errorOf(const HalvedRuns& runs) const { return changeBetween(runs.frames(), frames) + error; }
 };
 
+// Halving tells the error of what steps follow. Steps that damp a swing away do so at half their length as
+// well: two runs then agree on a motion that is wrong. Integrators that do that where the tissue would go on
+// swinging are therefore held against a run by one that follows the swings, whose own error is at most a
+// quarter of what is wanted and is added.
 class AccuracySearch {
 public:
     AccuracySearch(const SceneRun& run, double mostError, const Progress& progress)

@@ -31,9 +31,9 @@ constexpr double worthStopping = 0.1;    ///< s
 constexpr std::array referenceIntegrators{Integrator::Split2, Integrator::Rk4, Integrator::Split,
                                           Integrator::Bdf2};
 
-/// Halvings without gain after which more of them are not tried. In float rounding soon spoils all, and fewer
-/// nodes are off however short the steps. The rest comes to the reference in the end, though an instrument's
-/// way may hide for a while what steps gain.
+/// Halvings without gain after which more of them are not tried. In float, rounding soon spoils what shorter
+/// steps gain. Fewer nodes are off the full run, however short their steps. All others come to the reference
+/// in the end, though an instrument's way may hide for a while what they gain.
 int halvingsInVain(Precision precision, bool isFull) {
     if (precision == Precision::Float) return 0;
     return isFull ? mostShorterSteps : 2;
@@ -118,7 +118,9 @@ private:
                                           {1e-3, Deformation::Any, [this](double) { return isWanted(0); }})});
     }
 
-    /// The longest step that is stable and, itself or halved, meets the times that are compared.
+    /// The longest step that is stable and, itself or halved, meets the times that are compared. Trajectories
+    /// are compared at the same times only: to interpolate between steps would add an error that may be
+    /// larger than the integrator's own.
     double longestStep(Integrator integrator) const {
         const auto limit = m_level->limits.find(integrator);
         if (limit == m_level->limits.end() || !limit->second) return 0;
@@ -175,7 +177,8 @@ private:
     }
 
     /// A run of all of the scene, where it does not take longer than it may, as is forecast from some steps
-    /// at the start.
+    /// at the start. The forecast spares what is certainly too slow. It may be wrong, as where contact comes
+    /// later, so that the run itself is stopped too when its time is up.
     Measured wholeRun(const Stepping& stepping, double mostSeconds, int halvings = 0) {
         constexpr double steps = 4;
         try {
@@ -318,7 +321,8 @@ private:
     Tradeoff m_result;
 };
 
-/// Those that none beats in error and cost, the fastest first.
+/// Those that none beats in error and cost, the fastest first. In the order of their cost a run belongs to
+/// them if its error is less than that of all before it, of which the last that belongs has the least.
 std::vector<std::size_t> paretoFront(const std::vector<TradeoffRun>& runs) {
     std::vector<std::size_t> stable;
     for (std::size_t i = 0; i < runs.size(); ++i)

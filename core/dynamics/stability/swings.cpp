@@ -35,6 +35,9 @@ SwingBounds swingBounds(const TissueModel& model, Damping damping) {
     return boundsOf(makeSpringSystem(model), damping);
 }
 
+// A viscosity of d/c takes ω²/2·d/c per second off the logarithm of a swing of ω. The steps hide the fastest
+// swing where they take a noticeable part of it as if they were such a viscosity, unless the tissue's own is
+// clearly larger: that ends the swing anyhow.
 bool hidesSwings(const SwingBounds& bounds, Integrator integrator, double timeStep, double duration) {
     const double ratio = schemeOf(integrator).ownDamping(timeStep, bounds.largestFrequency);
     const double taken = std::pow(bounds.largestFrequency, 2) / 2 * ratio * duration;
