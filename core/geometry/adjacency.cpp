@@ -15,6 +15,8 @@ std::vector<TriangleSide> sidesByEdge(const std::vector<Triangle>& triangles) {
             const std::uint32_t from = triangles[i][corner], to = triangles[i][(corner + 1) % 3];
             sides.push_back({std::minmax({from, to}), static_cast<std::uint32_t>(i), from < to});
         }
+    // Counted into the places of their lower vertices, where few are left to sort: time linear in the
+    // triangles.
     const auto isLess = [](const TriangleSide& a, const TriangleSide& b) {
         return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle;
     };
@@ -22,6 +24,8 @@ std::vector<TriangleSide> sidesByEdge(const std::vector<Triangle>& triangles) {
         sides, [](const TriangleSide& side) { return side.edge.first; }, isLess);
 }
 
+// A side has a neighbour only where two triangles meet that run along their edge in opposite directions.
+// Where more meet, or two in the same direction, there is no saying which one the surface goes on with.
 std::vector<Triangle> trianglesAcross(const std::vector<Triangle>& triangles) {
     std::vector<Triangle> across(triangles.size(), {noIndex, noIndex, noIndex});
     const auto sideOf = [&](const TriangleSide& side) -> std::uint32_t& {
@@ -49,6 +53,8 @@ EdgeCounts countEdges(const std::vector<TriangleSide>& sides) {
     return counts;
 }
 
+// Disjoint sets of vertices: time next to linear in the triangles, and no lists of neighbours. A vertex that
+// two triangles share is enough to hold them together, as it is a node to which the springs of both are tied.
 Parts connectedParts(const std::vector<Triangle>& triangles, std::size_t vertexCount) {
     DisjointSets sets(vertexCount);
     for (const Triangle& triangle : triangles) {

@@ -22,7 +22,10 @@ double share(double part, double whole) {
 }
 
 /// The nearest point of the surface to y outside has the coordinates e²·y/(t + e²), e the radii, for the t >
-/// 0 at which it fulfils the surface's equation, Σ (e·y/(t + e²))² = 1.
+/// 0 at which it fulfils the surface's equation, Σ (e·y/(t + e²))² = 1 (Hart 1994). From the nearest point x
+/// to y leads a normal of the surface, y − x = t·x/e² axis by axis, which gives that form. The distance along
+/// the ray to the centre, which is often taken instead, is many times too large over the flat sides of a flat
+/// ellipsoid: a soft rim would be next to nothing there.
 double parameterOfNearest(const Vector3d& radii, const Vector3d& place) {
     const Vector3d scaled = radii.cwiseProduct(place), squares = radii.cwiseAbs2();
     // None of the terms is above 1 there. From below, Newton's rule on what falls and is convex never

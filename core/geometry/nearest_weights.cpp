@@ -7,6 +7,11 @@
 
 namespace esm {
 
+// The foot of the perpendicular onto the plane has the weights of three areas, each a triple product with the
+// normal (Heidrich 2005). Where all are positive it lies within and is the nearest point. Else the nearest
+// point lies on the border, and that of each edge is tried: which edge it is cannot be told by the signs
+// alone, as at obtuse corners a point beyond one edge is nearest to another. A triangle without area has no
+// plane, and is its edges.
 Eigen::Vector3d nearestWeights(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
                                const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     const auto onEdge = [&point](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {

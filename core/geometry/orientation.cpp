@@ -21,6 +21,14 @@ struct Neighbour {
     bool agrees; ///< runs along the shared edge the other way, as it should
 };
 
+// Each triangle is reached once from a neighbour, across an edge that only the two share, and turned if it
+// runs against it: time linear in the triangles. Edges of more than two are not crossed, since which two of
+// their triangles are neighbours is a matter of choice. What cannot agree, a Möbius strip, keeps one line of
+// edges where the flood met itself.
+//
+// Which of the two ways a patch faces is told by the sign of its volume, which any point of reference gives
+// alike where the patch is closed. An open one encloses nothing; most of its triangles are then taken to be
+// right.
 class Orienter {
 public:
     Orienter(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles)
@@ -72,7 +80,8 @@ private:
     }
 
     /// A patch encloses a volume when along every edge it runs as often one way as the other. That holds for
-    /// shells that touch themselves in an edge, too.
+    /// shells that touch themselves in an edge, too. It does not for Klein's bottle: where it disagrees with
+    /// itself, two triangles run the same way.
     void findOpenPatches() {
         forEachEdge(m_sides, [this](auto first, auto last) {
             for (auto side = first; side != last; ++side) {

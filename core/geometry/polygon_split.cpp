@@ -17,7 +17,8 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
 }
 
 /// The corners seen along the polygon's area normal, so that it turns counter-clockwise; all at one point
-/// when the polygon has no area.
+/// when the polygon has no area. The normal is the sum over all corners (Newell's), not that of three of
+/// them: polygons of files are not quite flat, and three corners may lie on a line or at a notch.
 std::vector<Eigen::Vector2d> projected(const std::vector<Eigen::Vector3d>& vertices,
                                        const std::vector<std::uint32_t>& polygon) {
     const Eigen::Vector3d& origin = vertices[polygon[0]];
@@ -54,7 +55,10 @@ bool isConvexFan(const std::vector<Eigen::Vector2d>& corners) {
     return true;
 }
 
-/// What is left of a polygon while its ears are cut off.
+/// What is left of a polygon while its ears are cut off. An ear is a corner whose triangle holds no other
+/// corner; a simple polygon of more than three corners always has two (Meisters 1975), so that cutting does
+/// not get stuck, and it needs no point that the polygon has not. Every test looks at all corners; faces of
+/// organs have few. Corners that lie where the ear's own do, as at the two sides of a slit, are no hindrance.
 class EarCutter {
 public:
     explicit EarCutter(const std::vector<Eigen::Vector2d>& corners)

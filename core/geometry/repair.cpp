@@ -67,6 +67,8 @@ bool hasEqualCorners(const Triangle& t) {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
+// Against the longest side, so that the size of the organ and its unit do not matter. 10⁻¹² is a height of a
+// millionth of a millionth of that side, some thousands of roundings: what is thinner has a normal of noise.
 bool hasNoArea(const std::vector<Eigen::Vector3d>& vertices, const Triangle& t) {
     const Eigen::Vector3d u = vertices[t[1]] - vertices[t[0]], v = vertices[t[2]] - vertices[t[0]];
     const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
@@ -105,6 +107,8 @@ void dropDegenerate(Workpiece& piece) {
     piece.triangles.erase(end, piece.triangles.end());
 }
 
+// Triangles are alike by their corners in any order: two that face each other on the same corners would be a
+// wall without thickness, whose springs are the same ones.
 void dropDuplicate(std::vector<Triangle>& triangles) {
     std::vector<Triangle> sorted = triangles;
     for (Triangle& triangle : sorted)
@@ -199,6 +203,10 @@ std::vector<std::string> warningsOf(const RepairReport& report) {
 
 } // namespace
 
+// The order matters. Welding comes first, since without it no two triangles share an edge. Polygons are split
+// after it, when corners that fell together are gone. Duplicates go before orientation: a triangle that is
+// there twice makes each of its edges one of three or more, across which nothing can be oriented. Parts are
+// chosen once no degenerate triangle joins two of them any more.
 RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options) {
     check(soup, options);
     Workpiece piece{soup, {}, {}, {}};

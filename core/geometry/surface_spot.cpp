@@ -6,6 +6,8 @@ namespace esm {
 
 using Eigen::Vector3d;
 
+// The mean over a patch, since the normal of the one triangle that was pointed at says more of the mesh than
+// of the organ.
 Vector3d outwardAround(const TriangleMesh& mesh, const SurfaceSpot& spot, double radius) {
     Vector3d sum = Vector3d::Zero();
     for (const auto& [a, b, c] : mesh.triangles) {

@@ -38,6 +38,9 @@ double surfaceArea(const TriangleMesh& mesh) {
     return twice / 2;
 }
 
+// Sum of the tetrahedra from one point to each triangle, positive or negative as it faces away or not (the
+// divergence theorem). Of a closed surface any point gives the same; one in the middle gives small
+// tetrahedra, so that a surface far from the origin does not lose its volume in the difference of large ones.
 double enclosedVolume(const TriangleMesh& mesh) {
     if (mesh.vertices.empty()) return 0;
     const Eigen::Vector3d origin = boundingBox(mesh.vertices).center();
@@ -53,6 +56,8 @@ double sixfoldVolume(const std::vector<Eigen::Vector3d>& vertices, const Triangl
     return (vertices[a] - point).dot((vertices[b] - point).cross(vertices[c] - point));
 }
 
+// The cross product is as long as twice the area, so that its plain sum weighs by area. Slivers, whose own
+// normals are uncertain, then count next to nothing.
 std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& positions,
                                            const std::vector<Triangle>& triangles) {
     std::vector<Eigen::Vector3d> normals(positions.size(), Eigen::Vector3d::Zero());

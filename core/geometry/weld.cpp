@@ -7,6 +7,9 @@ namespace esm {
 
 namespace {
 
+// By the bits of the coordinates, each mixed in by Knuth's multiplicative hashing (2⁶⁴ over the golden
+// ratio). Coordinates of meshes often differ in few bits, and in the low ones not at all, where they came
+// from single precision: the shift brings the high bits down to those by which a table is indexed.
 struct PointHash {
     std::size_t operator()(const Eigen::Vector3d& point) const {
         std::uint64_t hash = 0;
@@ -35,7 +38,8 @@ std::vector<std::uint32_t> weldEqual(const std::vector<Eigen::Vector3d>& points)
 }
 
 /// Representatives by cell of a grid as wide as the distance: a near point lies in the same or an adjoining
-/// cell.
+/// cell. Only points that stand for themselves are in it. Were welded ones, too, a row of points each near
+/// the last would come together in one place, however long it is.
 class WeldGrid {
 public:
     WeldGrid(const std::vector<Eigen::Vector3d>& points, double distance)
