@@ -29,7 +29,9 @@ std::vector<std::vector<std::uint32_t>> neighboursOf(const std::vector<Triangle>
     return neighbours;
 }
 
-/// The node that is nearest to each vertex along the edges; noIndex where none can be reached.
+/// The node that is nearest to each vertex along the edges; noIndex where none can be reached. Dijkstra's way
+/// (1959) from all nodes at once. Along the edges, not through space: a node of the opposite wall of thin
+/// tissue may be nearer through space, and would carry the vertex with the wrong wall.
 std::vector<std::uint32_t> nearestNodes(const TriangleMesh& mesh, const std::vector<std::uint32_t>& kept) {
     const auto neighbours = neighboursOf(mesh.triangles, mesh.vertices.size());
     std::vector<std::uint32_t> nodes(mesh.vertices.size(), noIndex);
@@ -56,7 +58,9 @@ std::vector<std::uint32_t> nearestNodes(const TriangleMesh& mesh, const std::vec
     return nodes;
 }
 
-/// For every node the triangles at it and at its neighbours, ascending.
+/// For every node the triangles at it and at its neighbours, ascending. The node nearest to a vertex need not
+/// be a corner of the triangle that lies under it; its neighbours' triangles are therefore tried as well, a
+/// dozen or two in place of all.
 std::vector<std::vector<std::uint32_t>> trianglesAround(const std::vector<Triangle>& triangles,
                                                         std::size_t nodeCount) {
     std::vector<std::vector<std::uint32_t>> at(nodeCount), around(nodeCount);
@@ -106,11 +110,20 @@ VertexBinding toNearest(const FacingPoint& point, const TriangleMesh& coarse,
 }
 
 /// What turns and stretches with the nodes: sums over all that has a say in a node's surroundings.
+///
+/// Were vertices moved by their nodes' displacements alone, what stands out from the coarse surface would not
+/// turn with it: bumps would be sheared where tissue bends. Each node therefore has a frame, and a vertex
+/// takes the weighted mean of where its nodes' frames would carry it (linear blend skinning). A frame is the
+/// mean over the triangles at a node, so that it has no jump from one triangle to the next.
 class Surroundings {
 public:
     Surroundings(const Points& rest, const Points& now)
         : m_rest(rest), m_now(now), m_sums(rest.size(), Matrix3d::Zero()), m_weights(rest.size(), 0.0) {}
 
+    // The deformation takes side to sideNow, other to otherNow and normal to normalNow: F = Σ now ⊗ dual,
+    // with the dual basis side* = other × normal/A, other* = normal × side/A, normal* = normal, where A =
+    // |side × other|. It is summed up times A, its weight in the mean, so that the division by the area of a
+    // sliver cancels.
     void addTriangle(const Triangle& nodes) {
         const Vector3d side = m_rest[nodes[1]] - m_rest[nodes[0]],
                        other = m_rest[nodes[2]] - m_rest[nodes[0]];
@@ -139,6 +152,8 @@ public:
             add(node, shortestTurn(rest, now), 1);
     }
 
+    // A node without triangles and lines has no surroundings: it takes its vertices along without turning
+    // them.
     /// G − 1 for every node.
     std::vector<Matrix3d> changes() const {
         std::vector<Matrix3d> changes(m_sums.size(), Matrix3d::Zero());
@@ -165,6 +180,9 @@ bool isSound(const VertexBinding& vertex, std::size_t nodeCount) {
 
 } // namespace
 
+// A vertex that is a node hangs on it alone, so that it shows the node's place to the last bit. Every other
+// one is looked for along the surface first and in space only then: the shortest way over edges says on which
+// part and wall of the organ it lies, the nearest point says where there.
 Binding bindToSurface(const TriangleMesh& drawn, const SimplifiedMesh& simulated) {
     TriangleMesh coarse{{}, simulated.triangles};
     for (const std::uint32_t vertex : simulated.vertices)

@@ -26,6 +26,8 @@ std::vector<std::uint32_t> graspedNodes(const TissueModel& model, std::uint32_t 
     return nodes;
 }
 
+// The direction is oblique to all axes: even an organ that is symmetric about them has one outermost node,
+// the same one every time.
 std::optional<GentlePull> gentlePull(const TissueModel& model) {
     const auto& rest = model.network->restPositions;
     const auto box = boundingBox(rest);

@@ -15,7 +15,10 @@ using Eigen::Vector3d;
 // Shares of the organ's length, as the uterus of 7 cm has them.
 constexpr double innerDistance = 1.5 / 7, outerDistance = 0.5, outerRadius = 3.0 / 7;
 
-/// The direction in which a surface extends the farthest from its middle, by area.
+/// The direction in which a surface extends the farthest from its middle, by area: the principal axis of the
+/// largest moment. By area and not by vertices, since where a mesh is fine says nothing of the organ's shape.
+/// An axis has two senses, of which the decomposition may give either; one is chosen, so that the same organ
+/// always gets the same model.
 Vector3d longDirection(const TriangleMesh& mesh, const Vector3d& centre) {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const Triangle& t : mesh.triangles) {
@@ -32,6 +35,9 @@ Vector3d longDirection(const TriangleMesh& mesh, const Vector3d& centre) {
 
 } // namespace
 
+// Why tripods: a node at the end of three springs that do not lie in a plane is held in all three directions,
+// by the fewest springs there can be. Two such nodes give the organ a place and a direction; the spring
+// between them keeps their distance. A turn about their line is not held, nor felt, since the line has none.
 SpringNetwork motionModel(const Vector3d& centre, const Vector3d& length) {
     SpringNetwork network;
     const double extent = length.norm();

@@ -4,6 +4,7 @@
 
 namespace esm {
 
+// Rest lengths are those of the mesh: the organ is at rest as it was drawn, and no spring has tension.
 SpringNetwork networkFromMesh(const TriangleMesh& mesh) {
     SpringNetwork network;
     network.restPositions = mesh.vertices;
@@ -16,6 +17,7 @@ SpringNetwork networkFromMesh(const TriangleMesh& mesh) {
     return network;
 }
 
+// Vertices are moved by what their nodes moved by, not put where these are: a vertex may lie beside its node.
 std::vector<Eigen::Vector3d> drawnPositions(const TriangleMesh& mesh, const SpringNetwork& network,
                                             const std::vector<Eigen::Vector3d>& nodePositions) {
     if (network.binding)
@@ -32,6 +34,8 @@ Eigen::AlignedBox3d organBox(const TriangleMesh& mesh, const SpringNetwork& netw
     return boundingBox(mesh.triangles.empty() ? network.restPositions : mesh.vertices);
 }
 
+// Several vertices may hang on one node. Triangles whose corners do have shrunk to a line or a point and
+// cannot be touched.
 std::vector<Triangle> simulatedSurface(const TriangleMesh& mesh, const SpringNetwork& network) {
     if (network.binding) return network.binding->surface;
     std::vector<Triangle> surface;

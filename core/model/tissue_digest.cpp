@@ -7,7 +7,9 @@ namespace esm {
 
 namespace {
 
-/// [Fowler, Noll, Vo: The FNV Non-Cryptographic Hash Algorithm, IETF draft]
+/// [Fowler, Noll, Vo: The FNV Non-Cryptographic Hash Algorithm, IETF draft]. It tells tissue that has
+/// changed, not somebody who wants to deceive: few lines, and the same digits on every machine and in every
+/// version of a library.
 class Fnv1a {
 public:
     void add(std::uint32_t word) {
@@ -16,12 +18,16 @@ public:
             m_state *= 0x100000001b3U;
         }
     }
+    // In single precision, as a package holds it: what is read from a package has the digest that it had when
+    // it was written.
     void add(double value) {
         const auto single = static_cast<float>(value);
         std::uint32_t bits = 0;
         std::memcpy(&bits, &single, sizeof bits);
         add(bits);
     }
+    // With its length, so that a number cannot pass from the end of one list to the beginning of the next
+    // unseen.
     void add(const std::vector<double>& values) {
         add(static_cast<std::uint32_t>(values.size()));
         for (const double value : values)

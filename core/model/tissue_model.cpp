@@ -9,11 +9,15 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-/// Rest positions and parameters are no larger, so that nothing computed from them overflows.
+/// Rest positions and parameters are no larger, so that nothing computed from them overflows: squares of
+/// 10³⁰, sums of them over all nodes and quotients by the smallest mass stay far below 10³⁰⁸, where doubles
+/// end.
 std::string withinBounds(const char* least) {
     return std::string(" that is not ") + least + " to " + numberText(largestNumber);
 }
 
+// Parameters belong to nodes, as regions take in nodes. A spring across a region's border then lies half-way
+// between both tissues, and no spring needs a region of its own.
 double meanOfEnds(const std::vector<double>& perNode, const Spring& spring) {
     return 0.5 * (perNode[spring.first] + perNode[spring.second]);
 }
