@@ -19,7 +19,9 @@ constexpr float anyError = 1e6F; // of the extent: the count alone says where to
 constexpr int mostAttempts = 8;
 constexpr double roughness = 0.1; ///< of the edges' length
 
-/// From −1 to 1, the same for a number on every machine.
+/// From −1 to 1, the same for a number on every machine: Wang's hash of 32 bits. Neighbouring numbers give
+/// unlike values, as vertices that are numbered in rows need; anything smoother would lay waves over the
+/// surface.
 double noise(std::uint32_t number) {
     number = (number ^ 61U ^ (number >> 16U)) * 9U;
     number = (number ^ (number >> 4U)) * 0x27d4eb2dU;
@@ -27,7 +29,8 @@ double noise(std::uint32_t number) {
     return number / 2147483647.5 - 1;
 }
 
-/// Mean length of the edges at each vertex.
+/// Mean length of the edges at each vertex. Roughness is measured by it, so that fine and coarse parts of a
+/// mesh are alike rough.
 std::vector<double> meanEdges(const TriangleMesh& mesh) {
     std::vector<double> sums(mesh.vertices.size(), 0), counts(mesh.vertices.size(), 0);
     for (const Edge& edge : uniqueEdges(mesh.triangles))
@@ -75,7 +78,8 @@ Triangle fromTheLowest(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return a < b && a < c ? Triangle{a, b, c} : b < c ? Triangle{b, c, a} : Triangle{c, a, b};
 }
 
-/// The library folds some tips flat: two triangles of the same corners that face each other enclose nothing.
+/// The library folds some tips flat: two triangles of the same corners that face each other enclose nothing,
+/// and both go. Where three lie on the same corners, one of them is left.
 Indices withoutFolds(const Indices& indices) {
     std::map<Triangle, std::size_t> faces;
     std::vector<bool> isFolded(indices.size() / 3, false);
@@ -95,7 +99,10 @@ Indices withoutFolds(const Indices& indices) {
     return result;
 }
 
-/// Finds the number of triangles, which the library counts, that leaves the number of vertices asked for.
+/// Finds the number of triangles, which the library counts, that leaves the number of vertices asked for. The
+/// surface is coarsened by collapsing edges, the one first whose new vertex is the least off the planes of
+/// all triangles that went into it (quadric error metrics, Garland and Heckbert 1997). A vertex is never
+/// moved but only left out: nodes are then vertices of the drawn mesh.
 class Simplification {
 public:
     Simplification(const TriangleMesh& mesh, std::size_t wanted)
@@ -120,7 +127,12 @@ private:
         return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
     }
 
-    /// The coarsest found that has no fewer vertices than wanted. Errors are those to the whole surface.
+    /// The coarsest found that has no fewer vertices than wanted. Errors are those to the whole surface:
+    /// always from the whole, as what is coarsened twice is compared with what was left the first time.
+    ///
+    /// Vertices grow nearly in proportion to triangles. A false position, on the line between the last number
+    /// of triangles that left too many vertices and the last that left too few, therefore comes near soon;
+    /// what is still too many is trimmed.
     Indices fromTheWhole() const {
         Indices best = m_whole;
         std::size_t bestVertices = verticesOf(best), tooFew = 0, tooFewVertices = 0;
@@ -163,7 +175,8 @@ private:
         return indices;
     }
 
-    /// A part that vanished keeps its largest triangle.
+    /// A part that vanished keeps its largest triangle. Its drawn vertices must hang on nodes of their own
+    /// part: those of another would drag them through the gap between both.
     Indices withEveryPart(Indices indices) const {
         const Parts parts = connectedParts(m_mesh.triangles, m_mesh.vertices.size());
         std::vector<std::uint32_t> partOfVertex(m_mesh.vertices.size(), noIndex);
