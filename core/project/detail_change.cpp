@@ -13,7 +13,9 @@ namespace {
 using Points = std::vector<Eigen::Vector3d>;
 using Nodes = std::vector<std::uint32_t>;
 
-/// Points in the order of one coordinate, so that only those near in it have to be looked at.
+/// Points in the order of one coordinate, so that only those near in it have to be looked at. From the place
+/// on, both ways, until the coordinate alone is farther than the best: on a surface of n points some √n of
+/// them. A tree would look at fewer, for more code; this is asked once per node and change of detail.
 class PointSearch {
 public:
     explicit PointSearch(const Points& points) : m_points(points), m_order(points.size()) {
@@ -54,7 +56,9 @@ private:
     Nodes m_order;
 };
 
-/// The new nodes that lie nearest to a fixed one, and those that a fixed one lies nearest to.
+/// The new nodes that lie nearest to a fixed one, and those that a fixed one lies nearest to. The first alone
+/// would leave gaps between where the new nodes are the denser ones; the second alone might fix none where
+/// they are the sparser.
 Nodes stillFixed(const Points& before, const Points& after, const PointSearch& afterwards,
                  const Nodes& fixed) {
     if (fixed.empty()) return {};
@@ -68,6 +72,8 @@ Nodes stillFixed(const Points& before, const Points& after, const PointSearch& a
     return result;
 }
 
+// What tethers hold the whole organ with is their number times their constant. The number is that of whole
+// tethers, one for the first node and one for each `every`-th after it.
 TetherRule asStrong(TetherRule rule, std::size_t nodesBefore, std::size_t nodesAfter) {
     const auto tethers = [&rule](std::size_t nodes) {
         const std::size_t count = (nodes + rule.every - 1) / rule.every;

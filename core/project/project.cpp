@@ -32,6 +32,7 @@ constexpr double pokeExtent = 0.15;
 /// anatomical size and density stay below it by far.
 constexpr double longestInertia = 0.05; // s
 
+// A closed surface whose volume comes to nothing, as a sheet with two sides, weighs as a wall too.
 double defaultMass(const TriangleMesh& mesh, bool closed) {
     const double volume = closed ? std::abs(enclosedVolume(mesh)) : 0;
     return tissueDensity * (volume > 0 ? volume : surfaceArea(mesh) * wallThickness);
@@ -44,7 +45,8 @@ double meanRestLength(const SpringNetwork& network) {
     return sum / static_cast<double>(network.springs.size());
 }
 
-/// A part held by fewer than three tethers could turn or drift away.
+/// A part held by fewer than three tethers could turn or drift away: a tether holds a place, one leaves all
+/// turns free and two the turn about their line.
 bool everyPartIsHeld(const SpringNetwork& network, std::uint32_t every) {
     const auto nodes = static_cast<std::uint32_t>(network.restPositions.size());
     DisjointSets parts(nodes);
@@ -59,8 +61,9 @@ bool everyPartIsHeld(const SpringNetwork& network, std::uint32_t every) {
 }
 
 /// A tether's share of a spring for which a poke takes along the same part of the organ however fine its mesh
-/// is: springs c and tethers k per node fade a displacement over a length L = e·sqrt(c/k), e the springs'
-/// length.
+/// is. In a row of springs c with a tether k at each node, a displacement u at rest fulfils c·e²·u″ = k·u, e
+/// the springs' length: it fades as exp(−x/L) with L = e·sqrt(c/k). With L the given part of the organ's
+/// size, k/c is (e/L)².
 double tetherShare(const SpringNetwork& network) {
     const double extent = pokeExtent * boundingBox(network.restPositions).diagonal().norm();
     const double edgesPerExtent = extent / meanRestLength(network);
@@ -75,7 +78,10 @@ BaseTissue defaultTissue(double mass, double nodes, double share) {
     return {firmness * defaultSpringConstant, firmness * defaultViscosity, mass};
 }
 
-/// The surrounding tissue [R 5.1], with the tissue's own relation of viscosity to stiffness.
+/// The surrounding tissue [R 5.1], with the tissue's own relation of viscosity to stiffness, so that the
+/// organ on its tethers comes to rest as its tissue does. Every third node has one, as at the source, three
+/// times as strong as one at every node would be; small parts, which that would not hold, are the reason to
+/// tie all.
 TetherRule defaultTethers(const SpringNetwork& network, const BaseTissue& base, double share) {
     const std::uint32_t every = everyPartIsHeld(network, 3) ? 3 : 1;
     return {every, every * share * base.springConstant, every * share * base.viscosity};
@@ -103,14 +109,16 @@ void noteCoarseness(RepairReport& report, const Detail& detail, std::size_t node
                               ": its parts and edges of more than two triangles can be made no coarser");
 }
 
-/// Between both, also by rounding; exactly one of them where the weight is 0 or 1.
+/// Between both, also by rounding: a region of the value that lies beneath must not change it, nor a spring
+/// constant fall below 0. Exactly one of them where the weight is 0 or 1.
 double mixed(double beneath, double above, double weight) {
     if (weight == 1) return above;
     const double value = beneath + weight * (above - beneath);
     return std::clamp(value, std::min(beneath, above), std::max(beneath, above));
 }
 
-/// Mixes a region's parameters into those beneath.
+/// Mixes a region's parameters into those beneath. Regions are laid from the first to the last, each onto
+/// what the ones before have made: the order is the user's, and a weight of 1 hides what lies beneath.
 void lay(TissueModel& model, const Region& region) {
     const TissueValues values = evaluate(region).values;
     const std::vector<double> weights = nodeWeights(*model.network, region);

@@ -73,7 +73,9 @@ void takeInferred(RegionTissue& tissue, const Region& region) {
             valueOf(tissue.values, parameter) = tissue.inference.outputs[*output];
 }
 
-/// Takes a value no tissue can have out again, so that what lies beneath shows through.
+/// Takes a value no tissue can have out again, so that what lies beneath shows through. Rules may come to
+/// anything: a system whose output reaches below zero is an author's slip that must not stop all the rest
+/// from being simulated.
 void dropImpossible(RegionTissue& tissue, Parameter parameter, const char* name) {
     const bool isOfMass = parameter == Parameter::Mass;
     std::optional<double>& value = valueOf(tissue.values, parameter);
@@ -123,6 +125,8 @@ void setInput(Region& region, const std::string& variable, double value) {
         region.inputs.emplace_back(variable, value);
 }
 
+// Smoothstep, Hermite's cubic with no slope at either end: parameters have no kink where the rim begins or
+// ends. A straight line would have one at both.
 double weightAt(const Region& region, const Eigen::Vector3d& point) {
     if (!region.ellipsoid) return 1;
     const Ellipsoid& ellipsoid = *region.ellipsoid;

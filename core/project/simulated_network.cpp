@@ -7,6 +7,9 @@ namespace esm {
 
 namespace {
 
+// The nodes are vertices of the drawn mesh, with springs along the edges of the coarser one, and those as
+// long as its edges are. A surface that could not be made coarser at all needs no binding: each vertex is its
+// node.
 SpringNetwork coarserNetwork(const TriangleMesh& mesh, std::size_t nodes) {
     const SimplifiedMesh simulated = simplify(mesh, nodes);
     if (simulated.vertices.size() == mesh.vertices.size()) return networkFromMesh(mesh);
