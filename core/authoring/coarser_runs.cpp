@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::size_t fewestWorthMeasuring = 50; ///< nodes; fewer keep no organ's shape
 
-/// The vertex at which each node shows; noIndex where it shows at none.
+/// The vertex at which each node shows; noIndex where it shows at none. Places are compared to the last bit,
+/// as a node that was taken from a vertex has them: another level of detail is compared by what is drawn,
+/// since its nodes are others.
 std::vector<std::uint32_t> vertexOfEveryNode(const Project& project) {
     const SpringNetwork& network = *project.network;
     std::vector<std::uint32_t> vertices(network.restPositions.size(), noIndex);
@@ -37,6 +39,8 @@ std::optional<std::vector<std::uint32_t>> recordedVertices(const Project& projec
     return vertices;
 }
 
+// Of the binding only the recorded vertices are taken along, since all of them would be carried in every
+// frame.
 CoarserRun runOf(const Project& fewer, const Detail& detail, const std::vector<std::uint32_t>& vertices) {
     CoarserRun run{
         detail, evaluateModel(fewer), touchedSurface(*fewer.mesh, *fewer.network), fewer.scene, {}};
@@ -55,6 +59,8 @@ CoarserRun runOf(const Project& fewer, const Detail& detail, const std::vector<s
 
 } // namespace
 
+// Each level has a quarter of the nodes of the last, so that edges are about twice as long: levels nearer to
+// each other would cost a measurement each and differ little in error.
 std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, const Progress& progress) {
     if (detailOf(*project.network).kind == Detail::Kind::Rigid) return {};
     const auto vertices = recordedVertices(project, scene);
@@ -75,6 +81,8 @@ std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, 
     return runs;
 }
 
+// The digest is taken of the tissue on the run's own nodes, after the change: with that of the tissue before,
+// what is recommended would be out of date at once.
 Project withRun(const Project& project, const TradeoffRun& run) {
     Project changed = run.coarser ? withDetail(project, *run.coarser) : project;
     changed.stepping = MeasuredStepping{run.stepping, run.error, run.wallPerSimulatedSecond,

@@ -20,7 +20,8 @@ std::shared_ptr<const TriangleMesh> scaled(const TriangleMesh& mesh, double fact
     return std::make_shared<const TriangleMesh>(TriangleMesh{scaled(mesh.vertices, factor), mesh.triangles});
 }
 
-/// A binding's shares and turns do not depend on size.
+/// A binding's shares and turns do not depend on size. Rest lengths are scaled on their own, not taken anew
+/// from the places: a network may have been drawn with tension.
 std::shared_ptr<const SpringNetwork> scaled(const SpringNetwork& network, double factor) {
     auto result = std::make_shared<SpringNetwork>(network);
     result->restPositions = scaled(network.restPositions, factor);
@@ -85,6 +86,9 @@ void growMasses(Project& project, double factor) {
 
 } // namespace
 
+// Lengths are scaled one by one rather than the numbers of the tissue, since what the organ is made of does
+// not change with its unit. A measured stepping that names no tissue gets the digest of the tissue before: it
+// would else pass for measured on the scaled one, whose rest lengths are others.
 Project scaled(const Project& project, double factor, KeptByScaling kept) {
     if (!isPositive(factor)) throw InvalidModel("an organ can only be scaled by a factor above 0");
     Project result = project;
