@@ -15,7 +15,8 @@ using Nodes = std::vector<std::uint32_t>;
 
 /// Points in the order of one coordinate, so that only those near in it have to be looked at. From the place
 /// on, both ways, until the coordinate alone is farther than the best: on a surface of n points some √n of
-/// them. A tree would look at fewer, for more code; this is asked once per node and change of detail.
+/// them, and all only where it lies flat across that coordinate. A tree would look at fewer, for more code;
+/// this is asked once per node and change of detail.
 class PointSearch {
 public:
     explicit PointSearch(const Points& points) : m_points(points), m_order(points.size()) {
