@@ -82,13 +82,14 @@ void addStepping(Report& report, const std::optional<MeasuredStepping>& measured
 }
 
 /// What holds the model and what touches it.
-void addHolds(Report& report, const TissueModel& tissue, bool hasInstrument) {
+void addHolds(Report& report, const TissueModel& tissue, std::size_t instruments) {
     report.json["fixed"] = tissue.fixedNodes.size();
     report.json["tethers"] = tissue.tethers.size();
-    report.json["instrument"] = hasInstrument;
+    report.json["instrument"] = instruments > 0;
+    report.json["instruments"] = instruments;
     report.text.push_back(counted(tissue.fixedNodes.size(), "fixed node") + ", " +
                           counted(tissue.tethers.size(), "tether") +
-                          (hasInstrument ? ", an instrument" : ""));
+                          (instruments > 0 ? ", " + counted(instruments, "instrument") : ""));
 }
 
 void addTextures(Report& report, std::size_t pages) {
@@ -155,7 +156,7 @@ Report describeProject(const std::filesystem::path& file, Context& context) {
     addTextures(report, project.atlas ? static_cast<std::size_t>(project.texture.atlas.pages) : 0);
     const TissueModel tissue = evaluateModel(project);
     addSpringLaw(report, tissue.stiffening);
-    addHolds(report, tissue, project.scene.instrument.has_value());
+    addHolds(report, tissue, project.scene.instruments.size());
     addStepping(report, project.stepping, tissue);
     addCriticalSteps(report, tissue);
     return report;

@@ -1,6 +1,7 @@
 #include "app/esmc/run_files.h"
 
 #include "core/support/errors.h"
+#include "core/support/numbers.h"
 
 #include <numeric>
 
@@ -14,6 +15,15 @@ std::vector<std::uint32_t> firstNumbers(std::size_t count) {
     return numbers;
 }
 
+/// CSV `time,instrument,fx,fy,fz`, numbers so that they read back exactly.
+void writeForces(const std::vector<ForceRow>& rows, const Scene& scene, AtomicFile& file) {
+    file.write("time,instrument,fx,fy,fz\n");
+    for (const auto& [time, forces] : rows)
+        for (std::size_t i = 0; i < forces.size(); ++i)
+            file.write(exactText(time) + "," + nameOf(scene, i) + "," + exactText(forces[i].x()) + "," +
+                       exactText(forces[i].y()) + "," + exactText(forces[i].z()) + "\n");
+}
+
 std::filesystem::path placeOf(const std::string& file) {
     std::error_code error;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
@@ -21,10 +31,21 @@ std::filesystem::path placeOf(const std::string& file) {
 
 } // namespace
 
-void requireTwoFiles(const RunOutputs& outputs) {
-    if (!outputs.surface.empty() && placeOf(outputs.surface) == placeOf(outputs.nodes))
-        throw UsageError("--surface: '" + outputs.surface +
-                         "' is the file that the nodes go to; name another one");
+void requireDistinctFiles(const RunOutputs& outputs) {
+    const auto refuseSame = [](const char* option, const std::string& file, const std::string& other,
+                               const char* what) {
+        if (!file.empty() && !other.empty() && placeOf(file) == placeOf(other))
+            throw UsageError(std::string(option) + ": '" + file + "' is the file that the " + what +
+                             " to; name another one");
+    };
+    refuseSame("--surface", outputs.surface, outputs.nodes, "nodes go");
+    refuseSame("--forces", outputs.forces, outputs.nodes, "nodes go");
+    refuseSame("--forces", outputs.forces, outputs.surface, "surface goes");
+}
+
+void requireInstruments(const RunOutputs& outputs, const Scene& scene) {
+    if (!outputs.forces.empty() && scene.instruments.empty())
+        throw InvalidModel("the scene has no instrument for --forces to write the forces on");
 }
 
 void requireSurface(const RunOutputs& outputs, const RunnableModel& model) {
@@ -39,6 +60,7 @@ RunFiles::RunFiles(const RunOutputs& outputs, const RunnableModel& model)
                               model.scene.record.nodes.value_or(firstNumbers(model.tissue.mass.size()))) {
     if (!outputs.surface.empty())
         m_surface.emplace(outputs.surface, "vertex", firstNumbers(model.mesh->vertices.size()));
+    if (!outputs.forces.empty()) m_forces.emplace(outputs.forces);
 }
 
 void RunFiles::add(double time, const std::vector<Eigen::Vector3d>& positions) {
@@ -46,10 +68,12 @@ void RunFiles::add(double time, const std::vector<Eigen::Vector3d>& positions) {
     if (m_surface) m_surface->add(time, drawnPositions(*m_model.mesh, *m_model.tissue.network, positions));
 }
 
-void RunFiles::commit(Interruption& interruption) {
+void RunFiles::commit(const std::vector<ForceRow>& forces, Interruption& interruption) {
     interruption.disarm();
+    if (m_forces) writeForces(forces, m_model.scene, *m_forces);
     m_nodes.commit();
     if (m_surface) m_surface->commit();
+    if (m_forces) m_forces->commit();
 }
 
 } // namespace esm

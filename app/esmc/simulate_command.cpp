@@ -20,7 +20,7 @@ namespace esm {
 namespace {
 
 struct SimulateOptions {
-    std::string model, scene, output, surface;
+    std::string model, scene, output, surface, forces;
     std::string integrator, timeStep;
     std::optional<Precision> precision;
     std::optional<double> mostError;
@@ -55,6 +55,11 @@ void declareSimulate(CLI::App& command, SimulateOptions& options) {
     command
         .add_option("--surface", options.surface,
                     "The drawn surface's trajectory to write as well (.csv): time,vertex,x,y,z")
+        ->check(writtenAs(".csv"));
+    command
+        .add_option(
+            "--forces", options.forces,
+            "The tissue's forces on the instruments to write as well (.csv): time,instrument,fx,fy,fz")
         ->check(writtenAs(".csv"));
 }
 
@@ -94,6 +99,22 @@ std::string cutsInWords(const SceneOutcome& outcome) {
         words += "; at " + std::to_string(outcome.averagedCorners) +
                  " more such times the mean of the load over the step stands in";
     return words;
+}
+
+/// What pressed on the instruments, by the rows of --forces.
+void addInstruments(Report& report, const Scene& scene, const SceneOutcome& outcome) {
+    report.json["instruments"] = Json::array();
+    for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
+        const InstrumentForce force = forceOn(i, outcome);
+        const bool touched = outcome.instruments[i].touched;
+        report.json["instruments"].push_back({{"name", nameOf(scene, i)},
+                                              {"touched", touched},
+                                              {"mean_force", force.mean},
+                                              {"peak_force", force.peak}});
+        if (touched)
+            report.text.push_back(nameOf(scene, i) + ": " + inText(force.mean) + " N on the mean, " +
+                                  inText(force.peak) + " N at most");
+    }
 }
 
 /// What the outcome itself advises, else what helps in most cases.
@@ -197,7 +218,7 @@ std::vector<std::string> accuracyWarnings(const RunnableModel& model, const Simu
     if (settings.precision == Precision::Float && isSpoiltByRounding(motion))
         warnings.emplace_back("in single precision so small a motion may be off by percents of itself: "
                               "take --precision double, or measure the error with tradeoff");
-    if (outcome.touched && settings.integrator != Integrator::Auto && orderOf(outcome.integrator) > 1)
+    if (outcome.touched() && settings.integrator != Integrator::Auto && orderOf(outcome.integrator) > 1)
         warnings.push_back(
             "while the instrument touches the organ " + std::string(integratorName(outcome.integrator)) +
             " is of the first order alone, and no better than euler or split in as long steps");
@@ -210,6 +231,16 @@ std::vector<std::string> accuracyWarnings(const RunnableModel& model, const Simu
     return warnings;
 }
 
+/// Of an instrument that gave way to nothing.
+std::string untouchedInWords(const Scene& scene, std::size_t instrument, const InstrumentTouch& touch) {
+    const std::string words =
+        hasPlainInstrument(scene) ? "the instrument" : "the instrument \"" + nameOf(scene, instrument) + "\"";
+    return words + (touch.metImmovable
+                        ? " never touches the organ where it can move: it passes what is fixed or led, which "
+                          "gives no force"
+                        : " never touches the organ");
+}
+
 /// What of the scene had no effect on the run.
 std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutcome& outcome) {
     std::vector<std::string> warnings = sceneWarnings(model.scene, model.tissue);
@@ -217,10 +248,9 @@ std::vector<std::string> warningsOf(const RunnableModel& model, const SceneOutco
         warnings.push_back("the step of " + inText(outcome.timeStep) +
                            " s is longer than the scene, which lasts " + inText(model.scene.duration) +
                            " s: it was cut to that");
-    if (model.scene.instrument && outcome.stable && !outcome.touched)
-        warnings.emplace_back(model.tissue.fixedNodes.empty()
-                                  ? "the instrument never touches the organ"
-                                  : "the instrument never touches the organ where it can move");
+    for (std::size_t i = 0; i < model.scene.instruments.size(); ++i)
+        if (outcome.stable && !outcome.instruments[i].touched)
+            warnings.push_back(untouchedInWords(model.scene, i, outcome.instruments[i]));
     return warnings;
 }
 
@@ -265,11 +295,12 @@ AccurateOutcome runRequested(const SceneRun& run, const std::optional<double>& m
 Report runSimulate(const SimulateOptions& options, Context& context) {
     SimulationSettings settings = requestedSettings(options);
     settings.threads = static_cast<std::size_t>(context.threads);
-    const RunOutputs outputs{options.output, options.surface};
-    requireTwoFiles(outputs);
+    const RunOutputs outputs{options.output, options.surface, options.forces};
+    requireDistinctFiles(outputs);
     const RunnableModel model = loadRunnableModel(options.model, options.scene, context);
     requireRecording(model.scene);
     requireSurface(outputs, model);
+    requireInstruments(outputs, model.scene);
     std::vector<std::string> warnings;
     if (model.stepping && takesRecommended(options))
         settings = recommendedSettings(model, settings, warnings);
@@ -288,8 +319,9 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     const AccurateOutcome accurate =
         runRequested({model.tissue, model.surface, model.scene, settings}, options.mostError, newSink,
                      progressOf(context, "simulating"));
-    files->commit(context.interruption);
+    files->commit(accurate.outcome.forces, context.interruption);
     Report report = describe(accurate.outcome);
+    addInstruments(report, model.scene, accurate.outcome);
     if (options.mostError)
         addError(report, accurate, warnings);
     else if (isLeftToAuto(settings))
@@ -301,7 +333,7 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     append(warnings, model.warnings);
     addWarnings(report, warnings);
     report.json["files"] = Json::array();
-    for (const std::string& file : {options.output, options.surface}) {
+    for (const std::string& file : {options.output, options.surface, options.forces}) {
         if (file.empty()) continue;
         report.json["files"].push_back(file);
         addWritten(report, file);

@@ -46,9 +46,10 @@ void scale(Scene& scene, double factor) {
         scale(selection.ellipsoid, factor);
     for (NodeMove& move : scene.moves)
         scale(move.path, factor);
-    if (!scene.instrument) return;
-    scene.instrument->radius *= factor;
-    scale(scene.instrument->path, factor);
+    for (InstrumentMotion& instrument : scene.instruments) {
+        instrument.shape = scaled(instrument.shape, factor);
+        scale(instrument.path, factor);
+    }
 }
 
 std::shared_ptr<const BrushStroke> scaled(BrushStroke stroke, double factor) {

@@ -65,15 +65,18 @@ void DivergenceGuard::take(const Step& step, const Eigen::Vector3d& centre, doub
         m_reach = std::max(m_reach, (held.position - centre).norm());
         m_fastestLoad = std::max(m_fastestLoad, way / step.duration);
     }
-    if (!step.loads.instrument) return;
-    const auto& [place, radius] = *step.loads.instrument;
-    const double distance = (place - centre).norm();
-    if (distance > size + radius) return;
-    m_reach = std::max(m_reach, distance + radius);
-    if (step.instrumentWay)
-        m_fastestLoad = std::max(m_fastestLoad, *step.instrumentWay / step.duration);
-    else // It has no speed, but thrusts aside what is in its place.
-        m_work = std::max(m_work, energy(step.system, step.after, step.velocities).total());
+    for (std::size_t i = 0; i < step.loads.instruments.size(); ++i) {
+        const PlacedCollider& instrument = step.loads.instruments[i];
+        const ColliderAxis axis = axisOf(instrument);
+        const double radius = radiusOf(instrument.shape);
+        const double distance = (axis.at(axis.nearest(centre)) - centre).norm();
+        if (distance > size + radius) continue;
+        m_reach = std::max(m_reach, distance + radius);
+        if (i < step.instrumentWays.size())
+            m_fastestLoad = std::max(m_fastestLoad, step.instrumentWays[i] / step.duration);
+        else // It has no speed, but thrusts aside what is in its place.
+            m_work = std::max(m_work, energy(step.system, step.after, step.velocities).total());
+    }
 }
 
 std::string DivergenceGuard::problemOf(const Step& step) {

@@ -4,7 +4,6 @@
 #include "core/dynamics/loads.h"
 #include "core/dynamics/spring_system.h"
 
-#include <optional>
 #include <string>
 
 namespace esm {
@@ -27,8 +26,9 @@ public:
         const Vectors &before, &after; ///< positions, m
         const Vectors& velocities;     ///< after, m/s
         const Loads& loads;
-        std::optional<double> instrumentWay; ///< m, during the step; empty when it has just appeared
-        double duration;                     ///< s
+        /// m, that points of the first instruments went during the step; those after them have just appeared.
+        const std::vector<double>& instrumentWays;
+        double duration; ///< s
     };
 
     /// Why the step cannot be right; empty, and taken into account, when it can.
@@ -42,7 +42,7 @@ private:
     double m_size = 0;        ///< m, of the tissue at rest
     double m_reach = 0;       ///< m, farthest from the tissue's middle that anything was led
     double m_work = 0;        ///< J, done by forces
-    double m_fastestLoad = 0; ///< m/s, of what was led and of the instrument
+    double m_fastestLoad = 0; ///< m/s, of what was led and of instruments
 };
 
 } // namespace esm

@@ -21,8 +21,10 @@ std::string problemOf(const Loads& loads, std::size_t nodeCount) {
     for (const HeldNode& held : loads.held)
         if (held.node >= nodeCount || !held.position.allFinite())
             return "a led node does not exist or has no place to go to";
-    if (loads.instrument && !(loads.instrument->centre.allFinite() && loads.instrument->radius > 0))
-        return "the instrument has no place or no size";
+    for (const auto& [shape, pose] : loads.instruments)
+        if (!(pose.place.allFinite() && pose.orientation.coeffs().allFinite() && radiusOf(shape) > 0 &&
+              lengthOf(shape) >= 0))
+            return "an instrument has no place or no size";
     return {};
 }
 
@@ -45,7 +47,7 @@ struct Simulation::Implementation {
     struct KeptState {
         Motion motion;
         double time; ///< s
-        std::optional<Eigen::Vector3d> instrument;
+        std::vector<ColliderPose> instruments;
         DivergenceGuard guard;
     };
 
@@ -59,11 +61,11 @@ struct Simulation::Implementation {
     std::size_t stepsEver = 0; ///< `steps` begins anew with a new model
     double activeSteps = 0;    ///< each step counted by the share of the nodes that it was computed for
     double startTime = 0;      ///< s, before which the step was another
-    std::optional<Eigen::Vector3d> instrument; ///< m, centre, where the last step left it
+    std::vector<ColliderPose> instruments; ///< where the last step left them
     DivergenceGuard guard;
     std::string failure;
-    bool touched = false;   ///< by the instrument, since the start
-    double contactWork = 0; ///< J, of it
+    std::vector<InstrumentTouch> touches; ///< since the start
+    double contactWork = 0;               ///< J, of all instruments
     std::optional<KeptState> older, younger;
 
     Implementation(const TissueModel& model, const SimulationSettings& given, TouchedSurface touchable)
@@ -77,12 +79,12 @@ struct Simulation::Implementation {
         motion.positions = stepper.system().network->restPositions;
         motion.velocities.assign(motion.positions.size(), Eigen::Vector3d::Zero());
         guard.restart(motion.positions);
-        instrument.reset();
+        instruments.clear();
         steps = stepsEver = 0;
         activeSteps = 0;
         startTime = 0;
         failure.clear();
-        touched = false;
+        touches.clear();
         contactWork = 0;
         older.reset();
         younger.reset();
@@ -99,14 +101,14 @@ struct Simulation::Implementation {
 
     void goBack(const KeptState& kept) {
         motion = kept.motion;
-        instrument = kept.instrument;
+        instruments = kept.instruments;
         guard = kept.guard;
         startTime = kept.time;
         steps = 0;
         younger.reset();
     }
 
-    KeptState stateNow() const { return {motion, time(), instrument, guard}; }
+    KeptState stateNow() const { return {motion, time(), instruments, guard}; }
 
     /// Lets the motion, and the states that were kept of it, go on in tissue with other parameters.
     void takeOver(const SpringSystem& other) {
@@ -123,20 +125,35 @@ struct Simulation::Implementation {
 
     double time() const { return startTime + static_cast<double>(steps) * chosen.timeStep; }
 
-    /// The instrument's way during the next step, if there is one.
-    std::optional<SphereMove> sweepTo(const std::optional<Sphere>& sphere) const {
-        if (!sphere) return std::nullopt;
-        return SphereMove{instrument.value_or(sphere->centre), sphere->centre, sphere->radius};
+    /// The instruments' ways during the next step.
+    std::vector<ColliderMove> sweepsTo(const std::vector<PlacedCollider>& places) const {
+        std::vector<ColliderMove> moves;
+        for (const auto& [shape, pose] : places)
+            moves.push_back(
+                {shape, moves.size() < instruments.size() ? instruments[moves.size()] : pose, pose});
+        return moves;
+    }
+
+    void takeTouches() {
+        touches.resize(std::max(touches.size(), stepper.touches().size()));
+        for (std::size_t i = 0; i < stepper.touches().size(); ++i) {
+            const InstrumentTouch& last = stepper.touches()[i];
+            touches[i].impulse += last.impulse;
+            touches[i].touched = touches[i].touched || last.touched;
+            touches[i].metImmovable = touches[i].metImmovable || last.metImmovable;
+        }
     }
 
     /// Steps `next` on so many times, each by `duration`, s; says why it cannot be right.
     std::string advance(Motion& next, const Loads& loads, double duration, std::size_t count) {
-        const std::optional<SphereMove> sweep = sweepTo(loads.instrument);
-        stepper.steps(next, {loads, sweep, duration, count});
-        std::optional<double> way;
-        if (sweep && instrument) way = (sweep->to - sweep->from).norm();
+        const std::vector<ColliderMove> sweeps = sweepsTo(loads.instruments);
+        stepper.steps(next, {loads, sweeps, duration, count});
+        std::vector<double> ways;
+        for (const ColliderMove& sweep : sweeps)
+            if (ways.size() < instruments.size())
+                ways.push_back(mostMotion(sweep.shape, sweep.from, sweep.to));
         return guard.problemOf({stepper.system(), motion.positions, next.positions, next.velocities, loads,
-                                way, static_cast<double>(count) * duration});
+                                ways, static_cast<double>(count) * duration});
     }
 
     /// False, with the reason, when the state stays as it was. The caller moves the time on.
@@ -154,10 +171,11 @@ struct Simulation::Implementation {
             return false;
         }
         motion = std::move(next);
-        touched = touched || stepper.isTouched();
+        takeTouches();
         contactWork += stepper.contactWork();
-        instrument.reset();
-        if (loads.instrument) instrument = loads.instrument->centre;
+        instruments.clear();
+        for (const PlacedCollider& placed : loads.instruments)
+            instruments.push_back(placed.pose);
         stepsEver += count;
         activeSteps += stepper.activeFraction() * static_cast<double>(count);
         return true;
@@ -207,7 +225,12 @@ double Simulation::factorisationSeconds() const {
 }
 
 bool Simulation::wasTouched() const {
-    return m_implementation->touched;
+    const std::vector<InstrumentTouch>& touches = instrumentTouches();
+    return std::any_of(touches.begin(), touches.end(), [](const auto& touch) { return touch.touched; });
+}
+
+const std::vector<InstrumentTouch>& Simulation::instrumentTouches() const {
+    return m_implementation->touches;
 }
 
 Energy Simulation::energy() const {
@@ -247,8 +270,8 @@ bool Simulation::stepTo(double time, const Loads& loads) {
     return true;
 }
 
-void Simulation::placeInstrument(const Eigen::Vector3d& centre) {
-    m_implementation->instrument = centre;
+void Simulation::placeInstruments(std::vector<ColliderPose> poses) {
+    m_implementation->instruments = std::move(poses);
 }
 
 void Simulation::setModel(const TissueModel& model) {

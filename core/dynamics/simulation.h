@@ -3,6 +3,7 @@
 #include "core/dynamics/contact/touched_surface.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/motion.h"
+#include "core/dynamics/schemes/instrument_touch.h"
 #include "core/dynamics/settings.h"
 #include "core/model/tissue_model.h"
 
@@ -15,7 +16,7 @@ namespace esm {
 /// A running model: the only thing in the program that is mutable and lives on. One thread at a time.
 class Simulation {
 public:
-    /// Starts at rest. `surface` is what an instrument touches; may be empty.
+    /// Starts at rest. `surface` is what instruments touch; may be empty.
     /// @throws InvalidModel with every problem of model or settings (a step that is not above zero, split
     /// with axial damping, …)
     Simulation(const TissueModel& model, const SimulationSettings& settings, TouchedSurface surface = {});
@@ -33,16 +34,18 @@ public:
     Energy energy() const;
 
     /// Advances by one step. When the result is not finite or went farther than the loads can have driven it,
-    /// the state before the step stays and false is returned; failure() then says why. An instrument sweeps
-    /// from where the step before left it; one that was not there before appears where it is.
+    /// the state before the step stays and false is returned; failure() then says why. Instruments sweep from
+    /// where the step before left them; one that was not there before appears where it is.
     /// @throws InvalidModel when the step cannot be computed, as with too little mass for the viscosity; the
     /// state before the step stays, and failure() says why
     bool step(const Loads& loads);
     const std::string& failure() const;
-    /// J, what the instrument has done to the tissue since the start.
+    /// J, what instruments have done to the tissue since the start.
     double contactWork() const;
-    /// Whether the instrument has touched what can move since the start.
+    /// Whether an instrument has touched what can move since the start.
     bool wasTouched() const;
+    /// Since the start, by the instruments' places in the loads.
+    const std::vector<InstrumentTouch>& instrumentTouches() const;
 
     /// The same with a step of another length, which ends at a later time, s: where a load begins, ends or
     /// turns between two steps.
@@ -58,11 +61,11 @@ public:
     /// s, wall time spent factorising so far, set-up included.
     double factorisationSeconds() const;
 
-    /// Where the instrument stands before the next step, m.
-    void placeInstrument(const Eigen::Vector3d& centre);
+    /// Where the instruments stand before the next step.
+    void placeInstruments(std::vector<ColliderPose> poses);
 
-    /// Takes new parameters for the same network, motion and instrument going on, and settings where they are
-    /// new too. States that were kept stay so; without any, the one there is now is kept. @throws
+    /// Takes new parameters for the same network, motion and instruments going on, and settings where they
+    /// are new too. States that were kept stay so; without any, the one there is now is kept. @throws
     /// InvalidModel
     void setModel(const TissueModel& model);
     void setModel(const TissueModel& model, const SimulationSettings& settings);
@@ -74,7 +77,7 @@ public:
     /// setModel() chooses anew. @throws InvalidModel as step()
     void goBack(double timeStep);
 
-    /// Back to rest at time 0, without an instrument.
+    /// Back to rest at time 0, without instruments.
     void reset();
 
 private:

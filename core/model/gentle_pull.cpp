@@ -41,7 +41,8 @@ std::optional<GentlePull> gentlePull(const TissueModel& model) {
 }
 
 bool movesTissue(const Scene& scene) {
-    return !scene.forces.empty() || !scene.moves.empty() || scene.instrument || !scene.gravity.isZero();
+    return !scene.forces.empty() || !scene.moves.empty() || !scene.instruments.empty() ||
+           !scene.gravity.isZero();
 }
 
 Scene withGentlePull(const TissueModel& model, Scene scene) {

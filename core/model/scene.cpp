@@ -105,9 +105,49 @@ void checkMotion(SceneCheck& check, const Scene& scene) {
                           " is moved by an earlier entry too; join the two paths");
         check.requirePath(move.path, place);
     }
-    if (!scene.instrument) return;
-    check.require(isPositive(scene.instrument->radius), "instrument", "the radius must be above 0 m");
-    check.requirePath(scene.instrument->path, "instrument");
+}
+
+/// Names stand in CSV files as they are.
+bool isPlainName(const std::string& name) {
+    constexpr std::size_t longest = 100;
+    return name.size() <= longest && name.find_first_not_of(' ') != std::string::npos &&
+           std::none_of(name.begin(), name.end(), [](char letter) {
+               const auto byte = static_cast<unsigned char>(letter);
+               return letter == ',' || letter == '"' || byte < 0x20 || byte == 0x7f;
+           });
+}
+
+void checkOrientations(SceneCheck& check, const InstrumentMotion& instrument, const std::string& place) {
+    const auto& turns = instrument.orientations;
+    check.require(turns.empty() || turns.size() == instrument.path.size(), place,
+                  "give an orientation with every point of the path, or with none");
+    const auto isNone = [&](std::size_t i) {
+        constexpr double rounding = 1e-6;
+        return !(std::abs(turns[i].norm() - 1) < rounding);
+    };
+    Problems found;
+    reportOffenders(found, "orientation", "not of length 1", placesWhere(turns.size(), isNone));
+    check.add(place, found);
+}
+
+void checkInstruments(SceneCheck& check, const Scene& scene) {
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
+        const InstrumentMotion& instrument = scene.instruments[i];
+        const std::string place = hasPlainInstrument(scene) ? "instrument" : sceneEntry("instruments", i);
+        check.require(isPositive(radiusOf(instrument.shape)), place, "the radius must be above 0 m");
+        check.require(isAmount(lengthOf(instrument.shape)), place,
+                      "the length must be 0 m or more, at most " + numberText(largestNumber));
+        check.requirePath(instrument.path, place);
+        checkOrientations(check, instrument, place);
+        const std::string name = nameOf(scene, i);
+        check.require(
+            isPlainName(name), place,
+            "a name needs 1 to 100 bytes that are not all blanks, without commas, quotes and control "
+            "characters");
+        check.require(names.insert(name).second, place,
+                      "an earlier instrument is named \"" + name + "\" too; give each a name of its own");
+    }
 }
 
 } // namespace
@@ -126,6 +166,38 @@ Eigen::Vector3d positionAt(const Path& path, double time) {
     return before.value + part * (later->value - before.value);
 }
 
+ColliderPose poseAt(const InstrumentMotion& instrument, double time) {
+    const auto& [shape, path, orientations, name] = instrument;
+    ColliderPose pose{positionAt(path, time)};
+    if (orientations.empty()) return pose;
+    const auto later = std::upper_bound(path.begin(), path.end(), time,
+                                        [](double t, const PathPoint& point) { return t < point.time; });
+    const auto next = static_cast<std::size_t>(later - path.begin());
+    if (next == 0 || next == path.size()) {
+        pose.orientation = next == 0 ? orientations.front() : orientations.back();
+    } else {
+        const double before = path[next - 1].time;
+        const double part = (time - before) / (path[next].time - before);
+        pose.orientation = orientations[next - 1].slerp(part, orientations[next]).normalized();
+    }
+    return pose;
+}
+
+PlacedCollider placedAt(const InstrumentMotion& instrument, double time) {
+    return {instrument.shape, poseAt(instrument, time)};
+}
+
+std::string nameOf(const Scene& scene, std::size_t instrument) {
+    const std::string& name = scene.instruments[instrument].name;
+    return name.empty() ? "instrument " + std::to_string(instrument) : name;
+}
+
+bool hasPlainInstrument(const Scene& scene) {
+    if (scene.instruments.size() != 1) return scene.instruments.empty();
+    const InstrumentMotion& only = scene.instruments.front();
+    return std::holds_alternative<Sphere>(only.shape) && only.orientations.empty() && only.name.empty();
+}
+
 std::vector<std::string> validate(const Scene& scene, std::size_t nodeCount) {
     SceneCheck check(nodeCount);
     check.require(isPositive(scene.duration), "duration", "must be above 0 s");
@@ -133,6 +205,7 @@ std::vector<std::string> validate(const Scene& scene, std::size_t nodeCount) {
     checkBoundary(check, scene);
     checkForces(check, scene);
     checkMotion(check, scene);
+    checkInstruments(check, scene);
     check.require(isPositive(scene.record.every), "record.every", "must be above 0 s");
     if (scene.record.nodes) check.requireNodes(*scene.record.nodes, "record.nodes");
     return check.takeProblems();

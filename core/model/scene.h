@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/collider.h"
 #include "core/geometry/ellipsoid.h"
 
 #include <cstdint>
@@ -49,10 +50,14 @@ struct NodeMove {
     bool operator==(const NodeMove&) const = default;
 };
 
-/// A rigid instrument that pushes the surface. A capsule is not offered yet.
+/// A rigid instrument that pushes the surface.
 struct InstrumentMotion {
-    double radius; ///< m, > 0
-    Path path;     ///< of the centre, in model coordinates
+    Collider shape;
+    Path path; ///< of its origin, in model coordinates
+    /// One per point of the path, of length 1, own axes to model; turned evenly between, the shorter way
+    /// round. None where it is never turned.
+    std::vector<Eigen::Quaterniond> orientations;
+    std::string name; ///< empty: by its place in the list, see nameOf()
 
     bool operator==(const InstrumentMotion&) const = default;
 };
@@ -72,7 +77,7 @@ struct Scene {
     std::vector<TetherRule> tethers;
     std::vector<NodeForce> forces;
     std::vector<NodeMove> moves;
-    std::optional<InstrumentMotion> instrument;
+    std::vector<InstrumentMotion> instruments;
     Recording record;
 
     bool operator==(const Scene&) const = default;
@@ -80,6 +85,17 @@ struct Scene {
 
 /// Where a path is at a time. Precondition: the path has a point.
 Eigen::Vector3d positionAt(const Path& path, double time);
+
+/// Where an instrument is at a time. Precondition: its path has a point.
+ColliderPose poseAt(const InstrumentMotion& instrument, double time);
+PlacedCollider placedAt(const InstrumentMotion& instrument, double time);
+
+/// "instrument 0" and so on for those without a name of their own.
+std::string nameOf(const Scene& scene, std::size_t instrument);
+
+/// Whether all of its instruments are what there was before scenes had several: at most one, a sphere without
+/// a name that is not turned.
+bool hasPlainInstrument(const Scene& scene);
 
 /// "forces[2]": how a scene file names the third force.
 std::string sceneEntry(const char* list, std::size_t index);

@@ -59,9 +59,9 @@ Project makeLiver() {
     back.ellipsoid = Ellipsoid{{0.000, 0.020, -0.050}, {0.030, 0.040, 0.022}, Eigen::Quaterniond::Identity()};
     project.scene.fixed.push_back(back);
     project.scene.duration = 3;
-    project.scene.instrument =
+    project.scene.instruments = {
         pokeOf(*project.mesh,
-               {{{-0.055, 0.005, 0.2}, -Eigen::Vector3d::UnitZ()}, 0.010, 0.020, project.scene.duration});
+               {{{-0.055, 0.005, 0.2}, -Eigen::Vector3d::UnitZ()}, 0.010, 0.020, project.scene.duration})};
     return project;
 }
 

@@ -65,7 +65,8 @@ InstrumentMotion pokeOf(const TriangleMesh& mesh, const Poke& poke) {
     const Eigen::Vector3d touching = poke.ray.origin + (hit->distance - poke.radius) * along;
     const Eigen::Vector3d away = touching - poke.depth * along, deepest = touching + poke.depth * along;
     const double end = 0.5 * poke.duration; // the tissue needs the rest to come back
-    return {poke.radius, {{0, away}, {0.4 * end, deepest}, {0.7 * end, deepest}, {end, away}}};
+    return {
+        Sphere{poke.radius}, {{0, away}, {0.4 * end, deepest}, {0.7 * end, deepest}, {end, away}}, {}, {}};
 }
 
 } // namespace esm

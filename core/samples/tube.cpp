@@ -76,11 +76,11 @@ Project makeTube() {
     project.regions = {fuzzyRegion("Tube", "susilap-g", {{"consistency", 5.5}})};
     project.scene.duration = 3;
     project.scene.tethers = {{3, 2.41327, 10.6875}}; // consistency 2.5 [R C.1]
-    project.scene.instrument =
+    project.scene.instruments = {
         pokeOf(*project.mesh, {{centreAt(0.5) + 0.1 * Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ()},
                                0.005,
                                0.008,
-                               project.scene.duration});
+                               project.scene.duration})};
     return project;
 }
 

@@ -82,9 +82,9 @@ Project makeVentricle() {
     project.regions = {fuzzyRegion("Ventricle wall", "robo-sim",
                                    {{"consistency", 7.3}, {"sensitiveness", 4.9}, {"shiftability", 3.0}})};
     project.scene.duration = 3;
-    project.scene.instrument =
+    project.scene.instruments = {
         pokeOf(*project.mesh,
-               {{{0.06, 0.017, 0.008}, -Eigen::Vector3d::UnitX()}, 0.003, 0.004, project.scene.duration});
+               {{{0.06, 0.017, 0.008}, -Eigen::Vector3d::UnitX()}, 0.003, 0.004, project.scene.duration})};
     return project;
 }
 

@@ -338,6 +338,31 @@ class SimulateTest(Case):
             report, _ = self.simulated(project, {"duration": 0.1, "instrument": {"shape": "sphere", "radius": 0.02, "path": path}})
             self.assertEqual(any("never touches" in warning for warning in report["warnings"]), warned, height)
 
+    def test_writes_the_forces_on_each_instrument(self):
+        project, forces = self.sample("liver"), self.file("forces.csv")
+        _, rest = self.simulated(project, {"duration": 1e-6}, "--dt", "1e-6")
+        front = max(rest, key=lambda row: float(row["z"]))
+        x, y, z = (float(front[key]) for key in "xyz")
+        scene = {"duration": 0.1, "record": {"every": 0.02}, "instruments": [
+            {"name": "shaft", "shape": "capsule", "radius": 0.005, "length": 0.1,
+             "path": [[0, x, y, z + 0.01, 1, 0, 1, 0], [0.1, x, y, z - 0.01, 1, 0, 1, 0]]},
+            {"shape": "sphere", "radius": 0.005, "path": [[0, x, y, z + 1]]}]}
+        report, _ = self.simulated(project, scene, "--integrator", "split", "--forces", forces)
+        with open(forces, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["instrument"] for row in rows[:4]], ["shaft", "instrument 1"] * 2)
+        self.assertEqual(len(rows), 12)
+        self.assertEqual([float(rows[0][key]) for key in ("time", "fx", "fy", "fz")], [0, 0, 0, 0])
+        self.assertGreater(float(rows[-2]["fz"]), 0, "the tissue pushes back")
+        shaft, far = report["instruments"]
+        sizes = [sum(float(row[key]) ** 2 for key in ("fx", "fy", "fz")) ** 0.5 for row in rows[::2]]
+        self.assertEqual((shaft["name"], shaft["touched"], far["touched"], far["peak_force"]), ("shaft", True, False, 0))
+        self.assertAlmostEqual(shaft["peak_force"], max(sizes), delta=1e-9 * max(sizes))
+        self.assertTrue(any('"instrument 1" never touches' in warning for warning in report["warnings"]))
+        still = self.file("none.json", {"duration": 0.1})
+        self.fails(1, "simulate", project, "--scene", still, "-o", self.file("o.csv"), "--forces", forces, naming="no instrument")
+        self.fails(2, "simulate", project, "--scene", still, "-o", forces, "--forces", forces, naming="name another")
+
     def test_refuses_more_steps_than_can_be_run_and_takes_any_time_between_frames(self):
         project = self.sample("tube")
         endless, out = self.file("endless.json", {"duration": 1e25}), self.file("no.csv")

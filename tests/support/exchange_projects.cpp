@@ -69,7 +69,7 @@ Scene fullScene() {
     scene.tethers = {{3, 2.4, 10.7}, {7, 0.1, 0}};
     scene.forces = {{4, {0.1, 0, -1.0 / 3}, 0, 0.5}};
     scene.moves = {{5, {{0, {0, 0, 0}}, {0.7, {0.001, -0.01, 1.0 / 700}}}}};
-    scene.instrument = InstrumentMotion{0.003, {{0, {0, 0, 0.1}}, {1, {0, 0, 0.05}}}};
+    scene.instruments = {{Sphere{0.003}, {{0, {0, 0, 0.1}}, {1, {0, 0, 0.05}}}, {}, {}}};
     scene.record = {0.02, std::vector<std::uint32_t>{0, 4, 5}};
     return scene;
 }

@@ -82,11 +82,12 @@ void expectSameScene(const Scene& a, const Scene& b) {
     EXPECT_TRUE(sameList(a.moves, b.moves, [](const NodeMove& s, const NodeMove& t) {
         return s.node == t.node && samePath(s.path, t.path);
     }));
-    ASSERT_EQ(a.instrument.has_value(), b.instrument.has_value());
-    if (a.instrument) {
-        EXPECT_TRUE(sameBits(a.instrument->radius, b.instrument->radius));
-        EXPECT_TRUE(samePath(a.instrument->path, b.instrument->path));
-    }
+    EXPECT_TRUE(
+        sameList(a.instruments, b.instruments, [](const InstrumentMotion& s, const InstrumentMotion& t) {
+            return s.name == t.name && s.shape == t.shape && samePath(s.path, t.path) &&
+                   sameList(s.orientations, t.orientations,
+                            [](const auto& p, const auto& q) { return sameMatrix(p.coeffs(), q.coeffs()); });
+        }));
     EXPECT_TRUE(sameBits(a.record.every, b.record.every));
     EXPECT_EQ(a.record.nodes, b.record.nodes);
 }

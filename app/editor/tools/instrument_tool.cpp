@@ -98,7 +98,7 @@ void InstrumentTool::show() {
     emit changed();
     if (!m_centre) return;
     m_preview.setGentleMotion(false);
-    m_preview.setInstrument(Sphere{*m_centre, m_radius});
+    m_preview.setInstrument(sphereAt(*m_centre, m_radius));
 }
 
 void InstrumentTool::dress(RenderScene& scene) const {

@@ -58,7 +58,7 @@ void Preview::setPull(const std::optional<Pull>& pull) {
     send([&](Inbox& inbox) { inbox.loads.pull = pull; });
 }
 
-void Preview::setInstrument(const std::optional<Sphere>& instrument) {
+void Preview::setInstrument(const std::optional<PlacedCollider>& instrument) {
     send([&](Inbox& inbox) { inbox.loads.instrument = instrument; });
 }
 

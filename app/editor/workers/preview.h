@@ -34,7 +34,7 @@ public:
     void togglePlaying();
     void reset();
     void setPull(const std::optional<Pull>& pull);
-    void setInstrument(const std::optional<Sphere>& instrument);
+    void setInstrument(const std::optional<PlacedCollider>& instrument);
     void setGentleMotion(bool on);
     /// What acts on the tissue from now on.
     PreviewLoads loads() const;

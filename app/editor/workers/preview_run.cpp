@@ -97,7 +97,7 @@ bool PreviewRun::step(const PreviewLoads& loads) {
     const double timeStep = m_simulation->timeStep();
     Loads acting;
     acting.gravity = m_gravity;
-    acting.instrument = loads.instrument;
+    if (loads.instrument) acting.instruments = {*loads.instrument};
     if (m_pull) m_pull->advance(timeStep, acting.held);
     if (m_gentleGrasp) {
         m_gentleTime += timeStep;

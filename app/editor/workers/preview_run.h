@@ -19,7 +19,7 @@ struct Pull {
 /// What acts on the preview from outside.
 struct PreviewLoads {
     std::optional<Pull> pull;
-    std::optional<Sphere> instrument;
+    std::optional<PlacedCollider> instrument;
     bool gentleMotion = false; ///< the slow pull of a newly opened organ
 };
 

@@ -11,8 +11,8 @@ constexpr int mostSweeps = 200;
 std::vector<std::uint32_t> movableNodes(const ContactProblem& problem) {
     std::vector<std::uint32_t> nodes;
     for (const Contact& contact : problem.contacts)
-        for (std::size_t i = 0; i < contact.count; ++i)
-            if (!problem.immovable[contact.nodes.at(i)]) nodes.push_back(contact.nodes.at(i));
+        for (const NodeShare& share : contact.shares)
+            if (!problem.immovable[share.node]) nodes.push_back(share.node);
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     return nodes;
@@ -26,15 +26,12 @@ struct Share {
 std::vector<std::vector<Share>> sharesOf(const ContactProblem& problem,
                                          const std::vector<std::uint32_t>& nodes) {
     std::vector<std::vector<Share>> shares(problem.contacts.size());
-    for (std::size_t c = 0; c < shares.size(); ++c) {
-        const Contact& contact = problem.contacts[c];
-        for (std::size_t i = 0; i < contact.count; ++i) {
-            if (problem.immovable[contact.nodes.at(i)]) continue;
-            const auto place =
-                std::lower_bound(nodes.begin(), nodes.end(), contact.nodes.at(i)) - nodes.begin();
-            shares[c].push_back({place, contact.weights.at(i)});
+    for (std::size_t c = 0; c < shares.size(); ++c)
+        for (const auto& [node, weight] : problem.contacts[c].shares) {
+            if (problem.immovable[node]) continue;
+            const auto place = std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin();
+            shares[c].push_back({place, weight});
         }
-    }
     return shares;
 }
 
@@ -51,60 +48,80 @@ Eigen::MatrixXd contactResponse(const ContactProblem& problem, const std::vector
                 for (const Share& other : shares[second])
                     sum += one.weight * other.weight * nodeResponse(one.place, other.place);
             matrix(a, b) = matrix(b, a) =
-                sum * problem.contacts[first].normal.dot(problem.contacts[second].normal);
+                sum * problem.contacts[first].plane.normal.dot(problem.contacts[second].plane.normal);
         }
     return matrix;
 }
 
+/// How movable and led nodes answer to impulses.
+struct NodeAnswers {
+    std::vector<std::uint32_t> nodes; ///< movable ones, then led ones
+    Eigen::Index movable;             ///< how many of them
+    Eigen::MatrixXd led;              ///< impulses that keep led nodes on their way, per impulse
+    Eigen::MatrixXd velocities;       ///< of movable nodes per impulse on them, 1/kg
+};
+
+NodeAnswers answersOf(const ContactProblem& problem, NodeImpulses& response) {
+    NodeAnswers answers;
+    answers.nodes = movableNodes(problem);
+    const auto count = answers.movable = static_cast<Eigen::Index>(answers.nodes.size());
+    const auto led = static_cast<Eigen::Index>(problem.led.size());
+    answers.nodes.insert(answers.nodes.end(), problem.led.begin(), problem.led.end());
+    const Eigen::MatrixXd full = response.response(answers.nodes);
+    answers.led = led > 0 ? Eigen::MatrixXd(-full.bottomRightCorner(led, led).llt().solve(
+                                full.bottomLeftCorner(led, count)))
+                          : Eigen::MatrixXd(0, count);
+    answers.velocities = full.topLeftCorner(count, count) + full.topRightCorner(count, led) * answers.led;
+    return answers;
+}
+
 /// impulses ≥ 0, matrix·impulses ≥ needed, and one of the two with equality for each contact.
-void solveComplementarity(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& needed, double tolerance,
+void solveComplementarity(const Eigen::MatrixXd& matrix, const ContactProblem& problem,
                           Eigen::VectorXd& impulses) {
     for (int sweep = 0; sweep < mostSweeps; ++sweep) {
         double largest = 0;
         for (Eigen::Index c = 0; c < impulses.size(); ++c) {
             const double own = matrix(c, c);
             if (!(own > 0)) continue;
-            const double missing = needed[c] - matrix.col(c).dot(impulses);
+            const double missing = problem.needed[c] - matrix.col(c).dot(impulses);
             const double next = std::max(0.0, impulses[c] + missing / own);
             largest = std::max(largest, std::abs(next - impulses[c]) * own);
             impulses[c] = next;
         }
-        if (largest <= tolerance) return;
+        if (largest <= problem.tolerance) return;
     }
+}
+
+void lay(const ContactProblem& problem, const NodeAnswers& answers,
+         const std::vector<std::vector<Share>>& shares, const Eigen::VectorXd& impulses,
+         const NodeImpulses& response, Vectors& half) {
+    Eigen::MatrixX3d onNodes = Eigen::MatrixX3d::Zero(answers.movable, 3);
+    for (std::size_t c = 0; c < shares.size(); ++c)
+        for (const Share& share : shares[c])
+            onNodes.row(share.place) += share.weight * impulses[static_cast<Eigen::Index>(c)] *
+                                        problem.contacts[c].plane.normal.transpose();
+    const Eigen::MatrixX3d onLed = answers.led * onNodes;
+    for (Eigen::Index i = 0; i < answers.movable; ++i)
+        response.add(answers.nodes[static_cast<std::size_t>(i)], onNodes.row(i), half);
+    for (std::size_t i = 0; i < problem.led.size(); ++i)
+        response.add(problem.led[i], onLed.row(static_cast<Eigen::Index>(i)), half);
 }
 
 } // namespace
 
 void pushContacts(const ContactProblem& problem, NodeImpulses& response, Eigen::VectorXd& impulses,
                   Vectors& half) {
-    const std::vector<std::uint32_t> nodes = movableNodes(problem);
-    const auto count = static_cast<Eigen::Index>(nodes.size()),
-               led = static_cast<Eigen::Index>(problem.led.size());
-    std::vector<std::uint32_t> all = nodes;
-    all.insert(all.end(), problem.led.begin(), problem.led.end());
-    const Eigen::MatrixXd full = response.response(all);
+    const NodeAnswers answers = answersOf(problem, response);
+    const auto shares = sharesOf(problem, {answers.nodes.begin(), answers.nodes.begin() + answers.movable});
+    solveComplementarity(contactResponse(problem, shares, answers.velocities), problem, impulses);
+    lay(problem, answers, shares, impulses, response, half);
+}
 
-    // Led nodes answer with the impulses that keep them on their way.
-    const Eigen::MatrixXd answer = led > 0 ? Eigen::MatrixXd(-full.bottomRightCorner(led, led).llt().solve(
-                                                 full.bottomLeftCorner(led, count)))
-                                           : Eigen::MatrixXd(0, count);
-    const Eigen::MatrixXd nodeResponse =
-        full.topLeftCorner(count, count) + full.topRightCorner(count, led) * answer;
-
-    const auto shares = sharesOf(problem, nodes);
-    solveComplementarity(contactResponse(problem, shares, nodeResponse), problem.needed, problem.tolerance,
-                         impulses);
-
-    Eigen::MatrixX3d nodeImpulses = Eigen::MatrixX3d::Zero(count, 3);
-    for (std::size_t c = 0; c < shares.size(); ++c)
-        for (const Share& share : shares[c])
-            nodeImpulses.row(share.place) += share.weight * impulses[static_cast<Eigen::Index>(c)] *
-                                             problem.contacts[c].normal.transpose();
-    const Eigen::MatrixX3d ledImpulses = answer * nodeImpulses;
-    for (Eigen::Index i = 0; i < count; ++i)
-        response.add(all[static_cast<std::size_t>(i)], nodeImpulses.row(i), half);
-    for (Eigen::Index i = 0; i < led; ++i)
-        response.add(problem.led[static_cast<std::size_t>(i)], ledImpulses.row(i), half);
+void layImpulses(const ContactProblem& problem, NodeImpulses& response, const Eigen::VectorXd& impulses,
+                 Vectors& half) {
+    const NodeAnswers answers = answersOf(problem, response);
+    lay(problem, answers, sharesOf(problem, {answers.nodes.begin(), answers.nodes.begin() + answers.movable}),
+        impulses, response, half);
 }
 
 } // namespace esm

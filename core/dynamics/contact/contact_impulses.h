@@ -19,4 +19,8 @@ struct ContactProblem {
 void pushContacts(const ContactProblem& problem, NodeImpulses& response, Eigen::VectorXd& impulses,
                   Vectors& half);
 
+/// Lays impulses that are known on a half-solved step.
+void layImpulses(const ContactProblem& problem, NodeImpulses& response, const Eigen::VectorXd& impulses,
+                 Vectors& half);
+
 } // namespace esm

@@ -212,7 +212,7 @@ SimulationSettings resolvedSettings(const SceneRun& run) {
     const ChosenStep chosen = chooseStep(run.model, settings);
     settings.integrator = chosen.integrator;
     // Under an instrument both are of the first order, and Euler's error is the smaller one.
-    if (chosen.integrator != Integrator::Euler || run.scene.instrument) return settings;
+    if (chosen.integrator != Integrator::Euler || !run.scene.instruments.empty()) return settings;
     settings.integrator = Integrator::Verlet;
     if (chooseStep(run.model, settings).timeStep < worthItsOrder * chosen.timeStep)
         settings.integrator = Integrator::Euler;

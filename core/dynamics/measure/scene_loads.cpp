@@ -27,8 +27,8 @@ Loads loadsDuring(const Scene& scene, const std::vector<Eigen::Vector3d>& rest, 
             loads.forces.emplace_back(force.node, share * force.force);
     for (const NodeMove& move : scene.moves)
         loads.held.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
-    if (scene.instrument)
-        loads.instrument = Sphere{positionAt(scene.instrument->path, end), scene.instrument->radius};
+    for (const InstrumentMotion& instrument : scene.instruments)
+        loads.instruments.push_back(placedAt(instrument, end));
     return loads;
 }
 

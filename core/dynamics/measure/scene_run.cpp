@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace esm {
 
@@ -38,9 +39,12 @@ public:
         const bool isDue = time >= m_due;
         if (!isDue && !(last && time > m_given)) return;
         if (m_sink) m_sink(time, recorded(simulation.positions()));
+        recordForces(time, simulation);
         m_given = time;
         if (isDue) m_due = dueAfter(time);
     }
+
+    std::vector<ForceRow> takeForces() { return std::move(m_forces); }
 
     /// s, when the next frame is to be handed out.
     double due() const { return m_due; }
@@ -56,6 +60,19 @@ private:
         return m_frame * every - rounding * m_timeStep;
     }
 
+    void recordForces(double time, const Simulation& simulation) {
+        if (m_scene.instruments.empty()) return;
+        const double passed = m_forces.empty() ? 0 : time - m_forces.back().time;
+        m_impulses.resize(m_scene.instruments.size(), Eigen::Vector3d::Zero());
+        ForceRow row{time, Vectors(m_impulses.size(), Eigen::Vector3d::Zero())};
+        const std::vector<InstrumentTouch>& touches = simulation.instrumentTouches();
+        for (std::size_t i = 0; i < touches.size() && passed > 0; ++i) {
+            row.forces[i] = (touches[i].impulse - m_impulses[i]) / passed;
+            m_impulses[i] = touches[i].impulse;
+        }
+        m_forces.push_back(std::move(row));
+    }
+
     Vectors recorded(const Vectors& positions) const {
         if (!m_scene.record.nodes) return positions;
         Vectors chosen;
@@ -68,12 +85,14 @@ private:
     double m_timeStep;                          ///< s
     double m_due = 0, m_given = 0, m_frame = 0; ///< s, s, a whole number; may be beyond any time
     FrameSink m_sink;
+    std::vector<ForceRow> m_forces;
+    Vectors m_impulses; ///< N·s, on the instruments up to the last row
 };
 
 /// How many whole steps may be taken together. Only explicit ones are short enough to be worth it, under
 /// loads that stay as they are.
 std::size_t mostTogether(const Scene& scene, const Simulation& simulation) {
-    if (!isExplicit(simulation.integrator()) || !scene.moves.empty() || scene.instrument) return 1;
+    if (!isExplicit(simulation.integrator()) || !scene.moves.empty() || !scene.instruments.empty()) return 1;
     return static_cast<std::size_t>(mostAtOnce / std::max(simulation.activeFraction(), 1e-3));
 }
 
@@ -98,7 +117,8 @@ void count(const TimeSpan& span, std::size_t taken, SceneOutcome& outcome) {
     outcome.shortestStep = std::min(outcome.shortestStep, lengthOf(span));
 }
 
-/// Runs the scene from rest, its instrument standing at its path's start; returns the seconds spent stepping.
+/// Runs the scene from rest, its instruments standing at their paths' starts; returns the seconds spent
+/// stepping.
 double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& recorder, const Progress& progress,
                    SceneOutcome& outcome) {
     double stepping = 0;
@@ -110,7 +130,10 @@ double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& record
     const TimeDivision division{std::ldexp(simulation.timeStep(), run.halvings), run.halvings};
     Timeline timeline(run.scene, division, simulation.integrator(), rest.size());
     outcome.averagedCorners = timeline.averagedCorners();
-    if (run.scene.instrument) simulation.placeInstrument(positionAt(run.scene.instrument->path, 0));
+    std::vector<ColliderPose> starts;
+    for (const InstrumentMotion& instrument : run.scene.instruments)
+        starts.push_back(poseAt(instrument, 0));
+    simulation.placeInstruments(std::move(starts));
     recorder.offer(0, simulation, false);
     while (!timeline.isAtEnd()) {
         const TimeSpan span = timeline.next(recorder.due(), mostTogether(run.scene, simulation));
@@ -168,8 +191,27 @@ double orderOfErrors(const SceneOutcome& outcome) {
     // Which node is touched when changes with the step. On an open colon each of three halvings left 0.65 to
     // 0.69 of the error.
     constexpr double touchedOrder = 0.5;
-    if (outcome.touched) return touchedOrder;
+    if (outcome.touched()) return touchedOrder;
     return outcome.averagedCorners == 0 ? orderOf(outcome.integrator) : 1;
+}
+
+bool SceneOutcome::touched() const {
+    return std::any_of(instruments.begin(), instruments.end(),
+                       [](const InstrumentTouch& touch) { return touch.touched; });
+}
+
+InstrumentForce forceOn(std::size_t instrument, const SceneOutcome& outcome) {
+    InstrumentForce force;
+    double passed = 0, before = 0;
+    for (const ForceRow& row : outcome.forces) {
+        const double size = row.forces[instrument].norm(),
+                     duration = row.time - std::exchange(before, row.time);
+        force.mean += duration * size;
+        force.peak = std::max(force.peak, size);
+        passed += duration;
+    }
+    if (passed > 0) force.mean /= passed;
+    return force;
 }
 
 SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress& given) {
@@ -189,7 +231,8 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     const double longest = std::ldexp(run.scene.duration, -run.halvings);
     settings.timeStep = outcome.shortestStep = std::min(outcome.timeStep, longest);
     settings.isWanted = [&] { return progress(done); };
-    Simulation simulation(run.model, settings, run.scene.instrument ? run.surface : TouchedSurface());
+    Simulation simulation(run.model, settings,
+                          run.scene.instruments.empty() ? TouchedSurface() : run.surface);
     outcome.setupSeconds = run.clock() - start;
     outcome.factorisationSeconds = simulation.factorisationSeconds();
     outcome.integrator = simulation.integrator();
@@ -198,7 +241,9 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     outcome.wallSeconds = stepThrough(run, simulation, recorder, progress, outcome);
     outcome.energy = simulation.energy();
     outcome.activeFraction = simulation.activeFraction();
-    outcome.touched = simulation.wasTouched();
+    outcome.instruments = simulation.instrumentTouches();
+    outcome.instruments.resize(run.scene.instruments.size());
+    outcome.forces = recorder.takeForces();
     if (outcome.stable) outcome.outcome = "completed";
     if (outcome.stable) outcome.wallSeconds = bestOfRepeats(run, simulation, outcome.wallSeconds);
     reportProgress(progress, 1);

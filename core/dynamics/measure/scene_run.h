@@ -12,6 +12,12 @@ namespace esm {
 /// that reaches the time.
 using FrameSink = std::function<void(double time, const std::vector<Eigen::Vector3d>& positions)>;
 
+/// N, the forces of the tissue on the scene's instruments, on the mean since the record time before.
+struct ForceRow {
+    double time; ///< s
+    std::vector<Eigen::Vector3d> forces;
+};
+
 struct SceneOutcome {
     Integrator integrator = Integrator::Auto;
     double timeStep = 0;                 ///< s, nominal, halved as often as was asked
@@ -24,13 +30,23 @@ struct SceneOutcome {
     std::string outcome;       ///< "completed", or why the run stopped
     Energy energy;             ///< at the end
     double activeFraction = 1; ///< share of the nodes that were computed, on the mean of all steps
-    bool touched = false;      ///< the instrument touched what can move
+    std::vector<InstrumentTouch> instruments; ///< one for each of the scene's
+    std::vector<ForceRow> forces;             ///< at the record times; 0 at time 0. None without instruments
+
+    bool touched() const; ///< whether an instrument touched what can move
 };
 
 /// To which power of the step errors are sure to fall. Where a mean stands in for a corner of a load, they
 /// depend on where in its step that lies, which each halving changes; where an instrument touches, on the
 /// moment within a step at which it meets a node.
 double orderOfErrors(const SceneOutcome& outcome);
+
+/// How hard the tissue pressed on an instrument, by the rows of an outcome.
+struct InstrumentForce {
+    double mean = 0; ///< N, of the rows' lengths, over the time
+    double peak = 0; ///< N, of the largest row
+};
+InstrumentForce forceOn(std::size_t instrument, const SceneOutcome& outcome);
 
 /// What is run, and how.
 struct SceneRun {

@@ -50,6 +50,25 @@ void addCorners(std::set<double>& corners, const Path& path, double duration) {
     }
 }
 
+/// rad/s, evenly from one orientation to the next, the shorter way round.
+Eigen::Vector3d turningBetween(const InstrumentMotion& instrument, std::size_t from) {
+    const Eigen::AngleAxisd turn(instrument.orientations[from + 1] *
+                                 instrument.orientations[from].conjugate());
+    return turn.angle() / (instrument.path[from + 1].time - instrument.path[from].time) * turn.axis();
+}
+
+/// Where the speed of its turning changes.
+void addTurningCorners(std::set<double>& corners, const InstrumentMotion& instrument, double duration) {
+    Eigen::Vector3d before = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < instrument.orientations.size(); ++i) {
+        const bool isLast = i + 1 == instrument.orientations.size();
+        const Eigen::Vector3d after =
+            isLast ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : turningBetween(instrument, i);
+        if (isTurn(before, after)) addCorner(corners, instrument.path[i].time, duration);
+        before = after;
+    }
+}
+
 /// Without those that are the same time as the start, the one before or the end: scripts add up 0.1 and 0.2
 /// to a little more than 0.3.
 std::set<double> apart(const std::set<double>& corners, double close, double duration) {
@@ -116,7 +135,10 @@ std::vector<double> pathCorners(const Scene& scene) {
     std::set<double> corners;
     for (const NodeMove& move : scene.moves)
         addCorners(corners, move.path, scene.duration);
-    if (scene.instrument) addCorners(corners, scene.instrument->path, scene.duration);
+    for (const InstrumentMotion& instrument : scene.instruments) {
+        addCorners(corners, instrument.path, scene.duration);
+        addTurningCorners(corners, instrument, scene.duration);
+    }
     return {corners.begin(), corners.end()};
 }
 

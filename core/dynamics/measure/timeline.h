@@ -77,8 +77,8 @@ private:
     std::optional<Piece> m_piece; ///< of the cut step that we are in
 };
 
-/// Times inside the scene at which a force begins or ends, and at which a led node or the instrument changes
-/// its velocity, s, rising.
+/// Times inside the scene at which a force begins or ends, and at which a led node or an instrument changes
+/// its velocity or its turning, s, rising.
 std::vector<double> forceCorners(const Scene& scene);
 std::vector<double> pathCorners(const Scene& scene);
 

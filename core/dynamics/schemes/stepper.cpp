@@ -2,9 +2,11 @@
 
 #include "core/dynamics/contact/contact_impulses.h"
 #include "core/dynamics/forces.h"
+#include "core/dynamics/schemes/told_impulses.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace esm {
 
@@ -52,6 +54,14 @@ std::vector<HeldNode> movable(std::vector<HeldNode> held, const std::vector<char
 void place(const std::vector<HeldNode>& held, Vectors& positions) {
     for (const HeldNode& node : held)
         positions[node.node] = node.position;
+}
+
+/// Of those that touch, the finest tolerance, m.
+double impulseToleranceOf(const std::vector<Contact>& contacts, const std::vector<ColliderMove>& colliders) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Contact& contact : contacts)
+        least = std::min(least, radiusOf(colliders[contact.collider].shape));
+    return impulseTolerance * least;
 }
 
 } // namespace
@@ -110,7 +120,7 @@ double Stepper::activeFraction() const {
 }
 
 bool Stepper::touchesNothing(const Loads& loads) const {
-    return isExplicit(m_integrator) && loads.held.empty() && (!loads.instrument || m_surface.empty());
+    return isExplicit(m_integrator) && loads.held.empty() && (loads.instruments.empty() || m_surface.empty());
 }
 
 void Stepper::steps(Motion& motion, const Request& request) {
@@ -119,7 +129,7 @@ void Stepper::steps(Motion& motion, const Request& request) {
         lengthOf(m_duration) != lengthOf(request.duration) || loads.beginsAnew)
         forgetSteps();
     m_duration = request.duration;
-    m_touched = false;
+    m_touches.assign(request.colliders.size(), {});
     m_contactWork = 0;
     if (touchesNothing(loads)) {
         explicitSteps({m_duration, &loads, {}}, request.count, motion, motion);
@@ -134,14 +144,12 @@ std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Reques
     const Loads& loads = request.loads;
     const double duration = request.duration;
     const std::vector<HeldNode> held = movable(loads.held, m_system.fixed);
-    if (!request.sphere || m_surface.empty()) return {{{duration, &loads, held}, true, {}}};
+    if (request.colliders.empty() || m_surface.empty()) return {{{duration, &loads, held}, true, {}}};
     Vectors velocities = motion.velocities;
     leadHeldNodes({duration, &loads, held}, motion.positions, velocities);
-    const int parts = contactParts(m_surface, motion.positions, velocities, *request.sphere, duration);
+    const int parts = contactParts(m_surface, motion.positions, velocities, request.colliders, duration);
 
     std::vector<Piece> pieces;
-    const auto& [from, to, radius] = *request.sphere;
-    Eigen::Vector3d reached = from;
     for (int part = 1; part <= parts; ++part) {
         const double fraction = static_cast<double>(part) / parts;
         Piece piece{{duration / parts, &loads, held}, parts == 1, {}};
@@ -149,8 +157,8 @@ std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Reques
             const Eigen::Vector3d& start = motion.positions[node.node];
             if (part < parts) node.position = start + fraction * (node.position - start);
         }
-        const Eigen::Vector3d next = part < parts ? Eigen::Vector3d(from + fraction * (to - from)) : to;
-        piece.sphere = SphereMove{std::exchange(reached, next), next, radius};
+        for (const ColliderMove& move : request.colliders)
+            piece.colliders.push_back(partOf(move, static_cast<double>(part - 1) / parts, fraction));
         pieces.push_back(std::move(piece));
     }
     return pieces;
@@ -164,7 +172,6 @@ void Stepper::advance(Motion& motion, const Piece& piece) {
     if (jumps(piece.input, motion.positions) || standsAlone) forgetSteps();
     UntouchedStep untouched = untouchedStep(motion, piece);
     const bool touched = touches(motion, piece, untouched.motion.positions);
-    m_touched = m_touched || touched;
     if (touched && scheme && scheme->canBuild()) untouched = firstOrderStep(motion, piece);
     if (touched) m_contactWork -= energy(m_system, untouched.motion).total();
     Motion next = touched ? madeWay(motion, piece, std::move(untouched)) : std::move(untouched.motion);
@@ -244,9 +251,15 @@ std::vector<char> Stepper::immovable(const Piece& piece) const {
     return result;
 }
 
-bool Stepper::touches(const Motion& motion, const Piece& piece, const Vectors& next) const {
-    return piece.sphere &&
-           !findContacts(m_surface, immovable(piece), motion.positions, next, *piece.sphere).empty();
+bool Stepper::touches(const Motion& motion, const Piece& piece, const Vectors& next) {
+    if (piece.colliders.empty()) return false;
+    const FoundContacts found =
+        findContacts(m_surface, immovable(piece), motion.positions, next, piece.colliders);
+    for (const Contact& contact : found.contacts)
+        m_touches[contact.collider].touched = true;
+    for (std::size_t i = 0; i < m_touches.size(); ++i)
+        if (found.meetsImmovable[i]) m_touches[i].metImmovable = true;
+    return !found.contacts.empty();
 }
 
 // Each round solves anew from the untouched step, with the contacts of the rounds before, turned to where the
@@ -255,25 +268,26 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
     const double h = piece.input.duration;
     StepSolver& solver = hasBranches() ? branchSolverFor(h) : solverFor(h, false);
     if (untouched.half.empty()) solver.matrix.multiplyUpper(untouched.motion.velocities, untouched.half);
-    const SphereMove& sphere = *piece.sphere;
+    const std::vector<ColliderMove>& colliders = piece.colliders;
     const std::vector<char> stays = immovable(piece);
     const std::vector<std::uint32_t> led = ledByImpulses(solver.matrix, piece.input.held);
     const Motion& free = untouched.motion;
     Motion next = free;
     std::vector<Contact> contacts;
-    Eigen::VectorXd impulses;
+    Eigen::VectorXd impulses, needed;
     for (int round = 0; round < mostContactRounds; ++round) {
-        const auto found = findContacts(m_surface, stays, motion.positions, next.positions, sphere);
-        if (round > 0 && deepest(found) <= contactTolerance * sphere.radius) break;
+        const auto found =
+            findContacts(m_surface, stays, motion.positions, next.positions, colliders).contacts;
+        if (round > 0 && areClear(found, colliders, contactTolerance)) break;
         mergeContacts(contacts, found, mostContacts);
-        Eigen::VectorXd needed(contacts.size());
+        needed.resize(static_cast<Eigen::Index>(contacts.size()));
         for (std::size_t i = 0; i < contacts.size(); ++i) {
-            turnOutward(contacts[i], motion.positions, next.positions, sphere);
-            needed[static_cast<Eigen::Index>(i)] = depth(contacts[i], free.positions, sphere) / h;
+            turnOutward(contacts[i], motion.positions, next.positions, colliders[contacts[i].collider]);
+            needed[static_cast<Eigen::Index>(i)] = depth(contacts[i], free.positions) / h;
         }
         impulses.conservativeResizeLike(Eigen::VectorXd::Zero(needed.size()));
         Vectors half = untouched.half;
-        const double tolerance = impulseTolerance * sphere.radius / h;
+        const double tolerance = impulseToleranceOf(contacts, colliders) / h;
         pushContacts({contacts, needed, led, stays, tolerance}, solver.impulses, impulses, half);
         solver.matrix.solveUpper(std::move(half), next.velocities);
         for (std::size_t i = 0; i < next.positions.size(); ++i)
@@ -281,7 +295,17 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
                 next.positions[i] = free.positions[i] + h * (next.velocities[i] - free.velocities[i]);
     }
     const Vectors solved = next.positions;
-    projectOut(m_surface, stays, motion.positions, sphere, next.positions);
+    const std::vector<NodePush> pushes =
+        projectOut(m_surface, stays, motion.positions, colliders, next.positions);
+    tellImpulses({m_system,
+                  m_integrator,
+                  m_options.settings.damping,
+                  h,
+                  motion.positions,
+                  {contacts, needed, led, stays, 0},
+                  impulses,
+                  pushes},
+                 solver, m_touches);
     for (std::size_t i = 0; i < solved.size(); ++i)
         next.velocities[i] += (next.positions[i] - solved[i]) / h;
     return next;

@@ -2,6 +2,7 @@
 
 #include "core/dynamics/contact/contact.h"
 #include "core/dynamics/schemes/explicit_scheme.h"
+#include "core/dynamics/schemes/instrument_touch.h"
 #include "core/dynamics/schemes/matrix_scheme.h"
 #include "core/dynamics/schemes/propagation.h"
 #include "core/dynamics/strained_springs.h"
@@ -17,7 +18,7 @@ struct StepperOptions {
     ThreadTeam* team; ///< outlives the stepper; none is one thread
 };
 
-/// Steps one spring system by any of the integrators, leading nodes and making way for an instrument: first
+/// Steps one spring system by any of the integrators, leading nodes and making way for instruments: first
 /// as if nothing touched the tissue, then with the impulses that its contacts ask for. Integrators that build
 /// on earlier steps begin anew after every jump, of loads, of parameters or of a led node's velocity, and
 /// while the tissue is touched; such a first step is one of the integrator that IntegratorTraits names.
@@ -33,10 +34,10 @@ public:
 
     /// What is stepped at once.
     struct Request {
-        const Loads& loads;                      ///< they name nodes of the system
-        const std::optional<SphereMove>& sphere; ///< the instrument's way, if there is one
-        double duration;                         ///< s, of each step
-        std::size_t count;                       ///< 1 when the loads touch something
+        const Loads& loads;                         ///< they name nodes of the system
+        const std::vector<ColliderMove>& colliders; ///< the instruments' ways
+        double duration;                            ///< s, of each step
+        std::size_t count;                          ///< 1 when the loads touch something
     };
     /// Takes so many steps under the same loads. One of another length than the one before begins anew.
     void steps(Motion& motion, const Request& request);
@@ -50,10 +51,10 @@ public:
     /// s, wall time that this stepper and those it took over from have spent factorising.
     double factorisationSeconds() const { return m_free.factoriser->seconds() + m_led.factoriser->seconds(); }
 
-    /// J, what the sphere did to the tissue in the last step.
+    /// J, what the instruments did to the tissue in the last step.
     double contactWork() const { return m_contactWork; }
-    /// Whether the sphere touched in the last step.
-    bool isTouched() const { return m_touched; }
+    /// Of the last step, one for each instrument.
+    const std::vector<InstrumentTouch>& touches() const { return m_touches; }
 
     /// Forgets what earlier steps left behind, as when the motion was changed from outside.
     void restart();
@@ -67,11 +68,11 @@ private:
     Scheme makeScheme(const Stepper* former) const;
     void forgetSteps();
 
-    /// A part of a step in which neither instrument nor tissue moves far.
+    /// A part of a step in which neither instruments nor tissue move far.
     struct Piece {
         StepInput input;
         bool isWhole; ///< the step in one piece
-        std::optional<SphereMove> sphere;
+        std::vector<ColliderMove> colliders;
     };
     std::vector<Piece> piecesOf(const Motion& motion, const Request& request) const;
     void advance(Motion& motion, const Piece& piece);
@@ -84,10 +85,11 @@ private:
     UntouchedStep firstOrderStep(const Motion& motion, const Piece& piece);
     /// The same with a constant matrix that follows the branches of the springs' law.
     UntouchedStep branchStep(const Motion& motion, const Piece& piece);
-    /// Pushes the surface out of the sphere. Precondition: `untouched` did not build on the step before.
+    /// Pushes the surface out of the instruments. Precondition: `untouched` did not build on the step before.
     Motion madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched);
     std::vector<char> immovable(const Piece& piece) const;
-    bool touches(const Motion& motion, const Piece& piece, const Vectors& next) const;
+    /// Whether instruments touch what can give way. Takes note of them.
+    bool touches(const Motion& motion, const Piece& piece, const Vectors& next);
     /// @param duration s, of the step or the part of it that is solved for
     StepSolver& solverFor(double duration, bool builds);
     /// Whether the matrix depends on what is strained.
@@ -101,7 +103,7 @@ private:
     StepperOptions m_options;
     Integrator m_integrator;
     double m_duration; ///< s, of the last step
-    bool m_touched = false;
+    std::vector<InstrumentTouch> m_touches;
     double m_contactWork = 0; ///< J
 
     /// The matrices of the tissue with some nodes prescribed.

@@ -17,6 +17,7 @@ struct VersionNeeds {
     bool painting = false;          ///< layers painted or blended otherwise than by hiding: version 8
     bool landmarks = false;         ///< photos with landmarks: version 8
     bool maskedPhotos = false;      ///< photos with strokes, or their colours matched: version 8
+    bool instruments = false;       ///< others than one sphere without a name or a turn: version 9
 };
 
 /// What the regions and their fuzzy systems need, with what else does.

@@ -41,6 +41,7 @@ int projectVersionOf(const Project& project) {
     needs.painting = any(needsPainting);
     needs.landmarks = any(needsLandmarks);
     needs.maskedPhotos = any(needsMask);
+    needs.instruments = !hasPlainInstrument(project.scene);
     return versionOf(needs);
 }
 

@@ -4,6 +4,7 @@
 #include "core/support/errors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace esm {
@@ -64,15 +65,62 @@ NodeMove moveFromJson(const JsonReader& reader) {
     return {nodeFromJson(reader.member("node")), pathFromJson(reader.member("path"))};
 }
 
-InstrumentMotion instrumentFromJson(const JsonReader& reader) {
-    reader.allowOnly({"shape", "radius", "path"});
-    if (!reader.json().is_object()) return {};
+Collider colliderFromJson(const JsonReader& reader) {
     const JsonReader shape = reader.member("shape");
-    if (shape.json() == "capsule")
-        shape.addProblem("\"capsule\" is not offered yet; use \"sphere\"");
-    else if (!shape.json().is_null() && shape.json() != "sphere")
-        shape.addProblem("must be \"sphere\"");
-    return {reader.member("radius").number(), pathFromJson(reader.member("path"))};
+    const Json& named = shape.json();
+    if (named == "capsule")
+        return Capsule{reader.member("radius").number(), reader.member("length").number()};
+    if (named == "jaws" || named == "mesh")
+        shape.addProblem(named.dump() + " is not offered yet; use \"sphere\" or \"capsule\"");
+    else if (!named.is_null() && named != "sphere")
+        shape.addProblem("must be \"sphere\" or \"capsule\"");
+    if (named == "sphere" && reader.has("length"))
+        reader.member("length").addProblem("is for a capsule; leave it out of a sphere");
+    return Sphere{reader.member("radius").number()};
+}
+
+/// A quaternion w, x, y, z of any length, of length 1; one that is so already keeps its bits.
+Eigen::Quaterniond turnFromJson(const JsonReader& row, const std::vector<double>& numbers) {
+    constexpr double rounding = 1e-15;
+    const Eigen::Vector4d wxyz(numbers[4], numbers[5], numbers[6], numbers[7]);
+    const double length = wxyz.stableNorm();
+    if (!(length > 0)) {
+        if (row.json().is_array() && row.json().size() == numbers.size())
+            row.addProblem("has a zero quaternion, which turns nowhere; give 1, 0, 0, 0 for no turn");
+        return Eigen::Quaterniond::Identity();
+    }
+    const Eigen::Vector4d unit = std::abs(length - 1) <= rounding ? wxyz : Eigen::Vector4d(wxyz / length);
+    return {unit[0], unit[1], unit[2], unit[3]};
+}
+
+/// Rows of four or of eight numbers. What the first row has, all must have.
+void posesFromJson(const JsonReader& reader, InstrumentMotion& instrument) {
+    constexpr std::size_t turned = 8;
+    const std::vector<JsonReader> rows = reader.elements();
+    const bool turns = !rows.empty() && rows.front().json().size() == turned;
+    for (const JsonReader& row : rows) {
+        if (row.json().is_array() && (row.json().size() == turned) != turns &&
+            (row.json().size() == turned || row.json().size() == 4)) {
+            row.addProblem(turns ? "has no orientation, but the path's first row has one; give all or none"
+                                 : "has an orientation, but the path's first row has none; give all or none");
+            continue;
+        }
+        const std::vector<double> numbers = row.numbers(turns ? turned : 4);
+        instrument.path.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}});
+        if (turns) instrument.orientations.push_back(turnFromJson(row, numbers));
+    }
+}
+
+InstrumentMotion instrumentFromJson(const JsonReader& reader) {
+    reader.allowOnly({"name", "shape", "radius", "length", "path"});
+    if (!reader.json().is_object()) return {};
+    InstrumentMotion instrument{colliderFromJson(reader), {}, {}, {}};
+    posesFromJson(reader.member("path"), instrument);
+    if (!reader.has("name")) return instrument;
+    instrument.name = reader.member("name").text();
+    if (instrument.name.empty() && reader.member("name").json().is_string())
+        reader.member("name").addProblem("is empty; leave it out for \"instrument 0\" and so on");
+    return instrument;
 }
 
 Recording recordingFromJson(const JsonReader& reader) {
@@ -105,7 +153,12 @@ Scene sceneFromMembers(const JsonReader& reader) {
     scene.forces = list<NodeForce>(
         reader, "forces", [&](const JsonReader& force) { return forceFromJson(force, scene.duration); });
     scene.moves = list<NodeMove>(reader, "moves", moveFromJson);
-    if (reader.has("instrument")) scene.instrument = instrumentFromJson(reader.member("instrument"));
+    if (reader.has("instrument") && reader.has("instruments"))
+        reader.member("instrument").addProblem("and instruments are there; put all into instruments");
+    if (reader.has("instrument"))
+        scene.instruments = {instrumentFromJson(reader.member("instrument"))};
+    else
+        scene.instruments = list<InstrumentMotion>(reader, "instruments", instrumentFromJson);
     if (reader.has("record")) scene.record = recordingFromJson(reader.member("record"));
     return scene;
 }
@@ -143,6 +196,21 @@ Json toJson(const NodeMove& move) {
     return {{"node", move.node}, {"path", toJson(move.path)}};
 }
 
+Json toJson(const InstrumentMotion& instrument) {
+    const auto* capsule = std::get_if<Capsule>(&instrument.shape);
+    Json json = Json::object();
+    if (!instrument.name.empty()) json["name"] = instrument.name;
+    json["shape"] = capsule ? "capsule" : "sphere";
+    json["radius"] = radiusOf(instrument.shape);
+    if (capsule) json["length"] = capsule->length;
+    json["path"] = toJson(instrument.path);
+    for (std::size_t i = 0; i < instrument.orientations.size(); ++i)
+        for (const double number : {instrument.orientations[i].w(), instrument.orientations[i].x(),
+                                    instrument.orientations[i].y(), instrument.orientations[i].z()})
+            json["path"][i].push_back(number);
+    return json;
+}
+
 template<class Entry> void addList(Json& json, const char* key, const std::vector<Entry>& entries) {
     for (const Entry& entry : entries)
         json[key].push_back(toJson(entry));
@@ -153,7 +221,8 @@ template<class Entry> void addList(Json& json, const char* key, const std::vecto
 Scene sceneFromJson(const Json& json) {
     std::vector<std::string> problems;
     const JsonReader reader(json, "", problems);
-    reader.allowOnly({"duration", "gravity", "fixed", "tethers", "forces", "moves", "instrument", "record"});
+    reader.allowOnly({"duration", "gravity", "fixed", "tethers", "forces", "moves", "instrument",
+                      "instruments", "record"});
     if (!json.is_object()) throw InvalidModel(problems);
     Scene scene = sceneFromMembers(reader);
 
@@ -170,10 +239,10 @@ Json toJson(const Scene& scene) {
     addList(json, "tethers", scene.tethers);
     addList(json, "forces", scene.forces);
     addList(json, "moves", scene.moves);
-    if (scene.instrument)
-        json["instrument"] = {{"shape", "sphere"},
-                              {"radius", scene.instrument->radius},
-                              {"path", toJson(scene.instrument->path)}};
+    if (!hasPlainInstrument(scene))
+        addList(json, "instruments", scene.instruments);
+    else if (!scene.instruments.empty())
+        json["instrument"] = toJson(scene.instruments.front());
     json["record"]["every"] = scene.record.every;
     json["record"]["nodes"] = scene.record.nodes ? Json(*scene.record.nodes) : Json("all");
     return json;

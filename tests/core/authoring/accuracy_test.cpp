@@ -10,7 +10,7 @@ using namespace esm;
 TEST(Accuracy, PullsAtTheEdgeWhereTheSceneMovesNothing) {
     Project tube = makeSample("tube");
     EXPECT_TRUE(measuredScene(tube).moves.empty());
-    tube.scene.instrument.reset();
+    tube.scene.instruments.clear();
     const Scene pulled = measuredScene(tube);
     EXPECT_FALSE(pulled.moves.empty());
     EXPECT_TRUE(validate(pulled, tube.network->restPositions.size()).empty());

@@ -47,7 +47,8 @@ TEST(Scale, TakesAllThatLiesInItsSpace) {
         EXPECT_EQ(countOf(*large.network, large.regions[i]).nodes,
                   countOf(*project.network, project.regions[i]).nodes);
     }
-    EXPECT_EQ(large.scene.instrument->radius, 2 * project.scene.instrument->radius);
+    EXPECT_EQ(radiusOf(large.scene.instruments[0].shape), 2 * radiusOf(project.scene.instruments[0].shape));
+    EXPECT_EQ(scaled(Capsule{0.25, 4}, 2), Collider(Capsule{0.5, 8}));
     EXPECT_EQ(large.scene.moves[0].path[1].value, 2 * project.scene.moves[0].path[1].value);
     EXPECT_EQ(large.scene.gravity, project.scene.gravity);
     EXPECT_EQ(large.scene.forces[0].force, project.scene.forces[0].force);

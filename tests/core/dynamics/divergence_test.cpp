@@ -20,17 +20,17 @@ struct Watched {
 
     Watched() { guard.restart(rest); }
 
-    std::string stretched(double factor, const Loads& loads, std::optional<double> instrumentWay = {}) {
+    std::string stretched(double factor, const Loads& loads, const std::vector<double>& instrumentWays = {}) {
         Vectors after = rest;
         for (Eigen::Vector3d& position : after)
             position *= factor;
-        return guard.problemOf({system, rest, after, still, loads, instrumentWay, timeStep});
+        return guard.problemOf({system, rest, after, still, loads, instrumentWays, timeStep});
     }
 };
 
 Loads instrumentAt(const Eigen::Vector3d& centre) {
     Loads loads;
-    loads.instrument = Sphere{centre, 0.01};
+    loads.instruments = {sphereAt(centre, 0.01)};
     return loads;
 }
 
@@ -40,7 +40,7 @@ TEST(DivergenceGuard, JudgesEnergyAlsoAfterAnInstrumentAppeared) {
     Watched net;
     const Loads beside = instrumentAt({0, 0, 0.02});
     EXPECT_EQ(net.stretched(1, beside), "");
-    EXPECT_NE(net.stretched(10, beside, 0.0), "");
+    EXPECT_NE(net.stretched(10, beside, {0}), "");
 }
 
 TEST(DivergenceGuard, LetsAnInstrumentThrustAsideWhatItAppearsIn) {
@@ -52,7 +52,7 @@ TEST(DivergenceGuard, LetsAnInstrumentThrustAsideWhatItAppearsIn) {
 
 TEST(DivergenceGuard, LetsAFastInstrumentDriveTissueFar) {
     Watched net;
-    EXPECT_EQ(net.stretched(10, instrumentAt({0, 0, 0}), 100 * timeStep), "");
+    EXPECT_EQ(net.stretched(10, instrumentAt({0, 0, 0}), {100 * timeStep}), "");
 }
 
 TEST(DivergenceGuard, LetsAPartThatNothingHoldsFall) {

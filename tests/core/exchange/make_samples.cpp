@@ -74,6 +74,15 @@ Project untextured(Project project) {
     return project;
 }
 
+Project withInstruments(Project project) {
+    const Eigen::Quaterniond half(0, 1, 0, 0), slanted(1 / 3.0, 2 / 3.0, 0, 2 / 3.0);
+    project.scene.instruments = {
+        {Capsule{0.0025, 0.2}, {{0, {0, 0, 0.1}}, {1.0 / 3, {0, -0.0, 0.05}}}, {half, slanted}, "Schere ü"},
+        {Capsule{0.01, 0}, {{-1, {0, 0, 0}}}, {}, {}},
+        {Sphere{1.0 / 3}, {{0, {0, 0, 0.1}}}, {}, {}}};
+    return project;
+}
+
 std::map<std::string, Project> sampleProjects() {
     return {{"version-1", projectInRows()},
             {"version-1-bare", bareProject()},
@@ -84,7 +93,8 @@ std::map<std::string, Project> sampleProjects() {
             {"version-5", untextured(softProject())},
             {"version-6", perspectiveProject()},
             {"version-7", preparedProject()},
-            {"version-8", newestProject()}};
+            {"version-8", newestProject()},
+            {"version-9-instruments", withInstruments(untextured(softProject()))}};
 }
 
 void writeSamples(const std::filesystem::path& folder) {

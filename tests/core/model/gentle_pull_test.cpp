@@ -37,7 +37,7 @@ TEST(GentlePull, IsNotNeededWhereALoadOrAnInstrumentMovesTheTissue) {
     Scene falling, pushed, touched, led;
     falling.gravity = {0, 0, -9.81};
     pushed.forces = {{0, {0, 0, 1}, 0, 1}};
-    touched.instrument = InstrumentMotion{0.01, {{0, {0, 0, 0}}}};
+    touched.instruments = {{Sphere{0.01}, {{0, {0, 0, 0}}}, {}, {}}};
     led.moves = {{0, {{0, {0, 0, 0}}}}};
     for (const Scene& scene : {falling, pushed, touched, led})
         EXPECT_TRUE(movesTissue(scene));

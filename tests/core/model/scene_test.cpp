@@ -19,12 +19,29 @@ Scene soundScene() {
     scene.tethers = {{3, 2.4, 10.7}};
     scene.forces = {{4, {0, 0, -1}, 0, 1}};
     scene.moves = {{2, {{0, {0, 0, 0}}, {0.5, {0, 0, -0.01}}}}};
-    scene.instrument = InstrumentMotion{0.003, {{0, {0, 0, 0.1}}}};
+    scene.instruments = {{Sphere{0.003}, {{0, {0, 0, 0.1}}}, {}, {}}};
     scene.record.nodes = std::vector<std::uint32_t>{0, 4};
     return scene;
 }
 
 } // namespace
+
+TEST(Scene, TurnsAnInstrumentEvenlyTheShorterWay) {
+    InstrumentMotion motion{Capsule{0.01, 0.1}, {{0, {0, 0, 0}}, {2, {2, 0, 0}}}, {}, {}};
+    EXPECT_EQ(poseAt(motion, 1).orientation.coeffs(), Eigen::Quaterniond::Identity().coeffs());
+    const Eigen::AngleAxisd quarter(M_PI / 2, Eigen::Vector3d::UnitY());
+    const Eigen::Quaterniond turned(quarter);
+    // The other sign is the same orientation, and asks for three quarters of a turn where signs are taken at
+    // their word.
+    motion.orientations = {Eigen::Quaterniond::Identity(), Eigen::Quaterniond(-turned.coeffs())};
+    const ColliderPose half = poseAt(motion, 1);
+    EXPECT_EQ(half.place, Eigen::Vector3d(1, 0, 0));
+    EXPECT_LT(half.orientation.angularDistance(
+                  Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d::UnitY()))),
+              1e-7);
+    EXPECT_EQ(poseAt(motion, -1).orientation.coeffs(), motion.orientations[0].coeffs());
+    EXPECT_EQ(poseAt(motion, 3).orientation.coeffs(), motion.orientations[1].coeffs());
+}
 
 TEST(Path, IsLinearBetweenItsPointsAndConstantOutside) {
     const Path path{{1, {0, 0, 0}}, {2, {1, 0, 0}}, {4, {1, 2, 0}}};
@@ -71,7 +88,7 @@ TEST(Scene, ReportsEveryProblemWithItsPlace) {
     scene.tethers = {{0, -1, NAN}};
     scene.forces[0].to = -1;
     scene.moves[0].path[1].time = 0;
-    scene.instrument->radius = 0;
+    scene.instruments[0].shape = Sphere{0};
     scene.record.every = 0;
     EXPECT_THAT(validate(scene, 5),
                 ElementsAre(HasSubstr("duration"), HasSubstr("gravity"), HasSubstr("fixed[0].ellipsoid"),
@@ -100,7 +117,7 @@ TEST(Scene, RefusesEmptyAndNonFinitePathsAndANodeMovedTwice) {
     Scene scene = soundScene();
     scene.moves.push_back(scene.moves[0]);
     scene.moves.push_back({3, {}});
-    scene.instrument->path.push_back({INFINITY, {0, 0, 0}});
+    scene.instruments[0].path.push_back({INFINITY, {0, 0, 0}});
     EXPECT_THAT(validate(scene, 5), ElementsAre(AllOf(HasSubstr("moves[1]"), HasSubstr("node 2")),
                                                 AllOf(HasSubstr("moves[2]"), HasSubstr("no point")),
                                                 AllOf(HasSubstr("instrument"), HasSubstr("point 1"))));

@@ -165,11 +165,13 @@ TEST(RigidDetail, IsPushedAsAWholeByAnInstrument) {
     Points drawn;
     for (int i = 0; i <= 60; ++i) {
         Loads loads;
-        loads.instrument = Sphere{Eigen::Vector3d(0.14 - 0.0005 * i, 0.22, -0.05), 0.01};
+        loads.instruments = {sphereAt(Eigen::Vector3d(0.14 - 0.0005 * i, 0.22, -0.05), 0.01)};
         ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
         drawn = drawnPositions(*project.mesh, *project.network, simulation.positions());
         for (const Eigen::Vector3d& point : drawn)
-            ASSERT_GT((point - loads.instrument->centre).norm(), 0.99 * loads.instrument->radius) << i;
+            ASSERT_GT((point - loads.instruments[0].pose.place).norm(),
+                      0.99 * radiusOf(loads.instruments[0].shape))
+                << i;
     }
     EXPECT_TRUE(simulation.wasTouched());
     EXPECT_LT(distortion(rest, drawn), 1e-12);

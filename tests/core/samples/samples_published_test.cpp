@@ -82,7 +82,7 @@ TEST(PublishedTube, RestsWhereItsTethersBearTheForce) {
     scene.duration = 120;
     scene.forces = {{85, force, 0, scene.duration + 1}};
     scene.moves.clear();
-    scene.instrument.reset();
+    scene.instruments.clear();
     const Vectors positions = afterwards(model, scene, {});
     Eigen::Vector3d borne = Eigen::Vector3d::Zero();
     for (const Tether& tether : model.tethers)
@@ -97,7 +97,7 @@ TEST(PublishedVentricle, MovesAlikeByUnlikeMethods) {
     const TissueModel model = evaluateModel(ventricle);
     Scene scene = ventricle.scene;
     scene.duration = isSanitized() ? 0.15 : 0.4;
-    scene.instrument.reset();
+    scene.instruments.clear();
     scene.forces = {{100, {0.3, 0.1, 0}, 0, 0.2}, {700, {0, -0.2, 0.2}, 0.1, 0.3}};
     const Vectors fine = afterwards(model, scene, stepping(Integrator::Bdf2, 2e-3));
     const auto errorOf = [&](const SimulationSettings& settings) {

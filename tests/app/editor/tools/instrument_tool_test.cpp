@@ -23,16 +23,16 @@ TEST_F(InstrumentToolTest, TouchesTheSurfaceAndIsPushedIn) {
     EXPECT_FALSE(instrument());
     moveTo(middle(), Qt::NoButton);
     ASSERT_TRUE(instrument());
-    EXPECT_NEAR(instrument()->centre.z(), 0.12, 0.002);
-    EXPECT_EQ(instrument()->radius, 0.02);
+    EXPECT_NEAR(instrument()->pose.place.z(), 0.12, 0.002);
+    EXPECT_EQ(radiusOf(instrument()->shape), 0.02);
     EXPECT_TRUE(view.scene().instrument) << "and is shown";
     view.setScene(scene);
     EXPECT_TRUE(view.scene().instrument) << "whatever becomes of the organ meanwhile";
     wheel(middle(), 5, Qt::ControlModifier);
-    const double pushed = instrument()->centre.z();
+    const double pushed = instrument()->pose.place.z();
     EXPECT_LT(pushed, 0.11);
     moveTo(middle() + QPoint(30, 0), Qt::NoButton);
-    EXPECT_NEAR(instrument()->centre.z(), pushed, 1e-4) << "it sweeps at its depth";
+    EXPECT_NEAR(instrument()->pose.place.z(), pushed, 1e-4) << "it sweeps at its depth";
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_FALSE(instrument());
     EXPECT_FALSE(view.scene().instrument);
@@ -55,7 +55,7 @@ TEST_F(InstrumentToolTest, TakesAnotherSizeInTheHand) {
     moveTo(middle(), Qt::NoButton);
     tool->chooseRadius(0.03);
     EXPECT_EQ(view.scene().instrument->radius, 0.03);
-    EXPECT_EQ(instrument()->radius, 0.03) << "what pushes the tissue grows with it";
+    EXPECT_EQ(radiusOf(instrument()->shape), 0.03) << "what pushes the tissue grows with it";
 }
 
 TEST_F(InstrumentToolTest, ShowsThroughTheOrgan) {

@@ -35,7 +35,7 @@ protected:
     void edit(const std::function<void(Project&)>& change) { document.edit("edit", change); }
     const Project& project() const { return document.project(); }
     std::optional<Pull> pull() const { return preview.loads().pull; }
-    std::optional<Sphere> instrument() const { return preview.loads().instrument; }
+    std::optional<PlacedCollider> instrument() const { return preview.loads().instrument; }
     /// What the whole drag made is one step.
     void expectSteps(int steps) { EXPECT_EQ(document.undoStack()->count(), steps); }
     /// The organ as it would have moved.

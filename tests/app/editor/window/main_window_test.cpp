@@ -45,7 +45,7 @@ protected:
         // What the preview leaves out is said in the line that the tests look at.
         project.scene.forces.clear();
         project.scene.moves.clear();
-        project.scene.instrument.reset();
+        project.scene.instruments.clear();
         open(std::move(project));
     }
     QString message() const { return child<QLabel>("message")->text(); }
@@ -140,7 +140,7 @@ TEST_F(MainWindowTest, SaysWhyTheTissueDoesNotMoveUntilItDoes) {
 
 TEST_F(MainWindowTest, SaysWhatThePreviewLeavesOut) {
     Project still = makeSample("tube");
-    still.scene.instrument.reset();
+    still.scene.instruments.clear();
     still.scene.forces.clear();
     still.scene.moves.clear();
     window->document().replace(still, std::nullopt);
@@ -174,7 +174,7 @@ TEST_F(MainWindowTest, TheMenusStayWhereTheyAreWhateverTheName) {
 TEST_F(MainWindowTest, AsksNobodyToPlayTheGreetingOrgansTestRun) {
     window.reset();
     const Project greeting = makeSample("liver");
-    ASSERT_TRUE(greeting.scene.instrument);
+    ASSERT_FALSE(greeting.scene.instruments.empty());
     open(greeting);
     EXPECT_EQ(message(), "");
     edit([](Project& p) { p.scene.fixed.clear(); });

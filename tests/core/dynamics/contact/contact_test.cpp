@@ -14,21 +14,24 @@ using tissue::Vectors;
 
 namespace {
 
-/// How far the surface reaches into a sphere, in radii: the deepest of many points of every triangle.
-double penetration(const std::vector<Triangle>& surface, const Vectors& positions, const Sphere& sphere) {
+/// How far the surface reaches into a collider, in radii: the deepest of many points of every triangle.
+double penetration(const std::vector<Triangle>& surface, const Vectors& positions,
+                   const PlacedCollider& collider) {
     constexpr int samples = 12;
+    const ColliderAxis axis = axisOf(collider);
+    const double radius = radiusOf(collider.shape);
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, c] : surface) {
         const double size = (positions[b] - positions[a]).norm() + (positions[c] - positions[a]).norm();
-        if ((positions[a] - sphere.centre).norm() > sphere.radius + size) continue;
+        if ((positions[a] - axis.at(axis.nearest(positions[a]))).norm() > radius + size) continue;
         for (int i = 0; i <= samples; ++i)
             for (int j = 0; i + j <= samples; ++j) {
                 const Vector3d point =
                     (i * positions[a] + j * positions[b] + (samples - i - j) * positions[c]) / samples;
-                nearest = std::min(nearest, (point - sphere.centre).norm());
+                nearest = std::min(nearest, (point - axis.at(axis.nearest(point))).norm());
             }
     }
-    return std::max(0.0, 1 - nearest / sphere.radius);
+    return std::max(0.0, 1 - nearest / radius);
 }
 
 struct Poke {
@@ -48,17 +51,18 @@ Simulation poke(const Tissue& tissue, const Poke& way, double wait) {
     const double there = way.depth / way.speed;
     double deepest = 0, fastest = 0;
     Loads away;
-    away.instrument = Sphere{way.start, way.radius};
+    away.instruments = {sphereAt(way.start, way.radius)};
     EXPECT_TRUE(simulation.step(away));
     const double begin = simulation.time();
     while (simulation.time() < begin + 2 * there) {
         const double time = simulation.time() - begin + simulation.timeStep();
         const double in = way.speed * (time < there ? time : std::max(0.0, 2 * there - time));
         Loads loads;
-        loads.instrument = Sphere{way.start + in * way.direction, way.radius};
+        loads.instruments = {sphereAt(way.start + in * way.direction, way.radius)};
         EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
         if (!simulation.failure().empty()) return simulation;
-        deepest = std::max(deepest, penetration(tissue.surface, simulation.positions(), *loads.instrument));
+        deepest =
+            std::max(deepest, penetration(tissue.surface, simulation.positions(), loads.instruments.front()));
         for (const Vector3d& velocity : simulation.velocities())
             fastest = std::max(fastest, velocity.norm());
     }
@@ -164,11 +168,11 @@ TEST(Contact, ALeapOfThirtyRadiiTakesTheTissueAlong) {
         const Tissue tissue = membrane(21, soft, integrator);
         Simulation simulation(tissue.model, tissue.settings, tissue.surface);
         Loads loads;
-        loads.instrument = Sphere{{0.003, 0.002, 0.02}, 0.002};
+        loads.instruments = {sphereAt({0.003, 0.002, 0.02}, 0.002)};
         ASSERT_TRUE(simulation.step(loads));
-        loads.instrument = Sphere{{0.003, 0.002, -0.04}, 0.002};
+        loads.instruments = {sphereAt({0.003, 0.002, -0.04}, 0.002)};
         ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
-        EXPECT_LT(penetration(tissue.surface, simulation.positions(), *loads.instrument), 1e-6);
+        EXPECT_LT(penetration(tissue.surface, simulation.positions(), loads.instruments.front()), 1e-6);
         const auto lowest = std::min_element(simulation.positions().begin(), simulation.positions().end(),
                                              [](const auto& a, const auto& b) { return a.z() < b.z(); });
         EXPECT_LT(lowest->z(), -0.04);
@@ -178,9 +182,9 @@ TEST(Contact, ALeapOfThirtyRadiiTakesTheTissueAlong) {
 /// A sphere that stood above the middle of the membrane has leapt to below where it was.
 void expectTakenAlong(Simulation& simulation, const Tissue& tissue) {
     Loads loads;
-    loads.instrument = Sphere{{0.003, 0.002, -0.04}, 0.01};
+    loads.instruments = {sphereAt({0.003, 0.002, -0.04}, 0.01)};
     ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
-    EXPECT_LT(penetration(tissue.surface, simulation.positions(), *loads.instrument), 1e-6);
+    EXPECT_LT(penetration(tissue.surface, simulation.positions(), loads.instruments.front()), 1e-6);
     const auto lowest = std::min_element(simulation.positions().begin(), simulation.positions().end(),
                                          [](const auto& a, const auto& b) { return a.z() < b.z(); });
     EXPECT_LT(lowest->z(), -0.04);
@@ -192,7 +196,7 @@ TEST(Contact, ALeapRightAfterNewParametersTakesTheTissueAlong) {
         Tissue tissue = membrane(21, soft, integrator);
         Simulation simulation(tissue.model, tissue.settings, tissue.surface);
         Loads loads;
-        loads.instrument = Sphere{{0.003, 0.002, 0.02}, 0.01};
+        loads.instruments = {sphereAt({0.003, 0.002, 0.02}, 0.01)};
         ASSERT_TRUE(simulation.step(loads));
         for (double& viscosity : tissue.model.viscosity)
             viscosity *= 1.5;
@@ -205,7 +209,7 @@ TEST(Contact, ALeapRightAfterAFailedStepTakesTheTissueAlong) {
     const Tissue tissue = membrane(21, soft, Integrator::Split);
     Simulation simulation(tissue.model, tissue.settings, tissue.surface);
     Loads loads;
-    loads.instrument = Sphere{{0.003, 0.002, 0.02}, 0.01};
+    loads.instruments = {sphereAt({0.003, 0.002, 0.02}, 0.01)};
     ASSERT_TRUE(simulation.step(loads));
     loads.forces = {{220, {0, 0, 1e308}}};
     ASSERT_FALSE(simulation.step(loads));
@@ -215,7 +219,7 @@ TEST(Contact, ALeapRightAfterAFailedStepTakesTheTissueAlong) {
 TEST(Contact, AnInstrumentThatWasPlacedSweepsFromThere) {
     const Tissue tissue = membrane(21, soft, Integrator::Split);
     Simulation simulation(tissue.model, tissue.settings, tissue.surface);
-    simulation.placeInstrument({0.003, 0.002, 0.02});
+    simulation.placeInstruments({{{0.003, 0.002, 0.02}}});
     expectTakenAlong(simulation, tissue);
 }
 
@@ -227,7 +231,7 @@ TEST(Contact, LedTissueIsNotDrawnThroughARestingSphere) {
         const auto& rest = tissue.model.network->restPositions;
         // All but a square in the middle, drawn up past the sphere at once.
         Loads loads;
-        loads.instrument = Sphere{{0.003, 0.002, 0.02}, 0.01};
+        loads.instruments = {sphereAt({0.003, 0.002, 0.02}, 0.01)};
         for (std::uint32_t i = 0; i < rest.size(); ++i)
             if (std::max(std::abs(rest[i].x()), std::abs(rest[i].y())) > 0.008)
                 loads.held.push_back({i, rest[i]});
@@ -250,7 +254,7 @@ TEST(Contact, FixedTissueLetsTheSpherePass) {
     Simulation simulation(tissue.model, tissue.settings, tissue.surface);
     for (int i = 0; i < 100; ++i) {
         Loads loads;
-        loads.instrument = Sphere{{0, 0, 0.02 - 0.0004 * i}, 0.01};
+        loads.instruments = {sphereAt({0, 0, 0.02 - 0.0004 * i}, 0.01)};
         ASSERT_TRUE(simulation.step(loads));
     }
     EXPECT_EQ(simulation.positions(), tissue.model.network->restPositions);
@@ -261,7 +265,7 @@ TEST(Contact, RestingInstrumentDoesNotMakeTheTissueTremble) {
     Simulation simulation(tissue.model, tissue.settings, tissue.surface);
     Loads loads;
     for (int i = 0; i < 600; ++i) {
-        loads.instrument = Sphere{{0.003, 0.002, std::max(-0.002, 0.012 - 0.0002 * i)}, 0.01};
+        loads.instruments = {sphereAt({0.003, 0.002, std::max(-0.002, 0.012 - 0.0002 * i)}, 0.01)};
         ASSERT_TRUE(simulation.step(loads));
     }
     for (const Vector3d& velocity : simulation.velocities())
@@ -275,10 +279,10 @@ TEST(Contact, ContactDragsTheNeighboursOfLedNodesNotTheLedOnes) {
     Loads loads;
     loads.held = {{220, tissue.model.network->restPositions[220] + Vector3d(0, 0, 0.002)}};
     for (int i = 0; i < 100; ++i) {
-        loads.instrument = Sphere{{0.025, 0, 0.02 - 0.0002 * i}, 0.01};
+        loads.instruments = {sphereAt({0.025, 0, 0.02 - 0.0002 * i}, 0.01)};
         ASSERT_TRUE(simulation.step(loads));
         EXPECT_EQ(simulation.positions()[220], loads.held[0].position);
-        EXPECT_LT(penetration(tissue.surface, simulation.positions(), *loads.instrument), 1e-6);
+        EXPECT_LT(penetration(tissue.surface, simulation.positions(), loads.instruments.front()), 1e-6);
     }
 }
 
@@ -287,10 +291,10 @@ TEST(Contact, ASphereThatSwallowsTheOrganPushesItOut) {
     Tissue organ{tissue::fromMesh(mesh, soft), mesh.triangles};
     Simulation simulation(organ.model, organ.settings, organ.surface);
     Loads loads;
-    loads.instrument = Sphere{{0.005, 0, 0}, 0.02};
+    loads.instruments = {sphereAt({0.005, 0, 0}, 0.02)};
     for (int i = 0; i < 20; ++i)
         ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
-    EXPECT_LT(penetration(organ.surface, simulation.positions(), *loads.instrument), 1e-6);
+    EXPECT_LT(penetration(organ.surface, simulation.positions(), loads.instruments.front()), 1e-6);
 }
 
 constexpr double ballPoker = 0.01; ///< m, radius
@@ -303,7 +307,7 @@ Vectors poked(Integrator integrator, const std::optional<SpringStiffening>& law)
     Simulation simulation(model, withStep(integrator, 0.001), mesh.triangles);
     for (int i = 0; i <= 40; ++i) {
         Loads loads;
-        loads.instrument = Sphere{{0, 0, 0.062 - 0.0005 * i}, ballPoker};
+        loads.instruments = {sphereAt({0, 0, 0.062 - 0.0005 * i}, ballPoker)};
         EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
     }
     EXPECT_TRUE(simulation.wasTouched());
@@ -324,7 +328,7 @@ TEST(Contact, AStepIsCutIntoPartsForABodyThatComesFastFromFarOff) {
     TouchedSurface surface(ball.triangles);
     const Vectors line{{0, 0, 0}, {0, 0, 0.01}};
     surface.body = TouchedSurface::Body{ball.vertices, {0, 1}, line[0], line[1]};
-    const SphereMove farOff{{0.2, 0, 0}, {0.2, 0, 0}, 0.01};
+    const std::vector<ColliderMove> farOff{{Sphere{0.01}, {{0.2, 0, 0}}, {{0.2, 0, 0}}}};
     const auto parts = [&](double speed) {
         return contactParts(surface, line, {{speed, 0, 0}, {speed, 0, 0}}, farOff, 0.1);
     };

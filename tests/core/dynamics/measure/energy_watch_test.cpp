@@ -81,8 +81,8 @@ Scene drawnScene(const TissueModel& model, std::mt19937& dice) {
             path.push_back({0.03 * i + between(0, 0.02), vector(0.01)});
         scene.moves = {{top, path}};
     } else {
-        scene.instrument =
-            InstrumentMotion{0.01, {{0, {0, 0, 0.07}}, {0.15, vector(0.03)}, {0.3, vector(0.07)}}};
+        scene.instruments = {
+            {Sphere{0.01}, {{0, {0, 0, 0.07}}, {0.15, vector(0.03)}, {0.3, vector(0.07)}}, {}, {}}};
     }
     return scene;
 }

@@ -212,13 +212,13 @@ TEST(SceneRun, PushesTheSurfaceWithItsInstrument) {
     const TriangleMesh mesh = tissue::gridMesh(15, 0.1);
     const TissueModel model = heldAtOneSide(mesh, 15);
     Scene scene;
-    scene.instrument = InstrumentMotion{0.02, {{0.0, {0, 0, 0.04}}, {0.5, {0, 0, 0.0}}}};
+    scene.instruments = {{Sphere{0.02}, {{0.0, {0, 0, 0.04}}, {0.5, {0, 0, 0.0}}}, {}, {}}};
     Frames frames;
-    EXPECT_TRUE(runScene({model, mesh.triangles, scene, {}}, frames.sink()).touched);
+    EXPECT_TRUE(runScene({model, mesh.triangles, scene, {}}, frames.sink()).touched());
     EXPECT_EQ(frames.positions.front(), model.network->restPositions);
     EXPECT_LE(frames.positions.back()[112].z(), -0.02);
-    scene.instrument->path = {{0.0, {0, 0, 0.04}}};
-    EXPECT_FALSE(runScene({model, mesh.triangles, scene, {}}, {}).touched);
+    scene.instruments[0].path = {{0.0, {0, 0, 0.04}}};
+    EXPECT_FALSE(runScene({model, mesh.triangles, scene, {}}, {}).touched());
 }
 
 TEST(SceneRun, SweepsTheInstrumentFromItsPathsStart) {
@@ -226,7 +226,7 @@ TEST(SceneRun, SweepsTheInstrumentFromItsPathsStart) {
     const TissueModel model = heldAtOneSide(mesh, 15);
     Scene scene;
     scene.duration = 0.02;
-    scene.instrument = InstrumentMotion{0.01, {{0.0, {0, 0, 0.03}}, {0.005, {0, 0, -0.03}}}};
+    scene.instruments = {{Sphere{0.01}, {{0.0, {0, 0, 0.03}}, {0.005, {0, 0, -0.03}}}, {}, {}}};
     Frames frames;
     runScene({model, mesh.triangles, scene, withStep(Integrator::Split, 0.01)}, frames.sink());
     EXPECT_LE(frames.positions.back()[112].z(), -0.04 + 1e-9);
@@ -269,7 +269,7 @@ TEST(SceneRun, IsTheSameEveryTime) {
     Scene scene;
     scene.duration = 0.5;
     scene.moves = {{7, {{0.0, {0, 0, 0}}, {0.5, {0.01, 0, 0}}}}};
-    scene.instrument = InstrumentMotion{0.02, {{0.0, {0, 0, 0.08}}, {0.5, {0, 0, 0.04}}}};
+    scene.instruments = {{Sphere{0.02}, {{0.0, {0, 0, 0.08}}, {0.5, {0, 0, 0.04}}}, {}, {}}};
     Frames first, second;
     runScene({model, mesh.triangles, scene, {}}, first.sink());
     runScene({model, mesh.triangles, scene, {}}, second.sink());

@@ -42,10 +42,23 @@ TEST(Timeline, CutsWhereLoadsBeginEndOrTurn) {
     Scene scene = sceneOf(0.4);
     scene.forces = {{0, {1, 0, 0}, 0.12, 0.13}, {0, {1, 0, 0}, -1, 0.2}, {0, {1, 0, 0}, 0.25, 0.25}};
     scene.moves = {{1, {{0, {0, 0, 0}}, {0.24, {1, 0, 0}}, {0.31, {1, 0, 0}}}}};
-    scene.instrument = InstrumentMotion{0.01, {{0.05, {0, 0, 0}}, {0.06, {0, 0, 1}}, {0.07, {0, 0, 2}}}};
+    scene.instruments = {{Sphere{0.01}, {{0.05, {0, 0, 0}}, {0.06, {0, 0, 1}}, {0.07, {0, 0, 2}}}, {}, {}}};
     const auto ends = near({0.05, 0.07, 0.1, 0.12, 0.13, 0.2, 0.24, 0.3, 0.4});
     EXPECT_THAT(endsOf({scene, {0.1}, Integrator::Verlet, 9}), ends);
     EXPECT_THAT(endsOf({scene, {0.1}, Integrator::Propagation, 9}), ends);
+}
+
+TEST(Timeline, CutsWhereAnInstrumentBeginsToTurnOrTurnsOtherwise) {
+    const auto turned = [](double degrees) {
+        return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * M_PI / 180, Eigen::Vector3d::UnitX()));
+    };
+    Scene scene = sceneOf(0.4);
+    Path still;
+    for (const double time : {0.05, 0.15, 0.25, 0.35})
+        still.push_back({time, {0, 0, 0}});
+    scene.instruments = {{Capsule{0.01, 0.1}, still, {turned(0), turned(90), turned(180), turned(170)}, {}}};
+    EXPECT_THAT(endsOf({scene, {0.1}, Integrator::Verlet, 9}), near({0.05, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4}))
+        << "0.15 is no corner: it goes on turning";
 }
 
 TEST(Timeline, TakesTimesForTheSameThatRoundingSetsApart) {

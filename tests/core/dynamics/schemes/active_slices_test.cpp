@@ -211,10 +211,10 @@ TEST(ActiveSlices, AnInstrumentMovesWhatRested) {
         recording.run(force(90, {0.01, 0.02, 0.05}), 10).run({}, 30);
         Loads loads;
         for (double height = 0.03; height > 0.015; height -= 5e-4) {
-            loads.instrument = Sphere{{0.025, 0.025, height}, 0.02};
+            loads.instruments = {sphereAt({0.025, 0.025, height}, 0.02)};
             recording.run(loads, 1, 1);
         }
-        loads.instrument.reset();
+        loads.instruments.clear();
         return std::move(recording.run(loads, 5));
     };
     EXPECT_LT(compare(record), 0.9);

@@ -82,6 +82,9 @@ TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
     EXPECT_EQ(versionOf({true, true, true}), 4);
     EXPECT_EQ(versionOf({false, false, false, true}), 5);
     EXPECT_EQ(versionOf({true, true, true, true}), 5);
+    VersionNeeds several;
+    several.instruments = true;
+    EXPECT_EQ(versionOf(several), 9);
     EXPECT_EQ(versionOf({false, false, false, false, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true, true}), 7);

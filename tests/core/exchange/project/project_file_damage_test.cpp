@@ -56,10 +56,10 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
 }
 
 TEST_F(ProjectFile, ANewerVersionSaysSo) {
-    saveWithManifest("/version", 9);
+    saveWithManifest("/version", 10);
     EXPECT_THAT(loadingError(),
-                HasSubstr("organ.esm: was made by a newer version (9) of the program; this one reads "
-                          "up to 8; update the program"));
+                HasSubstr("organ.esm: was made by a newer version (10) of the program; this one reads "
+                          "up to 9; update the program"));
 }
 
 /// A second file entry that names the first one's bytes again.

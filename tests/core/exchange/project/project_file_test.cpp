@@ -101,10 +101,12 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(version(project), 7);
     project.layers[0].blending = Blending::Multiply;
     EXPECT_EQ(version(project), 8);
-    EXPECT_EQ(version(paintedProject()), projectFileVersion);
+    EXPECT_EQ(version(paintedProject()), 8);
     Project marked = richProject();
     marked.layers[0].landmarks = {{{1, 2}, {3, 4, 5}}};
     EXPECT_EQ(version(marked), 8);
+    marked.scene.instruments = {{Capsule{0.01, 0.1}, {{0, {0, 0, 0}}}, {}, {}}};
+    EXPECT_EQ(version(marked), projectFileVersion);
 }
 
 TEST_F(ProjectFile, OfAVersionTooLowOpensWithAWarning) {

@@ -65,8 +65,9 @@ TEST(SceneFile, ReadsEveryPart) {
     EXPECT_EQ(scene.moves[0].node, 13);
     EXPECT_EQ(scene.moves[0].path[1].time, 0.5);
     EXPECT_EQ(scene.moves[0].path[1].value, Eigen::Vector3d(0, 0, -0.01));
-    EXPECT_EQ(scene.instrument.value().radius, 0.003);
-    EXPECT_EQ(scene.instrument->path[1].value, Eigen::Vector3d(0, 0, 0.05));
+    ASSERT_EQ(scene.instruments.size(), 1);
+    EXPECT_EQ(scene.instruments[0].shape, Collider(Sphere{0.003}));
+    EXPECT_EQ(scene.instruments[0].path[1].value, Eigen::Vector3d(0, 0, 0.05));
     EXPECT_EQ(scene.record.every, 0.02);
     EXPECT_THAT(scene.record.nodes.value(), ElementsAre(12, 13));
 }
@@ -75,7 +76,8 @@ TEST(SceneFile, NeedsNothingButADuration) {
     const Scene scene = sceneFromJson(Json{{"duration", 2}});
     EXPECT_EQ(scene.duration, 2);
     EXPECT_EQ(scene.record.every, 0.01);
-    EXPECT_FALSE(scene.record.nodes || scene.instrument);
+    EXPECT_FALSE(scene.record.nodes);
+    EXPECT_TRUE(scene.instruments.empty());
     EXPECT_THAT(problemsOf(Json::object()), ElementsAre("duration is missing"));
 }
 
@@ -95,7 +97,7 @@ TEST(SceneFile, ComesBackBitByBit) {
     EXPECT_EQ(toJson(again), toJson(scene));
     EXPECT_EQ(again.gravity, scene.gravity);
     EXPECT_EQ(again.fixed[1].ellipsoid->orientation.coeffs(), scene.fixed[1].ellipsoid->orientation.coeffs());
-    EXPECT_EQ(again.instrument->path[0].value, scene.instrument->path[0].value);
+    EXPECT_EQ(again.instruments[0].path[0].value, scene.instruments[0].path[0].value);
     EXPECT_EQ(again.record.nodes, scene.record.nodes);
     EXPECT_EQ(toJson(sceneFromJson(toJson(Scene{}))), toJson(Scene{}));
 }
@@ -106,10 +108,70 @@ TEST(SceneFile, RecordsAllOrSomeNodes) {
     EXPECT_THAT(problemsWith("/record/nodes", "some"), ElementsAre(HasSubstr("\"all\" or a list")));
 }
 
-TEST(SceneFile, RefusesACapsuleInPlainWords) {
-    EXPECT_THAT(problemsWith("/instrument/shape", "capsule"),
-                ElementsAre("instrument.shape \"capsule\" is not offered yet; use \"sphere\""));
-    EXPECT_THAT(problemsWith("/instrument/shape", "cube"), ElementsAre(HasSubstr("must be \"sphere\"")));
+Json severalInstruments() {
+    Json json = whole();
+    json.erase("instrument");
+    json["instruments"] = Json::parse(R"([
+  {"shape": "capsule", "radius": 0.0025, "length": 0.2, "path": [[0, 0,0,0.1, 2,0,0,0], [1, 0,0,0.05, 0,0,-3,4]]},
+  {"name": "blade", "shape": "sphere", "radius": 0.01, "path": [[0, 0,0,0.1]]} ])");
+    return json;
+}
+
+std::vector<std::string> severalWith(const char* pointer, const Json& value) {
+    Json json = severalInstruments();
+    json[Json::json_pointer(pointer)] = value;
+    return problemsOf(json);
+}
+
+TEST(SceneFile, ReadsSeveralInstrumentsThatTurn) {
+    const Scene scene = sceneFromJson(severalInstruments());
+    ASSERT_EQ(scene.instruments.size(), 2);
+    EXPECT_EQ(scene.instruments[0].shape, Collider(Capsule{0.0025, 0.2}));
+    ASSERT_EQ(scene.instruments[0].orientations.size(), 2);
+    EXPECT_EQ(scene.instruments[0].orientations[0].coeffs(), Eigen::Quaterniond::Identity().coeffs());
+    EXPECT_EQ(scene.instruments[0].orientations[1].coeffs(), Eigen::Quaterniond(0, 0, -0.6, 0.8).coeffs());
+    EXPECT_EQ(nameOf(scene, 0), "instrument 0");
+    EXPECT_EQ(nameOf(scene, 1), "blade");
+    const Json written = toJson(scene);
+    EXPECT_FALSE(written.contains("instrument"));
+    EXPECT_EQ(toJson(sceneFromJson(Json::parse(written.dump()))), written);
+}
+
+TEST(SceneFile, WritesOnePlainSphereAsItAlwaysDid) {
+    const Json written = toJson(sceneFromJson(whole()));
+    EXPECT_EQ(written["instrument"].dump(),
+              R"({"shape":"sphere","radius":0.003,"path":[[0.0,0.0,0.0,0.1],[1.0,0.0,0.0,0.05]]})");
+    EXPECT_FALSE(written.contains("instruments"));
+    Json listed = whole();
+    listed["instruments"] = Json::array({listed["instrument"]});
+    listed.erase("instrument");
+    EXPECT_EQ(toJson(sceneFromJson(listed)), written) << "alone in a list it is the same";
+}
+
+TEST(SceneFile, RefusesInstrumentsInPlainWords) {
+    EXPECT_THAT(problemsWith("/instrument/shape", "jaws"),
+                ElementsAre("instrument.shape \"jaws\" is not offered yet; use \"sphere\" or \"capsule\""));
+    EXPECT_THAT(problemsWith("/instrument/shape", "cube"), ElementsAre(HasSubstr("must be \"sphere\" or")));
+    EXPECT_THAT(problemsWith("/instrument/length", 1), ElementsAre(HasSubstr("is for a capsule")));
+    EXPECT_THAT(severalWith("/instrument", whole()["instrument"]), ElementsAre(HasSubstr("put all into")));
+    EXPECT_THAT(severalWith("/instruments/0/path/1", {1, 0, 0, 0.05}),
+                ElementsAre(AllOf(HasSubstr("instruments[0].path[1]"), HasSubstr("has no orientation"))));
+    EXPECT_THAT(severalWith("/instruments/1/path/1", {1, 0, 0, 0.05, 1, 0, 0, 0}),
+                ElementsAre(AllOf(HasSubstr("instruments[1].path[1]"), HasSubstr("has an orientation"))));
+    EXPECT_THAT(severalWith("/instruments/0/path/1", {1, 0, 0, 0.05, 0, 0, 0, 0}),
+                ElementsAre(AllOf(HasSubstr("instruments[0].path[1]"), HasSubstr("zero quaternion"))));
+    EXPECT_THAT(severalWith("/instruments/0/path/1", {1, 0, 0}), ElementsAre(HasSubstr("a list of 8")));
+    EXPECT_THAT(severalWith("/instruments/0/length", -1),
+                ElementsAre(AllOf(HasSubstr("instruments[0]"), HasSubstr("length must be 0"))));
+    EXPECT_THAT(severalWith("/instruments/0/name", "blade"),
+                ElementsAre(AllOf(HasSubstr("instruments[1]"), HasSubstr("\"blade\" too"))));
+    EXPECT_THAT(severalWith("/instruments/1/name", "instrument 0"),
+                ElementsAre(HasSubstr("a name of its own")));
+    for (const char* name : {"a,b", "a\nb", "a\"b", "  "})
+        EXPECT_THAT(severalWith("/instruments/1/name", name), ElementsAre(HasSubstr("a name needs"))) << name;
+    EXPECT_THAT(severalWith("/instruments/1/name", ""), ElementsAre(HasSubstr("is empty")));
+    EXPECT_THAT(problemsWith("/moves/0/path/0", {0, 0, 0, 0, 1, 0, 0, 0}),
+                ElementsAre(HasSubstr("a list of 4")));
 }
 
 TEST(SceneFile, RefusesKeysItDoesNotKnowAnywhere) {

@@ -6,6 +6,8 @@
 #include "tests/core/exchange/project/stored_field_settings.h"
 #include "tests/support/exchange_projects.h"
 
+#include <cmath>
+
 namespace esm::stored {
 
 namespace {
@@ -167,11 +169,16 @@ void addScene(Fields& fields) {
     fields.push_back(field<std::vector<NodeMove>>(
         "moves", {{}, {{7, {{-largest, vectors[0]}, {0, {smallest, 0, -0.0}}, {largest, vectors[1]}}}}},
         [](Project& p) { return &p.scene.moves; }));
-    fields.push_back(field<std::optional<InstrumentMotion>>(
-        "instrument",
-        {std::nullopt, InstrumentMotion{smallest, {{-largest, vectors[0]}}},
-         InstrumentMotion{largest, {{largest, vectors[1]}}}},
-        [](Project& p) { return &p.scene.instrument; }));
+    const Eigen::Quaterniond half(0, 1, 0, 0), quarter(std::sqrt(0.5), 0, -std::sqrt(0.5), -0.0);
+    const InstrumentMotion small{Sphere{smallest}, {{-largest, vectors[0]}}, {}, {}};
+    fields.push_back(field<std::vector<InstrumentMotion>>(
+        "instruments",
+        {{},
+         {small},
+         {{Sphere{largest}, {{largest, vectors[1]}}, {}, {}}},
+         {{Capsule{smallest, 0}, {{0, vectors[0]}, {1, vectors[1]}}, {half, quarter}, "blade"}, small},
+         {{Capsule{largest, largestNumber}, {{0, vectors[0]}}, {}, std::string(100, 'n')}}},
+        [](Project& p) { return &p.scene.instruments; }));
     fields.push_back(field<Recording>(
         "record", {{smallest, std::nullopt}, {largest, std::vector<std::uint32_t>{}}, {1, {{7, 0, 7}}}},
         [](Project& p) { return &p.scene.record; }));

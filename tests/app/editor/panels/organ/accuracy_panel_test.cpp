@@ -27,7 +27,7 @@ protected:
     static Project briefTube() {
         Project tube = makeSample("tube");
         tube.scene.duration = 0.05;
-        tube.scene.instrument.reset();
+        tube.scene.instruments.clear();
         tube.scene.forces = {{85, {0, 0, 0.1}, 0, 1}};
         return tube;
     }
