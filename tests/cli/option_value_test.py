@@ -40,7 +40,7 @@ COMMANDS = {
         "model": FILE, "--scene": FILE, "-o": ["-", "out.esm", ""], "--integrator": ["leapfrog", "EULER", ""],
         "--dt": POSITIVE + ["AUTO"], "--precision": ["half", ""], "--damping": ["none", ""],
         "--rest-tolerance": AMOUNT, "--max-error": POSITIVE + ["1e-300"],
-        "--surface": ["-", "out.esm", "out.csv", ""]},
+        "--surface": ["-", "out.esm", "out.csv", ""], "--forces": ["-", "out.esm", "out.csv", ""]},
     "stability organ.esm": {"model": FILE, "--scene": FILE, "--damping": ["none", ""]},
     "tradeoff organ.esm": {"model": FILE, "--scene": FILE, "--max-error": POSITIVE + ["1e-300"],
                            "--real-time": POSITIVE + ["1e-300"], "--max-seconds": POSITIVE,

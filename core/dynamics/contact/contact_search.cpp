@@ -18,9 +18,9 @@ using Eigen::Vector3d;
 constexpr double smallTriangle = 0.25; ///< circle around it, in radii of the collider
 constexpr double leastMovable = 0.2;   ///< share of a point that its movable nodes must carry
 
-AlignedBox3d boxAround(const TrianglePoints::Corners& corners) {
-    AlignedBox3d box(corners[0]);
-    return box.extend(corners[1]).extend(corners[2]);
+AlignedBox3d boxAround(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    AlignedBox3d box(a);
+    return box.extend(b).extend(c);
 }
 
 /// Where a collider reaches to, when what keeps away from its axis is `reach` (m) away.
@@ -35,14 +35,16 @@ public:
     /// False only of what is outside. The box around a slanting capsule is wide: there the ball around the
     /// other box is looked at too.
     bool meets(const AlignedBox3d& box) const {
-        if (!m_box.intersects(box)) return false;
-        if (m_axis.isPoint()) return true;
+        return m_box.intersects(box) && (m_axis.isPoint() || meetsBallAround(box));
+    }
+
+private:
+    bool meetsBallAround(const AlignedBox3d& box) const {
         const Vector3d centre = box.center();
         const double farthest = m_reach + box.diagonal().norm() / 2;
         return (centre - m_axis.at(m_axis.nearest(centre))).squaredNorm() <= farthest * farthest;
     }
 
-private:
     const ColliderAxis& m_axis;
     double m_reach;
     AlignedBox3d m_box;
@@ -92,9 +94,10 @@ public:
           m_reach(m_move.to, m_move.radius * std::sqrt(1 + smallTriangle * smallTriangle)) {}
 
     void lookAt(const Triangle& triangle) {
-        const TrianglePoints::Corners corners{m_after[triangle[0]], m_after[triangle[1]],
-                                              m_after[triangle[2]]};
-        if (!m_reach.meets(boxAround(corners))) return;
+        const Vector3d *const a = &m_after[triangle[0]], *const b = &m_after[triangle[1]],
+                              *const c = &m_after[triangle[2]];
+        if (!m_reach.meets(boxAround(*a, *b, *c))) return;
+        const TrianglePoints::Corners corners{*a, *b, *c};
         const double radius = m_move.radius, circle = enclosingCircle(corners[0], corners[1], corners[2]);
         const bool isSmall = circle <= std::pow(smallTriangle * radius, 2);
         const double cornerDistance = isSmall ? std::sqrt(radius * radius + circle) : radius;
@@ -159,7 +162,7 @@ public:
         for (const Triangle& triangle : surface.triangles) {
             const TrianglePoints::Corners corners{m_body.points[triangle[0]], m_body.points[triangle[1]],
                                                   m_body.points[triangle[2]]};
-            if (reach.meets(boxAround(corners))) lookAt(corners);
+            if (reach.meets(boxAround(corners[0], corners[1], corners[2]))) lookAt(corners);
         }
     }
 

@@ -302,6 +302,8 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
                   m_options.settings.damping,
                   h,
                   motion.positions,
+                  free.velocities,
+                  next.velocities,
                   {contacts, needed, led, stays, 0},
                   impulses,
                   pushes},

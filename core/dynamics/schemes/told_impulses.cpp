@@ -1,7 +1,5 @@
 #include "core/dynamics/schemes/told_impulses.h"
 
-#include "core/dynamics/schemes/implicit_system.h"
-
 namespace esm {
 
 namespace {
@@ -17,10 +15,13 @@ bool followsTangents(Integrator integrator) {
 /// Velocities that one instrument gave by its contacts and by what it moved afterwards, m/s.
 Vectors givenBy(std::size_t instrument, const MadeWay& way, StepSolver& solver, bool byContacts) {
     Vectors given(way.before.size(), Vector3d::Zero());
-    if (byContacts) {
-        Eigen::VectorXd own = way.impulses;
-        for (Eigen::Index i = 0; i < own.size(); ++i)
-            if (way.problem.contacts[static_cast<std::size_t>(i)].collider != instrument) own[i] = 0;
+    Eigen::VectorXd own = way.impulses;
+    for (Eigen::Index i = 0; i < own.size(); ++i)
+        if (way.problem.contacts[static_cast<std::size_t>(i)].collider != instrument) own[i] = 0;
+    if (byContacts && own == way.impulses) {
+        for (std::size_t i = 0; i < given.size(); ++i)
+            given[i] = way.solved[i] - way.free[i];
+    } else if (byContacts) {
         Vectors half;
         solver.matrix.multiplyUpper(given, half); // nothing yet
         layImpulses(way.problem, solver.impulses, own, half);
@@ -31,13 +32,41 @@ Vectors givenBy(std::size_t instrument, const MadeWay& way, StepSolver& solver, 
     return given;
 }
 
-/// N·s, that nodes which move must be given in all for a change of their velocities.
-Vector3d impulseFor(const Vectors& change, const TangentMatrix& matrix, const std::vector<char>& immovable) {
-    Vectors momentum;
-    matrix.multiply(change, momentum);
+/// N·s, that a spring takes up through its end on what does not move, as the other end's velocity changes.
+Vector3d takenUp(const SpringSystem::Element& spring, const MadeWay& way, const MatrixFactors& factors,
+                 const Vector3d& change) {
+    const double damping = factors.damping * spring.viscosity;
+    if (factors.stiffness == 0 && way.damping == Damping::Isotropic) return damping * change;
+    const Vector3d between = way.before[spring.first] - way.before[spring.second];
+    const double length = between.norm();
+    if (!(length > 0)) return Vector3d::Zero();
+    const double restRatio = spring.restLength / length;
+    const double axial = slope(spring.springConstant, spring.secondPhase, restRatio),
+                 lateral = tensionPerLength(spring.springConstant, spring.secondPhase, restRatio);
+    const double along = factors.stiffness * axial + damping,
+                 across = factors.stiffness * lateral + (way.damping == Damping::Axial ? 0 : damping);
+    const Vector3d direction = between / length;
+    return across * change + (along - across) * direction.dot(change) * direction;
+}
+
+/// N·s, that nodes which move must be given in all for a change of their velocities: their own momentum and
+/// what their ties take up within the step. Springs between them keep momentum.
+Vector3d impulseFor(const Vectors& change, const MadeWay& way) {
+    const SpringSystem& system = way.system;
+    const std::vector<char>& immovable = way.problem.immovable;
+    const MatrixFactors factors = stepFactors(way.integrator, way.duration, false);
     Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 0; i < momentum.size(); ++i)
-        if (!immovable[i]) sum += momentum[i];
+    for (std::size_t i = 0; i < change.size(); ++i)
+        if (!immovable[i]) sum += system.mass[i] * change[i];
+    if (factors.damping == 0 && factors.stiffness == 0) return sum;
+    for (const SpringSystem::Element& spring : system.springs)
+        if (immovable[spring.first] != immovable[spring.second])
+            sum +=
+                takenUp(spring, way, factors, change[immovable[spring.first] ? spring.second : spring.first]);
+    for (const Tether& tether : system.tethers)
+        if (!immovable[tether.node])
+            sum += (factors.damping * tether.viscosity + factors.stiffness * tether.springConstant) *
+                   change[tether.node];
     return sum;
 }
 
@@ -57,11 +86,8 @@ void tellImpulses(const MadeWay& way, StepSolver& solver, std::vector<Instrument
         touches[contacts[i].collider].impulse -=
             way.impulses[static_cast<Eigen::Index>(i)] * contacts[i].plane.normal;
     if (!bySolution && way.pushes.empty()) return;
-    const TangentMatrix matrix(way.system, way.damping, stepFactors(way.integrator, way.duration, false),
-                               way.before);
     for (std::size_t instrument = 0; instrument < touches.size(); ++instrument)
-        touches[instrument].impulse -=
-            impulseFor(givenBy(instrument, way, solver, bySolution), matrix, way.problem.immovable);
+        touches[instrument].impulse -= impulseFor(givenBy(instrument, way, solver, bySolution), way);
 }
 
 } // namespace esm

@@ -14,6 +14,7 @@ struct MadeWay {
     Damping damping;
     double duration;                     ///< s
     const Vectors& before;               ///< positions, m
+    const Vectors &free, &solved;        ///< velocities without contacts and with them, m/s
     const ContactProblem& problem;       ///< with the contacts that were pushed
     const Eigen::VectorXd& impulses;     ///< N·s, one per contact
     const std::vector<NodePush>& pushes; ///< after that
