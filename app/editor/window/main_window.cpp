@@ -232,8 +232,9 @@ void MainWindow::noteWhatIsLeftOut() {
     if (m_showsGreeting) return m_status->showNote({}, {});
     if (!scene.forces.empty()) parts << tr("At set times, forces act on nodes.");
     if (!scene.moves.empty()) parts << tr("At set times, nodes are moved.");
-    if (!scene.instruments.empty())
-        parts << tr("%n instrument(s) follow a path.", nullptr, static_cast<int>(scene.instruments.size()));
+    if (scene.instruments.size() == 1) parts << tr("An instrument follows a path.");
+    if (scene.instruments.size() > 1)
+        parts << tr("%1 instruments follow paths.").arg(scene.instruments.size());
     if (parts.isEmpty()) return m_status->showNote({}, {});
     parts.prepend(
         tr("The project holds a scene for the command line. The window leaves it out and shows what you do "
