@@ -48,6 +48,7 @@ std::vector<std::string> validate(const AtlasOptions& options) {
     return problems;
 }
 
+/// A layout may come from a file: whoever scans it relies on every corner lying on its page.
 std::vector<std::string> validate(const Atlas& atlas, std::size_t triangles) {
     std::vector<std::string> problems = validate(atlas.options);
     if (atlas.corners.size() != triangles || atlas.page.size() != triangles)

@@ -20,6 +20,8 @@ namespace {
 /// Below this share of its longest side a triangle's height is rounding error.
 constexpr double flatness = 1e-9;
 
+/// Lays the triangle on its longest side, as the source does [R fig. 4.8]: then the foot of its height lies
+/// between the ends of the base, so that no patch is wider than its base and rows can count on that.
 PatchShape shapeOf(const TriangleMesh& mesh, std::uint32_t triangle) {
     std::array<Eigen::Vector3d, 3> points;
     for (std::size_t i = 0; i < 3; ++i)
@@ -69,7 +71,8 @@ PageRoom roomOf(const AtlasOptions& options) {
     return {static_cast<double>(options.size), static_cast<double>(options.gap)};
 }
 
-/// From the order of triangles and corners in which they were laid out to the mesh's.
+/// From the order of triangles and corners in which they were laid out to the mesh's. Layouts sort by height
+/// and begin at the base; all that reads an atlas goes by the mesh.
 PatchLayout inMeshOrder(PatchLayout layout, const std::vector<PatchShape>& order) {
     const PatchLayout laid = layout;
     for (std::size_t i = 0; i < laid.corners.size(); ++i) {
@@ -83,6 +86,7 @@ PatchLayout inMeshOrder(PatchLayout layout, const std::vector<PatchShape>& order
 
 /// Single triangles in rows.
 LayoutAt layoutInRows(const Shapes& shapes) {
+    // Stable, so that triangles of one height keep their order and a mesh has one layout on every machine.
     std::vector<PatchShape> sorted = shapes.all;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const PatchShape& a, const PatchShape& b) { return a.height > b.height; });
@@ -95,6 +99,7 @@ LayoutAt layoutInRows(const Shapes& shapes) {
 }
 
 LayoutAt layoutInGroups(const TriangleMesh& mesh, const Shapes& shapes) {
+    // Shared, because a std::function is copied, and the groups that one scale unfolded serve the next.
     const auto groups = std::make_shared<UnfoldedGroups>(mesh, shapes.all);
     return [groups](const AtlasOptions& options, double scale) {
         PatchLayout layout = groups->layoutAt(scale, roomOf(options), options.pages);
@@ -106,6 +111,8 @@ LayoutAt layoutOf(const TriangleMesh& mesh, const Shapes& shapes, AtlasLayout la
     return layout == AtlasLayout::UnfoldedGroups ? layoutInGroups(mesh, shapes) : layoutInRows(shapes);
 }
 
+/// Two bounds that need no packing: the patches cannot cover more than the pages, and a row cannot hold a
+/// side that is longer than itself.
 ScaleRange rangeOf(const Shapes& shapes, const AtlasOptions& options) {
     const double room = options.size - options.gap;
     return {shapes.smallestScale,
@@ -118,7 +125,8 @@ int largestSizeOf(int pages) {
     return std::min(texture_limits::largestPageSize, static_cast<int>(share));
 }
 
-/// The smallest page that holds the shapes at their smallest scale; 0 when none does.
+/// The smallest page that holds the shapes at their smallest scale; 0 when none does. Only for the message of
+/// a refusal: a size that is named can be typed in, "too small" can only be guessed at.
 int smallestSize(const LayoutAt& layoutAt, double smallestScale, AtlasOptions options) {
     const auto fitsAt = [&](int size) {
         options.size = size;
@@ -153,6 +161,8 @@ ScaledLayout largest(const TriangleMesh& mesh, const Shapes& shapes, const Atlas
     return found;
 }
 
+/// A given scale needs no search, but pages as many as it takes. Area and longest side are compared first, so
+/// that far too many texels are refused without laying them out.
 ScaledLayout asDenseAsAsked(const TriangleMesh& mesh, const Shapes& shapes, AtlasOptions options) {
     const std::int64_t pageTexels = std::int64_t{options.size} * options.size;
     options.pages = static_cast<int>(

@@ -18,17 +18,22 @@ namespace {
 /// Of the tallest that wait and are not too tall for the page, how many are looked at for a place.
 constexpr std::size_t mostComparedGroups = 64;
 
-/// Columns of a mean group; more follow its outline better, at a price.
+/// Columns of a mean group. More follow its outline better; the time to compare a place grows with them.
+/// Below half a pixel a column would tell apart what texels do not.
 constexpr double columnsPerGroup = 24;
 constexpr double narrowestColumn = 0.5; ///< pixels
 
-/// Tenths of its length by which a group may begin before the end of the last one.
+/// Tenths of its length by which a group may begin before the end of the last one: ends are slanted, and a
+/// group that overhangs its neighbour's slant leaves less room than one that begins behind it.
 constexpr int mostTenthsBack = 3;
 
-/// Part of a waiting group's height by which the bottom of a valley may rise and fall.
+/// Part of a waiting group's height by which the bottom of a valley may rise and fall. With 0 each notch in a
+/// ragged border would be a valley of its own that nothing fits into, and be closed.
 constexpr double valleyDepth = 0.8;
 
-/// Triangles unfolded over a side share its ends bit by bit.
+/// What is inside a group cannot touch others, so only sides that one triangle alone has are profiled.
+/// Triangles unfolded over a side share its ends bit by bit, and run along it in opposite directions: exact
+/// comparison finds them.
 std::vector<OutlineSide> outlineOf(const std::vector<PatchCorners>& triangles) {
     std::vector<OutlineSide> outline;
     const auto isShared = [&](const OutlineSide& side) {
@@ -53,6 +58,16 @@ struct GroupPlace {
     std::int32_t y = 0; ///< profile units
 };
 
+/// The page is filled from its upper border. Of what is full only the lower border is kept, one number for
+/// each column: the skyline. A group is pushed up against it until its own upper profile touches, as in
+/// Tetris (Lévy, Petitjean, Ray and Maillot 2002, Least squares conformal maps for automatic texture atlas
+/// generation). Room above a group that its profile shuts in is lost; that is the price of one number for
+/// each column, and what the choice of group and stance keeps small.
+///
+/// Where the next one goes is decided as by Burke, Kendall and Whitwell (2004, A new placement heuristic for
+/// the orthogonal stock-cutting problem): the lowest valley is filled first, by what fits it best, instead of
+/// searching the best place for the next group in the list. The skyline stays level, and small groups wait
+/// until a valley needs them.
 class SkylinePacker {
 public:
     SkylinePacker(const std::vector<TurnedGroup>& groups, double scale, const PageRoom& page, int mostPages)
@@ -65,6 +80,7 @@ public:
             m_area += group.area;
         }
         m_layout.page.resize(m_layout.corners.size());
+        // A point has no area to set its waste against; without this it would never be worth a place.
         m_smallestArea = 1e-6 * m_area / static_cast<double>(groups.size());
         makeProfiles();
     }
@@ -83,6 +99,7 @@ public:
     }
 
 private:
+    /// For groups of the mean length; the same for all, since they share one skyline.
     double columnWidth() const {
         double lengths = 0;
         for (const TurnedGroup& group : m_groups)
@@ -130,7 +147,9 @@ private:
         return valley;
     }
 
-    /// Of groups at either end of the valley, the place that leaves least room empty.
+    /// Of groups at either end of the valley, the place that leaves least room empty. In its middle nothing
+    /// is tried: a group there leaves two gaps instead of one. Groups too tall for what is left of the page
+    /// are passed over and not counted, so that at its end small ones have their turn.
     std::optional<GroupPlace> bestPlace(const Valley& valley) {
         std::optional<GroupPlace> best;
         double least = std::numeric_limits<double>::infinity();
@@ -165,6 +184,8 @@ private:
             place.y = restOf(profile, place.column);
             if (place.y + profile.height > pageHeight()) continue;
             const std::int64_t empty = static_cast<std::int64_t>(columns) * place.y + profile.above - taken;
+            // Empty room for each part of the group's own area: else points and slivers would always be
+            // first.
             const double waste =
                 static_cast<double>(empty) / std::max(m_groups[place.group].area, m_smallestArea);
             if (!(waste < least)) continue;
@@ -173,7 +194,7 @@ private:
         }
     }
 
-    /// How high a group can lie.
+    /// How high a group can lie: as far up as its upper profile leaves it anywhere.
     std::int32_t restOf(const GroupProfile& profile, std::size_t column) const {
         std::int32_t y = 0;
         const std::int32_t* skyline = &m_skyline[column];
@@ -229,6 +250,8 @@ private:
         return ++m_pageNumber < m_mostPages;
     }
 
+    /// So much area took all the pages: all of it would take as many more in proportion. The search for a
+    /// scale goes on from that height without a layout that nobody wants.
     PatchLayout givenUp() const {
         PatchLayout layout;
         layout.pages = m_laidArea > 0 ? m_mostPages + 1 : 0;

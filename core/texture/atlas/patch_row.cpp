@@ -34,6 +34,10 @@ void shift(PatchCorners& corners, double x, double y) {
         corner += Eigen::Vector2d(x, y);
 }
 
+/// Two triangles that do not overlap are nearest at a corner of one and a side of the other. So the touching
+/// positions are found from the 18 pairs of those alone, each solved exactly: the corner pushes the side, or
+/// the side the corner, until they are a gap apart. The largest of these shifts clears them all. (It is the
+/// no-fit polygon of the two, asked along one line, without building it.)
 double clearingShift(const PatchCorners& placed, const PatchCorners& moving, double gap) {
     double result = -never;
     for (std::size_t edge = 0; edge < 3; ++edge) {

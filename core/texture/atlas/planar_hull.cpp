@@ -24,6 +24,9 @@ TurnedRectangle rectangleAlong(const Eigen::Vector2d& direction, const Polygon& 
 
 } // namespace
 
+/// The monotone chain of Andrew (1979): points from left to right give the lower chain, back from right to
+/// left the upper one; a corner that does not turn left is dropped. A turn of 0 is dropped too, so that no
+/// corner lies on a side and points that are there twice count once.
 Polygon convexHull(std::vector<Eigen::Vector2d> points) {
     std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
         return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
@@ -51,6 +54,10 @@ double areaOf(const Polygon& polygon) {
     return area;
 }
 
+/// One side of the smallest rectangle lies along a side of the hull (Freeman and Shapira 1975), so only these
+/// directions are tried. Each is measured at all corners: the hull of a group has at most 18 of them, for
+/// which rotating calipers would be longer and no faster. Strictly smaller ones alone take over, so that of
+/// equal rectangles the first is taken on every machine.
 TurnedRectangle smallestRectangle(const Polygon& hull) {
     TurnedRectangle smallest = rectangleAlong({1, 0}, hull);
     for (std::size_t i = 0; i < hull.size(); ++i) {

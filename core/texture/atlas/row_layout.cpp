@@ -6,6 +6,9 @@ namespace esm {
 
 namespace {
 
+/// The source's rows [R 4.3.2.2]: in the order of their heights, third corner up and down in turn, so that
+/// the slants of two neighbours lean the same way. One pass, no choice: what is left at a row's end stays
+/// empty.
 class RowFiller {
 public:
     RowFiller(const PageRoom& page, double scale, std::size_t count)
@@ -67,6 +70,8 @@ void RowStack::startRow(double height) {
     m_isEmpty = false;
 }
 
+/// Of too small a scale thousands of pages may come; the layout is refused by their number, and the number of
+/// a page must not wrap around before.
 std::uint16_t RowStack::page() const {
     return static_cast<std::uint16_t>(std::min(m_page, 0xffff));
 }

@@ -17,6 +17,10 @@ public:
         : m_layoutAt(layoutAt), m_options(options), m_smallest(range.smallest), m_failing(range.bound),
           m_available((options.size - options.gap) * static_cast<double>(options.pages)) {}
 
+    /// [R 4.9] begins at the scale at which the patches would fill the pages without any waste, [R 4.10] goes
+    /// down by how much too high the rows came. That factor tends to 1 as the height nears the page's, and
+    /// the source's loop with it to a standstill: each step therefore goes down by at least 0.5 % (an excess
+    /// of 0.05 in [R 4.10]). What fits then lies up to a step too low, which the bisection makes good.
     ScaledLayout bySource() {
         for (double scale = m_failing; scale > m_smallest && m_best.scale == 0;) {
             const double height = attempt(scale);
@@ -29,6 +33,10 @@ public:
         return std::move(m_best);
     }
 
+    /// A layout of the same quality takes a height that grows with the square of the scale, so one attempt
+    /// tells nearly where the answer lies: regula falsi with a model instead of a chord. Packings jump,
+    /// however: one patch more in a row, and the next row begins elsewhere. Whatever the guess, the answer
+    /// stays between a scale that fitted and one that failed.
     ScaledLayout byHeight() {
         constexpr double precision = 0.001;
         double scale = std::max(m_smallest, usualPart * m_failing);
@@ -52,7 +60,11 @@ private:
         return height;
     }
 
-    /// A little beyond where the height would be just right, so that the interval closes from both sides.
+    /// The guess is put a little beyond where the height would be just right: above it after a layout that
+    /// fitted, below it after one that did not. A guess that is right to within 0.05 % then closes the
+    /// interval from the other side, where one that creeps up on it would leave the far end where it was. As
+    /// long as nothing has fitted there is no interval yet; 2 % at least are then gone down, so that the
+    /// search ends however badly a height is estimated.
     double next(double scale, double height) const {
         constexpr double beyond = 0.0005, leastStep = 0.02;
         const bool fitted = m_best.scale == scale;

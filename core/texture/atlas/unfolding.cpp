@@ -16,7 +16,8 @@ namespace {
 using Flat = std::array<Eigen::Vector2d, 3>; ///< counter-clockwise
 
 /// A group grows while triangles fill so much of its convex hull, and to so many triangles: larger and more
-/// ragged ones have fewer seams, but leave more of a page empty.
+/// ragged ones have fewer seams, but leave more of a page empty. The second triangle may leave half of the
+/// hull empty, because a third may fill the dent.
 constexpr double leastFill = 0.85, leastFillOfTwo = 0.5;
 constexpr std::size_t mostInGroup = 16;
 
@@ -31,7 +32,9 @@ double areaOf(const Flat& triangle) {
     return cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) / 2;
 }
 
-/// How far `b` lies beyond the farthest of a's sides; below zero where every side of a cuts into it.
+/// How far `b` lies beyond the farthest of a's sides; below zero where every side of a cuts into it. Two
+/// triangles are apart when a side of one has the other on its far side (separating axes), and then at least
+/// this far. Cheap, so it is asked before the exact distance.
 double beyondSides(const Flat& a, const Flat& b) {
     double farthest = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -50,7 +53,7 @@ double distanceToSide(const Eigen::Vector2d& point, const Eigen::Vector2d& a, co
     return (point - a - fraction * side).norm();
 }
 
-/// Of triangles that do not overlap.
+/// Of triangles that do not overlap: then a corner of one is nearest to a side of the other.
 double distanceBetween(const Flat& a, const Flat& b) {
     double distance = std::numeric_limits<double>::infinity();
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -62,12 +65,21 @@ double distanceBetween(const Flat& a, const Flat& b) {
     return distance;
 }
 
+/// By the arc tangent of both products: an arc cosine loses half of its digits near 0 and 180°, where slivers
+/// are.
 double angleAt(const Flat& triangle, std::size_t corner) {
     const Eigen::Vector2d a = triangle[(corner + 1) % 3] - triangle[corner],
                           b = triangle[(corner + 2) % 3] - triangle[corner];
     return std::atan2(std::abs(cross(a, b)), a.dot(b));
 }
 
+/// Each triangle is turned into the plane over a side that it shares with one that lies there already.
+/// Nothing is stretched, so every triangle keeps its shape and all keep one scale, as [R 4.3.2.1] asks; a
+/// parameterisation of larger pieces (least squares conformal maps) has fewer seams, but scales that differ
+/// over each piece. Unfolded curved surface overlaps itself or gapes after some triangles, which bounds what
+/// a group can be. Groups grow greedily: which triangles to put together so that the page is used best is a
+/// question of packing, and the share of its convex hull that a group fills stands for it, since a convex
+/// group packs well.
 class Unfolder {
 public:
     Unfolder(const TriangleMesh& mesh, const std::vector<PatchShape>& shapes, double clearance)
@@ -108,7 +120,9 @@ private:
         return corners;
     }
 
-    /// The triangle unfolded over its side `side`, which comes to lie from `start` to `end`.
+    /// The triangle unfolded over its side `side`, which comes to lie from `start` to `end`. The ends are
+    /// taken over bit by bit and not computed, so that neighbours share them exactly: the outline of a group
+    /// and its seams are found by comparing numbers.
     Flat unfoldedOver(std::uint32_t triangle, std::size_t side, const Eigen::Vector2d& start,
                       const Eigen::Vector2d& end) const {
         const Flat flat = flatten(triangle);
@@ -144,8 +158,8 @@ private:
         }
     }
 
-    /// The angle that the surface takes around each vertex; where it ends, at least one that keeps its two
-    /// ends apart.
+    /// The angle that the surface takes around each vertex. Where the surface ends there is a gap between its
+    /// two ends, which must not close in the plane: it counts for one radian at least.
     std::vector<double> anglesAround() const {
         constexpr double betweenEnds = 1; // radian
         std::vector<double> angles(m_mesh.vertices.size(), 0);
@@ -160,8 +174,10 @@ private:
         return angles;
     }
 
-    /// Around a vertex of more than a full angle, triangles with others between them on the surface may come
-    /// to lie side by side, and filters would mix them: at least half of the angle between them is kept free.
+    /// Around a vertex of a saddle the surface takes more than a full turn. Unfolded, triangles with others
+    /// between them on the surface may come to lie side by side there without overlapping, and a filter would
+    /// mix them. So of the angle that is not yet laid at least half must be free in the plane. Around a
+    /// vertex of less than a full turn this always holds.
     bool keepsItsAngles(const UnfoldedGroup& group, const Candidate& candidate) const {
         const double least = touchTolerance * std::sqrt(group.area);
         for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -211,6 +227,8 @@ private:
         double fill = 0;
     };
 
+    /// The hull of all is that of the old hull and three corners more: a group's inner corners are never
+    /// looked at again.
     static Choice bestChoice(double area, const Polygon& hull, const std::vector<Candidate>& candidates) {
         Choice best;
         for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -224,7 +242,9 @@ private:
         return best;
     }
 
-    /// Around a seed, always on by the triangle that fills the convex hull best.
+    /// Around a seed, always on by the triangle that fills the convex hull best. One that has no room where
+    /// it was unfolded is dropped; it may come back over another of its sides. What has a place in this group
+    /// is dropped everywhere else, so that it is not laid twice.
     UnfoldedGroup grow(std::uint32_t seed) {
         UnfoldedGroup group;
         add(group, {seed, isFlat(seed) ? Flat{{{0, 0}, {0, 0}, {0, 0}}} : flatten(seed)});

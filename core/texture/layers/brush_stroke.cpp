@@ -64,6 +64,9 @@ double strokeProfile(const BrushStroke& stroke, double distance) {
     return stroke.strength * t * t * (3 - 2 * t);
 }
 
+/// A triangle lies within a ball around its middle. A segment that stays farther from the middle than that
+/// ball and the brush together cannot reach it: one distance for each segment here spares one for each
+/// segment at every texel.
 std::optional<StrokeOnTriangle> StrokeOnTriangle::make(const BrushStroke& stroke,
                                                        const Eigen::Matrix3d& corners, double margin) {
     const Eigen::Vector3d normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
@@ -87,6 +90,9 @@ std::optional<StrokeOnTriangle> StrokeOnTriangle::make(const BrushStroke& stroke
     return on;
 }
 
+/// The greatest weight of all segments and not their sum, so that nothing builds up where segments meet or
+/// the path crosses itself. Which half of a segment a point is nearest to decides whose side of the surface
+/// counts: along an edge of the organ the path may turn to the other side.
 double StrokeOnTriangle::weightAt(const Eigen::Vector3d& point) const {
     double weight = 0;
     for (const Segment& segment : m_segments) {

@@ -19,8 +19,10 @@ bool sameBesidesStrokes(const TextureLayer& a, const TextureLayer& b) {
     return throwsTheSame(a, b) && a.opacity == b.opacity && a.blending == b.blending;
 }
 
-/// The longest rows of layers that are the same in both lists but for strokes: length by the places from
-/// which on they are compared.
+/// Longest common subsequence (dynamic programming from the end, as in text books): a layer that was moved,
+/// added or removed then differs alone, and those above and beneath it stay paired. length[i][j] is what
+/// before[i…] and after[j…] have in common. Strokes are left out of the comparison, since of a layer that was
+/// painted on only the new strokes reach anything.
 std::vector<std::vector<std::size_t>> commonLengths(const Layers& before, const Layers& after) {
     std::vector<std::vector<std::size_t>> length(before.size() + 1,
                                                  std::vector<std::size_t>(after.size() + 1, 0));
@@ -39,7 +41,9 @@ bool looksAround(const TextureLayer& layer) {
                        [](const auto& stroke) { return stroke->kind == BrushKind::Clone; });
 }
 
-/// What strokes were added or taken away, as of layers that are only painted, which reach as far.
+/// What strokes were added or taken away. They come and go at the end of the list, so all behind the first
+/// difference are taken for changed. As colour strokes of a layer that is only painted they reach just as
+/// far, and need no photo.
 void addChangedStrokes(const TextureLayer& before, const TextureLayer& after, Layers& changed) {
     const auto [mine, theirs] =
         std::mismatch(before.strokes.begin(), before.strokes.end(), after.strokes.begin(),
@@ -55,7 +59,10 @@ void addChangedStrokes(const TextureLayer& before, const TextureLayer& after, La
     changed.push_back(std::move(reach));
 }
 
-/// Layers that reach all that may have changed.
+/// Layers that reach all that may have changed. Both lists are gone through side by side, as a text
+/// comparison does: what is in one alone has changed. A layer that is in both has changed too where it looks
+/// at its surroundings, by a clone or by bands, and anything beneath it has changed: how far that is carried
+/// is not asked, all that it reaches is composed anew.
 Layers changedLayers(const Layers& before, const Layers& after) {
     const auto common = commonLengths(before, after);
     Layers changed;

@@ -70,6 +70,8 @@ std::vector<Image> composite(const TriangleMesh& mesh, const Atlas& atlas,
     return composite(mesh, atlas, layers, baseColour, cache, progress);
 }
 
+/// Triangle by triangle: patches do not overlap, so that no texel's centre lies inside two. A sliver may hold
+/// no centre at all, which is why triangles count by what touches them.
 LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const TextureLayer& layer) {
     checkAtlas(mesh, atlas);
     TextureLayer only = layer;

@@ -8,6 +8,9 @@ namespace esm {
 
 namespace {
 
+/// Two generations: what the composition that runs has asked for, and what the one before had. An item that
+/// is asked for moves over from the second to the first; finish() throws away what is left. So nothing has to
+/// guess how much may be kept: memory is that of what the latest composition needed.
 /// Finds an item that was used or takes it over from before.
 template<typename Item, typename Same>
 const Item* usedAgain(std::vector<Item>& used, std::vector<Item>& before, const Same& same) {
@@ -39,6 +42,8 @@ SampledPicture CompositionCache::sampled(const std::shared_ptr<const Image>& pic
     return m_sampled.used.back();
 }
 
+/// By projector and size alone: what hides what has nothing to do with the photo's colours, so a photo that
+/// is prepared anew keeps it.
 std::shared_ptr<const std::vector<Lighting>> CompositionCache::lightingOf(const Projector& projector,
                                                                           const Image& photo,
                                                                           const TriangleMesh& mesh,
@@ -56,6 +61,8 @@ std::shared_ptr<const std::vector<Lighting>> CompositionCache::lightingOf(const 
     return lighting;
 }
 
+/// What is blended in bands depends on all that lies beneath it. Names, and whatever else looksTheSame()
+/// leaves out, must not blend it anew.
 std::optional<SampledPicture> CompositionCache::banded(const TextureLayer& layer,
                                                        const std::vector<TextureLayer>& beneath,
                                                        std::array<std::uint8_t, 3> baseColour) {

@@ -19,10 +19,16 @@ Eigen::Matrix<double, 3, 2> weightsPerTexel(const std::array<Eigen::Vector2d, 3>
     return weights;
 }
 
-/// Levels of the pyramid by which a patch's corners may differ for the depth to be taken as linear over it.
+/// Levels of the pyramid by which a patch's corners may differ for the depth to be taken as linear over it:
+/// an eighth of a level changes the size of what is averaged by 9 %. It spares a logarithm in every texel of
+/// a small patch.
 constexpr double nearlyLinear = 0.125;
 
-/// Photo pixels per texel along the direction in which they are densest, at a place (x·w, y·w, w).
+/// Photo pixels per texel along the direction in which they are densest, at a place (x·w, y·w, w). The
+/// derivative of (x·w, y·w) / w over the patch is the 2 × 2 matrix J = (∂(xw, yw) − (x, y) ∂w) / w. Its
+/// larger singular value is the density: with half = (σ₁² + σ₂²) / 2 = |J|² / 2 and product = σ₁ σ₂ = |det J|
+/// it is σ₁² = half + √(half² − product²). The larger and not the mean, since what is read too fine flickers
+/// and what is read too coarse is only soft [R 4.3.2.4].
 double pixelsPerTexel(const Eigen::Vector3d& place, const Eigen::Matrix<double, 3, 2>& placePerTexel) {
     const Eigen::Matrix2d perTexel =
         (placePerTexel.topRows<2>() - place.head<2>() / place.z() * placePerTexel.row(2)) / place.z();
@@ -38,6 +44,10 @@ double pyramidDepth(double pixelsPerTexel) {
 
 } // namespace
 
+/// All that can be told of the triangle as a whole is told here, once, so that a texel costs a matrix
+/// product, a reading of the photo and at worst a ray. Projective coordinates (x·w, y·w, w) are linear over
+/// the triangle, unlike x and y: mixing those of the corners and dividing in the texel is exact in
+/// perspective.
 std::optional<TriangleProjection> TriangleProjection::make(const LayerPhoto& photo, const LitSurface& surface,
                                                            const LitTriangle& triangle,
                                                            const std::array<Eigen::Vector2d, 3>& patch) {
@@ -86,6 +96,10 @@ bool TriangleProjection::mayTakeColour(const Eigen::Vector3d& densities) const {
              low.y() > m_sampler.height() + margin);
 }
 
+/// In the order of the price: a product, the border, a reading of the photo, and a ray only where all others
+/// leave some weight. The place is that of the texel itself, beyond the patch's side as well, so that a
+/// filter finds the photo going on there. Whether light comes is asked at the nearest point of the patch:
+/// beyond its side the triangle's plane may lie inside the organ, where all hides it.
 LayerColour TriangleProjection::at(const PatchTexel& texel) const {
     const Eigen::Vector4d seen = m_places * texel.extended;
     if (!(seen.z() > 0) || seen.w() < -m_surface.tolerance) return {Eigen::Vector4f::Zero(), 0};
@@ -103,6 +117,7 @@ double TriangleProjection::depthAt(const Eigen::Vector4d& seen, const Eigen::Vec
                            : pyramidDepth(pixelsPerTexel(seen.head<3>(), m_placePerTexel));
 }
 
+/// [R 4.3.3]: rises linearly over the distance to the nearest side of the photo.
 double TriangleProjection::borderWeight(double x, double y) const {
     const double inside = std::min(std::min(x, y), std::min(m_sampler.width() - x, m_sampler.height() - y));
     if (!(inside >= 0)) return 0; // nor for a place that is not finite
@@ -124,6 +139,9 @@ Eigen::Vector3d TriangleProjection::towardsLight(const Eigen::Vector3d& point) c
     return (pose.translation() - point).normalized();
 }
 
+/// A shadow ray from the point towards the light. Both ends are kept off the surface by the tolerance, else
+/// rounding would let the triangle hide itself, as speckles; a point within two tolerances of the light has
+/// no room for anything between.
 bool TriangleProjection::isHidden(const Eigen::Vector3d& nearest) const {
     const Eigen::Vector3d point = m_corners * nearest, way = towardsLight(point);
     const double distance =

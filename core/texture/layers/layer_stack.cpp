@@ -44,7 +44,8 @@ std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const Li
 
 constexpr std::array<std::uint8_t, 3> black{0, 0, 0}, white{255, 255, 255};
 
-/// What a photo's strokes make of its mask, painted over white: black where it is erased.
+/// What a photo's strokes make of its mask, painted over white: black where it is erased. As a layer of paint
+/// it is seen in the photo's plane by what sees layers there already.
 TextureLayer paintedMask(const BrushStrokes& strokes) {
     TextureLayer mask;
     for (const auto& stroke : strokes) {
@@ -65,6 +66,9 @@ double metresPerTexel(const Eigen::Matrix3d& corners, const Patch& patch) {
 
 } // namespace
 
+/// From the lowest up, since a photo that is blended in bands needs all beneath it finished: `shown` and the
+/// stack so far are what it is blended into. Its own border fades over four pixels at most, because the bands
+/// have made its colours agree with what lies beneath there.
 LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
                        const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
                        CompositionCache& cache, const Progress& progress)
@@ -98,6 +102,9 @@ LayerStack::LayerStack(const LayerStack& stack, const std::vector<Patch>& patche
     : m_surface(stack.m_surface), m_patches(patches), m_baseColour(stack.m_baseColour),
       m_query(stack.m_query), m_layers(stack.m_layers) {}
 
+/// In the photo's plane and not in the texture: there neighbours are not neighbours on the surface, and no
+/// pyramid could be built. What lies beneath, and the mask that was painted on the organ, are seen from the
+/// projector as pictures of that plane.
 SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, CompositionCache& cache,
                                           const Progress& progress) const {
     const auto goOn = [&](double) { return !progress || progress(0); };
@@ -117,6 +124,10 @@ SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, Composition
 }
 
 Eigen::Vector3f
+/// A clone takes what the layers beneath have at the nearest point of the surface, computed there anew. So
+/// composing stays a function of the layers alone: read from the page it would depend on what was painted
+/// first. A clone may find a clone there: `follows` ends what would else go on without end, or grow with each
+/// level.
 LayerStack::colourNear(const Eigen::Vector3d& point, std::size_t layers, int follows,
                        std::unordered_map<std::uint32_t, std::unique_ptr<TriangleLayers>>& known) const {
     const std::optional<RayHit> hit = m_query->nearest(point);
@@ -133,6 +144,8 @@ LayerColour LayerOnTriangle::at(const PatchTexel& texel) const {
     return own;
 }
 
+/// Each stroke takes the mask towards 0 or 1 by its weight, in the order in which they were painted: the
+/// order matters where they cross.
 float LayerOnTriangle::mask(const Eigen::Vector3d& point) const {
     float mask = 1;
     for (const StrokeOnTriangle& stroke : m_strokes) {
@@ -143,6 +156,10 @@ float LayerOnTriangle::mask(const Eigen::Vector3d& point) const {
     return mask;
 }
 
+/// Strokes over one another as half-transparent paints: the new cover is that of either (a + b − ab), and the
+/// colour moves towards the new one by the part that the new paint has in the cover, weight / cover. That
+/// keeps the colour itself unmixed with the nothing beneath the layer, so that a soft edge of red is red and
+/// not dark. Erasing is kept apart in the mask, so that restoring brings the paint back.
 LayerColour LayerOnTriangle::painted(const Eigen::Vector3d& point) const {
     Eigen::Vector3f colour = Eigen::Vector3f::Zero();
     float cover = 0, mask = 1;
@@ -173,6 +190,8 @@ TriangleLayers::TriangleLayers(const LayerStack& stack, std::uint32_t triangle, 
         if (auto layer = reaching(place, triangle, follows)) m_layers.push_back(std::move(*layer));
 }
 
+/// Whether a layer can reach the triangle at all, from the cheapest question to the dearest. Most layers drop
+/// out here, and texels ask only the others.
 std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::uint32_t triangle,
                                                         int follows) const {
     const LitSurface& surface = m_stack->m_surface;
@@ -215,6 +234,10 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
     return on;
 }
 
+/// Laying a layer of colour c and weight w over what lies beneath gives w·c + (1 − w)·beneath; multiplying
+/// gives beneath · (1 − w + w·c/255). Both are linear in what lies beneath, so the sum can be taken from the
+/// topmost down: `passing` is the factor that the rest still has. An opaque layer ends it, and what it hides
+/// is never read. Of eight photos on an organ that halves the work (docs/performance.md).
 Eigen::Vector3f TriangleLayers::colour(const PatchTexel& texel) const {
     // From the topmost down, so that nothing is read that does not show.
     Eigen::Array4f colour = Eigen::Array4f::Zero();

@@ -16,7 +16,8 @@ constexpr int longestSide = 1024;   ///< pixels
 constexpr float borderPerPixel = 4; ///< of a band's own pixels, over which it fades
 constexpr int smallestLevel = 4;    ///< pixels, of the coarsest band's shorter side
 
-/// The photo in a smaller size, red, green, blue 0 to 255 and alpha 0 to 1.
+/// The photo in a smaller size, red, green, blue 0 to 255 and alpha 0 to 1. Read from the level of its
+/// pyramid that has pixels of that size, so that nothing finer is taken for a coarse difference.
 cv::Mat reduced(const PhotoSampler& sampler, const cv::Size& size) {
     cv::Mat picture(size, CV_32FC4);
     const double perColumn = static_cast<double>(sampler.width()) / size.width;
@@ -54,7 +55,9 @@ cv::Mat differenceFrom(const cv::Mat& photo, const Image& beneath) {
     return difference;
 }
 
-/// Pixels from the border of what a photo shows, below 0 outside.
+/// Pixels from the border of what a photo shows, below 0 outside. A row of pixels outside is put around it,
+/// so that the photo's own sides are a border too. The exact distance, as a chamfer's octagons would show in
+/// a wide soft border.
 cv::Mat depthInside(const cv::Mat& photo) {
     cv::Mat shown(photo.rows + 2, photo.cols + 2, CV_8U, cv::Scalar(0)), distance;
     for (int y = 0; y < photo.rows; ++y)
@@ -64,7 +67,9 @@ cv::Mat depthInside(const cv::Mat& photo) {
     return distance({1, 1, photo.cols, photo.rows}) - 0.5; // from a centre, of which the next lies outside
 }
 
-/// How many times the difference is halved until its pixels fade over `widest` pixels.
+/// How many times the difference is halved until its pixels fade over `widest` pixels. Fewer and a step of
+/// brightness is left to fade too soon; the coarsest level keeps four pixels across, below which it would be
+/// hardly more than one mean of all.
 int coarsestLevel(const cv::Size& size, double widest) {
     int level = 0;
     while (borderPerPixel * std::ldexp(1.0, level + 1) <= widest &&
@@ -89,9 +94,16 @@ float leftOut(float depth, float border) {
     return 1 - t * t * (3 - 2 * t);
 }
 
-/// What is added to the photo: of each band, which is the difference between one level and the next, as much
-/// as is left out there. Summed up by levels: each counts by how much more of its band than of the finer one
-/// is left out.
+/// Blending both pictures in bands, as Burt and Adelson do, would take what lies beneath into the photo with
+/// all its details and lose those of the photo. As Laplacian pyramids are linear, the blend is the photo + Σ
+/// bands of (beneath − photo), each times the share by which it is left out of the photo. Only this sum is
+/// computed: the difference is smooth where both show the same tissue, so it may be coarse, and the photo
+/// keeps every detail of its own.
+///
+/// A band is the difference between one level and the next, band k = Gₖ − Gₖ₊₁ with share sₖ. Σ sₖ (Gₖ −
+/// Gₖ₊₁) = Σ (sₖ − sₖ₋₁) Gₖ, so that levels can be added as they are made, each by how much more of its band
+/// than of the finer one is left out, and no band is ever kept. Shares are taken at the size of the finest:
+/// in coarse pixels the border itself would lie between two of them, and a part of the difference stay there.
 cv::Mat correction(const cv::Mat& difference, const cv::Mat& depth, int levels) {
     cv::Mat added(difference.size(), CV_32FC3, cv::Scalar::all(0)), coarse = difference;
     std::vector<cv::Size> sizes;

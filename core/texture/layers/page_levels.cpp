@@ -20,7 +20,10 @@ struct Block {
     int x, y, size;
 };
 
-/// The mean of those texels of a block that belong to one patch; of all where none does.
+/// The mean of those texels of a block that belong to one patch; of all where none does. The usual mean of
+/// all four mixes whatever lies side by side in the page, which is not what lies side by side on the surface:
+/// the grid of triangles would show from afar [R 4.3.2.4]. The middle decides whose block it is. Each level
+/// is made from the page itself and not from the level before, where who owned what is lost.
 void takeMean(const Image& page, const BandOwners& owners, const Block& block, std::uint8_t* texel) {
     const std::uint32_t owner = owners.at(block.x + block.size / 2, block.y + block.size / 2);
     std::array<std::uint32_t, 4> sum{};

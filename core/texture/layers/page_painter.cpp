@@ -16,6 +16,7 @@ template<typename Channel> Channel stored(float value) {
     return static_cast<Channel>(std::clamp(value * (largest / 255) + 0.5F, 0.0F, largest));
 }
 
+/// Spans come by triangles: the layers that reach one are chosen once for all its texels in the band.
 template<typename Channel>
 void paintBand(const LayerStack& stack, const Atlas& atlas, const OwnedBand& band, const TriangleMarks& only,
                ImageOf<Channel>& page) {

@@ -22,6 +22,8 @@ double fillReach(const AtlasOptions& options) {
     return std::clamp(static_cast<double>(options.gap), 2.0, 16.0);
 }
 
+/// Bands of whole rows, each with all patches that reach into it. A patch that lies in two bands is scanned
+/// twice; for that, no two threads ever write to one texel, and the result does not depend on their number.
 std::vector<PageBand> pageBands(const Atlas& atlas) {
     const int size = atlas.options.size, perPage = (size + rowsPerBand - 1) / rowsPerBand;
     const double reach = fillReach(atlas.options);
@@ -67,6 +69,10 @@ std::pair<double, double> PatchScan::span(double y, double reach) const {
     return ends;
 }
 
+/// The nearest point of the nearest side says where on the surface the texel is lit. Its colour goes on a
+/// little beyond the side in the triangle's plane, so that bilinear filtering across the side reads what the
+/// photo shows there; farther out, where the plane may have left the organ and the photo, the colour of the
+/// border is repeated.
 PatchTexel PatchScan::texelAround(int x, int y, const Eigen::Vector3d& inside) const {
     const Eigen::Vector2d centre(x + 0.5, y + 0.5);
     std::size_t side = 0;
@@ -85,6 +91,9 @@ PatchTexel PatchScan::texelAround(int x, int y, const Eigen::Vector3d& inside) c
     return texel;
 }
 
+/// Texels between two patches go to the nearer one, so that each has half of the gap. Patches come in the
+/// mesh's order and only a smaller distance takes a texel over: of equals the first keeps it, whatever thread
+/// scans the band. Squared distances do for comparing and need no root.
 BandOwners::BandOwners(const Atlas& atlas, const PageBand& band, double reach)
     : m_firstRow(band.firstRow), m_width(atlas.options.size) {
     const std::size_t count =

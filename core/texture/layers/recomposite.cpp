@@ -18,6 +18,8 @@ bool belongTo(const std::vector<Image>& pages, const Atlas& atlas) {
 
 } // namespace
 
+/// Where it is not certain that the pages before are of this atlas and base colour, all is composed. What is
+/// marked may be more than what has changed, never less: a texel composed again comes out as it was.
 std::vector<Image> recomposite(const TriangleMesh& mesh, const Atlas& atlas, const Composition& before,
                                const std::vector<TextureLayer>& layers,
                                std::array<std::uint8_t, 3> baseColour, CompositionCache& cache,

@@ -29,7 +29,8 @@ Eigen::Vector3d filtered(const Image& page, const Eigen::Vector2d& point) {
     return (1 - place.v) * mixed(place.top) + place.v * mixed(place.bottom);
 }
 
-/// Compared at every texel of the edge's length and at its ends.
+/// Compared at every texel of the edge's length and at its ends: bilinear filtering is smooth between the
+/// centres of texels, so steps of a texel miss little.
 double difference(const Side& a, const Side& b) {
     const int steps = 1 + static_cast<int>(std::ceil((a.end - a.start).norm()));
     double largest = 0;
@@ -42,7 +43,11 @@ double difference(const Side& a, const Side& b) {
     return largest;
 }
 
-/// As the renderer reads a smaller page, in that page's texels.
+/// As the renderer reads a smaller page, in that page's texels. A place that keeps `inset` texels to all
+/// sides has weights of at least inset / height of the corners, and a height is area / opposite side (area
+/// here twice the triangle's). So every place is drawn towards the middle that these least weights give, by
+/// what is left of 1 without them: corners come to lie on the inner triangle, sides on its sides. A patch too
+/// thin for any such place (sum above 1) is read at that middle alone.
 PatchCorners patchRead(const PatchCorners& patch, double inset, int halvings) {
     const Eigen::Vector2d along = patch[1] - patch[0], beside = patch[2] - patch[0];
     const double area = std::abs(along.x() * beside.y() - along.y() * beside.x());

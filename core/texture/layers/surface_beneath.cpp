@@ -25,7 +25,8 @@ Ray thrownRay(const Projector& projector, PhotoSize photo, const Eigen::Vector2d
     return {projector.pose * origin, -projector.pose.linear().col(2)};
 }
 
-/// Rows of a picture, and the layers on the triangles that they meet.
+/// Rows of a picture, and the layers on the triangles that they meet. Neighbouring rays meet the same
+/// triangles: what is made for one is kept for the eight rows of a task.
 class SeenRows {
 public:
     SeenRows(const LayerStack& stack, const SurfaceQuery& query, const PhotoPlane& plane)
@@ -69,6 +70,8 @@ private:
 
 } // namespace
 
+/// In place of the texture's patches: a photo beneath is then read as coarsely as the pixels of this picture
+/// ask for.
 std::vector<Patch> patchesIn(const PhotoPlane& plane, const TriangleMesh& mesh) {
     const Eigen::Matrix4d matrix = photoMatrix(plane.projector, plane.photo);
     const Eigen::Array2d scale(static_cast<double>(plane.picture.width) / plane.photo.width,
@@ -89,6 +92,9 @@ std::vector<Patch> patchesIn(const PhotoPlane& plane, const TriangleMesh& mesh) 
     return patches;
 }
 
+/// A ray through each pixel finds the surface, and the layers say its colour there: the way back of
+/// composing, where each texel looks into the photo. Seen so, a photo and what it is laid on are two pictures
+/// of the same plane, which can be compared pixel by pixel.
 Image surfaceBeneath(const LayerStack& stack, const SurfaceQuery& query, const PhotoPlane& plane,
                      const Progress& progress) {
     Image picture;

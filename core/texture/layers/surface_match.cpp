@@ -12,6 +12,8 @@ constexpr int enoughPixels = 512; ///< of the longer side, for means and spreads
 
 } // namespace
 
+/// Prepared as the layer is but for the match itself: matching what is matched already would find nothing
+/// left to do.
 std::optional<ColourMatch> matchToSurface(const TriangleMesh& mesh, const std::vector<TextureLayer>& beneath,
                                           std::array<std::uint8_t, 3> baseColour, const TextureLayer& layer,
                                           const Progress& progress) {

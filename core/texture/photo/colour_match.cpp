@@ -11,8 +11,13 @@ namespace esm {
 
 namespace {
 
+/// Colours are matched in CIE L*a*b* and not in red, green and blue: these three go up and down together with
+/// the light, so that each alone stretched to another spread would tint the shadows. Lightness and the two
+/// colour axes are nearly independent in photos, which is what lets one match them one by one (Reinhard et
+/// al. use the space lαβ for that; L*a*b* is the common one).
 using Lab = cv::Mat; ///< a row of CIE L*a*b*, three floats a pixel
 
+/// A row at a time, as the whole photo in floats would take three times its size.
 Lab labRow(const Image& image, int y) {
     cv::Mat row(1, image.width, CV_32FC3);
     for (int x = 0; x < image.width; ++x)
@@ -22,7 +27,8 @@ Lab labRow(const Image& image, int y) {
     return row;
 }
 
-/// Weighted sums from which means and spreads follow.
+/// Weighted sums from which means and spreads follow. Rows are summed by themselves and added up in their
+/// order: the same to the last bit with any number of threads.
 struct ColourSums {
     double weight = 0;
     std::array<double, 3> sum{}, squares{};
@@ -63,6 +69,9 @@ std::array<ColourSums, 2> sumsOfRow(const Image& photo, const Image& beneath, in
 
 } // namespace
 
+/// (value − mean) · spread ratio + mean beneath, written as one product and one sum. The ratio is held
+/// between 0.5 and 2, as a photo of even tissue over varied tissue would have its noise stretched to the
+/// spread of what lies beneath. With no spread in either there is no ratio, and only the means are matched.
 std::optional<ColourMatch> matchColours(const Image& photo, const Image& beneath) {
     constexpr double fewestPixels = 100, flat = 0.5; // a spread below which there is nothing to scale
     if (photo.empty() || photo.width != beneath.width || photo.height != beneath.height) return std::nullopt;

@@ -12,6 +12,8 @@ namespace esm {
 
 namespace {
 
+/// Light changes slowly, so a coarse picture holds all of it and averages texture and noise away; the photo
+/// itself is only multiplied.
 constexpr int coarse = 192;        ///< pixels of the longer side at which light is looked at
 constexpr double darkestLight = 8; ///< luminance below which noise would count for light
 constexpr double strongestGain = 3;
@@ -64,11 +66,17 @@ Terms termsAt(double x, double y) {
     return terms;
 }
 
+/// Places from −1 to 1 along the longer side, in which powers up to the fourth keep the equations well
+/// conditioned.
 Terms termsOf(const cv::Mat& small, int x, int y) {
     const double half = 0.5 * std::max(small.cols, small.rows);
     return termsAt((x + 0.5 - 0.5 * small.cols) / half, (y + 0.5 - 0.5 * small.rows) / half);
 }
 
+/// What a camera sees is light × reflectance. The logarithm makes a sum of it, of which a least-squares
+/// polynomial takes the slow part, for the light (the model of retinex, Land and McCann 1971; a polynomial
+/// has no radius to choose, leaves no halo at edges, and goes on under what is masked out). The small
+/// multiple of the identity keeps the equations solvable where too few pixels count for fifteen terms.
 /// The logarithm of the light as it changes slowly over the photo; nothing where nothing counts.
 std::optional<Terms> slowLight(const cv::Mat& small) {
     Eigen::Matrix<double, termCount, termCount> normal =
@@ -88,7 +96,9 @@ std::optional<Terms> slowLight(const cv::Mat& small) {
     return Terms(normal.ldlt().solve(right));
 }
 
-/// Scales gains so that the photo is as bright on the whole as it was.
+/// Scales gains so that the photo is as bright on the whole as it was. Light is evened towards the value in
+/// the middle, where an endoscope's lamp is brightest: without this the rim would be raised and the photo be
+/// brighter by as much.
 void keepBrightness(const cv::Mat& small, cv::Mat& gains) {
     double before = 0, after = 0;
     for (int y = 0; y < small.rows; ++y)
@@ -101,7 +111,8 @@ void keepBrightness(const cv::Mat& small, cv::Mat& gains) {
     gains = cv::min(cv::max(gains, 1 / strongestGain), strongestGain);
 }
 
-/// What to multiply with, coarse; empty where nothing counts.
+/// What to multiply with, coarse; empty where nothing counts. The clamp comes before the strength, so that a
+/// corner in which the polynomial runs away is held at a factor of three.
 cv::Mat coarseGains(const Image& photo, double strength) {
     const cv::Mat small = coarseLuminance(photo);
     const std::optional<Terms> light = slowLight(small);

@@ -36,6 +36,8 @@ int rimOf(const Image& photo) {
     return std::max(narrowestRim, std::max(photo.width, photo.height) / 480);
 }
 
+/// A lamp's mirror image is white whatever the tissue's colour, so the darkest channel tells it: red tissue
+/// in strong light keeps a low blue one.
 cv::Mat highlightMask(const Image& photo, int threshold) {
     const cv::Mat bright = maskOf(photo, [&](const std::uint8_t* p) {
         return isOpaque(p) && std::min({p[0], p[1], p[2]}) > threshold;
@@ -47,7 +49,9 @@ cv::Mat highlightMask(const Image& photo, int threshold) {
     return mask;
 }
 
-/// The photo and which of its pixels a highlight must not be filled from, at best and at any rate.
+/// The photo and which of its pixels a highlight must not be filled from, at best and at any rate. What is
+/// nearly black is the outside of a field or a hollow: filled from there a highlight at the rim would become
+/// a dark hole.
 struct Surroundings {
     cv::Mat colours, noTissue, nothing;
 

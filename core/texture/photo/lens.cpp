@@ -9,6 +9,7 @@ namespace esm {
 
 namespace {
 
+/// Brown's model (1966): 1 + k₁r² + k₂r⁴ + k₃r⁶ along the radius, and p₁, p₂ for a lens that is off the axis.
 Eigen::Vector2d bentByPinhole(const std::array<double, 5>& c, const Eigen::Vector2d& p) {
     const double square = p.squaredNorm(), xy = p.x() * p.y();
     const double radial = 1 + square * (c[0] + square * (c[1] + square * c[4]));
@@ -16,6 +17,8 @@ Eigen::Vector2d bentByPinhole(const std::array<double, 5>& c, const Eigen::Vecto
                                         c[2] * (square + 2 * p.y() * p.y()) + 2 * c[3] * xy);
 }
 
+/// Kannala and Brandt's model (2006): the image's radius is an odd polynomial in the angle to the axis, which
+/// stays finite at 90°, where a pinhole's radius does not.
 Eigen::Vector2d bentByFisheye(const std::array<double, 5>& c, const Eigen::Vector2d& p) {
     const double radius = p.norm();
     if (radius < 1e-12) return p;
@@ -34,6 +37,8 @@ Eigen::Vector2d distorted(const Lens& lens, const Eigen::Vector2d& place) {
     return bent.array() * focal + centre;
 }
 
+/// For each straight pixel the place in the photo, and not the other way round: that needs no inverse of the
+/// lens and leaves no holes. Places outside stay transparent instead of repeating the border.
 Image undistorted(const Image& photo, const Lens& lens) {
     Image straight;
     straight.width = photo.width;

@@ -32,7 +32,8 @@ double distanceToSegment(const Eigen::Vector2d& place, const Eigen::Vector2d& fr
     return (place - from - share * along).norm();
 }
 
-/// How much of the brush lies on a place, 0 to 1.
+/// How much of the brush lies on a place, 0 to 1. At least a pixel wide, the edge is that of a hard brush
+/// drawn without stairs: half at the radius.
 double brushAt(const PhotoStroke& stroke, double distance) {
     const double fade = std::max(1.0, stroke.softness * stroke.radius);
     return std::clamp((stroke.radius + 0.5 - distance) / fade, 0.0, 1.0);
@@ -63,6 +64,9 @@ void drawSegment(const PhotoStroke& stroke, std::size_t segment, const Image& ph
         }
 }
 
+/// A stroke is drawn by itself first, by the greatest cover of its segments, and laid on the mask then. Laid
+/// segment by segment, a soft stroke would grow harder where segments overlap, which is everywhere along its
+/// path.
 Coverage coverageOf(const PhotoStroke& stroke, const Image& photo) {
     Eigen::Vector2d low = stroke.path.front(), high = low;
     for (const Eigen::Vector2d& place : stroke.path) {

@@ -143,6 +143,9 @@ double highlightShare(const Image& photo, const PhotoPreparation& preparation) {
            static_cast<double>(pixels);
 }
 
+/// The order matters. Highlights are filled while they still are white: evened light and white balance would
+/// take them below the threshold. Colours are changed on the photo as it was taken, and the lens comes last,
+/// so that field and strokes lie where they were drawn.
 Image prepared(const Image& photo, const PhotoPreparation& preparation, const Progress& progress) {
     const Problems problems = validate(preparation, photo.width, photo.height);
     if (!problems.empty()) throw InvalidModel(problems);

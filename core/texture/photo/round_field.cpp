@@ -42,7 +42,8 @@ cv::Mat brightness(const Image& photo) {
     return grey;
 }
 
-/// The level of the darkest corner, which an endoscope's field does not reach.
+/// The level of the darkest corner, which an endoscope's field does not reach. Its 95 % quantile: nearly all
+/// noise of the dark lies below it, and a few bright pixels, as of a date, do not raise it.
 int darkLevel(const cv::Mat& grey) {
     const int side = std::max(1, std::min(grey.cols, grey.rows) / 25);
     int level = 255;
@@ -57,7 +58,9 @@ int darkLevel(const cv::Mat& grey) {
     return level;
 }
 
-/// Where the light begins along a line, from its dark end; nothing where it begins lit or stays dark.
+/// Where the light begins along a line, from its dark end; nothing where it begins lit or stays dark. Four
+/// lit pixels on end are asked for, as one may be noise, and four dark ones before, as a border at the
+/// photo's own side is none.
 void addBorder(const cv::Mat& grey, cv::Point start, cv::Point step, int level, Points& points) {
     constexpr int lasting = 4;
     const cv::Rect all(0, 0, grey.cols, grey.rows);
@@ -87,7 +90,9 @@ Points borderPoints(const cv::Mat& grey, int level) {
     return points;
 }
 
-/// Least squares of x² + y² = 2·a·x + 2·b·y + c.
+/// Least squares of x² + y² = 2·a·x + 2·b·y + c (Kåsa 1976), which is linear, unlike that of the distances.
+/// Its circles come out too small where points cover a short arc; a third of the turn is asked for elsewhere.
+/// Around the mean, so that squares of large coordinates do not cancel.
 std::optional<Circle> fitted(const Points& points) {
     if (points.size() < 3) return std::nullopt;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -114,7 +119,12 @@ Points near(const Points& points, const Circle& circle, double tolerance) {
     return on;
 }
 
-/// The circle through three of the points that meets most of them.
+/// The circle through three of the points that meets most of them: RANSAC (Fischler and Bolles 1981).
+/// Instruments, dark organs and straight edges of the photo are border points too, and least squares of all
+/// would be drawn aside by them. If a share q of the points lies on the circle, three random ones do with q³:
+/// for q = 0.35, the least that is accepted, 600 trials miss it with a probability of (1 − 0.043)⁶⁰⁰ < 10⁻¹¹.
+/// The generator is written out (Knuth's constants for a linear congruential one) and begins at the same
+/// state, so that a photo always has the same field.
 Points largestConsensus(const Points& points, double tolerance, double longest) {
     std::uint64_t state = 1;
     const auto any = [&] {
@@ -131,6 +141,8 @@ Points largestConsensus(const Points& points, double tolerance, double longest) 
     return best;
 }
 
+/// A circle of which a short arc alone is seen is not known well: points must lie in a third of all
+/// directions.
 bool goesRound(const Points& points, const Circle& circle) {
     std::bitset<arcs> seen;
     for (const Eigen::Vector2d& point : points) {
@@ -147,6 +159,8 @@ struct FittedCircle {
     double share;
 };
 
+/// The best circle of three points is only as good as those three. It is fitted again to all near it, with
+/// half the tolerance and five times, until it has settled.
 std::optional<FittedCircle> fittedBorder(const cv::Mat& grey, int level) {
     const Points points = borderPoints(grey, level);
     if (points.size() < 40) return std::nullopt;

@@ -29,7 +29,10 @@ BentRadius bentRadius(const Lens& lens, double straight) {
             isFisheye ? slope / (1 + straight * straight) : slope};
 }
 
-/// Newton's method, inside the bracket that bisection keeps. NaN where the lens shows nothing that far out.
+/// Newton's method, inside the bracket that bisection keeps: fast near the root, and safe where the slope is
+/// small. The bracket grows by half until it holds the radius. Where the curve turns back before it does, the
+/// lens shows nothing that far out: NaN. Twelve times are enough for a factor of 130, and end a search that
+/// would go on for ever.
 double straightRadius(const Lens& lens, double bent) {
     double low = 0, high = std::max(bent, 1e-9);
     for (int i = 0; bentRadius(lens, high).value < bent; ++i) {
@@ -47,7 +50,9 @@ double straightRadius(const Lens& lens, double bent) {
     return radius;
 }
 
-/// Distances of a line's places from the straight line nearest to them, in pixels of the photo.
+/// Distances of a line's places from the straight line nearest to them, in pixels of the photo. That line
+/// goes through their mean along the direction in which they spread most; the eigenvector of the smaller
+/// eigenvalue is its normal (total least squares, which knows no steep lines).
 void addDistances(const Lens& lens, const DrawnLine& line, Residuals& residuals, Eigen::Index& next) {
     const auto count = static_cast<Eigen::Index>(line.size());
     Eigen::MatrixX2d places(count, 2);
@@ -100,7 +105,9 @@ Eigen::MatrixXd slopesOf(const Lens& lens, const std::vector<DrawnLine>& lines, 
     return slopes;
 }
 
-/// Levenberg and Marquardt's method. @returns the slopes at the end
+/// Levenberg and Marquardt's method: Gauss and Newton's step, shortened by damping until it lowers the error,
+/// and more daring after each that does. Slopes are differences, since each residual goes through an
+/// eigenvector and the inverse of a polynomial. @returns the slopes at the end
 Eigen::MatrixXd solveCoefficients(Lens& lens, const std::vector<DrawnLine>& lines, int coefficients) {
     double damping = 1e-3;
     Residuals residuals = residualsOf(lens, lines);
@@ -127,7 +134,9 @@ Eigen::MatrixXd solveCoefficients(Lens& lens, const std::vector<DrawnLine>& line
     return slopesOf(lens, lines, coefficients);
 }
 
-/// How far, in pixels at the photo's corner, places that are drawn a pixel off may lead the lens astray.
+/// How far, in pixels at the photo's corner, places that are drawn a pixel off may lead the lens astray. The
+/// coefficients' covariance for errors of one pixel is (JᵀJ)⁻¹; what matters is not a coefficient but how far
+/// it moves the corner, where both add up.
 double uncertainty(const Eigen::MatrixXd& slopes, double cornerRadius) {
     if (!slopes.allFinite()) return std::numeric_limits<double>::infinity();
     const Eigen::MatrixXd normal = slopes.transpose() * slopes;
@@ -138,7 +147,8 @@ double uncertainty(const Eigen::MatrixXd& slopes, double cornerRadius) {
     return cornerRadius * std::sqrt(std::max(0.0, corner.dot(lu.solve(corner))));
 }
 
-/// Whether the straight picture shows no place of the photo twice, up to its corner.
+/// Whether the straight picture shows no place of the photo twice, up to its corner: the bent radius must
+/// grow all the way. A polynomial that fits the lines may turn back beyond them.
 bool bendsNothingBack(const Lens& lens) {
     constexpr int steps = 100;
     for (int i = 0; i <= steps; ++i)
@@ -162,6 +172,9 @@ double bending(const Lens& lens, const std::vector<DrawnLine>& lines) {
                                 : 0;
 }
 
+/// The lens that explains most is tried first, and given up for the simpler one where the lines do not
+/// determine it: lines near the middle hardly bend, and a second coefficient then only follows the hand that
+/// drew them.
 Lens straighteningLens(LensKind kind, const PhotoSize& size, const std::vector<DrawnLine>& lines) {
     std::vector<DrawnLine> usable;
     std::copy_if(lines.begin(), lines.end(), std::back_inserter(usable),

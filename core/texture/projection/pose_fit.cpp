@@ -131,7 +131,11 @@ Candidate settled(PinholeCamera camera, const std::vector<LandmarkPair>& pairs, 
     return candidate;
 }
 
-/// How far pairs that count may be off, by how far the middle one is.
+/// How far pairs that count may be off, by how far the middle one is. The errors of clicks are normal in both
+/// directions, so their length follows Rayleigh's distribution, whose median is √(2 ln 2) = 1.18 standard
+/// deviations. A fit of k unknowns to n equations leaves errors smaller by √((n − k)/n) than the clicks' own.
+/// Beyond four standard deviations hardly any right pair lies (3 in 10 000); what does is taken for mixed up.
+/// The median, as half of the errors may be wrong without moving it far.
 double strictTolerance(const Candidate& candidate, const std::vector<LandmarkPair>& pairs, Freedom freedom,
                        double diagonal) {
     std::vector<double> errors;
@@ -147,6 +151,9 @@ double strictTolerance(const Candidate& candidate, const std::vector<LandmarkPai
     return std::clamp(4 * deviation, strictShare * diagonal, looseShare * diagonal);
 }
 
+/// First with a wide tolerance, in which even a camera from three coarse clicks finds those that agree with
+/// it, then with one that goes by the errors that are left: a pair that is off by ten pixels among others off
+/// by one is an outlier, though 1 % of the diagonal would let it pass.
 Candidate bestCandidate(const std::vector<LandmarkPair>& pairs, const std::vector<Intrinsics>& cameras,
                         Freedom freedom, double diagonal) {
     Candidate best;
@@ -168,6 +175,8 @@ Intrinsics fromFieldOfView(double degrees, PhotoSize photo) {
     return intrinsicsOf(projector, photo);
 }
 
+/// Four pairs at least and two in three: any three pairs fit some camera exactly, so that a few that agree
+/// prove nothing.
 bool isConvincing(const Candidate& candidate) {
     const std::size_t counting = countOf(candidate.counts);
     return counting >= leastPairs && 3 * counting >= 2 * candidate.counts.size();
@@ -178,6 +187,10 @@ struct Solution {
     FocalLength focalLength;
 };
 
+/// P3P needs a focal length, so without one a row of fields of view is tried, each some 1.2 to 1.5 times the
+/// one before: near enough for least squares to find the true one from. Where pairs do not tell it (few of
+/// them, or all in one depth), a usual one is assumed: the pose is then off along the line of sight, and the
+/// photo still lies where it should.
 std::optional<Solution> solved(const std::vector<LandmarkPair>& pairs, const PhotoCamera& camera) {
     const double diagonal = std::hypot(camera.size.width, camera.size.height);
     if (!camera.intrinsics && pairs.size() >= leastPairsForFocalLength) {
@@ -205,7 +218,9 @@ double worth(const std::optional<Solution>& solution, const std::vector<Landmark
     return cappedSquares(pairErrors(solution->candidate.camera, pairs), tolerance);
 }
 
-/// From far away a mirrored organ looks much like the organ from behind: some of the pairs may fit.
+/// From far away a mirrored organ looks much like the organ from behind: some of the pairs may fit. So a fit
+/// that is not good is compared with that of the pairs mirrored in the photo, and refused only where these
+/// leave less than a quarter of the squares.
 void requireUnmirrored(const std::optional<Solution>& found, std::vector<LandmarkPair> pairs,
                        const PhotoCamera& camera) {
     const double diagonal = std::hypot(camera.size.width, camera.size.height);
@@ -221,6 +236,8 @@ void requireUnmirrored(const std::optional<Solution>& found, std::vector<Landmar
             "points on the side of the organ that the photo shows, or mirror the photo");
 }
 
+/// OpenCV's camera looks along +z with y down, a projector along −z with y up: half a turn around x. The size
+/// taken out by ScaledPairs is given back to the translation.
 Projector projectorOf(const PinholeCamera& camera, const ScaledPairs& scaled, const PhotoCamera& photo,
                       FocalLength focalLength) {
     Projector projector;

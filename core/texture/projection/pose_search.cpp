@@ -10,6 +10,8 @@ namespace esm {
 
 namespace {
 
+/// All triples of up to 19 pairs (969); of more pairs as many in effect, spread evenly, which takes no random
+/// numbers.
 constexpr std::size_t mostTriples = 1000;
 
 /// Levenberg-Marquardt's damping, relative to the diagonal.
@@ -18,7 +20,8 @@ constexpr int mostSteps = 100;
 
 using Triple3 = std::array<std::size_t, 3>;
 
-/// The triple of that number among all of `count` in lexicographic order.
+/// The triple of that number among all of `count` in lexicographic order (the combinatorial number system):
+/// any of them at once, without making those before it.
 Triple3 tripleAt(std::size_t number, std::size_t count) {
     Triple3 triple{};
     for (;; ++triple[0]) {
@@ -45,6 +48,9 @@ cv::Matx33d matrixOf(const Intrinsics& camera) {
     return {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
 }
 
+/// Three points that are seen leave up to four poses (P3P, Grunert 1841); each of them is a candidate, and
+/// the other pairs decide. Three and not four or more, as the fewer pairs a candidate takes, the more likely
+/// all of them are right: RANSAC (Fischler and Bolles 1981), but with all triples in place of random ones.
 void addCamerasOf(const Triple3& triple, const std::vector<LandmarkPair>& pairs, const Intrinsics& intrinsics,
                   std::vector<PinholeCamera>& cameras) {
     std::vector<cv::Point3d> organ;
@@ -75,6 +81,14 @@ struct Equations {
     double squares = 0;       ///< infinite where a pair that counts is not before the camera
 };
 
+/// The normal equations of the reprojection errors, in pixels. With X = R·p + t the place is (fx·X/Z + cx,
+/// fy·Y/Z + cy); `perPlace` is its derivative by X. The turn is a small one in front of R, exp([ω]×)·R, whose
+/// derivative by ω at 0 is −[R·p]×, `perTurn`: three numbers without the bounds of angles or the constraint
+/// of a quaternion. The focal length enters by its logarithm, so that no step can make it negative; a change
+/// by s scales what lies off the principal point, (fx·x, fy·y).
+///
+/// A landmark behind the camera has an error that means nothing, as its place is mirrored: the step that led
+/// there is refused.
 Equations equationsAt(const PinholeCamera& camera, const std::vector<LandmarkPair>& pairs,
                       const std::vector<bool>& counts, Eigen::Index unknowns) {
     Equations equations{Eigen::MatrixXd::Zero(unknowns, unknowns), Eigen::VectorXd::Zero(unknowns), 0};
@@ -132,6 +146,8 @@ std::vector<double> pairErrors(const PinholeCamera& camera, const std::vector<La
     return errors;
 }
 
+/// Capped, so that one pair that was mixed up costs no more than any other that does not fit, and cannot
+/// outweigh all that do (M-estimators; MSAC of Torr and Zisserman 2000).
 double cappedSquares(const std::vector<double>& errors, double tolerance) {
     double sum = 0;
     for (const double error : errors)
@@ -154,6 +170,10 @@ std::vector<PinholeCamera> likelyCameras(const std::vector<LandmarkPair>& pairs,
     return best;
 }
 
+/// Levenberg and Marquardt's method. Damping scales the diagonal instead of adding to it (Marquardt 1963), so
+/// that turns, shifts and the focal length are held back alike, whatever their units. At the end (JᵀJ)⁻¹ is
+/// the covariance for errors of one pixel; its last entry says how well the pairs tell the focal length:
+/// hardly at all where they lie in one depth, since coming nearer and zooming then look the same.
 PinholeCamera leastSquares(PinholeCamera start, const std::vector<LandmarkPair>& pairs,
                            const std::vector<bool>& counts, Freedom freedom, double* slack) {
     const Eigen::Index unknowns = freedom == Freedom::Pose ? 6 : 7;
