@@ -8,6 +8,7 @@ namespace esm {
 
 namespace {
 
+/// A chord no longer than a 400th of the range: finer than a pixel in a drawing of usual width.
 constexpr double samplesOverRange = 400;
 
 /// Joins straight parts that come from left to right; where none is, the degree is 0.
@@ -37,6 +38,8 @@ private:
     Outline m_outline;
 };
 
+/// Each end is computed once and used by both parts beside it, so that no jump shows; the last is the
+/// interval's end itself, which share · width would miss by rounding.
 void sampleProbabilisticSum(OutlineBuilder& builder, std::vector<SetPiece>& pieces,
                             const SetInterval& interval, double longest) {
     const ProbabilisticSum sum = probabilisticSum(pieces);
@@ -57,6 +60,8 @@ void sampleProbabilisticSum(OutlineBuilder& builder, std::vector<SetPiece>& piec
 
 } // namespace
 
+/// Corners outside the range are moved to its ends, and parts without width left out: a set cut off by the
+/// range stands upright there, as the centre of gravity sees it.
 Outline outlineOf(const ImpliedSet& set, const FuzzyVariable& variable) {
     const double low = std::max(set.start, variable.minimum), high = std::min(set.end, variable.maximum);
     Outline outline{{low, 0}};
@@ -81,6 +86,10 @@ Outline outlineOf(const ImpliedSet& set, const FuzzyVariable& variable) {
     return outline;
 }
 
+/// Drawn from the same pieces that the centre of gravity is computed from, so that what is shown is what was
+/// computed. Between two breaks every set is straight; the maximum and the bounded sum of straight pieces are
+/// straight in parts, whose corners are found exactly. The probabilistic sum multiplies them: with one sloped
+/// piece it is straight still, with more a polynomial, which chords stand for.
 Outline aggregatedOutline(const FuzzyVariable& variable, TConorm aggregation, OutputSets& work) {
     OutlineBuilder builder(variable.minimum);
     const auto gather = [&](const SetInterval& part, const SetPiece& piece) { builder.add(part, piece); };

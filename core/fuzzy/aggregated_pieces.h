@@ -25,7 +25,8 @@ inline SetPiece pieceOver(const ImpliedSet& set, const SetInterval& interval) {
 void findBreaks(const FuzzyVariable& variable, OutputSets& work);
 
 /// Calls `visit(interval)` from left to right with `work.pieces` of the sets over it, for every interval that
-/// is in some of them. Precondition: findBreaks().
+/// is in some of them. Precondition: findBreaks(). Between two neighbouring breaks no set bends, starts or
+/// ends, so that each is one straight piece there or nothing.
 template<class Visit> void visitPieces(OutputSets& work, const Visit& visit) {
     for (std::size_t i = 1; i < work.breaks.size(); ++i) {
         const SetInterval interval{work.breaks[i - 1], work.breaks[i]};
@@ -95,7 +96,8 @@ struct ProbabilisticSum {
     double level; ///< the sum of those that are not
 
     std::size_t slopes() const { return static_cast<std::size_t>(end - sloped); }
-    /// `part`: 0 at the interval's left end, 1 at its right.
+    /// `part`: 0 at the interval's left end, 1 at its right. Combined one by one, as 1 − Π (1 − pᵢ) would
+    /// lose the digits of small degrees.
     double at(double part) const {
         double sum = level;
         for (const SetPiece* piece = sloped; piece != end; ++piece)

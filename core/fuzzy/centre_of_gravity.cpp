@@ -10,11 +10,14 @@ namespace esm {
 
 namespace {
 
-/// Area and first moment about an origin, gathered piece by piece.
+/// Area and first moment about an origin, gathered piece by piece. The origin is the left end of what counts
+/// and not 0: of sets far from 0 the moment would be a large number of which the place is the last digits.
 struct Gravity {
     double origin;
     double area = 0, moment = 0;
 
+    /// A trapezoid of width w with the heights l and r has the area w (l + r) / 2, and the moment w² (l + 2
+    /// r) / 6 about its left end.
     void add(const SetInterval& interval, const SetPiece& piece) {
         const double width = interval.right - interval.left;
         const double pieceArea = 0.5 * width * (piece.left + piece.right);
@@ -28,6 +31,8 @@ struct Gravity {
     }
 };
 
+/// Gauss and Legendre's places are all inside, symmetric about the middle, and their weights positive: sums
+/// of areas lose no digits by cancelling.
 void addByQuadrature(Gravity& gravity, const ProbabilisticSum& sum, const GaussRule& rule,
                      const SetInterval& interval, const SetInterval& part) {
     const double middle = 0.5 * (part.left + part.right), half = 0.5 * (part.right - part.left);
@@ -48,6 +53,9 @@ std::size_t partsFor(const ProbabilisticSum& sum) {
     return 1 + static_cast<std::size_t>(variation / 16);
 }
 
+/// The sum is a polynomial of as high a degree as pieces are sloped. Expanding it would cost a coefficient
+/// for each degree and lose digits where terms of either sign cancel; Gauss and Legendre's quadrature
+/// integrates it exactly from values alone.
 void addProbabilisticSum(Gravity& gravity, std::vector<SetPiece>& pieces, const SetInterval& interval) {
     const ProbabilisticSum sum = probabilisticSum(pieces);
     if (sum.slopes() <= 1) {
@@ -75,6 +83,8 @@ void addPieces(Gravity& gravity, std::vector<SetPiece>& pieces, const SetInterva
         gatherMaximum(pieces, interval, gather);
 }
 
+/// Terms mostly come from left to right, so that the breaks are nearly sorted: insertion then takes little
+/// more than one pass.
 void sortNearlySorted(std::vector<double>& values) {
     constexpr std::size_t few = 64; // beyond them, sets that come in no order would take too long
     if (values.size() > few) {
@@ -107,6 +117,8 @@ void findBreaks(const FuzzyVariable& variable, OutputSets& work) {
     sortNearlySorted(work.breaks);
 }
 
+/// Level pieces are joined into one number once; only sloped ones are asked at every place of the quadrature.
+/// The order does not matter, as the sum is commutative and associative.
 ProbabilisticSum probabilisticSum(std::vector<SetPiece>& pieces) {
     const auto isLevel = [](const SetPiece& piece) { return piece.left == piece.right; };
     const auto sloped = std::partition(pieces.begin(), pieces.end(), isLevel);
@@ -117,6 +129,10 @@ ProbabilisticSum probabilisticSum(std::vector<SetPiece>& pieces) {
     return sum;
 }
 
+/// The exact centre of gravity [R 2.3.6]: ∫ x·μ(x) dx / ∫ μ(x) dx over the aggregated set, in closed form
+/// between the places where some set bends. The usual way samples μ at some hundred places; it costs more, is
+/// only as exact as its steps, and misses a set that is narrower than one. The result is held within what the
+/// sets reach, which rounding could leave by a last digit.
 std::optional<double> centreOfGravity(const FuzzyVariable& variable, TConorm aggregation, OutputSets& work) {
     if (work.sets.empty()) return std::nullopt;
     findBreaks(variable, work);

@@ -30,6 +30,7 @@ std::vector<RuleExplanation> explainRules(const FuzzySystem& system,
     return explanations;
 }
 
+/// By the very steps of inference, with what lies between them kept.
 OutputExplanation explainOutput(const FuzzySystem& system, std::size_t output,
                                 const std::vector<double>& firing) {
     OutputExplanation explanation;

@@ -22,6 +22,8 @@ std::string nameProblem(const std::string& name) {
     return {};
 }
 
+/// A trapezoid [R 2.47]. Its flanks are reached only where a ≤ x < b or c < x ≤ d, so that an upright one (a
+/// = b, c = d) is never divided by; its corner belongs to the core. NaN is in no set.
 double membership(const Trapezoid& set, double x) {
     if (!(x >= set.a && x <= set.d)) return 0;
     if (x < set.b) return (x - set.a) / (set.b - set.a);

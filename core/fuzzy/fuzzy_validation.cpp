@@ -38,7 +38,9 @@ std::string tooManyWords(std::size_t count) {
 
 constexpr const char* notThere = ": speaks of a variable or term that is not there";
 
-/// Goes through a system and notes what is wrong with it.
+/// Goes through a system and notes what is wrong with it. Everything, and not the first only: who mends a
+/// file by hand sees all at once. Later checks are left out only where they would read beyond what an earlier
+/// one found missing.
 class SystemCheck {
 public:
     explicit SystemCheck(const FuzzySystem& system) : m_system(system) {}

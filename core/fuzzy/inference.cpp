@@ -23,6 +23,9 @@ std::vector<double> firingDegrees(const FuzzySystem& system,
 
 } // namespace
 
+/// Mamdani's inference [R 2.48, 2.49]: each rule cuts its conclusions' sets down to its degree, all sets of
+/// an output are joined, and the centre of gravity of the whole is its value. Outputs are computed one after
+/// another in the same memory.
 InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional<double>>& inputs) {
     InferenceResult result;
     result.firing = firingDegrees(system, inputs);

@@ -5,6 +5,8 @@
 
 namespace esm {
 
+/// From the inside out. A missing input makes everything around it unknown, even where the other parts would
+/// decide, as OR with a 1: a rule about what nobody has said must not fire by chance.
 std::optional<double> degreeOf(const FuzzyCondition& condition, const FuzzySystem& system,
                                const std::vector<std::optional<double>>& inputs) {
     using Kind = FuzzyCondition::Kind;
@@ -53,6 +55,9 @@ std::optional<ImpliedSet> concludedSet(const FuzzySystem& system, const FuzzyPro
     return reachesInto(output, set) ? std::optional(set) : std::nullopt;
 }
 
+/// Under the maximum the highest degree of a term hides all lower ones of the same term, since cutting,
+/// scaling and sinking a set all grow with the degree: one set for each term is enough, however many rules
+/// conclude it. A sum counts every conclusion.
 void collectSets(OutputSets& work, const FuzzySystem& system, std::size_t output,
                  const std::vector<double>& firing) {
     const auto add = [&](std::size_t term, double degree) {

@@ -10,7 +10,11 @@ namespace {
 
 using Kind = FuzzyCondition::Kind;
 
-/// What the norms let be rewritten.
+/// What the norms let be rewritten. All t-norms and t-conorms are commutative and associative, so parts may
+/// be sorted and brackets of the same kind opened whatever the norms. Only the minimum and the maximum are
+/// idempotent: with the product a AND a is a², not a. NOT goes into brackets only where AND and OR are dual.
+/// Nothing is distributed, since that holds for minimum and maximum alone and lets conditions grow
+/// exponentially: what is found equal is equal, but not all that is equal is found.
 struct Rewriting {
     explicit Rewriting(const FuzzyNorms& norms)
         : drawsNotIn(areDual(norms)), andIsIdempotent(norms.conjunction == TNorm::Minimum),

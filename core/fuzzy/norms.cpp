@@ -21,6 +21,8 @@ std::optional<Norm> normFromName(const std::array<const char*, 3>& names, const 
 
 } // namespace
 
+/// De Morgan's laws hold for minimum and maximum, for product and probabilistic sum and for Łukasiewicz's
+/// two, each pair by 1 − T(1 − a, 1 − b) = S(a, b) [R B.1, B.2].
 TConorm dual(TNorm norm) {
     return static_cast<TConorm>(norm); // they stand at the same places
 }

@@ -10,12 +10,15 @@ namespace esm {
 namespace {
 
 constexpr std::size_t evenSteps = 128;
+/// Beside a corner and not only at it: a set that begins upright jumps there, and the value at the corner
+/// belongs to one side alone.
 constexpr double besideCorner = 1e-9;    ///< of the input's range
 constexpr double finestStep = 2e-9;      ///< of the input's range: what rises within it is a jump
 constexpr double smallestRise = 0.01;    ///< of the output's range
 constexpr std::size_t mostPoints = 6000; ///< of a curve; behind them only what is asked for in any case
 
-/// Infers one output again and again: only by the rules that speak of it, in memory that stays.
+/// Infers one output again and again: only by the rules that speak of it, in memory that stays. A curve asks
+/// up to 6000 times, a map 4096 times.
 class OutputInference {
 public:
     OutputInference(const FuzzySystem& system, std::size_t output)
@@ -95,6 +98,11 @@ private:
         return {x, m_inference.value(m_inputs)};
     }
 
+    /// Halves the way between two places until the value between them rises by no more than a hundredth of
+    /// the range: as many points as the curve needs where it is steep, and few where it is flat. A rise that
+    /// is still there in the finest step is a jump, at which the line breaks. Once there are points enough,
+    /// nothing is halved further, and what lies between two places is taken for joined. Recursion goes at
+    /// most log₂(1 / (128 · finest step)) = 22 levels deep.
     void goTo(const Place& left, const Place& right) {
         const bool isWhole = m_points >= mostPoints;
         const bool isNarrow = right.x - left.x <= finestStep * width();
@@ -160,6 +168,8 @@ ResponseMap responseMap(const FuzzySystem& system, const ResponseQuestion& quest
     return map;
 }
 
+/// The centre of gravity of one term alone bounds what its rules can give, and mixtures of terms mostly lie
+/// between those. The whole range would be a poor scale: a centre of gravity hardly ever comes near its ends.
 std::pair<double, double> usualValues(const FuzzySystem& system, std::size_t output) {
     const FuzzyVariable& variable = system.outputs[output];
     OutputSets work = workingMemory(system);

@@ -19,6 +19,8 @@ double between(double lower, double upper, double value) {
     return std::max(lower, std::min(upper, value));
 }
 
+/// A term whose upright side is at the end of the range stands for all values beyond as well: whatever is
+/// done to the range or the term, that side stays at the end.
 bool isLeftShoulder(const FuzzyVariable& variable, const Trapezoid& set) {
     return set.a == set.b && set.a == variable.minimum && !isSinglePoint(set);
 }
@@ -34,7 +36,11 @@ double middle(const Trapezoid& set) {
 /// The share of the flat parts that a flank takes of either side where two of them touch.
 constexpr double flankShare = 0.25;
 
-/// Draws the flank between two neighbours, the first of which has the lower middle.
+/// Draws the flank between two neighbours, the first of which has the lower middle: from the end of one core
+/// to the beginning of the next. Both terms get the same two corners, one falling, one rising: their degrees
+/// then add up to 1 at every place of it (Ruspini's partition, 1969). Where cores overlap the flank lies over
+/// their overlap; where they touch there is none, and a quarter of either half core is taken for it. It never
+/// goes beyond a middle, so that no term loses its core.
 void shareFlank(Trapezoid& lower, Trapezoid& upper, double lowerMiddle, double upperMiddle) {
     double from = std::clamp(std::min(lower.c, upper.b), lowerMiddle, upperMiddle);
     double to = std::clamp(std::max(lower.c, upper.b), lowerMiddle, upperMiddle);
@@ -47,6 +53,8 @@ void shareFlank(Trapezoid& lower, Trapezoid& upper, double lowerMiddle, double u
     lower.d = upper.b = to;
 }
 
+/// Rounding may turn two corners around that were equal or nearly so: each is held at least at the one before
+/// it.
 Trapezoid stretched(const FuzzyVariable& variable, const Trapezoid& set, double minimum, double maximum) {
     const auto moved = [&](double corner) {
         // The ends are met exactly: shoulders stay shoulders.
@@ -79,6 +87,8 @@ double cornerOf(const Trapezoid& set, Corner corner) {
     return set.*cornerMembers[static_cast<std::size_t>(corner)];
 }
 
+/// A corner goes as far as its neighbours and the ends of the range. One that lies outside already, as a file
+/// may have it, may stay or come nearer: it must not jump because it was touched.
 Trapezoid withCorner(const FuzzyVariable& variable, std::size_t term, Corner corner, double value) {
     Trapezoid set = variable.terms[term].set;
     const auto place = static_cast<std::size_t>(corner);
@@ -104,6 +114,8 @@ Trapezoid shifted(const FuzzyVariable& variable, std::size_t term, double by) {
     return set;
 }
 
+/// Other corners and the ends come before round numbers, as partitions are mostly drawn corner to corner; the
+/// nearest within reach is taken.
 double snapped(const FuzzyVariable& variable, std::size_t term, double value, const Snapping& snapping) {
     double nearest = variable.minimum;
     const auto consider = [&](double candidate) {
@@ -121,6 +133,7 @@ double snapped(const FuzzyVariable& variable, std::size_t term, double value, co
                              : std::round(value / snapping.step) * snapping.step;
 }
 
+/// The next of 1, 2, 5 times a power of ten: steps that people count in.
 double roundStep(double least) {
     const double power = std::pow(10, std::floor(std::log10(least)));
     for (const double factor : {1, 2, 5})
@@ -129,6 +142,8 @@ double roundStep(double least) {
     return 10 * power;
 }
 
+/// n cores and n − 1 flanks between them, all of one width: 2n − 1 pieces. Term i has its core over piece 2i
+/// and a flank on either side; the first and the last go to the ends, as shoulders.
 std::vector<FuzzyTerm> evenPartition(const FuzzyVariable& variable) {
     std::vector<FuzzyTerm> terms = variable.terms;
     const double pieces = 2 * static_cast<double>(terms.size()) - 1;

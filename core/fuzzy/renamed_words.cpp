@@ -19,7 +19,8 @@ template<class Named> std::size_t placeOf(const std::vector<Named>& list, const 
 }
 
 /// What is there under the name, or under the one it has got: in a list of as many, at the same place, and
-/// new as the old one is gone. Null where that is not told.
+/// new as the old one is gone. Null where that is not told. Text that cannot be read yet has no places of
+/// variables that an edit could map, so a renaming is read off the two systems.
 template<class Named>
 const Named* successorOf(const std::vector<Named>& before, const std::vector<Named>& after,
                          const std::string& name) {

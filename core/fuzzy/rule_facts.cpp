@@ -26,7 +26,9 @@ RuleFacts factsOf(const FuzzyRule& rule, const FuzzyNorms& norms, RuleReach& rea
     return facts;
 }
 
-/// Cells of the input for which a rule that asks for it may fire.
+/// Cells of the input for which a rule that asks for it may fire, whatever the other inputs are: the shadow
+/// of the rule's boxes on this input. A rule whose boxes are not known, or one of whose boxes leaves the
+/// input open, covers all; so what is reported as uncovered is certain.
 CellSet coveredCells(const std::vector<RuleFacts>& rules, std::size_t input, std::size_t count) {
     CellSet covered(count);
     CellSet whole = complementOf(covered, count);

@@ -39,6 +39,8 @@ RulesReading readRules(const FuzzySystem& system, const std::vector<std::string>
     return reading;
 }
 
+/// The parser itself tells what could come next: where the text ends too early, its mistake lists what it
+/// expected there. So completion and grammar cannot differ.
 std::vector<std::string> wordsThatFit(const FuzzySystem& system, const std::string& beginning) {
     try {
         parseRule(system, beginning);

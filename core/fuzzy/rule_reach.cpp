@@ -64,6 +64,10 @@ std::optional<ValueBox> commonPart(const ValueBox& one, const ValueBox& other) {
     return common;
 }
 
+/// Where a trapezoid has a degree above 0, and where a full one, changes at its corners only. So values need
+/// not be sampled: a range falls into cells, corners and what lies between them, on which every term is
+/// constant in this respect. A condition over several inputs then holds on a union of boxes, each a set of
+/// cells for every input that it asks for.
 RuleReach::RuleReach(const FuzzySystem& system) {
     for (const FuzzyVariable& input : system.inputs) {
         m_cells.push_back(cellsOf(input));
@@ -81,6 +85,11 @@ std::optional<std::vector<ValueBox>> RuleReach::where(const FuzzyCondition& cond
     return boxes;
 }
 
+/// a AND b is above 0 where both are and full where both are, a OR b where either is; NOT a is above 0
+/// exactly where a is not full, and full where a is 0. So NOT is taken inwards by De Morgan's laws: under it
+/// AND and OR change places, and each of the two questions becomes the other. That is exact for minimum,
+/// product, maximum and probabilistic sum. Bounded difference makes 0 of two small degrees and bounded sum 1
+/// of two large ones, which this does not see.
 RuleReach::Boxes RuleReach::boxesOf(const FuzzyCondition& condition, Wanted wanted) {
     using Kind = FuzzyCondition::Kind;
     if (condition.kind == Kind::Is) return propositionBoxes(condition.proposition, wanted);
@@ -99,7 +108,8 @@ RuleReach::Boxes RuleReach::boxesOf(const FuzzyCondition& condition, Wanted want
     return boxes;
 }
 
-/// NOT holds more than nothing where what it denies does not hold fully, and fully where that does not hold.
+/// NOT holds more than nothing where what it denies does not hold fully, and fully where that does not hold
+/// at all.
 RuleReach::Boxes RuleReach::propositionBoxes(const FuzzyProposition& proposition, Wanted wanted) const {
     const auto [input, term] = proposition;
     const TermCells& cells = m_terms[input][term];
@@ -121,6 +131,9 @@ RuleReach::Boxes RuleReach::commonOf(const Boxes& one, const Boxes& other) {
     return common;
 }
 
+/// Boxes that lie in others, or make one with another, are not kept: alternatives of neighbouring terms
+/// mostly join to one. Else n AND of two alternatives each would have 2ⁿ boxes; where they still become too
+/// many, the search is given up, and it is said that not all was checked.
 void RuleReach::include(Boxes& boxes, const ValueBox& box) {
     m_work += boxes.size() + 1;
     for (ValueBox& there : boxes)

@@ -19,7 +19,8 @@ std::optional<std::pair<std::size_t, RuleRow::Choice>> choiceOf(const FuzzyCondi
     return std::pair(inner.proposition.variable, RuleRow::Choice{inner.proposition.term, isNegated});
 }
 
-/// Whether cells can show the condition; then they do.
+/// Whether cells can show the condition; then they do. A cell for each input and AND between them: one input
+/// asked twice, OR, and brackets have no place there and stay text.
 bool fillInputs(RuleRow& row, const FuzzyCondition& condition) {
     const std::vector<FuzzyCondition> alone{condition};
     for (const FuzzyCondition& part : condition.kind == Kind::And ? condition.parts : alone) {
@@ -110,7 +111,8 @@ std::string firstProposition(const std::vector<FuzzyVariable>& variables) {
     return variables.front().name + " IS " + variables.front().terms.front().name;
 }
 
-/// What is missing is put in, so that the rest can be read, and taken away again.
+/// What is missing is put in, so that the parser for whole rules reads the rest, and taken away again: a
+/// second grammar for unfinished rules could disagree with the first.
 RuleRow unfinishedRow(const FuzzySystem& system, const std::string& line) {
     RuleParts parts = partsOf(line);
     const bool lacksCondition = parts.condition.empty(), lacksConclusions = parts.conclusions.empty();

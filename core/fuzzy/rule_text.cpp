@@ -102,6 +102,8 @@ private:
         return {{}, kind, std::move(parts)};
     }
 
+    /// The level is bounded on the way down and not when the rule is read: a text of a million brackets would
+    /// else overflow the stack first.
     FuzzyCondition factor(int level) {
         if (level > deepestCondition) failAsTooDeep(word());
         if (accept("NOT")) return negation(factor(level + 1));
@@ -197,6 +199,7 @@ int tightness(Kind kind) {
 
 std::string conditionText(const std::vector<FuzzyVariable>& inputs, const FuzzyCondition& condition);
 
+/// The fewest brackets with which the text is read back as the same condition.
 std::string partText(const std::vector<FuzzyVariable>& inputs, const FuzzyCondition& part, Kind whole) {
     const std::string text = conditionText(inputs, part);
     return tightness(part.kind) < tightness(whole) ? "(" + text + ")" : text;

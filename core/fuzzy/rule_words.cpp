@@ -5,6 +5,9 @@
 
 namespace esm {
 
+/// Columns count letters and not bytes, as the reader of a message counts: continuation bytes of UTF-8 start
+/// none. A bracket ends a word and is one; the last word is empty and stands at the end, so that "the rule
+/// ends" has a place.
 std::vector<RuleWord> ruleWords(const std::string& text) {
     std::vector<RuleWord> words;
     std::size_t column = 0;

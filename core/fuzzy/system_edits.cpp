@@ -43,6 +43,9 @@ void throwIfNoName(const std::string& name) {
     if (const std::string problem = nameProblem(name); !problem.empty()) throw InvalidModel(problem);
 }
 
+/// Rules speak of variables and terms by their places in lists. So every edit of a list is the same edit of
+/// the rules with another map from old places to new ones, and a rule that speaks of what is gone goes with
+/// it.
 /// What becomes of "variable IS term" on one side; none where it can no longer be said.
 using Remap = std::function<std::optional<FuzzyProposition>(const FuzzyProposition&)>;
 
@@ -77,6 +80,7 @@ void remapRules(FuzzySystem& system, FuzzySide side, const Remap& goesTo) {
     system.rules = std::move(left);
 }
 
+/// Tried on copies: what the window tells before an edit is exactly what the edit does.
 std::vector<std::size_t> rulesLost(const FuzzySystem& system, FuzzySide side, const Remap& goesTo) {
     std::vector<std::size_t> lost;
     for (std::size_t i = 0; i < system.rules.size(); ++i) {
@@ -130,6 +134,8 @@ struct Gap {
     double width() const { return to - from; }
 };
 
+/// Goes over the cores from left to right, as one lays out overlapping intervals: what none of them has
+/// covered so far up to the next beginning is a gap.
 Gap widestGap(const FuzzyVariable& variable) {
     std::vector<std::size_t> rising(variable.terms.size());
     for (std::size_t i = 0; i < rising.size(); ++i)

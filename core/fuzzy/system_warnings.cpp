@@ -111,7 +111,11 @@ private:
         }
     }
 
-    /// In words, an example of it; empty where the rules are not about the same case.
+    /// In words, an example of it; empty where the rules are not about the same case. Two rules that hold
+    /// partly at the same place and conclude different terms are how fuzzy systems pass from one to the
+    /// other; a contradiction is only where both hold fully. Rules about different inputs are each evidence
+    /// of its own and may disagree, unless one is a special case of the other: there the general rule says
+    /// what the special one denies.
     std::optional<std::string> whenBothHold(const RuleFacts& a, const RuleFacts& b) {
         if (a.normalForm == b.normalForm) return " on the same condition";
         const bool askTheSame = a.inputs == b.inputs;
@@ -137,6 +141,8 @@ private:
         return std::nullopt;
     }
 
+    /// Each inner box within one outer box. A box that only several outer ones cover together is not
+    /// recognised: a contradiction may be missed, none is invented.
     static bool areWithin(const ValueBoxes& inner, const ValueBoxes& outer) {
         return std::all_of(inner.begin(), inner.end(), [&](const ValueBox& box) {
             return std::any_of(outer.begin(), outer.end(),
@@ -187,6 +193,7 @@ private:
         }
     }
 
+    /// Values that belong to no term are uncovered as well; that is the cause and said instead, once.
     void findUncovered(std::size_t input) {
         const FuzzyVariable& variable = m_system.inputs[input];
         const std::vector<ValueCell>& cells = m_reach.cells(input);

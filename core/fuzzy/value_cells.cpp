@@ -9,7 +9,8 @@ namespace esm {
 
 namespace {
 
-/// A value of the cell, exact enough to be compared with corners.
+/// A value of the cell, exact enough to be compared with corners. Halved before they are added, as two large
+/// numbers may not be addable.
 double valueWithin(const ValueCell& cell) {
     return cell.from == cell.to ? cell.from : cell.from / 2 + cell.to / 2;
 }
@@ -36,6 +37,8 @@ std::string inWords(const ValueRange& range) {
     return range.includesTo ? "above " + from + ", up to " + to : "between " + from + " and " + to;
 }
 
+/// Corners are cells of their own: there a term may hold fully that does not do so on either side, as a
+/// single point does.
 std::vector<ValueCell> cellsOf(const FuzzyVariable& variable) {
     std::vector<double> corners{variable.minimum, variable.maximum};
     for (const FuzzyTerm& term : variable.terms)

@@ -24,6 +24,8 @@ int marksOver(double length, double perMark) {
 
 } // namespace
 
+/// Marks are multiples of the step and not sums of steps, so that 0 is exactly 0 and no rounding gathers. The
+/// slack keeps a mark at the range's very end.
 std::vector<double> scaleMarks(const PlotRange& range, int most) {
     const double step = roundStep(range.width() / most);
     std::vector<double> marks;

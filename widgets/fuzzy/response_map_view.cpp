@@ -14,6 +14,8 @@ constexpr double mapLegendWidth = 10, mapLegendGap = 10, mapRowsPerMark = 34; //
 
 } // namespace
 
+/// The colours of viridis (van der Walt and Smith 2015): lightness rises evenly, so that they can be read by
+/// the colour-blind and in grey.
 QColor mapColour(double share) {
     constexpr std::array<QRgb, 9> stops{0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c,
                                         0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};

@@ -17,6 +17,11 @@ struct WordGroup {
 
 } // namespace
 
+/// Each word should stand over its place, none over another. The least squares of all shifts under that order
+/// is isotonic regression, solved exactly in one pass by pooling adjacent violators (Ayer, Brunk, Ewing, Reid
+/// and Silverman 1955): words that would overlap form a group, which goes to the mean of where its members
+/// would have it. Pushing each word to the right of the one before would do too, but carry all the crowding
+/// to the right end.
 std::vector<double> spreadWords(const std::vector<PlacedWord>& words, double length, double gap) {
     // With the widths before it taken off every word is a point, and points in order need no gap.
     std::vector<double> before;

@@ -80,6 +80,8 @@ double TermScale::wordWidth(std::size_t term) const {
     return fontMetrics().horizontalAdvance(readableName(m_variable.terms[term].name)) + 2;
 }
 
+/// A second row is opened only where words stand too far from their places in one, as height is dear in a
+/// column of sliders.
 void TermScale::layOut() {
     const auto shift = [](const Place& place) {
         return std::abs(place.rect.x() + place.rect.width() / 2.0 - place.tick);
@@ -100,6 +102,7 @@ void TermScale::layOut() {
     update();
 }
 
+/// Neighbours go to rows in turn: those of one row then have twice the room.
 std::vector<TermScale::Place> TermScale::inRows(int rows) const {
     std::vector<Place> places;
     const double room = width() - 2 * m_inset, range = m_variable.maximum - m_variable.minimum;
