@@ -20,6 +20,8 @@ constexpr double largestDistance = 1e3;     // m
 constexpr double smallestFramedSize = 0.01; // m
 constexpr double framedShare = 0.88;        // of the picture's width or height
 
+/// An empty scene, a single point or a place that is not finite has no size to look at: a centimetre stands
+/// in for it, so that every camera has a distance and every projection two planes.
 AlignedBox3d usableBox(const AlignedBox3d& box) {
     const bool usable = !box.isEmpty() && box.min().allFinite() && box.max().allFinite();
     if (usable && box.diagonal().norm() > smallestDistance) return box;
@@ -84,6 +86,9 @@ Camera framedCamera(const AlignedBox3d& box, StandardView view, double aspect) {
     return reframed(camera, box, aspect);
 }
 
+/// Perspective: a corner at depth z before the centre and s aside is seen within the picture from a distance
+/// of z + s / slope or more. The largest of the eight is the least distance from which all of the box is
+/// seen. A sphere around the box would be simpler, and leave a long organ small in the picture.
 Camera reframed(const Camera& camera, const AlignedBox3d& box, double aspect) {
     const AlignedBox3d shown = usableBox(box);
     const Matrix3d axes = cameraAxes(camera);
@@ -101,6 +106,9 @@ Camera reframed(const Camera& camera, const AlignedBox3d& box, double aspect) {
     return result;
 }
 
+/// First up or down about the camera's own sideways axis, then about the vertical of space, so that the
+/// horizon stays level however long one turns. The limit is a quarter turn either way, straight from above
+/// and below.
 Camera orbited(const Camera& camera, double right, double upwards) {
     const Matrix3d axes = cameraAxes(camera);
     // The up direction never turns below the horizon: beyond it, "right" would turn the wrong way.
@@ -133,12 +141,17 @@ Camera zoomed(const Camera& camera, double factor) {
     return result;
 }
 
+/// Zooming alone moves what lies under the pointer away from the middle. At the target's depth the picture
+/// shrinks by the ratio of its heights; panning by that part of the way from the middle puts the point under
+/// the pointer again.
 Camera zoomedAbout(const Camera& camera, double factor, const Vector2d& point, double aspect) {
     const Camera closer = zoomed(camera, factor);
     const double shrunk = pictureHeightAtTarget(camera) / pictureHeightAtTarget(closer) - 1;
     return panned(closer, shrunk * (point.x() - 0.5) * aspect, shrunk * (0.5 - point.y()));
 }
 
+/// Gram and Schmidt's: backwards is kept, the up direction only says which way right goes. Where up lies
+/// along the line of sight another one is taken, so that the axes are never NaN.
 Matrix3d cameraAxes(const Camera& camera) {
     Vector3d backwards = camera.eye - camera.target;
     backwards = backwards.norm() > 0 ? backwards.normalized() : Vector3d::UnitZ();
@@ -161,6 +174,10 @@ Matrix4d viewMatrix(const Camera& camera) {
     return view;
 }
 
+/// The matrix of glFrustum, but with the principal point moved off the middle (centre) and pixels that need
+/// not be square (stretch), as a calibrated camera has them. Near and far plane are put close around what is
+/// shown, for every picture anew: depth values lie as 1 / z, so that a near plane put too close costs all
+/// precision farther back.
 Matrix4d projectionMatrix(const Camera& camera, double aspect, const AlignedBox3d& box) {
     const AlignedBox3d held = usableBox(box);
     const Vector3d backwards = cameraAxes(camera).col(2);

@@ -9,6 +9,7 @@
 namespace esm {
 namespace {
 
+/// The driver's own words go into the message: what a driver refuses, only its log tells.
 GLuint compiled(const GlFunctions& gl, GLenum kind, const std::string& source) {
     const GLuint shader = gl.CreateShader(kind);
     const char* text = source.c_str();

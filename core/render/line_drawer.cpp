@@ -21,6 +21,8 @@ void setView(const GlProgram& program, const Frame& frame) {
 
 PointSet::PointSet(const GlFunctions& gl) : m_buffer(gl), m_texture(gl) {}
 
+/// Places are handed over relative to the frame's origin in the organ's middle: floats have 24 bits, and of a
+/// file that lies metres from 0 these would be spent on the way there.
 void PointSet::upload(const std::vector<Eigen::Vector3d>& points, const Frame& frame,
                       const std::vector<float>& strengths) {
     std::vector<Eigen::Vector4f> texels(points.size());
@@ -56,6 +58,9 @@ LineDrawer::LineDrawer(const GlFunctions& gl)
     : m_gl(gl), m_lines(gl, shaders::lineVertex(), shaders::lineFragment()),
       m_dots(gl, shaders::pointVertex(), shaders::pointFragment()), m_emptyArray(gl) {}
 
+/// A segment is an instance of four corners that the shader spreads to the width in pixels: GL's own lines
+/// are one pixel wide in core profiles. Both ends are looked up by number in the texture of points, so that
+/// springs that move upload points alone.
 void LineDrawer::draw(const PointSet& points, const SegmentSet& segments, const LineStyle& style,
                       const Frame& frame) const {
     if (segments.size() == 0) return;

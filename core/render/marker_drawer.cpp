@@ -145,6 +145,8 @@ void MarkerDrawer::drawHiddenInstrument(const DrawnSphere& sphere, const Frame& 
     m_gl.Disable(GL_CULL_FACE);
 }
 
+/// Everything here is blended and writes no depth, so its order is that of drawing: glass first, lines over
+/// it, outlines last.
 void MarkerDrawer::drawTransparent(const RenderScene& scene, const Eigen::AlignedBox3d& shown,
                                    const LineDrawer& lines, const Frame& frame) {
     if (scene.instrument) drawHiddenInstrument(*scene.instrument, frame);

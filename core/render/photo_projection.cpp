@@ -22,7 +22,8 @@ bool isPerspective(const ThrownPhoto& thrown) {
     return thrown.projector.kind == ProjectorKind::Perspective;
 }
 
-/// Colours weighed by alpha, so that filters mix in nothing of what is transparent.
+/// Colours weighed by alpha, so that filters mix in nothing of what is transparent (Porter and Duff 1984);
+/// the shader divides it out again.
 Image premultiplied(const Image& photo) {
     Image weighed = photo;
     for (std::size_t i = 0; i < weighed.pixels.size(); i += 4) {
@@ -83,6 +84,10 @@ PhotoProjection::PhotoProjection(const GlFunctions& gl)
     m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
 }
 
+/// A shadow map (Williams 1978, Casting curved shadows on curved surfaces): the organ is drawn once from the
+/// projector, depth alone, and a pixel on the screen is lit where it lies no deeper than that map says.
+/// Composing follows rays, which is exact and takes too long for each picture of a drag. The map is drawn
+/// anew only where photo, projector or surface are others.
 void PhotoProjection::take(const ThrownPhoto& thrown, const std::shared_ptr<const TriangleMesh>& mesh,
                            const Frame& frame) {
     const bool isKnown =
@@ -103,6 +108,8 @@ void PhotoProjection::take(const ThrownPhoto& thrown, const std::shared_ptr<cons
     drawDepth();
 }
 
+/// At rest: photos are thrown on the organ as it was when they were placed, and go along with the tissue as
+/// it moves.
 void PhotoProjection::takeMesh(const std::shared_ptr<const TriangleMesh>& mesh, const Frame& frame) {
     if (mesh == m_mesh) return;
     m_mesh = mesh;
@@ -136,7 +143,9 @@ bool PhotoProjection::seesOnlyFronts() const {
            (m_isSolid && !boundingBox(m_mesh->vertices).contains(m_thrown->projector.pose.translation()));
 }
 
-/// What lies between the projector and the farthest of the organ, no more: depth is only so fine.
+/// What lies between the projector and the farthest of the organ, no more: depth is only so fine. Before an
+/// eye it goes as 1 / z: a near plane closer than a 2000th of the far one, as for an eye within the organ,
+/// would leave nothing of it for what lies farther off.
 void PhotoProjection::measureDepth() {
     const Eigen::Matrix4d inModel = photoMatrix(m_thrown->projector, sizeOf(*m_photo));
     double least = std::numeric_limits<double>::max(), most = 0;

@@ -68,6 +68,9 @@ Renderer::Renderer(const Resolver& resolver) : m_implementation(std::make_unique
 
 Renderer::~Renderer() = default;
 
+/// The order is that of what hides what. Opaque things first, in any order, as depth decides; then what is
+/// seen through, which tests depth and does not write it. The depth map of a thrown photo is drawn before
+/// all, as it needs a target of its own.
 void Renderer::draw(const RenderScene& scene, const Camera& camera, const PictureSize& size) {
     if (size.width <= 0 || size.height <= 0) return;
     Implementation& parts = *m_implementation;
@@ -89,6 +92,8 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, const Pictur
     parts.tidy();
 }
 
+/// The origin is the middle of the organ at rest, taken out in double precision before anything becomes
+/// float. It stays where it is while tissue moves, so that what was uploaded stays right.
 Frame Renderer::Implementation::frameFor(const RenderScene& scene, const Camera& camera,
                                          const PictureSize& size, const Eigen::AlignedBox3d& box) {
     const Eigen::AlignedBox3d rest = restBox(scene);
@@ -106,6 +111,8 @@ Frame Renderer::Implementation::frameFor(const RenderScene& scene, const Camera&
     return frame;
 }
 
+/// The context may be shared with Qt's painter, which leaves states as it likes: every one that matters here
+/// is set, none expected.
 void Renderer::Implementation::prepare(const PictureSize& size) const {
     gl.Viewport(-size.left, -size.bottom, size.width, size.height);
     constexpr std::array<GLenum, 5> unwantedStates{GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_BLEND,

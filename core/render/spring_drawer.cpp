@@ -86,6 +86,9 @@ SpringDrawer::SpringColours SpringDrawer::coloursOf(const RenderScene& scene) co
     return {scene.springValues, scene.springValueMinimum, scene.springValueMaximum};
 }
 
+/// Springs over a surface lie in it, or beneath a finer surface that is drawn: they are lifted towards the
+/// eye by as much as that surface lies over its nodes, but never so far that springs of the far side come
+/// through.
 SpringDrawer::Manner SpringDrawer::mannerOf(const RenderScene& scene, const Frame& frame) const {
     const bool bare = !scene.mesh || scene.mesh->triangles.empty();
     const bool overSurface = scene.showSurface && !bare;
@@ -171,6 +174,8 @@ void SpringDrawer::drawFixed(const std::vector<std::uint32_t>& fixed, const Mann
     lines.drawDots(m_fixedPoints, {dotPaint, radius, fixedEdge, manner.lift}, frame);
 }
 
+/// Which springs there are and how they are coloured is uploaded only when it changes: in a running
+/// simulation positions alone do, which are points that all segments share.
 void SpringDrawer::takeSprings(const RenderScene& scene, bool overSurface) {
     const SpringColours colours = coloursOf(scene);
     if (m_springsNetwork == m_network && m_colours == colours && overSurface == m_overSurface) return;

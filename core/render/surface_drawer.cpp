@@ -113,6 +113,8 @@ void SurfaceDrawer::takeTriangles(const std::shared_ptr<const TriangleMesh>& mes
                          mesh->triangles.size() * sizeof(Triangle), GL_STATIC_DRAW);
 }
 
+/// Positions and normals lie in a texture that shaders read by number: what moves is uploaded once per vertex
+/// and not six times, once for each triangle around it.
 void SurfaceDrawer::takeVertices(const std::vector<Eigen::Vector3d>& vertices, const Frame& frame) {
     if (vertices == m_vertices) return;
     const std::vector<Eigen::Vector3d> normals = vertexNormals(vertices, m_mesh->triangles);
@@ -127,6 +129,10 @@ void SurfaceDrawer::takeVertices(const std::vector<Eigen::Vector3d>& vertices, c
     m_vertices = vertices;
 }
 
+/// Triangles sorted by their pages, so that each page is bound once; stably, so that within a page the mesh's
+/// order, in which neighbours are near each other in memory, is kept. A vertex has another place in the
+/// texture in each triangle around it, so corners are not shared; they hold the number of a vertex whose
+/// position all share.
 void SurfaceDrawer::takeAtlas(const std::shared_ptr<const Atlas>& atlas) {
     if (atlas == m_atlas) return;
     m_atlas = atlas;
