@@ -11,7 +11,8 @@ namespace {
 constexpr double fullTurn = 2 * pi;
 constexpr int stations = 300; ///< at which the body is measured along its axis
 
-/// The first place from inside to outside along a ray, m.
+/// The first place from inside to outside along a ray, m: steps of 2 mm until it is outside, then halving, to
+/// 2 nm. A hollow narrower than a step is passed over.
 double depthAlong(const Shape& shape, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
     double inside = 0, outside = 0.002;
     while (shape(origin + outside * direction) < 0) {
@@ -29,6 +30,9 @@ struct Section {
     Eigen::Vector3d centre, right, up;
 };
 
+/// Rings across an axis instead of marching cubes: vertices lie evenly by construction, their number is
+/// chosen by the spacing, and no slivers come up where a grid cuts the surface at a corner. It asks that
+/// every section be seen whole from the axis, which organs of one body with a clear long way are.
 class BodyAround {
 public:
     BodyAround(const Shape& shape, const Axis& axis, double spacing)
@@ -87,7 +91,9 @@ private:
         return sum / rays;
     }
 
-    /// Axis parameters at equal distances along the surface.
+    /// Axis parameters at equal distances along the surface. Where the body widens, the way along the surface
+    /// is longer than that along the axis: the length of the profile, (along, change of the mean radius), is
+    /// measured and divided evenly. Rows are √¾ of the spacing apart, as in equilateral triangles.
     std::vector<double> ringPlaces() const {
         const double width = (m_end - m_begin) / stations;
         std::vector<double> lengths{0};
@@ -127,7 +133,9 @@ private:
         return ring;
     }
 
-    /// Joins two rings of any counts, going round both at the same pace.
+    /// Joins two rings of any counts, going round both at the same pace: always on where the middle of the
+    /// next side lies less far round, (i + ½) / a against (j + ½) / b, compared in whole numbers. An end of
+    /// the body is a ring of one.
     void stitch(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) {
         const std::size_t a = first.size(), b = second.size();
         const std::size_t steps = (a > 1 ? a : 0) + (b > 1 ? b : 0);

@@ -4,6 +4,8 @@
 
 namespace esm {
 
+/// A hash of the place (multiplications and shifts, as hash tables finish their keys) and no generator with a
+/// state: any place can be asked for in any order, and pictures are the same on every machine.
 double gridNoise(int x, int y, std::uint32_t seed) {
     std::uint32_t bits = seed * 0x9e3779b9U + static_cast<std::uint32_t>(x) * 0x85ebca6bU;
     bits = (bits ^ bits >> 15) * 0x2c1b3c6dU + static_cast<std::uint32_t>(y) * 0xc2b2ae35U;
@@ -12,6 +14,8 @@ double gridNoise(int x, int y, std::uint32_t seed) {
     return (bits ^ bits >> 16) / 4294967295.0;
 }
 
+/// Values at whole places, eased between them by Perlin's polynomial of the fifth degree (2002), whose second
+/// derivative is 0 at its ends: light on bumps then shows no grid.
 double smoothNoise(double x, double y, std::uint32_t seed) {
     const double left = std::floor(x), top = std::floor(y);
     const int column = static_cast<int>(left), row = static_cast<int>(top);

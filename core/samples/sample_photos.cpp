@@ -59,6 +59,8 @@ Tissue serosa() {
     return tissue;
 }
 
+/// Noise is read along a circle around its own middle, so that it meets itself after a turn and the rim has
+/// no jump.
 /// Distance from the lesion's middle, 1 at its irregular rim.
 Field lesionRadius() {
     Field radius;

@@ -9,6 +9,7 @@ namespace esm {
 
 namespace {
 
+/// The normal of a height field is (−∂h/∂x, −∂h/∂y, 1); by differences over two pixels, hence the 2.
 Eigen::Vector3d normalAt(const Field& height, int x, int y) {
     const int left = std::max(x - 1, 0), right = std::min(x + 1, pictureSize - 1);
     const int above = std::max(y - 1, 0), below = std::min(y + 1, pictureSize - 1);

@@ -18,6 +18,7 @@ Eigen::Vector3d centreAt(double t) {
     return {0.096 * (t - 0.5), 0.013 * std::sin(pi * t) - 0.012 * t * t, 0.006 * std::sin(2 * pi * t)};
 }
 
+/// A high power keeps the tube even and opens it only near its end.
 /// Narrow at the uterus, wider towards the ovary, where the end opens like a funnel with a wavy seam.
 double radiusAt(double t, std::uint32_t around) {
     const double funnel = std::pow(t, 8);

@@ -9,6 +9,10 @@ namespace esm {
 
 namespace {
 
+/// A walk whose direction drifts, as its bend keeps four fifths of itself from step to step, while the radius
+/// shrinks. Where it branches, the side branch turns off sharply and the stem gives way a little to the other
+/// side, as vessels do; the stem loses some of its cross-section to the branch. Branches are grown at once
+/// and end below half a pixel, so that the walk ends.
 class VesselTree {
 public:
     VesselTree(Field& cover, std::uint32_t seed) : m_cover(cover), m_seed(seed) {}
