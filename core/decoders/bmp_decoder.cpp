@@ -35,6 +35,8 @@ bool isBmp(ByteView encoded) {
     return encoded.size() > 2 && encoded[0] == 'B' && encoded[1] == 'M';
 }
 
+/// Rows go from the bottom up unless the height is negative. −2³¹ has no absolute value and is refused by
+/// name.
 std::optional<Image> decodePlainBmp(ByteView encoded) {
     const BmpHeader header = headerOf(encoded);
     if (header.bits != 24 || header.compression != 0) return std::nullopt;

@@ -54,6 +54,9 @@ std::string quoted(std::string address) {
 
 } // namespace
 
+/// A document from anywhere may name /etc/passwd, a pipe, or a folder above. The words of the name are
+/// checked first, then where the file really lies, as a link in the folder may lead out of it; only what is
+/// below the document's own folder is opened.
 fs::path fileAtAddress(const fs::path& document, const std::string& address) {
     const fs::path folder = fs::absolute(document).parent_path();
     const auto refuse = [&](const std::string& reason) {

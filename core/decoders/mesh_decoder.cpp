@@ -92,6 +92,8 @@ private:
     std::string m_file;
 };
 
+/// No flags: assimp is to change nothing, neither weld nor drop nor turn, as all that is done to a mesh is
+/// told to the user later. Faces that it left out in silence are found by counting.
 PolygonSoup readWithAssimp(const fs::path& file, const std::optional<std::size_t>& faceCount) {
     Assimp::Importer importer;
     importer.SetIOHandler(new NearbyFiles(file)); // which the importer deletes

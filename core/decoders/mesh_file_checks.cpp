@@ -46,6 +46,8 @@ std::optional<Signature> signatureOf(std::string_view content) {
 
 } // namespace
 
+/// By the first bytes before anything else: a picture that was renamed gets a word that helps, and no reader
+/// sees what is not its own.
 std::optional<std::size_t> checkMeshContent(const fs::path& file, const Bytes& content,
                                             const std::string& ending) {
     if (content.empty()) throw FileError(file, "is empty; export the mesh again");

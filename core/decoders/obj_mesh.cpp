@@ -9,6 +9,8 @@ namespace esm {
 
 namespace {
 
+/// Points and faces alone are read: vertices keep the numbers that the file gives them, so that what was
+/// welded stays so and what names no vertex can be told.
 class ObjParser {
 public:
     ObjParser(const std::filesystem::path& file, const Bytes& content) : m_file(file), m_lines(content) {}

@@ -47,6 +47,9 @@ std::size_t plyTypeBytes(std::string_view name) {
     return 0;
 }
 
+/// The header announces how much follows; a file that is cut off holds less and must not pass for a small
+/// one. So the file is walked through as announced, without keeping anything: a text must have a whole line
+/// for each element, a binary one the bytes.
 class PlyChecker {
 public:
     PlyChecker(const fs::path& file, const Bytes& content) : m_file(file), m_content(content) {}
@@ -162,6 +165,8 @@ void PlyChecker::checkText() const {
         }
 }
 
+/// Lists have their lengths within the data, so that sizes cannot be told from the header: each is read on
+/// the way. An element without properties takes no bytes and is not walked, however many are announced.
 void PlyChecker::checkBinary() const {
     const ByteOrder order = m_header.form == PlyForm::BigEndian ? ByteOrder::Big : ByteOrder::Little;
     std::size_t at = m_header.bodyStart;

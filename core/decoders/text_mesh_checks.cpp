@@ -26,6 +26,7 @@ bool isBlank(std::string_view line) {
     return line.find_first_not_of(" \t") == std::string_view::npos;
 }
 
+/// A file that is cut off must not pass for a small one: each announced line is looked for and read.
 class OffChecker {
 public:
     OffChecker(const fs::path& file, const Bytes& content) : m_file(file), m_lines(content) {}
@@ -124,6 +125,8 @@ std::size_t checkStlText(const fs::path& file, const Bytes& content) {
 
 } // namespace
 
+/// Whether an STL file is binary is told by its size and not by its first word: many binary ones begin with
+/// "solid" in their free text. Of the right size for its count it is binary; else it is a text, or cut off.
 std::size_t checkStl(const fs::path& file, const Bytes& content) {
     constexpr std::size_t headerSize = 84, triangleSize = 50;
     const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());

@@ -32,6 +32,8 @@ tmsize_t refuseToWrite(thandle_t, void*, tmsize_t) {
     return -1;
 }
 
+/// A place beyond the end is kept as it is, and reading from there fails: libtiff seeks where damaged
+/// directories point.
 toff_t moveTo(thandle_t handle, toff_t offset, int from) {
     TiffSource& source = *static_cast<TiffSource*>(handle);
     const toff_t origin = from == SEEK_SET ? 0 : from == SEEK_CUR ? source.place : source.encoded.size();
@@ -87,6 +89,7 @@ std::optional<TiffLayout> plainLayoutOf(TIFF* file) {
     return isPlain ? std::optional(layout) : std::nullopt;
 }
 
+/// Rounded and not cut off, so that every level stands for as many values.
 template<typename Channel> std::uint8_t inEightBits(Channel value) {
     constexpr auto most = std::numeric_limits<Channel>::max();
     return static_cast<std::uint8_t>((255u * value + most / 2) / most);

@@ -53,6 +53,9 @@ bool isSpace(char letter) {
     return letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r';
 }
 
+/// Legacy VTK is text whose numbers may be binary, in sections that name themselves. It is read by one cursor
+/// over the whole file; before anything is allocated, what a section announces is held against what is left
+/// of the file, as a count is quickly damaged and memory quickly full.
 class VtkParser {
 public:
     VtkParser(const std::filesystem::path& file, const Bytes& content)
@@ -189,6 +192,8 @@ bool VtkParser::parseSection(const std::string& keyword) {
     return true;
 }
 
+/// Divided and not multiplied: count · size of a damaged file may wrap around. In text a number takes two
+/// bytes at least, one of which the last one may lack.
 void VtkParser::beginNumbers(std::size_t count, std::size_t perItem, const NumberType& type) {
     if (m_binary) nextLine();
     const std::size_t smallest = m_binary ? type.bytes : 2; // one digit and a space
@@ -230,6 +235,7 @@ template<typename Number> Number VtkParser::nextNumber(const std::string& expect
     return *number;
 }
 
+/// Two's complement in fewer bytes is widened by shifting the sign up to the highest bit and back.
 std::int64_t VtkParser::nextInteger(const NumberType& type) {
     if (m_binary) {
         const std::uint64_t bits = nextBits(type.bytes);
@@ -321,6 +327,8 @@ void VtkParser::addPolygons() {
         if (cell.size() >= 3) m_soup.polygons.push_back(std::move(cell));
 }
 
+/// Each corner of a strip makes a triangle with the two before it; every second one is turned, else its front
+/// would be its back.
 void VtkParser::addStrips() {
     for (const std::vector<std::uint32_t>& strip : parseCells())
         for (std::size_t i = 2; i < strip.size(); ++i) {

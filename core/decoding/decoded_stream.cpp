@@ -13,6 +13,7 @@ Descriptor::~Descriptor() {
     if (m_number >= 0) ::close(m_number);
 }
 
+/// Begins anew, whatever was written before: a decoder that runs out of memory halfway can still say so.
 void DecodedWriter::begin(DecodingOutcome outcome) {
     m_kept.clear();
     if (::lseek(m_descriptor, 0, SEEK_SET) != 0 || ::ftruncate(m_descriptor, 0) != 0)
@@ -20,6 +21,7 @@ void DecodedWriter::begin(DecodingOutcome outcome) {
     value(outcome);
 }
 
+/// Small values are gathered: a system call for each number of a mesh would take longer than decoding it.
 void DecodedWriter::write(const void* data, std::size_t bytes) {
     constexpr std::size_t most = 1 << 20;
     const auto* begin = static_cast<const std::uint8_t*>(data);
@@ -54,6 +56,8 @@ DecodedStream::DecodedStream(std::filesystem::path subject, Descriptor file)
     m_left = static_cast<std::uint64_t>(status.st_size);
 }
 
+/// What comes back may be made to do harm: a decoder that was taken over writes what it likes. So no length
+/// is believed before the bytes are there.
 void DecodedStream::read(void* data, std::size_t bytes) {
     if (bytes > m_left) failAsNonsense();
     auto* place = static_cast<std::uint8_t*>(data);

@@ -168,6 +168,8 @@ private:
                     "it comes from");
 }
 
+/// Processor time is bounded by the system; a process that sleeps uses none, so the clock is looked at too,
+/// at four times as much for machines that do other work.
 void waitFor(Process& process, const DecodingTask& task, const Progress& progress) {
     constexpr std::chrono::milliseconds moment{20};
     constexpr double unknown = -1;
@@ -178,6 +180,9 @@ void waitFor(Process& process, const DecodingTask& task, const Progress& progres
     }
 }
 
+/// The limits on time and size end the process by signals of their own, which tell what was too large; that
+/// memory was not enough it says itself. SIGKILL comes from outside: the system's way out where all memory is
+/// gone.
 void requireSoundEnd(int status, const DecodingTask& task) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) failAsEnded(task);
@@ -202,6 +207,8 @@ std::string problemIn(DecodedStream& stream) {
 
 } // namespace
 
+/// What came out is looked at only once the process has ended: then nothing can change it between a check and
+/// its use.
 DecodedStream decodeApart(const DecodingTask& task, const Progress& progress) {
     Descriptor output = namelessFile(task);
     {

@@ -59,6 +59,8 @@ DecodingLimits pictureDecodingLimits(std::uint64_t pixels, std::uint64_t encoded
             30 + pixels / megabyte};
 }
 
+/// Called in the decoder before it opens the file. First of all it is tied to the thread that waits for it: a
+/// caller that crashes leaves none behind.
 void holdTo(const DecodingLimits& limits) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit(RLIMIT_CORE, 0);
