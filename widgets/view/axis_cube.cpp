@@ -40,9 +40,13 @@ QColor mixed(const QColor& from, const QColor& to, double share) {
 
 } // namespace
 
+/// Drawn without perspective, a convex body hides itself rightly where its faces turn away: no order of
+/// drawing is needed. Faces seen from less than about a degree aside are left out, as they are lines.
 std::vector<CubeFace> visibleFaces(const Camera& camera, const QRectF& square) {
     const Eigen::Matrix3d toCamera = cameraAxes(camera).transpose();
-    // A turned cube is wider than its face; it keeps inside the square at any angle.
+    // A turned cube is wider than its face: its corners lie √3 halves of a side from the middle. All are
+    // inside the square, but for one that points nearly straight up or down: up to 6 % of the square's side
+    // of it stand out.
     const double half = square.width() / 2 / std::sqrt(3.0) * 1.12;
     std::vector<CubeFace> faces;
     for (const Side& side : sides()) {

@@ -21,6 +21,7 @@ template<typename Draw> void drawTwice(QPainter& painter, double width, const Dr
 
 } // namespace
 
+/// In space and not in the picture: seen aslant it becomes the ellipse that is painted.
 std::vector<Eigen::Vector3d> circleAround(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                                           double radius) {
     constexpr int corners = 48;

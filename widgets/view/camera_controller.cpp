@@ -52,6 +52,8 @@ bool CameraController::release(const QMouseEvent& event) {
     return true;
 }
 
+/// A power for each notch, so that as many notches back lead to where one was; parts of notches, as touchpads
+/// send them, add up the same way.
 void CameraController::zoom(const QWheelEvent& event, const QSize& viewSize) {
     const Eigen::Vector2d at(event.position().x() / std::max(1, viewSize.width()),
                              event.position().y() / std::max(1, viewSize.height()));

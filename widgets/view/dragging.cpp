@@ -7,6 +7,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// The selected shape wins over nearer ones: who drags what is selected must not take hold of what lies
+/// before it.
 template<typename Drawn, typename ShapeOf>
 int shapeUnder(const std::vector<Drawn>& shapes, ShapeOf shapeOf, const Ray& ray) {
     int found = -1;

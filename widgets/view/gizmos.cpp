@@ -31,6 +31,9 @@ struct Growth {
     double wider, higher;
 };
 
+/// Of a corner that keeps proportions, the growth of both sides is their mean weighted by the squares of
+/// their lengths: the place on the diagonal that is nearest to the pointer. An edge changes its own direction
+/// alone.
 Growth growthOf(const Eigen::AlignedBox2d& box, const Eigen::Vector2d& point, std::size_t handle, bool kept) {
     // From the line of sight to the drawn border; half the size where that lies outside the photo.
     const auto reach = [&](Eigen::Index axis) {
@@ -50,6 +53,8 @@ Growth growthOf(const Eigen::AlignedBox2d& box, const Eigen::Vector2d& point, st
     return {std::max(growth.wider, smallestShare), std::max(growth.higher, smallestShare)};
 }
 
+/// A perspective photo lies at a given depth, so it becomes wider by a shorter focal length or a wider field
+/// of view, whose tangent is what grows.
 void grow(Projector& projector, const Growth& growth) {
     if (projector.kind == ProjectorKind::Parallel) {
         projector.width *= growth.wider;
@@ -66,6 +71,8 @@ void grow(Projector& projector, const Growth& growth) {
 
 } // namespace
 
+/// A ray along the plane would meet it kilometres away, and a hand that trembles would send there what it
+/// drags: below a thousandth there is no answer.
 std::optional<Vector3d> meet(const Ray& ray, const DragPlane& plane) {
     const Vector3d direction = ray.direction.normalized();
     const double approach = direction.dot(plane.normal.normalized());
@@ -75,6 +82,8 @@ std::optional<Vector3d> meet(const Ray& ray, const DragPlane& plane) {
     return ray.origin + distance * direction;
 }
 
+/// From outside and ahead alone: c < 0 is an eye within the ellipsoid, b > 0 one that looks away from it.
+/// Nobody wants to take hold of what surrounds them.
 std::optional<double> distanceTo(const Ellipsoid& ellipsoid, const Ray& ray) {
     // In the space where the ellipsoid is the unit sphere: |origin + t·direction| = 1.
     const auto toUnit = [&](const Vector3d& v) {
@@ -117,6 +126,9 @@ std::array<Vector3d, photoHandles> handles(const PhotoFace& photo) {
     return places;
 }
 
+/// The axis and the line of sight are two lines in space that hardly ever meet. The handle goes to the point
+/// of the axis that is nearest to the ray; where both run alike that point is not determined, and nothing
+/// changes.
 Ellipsoid scaled(const Ellipsoid& ellipsoid, std::size_t handle, const Ray& ray) {
     const auto axis = static_cast<Eigen::Index>(handle / 2);
     const Vector3d along = ellipsoid.orientation * Vector3d::Unit(axis) * (handle % 2 == 0 ? 1.0 : -1.0);

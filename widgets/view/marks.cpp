@@ -49,6 +49,7 @@ void paintMarks(QPainter& painter, const std::vector<PaintedMark>& marks, const 
     painter.restore();
 }
 
+/// The nearest one within reach: of marks side by side, the one that is meant.
 std::optional<int> markAt(const std::vector<PaintedMark>& marks, const QPointF& place) {
     std::optional<int> nearest;
     double least = markReach;

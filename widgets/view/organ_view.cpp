@@ -137,6 +137,7 @@ void OrganView::initializeGL() {
     }
 }
 
+/// GL objects can only be deleted in their context, which goes before this widget does.
 void OrganView::dropRenderer() {
     if (!m_renderer) return;
     makeCurrent();

@@ -8,6 +8,9 @@ constexpr double clickReach = 4; // pixels a click may wander before it is a dra
 
 } // namespace
 
+/// Who gets a press: the cube in the corner, a tool that asks for Shift, the camera, the tool; and where the
+/// tool holds nothing, the left button turns the view. Until the pointer has wandered it may still become a
+/// click, which is why nothing turns at first.
 void OrganView::mousePressEvent(QMouseEvent* event) {
     const bool isFree = event->button() == Qt::LeftButton && !m_cameraController.isDragging();
     if (isFree) {

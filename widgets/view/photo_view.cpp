@@ -108,6 +108,8 @@ void PhotoView::mousePressEvent(QMouseEvent* event) {
     if (!m_dragged) m_shiftFrom = event->localPos();
 }
 
+/// A press is a click until it has wandered a few pixels; from then on it is a drag, and no click comes of
+/// it. A hand that trembles sets a mark and does not shift the photo.
 void PhotoView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF place = event->localPos();
     if (m_pressed && std::hypot(place.x() - m_pressed->x(), place.y() - m_pressed->y()) > photoClickReach)
@@ -145,6 +147,7 @@ void PhotoView::drop() {
     if (moved) emit markDropped();
 }
 
+/// The pixel under the pointer stays there: the middle is moved by what the zoom has shifted it.
 void PhotoView::wheelEvent(QWheelEvent* event) {
     if (m_image.isNull()) return;
     const Vector2d under = pixelAt(event->position());

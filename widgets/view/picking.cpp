@@ -20,6 +20,8 @@ Eigen::Vector3d Picker::carried(const RenderScene& scene, const CarriedPlace& pl
     return pointOf(place, m_query ? m_vertices : m_nodes);
 }
 
+/// While tissue moves only places change: the tree of rays is refitted, which is far cheaper than building
+/// it, as long as the triangles are the same. Nothing is done before someone picks.
 void Picker::refresh(const RenderScene& scene) {
     const bool other = scene.mesh != m_mesh || scene.network != m_network;
     m_mesh = scene.mesh;
@@ -55,6 +57,8 @@ Eigen::Vector3d Picker::normalOf(const RayHit& hit, const std::vector<Eigen::Vec
     return (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]);
 }
 
+/// On the organ at rest: photos and strokes lie there and go along as it moves. The normal is turned to the
+/// side that is looked at, also inside an open organ.
 SurfaceSpot Picker::spotOf(const RayHit& hit, const Ray& ray) const {
     const double side = normalOf(hit, m_vertices).dot(ray.direction) > 0 ? -1 : 1;
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
@@ -64,6 +68,8 @@ SurfaceSpot Picker::spotOf(const RayHit& hit, const Ray& ray) const {
     return {point, side * normalOf(hit, m_mesh->vertices).stableNormalized()};
 }
 
+/// Bare springs have no surface. The node is taken whose direction is nearest to the ray's, by the tangent of
+/// the angle between them; a node behind the eye has one below 0.
 std::optional<PickedPoint> Picker::pickNode(const Ray& ray, double tolerance) const {
     const Eigen::Vector3d direction = ray.direction.normalized();
     double smallest = std::tan(tolerance);

@@ -26,6 +26,8 @@ double distanceToNearest(const std::vector<RegionHandle>& handles, const Vector3
     return nearest;
 }
 
+/// On the outline, upper right, and of those places the one that is farthest from all other handles: none is
+/// hidden under another.
 std::optional<Vector3d> rimPlace(const DrawnEllipsoid& region, const Camera& camera,
                                  const std::vector<RegionHandle>& others) {
     const Eigen::Matrix3d axes = cameraAxes(camera);
@@ -44,7 +46,8 @@ struct Ball {
     double side;     ///< along the ray: −1 where it comes in, 1 where it leaves
 };
 
-/// From the ball's centre to where a ray meets its side, else towards where the ray passes nearest.
+/// From the ball's centre to where a ray meets its side, else towards where the ray passes nearest. At the
+/// outline both are the same, so that nothing jumps there.
 Vector3d met(const Ball& ball, const Ray& ray) {
     const Vector3d direction = ray.direction.normalized(), start = ray.origin - ball.centre;
     const Vector3d nearest = start - start.dot(direction) * direction;
@@ -54,6 +57,8 @@ Vector3d met(const Ball& ball, const Ray& ray) {
 
 } // namespace
 
+/// An axis that points at the viewer has its end right over the middle: a drag across the picture could not
+/// tell longer from shorter, so it has no handles until the view is turned.
 std::vector<RegionHandle> regionHandles(const DrawnEllipsoid& region, const Camera& camera,
                                         double turnReach) {
     using Kind = RegionHandle::Kind;
@@ -70,6 +75,9 @@ std::vector<RegionHandle> regionHandles(const DrawnEllipsoid& region, const Came
     return found;
 }
 
+/// As with Shoemake's arcball (1992), but around the handle's own ball: a handle on its far side is dragged
+/// along the far side, so that what is held stays under the pointer. Outside the ball the nearest place of it
+/// is meant, in the plane through the middle; there a drag turns about the line of sight.
 Ellipsoid turned(const Ellipsoid& ellipsoid, const Grip& grip, const Ray& ray) {
     const Vector3d arm = grip.place - ellipsoid.centre;
     const bool isBehind = arm.dot(ellipsoid.centre - grip.ray.origin) >

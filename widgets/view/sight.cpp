@@ -37,11 +37,15 @@ std::optional<PickedPoint> Sight::pickAt(const QPointF& place) const {
     return picker.pick(scene, rayAt(place), nodeReach / size.height() * camera.verticalFieldOfView);
 }
 
+/// Depth along the line of sight, not the distance from the eye: in a flat picture all at one depth have one
+/// scale.
 double Sight::pixelAt(const Eigen::Vector3d& point) const {
     const double depth = (camera.eye - point).dot(cameraAxes(camera).col(2));
     return 2 * std::tan(camera.verticalFieldOfView / 2) * depth / std::max(1, size.height());
 }
 
+/// A point on the surface lies a rounding error before or behind it: a thousandth of the way is what counts
+/// as before.
 bool Sight::hides(const Eigen::Vector3d& point) const {
     constexpr double share = 1e-3; // of the way to the eye, by which the surface must lie nearer
     const double depth = (point - camera.eye).norm();
