@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -18,6 +19,10 @@ template<class Value> struct ByValue : std::shared_ptr<const Value> {
     ByValue(std::shared_ptr<const Value> value) : std::shared_ptr<const Value>(std::move(value)) {}
 
     friend bool operator==(const ByValue& a, const ByValue& b) { return sameValue<Value>(a, b); }
+    friend bool operator==(const ByValue& a, const std::shared_ptr<const Value>& b) {
+        return sameValue<Value>(a, b);
+    }
+    friend bool operator==(const ByValue& a, std::nullptr_t) { return !a; }
 };
 
 /// What is made of the rest of the struct that holds it, and kept: it makes no two of them differ.
@@ -26,6 +31,7 @@ template<class Value> struct Derived : std::shared_ptr<const Value> {
     Derived(std::shared_ptr<const Value> value) : std::shared_ptr<const Value>(std::move(value)) {}
 
     friend bool operator==(const Derived&, const Derived&) { return true; }
+    friend bool operator==(const Derived& a, std::nullptr_t) { return !a; }
 };
 
 } // namespace esm

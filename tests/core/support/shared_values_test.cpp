@@ -22,3 +22,12 @@ TEST(SharedValues, MakeNoDifferenceWhereTheyAreDerived) {
     const Derived<std::string> made = std::make_shared<const std::string>("liver");
     EXPECT_TRUE(made == Derived<std::string>());
 }
+
+TEST(SharedValues, CompareWithPlainPointersAndNone) {
+    const ByValue<std::string> liver = std::make_shared<const std::string>("liver");
+    EXPECT_EQ(liver, std::make_shared<const std::string>("liver"));
+    EXPECT_NE(liver, std::make_shared<const std::string>("colon"));
+    EXPECT_NE(liver, nullptr);
+    EXPECT_EQ(ByValue<std::string>(), nullptr);
+    EXPECT_EQ(Derived<std::string>(), nullptr);
+}
