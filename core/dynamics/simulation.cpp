@@ -128,6 +128,7 @@ struct Simulation::Implementation {
     /// The instruments' ways during the next step.
     std::vector<ColliderMove> sweepsTo(const std::vector<PlacedCollider>& places) const {
         std::vector<ColliderMove> moves;
+        moves.reserve(places.size());
         for (const auto& [shape, pose] : places)
             moves.push_back(
                 {shape, moves.size() < instruments.size() ? instruments[moves.size()] : pose, pose});

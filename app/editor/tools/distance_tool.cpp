@@ -171,7 +171,7 @@ void DistanceTool::cancel() {
 }
 
 void DistanceTool::draw(QPainter& painter, const Sight& sight, const QPalette& palette) const {
-    const QColor accent = palette.color(QPalette::Highlight);
+    const QColor& accent = palette.color(QPalette::Highlight);
     std::vector<QPointF> places;
     for (const CarriedPlace& point : m_points)
         if (const auto place = sight.placeOf(sight.picker.carried(sight.scene, point)))
