@@ -96,9 +96,11 @@ TEST(ContactColliders, ACapsuleWithoutLengthIsASphere) {
 }
 
 TEST(ContactColliders, NothingIsLeftInsideACapsuleThatComesDownLiesAcrossOrTurns) {
-    const Net tissue = heldNet(isSanitized() ? 5 : 9); // triangles wider than the capsule
+    const Net tissue = heldNet(9); // triangles wider than the capsule
     const Capsule shaft{0.003, 0.05};
-    for (const Integrator integrator : {Integrator::Euler, Integrator::Split, Integrator::Bdf2})
+    std::vector<Integrator> tried{Integrator::Bdf2, Integrator::Split, Integrator::Euler};
+    if (isSanitized()) tried.resize(1);
+    for (const Integrator integrator : tried)
         for (const double tilt : {0.0, 0.4, M_PI / 2}) {
             SCOPED_TRACE(std::string(integratorName(integrator)) + " at " + std::to_string(tilt));
             const double step = integrator == Integrator::Bdf2    ? 0.002

@@ -46,6 +46,13 @@ struct PulledTube {
     }
 };
 
+/// Those that take thousands of steps in runs like those of the others.
+struct LongTradeoff : testing::Test {
+    void SetUp() override {
+        if (isSanitized()) GTEST_SKIP() << "more of the same steps show nothing more to the sanitizers";
+    }
+};
+
 } // namespace
 
 TEST(Tradeoff, MeasuresThePublishedTube) {
@@ -91,7 +98,7 @@ TEST(Tradeoff, MeasuresThePublishedTube) {
         }
 }
 
-TEST(Tradeoff, KeepsRunsAsExactAsTheReference) {
+TEST_F(LongTradeoff, KeepsRunsAsExactAsTheReference) {
     PulledTube tube;
     tube.scene.duration = 0.2;
     TradeoffOptions options = optionsFor({1, 0.3});
@@ -106,8 +113,7 @@ TEST(Tradeoff, KeepsRunsAsExactAsTheReference) {
     EXPECT_GT(bounded, 0U);
 }
 
-TEST(Tradeoff, GoesOnToTheErrorThatIsWanted) {
-    if (isSanitized()) GTEST_SKIP() << "thousands of runs' steps show nothing more to the sanitizers";
+TEST_F(LongTradeoff, GoesOnToTheErrorThatIsWanted) {
     PulledTube tube;
     tube.scene.duration = 0.2;
     const auto runsOfSplit = [&](double mostError) {
@@ -119,7 +125,7 @@ TEST(Tradeoff, GoesOnToTheErrorThatIsWanted) {
     EXPECT_GT(runsOfSplit(1e-4), runsOfSplit(0.01));
 }
 
-TEST(Tradeoff, FindsAReferenceWhereRegionsHaveNoViscosity) {
+TEST_F(LongTradeoff, FindsAReferenceWhereRegionsHaveNoViscosity) {
     PulledTube tube;
     for (std::size_t node = 0; node < 40; ++node)
         tube.model.viscosity[node] = 0;
@@ -143,7 +149,7 @@ TEST(Tradeoff, SaysWhyThereIsNoReference) {
     }
 }
 
-TEST(Tradeoff, StopsWhatTakesLongerThanItsFirstSteps) {
+TEST_F(LongTradeoff, StopsWhatTakesLongerThanItsFirstSteps) {
     PulledTube tube;
     tube.scene.duration = 0.2;
     TradeoffOptions options = optionsFor({1, 0.3});
@@ -191,7 +197,7 @@ TEST(Tradeoff, SaysWhenNothingMoves) {
     EXPECT_THROW(tube.measured(optionsFor({1, 0.01})), InvalidModel);
 }
 
-TEST(Tradeoff, ComparesAtTheEndWhatIsRecordedLessOften) {
+TEST_F(LongTradeoff, ComparesAtTheEndWhatIsRecordedLessOften) {
     PulledTube tube;
     tube.scene.duration = 0.2;
     tube.scene.record.every = 1;
@@ -205,7 +211,7 @@ TEST(Tradeoff, StopsWhenAsked) {
                  Cancelled);
 }
 
-TEST(Tradeoff, MeasuresFewerNodesAgainstAll) {
+TEST_F(LongTradeoff, MeasuresFewerNodesAgainstAll) {
     Project project = makeProject("ball", {tissue::sphereMesh(3, 0.1), {}});
     Scene scene = project.scene;
     scene.duration = 0.4;

@@ -1,6 +1,7 @@
 #include "core/dynamics/measure/extremes.h"
 #include "core/dynamics/simulation.h"
 #include "core/support/errors.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -96,9 +97,10 @@ TEST(Trapezoid, LedNodesDoNotRingWhenTheyChangeTheirSpeedALittle) {
 
 // With every step that the equation gives, 24 of these made energy out of nothing.
 TEST(Trapezoid, RunsToTheEndAtTheExtremes) {
-    for (const ExtremeCase& tested : extremeCases()) {
-        const ExtremeOutcome outcome = runExtreme(tested, Integrator::Trapezoid);
-        EXPECT_EQ(outcome.end, ExtremeEnd::Ran) << tested.family << ": " << outcome.reason;
+    const std::vector<ExtremeCase> cases = extremeCases();
+    for (std::size_t i = 0; i < cases.size(); i += isSanitized() ? 12 : 1) {
+        const ExtremeOutcome outcome = runExtreme(cases[i], Integrator::Trapezoid);
+        EXPECT_EQ(outcome.end, ExtremeEnd::Ran) << cases[i].family << ": " << outcome.reason;
     }
 }
 
