@@ -34,13 +34,13 @@ std::string unusedName(const std::vector<Region>& regions, const std::string& st
     }
 }
 
-/// Beneath the others. Gives its index.
-std::size_t layWholeOrgan(Project& project) {
+/// Beneath the others.
+Region& layWholeOrgan(Project& project, RegionId id) {
     Region whole;
+    whole.id = id;
     whole.name = "Whole organ";
     whole.colour = {152, 161, 171};
-    project.regions.insert(project.regions.begin(), std::move(whole));
-    return 0;
+    return *project.regions.insert(project.regions.begin(), std::move(whole));
 }
 
 /// Half-axes for an ellipsoid laid on the surface: round, and around a twentieth of the nodes, at least a
@@ -72,89 +72,94 @@ Colour unusedColour(const std::vector<Region>& regions) {
                              [&](const Colour& a, const Colour& b) { return nearest(a) < nearest(b); });
 }
 
-void addRegion(Project& project, const Eigen::Vector3d& centre, SharedSystem system) {
+void addRegion(Project& project, RegionId id, const Eigen::Vector3d& centre, SharedSystem system) {
     const auto box = organBox(*project.mesh, *project.network);
     // At least a tenth of the largest extent, so that a flat organ does not get a flat ellipsoid.
     const double smallest = 0.1 * box.sizes().maxCoeff();
     Region region;
+    region.id = id;
     region.name = unusedName(project.regions, "Region");
     region.colour = unusedColour(project.regions);
     region.ellipsoid =
         Ellipsoid{centre, (0.25 * box.sizes()).cwiseMax(smallest), Eigen::Quaterniond::Identity()};
     project.regions.push_back(std::move(region));
-    setSystem(project, project.regions.size() - 1, std::move(system));
+    setSystem(project, id, std::move(system));
 }
 
-std::optional<std::size_t> wholeOrganRegion(const Project& project) {
-    if (project.regions.empty() || project.regions.front().ellipsoid) return std::nullopt;
-    return 0;
+const Region* wholeOrganRegion(const Project& project) {
+    const bool hasOne = !project.regions.empty() && !project.regions.front().ellipsoid;
+    return hasOne ? &project.regions.front() : nullptr;
 }
 
-std::size_t setSystem(Project& project, std::optional<std::size_t> region, SharedSystem system) {
-    if (!region) region = layWholeOrgan(project);
-    Region& target = project.regions[*region];
+void setSystem(Project& project, RegionId region, SharedSystem system) {
+    const auto place = placeOf(project.regions, region);
+    Region& target = place ? project.regions[*place] : layWholeOrgan(project, region);
     const auto before = std::exchange(target.system, std::move(system));
-    if (before && target.system && before->inputs == target.system->inputs) return *region;
+    if (before && target.system && before->inputs == target.system->inputs) return;
     target.inputs.clear();
-    if (!target.system) return *region;
+    if (!target.system) return;
     for (const auto& input : target.system->inputs)
         target.inputs.emplace_back(input.name, (input.minimum + input.maximum) / 2);
-    return *region;
 }
 
-std::optional<std::size_t> applyPreset(Project& project, std::optional<std::size_t> region,
-                                       const TissuePreset& preset) {
-    const bool isPart = region && project.regions[*region].ellipsoid;
+std::optional<RegionId> applyPreset(Project& project, RegionId region, const TissuePreset& preset) {
+    const Region* selected = findPart(project.regions, region);
+    const bool isPart = selected && selected->ellipsoid;
     const std::optional<double> mass = preset.published.mass;
     if (!isPart || !preset.system) tiePreset(project.scene, preset);
     if (!isPart && mass) project.base.mass = *mass;
-    if (!preset.system) return region;
-    if (!region) region = wholeOrganRegion(project);
-    if (!region) region = layWholeOrgan(project);
-    Region& target = project.regions[*region];
+    if (!preset.system) return selected ? std::optional(region) : std::nullopt;
+    const Region* whole = wholeOrganRegion(project);
+    const RegionId chosen = !selected && whole ? whole->id : region;
+    const auto place = placeOf(project.regions, chosen);
+    Region& target = place ? project.regions[*place] : layWholeOrgan(project, chosen);
     layPreset(target, preset);
     if (!isPart && mass) target.held.mass.reset();
-    return region;
+    return chosen;
 }
 
-bool canMoveRegion(const Project& project, std::size_t region, int above) {
-    return canMoveItem(project.regions.size(), region, above, wholeOrganRegion(project) ? 1 : 0);
+bool canMoveRegion(const Project& project, RegionId region, int above) {
+    const auto place = placeOf(project.regions, region);
+    return place && canMoveItem(project.regions.size(), *place, above, wholeOrganRegion(project) ? 1 : 0);
 }
 
-void moveRegion(Project& project, std::size_t region, int above) {
-    if (canMoveRegion(project, region, above)) moveItem(project.regions, region, above);
+void moveRegion(Project& project, RegionId region, int above) {
+    if (canMoveRegion(project, region, above))
+        moveItem(project.regions, *placeOf(project.regions, region), above);
 }
 
-void removeRegion(Project& project, std::size_t region) {
-    project.regions.erase(project.regions.begin() + static_cast<std::ptrdiff_t>(region));
+void removeRegion(Project& project, RegionId region) {
+    std::erase_if(project.regions, [&](const Region& other) { return other.id == region; });
 }
 
-void duplicateRegion(Project& project, std::size_t region) {
-    Region copy = project.regions[region];
-    copy.name = unusedName(project.regions, copy.name + " copy");
-    copy.colour = unusedColour(project.regions);
+void duplicateRegion(Project& project, RegionId region, RegionId copy) {
+    const std::size_t place = placeOf(project.regions, region).value();
+    Region made = project.regions[place];
+    made.id = copy;
+    made.name = unusedName(project.regions, made.name + " copy");
+    made.colour = unusedColour(project.regions);
     // Aside, so that both are seen.
-    if (copy.ellipsoid)
-        copy.ellipsoid->centre +=
-            copy.ellipsoid->orientation * Eigen::Vector3d(copy.ellipsoid->radii.x(), 0, 0);
-    project.regions.insert(project.regions.begin() + static_cast<std::ptrdiff_t>(region) + 1,
-                           std::move(copy));
+    if (made.ellipsoid)
+        made.ellipsoid->centre +=
+            made.ellipsoid->orientation * Eigen::Vector3d(made.ellipsoid->radii.x(), 0, 0);
+    project.regions.insert(project.regions.begin() + static_cast<std::ptrdiff_t>(place) + 1, std::move(made));
 }
 
-void placeRegion(Project& project, std::optional<std::size_t> region, const SurfaceSpot& spot,
+void placeRegion(Project& project, RegionId region, RegionId added, const SurfaceSpot& spot,
                  SharedSystem system) {
-    if (region && project.regions[*region].ellipsoid) {
-        Ellipsoid& ellipsoid = *project.regions[*region].ellipsoid;
+    const auto place = placeOf(project.regions, region);
+    if (place && project.regions[*place].ellipsoid) {
+        Ellipsoid& ellipsoid = *project.regions[*place].ellipsoid;
         ellipsoid = laidOn(*project.mesh, spot, ellipsoid.radii);
         return;
     }
-    addRegion(project, spot.point, std::move(system));
+    addRegion(project, added, spot.point, std::move(system));
     project.regions.back().ellipsoid = laidOn(*project.mesh, spot, fittingRadii(project, spot.point));
 }
 
-void fixNodesInside(Project& project, std::size_t region) {
+void fixNodesInside(Project& project, RegionId region) {
     NodeSelection selection;
-    selection.ellipsoid = project.regions[region].ellipsoid;
+    selection.ellipsoid = partOf(project.regions, region).ellipsoid;
     project.scene.fixed.push_back(std::move(selection));
 }
 

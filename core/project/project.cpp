@@ -142,6 +142,11 @@ void tie(TissueModel& model, const TetherRule& rule) {
 
 } // namespace
 
+void numberParts(Project& project) {
+    numberByPlace(project.regions);
+    numberByPlace(project.layers);
+}
+
 Project makeProject(std::string name, RepairedMesh surface, std::optional<double> massKilograms,
                     const Detail& detail) {
     if (massKilograms && !isMass(*massKilograms))

@@ -52,6 +52,9 @@ struct Project {
     bool operator==(const Project&) const = default;
 };
 
+/// Gives the regions and the layers of a project that was loaded or made identities, by their places.
+void numberParts(Project& project);
+
 inline constexpr double wallThickness = 0.003; ///< m, that an open surface weighs as
 
 /// A project around an imported or made mesh, with default tissue and tethers that are stable and behave like

@@ -2,6 +2,7 @@
 
 #include "core/fuzzy/inference.h"
 #include "core/geometry/ellipsoid.h"
+#include "core/support/id.h"
 #include "core/support/shared_values.h"
 
 #include <array>
@@ -39,7 +40,7 @@ std::optional<double> valueOf(const NamedValues& values, const std::string& name
 
 /// A part of the organ and how its tissue behaves. Kept as it was put in, and re-evaluated, so it stays
 /// editable.
-struct Region {
+struct Region : Identified<Region> {
     std::string name;
     std::array<std::uint8_t, 3> colour{63, 182, 168}; ///< red, green, blue; the same in list and view
     std::optional<Ellipsoid> ellipsoid;               ///< the whole organ without
@@ -50,6 +51,7 @@ struct Region {
 
     bool operator==(const Region&) const = default;
 };
+using RegionId = Id<Region>;
 
 /// Sets or adds one input value.
 void setInput(Region& region, const std::string& variable, double value);

@@ -33,9 +33,18 @@ const std::vector<std::string>& sampleNames() {
     return names;
 }
 
+namespace {
+
+Project numbered(Project project) {
+    numberParts(project);
+    return project;
+}
+
+} // namespace
+
 Project makeSample(const std::string& name) {
     for (const Sample& sample : samples)
-        if (name == sample.name) return sample.make();
+        if (name == sample.name) return numbered(sample.make());
     throw InvalidModel("there is no sample \"" + name + "\"; there are " + joinedNames(samples));
 }
 

@@ -5,6 +5,7 @@
 namespace esm {
 
 Document::Document(Project project, QObject* parent) : QObject(parent), m_project(std::move(project)) {
+    numberParts();
     m_undoStack.setUndoLimit(500);
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::titleChanged);
 }
@@ -19,13 +20,12 @@ QString Document::title() const {
     return m_former.title.isEmpty() ? QString::fromStdString(m_project.name) : m_former.title;
 }
 
-void Document::edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey,
-                    std::optional<std::size_t> systemOf) {
+void Document::edit(const QString& text, const std::function<void(Project&)>& change,
+                    const MergeKey& mergeKey, std::optional<RegionId> systemOf) {
     Project after = m_project;
     change(after);
     if (after == m_project) return;
-    const QString key = mergeKey.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(m_gesture).arg(mergeKey);
-    m_undoStack.push(new ProjectCommand(*this, std::move(after), {text, key, systemOf}));
+    m_undoStack.push(new ProjectCommand(*this, std::move(after), {text, mergeKey, m_gesture, systemOf}));
 }
 
 void Document::replace(Project project, std::optional<std::filesystem::path> path, Origin origin,
@@ -33,6 +33,7 @@ void Document::replace(Project project, std::optional<std::filesystem::path> pat
     m_path = std::move(path);
     m_former = std::move(former);
     m_project = std::move(project);
+    numberParts();
     m_unfinished.clear();
     m_undoStack.clear();
     if (origin == Origin::Unsaved) m_undoStack.resetClean();
@@ -50,9 +51,17 @@ void Document::markSaved(const std::filesystem::path& path, const Project& writt
     emit titleChanged();
 }
 
-void Document::take(const Project& project, std::optional<std::size_t> systemOf) {
+void Document::numberParts() {
+    esm::numberParts(m_project);
+    m_lastRegion = static_cast<std::uint32_t>(m_project.regions.size());
+    m_lastLayer = static_cast<std::uint32_t>(m_project.layers.size());
+}
+
+void Document::take(const Project& project, std::optional<RegionId> systemOf) {
     Change change = difference(m_project, project);
-    if (systemOf) change.system = {m_project.regions[*systemOf].system, project.regions[*systemOf].system};
+    if (systemOf)
+        change.system = {partOf(m_project.regions, *systemOf).system,
+                         partOf(project.regions, *systemOf).system};
     m_project = project;
     emit changed(change);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/document/change.h"
+#include "app/editor/document/edit_kind.h"
 
 #include <QObject>
 #include <QString>
@@ -42,11 +43,14 @@ public:
     /// The file's name; while it was never saved, what replace() was told, or the organ's name.
     QString title() const;
 
-    /// An undoable edit. Edits that follow each other with the same, non-empty `mergeKey` become one step,
-    /// until finishGesture(). Nothing happens when the edit changes nothing.
+    /// An undoable edit. Edits that follow each other with the same key, of another kind than `Alone`, become
+    /// one step, until finishGesture(). Nothing happens when the edit changes nothing.
     /// @param systemOf the region whose fuzzy system is edited, as against exchanged for another one
-    void edit(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey = {},
-              std::optional<std::size_t> systemOf = {});
+    void edit(const QString& text, const std::function<void(Project&)>& change, const MergeKey& mergeKey = {},
+              std::optional<RegionId> systemOf = {});
+    /// Identities for a region or layer that an edit adds. None is given twice, undone or not.
+    RegionId newRegionId() { return {++m_lastRegion}; }
+    LayerId newLayerId() { return {++m_lastLayer}; }
     /// Another project takes the place of this one; nothing to undo remains.
     void replace(Project project, std::optional<std::filesystem::path> path, Origin origin = Origin::Stored,
                  Former former = {});
@@ -69,13 +73,15 @@ signals:
 
 private:
     friend class ProjectCommand;
-    void take(const Project& project, std::optional<std::size_t> systemOf);
+    void numberParts();
+    void take(const Project& project, std::optional<RegionId> systemOf);
 
     Project m_project;
     std::optional<std::filesystem::path> m_path;
     Former m_former;
     QUndoStack m_undoStack;
     int m_gesture = 0;
+    std::uint32_t m_lastRegion = 0, m_lastLayer = 0; ///< numbers that are given
     QString m_unfinished;
 };
 

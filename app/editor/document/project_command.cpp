@@ -4,22 +4,22 @@
 
 namespace esm {
 
-ProjectCommand::ProjectCommand(Document& document, Project after, EditKind kind)
-    : QUndoCommand(kind.text), m_document(document), m_before(document.project()), m_after(std::move(after)),
-      m_kind(std::move(kind)) {}
+ProjectCommand::ProjectCommand(Document& document, Project after, EditStep step)
+    : QUndoCommand(step.text), m_document(document), m_before(document.project()), m_after(std::move(after)),
+      m_step(std::move(step)) {}
 
 void ProjectCommand::undo() {
-    m_document.take(m_before, m_kind.systemOf);
+    m_document.take(m_before, m_step.systemOf);
 }
 
 void ProjectCommand::redo() {
-    m_document.take(m_after, m_kind.systemOf);
+    m_document.take(m_after, m_step.systemOf);
 }
 
 bool ProjectCommand::mergeWith(const QUndoCommand* next) {
     // Every command on this stack is a ProjectCommand with the same id.
     const auto& later = static_cast<const ProjectCommand&>(*next);
-    if (later.m_kind.mergeKey != m_kind.mergeKey) return false;
+    if (later.m_step.mergeKey != m_step.mergeKey || later.m_step.gesture != m_step.gesture) return false;
     m_after = later.m_after;
     setObsolete(m_before == m_after);
     return true;

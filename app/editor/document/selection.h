@@ -4,7 +4,6 @@
 
 #include <QObject>
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -13,19 +12,23 @@ namespace esm {
 class Document;
 
 /// Which region and which photo the window speaks of. Not part of the project, and no edit. What is added, by
-/// an edit, its undoing or its redoing, is selected; what is selected stays so where it moves.
+/// an edit, its undoing or its redoing, is selected.
 class Selection : public QObject {
     Q_OBJECT
 
 public:
     explicit Selection(Document& document);
 
-    /// Index into the project's regions; none is the whole organ's base tissue.
-    std::optional<std::size_t> region() const { return m_region; }
-    void setRegion(std::optional<std::size_t> region);
-    /// Index into the project's photos.
-    std::optional<std::size_t> photo() const { return m_photo; }
-    void setPhoto(std::optional<std::size_t> photo);
+    /// None is the whole organ's base tissue.
+    std::optional<RegionId> region() const { return m_region; }
+    /// Nothing is selected where there is no such region, or no such photo.
+    void setRegion(std::optional<RegionId> region);
+    std::optional<LayerId> photo() const { return m_photo; }
+    void setPhoto(std::optional<LayerId> photo);
+
+    /// As they are now; null without one.
+    const Region* selectedRegion() const;
+    const TextureLayer* selectedLayer() const;
 
 signals:
     void changed();
@@ -34,7 +37,8 @@ private:
     void followDocument(const Change& change);
 
     Document& m_document;
-    std::optional<std::size_t> m_region, m_photo;
+    std::optional<RegionId> m_region;
+    std::optional<LayerId> m_photo;
     std::vector<Region> m_regions; ///< as they were when the selection last looked
     std::vector<TextureLayer> m_photos;
 };

@@ -46,9 +46,9 @@ NamedValues laterValues(const NamedValues& values, const Variables& before, cons
 
 } // namespace
 
-void editSystem(Project& project, std::size_t region, const FuzzySystem& system) {
+void editSystem(Project& project, RegionId region, const FuzzySystem& system) {
     if (const auto problems = validate(system); !problems.empty()) throw InvalidModel(problems);
-    const auto before = project.regions[region].system;
+    const auto before = partOf(project.regions, region).system;
     const auto after = std::make_shared<const FuzzySystem>(system);
     for (Region& other : project.regions) {
         if (!other.system || other.system != before) continue;
@@ -57,32 +57,30 @@ void editSystem(Project& project, std::size_t region, const FuzzySystem& system)
     }
 }
 
-void setRange(Project& project, std::size_t region, const VariablePlace& place, const NewRange& range) {
-    const FuzzySystem& system = *project.regions[region].system;
+void setRange(Project& project, RegionId region, const VariablePlace& place, const NewRange& range) {
+    const FuzzySystem& system = *partOf(project.regions, region).system;
     const FuzzyVariable before = variableAt(system, place);
     editSystem(project, region,
                withVariable(system, place, withRange(before, range.minimum, range.maximum, range.terms)));
     if (place.side == FuzzySide::Outputs || range.terms == TermsInRange::Stay) return;
     const double scale = (range.maximum - range.minimum) / (before.maximum - before.minimum);
     for (Region& other : project.regions) {
-        if (other.system != project.regions[region].system) continue;
+        if (other.system != partOf(project.regions, region).system) continue;
         for (auto& [name, value] : other.inputs)
             if (name == before.name) value = range.minimum + (value - before.minimum) * scale;
     }
 }
 
-std::shared_ptr<const FuzzySystem> selectedSystem(const Document& document, const Selection& selection) {
-    const auto region = selection.region();
-    return region ? document.project().regions[*region].system : nullptr;
+std::shared_ptr<const FuzzySystem> selectedSystem(const Selection& selection) {
+    const Region* region = selection.selectedRegion();
+    return region ? region->system : nullptr;
 }
 
 void editSelectedSystem(Document& document, const Selection& selection, const QString& text,
-                        const FuzzySystem& system, const QString& mergeKey) {
-    const std::size_t region = *selection.region();
-    const QString key =
-        mergeKey.isEmpty() ? QString() : QStringLiteral("system %1 %2").arg(region).arg(mergeKey);
+                        const FuzzySystem& system, EditKind kind) {
+    const RegionId region = *selection.region();
     document.edit(
-        text, [&](Project& project) { editSystem(project, region, system); }, key, region);
+        text, [&](Project& project) { editSystem(project, region, system); }, {kind, region}, region);
 }
 
 } // namespace esm

@@ -6,6 +6,6 @@ namespace esm {
 
 /// Sets inputs of a region's fuzzy system, an edit that goes on until Document::finishGesture(). Nothing
 /// happens without inputs.
-void editInputs(Document& document, std::size_t region, const NamedValues& inputs);
+void editInputs(Document& document, RegionId region, const NamedValues& inputs);
 
 } // namespace esm

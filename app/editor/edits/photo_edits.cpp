@@ -1,12 +1,8 @@
 #include "app/editor/edits/photo_edits.h"
 
-#include "core/authoring/move_item.h"
-#include "core/authoring/packing.h"
 #include "core/support/angles.h"
 #include "core/surface/surface_query.h"
 #include "core/texture/texture_limits.h"
-
-#include <QObject>
 
 #include <algorithm>
 #include <cmath>
@@ -102,50 +98,6 @@ Projector projectorFromCamera(const Camera& camera, const Image& photo, const Tr
     projector.width = proportion >= 1 ? extent : extent * proportion;
     projector.height = projector.width / proportion;
     return projector;
-}
-
-namespace {
-
-/// "Paint 3", the first that no layer is called.
-std::string freePaintName(const Project& project) {
-    for (int number = 1;; ++number) {
-        std::string name = QObject::tr("Paint %1").arg(number).toStdString();
-        if (std::none_of(project.layers.begin(), project.layers.end(),
-                         [&](const TextureLayer& layer) { return layer.name == name; }))
-            return name;
-    }
-}
-
-} // namespace
-
-void addPaintLayer(Project& project, std::shared_ptr<const Atlas> atlas) {
-    takeAtlas(project, std::move(atlas));
-    TextureLayer layer;
-    layer.name = freePaintName(project);
-    project.layers.push_back(std::move(layer));
-}
-
-void addPhoto(Project& project, std::shared_ptr<const Photo> photo, const Projector& projector,
-              std::shared_ptr<const Atlas> atlas) {
-    takeAtlas(project, std::move(atlas));
-    TextureLayer layer;
-    layer.name = std::filesystem::path(photo->fileName).stem().string();
-    layer.photo = std::move(photo);
-    layer.projector = projector;
-    layer.projector.falloff = true;
-    project.layers.push_back(std::move(layer));
-}
-
-void removePhoto(Project& project, std::size_t photo) {
-    project.layers.erase(project.layers.begin() + static_cast<std::ptrdiff_t>(photo));
-}
-
-bool canMovePhoto(const Project& project, std::size_t photo, int above) {
-    return canMoveItem(project.layers.size(), photo, above);
-}
-
-void movePhoto(Project& project, std::size_t photo, int above) {
-    if (canMovePhoto(project, photo, above)) moveItem(project.layers, photo, above);
 }
 
 } // namespace esm

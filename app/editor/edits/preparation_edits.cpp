@@ -13,19 +13,16 @@ PreparationEdits::PreparationEdits(Document& document, Selection& selection)
 }
 
 const TextureLayer* PreparationEdits::layer() const {
-    const auto selected = m_selection.photo();
-    if (!selected || *selected >= m_document.project().layers.size()) return nullptr;
-    const TextureLayer& layer = m_document.project().layers[*selected];
-    return layer.photo ? &layer : nullptr;
+    const TextureLayer* selected = m_selection.selectedLayer();
+    return selected && selected->photo ? selected : nullptr;
 }
 
-void PreparationEdits::edit(const QString& text, const WishChange& change, const QString& mergeKey) {
+void PreparationEdits::edit(const QString& text, const WishChange& change, EditKind kind) {
     const TextureLayer* selected = layer();
     if (!selected) return;
-    Edit asked{*m_selection.photo(), selected->photo, text, mergeKey, change, m_gesture};
-    const bool replaces = !mergeKey.isEmpty() && !m_waiting.empty() &&
-                          m_waiting.back().mergeKey == mergeKey && m_waiting.back().gesture == m_gesture &&
-                          m_waiting.back().layer == asked.layer;
+    Edit asked{selected->id, text, kind, change, m_gesture};
+    const bool replaces = kind != EditKind::Alone && !m_waiting.empty() && m_waiting.back().kind == kind &&
+                          m_waiting.back().gesture == m_gesture && m_waiting.back().layer == asked.layer;
     if (replaces)
         m_waiting.back() = std::move(asked);
     else
@@ -38,7 +35,7 @@ PreparationWish PreparationEdits::wanted() const {
     const TextureLayer* selected = layer();
     if (!selected) return {};
     PreparationWish wish{selected->preparation, {}};
-    const auto applies = [&](const Edit& edit) { return placeOf(edit) == m_selection.photo(); };
+    const auto applies = [&](const Edit& edit) { return edit.layer == selected->id; };
     if (m_running && m_running->edit && applies(*m_running->edit)) m_running->edit->change(wish);
     for (const Edit& edit : m_waiting)
         if (applies(edit)) edit.change(wish);
@@ -48,15 +45,6 @@ PreparationWish PreparationEdits::wanted() const {
 const PreparedPhoto* PreparationEdits::shown() const {
     const TextureLayer* selected = layer();
     return selected && m_shown.photo == selected->photo ? &m_shown : nullptr;
-}
-
-/// Where the edit's layer lies by now.
-std::optional<std::size_t> PreparationEdits::placeOf(const Edit& edit) const {
-    const auto& layers = m_document.project().layers;
-    if (edit.layer < layers.size() && layers[edit.layer].photo == edit.photo) return edit.layer;
-    for (std::size_t i = 0; i < layers.size(); ++i)
-        if (layers[i].photo == edit.photo) return i;
-    return std::nullopt;
 }
 
 void PreparationEdits::follow() {
@@ -77,16 +65,15 @@ void PreparationEdits::begin() {
 }
 
 bool PreparationEdits::beginEdit(const Edit& edit) {
-    const auto place = placeOf(edit);
-    if (!place) return false;
-    const TextureLayer& layer = m_document.project().layers[*place];
-    PreparationWish wish{layer.preparation, {}};
+    const TextureLayer* layer = findPart(m_document.project().layers, edit.layer);
+    if (!layer) return false;
+    PreparationWish wish{layer->preparation, {}};
     edit.change(wish);
-    if (wish.preparation == layer.preparation && !wish.find.any()) return false;
-    PreparationRequest request{layer.photo, wish.preparation, wish.find, std::nullopt, nullptr};
-    if (wish.find.match) request.laid = LaidLayer{m_document.project(), *place};
+    if (wish.preparation == layer->preparation && !wish.find.any()) return false;
+    PreparationRequest request{layer->photo, wish.preparation, wish.find, std::nullopt, nullptr};
+    if (wish.find.match) request.laid = LaidLayer{m_document.project(), edit.layer};
     const int number = m_preparer.prepare(std::move(request));
-    m_running = Running{edit, wish, layer.preparation, number};
+    m_running = Running{edit, wish, layer->preparation, number};
     return true;
 }
 
@@ -121,13 +108,13 @@ void PreparationEdits::finish(const Running& done, const PreparedPhoto& result) 
         m_shown = result;
         return;
     }
-    const auto place = placeOf(*done.edit);
-    if (!place) return;
-    if (m_document.project().layers[*place].preparation != done.before) {
+    const TextureLayer* edited = findPart(m_document.project().layers, done.edit->layer);
+    if (!edited) return;
+    if (edited->preparation != done.before) {
         m_waiting.push_front(*done.edit); // undone meanwhile, say
         return;
     }
-    if (place == m_selection.photo()) {
+    if (m_selection.photo() == edited->id) {
         m_shown = result;
         const SoughtSteps& sought = done.wish.find;
         if (sought.field || result.preparation.field) m_missing.field = !result.preparation.field;
@@ -137,14 +124,13 @@ void PreparationEdits::finish(const Running& done, const PreparedPhoto& result) 
     }
     if (done.edit->gesture != m_doneGesture) m_document.finishGesture();
     m_doneGesture = done.edit->gesture;
-    const QString key = done.edit->mergeKey;
-    m_document.edit(
-        done.edit->text,
-        [&](Project& project) {
-            project.layers[*place].preparation = result.preparation;
-            project.layers[*place].prepared = result.picture;
-        },
-        key.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(key).arg(*place));
+    m_document.edit(done.edit->text,
+                    [&](Project& project) {
+                        TextureLayer& layer = partOf(project.layers, done.edit->layer);
+                        layer.preparation = result.preparation;
+                        layer.prepared = result.picture;
+                    },
+                    {done.edit->kind, done.edit->layer});
 }
 
 } // namespace esm

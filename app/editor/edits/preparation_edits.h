@@ -15,8 +15,8 @@ struct PreparationWish {
 };
 
 /// Edits of how the selected photo is prepared. The picture is computed beside the window, and the document
-/// is edited once it is there: one undoable step, in the order in which they were asked for. Of edits that
-/// follow each other with the same `mergeKey`, those that wait give way to the latest.
+/// is edited once it is there: one undoable step, in the order in which they were asked for. Of edits of
+/// one kind that follow each other, those that wait give way to the latest.
 class PreparationEdits : public QObject {
     Q_OBJECT
 
@@ -26,8 +26,8 @@ public:
     PreparationEdits(Document& document, Selection& selection);
 
     /// @param change may be made more than once, so it sets what it is about instead of going on from it,
-    /// unless it comes without a `mergeKey`
-    void edit(const QString& text, const WishChange& change, const QString& mergeKey = {});
+    /// unless it is of the kind `Alone`
+    void edit(const QString& text, const WishChange& change, EditKind kind = EditKind::Alone);
     /// The drag or run of keys in progress is over: the next edit starts a step of its own.
     void finishGesture() { ++m_gesture; }
 
@@ -47,9 +47,9 @@ signals:
 
 private:
     struct Edit {
-        std::size_t layer; ///< where it was when it was asked for
-        std::shared_ptr<const Photo> photo;
-        QString text, mergeKey;
+        LayerId layer;
+        QString text;
+        EditKind kind;
         WishChange change;
         int gesture;
     };
@@ -60,7 +60,6 @@ private:
         int number;
     };
 
-    std::optional<std::size_t> placeOf(const Edit& edit) const;
     void follow();
     void begin();
     bool beginEdit(const Edit& edit);

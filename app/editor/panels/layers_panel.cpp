@@ -42,7 +42,6 @@ void LayersPanel::move(int above) {
     const auto selected = selectedLayer();
     if (!selected || !canMoveLayer(*selected, above)) return;
     moveLayer(*selected, above);
-    selectLayer(static_cast<std::size_t>(static_cast<int>(*selected) + above));
 }
 
 void LayersPanel::moveRow(int row, int to) {

@@ -26,7 +26,7 @@ public:
     void dress(RenderScene& scene) const override { scene.projectors.clear(); }
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
-    QString whyNot() const override { return missingPhoto(m_document, m_selection); }
+    QString whyNot() const override { return missingPhoto(m_selection); }
     QWidget* makeOptions() override;
 
 private:

@@ -30,9 +30,8 @@ Landmarking::Landmarking(Document& document, Selection& selection, QObject* pare
 }
 
 const TextureLayer* Landmarking::layer() const {
-    const auto photo = m_selection.photo();
-    const auto& layers = m_document.project().layers;
-    return photo && *photo < layers.size() && layers[*photo].photo ? &layers[*photo] : nullptr;
+    const TextureLayer* selected = m_selection.selectedLayer();
+    return selected && selected->photo ? selected : nullptr;
 }
 
 const std::vector<LandmarkPair>& Landmarking::pairs() const {
@@ -150,12 +149,12 @@ void Landmarking::replace(std::vector<LandmarkPair> pairs) {
 /// The pose comes a moment later and joins the step by its key, wherever no other step came between.
 void Landmarking::edit(const QString& text, const std::function<void(std::vector<LandmarkPair>&)>& change) {
     if (!layer()) return;
-    const std::size_t photo = *m_selection.photo();
+    const LayerId photo = layer()->id;
     std::vector<LandmarkPair> after = pairs();
     change(after);
-    m_wanted = Wanted{after, text, QStringLiteral("landmarks %1 %2").arg(photo).arg(m_gesture)};
+    m_wanted = Wanted{after, text, {EditKind::Landmarks, photo, static_cast<std::uint64_t>(m_gesture)}};
     m_document.edit(
-        text, [&](Project& project) { project.layers[photo].landmarks = after; }, m_wanted->mergeKey);
+        text, [&](Project& project) { partOf(project.layers, photo).landmarks = after; }, m_wanted->mergeKey);
 }
 
 void Landmarking::takeAnswer() {
@@ -171,10 +170,11 @@ void Landmarking::place() {
     if (fit()) placeBy(*fit(), tr("Place photo by landmarks"), {});
 }
 
-void Landmarking::placeBy(const PoseFit& fit, const QString& text, const QString& mergeKey) {
+void Landmarking::placeBy(const PoseFit& fit, const QString& text, const MergeKey& mergeKey) {
     const Projector placed = placedBy(fit, layer()->projector);
+    const LayerId photo = layer()->id;
     m_document.edit(
-        text, [&](Project& project) { project.layers[*m_selection.photo()].projector = placed; }, mergeKey);
+        text, [&](Project& project) { partOf(project.layers, photo).projector = placed; }, mergeKey);
 }
 
 } // namespace esm

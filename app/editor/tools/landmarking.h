@@ -58,7 +58,8 @@ private:
     /// What an edit asked for: where the pairs come to a pose, it becomes part of the edit.
     struct Wanted {
         std::vector<LandmarkPair> pairs;
-        QString text, mergeKey;
+        QString text;
+        MergeKey mergeKey;
     };
 
     void follow();
@@ -67,7 +68,7 @@ private:
     void completeHalf();
     void edit(const QString& text, const std::function<void(std::vector<LandmarkPair>&)>& change);
     void takeAnswer();
-    void placeBy(const PoseFit& fit, const QString& text, const QString& mergeKey);
+    void placeBy(const PoseFit& fit, const QString& text, const MergeKey& mergeKey);
 
     Document& m_document;
     Selection& m_selection;
@@ -75,7 +76,8 @@ private:
     std::optional<PoseQuestion> m_asked;
     std::shared_ptr<const PoseAnswer> m_answer;
     std::optional<Wanted> m_wanted;
-    std::optional<std::size_t> m_photo, m_selected;
+    std::optional<LayerId> m_photo;
+    std::optional<std::size_t> m_selected;
     Half m_half;
     int m_gesture = 0;
 };

@@ -54,8 +54,7 @@ void Painting::follow(const Change& change) {
 }
 
 const TextureLayer* Painting::layer() const {
-    const auto selected = m_selection.photo();
-    return selected ? &m_document.project().layers[*selected] : nullptr;
+    return m_selection.selectedLayer();
 }
 
 std::vector<BrushKind> Painting::kinds() const {
@@ -139,14 +138,13 @@ void Painting::drop() {
 void Painting::edit() {
     const auto stroke = std::make_shared<const BrushStroke>(*m_stroke);
     const bool isNew = stroke->path.size() == 1;
-    m_document.edit(
-        stepName(stroke->kind),
-        [&](Project& project) {
-            BrushStrokes& strokes = project.layers[m_layer].strokes;
-            if (!isNew) strokes.pop_back();
-            strokes.push_back(stroke);
-        },
-        QStringLiteral("brush stroke %1").arg(m_gesture));
+    m_document.edit(stepName(stroke->kind),
+                    [&](Project& project) {
+                        BrushStrokes& strokes = partOf(project.layers, m_layer).strokes;
+                        if (!isNew) strokes.pop_back();
+                        strokes.push_back(stroke);
+                    },
+                    {EditKind::BrushStroke, m_layer, static_cast<std::uint64_t>(m_gesture)});
 }
 
 } // namespace esm

@@ -50,7 +50,7 @@ private:
     BrushKind m_paintKind = BrushKind::Colour; ///< of a layer without photo
     std::optional<Eigen::Vector3d> m_source;
     std::optional<BrushStroke> m_stroke; ///< while the brush is down
-    std::size_t m_layer = 0;             ///< that it is painted on
+    LayerId m_layer;                     ///< that it is painted on
     int m_gesture = 0;
 };
 

@@ -14,8 +14,10 @@ void PlaceTool::click(const ToolMouse& mouse) {
     const auto picked = mouse.picked();
     if (!picked) return;
     const bool isNew = mouse.keys.testFlag(Qt::ControlModifier);
+    const RegionId added = m_document.newRegionId();
+    const RegionId placed = isNew ? added : m_selection.region().value_or(added);
     m_document.edit(tr("Place region"), [&](Project& project) {
-        placeRegion(project, isNew ? std::nullopt : m_selection.region(), picked->spot, startingSystem());
+        placeRegion(project, placed, added, picked->spot, startingSystem());
     });
     emit done(QStringLiteral("region"));
 }

@@ -54,9 +54,9 @@ void ProjectorTool::move(const ToolMouse& mouse) {
         dragged = scaled(m_drag->start, *handle, mouse.ray(), isFree ? Proportions::Free : Proportions::Kept);
     else
         dragged.pose.pretranslate(shift(std::get<DragPlane>(m_drag->held), mouse.ray()));
-    m_document.edit(
-        tr("Place photo"), [&](Project& project) { project.layers[*selected].projector = dragged; },
-        QStringLiteral("projector %1").arg(*selected));
+    m_document.edit(tr("Place photo"),
+                    [&](Project& project) { partOf(project.layers, *selected).projector = dragged; },
+                    {EditKind::ProjectorDrag, *selected});
 }
 
 void ProjectorTool::release() {

@@ -20,7 +20,7 @@ public:
     void move(const ToolMouse& mouse) override;
     void release() override;
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
-    QString whyNot() const override { return missingPhoto(m_document, m_selection); }
+    QString whyNot() const override { return missingPhoto(m_selection); }
 
 private:
     struct Drag {

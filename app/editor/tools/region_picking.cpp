@@ -4,12 +4,11 @@
 
 namespace esm {
 
-std::optional<std::size_t> selectDrawnRegion(const Document& document, Selection& selection, int drawn) {
-    const auto& regions = document.project().regions;
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-        if (!regions[i].ellipsoid || drawn-- != 0) continue;
-        selection.setRegion(i);
-        return i;
+std::optional<RegionId> selectDrawnRegion(const Document& document, Selection& selection, int drawn) {
+    for (const Region& region : document.project().regions) {
+        if (!region.ellipsoid || drawn-- != 0) continue;
+        selection.setRegion(region.id);
+        return region.id;
     }
     return std::nullopt;
 }

@@ -8,7 +8,7 @@ namespace esm {
 
 /// Selects the region whose ellipsoid is the `drawn`th that is shown, and gives it: those that have one are
 /// shown in the order of the project. Nothing where there is none.
-std::optional<std::size_t> selectDrawnRegion(const Document& document, Selection& selection, int drawn);
+std::optional<RegionId> selectDrawnRegion(const Document& document, Selection& selection, int drawn);
 
 /// Selects the region whose ellipsoid lies under the mouse, where there is one.
 void selectRegionUnder(const ToolMouse& mouse, const Document& document, Selection& selection);

@@ -99,17 +99,16 @@ void RegionTool::follow(const Drag& drag, const Ray& ray) {
 void RegionTool::shape(int drawn, const Ellipsoid& shape) {
     const auto region = selectDrawnRegion(m_document, m_selection, drawn);
     if (!region) return;
-    m_document.edit(
-        tr("Shape region"), [&](Project& project) { project.regions[*region].ellipsoid = shape; },
-        QStringLiteral("region %1").arg(*region));
+    m_document.edit(tr("Shape region"),
+                    [&](Project& project) { partOf(project.regions, *region).ellipsoid = shape; },
+                    {EditKind::RegionShape, *region});
 }
 
 void RegionTool::widenRim(int drawn, double metres) {
     const auto region = selectDrawnRegion(m_document, m_selection, drawn);
     if (!region) return;
-    m_document.edit(
-        tr("Soft rim"), [&](Project& project) { project.regions[*region].rim = metres; },
-        QStringLiteral("rim %1").arg(*region));
+    m_document.edit(tr("Soft rim"), [&](Project& project) { partOf(project.regions, *region).rim = metres; },
+                    {EditKind::SoftRim, *region});
 }
 
 void RegionTool::release() {

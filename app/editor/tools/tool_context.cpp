@@ -13,9 +13,9 @@ QString missingLayer(const Selection& selection) {
     return selection.photo() ? QString() : QObject::tr("There is no photo yet: Ctrl+P adds one");
 }
 
-QString missingPhoto(const Document& document, const Selection& selection) {
-    const auto layer = selection.photo();
-    const bool isPainted = layer && !document.project().layers[*layer].photo;
+QString missingPhoto(const Selection& selection) {
+    const TextureLayer* layer = selection.selectedLayer();
+    const bool isPainted = layer && !layer->photo;
     return isPainted ? QObject::tr("The selected layer has no photo, it is painted")
                      : missingLayer(selection);
 }

@@ -22,6 +22,6 @@ struct ToolContext {
 QString stillnessHint(const Preview& preview);
 /// Why nothing can be done to the selected layer, or to its photo; empty where it can.
 QString missingLayer(const Selection& selection);
-QString missingPhoto(const Document& document, const Selection& selection);
+QString missingPhoto(const Selection& selection);
 
 } // namespace esm

@@ -32,13 +32,12 @@ void DeviceController::carry(const DeviceMotion& motion, double seconds) {
     }
     m_rest.start(letGoTime);
     const double size = boundingBox(m_document.project().mesh->vertices).diagonal().norm();
-    m_document.edit(
-        tr("Carry photo"),
-        [&](Project& project) {
-            Projector& projector = project.layers[*selected].projector;
-            projector = carried(projector, motion, m_view.camera(), size, seconds);
-        },
-        QStringLiteral("device %1").arg(*selected));
+    m_document.edit(tr("Carry photo"),
+                    [&](Project& project) {
+                        Projector& projector = partOf(project.layers, *selected).projector;
+                        projector = carried(projector, motion, m_view.camera(), size, seconds);
+                    },
+                    {EditKind::ProjectorCarrying, *selected});
 }
 
 } // namespace esm

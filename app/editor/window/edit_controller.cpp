@@ -6,6 +6,7 @@
 #include "app/editor/edits/photo_edits.h"
 #include "app/editor/edits/starting_system.h"
 #include "app/editor/window/actions.h"
+#include "core/authoring/layers.h"
 #include "core/authoring/regions.h"
 #include "core/project/detail_change.h"
 #include "widgets/inputs/enabling.h"
@@ -40,21 +41,20 @@ void EditController::connectActions(const Actions& actions) {
 
 void EditController::enable(const Actions& actions) {
     const Project& project = m_document.project();
-    const auto region = m_selection.region();
-    esm::enable(actions.fixRegion, region && project.regions[*region].ellipsoid,
+    const Region* region = m_selection.selectedRegion();
+    esm::enable(actions.fixRegion, region && region->ellipsoid,
                 tr("Hold the nodes inside the selected region in space"),
                 tr("Select a region with an ellipsoid first"));
-    esm::enable(actions.duplicateRegion, region && project.regions[*region].ellipsoid,
+    esm::enable(actions.duplicateRegion, region && region->ellipsoid,
                 withShortcut(tr("Add a copy of the selected region"), actions.duplicateRegion),
                 tr("Select a region with an ellipsoid first"));
-    esm::enable(actions.removeRegion, region.has_value(), tr("Remove the selected region"),
+    esm::enable(actions.removeRegion, region, tr("Remove the selected region"),
                 tr("The whole organ cannot be removed: select a region first"));
-    esm::enable(actions.removePhoto, m_selection.photo().has_value(), tr("Remove the selected photo"),
-                tr("No photo is selected"));
+    const TextureLayer* layer = m_selection.selectedLayer();
+    esm::enable(actions.removePhoto, layer, tr("Remove the selected photo"), tr("No photo is selected"));
     esm::enable(actions.freeNodes, !project.scene.fixed.empty(), tr("Let every fixed node go"),
                 tr("No node is fixed"));
-    const auto layer = m_selection.photo();
-    esm::enable(actions.fromCamera, layer && project.layers[*layer].photo,
+    esm::enable(actions.fromCamera, layer && layer->photo,
                 withShortcut(tr("Throw the selected photo from where you look"), actions.fromCamera),
                 layer ? tr("The selected layer has no photo, it is painted") : tr("No photo is selected"));
     esm::enable(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
@@ -80,7 +80,8 @@ void EditController::renameOrgan() {
 }
 
 void EditController::addRegion() {
-    m_document.edit(tr("Add region"), [](Project& project) {
+    const RegionId added = m_document.newRegionId();
+    m_document.edit(tr("Add region"), [&](Project& project) {
         // Around a node, since the middle of a bent organ is empty.
         const auto& nodes = project.network->restPositions;
         const Eigen::Vector3d middle = boundingBox(nodes).center();
@@ -88,16 +89,17 @@ void EditController::addRegion() {
             nodes.begin(), nodes.end(), [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
                 return (a - middle).squaredNorm() < (b - middle).squaredNorm();
             });
-        esm::addRegion(project, *nearest, startingSystem());
+        esm::addRegion(project, added, *nearest, startingSystem());
     });
     emit regionAdded();
 }
 
 void EditController::duplicateRegion() {
-    const auto region = m_selection.region();
-    if (!region || !m_document.project().regions[*region].ellipsoid) return;
+    const Region* region = m_selection.selectedRegion();
+    if (!region || !region->ellipsoid) return;
+    const RegionId original = region->id, copy = m_document.newRegionId();
     m_document.edit(tr("Duplicate region"),
-                    [&](Project& project) { esm::duplicateRegion(project, *region); });
+                    [&](Project& project) { esm::duplicateRegion(project, original, copy); });
     emit regionAdded();
 }
 
@@ -110,13 +112,13 @@ void EditController::removeRegion() {
 void EditController::removePhoto() {
     const auto photo = m_selection.photo();
     if (!photo) return;
-    m_document.edit(tr("Remove photo"), [&](Project& project) { esm::removePhoto(project, *photo); });
+    m_document.edit(tr("Remove photo"), [&](Project& project) { removeLayer(project, *photo); });
 }
 
 void EditController::fixRegion() {
-    const auto region = m_selection.region();
-    if (!region || !m_document.project().regions[*region].ellipsoid) return;
-    m_document.edit(tr("Fix nodes"), [&](Project& project) { fixNodesInside(project, *region); });
+    const Region* region = m_selection.selectedRegion();
+    if (!region || !region->ellipsoid) return;
+    m_document.edit(tr("Fix nodes"), [id = region->id](Project& project) { fixNodesInside(project, id); });
 }
 
 void EditController::freeNodes() {
@@ -147,7 +149,7 @@ void EditController::projectFromCamera() {
     const auto selected = m_selection.photo();
     if (!selected) return;
     m_document.edit(tr("Photo from camera"), [&](Project& project) {
-        TextureLayer& layer = project.layers[*selected];
+        TextureLayer& layer = partOf(project.layers, *selected);
         if (!layer.photo) return;
         layer.projector = aimedByCamera(layer.projector, m_camera(), layer.photo->image, *project.mesh);
     });

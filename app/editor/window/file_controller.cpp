@@ -202,8 +202,9 @@ void FileController::addPhoto(const std::filesystem::path& file) {
             [&](const Progress& progress) { return loadPhoto(file, progress); }, Cancelling::Offered);
         const auto atlas = atlasForPhotos();
         const Projector projector = projectorFromCamera(m_camera(), photo->image, *m_document.project().mesh);
+        const LayerId added = m_document.newLayerId();
         m_document.edit(tr("Add photo"),
-                        [&](Project& project) { esm::addPhoto(project, photo, projector, atlas); });
+                        [&](Project& project) { esm::addPhoto(project, added, photo, projector, atlas); });
         emit photoAdded();
         emit message(tr("Added %1").arg(fileName(file)));
     });
@@ -212,7 +213,9 @@ void FileController::addPhoto(const std::filesystem::path& file) {
 void FileController::addPaint() {
     attempt(&m_window, tr("The layer cannot be added"), [&] {
         const auto atlas = atlasForPhotos();
-        m_document.edit(tr("Add paint layer"), [&](Project& project) { addPaintLayer(project, atlas); });
+        const LayerId added = m_document.newLayerId();
+        m_document.edit(tr("Add paint layer"),
+                        [&](Project& project) { addPaintLayer(project, added, atlas); });
         emit paintAdded();
     });
 }

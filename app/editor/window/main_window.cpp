@@ -101,8 +101,8 @@ void MainWindow::buildPanels() {
     connect(preparation, &PreparationPanel::largeViewAsked, this, &MainWindow::showLargePhoto);
     // A layer that is painted has nothing to prepare or to place.
     const auto showPhotoPanels = [this, preparation, projector, landmarks] {
-        const auto layer = m_selection->photo();
-        const bool isPainted = layer && !m_document->project().layers[*layer].photo;
+        const TextureLayer* layer = m_selection->selectedLayer();
+        const bool isPainted = layer && !layer->photo;
         for (QWidget* panel : {static_cast<QWidget*>(preparation), static_cast<QWidget*>(projector),
                                static_cast<QWidget*>(landmarks)})
             panel->setVisible(!isPainted);

@@ -124,19 +124,17 @@ void ViewController::rebuildScene() {
 void ViewController::addEllipsoids(RenderScene& scene) {
     if (m_textureWorkspace || !m_showRegions) return;
     const auto& regions = m_document.project().regions;
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-        if (!regions[i].ellipsoid) continue;
-        scene.ellipsoids.push_back(
-            {*regions[i].ellipsoid, regions[i].colour, m_selection.region() == i, regions[i].rim});
-    }
+    for (const Region& region : regions)
+        if (region.ellipsoid)
+            scene.ellipsoids.push_back(
+                {*region.ellipsoid, region.colour, m_selection.region() == region.id, region.rim});
 }
 
 void ViewController::markRegion(RenderScene& scene) {
-    const auto selected = m_selection.region();
-    if (m_textureWorkspace || !m_showRegions || !selected) return;
+    const Region* selected = m_selection.selectedRegion();
+    if (m_textureWorkspace || !m_showRegions || !selected || !selected->ellipsoid) return;
     const Project& project = m_document.project();
-    const Region& region = project.regions[*selected];
-    if (!region.ellipsoid) return;
+    const Region& region = *selected;
     if (m_mark.network != project.network || !sameReach(m_mark.region, region))
         m_mark = {project.network, region,
                   std::make_shared<const std::vector<double>>(nodeWeights(*project.network, region))};
@@ -144,10 +142,9 @@ void ViewController::markRegion(RenderScene& scene) {
 }
 
 void ViewController::addProjector(RenderScene& scene) {
-    const auto selected = m_selection.photo();
-    if (!m_textureWorkspace || !selected) return;
-    const TextureLayer& layer = m_document.project().layers[*selected];
-    if (!layer.photo) return;
+    const TextureLayer* selected = m_selection.selectedLayer();
+    if (!m_textureWorkspace || !selected || !selected->photo) return;
+    const TextureLayer& layer = *selected;
     const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
     const double depth = shownDepth(layer.projector, boundingBox(m_document.project().mesh->vertices));
     scene.projectors.push_back({layer.projector, pictureOf(layer), true, isLaid, depth});

@@ -19,14 +19,14 @@ bool differsInProjector(TextureLayer before, const TextureLayer& now) {
 
 } // namespace
 
-std::optional<std::size_t> movedLayer(const std::vector<TextureLayer>& before,
-                                      const std::vector<TextureLayer>& now) {
-    std::optional<std::size_t> moved;
+std::optional<LayerId> movedLayer(const std::vector<TextureLayer>& before,
+                                  const std::vector<TextureLayer>& now) {
+    std::optional<LayerId> moved;
     if (before.size() != now.size()) return moved;
     for (std::size_t i = 0; i < now.size(); ++i) {
         if (sameButForLandmarks(before[i], now[i])) continue;
         if (moved || !differsInProjector(before[i], now[i])) return std::nullopt;
-        moved = i;
+        moved = now[i].id;
     }
     return moved;
 }
@@ -41,20 +41,20 @@ void MovingPhoto::follow(const Project& project) {
     const bool isSameTexture = project.mesh == m_project.mesh && project.atlas == m_project.atlas;
     const auto moved = isSameTexture ? movedLayer(m_project.layers, project.layers) : std::nullopt;
     m_project = project;
-    if (moved && project.atlas && project.layers[*moved].photo && isShown(project.layers[*moved]))
-        return move(*moved);
+    const TextureLayer* layer = moved ? findPart(project.layers, *moved) : nullptr;
+    if (layer && project.atlas && layer->photo && isShown(*layer)) return move(*moved);
     m_layer.reset();
     m_rest.stop();
     m_composer.compose(project);
 }
 
-void MovingPhoto::move(std::size_t layer) {
+void MovingPhoto::move(LayerId layer) {
     m_rest.start(restTime);
     if (m_layer == layer && !m_isResting) return;
     m_layer = layer;
     m_isResting = false;
     Project around = m_project;
-    around.layers[layer].visible = false;
+    partOf(around.layers, layer).visible = false;
     m_composer.compose(around);
 }
 
@@ -70,7 +70,7 @@ void MovingPhoto::takeTexture() {
 
 std::optional<ThrownPhoto> MovingPhoto::thrown() const {
     if (!m_layer) return std::nullopt;
-    const TextureLayer& layer = m_project.layers[*m_layer];
+    const TextureLayer& layer = partOf(m_project.layers, *m_layer);
     return ThrownPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity,
                        layer.blending == Blending::Multiply};
 }

@@ -27,19 +27,19 @@ signals:
     void rested();
 
 private:
-    void move(std::size_t layer);
+    void move(LayerId layer);
     void rest();
     void takeTexture();
 
     TextureComposer& m_composer;
-    Project m_project;                  ///< as it was last seen
-    std::optional<std::size_t> m_layer; ///< that is thrown
-    bool m_isResting = false;           ///< and about to be painted
+    Project m_project;              ///< as it was last seen
+    std::optional<LayerId> m_layer; ///< that is thrown
+    bool m_isResting = false;       ///< and about to be painted
     QTimer m_rest;
 };
 
 /// The layer that differs in its projector, where nothing else does.
-std::optional<std::size_t> movedLayer(const std::vector<TextureLayer>& before,
-                                      const std::vector<TextureLayer>& now);
+std::optional<LayerId> movedLayer(const std::vector<TextureLayer>& before,
+                                  const std::vector<TextureLayer>& now);
 
 } // namespace esm

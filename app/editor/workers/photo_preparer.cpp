@@ -12,7 +12,8 @@ constexpr QSize smallPicture(280, 220); // pixels; twice what a panel shows, for
 std::optional<ColourMatch> matched(const PreparationRequest& request, const PhotoPreparation& preparation,
                                    const Progress& progress) {
     if (!request.laid) return std::nullopt;
-    const auto& [project, place] = *request.laid;
+    const auto& [project, laid] = *request.laid;
+    const std::size_t place = placeOf(project.layers, laid).value();
     TextureLayer layer = project.layers[place];
     layer.preparation = preparation;
     const std::vector<TextureLayer> beneath(project.layers.begin(),

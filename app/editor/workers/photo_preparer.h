@@ -22,7 +22,7 @@ struct SoughtSteps : StepsToFind {
 /// A layer where it lies.
 struct LaidLayer {
     Project project;
-    std::size_t layer;
+    LayerId layer;
 };
 
 /// A photo, how it is to be prepared, and what is to be found in it first.

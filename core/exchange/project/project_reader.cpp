@@ -303,6 +303,7 @@ Project readContent(const JsonReader& manifest, Source& source) {
     project.texture.atlas = atlasOptionsFromJson(manifest.member("texture"), layout::askedOfTexture);
     project.texture.baseColour = colourFromJson(manifest.member("texture").member("baseColour"));
     if (manifest.has("atlas")) project.atlas = readAtlas(manifest.member("atlas"), arrays, source);
+    numberParts(project);
     return project;
 }
 

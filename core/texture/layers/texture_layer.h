@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/id.h"
 #include "core/texture/layers/brush_stroke.h"
 #include "core/texture/photo/photo.h"
 #include "core/texture/photo/photo_preparation.h"
@@ -29,7 +30,7 @@ std::optional<Blending> blendingFromName(const std::string& name);
 
 /// A photo on the organ, or what was painted there. Never baked in: layers are composed anew when one
 /// changes.
-struct TextureLayer {
+struct TextureLayer : Identified<TextureLayer> {
     std::string name;
     std::shared_ptr<const Photo> photo; ///< null in a layer that is only painted
     Projector projector;
@@ -46,6 +47,7 @@ struct TextureLayer {
 
     bool operator==(const TextureLayer&) const = default;
 };
+using LayerId = Id<TextureLayer>;
 
 /// What the projector throws: the prepared picture, or the photo's own; null without a photo.
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);

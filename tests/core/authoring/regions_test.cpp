@@ -21,7 +21,7 @@ Project layered() {
     Project project = makeSample("tube");
     project.regions.clear();
     for (const char* name : {"a", "b", "c", "d"}) {
-        addRegion(project, {0, 0, 0});
+        addRegion(project, nextId(project.regions), {0, 0, 0});
         project.regions.back().name = name;
     }
     return project;
@@ -38,25 +38,27 @@ SurfaceSpot topOf(const Project& project) {
 
 TEST(Regions, MoveARegionByAnyNumberOfPlaces) {
     Project project = layered();
-    moveRegion(project, 0, 2);
+    const RegionId a{1}, b{2}, d{4};
+    moveRegion(project, a, 2);
     EXPECT_THAT(namesOf(project), ElementsAre("b", "c", "a", "d"));
-    moveRegion(project, 3, -3);
+    moveRegion(project, d, -3);
     EXPECT_THAT(namesOf(project), ElementsAre("d", "b", "c", "a"));
-    EXPECT_FALSE(canMoveRegion(project, 0, -1));
-    EXPECT_FALSE(canMoveRegion(project, 1, 3));
-    EXPECT_FALSE(canMoveRegion(project, 1, 0));
-    setSystem(project, std::nullopt, nullptr);
-    EXPECT_FALSE(canMoveRegion(project, 0, 1)) << "the whole organ stays beneath";
-    EXPECT_FALSE(canMoveRegion(project, 2, -2));
-    EXPECT_TRUE(canMoveRegion(project, 2, -1));
+    EXPECT_FALSE(canMoveRegion(project, d, -1));
+    EXPECT_FALSE(canMoveRegion(project, b, 3));
+    EXPECT_FALSE(canMoveRegion(project, b, 0));
+    const RegionId whole = nextId(project.regions);
+    setSystem(project, whole, nullptr);
+    EXPECT_FALSE(canMoveRegion(project, whole, 1)) << "the whole organ stays beneath";
+    EXPECT_FALSE(canMoveRegion(project, b, -2));
+    EXPECT_TRUE(canMoveRegion(project, b, -1));
 }
 
 TEST(Regions, DuplicateIsAnotherRegionOfTheSameTissue) {
     Project project = layered();
     project.regions[1].rim = 0.002;
     project.regions[1].held.viscosity = 4;
-    duplicateRegion(project, 1);
-    duplicateRegion(project, 1);
+    for (int i = 0; i < 2; ++i)
+        duplicateRegion(project, project.regions[1].id, nextId(project.regions));
     EXPECT_THAT(namesOf(project), ElementsAre("a", "b", "b copy 2", "b copy 1", "c", "d"));
     const Region &first = project.regions[1], &copy = project.regions[2];
     EXPECT_EQ(copy.rim, first.rim);
@@ -71,7 +73,7 @@ TEST(Regions, PlaceLaysASelectedRegionElsewhereAndKeepsItsSize) {
     Project project = layered();
     const SurfaceSpot spot = topOf(project);
     const Ellipsoid before = *project.regions[2].ellipsoid;
-    placeRegion(project, 2, spot);
+    placeRegion(project, project.regions[2].id, nextId(project.regions), spot);
     ASSERT_EQ(project.regions.size(), 4U);
     EXPECT_EQ(project.regions[2].ellipsoid->centre, spot.point);
     EXPECT_EQ(project.regions[2].ellipsoid->radii, before.radii);
@@ -82,7 +84,8 @@ TEST(Regions, PlaceAddsARegionOfASensibleSize) {
         Project project = makeSample(name);
         if (project.mesh->triangles.empty()) continue;
         const std::size_t before = project.regions.size();
-        placeRegion(project, std::nullopt, topOf(project));
+        const RegionId added = nextId(project.regions);
+        placeRegion(project, added, added, topOf(project));
         ASSERT_EQ(project.regions.size(), before + 1);
         EXPECT_THAT(validate(project), IsEmpty()) << name;
         const std::size_t inside = countOf(*project.network, project.regions.back()).nodes;

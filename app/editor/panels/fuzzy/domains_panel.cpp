@@ -16,7 +16,6 @@ namespace {
 
 /// From here on the list of terms has its place beside the partition, pixels.
 constexpr int besideWidth = 620;
-const QString addingTerm = QStringLiteral("add term");
 
 QVBoxLayout* plainColumn(QWidget* widget) {
     auto* column = new QVBoxLayout(widget);
@@ -86,7 +85,7 @@ void DomainsPanel::connectPartition() {
     const auto setCorners = [this](std::size_t term, const Trapezoid& set) {
         editVariable(
             tr("Shape term"), [&](FuzzyVariable& variable) { variable.terms[term].set = set; },
-            QStringLiteral("set %1").arg(term));
+            EditKind::TermShape, term);
     };
     connect(m_partition, &PartitionEditor::termTaken, this, &DomainsPanel::takeTerm);
     connect(m_partition, &PartitionEditor::setEdited, this, setCorners);
@@ -146,7 +145,7 @@ void DomainsPanel::showEvent(QShowEvent* event) {
 }
 
 std::shared_ptr<const FuzzySystem> DomainsPanel::system() const {
-    return selectedSystem(m_document, m_selection);
+    return selectedSystem(m_selection);
 }
 
 const FuzzyVariable* DomainsPanel::variable() const {
@@ -184,14 +183,14 @@ void DomainsPanel::showVariable(const FuzzySystem& system) {
 }
 
 std::optional<double> DomainsPanel::presentValue() const {
-    const auto region = m_selection.region();
-    if (!region || !system()) return std::nullopt;
-    const Region& shown = m_document.project().regions[*region];
-    if (m_place.side == FuzzySide::Outputs) return outputOf(shown, m_place.index);
-    return valueOf(shown.inputs, variable()->name);
+    const Region* shown = m_selection.selectedRegion();
+    if (!shown || !system()) return std::nullopt;
+    if (m_place.side == FuzzySide::Outputs) return outputOf(*shown, m_place.index);
+    return valueOf(shown->inputs, variable()->name);
 }
 
 void DomainsPanel::chooseVariable(const VariablePlace& place) {
+    m_document.finishGesture();
     m_place = place;
     m_terms->setProblems({});
     takeSpokenTerm();
@@ -214,16 +213,12 @@ void DomainsPanel::takeTerm(std::size_t term) {
     showSystem();
 }
 
-bool DomainsPanel::take(const QString& text, const std::function<void(Project&)>& change,
-                        const QString& mergeKey) {
+bool DomainsPanel::take(const QString& text, const std::function<void(Project&)>& change, EditKind kind,
+                        std::uint64_t place) {
     if (!system()) return false;
-    const QString key = QStringLiteral("domains %1 %2 %3 %4")
-                            .arg(*m_selection.region())
-                            .arg(static_cast<int>(m_place.side))
-                            .arg(m_place.index)
-                            .arg(mergeKey);
+    const RegionId region = *m_selection.region();
     try {
-        m_document.edit(text, change, mergeKey.isEmpty() ? QString() : key, m_selection.region());
+        m_document.edit(text, change, {kind, region, place}, region);
         m_terms->setProblems({});
         return true;
     } catch (const InvalidModel& error) {
@@ -233,18 +228,18 @@ bool DomainsPanel::take(const QString& text, const std::function<void(Project&)>
     }
 }
 
-bool DomainsPanel::edit(const QString& text, const SystemEdit& change, const QString& mergeKey) {
+bool DomainsPanel::edit(const QString& text, const SystemEdit& change, EditKind kind, std::uint64_t place) {
     return take(
         text,
         [&](Project& project) {
-            const std::size_t region = *m_selection.region();
-            editSystem(project, region, change(*project.regions[region].system));
+            const RegionId region = *m_selection.region();
+            editSystem(project, region, change(*partOf(project.regions, region).system));
         },
-        mergeKey);
+        kind, place);
 }
 
 bool DomainsPanel::editVariable(const QString& text, const std::function<void(FuzzyVariable&)>& change,
-                                const QString& mergeKey) {
+                                EditKind kind, std::uint64_t place) {
     return edit(
         text,
         [&](const FuzzySystem& before) {
@@ -252,7 +247,7 @@ bool DomainsPanel::editVariable(const QString& text, const std::function<void(Fu
             change(variable);
             return withVariable(before, m_place, std::move(variable));
         },
-        mergeKey);
+        kind, place);
 }
 
 void DomainsPanel::setRange(double minimum, double maximum, TermsInRange terms) {
@@ -261,7 +256,7 @@ void DomainsPanel::setRange(double minimum, double maximum, TermsInRange terms) 
         [&](Project& project) {
             esm::setRange(project, *m_selection.region(), m_place, {minimum, maximum, terms});
         },
-        QStringLiteral("range"));
+        EditKind::VariableRange);
 }
 
 void DomainsPanel::addTerm() {
@@ -272,7 +267,7 @@ void DomainsPanel::addTerm() {
         added = after.term;
         return std::move(after.system);
     };
-    if (!edit(tr("Add term"), add, addingTerm)) return;
+    if (!edit(tr("Add term"), add, EditKind::NewTerm)) return;
     m_term = added;
     showSystem();
     m_added = added;
@@ -304,14 +299,14 @@ void DomainsPanel::moveTerm(int by) {
 
 void DomainsPanel::renameTerm(std::size_t term, const QString& typed) {
     // The name that a term is given first belongs to its adding.
-    const QString mergeKey = m_added == term ? addingTerm : QString();
+    const EditKind kind = m_added == term ? EditKind::NewTerm : EditKind::Alone;
     m_added.reset();
     edit(
         tr("Rename term"),
         [&](const FuzzySystem& before) {
             return withTermRenamed(before, m_place, term, ruleName(typed.toStdString()));
         },
-        mergeKey);
+        kind);
     m_document.finishGesture();
     // A name that was not taken goes, and the old one comes back.
     QMetaObject::invokeMethod(

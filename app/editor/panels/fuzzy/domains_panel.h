@@ -48,10 +48,12 @@ private:
     void takeSpokenTerm();
 
     /// An undoable edit; what cannot be done is said in the panel, and the system then stays as it was.
-    bool take(const QString& text, const std::function<void(Project&)>& change, const QString& mergeKey);
-    bool edit(const QString& text, const SystemEdit& change, const QString& mergeKey = {});
+    bool take(const QString& text, const std::function<void(Project&)>& change, EditKind kind,
+              std::uint64_t place = 0);
+    bool edit(const QString& text, const SystemEdit& change, EditKind kind = EditKind::Alone,
+              std::uint64_t place = 0);
     bool editVariable(const QString& text, const std::function<void(FuzzyVariable&)>& change,
-                      const QString& mergeKey = {});
+                      EditKind kind = EditKind::Alone, std::uint64_t place = 0);
     void setRange(double minimum, double maximum, TermsInRange terms);
     void addTerm();
     void removeTerm();
@@ -68,7 +70,7 @@ private:
     std::size_t m_term = 0;
     std::optional<std::size_t> m_added; ///< the term that awaits its first name
     std::shared_ptr<const FuzzySystem> m_shown;
-    std::optional<std::size_t> m_shownRegion;
+    std::optional<RegionId> m_shownRegion;
     QLabel* m_words;
     QWidget* m_content;
     QBoxLayout* m_halves;

@@ -114,21 +114,20 @@ void FuzzyWorkbench::setWindowAction(QAction* action) {
 }
 
 void FuzzyWorkbench::showSystem() {
-    bringToFront(*m_pages, selectedSystem(m_document, m_selection) ? 1 : 0);
+    bringToFront(*m_pages, selectedSystem(m_selection) ? 1 : 0);
     showName();
 }
 
 void FuzzyWorkbench::showName() {
-    const auto system = selectedSystem(m_document, m_selection);
-    const auto region = m_selection.region();
+    const auto system = selectedSystem(m_selection);
+    const Region* region = m_selection.selectedRegion();
     // Whether it is the shipped one takes a moment to tell, and sliders move often.
     if (!m_named || system != m_named)
         m_name = system ? tr("Fuzzy system · %1").arg(shownName(*system)) : tr("Fuzzy system");
     m_named = system;
     setTitle(m_name);
     if (!m_window) return;
-    const QString where =
-        region ? QString::fromStdString(m_document.project().regions[*region].name) : tr("Whole organ");
+    const QString where = region ? QString::fromStdString(region->name) : tr("Whole organ");
     m_window->setWindowTitle(QStringLiteral("%1 – %2").arg(m_name, where));
 }
 

@@ -125,7 +125,7 @@ QWidget* RulesPanel::buildTop() {
 void RulesPanel::follow(const EditedSystem& edited) {
     leaveOrgan();
     m_drafts.follow(edited);
-    const auto system = selectedSystem(m_document, m_selection);
+    const auto system = selectedSystem(m_selection);
     const bool goesOn = m_system && (sameValue(system, m_system) ||
                                      (sameValue(edited.before, m_system) && sameValue(edited.after, system)));
     if (system != m_system) {
@@ -203,7 +203,7 @@ void RulesPanel::takeText() {
 void RulesPanel::apply() {
     if (m_isInForce || !m_reading.unread.empty() || !m_obstacle.isEmpty()) return;
     m_isRunning = true;
-    editSelectedSystem(m_document, m_selection, tr("Edit rules"), written(), QStringLiteral("rules"));
+    editSelectedSystem(m_document, m_selection, tr("Edit rules"), written(), EditKind::Rules);
 }
 
 void RulesPanel::takeTable(const QStringList& lines) {

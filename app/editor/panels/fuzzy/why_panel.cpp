@@ -181,8 +181,7 @@ void WhyPanel::showEvent(QShowEvent* event) {
 }
 
 const Region* WhyPanel::region() const {
-    const auto selected = m_selection.region();
-    return selected ? &m_document.project().regions[*selected] : nullptr;
+    return m_selection.selectedRegion();
 }
 
 void WhyPanel::showSystem() {

@@ -67,7 +67,8 @@ ModelPanel::ModelPanel(Document& document, QWidget* parent)
     connect(m_baseMass, &NumberField::valueEdited, this, [this](double mass) {
         m_document.edit(
             tr("Set %1").arg(parameterName(Parameter::Mass, Extent::Base)),
-            [mass](Project& project) { project.base.mass = mass; }, QStringLiteral("base mass"));
+            [mass](Project& project) { project.base.mass = mass; },
+            MergeKey(EditKind::BaseTissue, static_cast<std::uint64_t>(Parameter::Mass)));
     });
     connect(m_baseMass, &NumberField::gestureFinished, &document, &Document::finishGesture);
     connect(&document, &Document::changed, this, &ModelPanel::show);

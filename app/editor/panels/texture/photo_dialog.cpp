@@ -236,7 +236,7 @@ void PhotoDialog::showHint(const QString& problem) {
 void PhotoDialog::setCrop(const std::optional<PhotoCrop>& crop) {
     m_edits.edit(
         crop ? tr("Crop photo") : tr("Keep whole photo"),
-        [=](PreparationWish& wish) { wish.preparation.crop = crop; }, QStringLiteral("crop"));
+        [=](PreparationWish& wish) { wish.preparation.crop = crop; }, EditKind::Crop);
 }
 
 /// One number of the frame; the others follow so that it stays inside the photo.

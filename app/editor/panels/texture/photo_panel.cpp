@@ -54,7 +54,7 @@ void PhotoPanel::connectControls() {
     connect(m_blend, &NumberField::valueEdited, this, [this](double pixels) {
         edit(
             tr("Set blend at border"), [=](TextureLayer& layer) { layer.blendPixels = pixels; },
-            QStringLiteral("blending"));
+            EditKind::FadingBorder);
     });
     connect(m_blending, qOverload<int>(&QComboBox::activated), this, [this](int index) {
         const Blending chosen = blendings.at(static_cast<std::size_t>(index));
@@ -70,8 +70,7 @@ void PhotoPanel::connectControls() {
 }
 
 void PhotoPanel::show() {
-    const auto selected = m_selection.photo();
-    const TextureLayer* layer = selected ? &m_document.project().layers[*selected] : nullptr;
+    const TextureLayer* layer = m_selection.selectedLayer();
     showUse(layer);
     const QSignalBlocker quiet(m_opacity);
     m_opacityField->setValue(layer ? std::optional(layer->opacity) : std::nullopt);
@@ -101,16 +100,14 @@ void PhotoPanel::showUse(const TextureLayer* layer) {
 
 void PhotoPanel::setOpacity(double opacity) {
     edit(
-        tr("Set opacity"), [=](TextureLayer& layer) { layer.opacity = opacity; }, QStringLiteral("opacity"));
+        tr("Set opacity"), [=](TextureLayer& layer) { layer.opacity = opacity; }, EditKind::Opacity);
 }
 
-void PhotoPanel::edit(const QString& text, const std::function<void(TextureLayer&)>& change,
-                      const QString& mergeKey) {
+void PhotoPanel::edit(const QString& text, const std::function<void(TextureLayer&)>& change, EditKind kind) {
     const auto selected = m_selection.photo();
     if (!selected) return;
-    m_document.edit(
-        text, [&](Project& project) { change(project.layers[*selected]); },
-        mergeKey.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(mergeKey).arg(*selected));
+    m_document.edit(text, [&](Project& project) { change(partOf(project.layers, *selected)); },
+                    {kind, *selected});
 }
 
 } // namespace esm

@@ -24,9 +24,8 @@ private:
     void show();
     void showUse(const TextureLayer* layer);
     void setOpacity(double opacity);
-    /// @param mergeKey of edits that become one step while a gesture lasts
     void edit(const QString& text, const std::function<void(TextureLayer&)>& change,
-              const QString& mergeKey = {});
+              EditKind kind = EditKind::Alone);
 
     Document& m_document;
     Selection& m_selection;

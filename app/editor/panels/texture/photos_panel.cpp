@@ -1,6 +1,6 @@
 #include "app/editor/panels/texture/photos_panel.h"
 
-#include "app/editor/edits/photo_edits.h"
+#include "core/authoring/layers.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/icon.h"
 #include "widgets/texture/image_conversion.h"
@@ -70,13 +70,13 @@ void PhotosPanel::show() {
                         true});
     }
     m_pictures = std::move(inUse);
-    const auto selected = m_selection.photo();
+    const auto selected = selectedLayer();
     list()->setRows(rows, selected ? rowOf(*selected) : -1);
     showButtons(obstacles());
 }
 
 LayersPanel::Obstacles PhotosPanel::obstacles() const {
-    const auto selected = m_selection.photo();
+    const auto selected = selectedLayer();
     const QString none = tr("No photo is selected");
     if (!selected) return {none, none, none};
     return {canMoveLayer(*selected, 1) ? QString() : tr("This photo already lies on top"),
@@ -84,16 +84,27 @@ LayersPanel::Obstacles PhotosPanel::obstacles() const {
             {}};
 }
 
+std::optional<std::size_t> PhotosPanel::selectedLayer() const {
+    const auto layer = m_selection.photo();
+    return layer ? placeOf(m_document.project().layers, *layer) : std::nullopt;
+}
+
+void PhotosPanel::selectLayer(std::optional<std::size_t> layer) {
+    m_selection.setPhoto(layer ? std::optional(layerAt(*layer)) : std::nullopt);
+}
+
 bool PhotosPanel::canMoveLayer(std::size_t layer, int above) const {
-    return canMovePhoto(m_document.project(), layer, above);
+    return esm::canMoveLayer(m_document.project(), layerAt(layer), above);
 }
 
 void PhotosPanel::moveLayer(std::size_t layer, int above) {
-    m_document.edit(tr("Reorder photos"), [=](Project& project) { movePhoto(project, layer, above); });
+    m_document.edit(tr("Reorder photos"),
+                    [id = layerAt(layer), above](Project& project) { esm::moveLayer(project, id, above); });
 }
 
 void PhotosPanel::removeLayer(std::size_t layer) {
-    m_document.edit(tr("Remove photo"), [layer](Project& project) { removePhoto(project, layer); });
+    m_document.edit(tr("Remove photo"),
+                    [id = layerAt(layer)](Project& project) { esm::removeLayer(project, id); });
 }
 
 void PhotosPanel::renameLayer(std::size_t layer, const std::string& name) {

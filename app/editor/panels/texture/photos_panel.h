@@ -21,8 +21,8 @@ public:
 protected:
     void show() override;
     std::size_t layerCount() const override { return m_document.project().layers.size(); }
-    std::optional<std::size_t> selectedLayer() const override { return m_selection.photo(); }
-    void selectLayer(std::optional<std::size_t> layer) override { m_selection.setPhoto(layer); }
+    std::optional<std::size_t> selectedLayer() const override;
+    void selectLayer(std::optional<std::size_t> layer) override;
     bool canMoveLayer(std::size_t layer, int above) const override;
     void moveLayer(std::size_t layer, int above) override;
     void removeLayer(std::size_t layer) override;
@@ -30,6 +30,7 @@ protected:
 
 private:
     Obstacles obstacles() const;
+    LayerId layerAt(std::size_t layer) const { return m_document.project().layers[layer].id; }
     QPixmap picture(const std::shared_ptr<const Photo>& photo);
 
     Document& m_document;

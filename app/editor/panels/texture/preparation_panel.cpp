@@ -160,7 +160,7 @@ void PreparationPanel::connectControls() {
     connect(m_evenLightField, &NumberField::valueEdited, this, [this](double strength) {
         m_edits.edit(
             tr("Even light"), [=](PreparationWish& wish) { wish.preparation.evenLight = strength; },
-            QStringLiteral("even light"));
+            EditKind::EvenLight);
     });
     connect(m_evenLightField, &NumberField::gestureFinished, &m_edits, &PreparationEdits::finishGesture);
     connect(m_match.box, &QCheckBox::clicked, this, [this](bool on) {

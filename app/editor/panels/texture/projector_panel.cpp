@@ -116,30 +116,32 @@ void ProjectorPanel::layOut() {
 }
 
 void ProjectorPanel::connectFields() {
-    const QString size = QStringLiteral("projector size");
     connect(m_kind, qOverload<int>(&QComboBox::activated), this, &ProjectorPanel::chooseKind);
-    connect(m_fieldOfView, &NumberField::valueEdited, this, [this, size](double degrees) {
+    connect(m_fieldOfView, &NumberField::valueEdited, this, [this](double degrees) {
         edit(
-            tr("Set field of view"), [=](Projector& projector) { projector.fieldOfView = degrees; }, size);
+            tr("Set field of view"), [=](Projector& projector) { projector.fieldOfView = degrees; },
+            EditKind::ProjectorSize);
     });
-    connect(m_width, &NumberField::valueEdited, this, [this, size](double width) {
+    connect(m_width, &NumberField::valueEdited, this, [this](double width) {
         edit(
-            tr("Resize projector"), [=](Projector& projector) { projector.width = width; }, size);
+            tr("Resize projector"), [=](Projector& projector) { projector.width = width; },
+            EditKind::ProjectorSize);
     });
-    connect(m_height, &NumberField::valueEdited, this, [this, size](double height) {
+    connect(m_height, &NumberField::valueEdited, this, [this](double height) {
         edit(
-            tr("Resize projector"), [=](Projector& projector) { projector.height = height; }, size);
+            tr("Resize projector"), [=](Projector& projector) { projector.height = height; },
+            EditKind::ProjectorSize);
     });
     connect(m_position, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& position) {
         edit(
             tr("Move projector"), [&](Projector& projector) { projector.pose.translation() = position; },
-            QStringLiteral("projector position"));
+            EditKind::ProjectorPosition);
     });
     connect(m_turned, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& degrees) {
         edit(
             tr("Turn projector"),
             [&](Projector& projector) { projector.pose.linear() = rotationOf(degrees); },
-            QStringLiteral("projector turn"));
+            EditKind::ProjectorTurn);
     });
     for (NumberField* field : {m_width, m_height, m_fieldOfView})
         connect(field, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
@@ -155,15 +157,14 @@ void ProjectorPanel::connectIntrinsics() {
             *values[i] = pixels;
             edit(
                 tr("Set calibration"), [=](Projector& projector) { projector.intrinsics = camera; },
-                QStringLiteral("projector calibration %1").arg(i));
+                EditKind::ProjectorCalibration, i);
         });
         connect(m_intrinsics[i], &NumberField::gestureFinished, &m_document, &Document::finishGesture);
     }
 }
 
 void ProjectorPanel::show() {
-    const auto selected = m_selection.photo();
-    const TextureLayer* layer = selected ? &m_document.project().layers[*selected] : nullptr;
+    const TextureLayer* layer = m_selection.selectedLayer();
     const Projector* projector = layer && layer->photo ? &layer->projector : nullptr;
     const QString why = tr("No photo is selected");
     enable(m_width, projector, tr("Width of the thrown photo"), why);
@@ -207,7 +208,7 @@ void ProjectorPanel::showCamera(const Projector* projector) {
 }
 
 Intrinsics ProjectorPanel::shownIntrinsics() const {
-    const TextureLayer& layer = m_document.project().layers[*m_selection.photo()];
+    const TextureLayer& layer = *m_selection.selectedLayer();
     return intrinsicsOf(layer.projector, sizeOfPicture(layer));
 }
 
@@ -216,7 +217,7 @@ void ProjectorPanel::chooseKind() {
     if (!selected) return;
     const auto kind = static_cast<Kind>(m_kind->currentData().toInt());
     m_document.edit(tr("Choose kind of projector"), [&](Project& project) {
-        TextureLayer& layer = project.layers[*selected];
+        TextureLayer& layer = partOf(project.layers, *selected);
         if (layer.photo) layer.projector = ofShownKind(kind, layer, *project.mesh);
     });
 }
@@ -225,13 +226,12 @@ void ProjectorPanel::setFromCameraAction(QAction* action) {
     follow(m_fromCamera, action);
 }
 
-void ProjectorPanel::edit(const QString& text, const std::function<void(Projector&)>& change,
-                          const QString& mergeKey) {
+void ProjectorPanel::edit(const QString& text, const std::function<void(Projector&)>& change, EditKind kind,
+                          std::uint64_t place) {
     const auto selected = m_selection.photo();
     if (selected)
-        m_document.edit(
-            text, [&](Project& project) { change(project.layers[*selected].projector); },
-            QStringLiteral("%1 %2").arg(mergeKey).arg(*selected));
+        m_document.edit(text, [&](Project& project) { change(partOf(project.layers, *selected).projector); },
+                        {kind, *selected, place});
 }
 
 } // namespace esm

@@ -31,8 +31,8 @@ private:
     void showCamera(const Projector* projector);
     void chooseKind();
     Intrinsics shownIntrinsics() const;
-    /// @param mergeKey of edits that become one step while a gesture lasts
-    void edit(const QString& text, const std::function<void(Projector&)>& change, const QString& mergeKey);
+    void edit(const QString& text, const std::function<void(Projector&)>& change, EditKind kind,
+              std::uint64_t place = 0);
 
     Document& m_document;
     Selection& m_selection;

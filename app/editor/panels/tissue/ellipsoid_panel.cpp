@@ -29,18 +29,18 @@ EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget
     connect(m_centre, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& centre) {
         edit(
             tr("Move region"), [&](Ellipsoid& ellipsoid) { ellipsoid.centre = centre; },
-            QStringLiteral("ellipsoid centre"));
+            EditKind::EllipsoidCentre);
     });
     connect(m_radii, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& radii) {
         edit(
             tr("Resize region"), [&](Ellipsoid& ellipsoid) { ellipsoid.radii = radii; },
-            QStringLiteral("ellipsoid radii"));
+            EditKind::EllipsoidRadii);
     });
     connect(m_turned, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& degrees) {
         edit(
             tr("Turn region"),
             [&](Ellipsoid& ellipsoid) { ellipsoid.orientation = Eigen::Quaterniond(rotationOf(degrees)); },
-            QStringLiteral("ellipsoid turn"));
+            EditKind::EllipsoidTurn);
     });
     connect(m_rim, &NumberField::valueEdited, this, &EllipsoidPanel::editRim);
     connect(m_rim, &NumberField::gestureFinished, &document, &Document::finishGesture);
@@ -59,10 +59,8 @@ void EllipsoidPanel::showEvent(QShowEvent* event) {
 }
 
 void EllipsoidPanel::show() {
-    const Project& project = m_document.project();
-    const auto selected = m_selection.region();
-    const Ellipsoid* ellipsoid =
-        selected && project.regions[*selected].ellipsoid ? &*project.regions[*selected].ellipsoid : nullptr;
+    const Region* selected = m_selection.selectedRegion();
+    const Ellipsoid* ellipsoid = selected && selected->ellipsoid ? &*selected->ellipsoid : nullptr;
     const QString none = tr("The whole organ has no ellipsoid: select or add a region");
     enable(m_centre, ellipsoid, tr("x, y, z"), none);
     enable(m_radii, ellipsoid, tr("Along the ellipsoid's own x, y, z"), none);
@@ -75,18 +73,18 @@ void EllipsoidPanel::show() {
     m_centre->setValue(ellipsoid ? Vector(ellipsoid->centre) : Vector());
     m_radii->setValue(ellipsoid ? Vector(ellipsoid->radii) : Vector());
     m_turned->setValue(ellipsoid ? Vector(degreesOf(ellipsoid->orientation.toRotationMatrix())) : Vector());
-    m_rim->setValue(ellipsoid ? std::optional(project.regions[*selected].rim) : std::nullopt);
+    m_rim->setValue(ellipsoid ? std::optional(selected->rim) : std::nullopt);
     if (isVisible()) showInside();
 }
 
 void EllipsoidPanel::showInside() {
     const Project& project = m_document.project();
-    const auto selected = m_selection.region();
+    const Region* selected = m_selection.selectedRegion();
     RegionCount held;
     held.nodes = project.network->restPositions.size();
     held.springs = project.network->springs.size();
     if (selected) held = m_counts.of(project, *selected);
-    const bool isSoft = selected && project.regions[*selected].rim > 0;
+    const bool isSoft = selected && selected->rim > 0;
     const auto text = [&](std::size_t inside, std::size_t inRim) {
         return isSoft ? tr("%1, rim %2").arg(countText(inside), countText(inRim)) : countText(inside);
     };
@@ -97,18 +95,17 @@ void EllipsoidPanel::showInside() {
 void EllipsoidPanel::editRim(double metres) {
     const auto selected = m_selection.region();
     if (!selected) return;
-    m_document.edit(
-        tr("Soft rim"), [&](Project& project) { project.regions[*selected].rim = metres; },
-        QStringLiteral("rim %1").arg(*selected));
+    m_document.edit(tr("Soft rim"),
+                    [&](Project& project) { partOf(project.regions, *selected).rim = metres; },
+                    {EditKind::SoftRim, *selected});
 }
 
-void EllipsoidPanel::edit(const QString& text, const std::function<void(Ellipsoid&)>& change,
-                          const QString& mergeKey) {
-    const auto selected = m_selection.region();
-    if (!selected || !m_document.project().regions[*selected].ellipsoid) return;
-    m_document.edit(
-        text, [&](Project& project) { change(*project.regions[*selected].ellipsoid); },
-        QStringLiteral("%1 %2").arg(mergeKey).arg(*selected));
+void EllipsoidPanel::edit(const QString& text, const std::function<void(Ellipsoid&)>& change, EditKind kind) {
+    const Region* selected = m_selection.selectedRegion();
+    if (!selected || !selected->ellipsoid) return;
+    const RegionId region = selected->id;
+    m_document.edit(text, [&](Project& project) { change(*partOf(project.regions, region).ellipsoid); },
+                    {kind, region});
 }
 
 } // namespace esm

@@ -22,8 +22,7 @@ private:
     void show();
     /// Counting takes a moment: only while it is seen.
     void showInside();
-    /// @param mergeKey of edits that become one step while a gesture lasts
-    void edit(const QString& text, const std::function<void(Ellipsoid&)>& change, const QString& mergeKey);
+    void edit(const QString& text, const std::function<void(Ellipsoid&)>& change, EditKind kind);
     void editRim(double metres);
 
     Document& m_document;

@@ -2,7 +2,6 @@
 
 #include "core/project/project.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace esm {
@@ -11,8 +10,8 @@ namespace esm {
 /// ellipsoid or rim is another: panels ask on every tick of a slider.
 class RegionCounts {
 public:
-    /// @param region index into the project's regions
-    const RegionCount& of(const Project& project, std::size_t region);
+    /// Of one of the project's regions. What it gives is there until it is asked again.
+    const RegionCount& of(const Project& project, const Region& region);
 
 private:
     struct Known {
@@ -20,7 +19,7 @@ private:
         Region region;
         RegionCount count;
     };
-    std::vector<Known> m_known; ///< by the region's index
+    std::vector<Known> m_known; ///< one per region at most
 };
 
 } // namespace esm

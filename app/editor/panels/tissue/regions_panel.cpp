@@ -34,20 +34,20 @@ void RegionsPanel::show() {
     std::vector<ItemRow> rows;
     for (std::size_t i = project.regions.size(); i-- > 0;) {
         const Region& region = project.regions[i];
-        const QString count = countText(m_counts.of(project, i).nodes);
+        const QString count = countText(m_counts.of(project, region).nodes);
         rows.push_back({QString::fromStdString(region.name), count, toQColor(region.colour), {}, true});
     }
     if (!wholeOrganRegion(project)) {
         const QString count = countText(project.network->restPositions.size());
         rows.push_back({tr("Whole organ"), count, QColor(152, 161, 171), {}, false});
     }
-    const auto selected = m_selection.region();
+    const auto selected = selectedLayer();
     list()->setRows(rows, selected ? rowOf(*selected) : static_cast<int>(rows.size() - 1));
     showButtons(obstacles());
 }
 
 LayersPanel::Obstacles RegionsPanel::obstacles() const {
-    const auto selected = m_selection.region();
+    const auto selected = selectedLayer();
     const QString whole = tr("The whole organ always lies beneath the regions");
     if (!selected) return {whole, whole, tr("The whole organ cannot be removed")};
     if (!m_document.project().regions[*selected].ellipsoid && *selected == 0) return {whole, whole, {}};
@@ -56,16 +56,27 @@ LayersPanel::Obstacles RegionsPanel::obstacles() const {
             {}};
 }
 
+std::optional<std::size_t> RegionsPanel::selectedLayer() const {
+    const auto region = m_selection.region();
+    return region ? placeOf(m_document.project().regions, *region) : std::nullopt;
+}
+
+void RegionsPanel::selectLayer(std::optional<std::size_t> layer) {
+    m_selection.setRegion(layer ? std::optional(regionAt(*layer)) : std::nullopt);
+}
+
 bool RegionsPanel::canMoveLayer(std::size_t layer, int above) const {
-    return canMoveRegion(m_document.project(), layer, above);
+    return canMoveRegion(m_document.project(), regionAt(layer), above);
 }
 
 void RegionsPanel::moveLayer(std::size_t layer, int above) {
-    m_document.edit(tr("Reorder regions"), [=](Project& project) { moveRegion(project, layer, above); });
+    m_document.edit(tr("Reorder regions"),
+                    [id = regionAt(layer), above](Project& project) { moveRegion(project, id, above); });
 }
 
 void RegionsPanel::removeLayer(std::size_t layer) {
-    m_document.edit(tr("Remove region"), [layer](Project& project) { removeRegion(project, layer); });
+    m_document.edit(tr("Remove region"),
+                    [id = regionAt(layer)](Project& project) { removeRegion(project, id); });
 }
 
 void RegionsPanel::renameLayer(std::size_t layer, const std::string& name) {

@@ -17,8 +17,8 @@ public:
 protected:
     void show() override;
     std::size_t layerCount() const override { return m_document.project().regions.size(); }
-    std::optional<std::size_t> selectedLayer() const override { return m_selection.region(); }
-    void selectLayer(std::optional<std::size_t> layer) override { m_selection.setRegion(layer); }
+    std::optional<std::size_t> selectedLayer() const override;
+    void selectLayer(std::optional<std::size_t> layer) override;
     bool canMoveLayer(std::size_t layer, int above) const override;
     void moveLayer(std::size_t layer, int above) override;
     void removeLayer(std::size_t layer) override;
@@ -26,6 +26,7 @@ protected:
 
 private:
     Obstacles obstacles() const;
+    RegionId regionAt(std::size_t layer) const { return m_document.project().regions[layer].id; }
 
     Document& m_document;
     Selection& m_selection;

@@ -69,7 +69,7 @@ NumberField* StiffeningRow::addNumber(const QString& caption, const NumberFormat
             [&](Project& project) {
                 if (project.base.stiffening) (*project.base.stiffening).*part = value;
             },
-            edit);
+            MergeKey(EditKind::Stiffening, part == &SpringStiffening::strain ? 0 : 1));
     });
     connect(field, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
     return field;

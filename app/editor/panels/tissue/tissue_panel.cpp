@@ -88,8 +88,7 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, QWidget* pare
 }
 
 const Region* TissuePanel::region() const {
-    const auto selected = m_selection.region();
-    return selected ? &m_document.project().regions[*selected] : nullptr;
+    return m_selection.selectedRegion();
 }
 
 void TissuePanel::show() {
@@ -244,7 +243,7 @@ void TissuePanel::addBaseParameter(Parameter parameter) {
         const QString name = parameterName(parameter, Extent::Base);
         m_document.edit(
             tr("Set %1").arg(name), [&](Project& project) { valueOf(project.base, parameter) = value; },
-            QStringLiteral("base %1").arg(static_cast<int>(parameter)));
+            MergeKey(EditKind::BaseTissue, static_cast<std::uint64_t>(parameter)));
     });
     connect(row, &ParameterRow::gestureFinished, &m_document, &Document::finishGesture);
     m_refreshers.emplace_back([this, row, parameter](const Region*, const RegionTissue&) {
@@ -257,19 +256,18 @@ void TissuePanel::setHeld(Parameter parameter, std::optional<double> value, Merg
     const auto selected = m_selection.region();
     if (!selected) return;
     const QString name = parameterName(parameter, Extent::Region);
-    m_document.edit((value ? tr("Hold %1") : tr("Let go of %1")).arg(name),
-                    [&](Project& project) { valueOf(project.regions[*selected].held, parameter) = value; },
-                    merging == Merging::WhileMoved
-                        ? QStringLiteral("held %1 %2").arg(*selected).arg(static_cast<int>(parameter))
-                        : QString());
+    const EditKind kind = merging == Merging::WhileMoved ? EditKind::HeldValue : EditKind::Alone;
+    m_document.edit(
+        (value ? tr("Hold %1") : tr("Let go of %1")).arg(name),
+        [&](Project& project) { valueOf(partOf(project.regions, *selected).held, parameter) = value; },
+        {kind, *selected, static_cast<std::uint64_t>(parameter)});
 }
 
 void TissuePanel::chooseSystem(const std::shared_ptr<const FuzzySystem>& system) {
     const auto selected = m_selection.region();
     if (!system && !selected) return;
-    std::size_t target = 0;
-    m_document.edit(tr("Choose fuzzy system"),
-                    [&](Project& project) { target = setSystem(project, selected, system); });
+    const RegionId target = selected ? *selected : m_document.newRegionId();
+    m_document.edit(tr("Choose fuzzy system"), [&](Project& project) { setSystem(project, target, system); });
     m_selection.setRegion(target);
 }
 

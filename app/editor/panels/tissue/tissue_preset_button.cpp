@@ -48,8 +48,8 @@ TissuePresetButton::TissuePresetButton(Document& document, Selection& selection,
 }
 
 bool TissuePresetButton::isPartSelected() const {
-    const auto region = m_selection.region();
-    return region && m_document.project().regions[*region].ellipsoid;
+    const Region* region = m_selection.selectedRegion();
+    return region && region->ellipsoid;
 }
 
 void TissuePresetButton::fill() {
@@ -65,11 +65,11 @@ void TissuePresetButton::fill() {
 
 void TissuePresetButton::apply(const std::string& name) {
     const TissuePreset preset = tissuePreset(name);
-    const auto selected = m_selection.region();
-    std::optional<std::size_t> target;
+    const RegionId region = m_selection.region().value_or(m_document.newRegionId());
+    std::optional<RegionId> target;
     m_document.edit(tr("Tissue of preset “%1”").arg(QString::fromStdString(preset.title)),
-                    [&](Project& project) { target = applyPreset(project, selected, preset); });
-    if (target) m_selection.setRegion(*target);
+                    [&](Project& project) { target = applyPreset(project, region, preset); });
+    if (target) m_selection.setRegion(target);
 }
 
 } // namespace esm

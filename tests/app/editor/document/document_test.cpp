@@ -12,17 +12,24 @@ using namespace esm;
 
 namespace {
 
-void setMass(Document& document, double mass, const QString& mergeKey = {}) {
+void setMass(Document& document, double mass, EditKind kind = EditKind::Alone) {
     document.edit(
-        "mass", [mass](Project& project) { project.base.mass = mass; }, mergeKey);
+        "mass", [mass](Project& project) { project.base.mass = mass; }, MergeKey(kind));
 }
 
 Project tubeWithThreeRegions() {
     Project project = makeSample("tube");
     project.regions.clear();
     for (int i = 0; i < 3; ++i)
-        addRegion(project, Eigen::Vector3d::Zero());
+        addRegion(project, nextId(project.regions), Eigen::Vector3d::Zero());
     return project;
+}
+
+/// Adds a region, and gives it.
+RegionId added(Document& document) {
+    const RegionId id = document.newRegionId();
+    document.edit("add", [&](Project& project) { addRegion(project, id, Eigen::Vector3d::Zero()); });
+    return id;
 }
 
 Image blankPhoto(int width, int height) {
@@ -39,7 +46,7 @@ TEST(Document, MergesADragIntoOneStep) {
     Document document(makeSample("tube"));
     const Project before = document.project();
     for (const double mass : {0.02, 0.03, 0.04})
-        setMass(document, mass, "mass");
+        setMass(document, mass, EditKind::BaseTissue);
     EXPECT_EQ(document.undoStack()->count(), 1);
     document.undoStack()->undo();
     EXPECT_FALSE(difference(before, document.project()).any());
@@ -49,9 +56,9 @@ TEST(Document, MergesADragIntoOneStep) {
 
 TEST(Document, StartsANewStepAfterADrag) {
     Document document(makeSample("tube"));
-    setMass(document, 0.02, "mass");
+    setMass(document, 0.02, EditKind::BaseTissue);
     document.finishGesture();
-    setMass(document, 0.03, "mass");
+    setMass(document, 0.03, EditKind::BaseTissue);
     EXPECT_EQ(document.undoStack()->count(), 2);
 }
 
@@ -62,8 +69,8 @@ TEST(Document, DropsEditsThatChangeNothing) {
     setMass(document, mass);
     EXPECT_EQ(document.undoStack()->count(), 0);
     EXPECT_EQ(changed.count(), 0);
-    setMass(document, 2 * mass, "mass");
-    setMass(document, mass, "mass");
+    setMass(document, 2 * mass, EditKind::BaseTissue);
+    setMass(document, mass, EditKind::BaseTissue);
     EXPECT_EQ(document.undoStack()->count(), 0);
     EXPECT_FALSE(document.isModified());
 }
@@ -77,7 +84,8 @@ TEST(Document, SaysWhatChanged) {
     };
     EXPECT_TRUE(changed([](Project& p) { p.name = "x"; }).name);
     EXPECT_TRUE(changed([](Project& p) { p.base.viscosity += 1; }).tissue);
-    EXPECT_TRUE(changed([](Project& p) { addRegion(p, Eigen::Vector3d::Zero()); }).regions);
+    EXPECT_TRUE(
+        changed([](Project& p) { addRegion(p, nextId(p.regions), Eigen::Vector3d::Zero()); }).regions);
     EXPECT_TRUE(changed([](Project& p) { p.scene.gravity.y() = -9.81; }).scene);
     EXPECT_TRUE(changed([](Project& p) { p.texture.atlas.size = 512; }).texture);
     EXPECT_TRUE(changed([](Project& p) { p.texture.atlas.texelsPerMetre = 512; }).texture);
@@ -126,46 +134,58 @@ TEST(Document, IsUnsavedWhereItsProjectLiesInNoFile) {
 TEST(Selection, FollowsWhatIsAddedAndRemoved) {
     Document document(makeSample("tube"));
     Selection selection(document);
-    const std::size_t already = document.project().regions.size();
-    document.edit("add", [](Project& p) { addRegion(p, Eigen::Vector3d::Zero()); });
-    EXPECT_EQ(selection.region(), already);
-    document.edit("add", [](Project& p) { addRegion(p, Eigen::Vector3d::Zero()); });
-    EXPECT_EQ(selection.region(), already + 1);
+    const RegionId first = added(document), second = added(document);
+    EXPECT_EQ(selection.region(), second);
     document.undoStack()->undo();
-    EXPECT_EQ(selection.region(), already);
+    EXPECT_EQ(selection.region(), first);
+    const RegionId third = added(document);
+    EXPECT_NE(third, second) << "none is given twice";
+    EXPECT_EQ(selection.region(), third);
 }
 
 TEST(Selection, FindsWhatUndoBringsBack) {
     Document document(tubeWithThreeRegions());
     Selection selection(document);
-    document.edit("remove", [](Project& p) { p.regions.erase(p.regions.begin()); });
-    selection.setRegion(1);
+    const std::vector<Region> regions = document.project().regions;
+    document.edit("remove", [&](Project& p) { removeRegion(p, regions[0].id); });
+    selection.setRegion(regions[2].id);
     document.undoStack()->undo();
-    EXPECT_EQ(selection.region(), 0U);
+    EXPECT_EQ(selection.region(), regions[0].id);
     document.undoStack()->redo();
-    EXPECT_EQ(selection.region(), 0U);
+    EXPECT_EQ(selection.region(), regions[1].id) << "its neighbour above";
 }
 
 TEST(Selection, StaysWithWhatIsReordered) {
     Document document(tubeWithThreeRegions());
     Selection selection(document);
-    selection.setRegion(0);
-    document.edit("move", [](Project& p) { moveRegion(p, 0, 1); });
-    EXPECT_EQ(selection.region(), 1U);
+    const RegionId lowest = document.project().regions[0].id;
+    selection.setRegion(lowest);
+    document.edit("move", [&](Project& p) { moveRegion(p, lowest, 1); });
+    EXPECT_EQ(document.project().regions[1].id, lowest);
+    EXPECT_EQ(selection.region(), lowest);
     document.undoStack()->undo();
-    EXPECT_EQ(selection.region(), 0U);
-    document.edit("change", [](Project& p) { p.regions[0].held.mass = 1; });
-    EXPECT_EQ(selection.region(), 0U);
+    EXPECT_EQ(document.project().regions[0].id, lowest);
+    EXPECT_EQ(selection.region(), lowest);
+}
+
+TEST(Selection, HoldsNothingThatIsNotThere) {
+    Document document(tubeWithThreeRegions());
+    Selection selection(document);
+    selection.setRegion(document.newRegionId());
+    EXPECT_FALSE(selection.region());
+    selection.setPhoto(document.newLayerId());
+    EXPECT_FALSE(selection.photo());
 }
 
 TEST(Selection, GoesBackToTheWholeOrganWhoseTissueGoes) {
     Document document(makeSample("tube"));
     document.edit("clear", [](Project& p) { p.regions.clear(); });
-    document.edit("add", [](Project& p) { addRegion(p, Eigen::Vector3d::Zero()); });
+    added(document);
     Selection selection(document);
     selection.setRegion(std::nullopt);
-    document.edit("system", [](Project& p) { setSystem(p, std::nullopt, std::make_shared<FuzzySystem>()); });
-    EXPECT_EQ(selection.region(), 0U);
+    const RegionId whole = document.newRegionId();
+    document.edit("system", [&](Project& p) { setSystem(p, whole, std::make_shared<FuzzySystem>()); });
+    EXPECT_EQ(selection.region(), whole);
     document.undoStack()->undo();
     EXPECT_EQ(selection.region(), std::nullopt);
 }
@@ -173,17 +193,17 @@ TEST(Selection, GoesBackToTheWholeOrganWhoseTissueGoes) {
 TEST(RegionEdits, KeepTheWholeOrganBeneath) {
     Project project = makeSample("tube");
     project.regions.clear();
-    addRegion(project, Eigen::Vector3d::Zero());
-    const auto system = std::make_shared<FuzzySystem>();
-    EXPECT_EQ(setSystem(project, std::nullopt, system), 0U);
-    EXPECT_EQ(wholeOrganRegion(project), 0U);
-    EXPECT_FALSE(canMoveRegion(project, 0, 1));
-    EXPECT_FALSE(canMoveRegion(project, 1, -1));
-    addRegion(project, Eigen::Vector3d::Zero());
-    ASSERT_TRUE(canMoveRegion(project, 1, 1));
-    const std::string lower = project.regions[1].name;
-    moveRegion(project, 1, 1);
-    EXPECT_EQ(project.regions[2].name, lower);
+    const RegionId lower{7}, upper{8}, whole{9};
+    addRegion(project, lower, Eigen::Vector3d::Zero());
+    setSystem(project, whole, std::make_shared<FuzzySystem>());
+    ASSERT_EQ(wholeOrganRegion(project), &project.regions[0]);
+    EXPECT_EQ(project.regions[0].id, whole);
+    EXPECT_FALSE(canMoveRegion(project, whole, 1));
+    EXPECT_FALSE(canMoveRegion(project, lower, -1));
+    addRegion(project, upper, Eigen::Vector3d::Zero());
+    ASSERT_TRUE(canMoveRegion(project, lower, 1));
+    moveRegion(project, lower, 1);
+    EXPECT_EQ(project.regions[2].id, lower);
     EXPECT_NE(project.regions[1].colour, project.regions[2].colour);
 }
 

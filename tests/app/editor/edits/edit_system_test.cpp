@@ -18,8 +18,8 @@ Project threeRegions() {
     Project project = makeSample("tube");
     project.regions.clear();
     for (const char* preset : {"susilap-g", "susilap-g", "robo-sim"}) {
-        addRegion(project, Eigen::Vector3d::Zero());
-        setSystem(project, project.regions.size() - 1,
+        addRegion(project, nextId(project.regions), Eigen::Vector3d::Zero());
+        setSystem(project, project.regions.back().id,
                   std::make_shared<const FuzzySystem>(fuzzyPreset(preset)));
     }
     return project;
@@ -33,7 +33,7 @@ TEST(EditSystem, GoesToEveryRegionOfTheSameLanguage) {
     setInput(project.regions[0], "consistency", 5.5);
     FuzzySystem system = *project.regions[0].system;
     system.inputs[0].name = "firmness";
-    editSystem(project, 0, system);
+    editSystem(project, project.regions[0].id, system);
     EXPECT_EQ(project.regions[0].system->inputs[0].name, "firmness");
     EXPECT_EQ(project.regions[0].system.get(), project.regions[1].system.get());
     EXPECT_EQ(project.regions[2].system, other);
@@ -48,12 +48,12 @@ TEST(EditSystem, ValuesGoWithTheirInputs) {
     FuzzySystem system = *region.system;
     system.rules.clear();
     std::swap(system.inputs[0], system.inputs[2]);
-    editSystem(project, 2, system);
+    editSystem(project, project.regions[2].id, system);
     EXPECT_THAT(region.inputs, ElementsAre(Pair("consistency", 7.3), Pair("sensitiveness", 4.9)));
     system.inputs.erase(system.inputs.begin() + 1);
     system.inputs.push_back({"wetness", 2, 4, {{"wet", {2, 2, 4, 4}}}});
     system.inputs.push_back({"age", 0, 4, {{"old", {2, 2, 4, 4}}}});
-    editSystem(project, 2, system);
+    editSystem(project, project.regions[2].id, system);
     EXPECT_THAT(region.inputs, ElementsAre(Pair("consistency", 7.3), Pair("wetness", 3), Pair("age", 2)));
 }
 
@@ -62,19 +62,19 @@ TEST(EditSystem, RefusesWhatCannotBeEvaluated) {
     const auto before = project.regions[0].system;
     FuzzySystem system = *before;
     system.inputs[0].terms[0].set.a = 11;
-    EXPECT_THROW(editSystem(project, 0, system), InvalidModel);
+    EXPECT_THROW(editSystem(project, project.regions[0].id, system), InvalidModel);
     EXPECT_EQ(project.regions[0].system, before);
 }
 
 TEST(EditSystem, IsOneStepForADragAndNoneWhereNothingChanges) {
     Document document(threeRegions());
     Selection selection(document);
-    selection.setRegion(0);
-    const FuzzySystem before = *selectedSystem(document, selection);
+    selection.setRegion(document.project().regions[0].id);
+    const FuzzySystem before = *selectedSystem(selection);
     const auto moveTo = [&](double corner) {
-        FuzzySystem system = *selectedSystem(document, selection);
+        FuzzySystem system = *selectedSystem(selection);
         system.inputs[0].terms[1].set.b = corner;
-        editSelectedSystem(document, selection, "Move corner", system, "corner");
+        editSelectedSystem(document, selection, "Move corner", system, EditKind::TermShape);
     };
     moveTo(before.inputs[0].terms[1].set.b);
     EXPECT_EQ(document.undoStack()->count(), 0);
@@ -82,6 +82,6 @@ TEST(EditSystem, IsOneStepForADragAndNoneWhereNothingChanges) {
     moveTo(2.7);
     EXPECT_EQ(document.undoStack()->count(), 1);
     document.undoStack()->undo();
-    EXPECT_EQ(*selectedSystem(document, selection), before);
-    EXPECT_TRUE(isFuzzyPreset(*selectedSystem(document, selection)));
+    EXPECT_EQ(*selectedSystem(selection), before);
+    EXPECT_TRUE(isFuzzyPreset(*selectedSystem(selection)));
 }

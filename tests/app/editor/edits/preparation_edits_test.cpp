@@ -38,13 +38,15 @@ Project withLayers(std::initializer_list<double> radii) {
 }
 
 struct Editing {
-    explicit Editing(Project project) : document(std::move(project)) { selection.setPhoto(0); }
+    explicit Editing(Project project) : document(std::move(project)) {
+        selection.setPhoto(document.project().layers[0].id);
+    }
 
     const TextureLayer& layer(std::size_t i = 0) const { return document.project().layers[i]; }
     void evenLight(double strength) {
         edits.edit(
             "Even light", [=](PreparationWish& wish) { wish.preparation.evenLight = strength; },
-            "even light");
+            EditKind::EvenLight);
     }
     void findField() {
         edits.edit("Mask", [](PreparationWish& wish) { wish.find.field = true; });
@@ -99,7 +101,7 @@ TEST(PreparationEdits, ThatAreAskedForAtOnceAllHappenInOrder) {
     Editing editing(withLayers({60, 50}));
     editing.findField();
     editing.evenLight(0.5);
-    editing.selection.setPhoto(1);
+    editing.selection.setPhoto(editing.document.project().layers[1].id);
     editing.findField();
     ESM_EVENTUALLY(!editing.edits.isWorking());
     EXPECT_EQ(editing.document.undoStack()->count(), 3);

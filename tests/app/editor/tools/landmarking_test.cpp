@@ -19,7 +19,7 @@ namespace {
 class LandmarkingTest : public testing::Test {
 protected:
     LandmarkingTest() : document(withPhoto()), selection(document), landmarking(document, selection) {
-        selection.setPhoto(0);
+        selection.setPhoto(document.project().layers[0].id);
         truth.kind = ProjectorKind::Perspective;
         truth.fieldOfView = 40;
         const Eigen::AlignedBox3d box = boundingBox(document.project().mesh->vertices);

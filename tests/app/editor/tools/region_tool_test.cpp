@@ -14,13 +14,14 @@ protected:
         edit([&](Project& project) {
             // One without an ellipsoid is not drawn, and not counted by what is.
             project.regions.resize(2);
+            numberByPlace(project.regions);
             project.regions[1].ellipsoid = Ellipsoid{};
             project.regions[1].ellipsoid->centre = centre;
             project.regions[1].ellipsoid->radii = radii;
             project.regions[1].rim = 0;
         });
         document.undoStack()->clear();
-        selection.setRegion(1);
+        selection.setRegion(document.project().regions[1].id);
         take<RegionTool>();
     }
     const Ellipsoid& shape() const { return *project().regions[1].ellipsoid; }
@@ -95,12 +96,12 @@ TEST_F(RegionToolTest, AClickSelectsSoDoesTheToolLook) {
     addRegion({0, 0, 0.08}, {0.04, 0.04, 0.04});
     selection.setRegion(std::nullopt);
     QTest::mouseClick(&view, Qt::LeftButton, {}, placeOf({0, 0, 0.08}));
-    EXPECT_EQ(selection.region(), 1U);
+    EXPECT_EQ(selection.region(), document.project().regions[1].id);
     take<LookTool>();
     selection.setRegion(std::nullopt);
     QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(4, 4));
     EXPECT_FALSE(selection.region()) << "beside it";
     QTest::mouseClick(&view, Qt::LeftButton, {}, placeOf({0, 0, 0.08}));
-    EXPECT_EQ(selection.region(), 1U);
+    EXPECT_EQ(selection.region(), document.project().regions[1].id);
     expectSteps(0);
 }

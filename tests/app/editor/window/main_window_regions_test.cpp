@@ -142,6 +142,7 @@ TEST_F(RegionsTest, OneClickLaysARegionOnASpot) {
 TEST_F(RegionsTest, OrderChangesByKeysAndTissueWithIt) {
     window->document().edit("overlap", [](Project& p) {
         p.regions.push_back(p.regions[1]);
+        numberByPlace(p.regions);
         for (std::size_t i : {1U, 2U}) {
             p.regions[i].system = nullptr;
             p.regions[i].inputs.clear();

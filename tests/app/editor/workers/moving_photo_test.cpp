@@ -15,6 +15,7 @@ Project withPhotos() {
     project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, options));
     project.texture.atlas = project.atlas->options;
     project.layers.resize(2);
+    numberByPlace(project.layers);
     for (TextureLayer& layer : project.layers)
         layer.photo = makeSamplePhoto("serosa");
     return project;
@@ -32,7 +33,7 @@ TEST(MovingPhoto, IsTheOneThatDiffersInItsProjectorAlone) {
         return movedLayer(before, now);
     };
     using Layers = std::vector<TextureLayer>;
-    EXPECT_EQ(moved([](Layers& now) { shift(now[1]); }), 1U);
+    EXPECT_EQ(moved([](Layers& now) { shift(now[1]); }), before[1].id);
     EXPECT_FALSE(moved([](Layers&) {}));
     EXPECT_FALSE(moved([](Layers& now) { now[1].opacity = 0.5; }));
     EXPECT_FALSE(moved([](Layers& now) {

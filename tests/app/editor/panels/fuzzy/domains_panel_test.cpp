@@ -115,7 +115,7 @@ TEST_F(DomainsPanelTest, RulesFollowARenamedTerm) {
     EXPECT_TRUE(message().isEmpty()) << "its reason is gone";
     rename(3, "soft");
     EXPECT_FALSE(message().isEmpty());
-    window->findChild<Selection*>()->setRegion(0);
+    window->findChild<Selection*>()->setRegion(project().regions[0].id);
     EXPECT_TRUE(message().isEmpty());
 }
 

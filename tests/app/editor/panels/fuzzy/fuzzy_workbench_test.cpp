@@ -68,7 +68,7 @@ TEST_F(FuzzyWorkbenchTest, SaysWhatToDoWithoutASystem) {
     window->findChild<Selection*>()->setRegion(std::nullopt);
     EXPECT_TRUE(empty->isVisible());
     EXPECT_FALSE(tabs()->isVisible());
-    window->findChild<Selection*>()->setRegion(project().regions.size() - 1);
+    window->findChild<Selection*>()->setRegion(project().regions.back().id);
     EXPECT_FALSE(empty->isVisible());
     EXPECT_TRUE(tabs()->isVisible());
     EXPECT_EQ(settledHeight(window->findChild<FuzzyWorkbench*>()), height);

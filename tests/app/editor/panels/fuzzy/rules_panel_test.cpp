@@ -188,7 +188,7 @@ TEST_F(RulesPanelTest, WhatIsNotInForceWaitsWhileAnotherRegionIsSelected) {
     const QString draft = edit->toPlainText();
     selection().setRegion(std::nullopt);
     EXPECT_EQ(inForce(), original);
-    selection().setRegion(project().regions.size() - 1);
+    selection().setRegion(project().regions.back().id);
     EXPECT_EQ(edit->toPlainText(), draft);
     EXPECT_TRUE(state().contains("Not in force"));
     button("Put back")->click();
@@ -203,7 +203,7 @@ TEST_F(RulesPanelTest, WhatIsNotInForceWaitsBesideARegionThatReadsAlike) {
     alike.note = "another's";
     press(Qt::Key_R, Qt::ControlModifier);
     window->document().edit("alike", [&](Project& p) {
-        setSystem(p, p.regions.size() - 1, std::make_shared<const FuzzySystem>(alike));
+        setSystem(p, p.regions.back().id, std::make_shared<const FuzzySystem>(alike));
     });
     EXPECT_EQ(edit->toPlainText(), original);
     toEnd();
@@ -211,9 +211,9 @@ TEST_F(RulesPanelTest, WhatIsNotInForceWaitsBesideARegionThatReadsAlike) {
     closeWords();
     const QString draft = edit->toPlainText();
     const std::size_t last = project().regions.size() - 1;
-    selection().setRegion(last - 1);
+    selection().setRegion(project().regions[last - 1].id);
     EXPECT_EQ(edit->toPlainText(), original);
-    selection().setRegion(last);
+    selection().setRegion(project().regions[last].id);
     EXPECT_EQ(edit->toPlainText(), draft);
 }
 
@@ -236,11 +236,11 @@ TEST_F(RulesPanelTest, WhatIsNotInForceDoesNotGoOverToAnotherSystem) {
     FuzzySystem shorter = system();
     shorter.rules.pop_back();
     window->document().edit("other", [&](Project& p) {
-        setSystem(p, p.regions.size() - 1, std::make_shared<const FuzzySystem>(shorter));
+        setSystem(p, p.regions.back().id, std::make_shared<const FuzzySystem>(shorter));
     });
-    selection().setRegion(project().regions.size() - 2);
+    selection().setRegion(project().regions.rbegin()[1].id);
     const QString draft = writeDraft();
-    window->document().edit("remove", [&](Project& p) { removeRegion(p, p.regions.size() - 2); });
+    window->document().edit("remove", [&](Project& p) { removeRegion(p, p.regions.rbegin()[1].id); });
     EXPECT_EQ(system(), shorter);
     EXPECT_EQ(edit->toPlainText(), inForce()) << "the region that follows has a system of its own";
     EXPECT_FALSE(isAskedAbout()) << "what no region has is not missed";
@@ -248,7 +248,7 @@ TEST_F(RulesPanelTest, WhatIsNotInForceDoesNotGoOverToAnotherSystem) {
     EXPECT_EQ(edit->toPlainText(), draft) << "with its region it comes back";
     EXPECT_TRUE(isAskedAbout());
     window->document().edit("choose", [&](Project& p) {
-        setSystem(p, selection().region(), std::make_shared<const FuzzySystem>(shorter));
+        setSystem(p, *selection().region(), std::make_shared<const FuzzySystem>(shorter));
     });
     EXPECT_EQ(edit->toPlainText(), QString::fromStdString(rulesText(shorter)));
     window->document().undoStack()->undo();
@@ -259,19 +259,20 @@ TEST_F(RulesPanelTest, WhatIsNotInForceGoesWithItsSystemWhereAnotherRegionSpeaks
     press(Qt::Key_R, Qt::ControlModifier);
     const std::size_t last = project().regions.size() - 1;
     ASSERT_NE(project().regions[last].system.get(), project().regions[last - 1].system.get());
-    selection().setRegion(last - 1);
+    selection().setRegion(project().regions[last - 1].id);
     const QString draft = writeDraft();
-    selection().setRegion(last);
+    selection().setRegion(project().regions[last].id);
     EXPECT_EQ(edit->toPlainText(), draft) << "both speak the same system";
     selection().setRegion(std::nullopt);
+    const RegionId edited = project().regions[last].id;
     window->document().edit(
         "range",
         [&](Project& p) {
-            setRange(p, last, {FuzzySide::Inputs, 0}, {0, 24, TermsInRange::Stay});
+            setRange(p, edited, {FuzzySide::Inputs, 0}, {0, 24, TermsInRange::Stay});
         },
-        {}, last);
+        {}, edited);
     EXPECT_TRUE(isAskedAbout());
-    selection().setRegion(last - 1);
+    selection().setRegion(project().regions[last - 1].id);
     EXPECT_EQ(edit->toPlainText(), draft);
     window->document().undoStack()->undo();
     EXPECT_EQ(edit->toPlainText(), draft);
@@ -310,7 +311,7 @@ TEST_F(RulesPanelTest, FollowsEditsFromElsewhere) {
     EXPECT_TRUE(state().contains(" cannot be read")) << state().toStdString();
     EXPECT_FALSE(state().contains("rules cannot be read")) << state().toStdString();
     window->document().edit("Other", [&](Project& p) {
-        setSystem(p, p.regions.size() - 1, std::make_shared<const FuzzySystem>(fuzzyPreset("robo-sim")));
+        setSystem(p, p.regions.back().id, std::make_shared<const FuzzySystem>(fuzzyPreset("robo-sim")));
     });
     EXPECT_EQ(edit->toPlainText(), inForce()) << "rules about other words";
 }

@@ -43,7 +43,7 @@ class WhyPanelTest : public testing::Test {
 protected:
     explicit WhyPanelTest(const char* system = "robo-sim")
         : document(withSystem(preset(system))), selection(document), panel(document, selection) {
-        selection.setRegion(0);
+        selection.setRegion(document.project().regions[0].id);
         panel.resize(316, 760);
         panel.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&panel, patience));
@@ -173,14 +173,14 @@ TEST_F(WhyPanelTest, HasRoomForAllInColumnAndWindow) {
 
 TEST_F(WhyPanelTest, AVastSystemDoesNotHoldTheWindowUp) {
     document.replace(withSystem(slowSystem()), std::nullopt);
-    selection.setRegion(0);
+    selection.setRegion(document.project().regions[0].id);
     EXPECT_FALSE(panel.isUpToDate());
     for (int i = 0; i < 5; ++i)
         document.edit("move", [&](Project& p) { p.regions[0].inputs[2].second = i; });
     QTest::qWait(0);
     EXPECT_FALSE(panel.isUpToDate()) << "no edit waits for the map, which takes far longer";
     document.replace(withSystem(preset("robo-sim")), std::nullopt);
-    selection.setRegion(0);
+    selection.setRegion(document.project().regions[0].id);
     waitForAnswer();
 }
 

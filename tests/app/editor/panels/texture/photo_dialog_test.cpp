@@ -30,7 +30,7 @@ Project withPhoto() {
 class PhotoDialogTest : public testing::Test {
 protected:
     PhotoDialogTest() : document(withPhoto()) {
-        selection.setPhoto(0);
+        selection.setPhoto(document.project().layers[0].id);
         dialog = std::make_unique<PhotoDialog>(document, edits);
         dialog->show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(dialog.get(), patience));

@@ -48,12 +48,13 @@ TEST_F(TissuePresetTest, SetsTheWholeOrganInOneStep) {
 
 TEST_F(TissuePresetTest, GivesAPartItsWordsOnly) {
     Region part;
+    part.id = document.newRegionId();
     part.name = "part";
     part.ellipsoid =
         Ellipsoid{Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(0.05), Eigen::Quaterniond::Identity()};
     part.held = {1, 2, 0.3};
     document.edit("add", [&](Project& organ) { organ.regions.push_back(part); });
-    selection.setRegion(project().regions.size() - 1);
+    selection.setRegion(project().regions.back().id);
     const Project before = project();
     EXPECT_TRUE(action("ventricle")->toolTip().contains("mass and tethers are for a whole organ"));
     choose("ventricle");
