@@ -11,6 +11,13 @@ bool sameLayers(const std::vector<TextureLayer>& a, const std::vector<TextureLay
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
+bool sameTissue(const Region& a, const Region& b) {
+    Region alike = b;
+    alike.name = a.name;
+    alike.colour = a.colour;
+    return a == alike;
+}
+
 bool sameLandmarks(const TextureLayer& a, const TextureLayer& b) {
     return a.landmarks == b.landmarks;
 }
@@ -35,6 +42,8 @@ Change difference(const Project& before, const Project& after) {
                   before.importReport != after.importReport;
     change.tissue = before.base != after.base;
     change.regions = before.regions != after.regions;
+    change.regionTissue = !std::equal(before.regions.begin(), before.regions.end(), after.regions.begin(),
+                                      after.regions.end(), sameTissue);
     change.scene = before.scene != after.scene;
     change.stepping = before.stepping != after.stepping;
     change.layers = !sameLayers(before.layers, after.layers, sameButForLandmarks);

@@ -39,6 +39,11 @@ void Preview::setProject(const Project& project) {
     });
 }
 
+int Preview::projectCount() const {
+    const std::lock_guard lock(m_mutex);
+    return m_inbox.projects;
+}
+
 void Preview::setPlaying(bool playing) {
     send([&](Inbox& inbox) { inbox.playing = playing; });
 }

@@ -29,6 +29,8 @@ public:
     ~Preview() override;
 
     void setProject(const Project& project);
+    /// How many projects have come: each is evaluated once at most.
+    int projectCount() const;
     void setPlaying(bool playing);
     /// Pauses what plays or is about to; plays what does not, from rest when the run had failed.
     void togglePlaying();

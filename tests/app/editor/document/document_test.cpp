@@ -86,6 +86,17 @@ TEST(Document, SaysWhatChanged) {
     EXPECT_TRUE(changed([](Project& p) { p.base.viscosity += 1; }).tissue);
     EXPECT_TRUE(
         changed([](Project& p) { addRegion(p, nextId(p.regions), Eigen::Vector3d::Zero()); }).regions);
+    const auto withRegion = [&](const std::function<void(Region&)>& edit) {
+        Project one = before;
+        addRegion(one, nextId(one.regions), Eigen::Vector3d::Zero());
+        Project other = one;
+        edit(other.regions.back());
+        return difference(one, other);
+    };
+    EXPECT_TRUE(withRegion([](Region& r) { r.held.mass = 1; }).model());
+    EXPECT_TRUE(withRegion([](Region& r) { r.name = "x"; }).regions);
+    EXPECT_FALSE(withRegion([](Region& r) { r.name = "x"; }).model());
+    EXPECT_FALSE(withRegion([](Region& r) { r.colour = {1, 2, 3}; }).model());
     EXPECT_TRUE(changed([](Project& p) { p.scene.gravity.y() = -9.81; }).scene);
     EXPECT_TRUE(changed([](Project& p) { p.texture.atlas.size = 512; }).texture);
     EXPECT_TRUE(changed([](Project& p) { p.texture.atlas.texelsPerMetre = 512; }).texture);

@@ -139,6 +139,16 @@ TEST_F(RegionsTest, OneClickLaysARegionOnASpot) {
     expectOneStep(before++);
 }
 
+TEST_F(RegionsTest, ARenameAndAColourAreNoNewTissue) {
+    const int projects = window->preview().projectCount();
+    window->document().edit("rename", [](Project& p) { p.regions[1].name = "tumour"; });
+    window->document().edit("colour", [](Project& p) { p.regions[1].colour = {10, 20, 30}; });
+    window->document().edit("organ", [](Project& p) { p.name = "my organ"; });
+    EXPECT_EQ(window->preview().projectCount(), projects);
+    window->document().edit("tissue", [](Project& p) { p.regions[1].held.springConstant = 77; });
+    EXPECT_EQ(window->preview().projectCount(), projects + 1);
+}
+
 TEST_F(RegionsTest, OrderChangesByKeysAndTissueWithIt) {
     window->document().edit("overlap", [](Project& p) {
         p.regions.push_back(p.regions[1]);
