@@ -40,9 +40,12 @@ std::optional<GentlePull> gentlePull(const TissueModel& model) {
     return GentlePull{*outermost, pullReach * box.diagonal().norm() * direction};
 }
 
+bool hasLoads(const Scene& scene) {
+    return !scene.forces.empty() || !scene.moves.empty() || !scene.instruments.empty();
+}
+
 bool movesTissue(const Scene& scene) {
-    return !scene.forces.empty() || !scene.moves.empty() || !scene.instruments.empty() ||
-           !scene.gravity.isZero();
+    return hasLoads(scene) || !scene.gravity.isZero();
 }
 
 Scene withGentlePull(const TissueModel& model, Scene scene) {

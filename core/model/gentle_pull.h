@@ -17,6 +17,9 @@ struct GentlePull {
 };
 std::optional<GentlePull> gentlePull(const TissueModel& model);
 
+/// Whether a scene has loads of its own, beside gravity: forces, led nodes or instruments.
+bool hasLoads(const Scene& scene);
+
 /// Whether something in a scene moves the tissue: a load, a led node, gravity or an instrument.
 bool movesTissue(const Scene& scene);
 

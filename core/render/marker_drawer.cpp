@@ -16,16 +16,25 @@ using Eigen::Vector4f;
 
 constexpr Colour amber{227, 163, 59};
 constexpr Colour steel{154, 164, 173};
-constexpr std::uint32_t ballRings = 32, ballSectors = 48;
+constexpr std::uint32_t ballRings = 32, ballRows = ballRings + 2, ballSectors = 48;
 
-std::vector<Vector3f> ballPoints() {
-    std::vector<Vector3f> points;
-    for (std::uint32_t ring = 0; ring <= ballRings; ++ring) {
-        const float polar = float(pi) * float(ring) / float(ballRings);
+/// A point of the unit ball, and the half that it belongs to.
+struct BallPoint {
+    Vector3f unit;
+    float side; ///< 1 and -1
+};
+
+/// Both halves have an equator of their own, so that a capsule's cylinder comes between them.
+std::vector<BallPoint> ballPoints() {
+    std::vector<BallPoint> points;
+    for (std::uint32_t row = 0; row < ballRows; ++row) {
+        const bool isUpper = row <= ballRings / 2;
+        const float polar = float(pi) * float(isUpper ? row : row - 1) / float(ballRings);
         for (std::uint32_t sector = 0; sector <= ballSectors; ++sector) {
             const float around = 2 * float(pi) * float(sector) / float(ballSectors);
-            points.emplace_back(std::sin(polar) * std::sin(around), std::cos(polar),
-                                std::sin(polar) * std::cos(around));
+            points.push_back(
+                {{std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around)},
+                 isUpper ? 1.0F : -1.0F});
         }
     }
     return points;
@@ -33,9 +42,9 @@ std::vector<Vector3f> ballPoints() {
 
 std::vector<std::uint32_t> ballTriangles() {
     std::vector<std::uint32_t> indices;
-    for (std::uint32_t ring = 0; ring < ballRings; ++ring)
+    for (std::uint32_t row = 0; row + 1 < ballRows; ++row)
         for (std::uint32_t sector = 0; sector < ballSectors; ++sector) {
-            const std::uint32_t here = ring * (ballSectors + 1) + sector, below = here + ballSectors + 1;
+            const std::uint32_t here = row * (ballSectors + 1) + sector, below = here + ballSectors + 1;
             indices.insert(indices.end(), {here, below, here + 1, here + 1, below, below + 1});
         }
     return indices;
@@ -44,14 +53,6 @@ std::vector<std::uint32_t> ballTriangles() {
 bool isDrawableShape(const Ellipsoid& ellipsoid) {
     return isDrawable(ellipsoid.centre) && isDrawable(ellipsoid.radii) && ellipsoid.radii.minCoeff() > 0 &&
            ellipsoid.orientation.coeffs().allFinite();
-}
-
-/// Nothing where it cannot be drawn.
-std::optional<Ellipsoid> ballOf(const DrawnSphere& sphere) {
-    Ellipsoid ball;
-    ball.centre = sphere.centre;
-    ball.radii.setConstant(sphere.radius);
-    return isDrawableShape(ball) ? std::optional(ball) : std::nullopt;
 }
 
 bool isDrawableShape(const DrawnProjector& drawn, const Eigen::AlignedBox3d& shown) {
@@ -75,6 +76,25 @@ Vector4f facePaint(const DrawnProjector& drawn) {
 }
 
 } // namespace
+
+/// An ellipsoid whose halves stand apart along its y axis.
+struct MarkerDrawer::Ball {
+    Ellipsoid shape;
+    double apart = 0; ///< m, from the middle
+
+    /// Nothing where it cannot be drawn.
+    static std::optional<Ball> of(const PlacedCollider& collider) {
+        const double radius = radiusOf(collider.shape);
+        // A capsule lies along z, the ball's poles along y.
+        const Eigen::Quaterniond towards =
+            Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), Vector3d::UnitZ());
+        const Ball ball{
+            {collider.pose.place, Vector3d::Constant(radius), collider.pose.orientation * towards},
+            lengthOf(collider.shape) / 2};
+        const bool isDrawn = isDrawableShape(ball.shape) && isDrawable({ball.apart, 0, 0});
+        return isDrawn ? std::optional(ball) : std::nullopt;
+    }
+};
 
 /// Lines gathered over several shapes and drawn at once.
 struct MarkerDrawer::Curves {
@@ -108,23 +128,30 @@ struct MarkerDrawer::Curves {
     }
 };
 
+std::vector<PlacedCollider> instrumentsOf(const RenderScene& scene) {
+    std::vector<PlacedCollider> instruments = scene.instruments;
+    if (scene.heldInstrument) instruments.push_back(*scene.heldInstrument);
+    return instruments;
+}
+
 MarkerDrawer::MarkerDrawer(const GlFunctions& gl)
     : m_gl(gl), m_steel(gl, shaders::ballVertex(), shaders::steelFragment()),
       m_shell(gl, shaders::ballVertex(), shaders::shellFragment()),
       m_quad(gl, shaders::quadVertex(), shaders::quadFragment()), m_ballVertices(gl), m_ballIndices(gl),
       m_ball(gl), m_emptyArray(gl), m_curvePoints(gl), m_curveSegments(gl) {
-    const std::vector<Vector3f> points = ballPoints();
+    const std::vector<BallPoint> points = ballPoints();
     const std::vector<std::uint32_t> triangles = ballTriangles();
     m_ballIndexCount = static_cast<GLsizei>(triangles.size());
     m_ball.bind();
-    m_ballVertices.upload(GL_ARRAY_BUFFER, points.data(), points.size() * sizeof(Vector3f), GL_STATIC_DRAW);
+    m_ballVertices.upload(GL_ARRAY_BUFFER, points.data(), points.size() * sizeof(BallPoint), GL_STATIC_DRAW);
     m_ballIndices.upload(GL_ELEMENT_ARRAY_BUFFER, triangles.data(), triangles.size() * sizeof(std::uint32_t),
                          GL_STATIC_DRAW);
-    m_ball.addFloats(0, 3, sizeof(Vector3f), 0);
+    m_ball.addFloats(0, 3, sizeof(BallPoint), 0);
+    m_ball.addFloats(1, 1, sizeof(BallPoint), sizeof(Vector3f));
 }
 
-void MarkerDrawer::drawInstrument(const DrawnSphere& sphere, const Frame& frame) const {
-    const std::optional<Ellipsoid> ball = ballOf(sphere);
+void MarkerDrawer::drawInstrument(const PlacedCollider& instrument, const Frame& frame) const {
+    const std::optional<Ball> ball = Ball::of(instrument);
     if (!ball) return;
     m_steel.use();
     m_steel.set("baseColour", toFloat(steel));
@@ -132,8 +159,8 @@ void MarkerDrawer::drawInstrument(const DrawnSphere& sphere, const Frame& frame)
 }
 
 /// It acts inside the organ too: what the surface hides of it stays in sight.
-void MarkerDrawer::drawHiddenInstrument(const DrawnSphere& sphere, const Frame& frame) const {
-    const std::optional<Ellipsoid> ball = ballOf(sphere);
+void MarkerDrawer::drawHiddenInstrument(const PlacedCollider& instrument, const Frame& frame) const {
+    const std::optional<Ball> ball = Ball::of(instrument);
     if (!ball) return;
     m_shell.use();
     m_shell.set("baseColour", toFloat(steel));
@@ -149,7 +176,8 @@ void MarkerDrawer::drawHiddenInstrument(const DrawnSphere& sphere, const Frame& 
 /// it, outlines last.
 void MarkerDrawer::drawTransparent(const RenderScene& scene, const Eigen::AlignedBox3d& shown,
                                    const LineDrawer& lines, const Frame& frame) {
-    if (scene.instrument) drawHiddenInstrument(*scene.instrument, frame);
+    for (const PlacedCollider& instrument : instrumentsOf(scene))
+        drawHiddenInstrument(instrument, frame);
     Curves curves, outlines;
     for (const DrawnProjector& drawn : scene.projectors) {
         if (!isDrawableShape(drawn, shown)) continue;
@@ -187,16 +215,17 @@ void MarkerDrawer::drawShell(const DrawnEllipsoid& ellipsoid, const Frame& frame
     m_shell.set("baseColour", toFloat(ellipsoid.colour));
     m_shell.set("opacity", ellipsoid.selected ? 0.20F : 0.09F);
     m_gl.Enable(GL_CULL_FACE);
-    drawBall(m_shell, ellipsoid.shape, frame);
+    drawBall(m_shell, {ellipsoid.shape}, frame);
     m_gl.Disable(GL_CULL_FACE);
 }
 
-void MarkerDrawer::drawBall(const GlProgram& program, const Ellipsoid& ellipsoid, const Frame& frame) const {
+void MarkerDrawer::drawBall(const GlProgram& program, const Ball& ball, const Frame& frame) const {
     Eigen::Matrix4f model = Eigen::Matrix4f::Identity();
     model.topLeftCorner<3, 3>() =
-        (ellipsoid.orientation.toRotationMatrix() * ellipsoid.radii.asDiagonal()).cast<float>();
-    model.topRightCorner<3, 1>() = frame.local(ellipsoid.centre);
+        (ball.shape.orientation.toRotationMatrix() * ball.shape.radii.asDiagonal()).cast<float>();
+    model.topRightCorner<3, 1>() = frame.local(ball.shape.centre);
     program.set("model", model);
+    program.set("apart", Vector3f((ball.shape.orientation * Vector3d(0, ball.apart, 0)).cast<float>()));
     program.set("view", frame.view);
     program.set("projection", frame.projection);
     m_ball.bind();

@@ -8,12 +8,15 @@
 
 namespace esm {
 
-/// Draws what stands around the organ: region ellipsoids, projector boxes and the instrument.
+/// Those of the scene and the one that is held.
+std::vector<PlacedCollider> instrumentsOf(const RenderScene& scene);
+
+/// Draws what stands around the organ: region ellipsoids, projector boxes and instruments.
 class MarkerDrawer {
 public:
     explicit MarkerDrawer(const GlFunctions& gl);
 
-    void drawInstrument(const DrawnSphere& sphere, const Frame& frame) const;
+    void drawInstrument(const PlacedCollider& instrument, const Frame& frame) const;
     /// Half-transparent parts and their lines, over everything drawn before.
     /// @param shown box of the organ, through which the projectors' boxes reach
     void drawTransparent(const RenderScene& scene, const Eigen::AlignedBox3d& shown, const LineDrawer& lines,
@@ -22,14 +25,16 @@ public:
 private:
     struct Curves;
 
-    void drawHiddenInstrument(const DrawnSphere& sphere, const Frame& frame) const;
+    void drawHiddenInstrument(const PlacedCollider& instrument, const Frame& frame) const;
     void drawShell(const DrawnEllipsoid& ellipsoid, const Frame& frame) const;
     void drawBoxFaces(const DrawnProjector& projector, const Eigen::AlignedBox3d& shown, const Frame& frame);
     void drawQuad(const std::array<Eigen::Vector3d, 4>& corners, const Eigen::Vector4f& paint,
                   const GlTexture* photo, const Frame& frame) const;
     void drawCurves(const Curves& curves, const LineStyle& style, const LineDrawer& lines,
                     const Frame& frame);
-    void drawBall(const GlProgram& program, const Ellipsoid& ellipsoid, const Frame& frame) const;
+    struct Ball;
+
+    void drawBall(const GlProgram& program, const Ball& ball, const Frame& frame) const;
     const GlTexture* photoTexture(const std::shared_ptr<const Image>& photo);
 
     const GlFunctions& m_gl;

@@ -30,9 +30,12 @@ Eigen::AlignedBox3d wholeBox(const RenderScene& scene, const Eigen::AlignedBox3d
     for (const DrawnProjector& drawn : scene.projectors)
         for (const Eigen::Vector3d& corner : projectorBox(drawn, organ))
             extend(box, corner);
-    if (scene.instrument)
-        for (const double side : {-1.0, 1.0})
-            extend(box, scene.instrument->centre.array() + side * scene.instrument->radius);
+    for (const PlacedCollider& instrument : instrumentsOf(scene))
+        for (const double side : {-1.0, 1.0}) {
+            const ColliderAxis axis = axisOf(instrument);
+            for (const double end : {-axis.half, axis.half})
+                extend(box, axis.at(end).array() + side * radiusOf(instrument.shape));
+        }
     return box;
 }
 
@@ -84,7 +87,8 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, const Pictur
     parts.drawBackground(scene, frame);
     parts.gl.Enable(GL_DEPTH_TEST);
     if (scene.showSurface) parts.surface.draw(scene, vertices, frame, throws ? &parts.projection : nullptr);
-    if (scene.instrument) parts.markers.drawInstrument(*scene.instrument, frame);
+    for (const PlacedCollider& instrument : instrumentsOf(scene))
+        parts.markers.drawInstrument(instrument, frame);
     parts.gl.Enable(GL_BLEND);
     parts.springs.draw(scene, nodes, parts.lines, frame);
     parts.gl.DepthMask(GL_FALSE);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/collider.h"
 #include "core/geometry/ellipsoid.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/model/spring_network.h"
@@ -45,11 +46,6 @@ struct DrawnProjector {
     }
 };
 
-struct DrawnSphere {
-    Eigen::Vector3d centre{0, 0, 0}; ///< m
-    double radius;                   ///< m
-};
-
 /// A photo that is thrown on the surface without being painted, as while its projector moves.
 struct ThrownPhoto {
     Projector projector;
@@ -82,7 +78,8 @@ struct RenderScene {
     std::vector<DrawnEllipsoid> ellipsoids;
     std::vector<DrawnProjector> projectors;
     std::optional<ThrownPhoto> thrown; ///< over the texture
-    std::optional<DrawnSphere> instrument;
+    std::vector<PlacedCollider> instruments;
+    std::optional<PlacedCollider> heldInstrument; ///< by the hand
     Colour backgroundTop{57, 64, 71}, backgroundBottom{29, 32, 37};
 };
 

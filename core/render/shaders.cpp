@@ -159,11 +159,13 @@ void main() {
 std::string ballVertex() {
     return version() + R"(
 layout(location = 0) in vec3 unit;
+layout(location = 1) in float side; // 1 and -1: the halves of the ball
 uniform mat4 model, view, projection;
+uniform vec3 apart; // from the middle to the half on the side 1
 out vec3 position, normal;
 invariant gl_Position; // the shell of what is drawn solid already compares depths with it
 void main() {
-    vec4 seen = view * model * vec4(unit, 1.0);
+    vec4 seen = view * (model * vec4(unit, 1.0) + vec4(side * apart, 0.0));
     position = seen.xyz;
     normal = mat3(view) * (transpose(inverse(mat3(model))) * unit);
     gl_Position = projection * seen;

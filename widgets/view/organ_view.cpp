@@ -54,6 +54,11 @@ void OrganView::setNodePositions(std::vector<Eigen::Vector3d> positions) {
     update();
 }
 
+void OrganView::setInstruments(std::vector<PlacedCollider> instruments) {
+    m_scene.instruments = std::move(instruments);
+    update();
+}
+
 void OrganView::setLegend(std::optional<ViewLegend> legend) {
     m_legend = std::move(legend);
     update();

@@ -34,6 +34,8 @@ public:
     const RenderScene& scene() const { return m_scene; }
     /// Replaces only the nodes' positions, as a running simulation gives them.
     void setNodePositions(std::vector<Eigen::Vector3d> positions);
+    /// Those that the scene leads.
+    void setInstruments(std::vector<PlacedCollider> instruments);
 
     void setLegend(std::optional<ViewLegend> legend);
     /// The line at the bottom.

@@ -13,6 +13,7 @@ namespace {
 constexpr int margin = 14, padding = 11, legendWidth = 230, legendHeight = 66; // pixels
 constexpr int cubeSize = 78, handleSize = 9, hintPadding = 5;
 constexpr int backgroundAlpha = 225;
+constexpr QPointF labelOffset(0, -9); // pixels, from a place to its label's lower edge
 
 QColor background(const QPalette& palette) {
     QColor colour = palette.color(QPalette::Window);
@@ -109,6 +110,19 @@ void paintHandles(QPainter& painter, const std::vector<PaintedHandle>& handles, 
             painter.drawRect(box);
     }
     painter.restore();
+}
+
+void paintLabel(QPainter& painter, const QPointF& beside, const QString& text, const QPalette& palette) {
+    QRectF room = painter.fontMetrics().boundingRect(text);
+    room.adjust(-8, -3, 8, 3);
+    room.moveCenter(beside + labelOffset - QPointF(0, room.height() / 2));
+    QColor background = palette.color(QPalette::Window);
+    background.setAlpha(backgroundAlpha);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(background);
+    painter.drawRoundedRect(room, room.height() / 2, room.height() / 2);
+    painter.setPen(palette.color(QPalette::WindowText));
+    painter.drawText(room, Qt::AlignCenter, text);
 }
 
 QRectF cubeSquare(const QSize& view) {

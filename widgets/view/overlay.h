@@ -35,6 +35,8 @@ struct PaintedHandle {
     std::optional<QPointF> root = {}; ///< where the line ends that it hangs on
 };
 void paintHandles(QPainter& painter, const std::vector<PaintedHandle>& handles, const QColor& edge);
+/// A pill with a text beside a place in the picture.
+void paintLabel(QPainter& painter, const QPointF& beside, const QString& text, const QPalette& palette);
 /// The square of the axis cube at the top right.
 QRectF cubeSquare(const QSize& view);
 

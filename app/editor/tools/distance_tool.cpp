@@ -3,6 +3,7 @@
 #include "app/editor/tools/distance_panel.h"
 #include "core/support/errors.h"
 #include "widgets/inputs/number_text.h"
+#include "widgets/view/overlay.h"
 
 #include <cmath>
 
@@ -10,10 +11,9 @@ namespace esm {
 
 namespace {
 
-constexpr double pointReach = 10;     // pixels around a point that is taken hold of
-constexpr double pointRadius = 4.5;   // pixels
-constexpr double sameLength = 1e-9;   // share by which two lengths are one
-constexpr QPointF labelOffset(0, -9); // pixels, from the line's middle to its length's lower edge
+constexpr double pointReach = 10;   // pixels around a point that is taken hold of
+constexpr double pointRadius = 4.5; // pixels
+constexpr double sameLength = 1e-9; // share by which two lengths are one
 
 /// Points lie on the same corners of another shape of the same organ.
 bool isSameTopology(const TriangleMesh& a, const TriangleMesh& b) {
@@ -35,19 +35,6 @@ void paintPoint(QPainter& painter, const QPointF& place, const QColor& colour) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawEllipse(place, pointRadius - 1.5, pointRadius - 1.5);
-}
-
-void paintLength(QPainter& painter, const QPointF& beside, const QString& text, const QPalette& palette) {
-    QRectF room = painter.fontMetrics().boundingRect(text);
-    room.adjust(-8, -3, 8, 3);
-    room.moveCenter(beside + labelOffset - QPointF(0, room.height() / 2));
-    QColor background = palette.color(QPalette::Window);
-    background.setAlpha(225);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(background);
-    painter.drawRoundedRect(room, room.height() / 2, room.height() / 2);
-    painter.setPen(palette.color(QPalette::WindowText));
-    painter.drawText(room, Qt::AlignCenter, text);
 }
 
 } // namespace
@@ -182,7 +169,7 @@ void DistanceTool::draw(QPainter& painter, const Sight& sight, const QPalette& p
     for (const QPointF& place : places)
         paintPoint(painter, place, accent);
     if (places.size() == 2)
-        paintLength(painter, line.center(), withUnit(1000 * *length(), QStringLiteral("mm")), palette);
+        paintLabel(painter, line.center(), withUnit(1000 * *length(), QStringLiteral("mm")), palette);
     painter.restore();
 }
 

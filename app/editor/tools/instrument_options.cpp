@@ -1,34 +1,66 @@
 #include "app/editor/tools/instrument_options.h"
 
-#include "widgets/inputs/number_field.h"
+#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/quantity_formats.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QVariant>
 
 namespace esm {
 
-InstrumentOptions::InstrumentOptions(InstrumentTool& tool, QWidget* parent) : QWidget(parent) {
-    auto* caption = new QLabel(tr("Instrument radius"), this);
-    caption->setProperty("quiet", true);
-    auto* radius = new NumberField(lengthFormat(smallestLength), this);
-    radius->setFixedWidth(92);
-    radius->setAccessibleName(caption->text());
-    caption->setBuddy(radius);
-    for (QWidget* widget : std::initializer_list<QWidget*>{caption, radius})
-        widget->setToolTip(tr("Radius of the round instrument that pushes the tissue"));
+InstrumentOptions::InstrumentOptions(InstrumentTool& tool, QWidget* parent)
+    : QWidget(parent), m_tool(tool), m_kind(new QComboBox(this)),
+      m_radius(new NumberField(lengthFormat(smallestLength), this)),
+      m_length(new NumberField(lengthFormat(smallestLength), this)) {
+    m_kind->addItem(tr("ball"), static_cast<int>(InstrumentKind::Ball));
+    m_kind->addItem(tr("shaft"), static_cast<int>(InstrumentKind::Shaft));
+    m_kind->setObjectName(QStringLiteral("instrumentKind"));
+    guardFromWheel(*m_kind);
+    m_radius->setObjectName(QStringLiteral("instrumentRadius"));
+    m_length->setObjectName(QStringLiteral("instrumentLength"));
     auto* row = new QHBoxLayout(this);
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     row->setContentsMargins(10, 0, 0, 0);
     row->setSpacing(8);
-    row->addWidget(caption);
-    row->addWidget(radius);
+    addField(
+        *row, tr("Instrument"), m_kind,
+        tr("What pushes the tissue: a ball, or a shaft as of laparoscopic instruments, round at both ends"));
+    addField(*row, tr("Radius"), m_radius, tr("Radius of the ball, or of the shaft and its ends"));
+    m_lengthCaption = addField(*row, tr("Length"), m_length,
+                               tr("Length of the shaft between the centres of its round ends"));
+    connectFields();
+    show();
+}
 
-    radius->setValue(tool.radius());
-    connect(radius, &NumberField::valueEdited, &tool, &InstrumentTool::chooseRadius);
-    connect(&tool, &InstrumentTool::radiusChanged, radius,
-            [radius](double metres) { radius->setValue(metres); });
+QLabel* InstrumentOptions::addField(QHBoxLayout& row, const QString& caption, QWidget* field,
+                                    const QString& toolTip) {
+    auto* label = new QLabel(caption, this);
+    label->setProperty("quiet", true);
+    label->setBuddy(field);
+    field->setFixedWidth(92);
+    field->setAccessibleName(caption);
+    for (QWidget* widget : std::initializer_list<QWidget*>{label, field}) {
+        widget->setToolTip(toolTip);
+        row.addWidget(widget);
+    }
+    return label;
+}
+
+void InstrumentOptions::connectFields() {
+    connect(m_kind, qOverload<int>(&QComboBox::activated), this,
+            [this] { m_tool.chooseKind(static_cast<InstrumentKind>(m_kind->currentData().toInt())); });
+    connect(m_radius, &NumberField::valueEdited, &m_tool, &InstrumentTool::chooseRadius);
+    connect(m_length, &NumberField::valueEdited, &m_tool, &InstrumentTool::chooseLength);
+    connect(&m_tool, &InstrumentTool::shapeChanged, this, &InstrumentOptions::show);
+}
+
+void InstrumentOptions::show() {
+    const bool isShaft = std::holds_alternative<Capsule>(m_tool.shape());
+    m_kind->setCurrentIndex(isShaft ? 1 : 0);
+    m_radius->setValue(radiusOf(m_tool.shape()));
+    m_lengthCaption->setVisible(isShaft);
+    m_length->setVisible(isShaft);
+    if (isShaft) m_length->setValue(lengthOf(m_tool.shape()));
 }
 
 } // namespace esm

@@ -165,6 +165,8 @@ void ActionMaker::makeWorkspaces() {
 void ActionMaker::makePlayActions() {
     Actions& a = m_actions;
     a.play = make(tr("&Play"), QKeySequence(Qt::Key_Space), tr("Let the tissue move, or stop it"));
+    a.playScene = make(tr("Play &scene"), QKeySequence("Shift+Space"),
+                       tr("Play the scene's forces, led nodes and instruments from rest"));
     a.reset = make(tr("&Reset"), QKeySequence("Ctrl+0"), tr("Back to the shape at rest"));
     a.keys = make(tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), tr("What mouse and keys do"));
     a.about = make(tr("&About"), {}, tr("About this program"));

@@ -22,7 +22,7 @@ struct Actions {
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;
     QAction *addPhoto, *addPaint, *fromCamera;
-    QAction *play, *reset, *letGo;
+    QAction *play, *playScene, *reset, *letGo;
     QAction *about, *keys;
     QActionGroup* tools; ///< in the order of the table
     QActionGroup* workspaces;

@@ -8,6 +8,7 @@
 #include "app/editor/window/actions.h"
 #include "core/authoring/layers.h"
 #include "core/authoring/regions.h"
+#include "core/model/gentle_pull.h"
 #include "core/project/detail_change.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
@@ -60,6 +61,10 @@ void EditController::enable(const Actions& actions) {
     esm::enable(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
                 tr("Simulate fewer nodes under the full surface, or every vertex"),
                 tr("This model has no surface that fewer nodes could carry"));
+    esm::enable(
+        actions.playScene, hasLoads(project.scene),
+        withShortcut(tr("Play the scene's forces, led nodes and instruments from rest"), actions.playScene),
+        tr("The scene has no force, led node or instrument: esmc scene stores one"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
     esm::enable(actions.addPhoto, !project.mesh->triangles.empty(),
                 withShortcut(tr("Lay a photo on the organ, from the camera"), actions.addPhoto), noSurface);

@@ -75,7 +75,8 @@ QString keysText(const Actions& a) {
         title(QObject::tr("Project")) +
         actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit, a.undo, a.redo}) +
         title(QObject::tr("Tissue and photos")) +
-        actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera, a.play, a.reset}) +
+        actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera, a.play, a.playScene,
+                    a.reset}) +
         title(QObject::tr("Window")) +
         actionRows({a.tissue, a.texture, a.showSprings, a.showRegions, a.showLeft, a.showRight, a.fuzzyWindow,
                     a.keys});

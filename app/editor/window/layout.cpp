@@ -126,7 +126,7 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     model->addActions({a.addPhoto, a.addPaint, a.fromCamera});
 
     QMenu* simulation = bar->addMenu(QObject::tr("&Simulation"));
-    simulation->addActions({a.play, a.reset});
+    simulation->addActions({a.play, a.playScene, a.reset});
     QMenu* tools = bar->addMenu(QObject::tr("&Tools"));
     tools->addActions(a.tools->actions());
     tools->addSeparator();

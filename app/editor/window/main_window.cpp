@@ -76,7 +76,7 @@ MainWindow::MainWindow(Project project)
     setWindowIcon(icon(QStringLiteral("app")));
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - roomForFrame));
     showTitle();
-    noteWhatIsLeftOut();
+    noteTheScene();
     m_play->showAlive();
 }
 
@@ -175,7 +175,7 @@ void MainWindow::connectParts() {
     connect(m_document, &Document::changed, this, [this](const Change& change) {
         if (change.name) showTitle();
         if (change.mesh) m_showsGreeting = false;
-        if (change.scene) noteWhatIsLeftOut();
+        if (change.scene) noteTheScene();
         if (change.mesh) m_play->endGentleMotion(); // an organ of the user's own rests until it is touched
     });
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
@@ -224,7 +224,7 @@ void MainWindow::showTitle() {
     setWindowTitle(m_document->title() + mark + QStringLiteral(" – ") + tr("Elastodynamic Shape Modeler"));
 }
 
-void MainWindow::noteWhatIsLeftOut() {
+void MainWindow::noteTheScene() {
     const Project& project = m_document->project();
     const Scene& scene = project.scene;
     QStringList parts;
@@ -237,9 +237,9 @@ void MainWindow::noteWhatIsLeftOut() {
         parts << tr("%1 instruments follow paths.").arg(scene.instruments.size());
     if (parts.isEmpty()) return m_status->showNote({}, {});
     parts.prepend(
-        tr("The project holds a scene for the command line. The window leaves it out and shows what you do "
-           "yourself; “esmc simulate” plays it and writes the motion to a file."));
-    m_status->showNote(tr("Not played here: the project's scene"), parts.join('\n'));
+        tr("The project holds a scene. Simulation → Play scene (Shift+Space) plays it from rest; else the "
+           "window shows what you do yourself. “esmc simulate” writes its motion and forces to files."));
+    m_status->showNote(tr("Has a scene to play"), parts.join('\n'));
 }
 
 void MainWindow::setTheme(bool light) {

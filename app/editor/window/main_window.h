@@ -53,7 +53,7 @@ private:
     void connectWorkspaces();
     void showWorkspace();
     void showTitle();
-    void noteWhatIsLeftOut();
+    void noteTheScene();
     void setTheme(bool light);
 
     Document* m_document;

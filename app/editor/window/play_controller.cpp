@@ -8,6 +8,7 @@ PlayController::PlayController(QWidget& window, Preview& preview) : QObject(&win
 
 void PlayController::connectActions(const Actions& actions) {
     connect(actions.play, &QAction::triggered, &m_preview, &Preview::togglePlaying);
+    connect(actions.playScene, &QAction::triggered, &m_preview, &Preview::playScene);
     connect(actions.reset, &QAction::triggered, this, [this] {
         endGentleMotion();
         m_preview.reset();

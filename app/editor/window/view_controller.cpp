@@ -103,7 +103,10 @@ void ViewController::rebuildScene() {
     scene.mesh = project.mesh;
     scene.network = project.network;
     const PreviewFrame frame = m_preview.frame();
-    if (frame.network == project.network) scene.nodePositions = frame.positions;
+    if (frame.network == project.network) {
+        scene.nodePositions = frame.positions;
+        scene.instruments = frame.instruments;
+    }
     scene.baseColour = project.texture.baseColour;
     const auto atlas = m_composer.atlas();
     if (atlas && atlas == project.atlas && !project.layers.empty()) {
@@ -170,6 +173,7 @@ void ViewController::showFrame() {
     PreviewFrame frame = m_preview.frame();
     if (frame.network != m_document.project().network) return;
     m_view.setNodePositions(std::move(frame.positions));
+    m_view.setInstruments(std::move(frame.instruments));
 }
 
 void ViewController::showTexture() {

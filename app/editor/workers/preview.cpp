@@ -59,6 +59,13 @@ void Preview::reset() {
     send([](Inbox& inbox) { inbox.reset = true; });
 }
 
+void Preview::playScene() {
+    send([](Inbox& inbox) {
+        inbox.playScene = inbox.playing = true;
+        inbox.loads.gentleMotion = false;
+    });
+}
+
 void Preview::setPull(const std::optional<Pull>& pull) {
     send([&](Inbox& inbox) { inbox.loads.pull = pull; });
 }
@@ -95,7 +102,7 @@ Preview::Inbox Preview::collect(bool idle, Clock::time_point until) {
         m_changed.wait_until(lock, until, [this] { return m_inbox.stop; });
     Inbox taken = m_inbox;
     m_inbox.project.reset();
-    m_inbox.reset = m_inbox.isNew = false;
+    m_inbox.reset = m_inbox.playScene = m_inbox.isNew = false;
     return taken;
 }
 
@@ -118,13 +125,14 @@ bool Preview::workOnce(Worker& worker) {
     if (inbox.project) takeProject(worker, *inbox.project);
     worker.project = inbox.projects;
     if (inbox.reset) worker.run.reset();
+    if (inbox.playScene) worker.run.beginScene();
     worker.playing =
         inbox.playing && worker.run.isReady() && worker.run.advance(inSeconds(framePeriod), inbox.loads);
     gauge(worker);
-    // A run that failed has to be started again by hand.
+    // A run that failed, or came to its scene's end, has to be started again by hand.
     if (inbox.playing && !worker.playing) {
         const std::lock_guard lock(m_mutex);
-        if (!m_inbox.project && !m_inbox.reset) {
+        if (!m_inbox.project && !m_inbox.reset && !m_inbox.playScene) {
             m_inbox.playing = false;
             inbox.isNew = true;
         }
@@ -175,6 +183,7 @@ void Preview::publish(const Worker& worker) {
         const std::lock_guard lock(m_mutex);
         m_frame.network = run.network();
         m_frame.positions = run.positions();
+        m_frame.instruments = run.sceneInstruments();
         m_frame.project = worker.project;
         status.playing = m_inbox.playing;
         status.safeStep = m_status.safeStep;

@@ -16,6 +16,7 @@ namespace esm {
 struct PreviewFrame {
     std::shared_ptr<const SpringNetwork> network; ///< the one the positions belong to
     std::vector<Eigen::Vector3d> positions;       ///< m, one per node
+    std::vector<PlacedCollider> instruments;      ///< of the scene that plays
     int project = 0; ///< how many projects had come when the one was that it is computed by
 };
 
@@ -35,6 +36,8 @@ public:
     /// Pauses what plays or is about to; plays what does not, from rest when the run had failed.
     void togglePlaying();
     void reset();
+    /// Plays the loads of the project's scene from rest, and pauses where it ends.
+    void playScene();
     void setPull(const std::optional<Pull>& pull);
     void setInstrument(const std::optional<PlacedCollider>& instrument);
     void setGentleMotion(bool on);
@@ -53,7 +56,7 @@ private:
     struct Inbox {
         std::optional<Project> project;
         int projects = 0; ///< that came so far
-        bool isNew = false, reset = false, playing = false, stop = false;
+        bool isNew = false, reset = false, playScene = false, playing = false, stop = false;
         PreviewLoads loads;
     };
 

@@ -1,5 +1,6 @@
 #include "app/editor/workers/preview_run.h"
 
+#include "core/dynamics/measure/scene_loads.h"
 #include "core/render/drawn_shape.h"
 #include "core/support/errors.h"
 
@@ -16,9 +17,20 @@ using Clock = std::chrono::steady_clock;
 constexpr int mostHalvings = 4;
 /// Keeping the state costs little, but not nothing.
 constexpr int framesBetweenStates = 15;
+constexpr double forceMemory = 0.15; // s
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What the scene leads, the first `led`, the hand cannot hold.
+void letGoOfLedNodes(std::vector<HeldNode>& held, std::size_t led) {
+    const auto firstOfHand = held.begin() + static_cast<std::ptrdiff_t>(led);
+    const auto isLed = [&](const HeldNode& node) {
+        return std::any_of(held.begin(), firstOfHand,
+                           [&](const HeldNode& other) { return other.node == node.node; });
+    };
+    held.erase(std::remove_if(firstOfHand, held.end(), isLed), held.end());
 }
 
 SimulationSettings settingsOf(const Project& project) {
@@ -42,11 +54,12 @@ bool PreviewRun::setProject(const Project& project) {
         m_model = std::move(model);
         m_settings = settings;
         m_isShortened = project.stepping && *settings.timeStep < project.stepping->stepping.timeStep;
-        m_gravity = project.scene.gravity;
+        m_scene = project.scene;
         if (!goesOn) {
             m_pull.reset();
             m_gentleGrasp.reset();
             m_gentleTime = 0;
+            m_playsScene = false;
         }
         m_gentlePull = gentlePull(m_model);
         m_halvings = 0;
@@ -62,6 +75,8 @@ bool PreviewRun::setProject(const Project& project) {
 }
 
 void PreviewRun::reset() {
+    m_playsScene = false;
+    m_instrumentForce.reset();
     m_pull.reset();
     m_gentleGrasp.reset();
     m_gentleTime = 0;
@@ -72,6 +87,43 @@ void PreviewRun::reset() {
     m_halvings = 0;
     m_isReplaced = false;
     m_simulation->reset();
+}
+
+void PreviewRun::beginScene() {
+    reset();
+    if (!m_simulation) return;
+    m_playsScene = true;
+    std::vector<ColliderPose> starts;
+    for (const PlacedCollider& instrument : sceneInstruments())
+        starts.push_back(instrument.pose);
+    m_simulation->placeInstruments(std::move(starts));
+}
+
+std::vector<PlacedCollider> PreviewRun::sceneInstruments() const {
+    std::vector<PlacedCollider> placed;
+    if (!m_playsScene) return placed;
+    for (const InstrumentMotion& instrument : m_scene.instruments)
+        placed.push_back(placedAt(instrument, m_simulation->time()));
+    return placed;
+}
+
+/// What comes by hand then stands in the list of instruments where the scene's stood.
+void PreviewRun::leaveScene() {
+    m_playsScene = false;
+    m_simulation->placeInstruments({});
+}
+
+bool PreviewRun::isSceneOver() const {
+    return m_simulation->time() >= m_scene.duration - m_simulation->timeStep() / 2;
+}
+
+Loads PreviewRun::sceneLoads() const {
+    const double now = m_simulation->time();
+    if (m_playsScene)
+        return loadsDuring(m_scene, m_model.network->restPositions, now, now + m_simulation->timeStep());
+    Loads loads;
+    loads.gravity = m_scene.gravity;
+    return loads;
 }
 
 const std::vector<Eigen::Vector3d>& PreviewRun::positions() const {
@@ -95,15 +147,16 @@ void PreviewRun::followLoads(const PreviewLoads& loads) {
 
 bool PreviewRun::step(const PreviewLoads& loads) {
     const double timeStep = m_simulation->timeStep();
-    Loads acting;
-    acting.gravity = m_gravity;
-    if (loads.instrument) acting.instruments = {*loads.instrument};
+    Loads acting = sceneLoads();
+    if (loads.instrument) acting.instruments.push_back(*loads.instrument);
+    const std::size_t led = acting.held.size();
     if (m_pull) m_pull->advance(timeStep, acting.held);
     if (m_gentleGrasp) {
         m_gentleTime += timeStep;
         m_gentleGrasp->setDisplacement(displacementAt(*m_gentlePull, m_gentleTime));
         m_gentleGrasp->advance(timeStep, acting.held);
     }
+    letGoOfLedNodes(acting.held, led);
     try {
         return m_simulation->step(acting);
     } catch (const InvalidModel&) {
@@ -132,13 +185,32 @@ bool PreviewRun::goBack() {
     return true;
 }
 
+/// N·s, of the tissue on the instrument that is held, since the start.
+Eigen::Vector3d PreviewRun::toldImpulse() const {
+    const auto& touches = m_simulation->instrumentTouches();
+    const std::size_t place = m_playsScene ? m_scene.instruments.size() : 0; // after those of the scene
+    return place < touches.size() ? touches[place].impulse : Eigen::Vector3d::Zero();
+}
+
+/// A mean that forgets, so that the number can be read while tissue trembles against the instrument. Where
+/// they part it goes at once.
+void PreviewRun::measureForce(const Eigen::Vector3d& impulse, double simulated) {
+    if (simulated <= 0) return;
+    if (impulse.isZero(0)) return m_instrumentForce.reset();
+    const Eigen::Vector3d force = impulse / simulated;
+    if (!m_instrumentForce) m_instrumentForce = force;
+    *m_instrumentForce += (1 - std::exp(-simulated / forceMemory)) * (force - *m_instrumentForce);
+}
+
 bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
     if (loads.pull && loads.pull->node >= m_model.network->restPositions.size()) return true;
+    if (m_playsScene && isSceneOver()) leaveScene();
     followLoads(loads);
     const double timeStep = m_simulation->timeStep();
     // A slow machine does not run after lost time.
     m_debt = std::min(m_debt + seconds, 2 * seconds + timeStep);
     const auto start = Clock::now();
+    const Eigen::Vector3d impulse = toldImpulse();
     double simulated = 0;
     while (m_debt >= timeStep && secondsSince(start) < seconds) {
         if (!step(loads)) {
@@ -149,8 +221,13 @@ bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
         }
         m_debt -= timeStep;
         simulated += timeStep;
+        if (m_playsScene && isSceneOver()) {
+            m_debt = 0;
+            return false;
+        }
     }
     measure(simulated, secondsSince(start));
+    measureForce(toldImpulse() - impulse, simulated);
     if (!isDrawn()) {
         stop("the tissue moves too far away to be drawn: fix some of its nodes, tether it, or lower gravity");
         return false;
@@ -192,6 +269,7 @@ PreviewStatus PreviewRun::status() const {
     status.isReplaced = m_isReplaced;
     status.isShortened = m_isShortened && !m_isReplaced;
     status.realTimeFactor = m_computing > 0 ? m_simulated / m_computing : 0;
+    if (m_instrumentForce) status.instrumentForce = m_instrumentForce->norm();
     status.failure = m_modelFailure.empty() ? m_runFailure : m_modelFailure;
     return status;
 }

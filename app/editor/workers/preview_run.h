@@ -33,7 +33,9 @@ struct PreviewStatus {
     int halvings = 0;               ///< of the step, each time that the motion ran wild
     bool isReplaced = false;        ///< the project's way to step, by the program's, where it ran ever wilder
     bool isShortened = false;       ///< the project's step, which is too long to be watched
-    std::string failure;            ///< why the tissue cannot move; empty when all is well
+    /// N, of the tissue on the instrument, a mean over a moment; none while they do not touch.
+    std::optional<double> instrumentForce;
+    std::string failure; ///< why the tissue cannot move; empty when all is well
 };
 
 /// s; of longer steps the organ would be seen to jump.
@@ -47,12 +49,18 @@ public:
     bool setProject(const Project& project);
     /// Back to rest, and past what stopped the run.
     void reset();
+    /// Plays the scene's loads from rest. Its clock is the simulation's; the steps are not cut where loads
+    /// begin and end, a force counts with its mean over each.
+    void beginScene();
+    /// Where the scene's instruments are; none unless it plays or came to its end.
+    std::vector<PlacedCollider> sceneInstruments() const;
     /// Stops the run for a reason, at the last good state that can be drawn.
     void stop(const std::string& reason);
     /// Steps until `seconds` are simulated, or more than that has been spent computing. Motion that runs
     /// wild, or comes to a step that cannot be computed, goes back to where it was calm and on in half as
     /// long steps, and where they are of no help as the program chooses, until the parameters change. False
-    /// when the run stopped, as it does where nothing helps, or nothing can be drawn any more.
+    /// when the run stopped, as it does where nothing helps, or nothing can be drawn any more, and where the
+    /// scene that plays is over; after that it goes on without the scene.
     bool advance(double seconds, const PreviewLoads& loads);
 
     bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
@@ -66,9 +74,14 @@ public:
 private:
     void followLoads(const PreviewLoads& loads);
     bool step(const PreviewLoads& loads);
+    Loads sceneLoads() const;
+    bool isSceneOver() const;
+    void leaveScene();
     bool goBack();
     bool isDrawn() const;
     void measure(double simulated, double computing);
+    Eigen::Vector3d toldImpulse() const;
+    void measureForce(const Eigen::Vector3d& impulse, double simulated);
 
     TissueModel m_model;
     SimulationSettings m_settings; ///< the project's way to step, in steps that can be watched
@@ -77,14 +90,16 @@ private:
     std::optional<Grasp> m_pull, m_gentleGrasp;
     std::optional<GentlePull> m_gentlePull;
     double m_gentleTime = 0;
-    Eigen::Vector3d m_gravity = Eigen::Vector3d::Zero();
-    bool m_isReplaced = false;               ///< the project's way to step, by the program's
-    int m_halvings = 0;                      ///< of the step, with this way to step
-    int m_framesSinceKept = 0;               ///< since the state was kept
-    double m_debt = 0;                       ///< s that were asked for and not simulated yet
-    double m_simulated = 0, m_computing = 0; ///< s, decaying sums for the real-time factor
-    std::string m_modelFailure;              ///< why the latest project cannot be simulated
-    std::string m_runFailure;                ///< why the motion ended
+    Scene m_scene;
+    bool m_playsScene = false;                        ///< its loads, not gravity alone
+    bool m_isReplaced = false;                        ///< the project's way to step, by the program's
+    int m_halvings = 0;                               ///< of the step, with this way to step
+    int m_framesSinceKept = 0;                        ///< since the state was kept
+    double m_debt = 0;                                ///< s that were asked for and not simulated yet
+    double m_simulated = 0, m_computing = 0;          ///< s, decaying sums for the real-time factor
+    std::optional<Eigen::Vector3d> m_instrumentForce; ///< N
+    std::string m_modelFailure;                       ///< why the latest project cannot be simulated
+    std::string m_runFailure;                         ///< why the motion ended
 };
 
 } // namespace esm

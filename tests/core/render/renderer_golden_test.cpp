@@ -81,8 +81,18 @@ TEST(Golden, RegionsProjectorAndInstrument) {
     projector.photo = std::make_shared<Image>(quarters(64));
     projector.selected = true;
     scene.projectors = {projector};
-    scene.instrument = DrawnSphere{{0.085, -0.05, 0.05}, 0.018};
+    scene.instruments = {sphereAt({0.085, -0.05, 0.05}, 0.018)};
     EXPECT_TRUE(matchesGolden(drawn(scene, 0.4, 0.3), "markers"));
+}
+
+TEST(Golden, InstrumentsThatAreShafts) {
+    RenderScene scene = texturedSquare(quarters(64));
+    const auto shaft = [](const Eigen::Vector3d& place, const Eigen::Vector3d& towards) {
+        return PlacedCollider{Capsule{0.04, 0.7},
+                              {place, Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), towards)}};
+    };
+    scene.instruments = {shaft({0.15, 0.1, 0.25}, {1, -0.3, 0.5}), shaft({-0.2, -0.1, 0.05}, {0, 0.4, 1})};
+    EXPECT_TRUE(matchesGolden(drawn(scene, 0.5, 0.3), "shafts"));
 }
 
 TEST(Golden, MotionModelWithoutTriangles) {

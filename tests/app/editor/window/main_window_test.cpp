@@ -181,7 +181,7 @@ TEST_F(MainWindowTest, AsksNobodyToPlayTheGreetingOrgansTestRun) {
     edit([](Project& p) { p.scene.fixed.push_back({{0, 1}, std::nullopt}); });
     EXPECT_EQ(message(), "") << "to fix nodes is no test run";
     window->document().replace(greeting, std::nullopt);
-    EXPECT_TRUE(message().contains("Not played here")) << "who opens it has asked for it";
+    EXPECT_TRUE(message().contains("scene to play")) << "who opens it has asked for it";
 }
 
 TEST_F(MainWindowTest, RemovesWhatIsSelectedFromTheMenu) {
@@ -231,7 +231,7 @@ TEST_F(MainWindowTest, TheInstrumentsSizeIsShownWhileItIsInHandAndKept) {
     EXPECT_NEAR(radius->value().value_or(0), 0.05 * diagonal, 0.001);
     typeInto(radius, "7.5");
     press(Qt::Key_Return);
-    EXPECT_DOUBLE_EQ(window->findChild<InstrumentTool*>()->radius(), 0.0075);
+    EXPECT_DOUBLE_EQ(radiusOf(window->findChild<InstrumentTool*>()->shape()), 0.0075);
     window->document().replace(makeSample("liver"), std::nullopt);
     EXPECT_DOUBLE_EQ(radius->value().value_or(0), 0.0075) << "for the next organ too";
     EXPECT_FALSE(window->document().isModified());
@@ -243,10 +243,10 @@ TEST_F(MainWindowTest, TheInstrumentLeavesTheHandWithItsOrgan) {
     press(Qt::Key_I);
     QMouseEvent move(QEvent::MouseMove, placeOf(nearestVertex()), Qt::NoButton, Qt::NoButton, {});
     QApplication::sendEvent(&window->view(), &move);
-    ASSERT_TRUE(window->view().scene().instrument);
+    ASSERT_TRUE(window->view().scene().heldInstrument);
     ASSERT_TRUE(window->preview().loads().instrument);
     window->document().replace(makeSample("liver"), std::nullopt);
-    EXPECT_FALSE(window->view().scene().instrument);
+    EXPECT_FALSE(window->view().scene().heldInstrument);
     EXPECT_FALSE(window->preview().loads().instrument);
     press(Qt::Key_P);
 }

@@ -142,6 +142,68 @@ TEST(PreviewRun, StopsWithAWordWhereTheTissueCanBeSeenForTheLastTime) {
     EXPECT_NEAR(growth(run), 1, 1e-12);
 }
 
+TEST(PreviewRun, TellsTheForceOnTheInstrumentThatIsHeld) {
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(makeSample("liver")));
+    EXPECT_FALSE(run.status().instrumentForce);
+    const Eigen::AlignedBox3d box = boundingBox(run.positions());
+    PreviewLoads loads;
+    for (int frame = 0; frame < 30; ++frame) {
+        const double depth = 0.002 * frame / 30;
+        loads.instrument = sphereAt({box.center().x(), box.center().y(), box.max().z() + 0.03 - depth}, 0.03);
+        ASSERT_TRUE(run.advance(1.0 / 60, loads));
+    }
+    ASSERT_TRUE(run.status().instrumentForce);
+    EXPECT_GT(*run.status().instrumentForce, 0);
+    loads.instrument = sphereAt(box.max() + Eigen::Vector3d(1, 1, 1), 0.03);
+    ASSERT_TRUE(run.advance(1.0 / 60, loads));
+    EXPECT_FALSE(run.status().instrumentForce) << "nothing is touched";
+}
+
+TEST(PreviewRun, PlaysTheScenesLoadsFromRestToItsEnd) {
+    Project project = makeSample("liver");
+    const std::vector<Eigen::Vector3d>& rest = project.network->restPositions;
+    const auto top = static_cast<std::uint32_t>(
+        std::max_element(rest.begin(), rest.end(),
+                         [](const auto& a, const auto& b) { return a.z() < b.z(); }) -
+        rest.begin());
+    project.scene.duration = 0.2;
+    project.scene.moves = {{top, {{0, {0, 0, 0}}, {0.2, {0, 0, 0.01}}}}};
+    project.scene.instruments = {{Sphere{0.01}, {{0, {0, 0, 1}}, {0.2, {0.1, 0, 1}}}, {}, {}}};
+    PreviewRun run;
+    ASSERT_TRUE(run.setProject(project));
+    EXPECT_TRUE(run.sceneInstruments().empty());
+    ASSERT_TRUE(run.advance(0.1, {}));
+    EXPECT_LT((run.positions()[top] - rest[top]).norm(), 1e-6) << "nothing of it without being asked";
+    run.beginScene();
+    PreviewLoads loads;
+    loads.pull = Pull{top, rest[top] - Eigen::Vector3d(0, 0, 0.05)};
+    int frames = 0;
+    while (run.advance(1.0 / 60, loads) && frames < 1000)
+        ++frames;
+    EXPECT_TRUE(run.status().failure.empty()) << "it is over";
+    EXPECT_LT((run.positions()[top] - rest[top] - Eigen::Vector3d(0, 0, 0.01)).norm(), 1e-6)
+        << "what the scene leads the hand cannot hold";
+    ASSERT_EQ(run.sceneInstruments().size(), 1U) << "still to be seen";
+    EXPECT_NEAR(run.sceneInstruments()[0].pose.place.x(), 0.1, 1e-6);
+    EXPECT_TRUE(run.advance(1.0 / 60, {})) << "played on without the scene";
+    EXPECT_TRUE(run.sceneInstruments().empty());
+}
+
+TEST(Preview, PausesWhereItsSceneEnds) {
+    Project project = makeSample("tube");
+    project.scene.duration = 0.1;
+    project.scene.forces = {{20, {0, 0, 0.01}, 0, 0.1}};
+    Preview preview;
+    preview.setProject(project);
+    preview.playScene();
+    ESM_EVENTUALLY(preview.frame().project == 1 && !preview.status().playing);
+    EXPECT_TRUE(preview.status().failure.empty());
+    EXPECT_NE(preview.frame().positions, project.network->restPositions);
+    preview.reset();
+    ESM_EVENTUALLY(preview.frame().positions == project.network->restPositions);
+}
+
 TEST(PreviewRun, StepsAsTheProjectSays) {
     Project tube = makeSample("tube");
     PreviewRun run;
