@@ -19,7 +19,7 @@ namespace esm {
 namespace {
 
 std::string largestInText() {
-    return numberText(largestNumber);
+    return roundedText(largestNumber);
 }
 
 /// Nothing of what is no number, or one that is larger than any quantity may be.
@@ -160,7 +160,7 @@ CLI::Validator numberWithin(double least, double most) {
         const std::optional<double> value = usableNumber(text);
         return value && *value >= least && *value <= most
                    ? ""
-                   : "'" + text + "' is not a number from " + numberText(least) + " to " + numberText(most);
+                   : "'" + text + "' is not a number from " + roundedText(least) + " to " + roundedText(most);
     };
     return CLI::Validator(check, "");
 }

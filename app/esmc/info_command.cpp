@@ -70,13 +70,13 @@ void addStepping(Report& report, const std::optional<MeasuredStepping>& measured
     const auto& [stepping, error, seconds, digest] = *measured;
     report.json["stepping"] = {{"integrator", integratorName(stepping.integrator)},
                                {"dt", stepping.timeStep},
-                               {"precision", precisionName(stepping.precision)},
+                               {"precision", wordOf(stepping.precision)},
                                {"error", error},
                                {"wall_per_simulated_s", seconds},
                                {"tissue_changed", isOutdated}};
     report.text.push_back(std::string("recommended: ") + integratorName(stepping.integrator) + " in " +
-                          precisionName(stepping.precision) + ", step " + inText(stepping.timeStep) +
-                          " s: error " + inText(100 * error) + " % of the motion, " + inText(1 / seconds) +
+                          wordOf(stepping.precision) + ", step " + inText(stepping.timeStep) + " s: error " +
+                          inText(100 * error) + " % of the motion, " + inText(1 / seconds) +
                           " times real time where it was measured" +
                           (isOutdated ? "; the tissue has changed since" : ""));
 }
@@ -127,7 +127,7 @@ Json layerInJson(const TextureLayer& layer) {
         json["file"] = layer.photo->fileName;
         json["size"] = {layer.photo->image.width, layer.photo->image.height};
     }
-    json["blending"] = blendingName(layer.blending);
+    json["blending"] = wordOf(layer.blending);
     json["strokes"] = layer.strokes.size();
     return json;
 }
@@ -136,7 +136,7 @@ std::string layerInText(const TextureLayer& layer) {
     std::vector<std::string> parts;
     if (layer.photo) parts.push_back(layer.photo->fileName);
     if (layer.blending != Blending::Normal)
-        parts.push_back(std::string(blendingName(layer.blending)) + " blending");
+        parts.push_back(std::string(wordOf(layer.blending)) + " blending");
     if (!layer.strokes.empty() || !layer.photo)
         parts.push_back(counted(layer.strokes.size(), "brush stroke"));
     return (layer.photo ? "photo " : "painted layer ") + layer.name + ": " + joined(parts);

@@ -72,9 +72,9 @@ std::vector<Eigen::Vector3d> readMotionFrame(const std::filesystem::path& file, 
     for (std::size_t node = 0; node < nodeCount; ++node)
         if (seen[node] != frame)
             throw FileError(file, "says nothing of node " + std::to_string(node) + " at " +
-                                      numberText(frame) + " s; record all nodes");
+                                      roundedText(frame) + " s; record all nodes");
         else if (!isDrawable(positions[node]))
-            throw FileError(file, "has node " + std::to_string(node) + " at " + numberText(frame) +
+            throw FileError(file, "has node " + std::to_string(node) + " at " + roundedText(frame) +
                                       " s too far away to be drawn; ask for an earlier frame with --at");
     return positions;
 }

@@ -19,7 +19,7 @@ std::string warningLine(const std::string& warning) {
 } // namespace
 
 std::string inText(double value) {
-    return numberText(value, 4);
+    return roundedText(value, 4);
 }
 
 std::string inText(const Eigen::Vector3d& value) {

@@ -41,9 +41,9 @@ void declarePack(CLI::App& command, PackOptions& options) {
                     "As many pages as so many texels per metre take (default: as many as --pages hold)")
         ->check(numberWithin(0, texture_limits::mostTexelsPerMetre));
     addChoice(command, "--layout", options.atlas.layout,
-              {{layoutName(AtlasLayout::Rows), AtlasLayout::Rows},
-               {layoutName(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows},
-               {layoutName(AtlasLayout::UnfoldedGroups), AtlasLayout::UnfoldedGroups}},
+              {{wordOf(AtlasLayout::Rows), AtlasLayout::Rows},
+               {wordOf(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows},
+               {wordOf(AtlasLayout::UnfoldedGroups), AtlasLayout::UnfoldedGroups}},
               "How triangles are laid side by side (matched_rows)");
 }
 
@@ -74,7 +74,7 @@ Report runPack(const PackOptions& options, Context& context) {
                    {"pages", atlas.options.pages},
                    {"gap", atlas.options.gap},
                    {"size", atlas.options.size},
-                   {"layout", layoutName(atlas.options.layout)},
+                   {"layout", wordOf(atlas.options.layout)},
                    {"seam_share", seams}};
     report.text.push_back(counted(static_cast<std::size_t>(atlas.options.pages), "page") + " of " +
                           std::to_string(atlas.options.size) + " × " + std::to_string(atlas.options.size) +
@@ -104,9 +104,9 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
         .add_option("--blend", options.blend, "Pixels of the photograph over which its border fades in (24)")
         ->check(nonNegativeNumber());
     addChoice(command, "--blending", options.blending,
-              {{blendingName(Blending::Normal), Blending::Normal},
-               {blendingName(Blending::Multiply), Blending::Multiply},
-               {blendingName(Blending::MultiBand), Blending::MultiBand}},
+              {{wordOf(Blending::Normal), Blending::Normal},
+               {wordOf(Blending::Multiply), Blending::Multiply},
+               {wordOf(Blending::MultiBand), Blending::MultiBand}},
               "How it mixes with what lies beneath (normal)");
     command.add_option("--name", options.name, "The layer's name (default: the photograph's)");
     declarePreparation(command, options.preparation);

@@ -75,8 +75,8 @@ void hold(TissueValues& held, const std::string& name, double value) {
     const bool isOfMass = name == "mass";
     if (!(isOfMass ? isMass(value) : isAmount(value)))
         throw UsageError("--override " + name + ": the value must be from " +
-                         (isOfMass ? numberText(1 / largestNumber) : "0") + " to " +
-                         numberText(largestNumber));
+                         (isOfMass ? roundedText(1 / largestNumber) : "0") + " to " +
+                         roundedText(largestNumber));
     if (name == "spring_constant")
         held.springConstant = value;
     else if (name == "viscosity")
@@ -182,7 +182,7 @@ void complete(Region& region, const TissueOptions& options, const NamedWords& in
 std::vector<std::string> presetWarnings(const ChosenPreset& preset, const Region& region) {
     std::vector<std::string> left;
     if (preset && region.ellipsoid && preset->published.mass)
-        left.push_back("its mass, " + numberText(*preset->published.mass) + " kg,");
+        left.push_back("its mass, " + roundedText(*preset->published.mass) + " kg,");
     if (preset && region.ellipsoid && !preset->tethers.empty()) left.emplace_back("its tethers");
     if (left.empty()) return {};
     return {"--preset " + preset->name + ": " + joined(left, " and ") + (left.size() > 1 ? " are" : " is") +

@@ -110,7 +110,7 @@ private:
 
     /// A power of ten, in full where it is short.
     static std::string nameOf(int decade) {
-        return std::abs(decade) <= 5 ? numberText(std::pow(10, decade)) : "1e" + std::to_string(decade);
+        return std::abs(decade) <= 5 ? roundedText(std::pow(10, decade)) : "1e" + std::to_string(decade);
     }
 
     void drawWishes() {
@@ -163,10 +163,10 @@ private:
             explain({{}, coarserRadius, frontColour}, "on fewer nodes");
         y += lineHeight / 2;
         explain({{}, realTimeStyle.ringRadius, realTimeStyle.colour, false}, "least error at");
-        m_drawing.labels.push_back({{right + 34, y}, numberText(m_wishes.realTimeFactor) + "x real time"});
+        m_drawing.labels.push_back({{right + 34, y}, roundedText(m_wishes.realTimeFactor) + "x real time"});
         y += 1.5 * lineHeight;
         explain({{}, errorStyle.ringRadius, errorStyle.colour, false}, "fastest within");
-        m_drawing.labels.push_back({{right + 34, y}, numberText(100 * m_wishes.mostError) + " % error"});
+        m_drawing.labels.push_back({{right + 34, y}, roundedText(100 * m_wishes.mostError) + " % error"});
     }
 
     const Tradeoff& m_tradeoff;

@@ -62,7 +62,7 @@ void declareTradeoff(CLI::App& command, TradeoffCommandOptions& options) {
 Json steppingInJson(const Stepping& stepping, std::size_t detail) {
     return {{"integrator", integratorName(stepping.integrator)},
             {"dt", stepping.timeStep},
-            {"precision", precisionName(stepping.precision)},
+            {"precision", wordOf(stepping.precision)},
             {"detail", detail}};
 }
 
@@ -77,7 +77,7 @@ Json runInJson(const TradeoffRun& run) {
 }
 
 std::string wayInText(const Stepping& stepping, std::size_t nodes) {
-    return std::string(integratorName(stepping.integrator)) + " in " + precisionName(stepping.precision) +
+    return std::string(integratorName(stepping.integrator)) + " in " + wordOf(stepping.precision) +
            ", step " + inText(stepping.timeStep) + " s, " + counted(nodes, "node");
 }
 

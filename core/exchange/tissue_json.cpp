@@ -6,36 +6,30 @@ namespace esm {
 
 using Json = nlohmann::ordered_json;
 
-Json toJson(const SpringStiffening& stiffening) {
-    return {{"strain", stiffening.strain}, {"factor", stiffening.factor}};
-}
+namespace {
 
-SpringStiffening stiffeningFromJson(const JsonReader& reader) {
-    return {reader.member("strain").number(), reader.member("factor").number()};
-}
+struct SteppingForms {
+    Json write(Integrator integrator) const { return integratorName(integrator); }
+    /// One that only other programs know stays as it was: steppingFromJson() sees to that.
+    void read(const JsonReader& reader, Integrator& integrator) const {
+        integrator = integratorFromName(reader.text()).value_or(integrator);
+    }
+};
+
+} // namespace
 
 Json toJson(const MeasuredStepping& measured) {
-    Json json{{"integrator", integratorName(measured.stepping.integrator)},
-              {"timeStep", measured.stepping.timeStep},
-              {"precision", precisionName(measured.stepping.precision)},
-              {"error", measured.error},
-              {"wallPerSimulatedSecond", measured.wallPerSimulatedSecond}};
-    if (!measured.tissue.empty()) json["tissue"] = measured.tissue;
+    Json json = writtenFields(measured.stepping, SteppingForms());
+    json.update(writtenFields(measured));
     return json;
 }
 
 std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader) {
-    const auto integrator = integratorFromName(reader.member("integrator").text());
-    const JsonReader named = reader.member("precision");
-    const auto precision = precisionFromName(named.text());
-    if (named.json().is_string() && !precision) named.addProblem("should be double or float");
-    const MeasuredStepping measured{{integrator.value_or(Integrator::Auto),
-                                     reader.member("timeStep").number(),
-                                     precision.value_or(Precision::Double)},
-                                    reader.member("error").number(),
-                                    reader.member("wallPerSimulatedSecond").number(),
-                                    reader.has("tissue") ? reader.member("tissue").text() : std::string()};
-    if (!integrator) return std::nullopt;
+    MeasuredStepping measured;
+    readFields(reader, measured.stepping, SteppingForms());
+    readFields(reader, measured);
+    const Json& integrator = reader.member("integrator").json();
+    if (!integrator.is_string() || !integratorFromName(integrator.get<std::string>())) return std::nullopt;
     return measured;
 }
 

@@ -1,16 +1,13 @@
 #pragma once
 
+#include "core/exchange/fields_json.h"
 #include "core/model/stepping.h"
 #include "core/model/tissue_model.h"
-#include "core/support/json_reader.h"
 
 #include <vector>
 
 /// What of tissue the project file and the model package hold alike.
 namespace esm {
-
-nlohmann::ordered_json toJson(const SpringStiffening& stiffening);
-SpringStiffening stiffeningFromJson(const JsonReader& reader);
 
 nlohmann::ordered_json toJson(const MeasuredStepping& measured);
 /// Nothing where the integrator is one that only other programs know.

@@ -14,13 +14,13 @@ namespace {
 std::string listed(std::initializer_list<double> numbers) {
     std::string text;
     for (const double number : numbers)
-        text += (text.empty() ? "" : ", ") + numberText(number);
+        text += (text.empty() ? "" : ", ") + roundedText(number);
     return text;
 }
 
 /// Beyond it the square of a width overflows.
 std::string upToLargest() {
-    return " up to " + numberText(largestNumber);
+    return " up to " + roundedText(largestNumber);
 }
 
 bool isControl(char c) {
@@ -157,7 +157,7 @@ private:
         for (const FuzzyProposition& conclusion : rule.conclusions)
             if (!isThere(conclusion, m_system.outputs)) add(place + ", conclusions" + notThere);
         if (!(rule.weight >= 0 && rule.weight <= 1))
-            add(place + ", weight: must be a number from 0 to 1, got " + numberText(rule.weight));
+            add(place + ", weight: must be a number from 0 to 1, got " + roundedText(rule.weight));
     }
 
     /// Precondition: the condition is not nested too deeply.

@@ -72,8 +72,8 @@ Trapezoid stretched(const FuzzyVariable& variable, const Trapezoid& set, double 
 Trapezoid staying(const FuzzyVariable& variable, const FuzzyTerm& term, double minimum, double maximum) {
     Trapezoid set = term.set;
     if (isSinglePoint(set) ? set.a < minimum || set.a > maximum : set.d <= minimum || set.a >= maximum)
-        throw InvalidModel("\"" + term.name + "\" would lie outside " + numberText(minimum) + " to " +
-                           numberText(maximum) + ": move or remove it first, or let the terms stretch");
+        throw InvalidModel("\"" + term.name + "\" would lie outside " + roundedText(minimum) + " to " +
+                           roundedText(maximum) + ": move or remove it first, or let the terms stretch");
     if (isLeftShoulder(variable, set)) set.a = set.b = minimum;
     if (isRightShoulder(variable, set)) set.c = set.d = maximum;
     for (const auto corner : cornerMembers)
@@ -185,7 +185,8 @@ std::vector<FuzzyTerm> overlappedByHalf(const FuzzyVariable& variable) {
 
 FuzzyVariable withRange(const FuzzyVariable& variable, double minimum, double maximum, TermsInRange terms) {
     if (!(minimum < maximum))
-        throw InvalidModel("the range must rise, got " + numberText(minimum) + " to " + numberText(maximum));
+        throw InvalidModel("the range must rise, got " + roundedText(minimum) + " to " +
+                           roundedText(maximum));
     FuzzyVariable result = variable;
     result.minimum = minimum;
     result.maximum = maximum;

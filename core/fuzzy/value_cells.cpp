@@ -31,7 +31,7 @@ template<class Holds> CellSet cellsWhere(const std::vector<ValueCell>& cells, co
 } // namespace
 
 std::string inWords(const ValueRange& range) {
-    const std::string from = numberText(range.from), to = numberText(range.to);
+    const std::string from = roundedText(range.from), to = roundedText(range.to);
     if (range.from == range.to) return "exactly " + from;
     if (range.includesFrom) return "from " + from + (range.includesTo ? " to " : " to below ") + to;
     return range.includesTo ? "above " + from + ", up to " + to : "between " + from + " and " + to;

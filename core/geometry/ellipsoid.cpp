@@ -65,10 +65,7 @@ double distanceOutside(const Ellipsoid& ellipsoid, const Vector3d& point) {
 }
 
 std::vector<std::string> validate(const Ellipsoid& ellipsoid) {
-    std::vector<std::string> problems;
-    if (!ellipsoid.centre.allFinite()) problems.emplace_back("the centre must be three finite numbers");
-    if (!ellipsoid.radii.allFinite() || !(ellipsoid.radii.minCoeff() > 0))
-        problems.emplace_back("the three radii must be above 0 m");
+    std::vector<std::string> problems = fieldProblems(ellipsoid);
     if (!(std::abs(ellipsoid.orientation.norm() - 1) < 1e-6))
         problems.emplace_back("the orientation must be a rotation");
     return problems;

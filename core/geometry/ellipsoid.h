@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/support/fields.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -16,6 +18,11 @@ struct Ellipsoid {
 
     bool operator==(const Ellipsoid&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<Ellipsoid> =
+    std::tuple{field("centre", &Ellipsoid::centre, finiteLimits("the centre")),
+               field("radii", &Ellipsoid::radii, positiveLimits("the three radii", "m")),
+               field("orientation", &Ellipsoid::orientation).mayBeAbsent()};
 
 /// True for points inside or on the surface.
 bool contains(const Ellipsoid& ellipsoid, const Eigen::Vector3d& point);

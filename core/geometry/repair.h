@@ -2,6 +2,7 @@
 
 #include "core/geometry/polygon_soup.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/support/fields.h"
 
 #include <cstddef>
 #include <string>
@@ -38,6 +39,22 @@ struct RepairReport {
     /// Whether the mesh encloses a volume: no border, and an inside and an outside everywhere.
     bool isClosed() const { return boundaryEdges + inconsistentEdges == 0; }
 };
+template<>
+inline constexpr auto fieldsOf<RepairReport> =
+    std::tuple{field("mergedVertices", &RepairReport::mergedVertices),
+               field("splitPolygons", &RepairReport::splitPolygons),
+               field("degenerateTriangles", &RepairReport::degenerateTriangles),
+               field("duplicateTriangles", &RepairReport::duplicateTriangles),
+               field("unusedVertices", &RepairReport::unusedVertices),
+               field("flippedTriangles", &RepairReport::flippedTriangles),
+               field("droppedParts", &RepairReport::droppedParts),
+               field("components", &RepairReport::components),
+               field("boundaryEdgesBefore", &RepairReport::boundaryEdgesBefore),
+               field("nonManifoldEdgesBefore", &RepairReport::nonManifoldEdgesBefore),
+               field("boundaryEdges", &RepairReport::boundaryEdges),
+               field("nonManifoldEdges", &RepairReport::nonManifoldEdges),
+               field("inconsistentEdges", &RepairReport::inconsistentEdges),
+               field("warnings", &RepairReport::warnings)};
 
 struct RepairedMesh {
     TriangleMesh mesh; ///< vertices in the order in which the polygons first use them, corner by corner

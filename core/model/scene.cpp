@@ -17,7 +17,8 @@ using Problems = std::vector<std::string>;
 /// Adds problems under the place in the scene they belong to.
 class SceneCheck {
 public:
-    explicit SceneCheck(std::size_t nodeCount) : m_nodeCount(nodeCount) {}
+    SceneCheck(std::size_t nodeCount, Problems problems)
+        : m_nodeCount(nodeCount), m_problems(std::move(problems)) {}
 
     void require(bool condition, const std::string& place, const std::string& problem) {
         if (!condition) m_problems.push_back(place + ": " + problem);
@@ -54,6 +55,7 @@ public:
     }
 
     void add(const std::string& place, const Problems& found) { addUnder(m_problems, place, found); }
+    void add(const Problems& found) { m_problems.insert(m_problems.end(), found.begin(), found.end()); }
 
     Problems takeProblems() { return std::move(m_problems); }
 
@@ -73,14 +75,8 @@ void checkBoundary(SceneCheck& check, const Scene& scene) {
         if (selection.ellipsoid)
             check.add(sceneEntry("fixed", i) + ".ellipsoid", validate(*selection.ellipsoid));
     }
-    const std::string limit = ", at most " + numberText(largestNumber);
-    for (std::size_t i = 0; i < scene.tethers.size(); ++i) {
-        const TetherRule& rule = scene.tethers[i];
-        const std::string place = sceneEntry("tethers", i);
-        check.require(rule.every >= 1, place, "every must be 1 or more");
-        check.require(isAmount(rule.springConstant), place, "spring_constant must be 0 N/m or more" + limit);
-        check.require(isAmount(rule.viscosity), place, "viscosity must be 0 N·s/m or more" + limit);
-    }
+    for (std::size_t i = 0; i < scene.tethers.size(); ++i)
+        check.add(sceneEntry("tethers", i), fieldProblems(scene.tethers[i]));
 }
 
 void checkForces(SceneCheck& check, const Scene& scene) {
@@ -88,7 +84,7 @@ void checkForces(SceneCheck& check, const Scene& scene) {
         const NodeForce& force = scene.forces[i];
         const std::string place = sceneEntry("forces", i);
         check.requireNode(force.node, place);
-        check.require(force.force.allFinite(), place, "the force is not finite");
+        check.add(place, fieldProblems(force));
         check.require(std::isfinite(force.from) && std::isfinite(force.to) && force.from <= force.to, place,
                       "from and to must be times, from not after to");
     }
@@ -137,7 +133,7 @@ void checkInstruments(SceneCheck& check, const Scene& scene) {
         const std::string place = hasPlainInstrument(scene) ? "instrument" : sceneEntry("instruments", i);
         check.require(isPositive(radiusOf(instrument.shape)), place, "the radius must be above 0 m");
         check.require(isAmount(lengthOf(instrument.shape)), place,
-                      "the length must be 0 m or more, at most " + numberText(largestNumber));
+                      "the length must be 0 m or more, at most " + roundedText(largestNumber));
         check.requirePath(instrument.path, place);
         checkOrientations(check, instrument, place);
         const std::string name = nameOf(scene, i);
@@ -199,14 +195,12 @@ bool hasPlainInstrument(const Scene& scene) {
 }
 
 std::vector<std::string> validate(const Scene& scene, std::size_t nodeCount) {
-    SceneCheck check(nodeCount);
-    check.require(isPositive(scene.duration), "duration", "must be above 0 s");
-    check.require(scene.gravity.allFinite(), "gravity", "is not finite");
+    SceneCheck check(nodeCount, fieldProblems(scene));
     checkBoundary(check, scene);
     checkForces(check, scene);
     checkMotion(check, scene);
     checkInstruments(check, scene);
-    check.require(isPositive(scene.record.every), "record.every", "must be above 0 s");
+    check.add(fieldProblems(scene.record));
     if (scene.record.nodes) check.requireNodes(*scene.record.nodes, "record.nodes");
     return check.takeProblems();
 }

@@ -2,6 +2,7 @@
 
 #include "core/geometry/collider.h"
 #include "core/geometry/ellipsoid.h"
+#include "core/support/fields.h"
 
 #include <cstdint>
 #include <optional>
@@ -16,6 +17,10 @@ struct NodeSelection {
 
     bool operator==(const NodeSelection&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<NodeSelection> =
+    std::tuple{field("nodes", &NodeSelection::nodes).mayBeAbsent(),
+               field("ellipsoid", &NodeSelection::ellipsoid).whenSet()};
 
 /// Springs that tie every n-th node (0, n, 2n, …) to its rest position: the surrounding tissue. [R 5.1]
 struct TetherRule {
@@ -25,14 +30,24 @@ struct TetherRule {
 
     bool operator==(const TetherRule&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<TetherRule> =
+    std::tuple{field("every", &TetherRule::every,
+                     Limits<std::uint32_t>{"every", 1, std::numeric_limits<std::uint32_t>::max()}),
+               field("spring_constant", &TetherRule::springConstant, amountLimits("spring_constant", "N/m")),
+               field("viscosity", &TetherRule::viscosity, amountLimits("viscosity", "N·s/m"))};
 
 struct NodeForce {
-    std::uint32_t node;
-    Eigen::Vector3d force; ///< N
-    double from, to;       ///< s; acts for from ≤ t < to
+    std::uint32_t node = 0;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< N
+    double from = 0, to = 0;                         ///< s; acts for from ≤ t < to
 
     bool operator==(const NodeForce&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<NodeForce> =
+    std::tuple{field("node", &NodeForce::node), field("force", &NodeForce::force, finiteLimits("the force")),
+               field("from", &NodeForce::from).mayBeAbsent(), field("to", &NodeForce::to).mayBeAbsent()};
 
 struct PathPoint {
     double time;           ///< s
@@ -49,6 +64,9 @@ struct NodeMove {
 
     bool operator==(const NodeMove&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<NodeMove> =
+    std::tuple{field("node", &NodeMove::node), field("path", &NodeMove::path)};
 
 /// A rigid instrument that pushes the surface.
 struct InstrumentMotion {
@@ -68,6 +86,10 @@ struct Recording {
 
     bool operator==(const Recording&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<Recording> =
+    std::tuple{field("every", &Recording::every, positiveLimits("record.every", "s")).mayBeAbsent(),
+               field("nodes", &Recording::nodes).mayBeAbsent()};
 
 /// What happens to the model in a run: boundary conditions, loads and what is recorded.
 struct Scene {
@@ -82,6 +104,16 @@ struct Scene {
 
     bool operator==(const Scene&) const = default;
 };
+/// Its instruments stand in files in two ways, see `scene_file.cpp`.
+template<>
+inline constexpr auto fieldsOf<Scene> =
+    std::tuple{field("duration", &Scene::duration, positiveLimits("duration", "s")),
+               field("gravity", &Scene::gravity, finiteLimits("gravity")).mayBeAbsent(),
+               field("fixed", &Scene::fixed).whenSet(),
+               field("tethers", &Scene::tethers).whenSet(),
+               field("forces", &Scene::forces).whenSet(),
+               field("moves", &Scene::moves).whenSet(),
+               field("record", &Scene::record).mayBeAbsent()};
 
 /// Where a path is at a time. Precondition: the path has a point.
 Eigen::Vector3d positionAt(const Path& path, double time);

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "core/model/integrators.h"
+#include "core/support/fields.h"
 
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,9 @@ namespace esm {
 /// Of the numbers that explicit integrators compute with; the others take double.
 enum class Precision { Double, Float };
 
-/// "double", "float"
-const char* precisionName(Precision precision);
-std::optional<Precision> precisionFromName(const std::string& name);
+template<>
+inline constexpr auto wordsOf<Precision> =
+    std::array{Word{Precision::Double, "double"}, Word{Precision::Float, "float"}};
 
 /// One way to step the tissue.
 struct Stepping {
@@ -23,6 +24,11 @@ struct Stepping {
 
     bool operator==(const Stepping&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<Stepping> =
+    std::tuple{field("integrator", &Stepping::integrator),
+               field("timeStep", &Stepping::timeStep, positiveLimits("the time step", "s")),
+               field("precision", &Stepping::precision)};
 
 /// A way to step that was measured on a scene, with isotropic damping.
 struct MeasuredStepping {
@@ -33,6 +39,14 @@ struct MeasuredStepping {
 
     bool operator==(const MeasuredStepping&) const = default;
 };
+/// What was measured; files have it beside the fields of the stepping.
+template<>
+inline constexpr auto fieldsOf<MeasuredStepping> =
+    std::tuple{field("error", &MeasuredStepping::error,
+                     Limits<double>{"the error", 0, std::numeric_limits<double>::max()}),
+               field("wallPerSimulatedSecond", &MeasuredStepping::wallPerSimulatedSecond,
+                     positiveLimits("the wall time per simulated second", "s")),
+               field("tissue", &MeasuredStepping::tissue).whenSet()};
 
 /// Every problem. Empty when tissue can be stepped so.
 std::vector<std::string> validate(const Stepping& stepping);

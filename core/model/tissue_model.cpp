@@ -13,7 +13,7 @@ using Problems = std::vector<std::string>;
 /// 10³⁰, sums of them over all nodes and quotients by the smallest mass stay far below 10³⁰⁸, where doubles
 /// end.
 std::string withinBounds(const char* least) {
-    return std::string(" that is not ") + least + " to " + numberText(largestNumber);
+    return std::string(" that is not ") + least + " to " + roundedText(largestNumber);
 }
 
 // Parameters belong to nodes, as regions take in nodes. A spring across a region's border then lies half-way
@@ -33,7 +33,7 @@ void checkNetwork(Problems& problems, const SpringNetwork& network) {
     const auto& springs = network.springs;
     if (nodes.empty()) problems.emplace_back("the model has no nodes");
     reportOffenders(problems, "node",
-                    "with a coordinate that is no number or beyond " + numberText(largestNumber),
+                    "with a coordinate that is no number or beyond " + roundedText(largestNumber),
                     placesWhere(nodes.size(), [&](std::size_t i) {
                         return !(nodes[i].array().abs() <= largestNumber).all();
                     }));
@@ -57,7 +57,7 @@ void checkNodeParameters(Problems& problems, const TissueModel& model) {
     checkSize(problems, "masses", model.mass.size(), nodes);
     checkSize(problems, "spring constants", model.springConstant.size(), nodes);
     checkSize(problems, "viscosities", model.viscosity.size(), nodes);
-    const std::string massBounds = withinBounds(numberText(1 / largestNumber).c_str());
+    const std::string massBounds = withinBounds(roundedText(1 / largestNumber).c_str());
     reportOffenders(problems, "node", "with a mass" + massBounds,
                     placesWhere(model.mass.size(), [&](std::size_t i) { return !isMass(model.mass[i]); }));
     reportOffenders(problems, "node", "with a spring constant" + withinBounds("0"),
@@ -70,7 +70,7 @@ void checkNodeParameters(Problems& problems, const TissueModel& model) {
 
 void checkStiffening(Problems& problems, const TissueModel& model) {
     if (!model.stiffening) return;
-    if (const Problems found = validate(*model.stiffening); !found.empty()) {
+    if (const Problems found = fieldProblems(*model.stiffening); !found.empty()) {
         problems.insert(problems.end(), found.begin(), found.end());
         return;
     }
@@ -107,18 +107,6 @@ double springConstant(const TissueModel& model, const Spring& spring) {
 
 double viscosity(const TissueModel& model, const Spring& spring) {
     return meanOfEnds(model.viscosity, spring);
-}
-
-std::vector<std::string> validate(const SpringStiffening& stiffening) {
-    Problems problems;
-    const auto require = [&](const char* what, double value) {
-        if (!(value > 0 && value <= largestNumber))
-            problems.push_back(std::string(what) + " must be above 0 and at most " +
-                               numberText(largestNumber));
-    };
-    require("the strain beyond which springs go on with another spring constant", stiffening.strain);
-    require("the factor of the spring constant of stretched springs", stiffening.factor);
-    return problems;
 }
 
 std::vector<std::string> validate(const TissueModel& model) {

@@ -25,9 +25,13 @@ struct SpringStiffening {
 
     bool operator==(const SpringStiffening&) const = default;
 };
-
-/// What is not above zero and at most 10³⁰.
-std::vector<std::string> validate(const SpringStiffening& stiffening);
+template<>
+inline constexpr auto fieldsOf<SpringStiffening> = std::tuple{
+    field("strain", &SpringStiffening::strain,
+          positiveLimits("the strain beyond which springs go on with another spring constant", "",
+                         largestNumber)),
+    field("factor", &SpringStiffening::factor,
+          positiveLimits("the factor of the spring constant of stretched springs", "", largestNumber))};
 
 /// Everything a simulation needs to know of the tissue, evaluated: regions and scene are already in the
 /// numbers.

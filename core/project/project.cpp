@@ -150,8 +150,8 @@ void numberParts(Project& project) {
 Project makeProject(std::string name, RepairedMesh surface, std::optional<double> massKilograms,
                     const Detail& detail) {
     if (massKilograms && !isMass(*massKilograms))
-        throw InvalidModel("the mass must be from " + numberText(1 / largestNumber) + " to " +
-                           numberText(largestNumber) + " kg, got " + numberText(*massKilograms));
+        throw InvalidModel("the mass must be from " + roundedText(1 / largestNumber) + " to " +
+                           roundedText(largestNumber) + " kg, got " + roundedText(*massKilograms));
     Project project;
     project.name = std::move(name);
     const double mass = massKilograms ? *massKilograms : defaultMass(surface.mesh, surface.report.isClosed());

@@ -16,7 +16,7 @@ constexpr double mostUtilisation = 1 + 1e-6;
 
 Warnings farPoints(const TriangleMesh& mesh) {
     Warnings warnings;
-    reportOffenders(warnings, "mesh point", "with a coordinate beyond " + numberText(largestNumber) + " m",
+    reportOffenders(warnings, "mesh point", "with a coordinate beyond " + roundedText(largestNumber) + " m",
                     placesWhere(mesh.vertices.size(), [&](std::size_t i) {
                         return !(mesh.vertices[i].array().abs() <= largestNumber).all();
                     }));
@@ -40,7 +40,7 @@ Warnings pressedSprings(const SpringNetwork& network) {
         mean += length / static_cast<double>(lengths.size());
     Warnings warnings;
     reportOffenders(warnings, "spring",
-                    "with a rest length over " + numberText(mostPressed) + " times its length at rest",
+                    "with a rest length over " + roundedText(mostPressed) + " times its length at rest",
                     placesWhere(lengths.size(), [&](std::size_t i) {
                         return network.springs[i].restLength > mostPressed * std::max(lengths[i], mean);
                     }));

@@ -24,8 +24,8 @@ void warnOfInputsOutOfRange(RegionTissue& tissue, const FuzzySystem& system,
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const FuzzyVariable& variable = system.inputs[i];
         if (!inputs[i] || (*inputs[i] >= variable.minimum && *inputs[i] <= variable.maximum)) continue;
-        tissue.warnings.push_back(variable.name + " " + numberText(*inputs[i]) + " is out of its range, " +
-                                  numberText(variable.minimum) + " to " + numberText(variable.maximum));
+        tissue.warnings.push_back(variable.name + " " + roundedText(*inputs[i]) + " is out of its range, " +
+                                  roundedText(variable.minimum) + " to " + roundedText(variable.maximum));
     }
 }
 
@@ -80,9 +80,9 @@ void dropImpossible(RegionTissue& tissue, Parameter parameter, const char* name)
     const bool isOfMass = parameter == Parameter::Mass;
     std::optional<double>& value = valueOf(tissue.values, parameter);
     if (!value || (isOfMass ? isMass(*value) : isAmount(*value))) return;
-    tissue.warnings.push_back(name + (" " + numberText(*value)) +
+    tissue.warnings.push_back(name + (" " + roundedText(*value)) +
                               (isOfMass ? " is not above zero" : " is not zero or more") + " and at most " +
-                              numberText(largestNumber) + ", so it stays as it was");
+                              roundedText(largestNumber) + ", so it stays as it was");
     value.reset();
 }
 

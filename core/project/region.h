@@ -2,6 +2,7 @@
 
 #include "core/fuzzy/inference.h"
 #include "core/geometry/ellipsoid.h"
+#include "core/support/fields.h"
 #include "core/support/id.h"
 #include "core/support/shared_values.h"
 
@@ -20,6 +21,11 @@ struct TissueValues {
 
     bool operator==(const TissueValues&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<TissueValues> = std::tuple{
+    field("springConstant", &TissueValues::springConstant, amountLimits("the spring constant")).whenSet(),
+    field("viscosity", &TissueValues::viscosity, amountLimits("the viscosity")).whenSet(),
+    field("mass", &TissueValues::mass, massLimits("the mass")).whenSet()};
 
 /// One of them.
 enum class Parameter { SpringConstant, Viscosity, Mass };
@@ -52,6 +58,15 @@ struct Region : Identified<Region> {
     bool operator==(const Region&) const = default;
 };
 using RegionId = Id<Region>;
+template<>
+inline constexpr auto fieldsOf<Region> =
+    std::tuple{field("name", &Region::name),
+               field("colour", &Region::colour),
+               field("ellipsoid", &Region::ellipsoid).whenSet(),
+               field("rim", &Region::rim, amountLimits("the soft rim")).whenSet(),
+               field("fuzzySystem", &Region::system).whenSet(),
+               field("inputs", &Region::inputs),
+               field("held", &Region::held)};
 
 /// Sets or adds one input value.
 void setInput(Region& region, const std::string& variable, double value);

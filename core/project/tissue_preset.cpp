@@ -20,12 +20,12 @@ void tiePreset(Scene& scene, const TissuePreset& preset) {
 std::string publishedText(const TissuePreset& preset) {
     std::vector<std::string> parts;
     const TissueValues& values = preset.published;
-    if (values.springConstant) parts.push_back(numberText(*values.springConstant) + " N/m");
-    if (values.viscosity) parts.push_back(numberText(*values.viscosity) + " N·s/m");
-    if (values.mass) parts.push_back(numberText(*values.mass) + " kg");
+    if (values.springConstant) parts.push_back(roundedText(*values.springConstant) + " N/m");
+    if (values.viscosity) parts.push_back(roundedText(*values.viscosity) + " N·s/m");
+    if (values.mass) parts.push_back(roundedText(*values.mass) + " kg");
     for (const TetherRule& rule : preset.tethers)
-        parts.push_back("a tether of " + numberText(rule.springConstant) + " N/m and " +
-                        numberText(rule.viscosity) + " N·s/m at one node in " + std::to_string(rule.every));
+        parts.push_back("a tether of " + roundedText(rule.springConstant) + " N/m and " +
+                        roundedText(rule.viscosity) + " N·s/m at one node in " + std::to_string(rule.every));
     return joined(parts);
 }
 

@@ -155,13 +155,15 @@ bool JsonReader::has(const char* key) const {
     return m_json && m_json->is_object() && m_json->contains(key) && !m_json->at(key).is_null();
 }
 
+bool JsonReader::isObject() const {
+    if (m_json && !m_json->is_object()) addProblem("should be an object in { }");
+    return m_json && m_json->is_object();
+}
+
 JsonReader JsonReader::member(const char* key) const {
     std::string place = memberPlace(m_place, key);
     if (has(key)) return {&m_json->at(key), std::move(place), m_problems};
-    if (m_json && !m_json->is_object())
-        addProblem("should be an object in { }");
-    else if (m_json)
-        m_problems->push_back(place + " is missing");
+    if (isObject()) m_problems->push_back(place + " is missing");
     return {nullptr, std::move(place), m_problems};
 }
 
@@ -180,11 +182,7 @@ std::vector<JsonReader> JsonReader::elements() const {
 
 std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
     std::vector<std::pair<std::string, JsonReader>> readers;
-    if (!m_json) return readers;
-    if (!m_json->is_object()) {
-        addProblem("should be an object in { }");
-        return readers;
-    }
+    if (!isObject()) return readers;
     for (const auto& item : m_json->items())
         readers.emplace_back(item.key(),
                              JsonReader(&item.value(), memberPlace(m_place, item.key()), m_problems));

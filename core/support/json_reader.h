@@ -33,6 +33,7 @@ public:
     JsonReader(const nlohmann::ordered_json& json, std::string place, std::vector<std::string>& problems);
 
     bool has(const char* key) const;                                 ///< present and not null
+    bool isObject() const;                                           ///< all else is a problem
     JsonReader member(const char* key) const;                        ///< a missing one is a problem
     std::vector<JsonReader> elements() const;                        ///< of a list
     std::vector<std::pair<std::string, JsonReader>> members() const; ///< of an object, in the file's order

@@ -15,7 +15,7 @@ std::string exactText(double value) {
     return text;
 }
 
-std::string numberText(double value, int digits) {
+std::string roundedText(double value, int digits) {
     std::ostringstream text;
     text.precision(digits);
     text << value;
@@ -25,7 +25,7 @@ std::string numberText(double value, int digits) {
 std::string percentText(double share) {
     const double percents = 100 * share;
     const bool isWhole = percents >= 10 && percents < 1e6;
-    return (isWhole ? numberText(std::round(percents), 7) : numberText(percents, 2)) + " %";
+    return (isWhole ? roundedText(std::round(percents), 7) : roundedText(percents, 2)) + " %";
 }
 
 } // namespace esm

@@ -29,7 +29,7 @@ inline bool isMass(double value) {
 std::string exactText(double value);
 
 /// A number for people, with as many significant digits at most.
-std::string numberText(double value, int digits = 6);
+std::string roundedText(double value, int digits = 6);
 
 /// A share in percent, for people: 0.0123 is "1.2 %", 3.345 is "335 %".
 std::string percentText(double share);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/support/fields.h"
+#include "core/texture/texture_limits.h"
+
 namespace esm {
 
 /// Width and height of a photo, pixels.
@@ -13,10 +16,19 @@ struct PhotoSize {
 
 /// A pinhole camera in photo pixels: focal lengths, and the principal point from the photo's top left corner.
 struct Intrinsics {
-    double fx, fy; ///< > 0
-    double cx, cy;
+    double fx = 1, fy = 1; ///< > 0
+    double cx = 0, cy = 0;
 
     bool operator==(const Intrinsics&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<Intrinsics> = [] {
+    constexpr double most = texture_limits::longestFocalLength;
+    return std::tuple{
+        field("fx", &Intrinsics::fx, positiveLimits("the focal length fx", "pixels", most)),
+        field("fy", &Intrinsics::fy, positiveLimits("the focal length fy", "pixels", most)),
+        field("cx", &Intrinsics::cx, Limits<double>{"the principal point's cx", -most, most, "pixels"}),
+        field("cy", &Intrinsics::cy, Limits<double>{"the principal point's cy", -most, most, "pixels"})};
+}();
 
 } // namespace esm

@@ -1,6 +1,7 @@
 #include "core/texture/texture_limits.h"
 
 #include "core/support/offenders.h"
+#include "core/texture/atlas/atlas.h"
 
 namespace esm {
 
@@ -20,26 +21,7 @@ bool liesOnPage(const Atlas& atlas, std::size_t triangle) {
 } // namespace
 
 std::vector<std::string> validate(const AtlasOptions& options) {
-    std::vector<std::string> problems;
-    if (options.size < 1)
-        problems.push_back("a texture of " + std::to_string(options.size) +
-                           " pixels is impossible; use 1 to " +
-                           std::to_string(texture_limits::largestPageSize));
-    if (options.size > texture_limits::largestPageSize)
-        problems.push_back("a texture of " + std::to_string(options.size) +
-                           " pixels is too large; use at most " +
-                           std::to_string(texture_limits::largestPageSize));
-    if (options.gap < 0)
-        problems.push_back("a gap of " + std::to_string(options.gap) +
-                           " pixels is impossible; the smallest that fits is 0");
-    if (options.gap > texture_limits::largestPageSize)
-        problems.push_back("a gap of " + std::to_string(options.gap) +
-                           " pixels is too wide; use a smaller gap");
-    if (!(options.texelsPerMetre >= 0 && options.texelsPerMetre <= texture_limits::mostTexelsPerMetre))
-        problems.push_back("the texels per metre that are asked for must be from 0 to 1e9");
-    if (options.pages < 1 || options.pages > texture_limits::mostPages)
-        problems.push_back(std::to_string(options.pages) + " pages are impossible; use 1 to " +
-                           std::to_string(texture_limits::mostPages));
+    std::vector<std::string> problems = fieldProblems(options);
     if (problems.empty() &&
         std::int64_t{options.size} * options.size * options.pages > texture_limits::mostTexels)
         problems.push_back(std::to_string(options.pages) + " pages of " + std::to_string(options.size) +

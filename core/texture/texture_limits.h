@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/texture/atlas/atlas.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -33,6 +31,9 @@ constexpr std::size_t mostBrushPoints = 1'000'000; ///< of all strokes of a laye
 } // namespace esm::texture_limits
 
 namespace esm {
+
+struct Atlas;
+struct AtlasOptions;
 
 /// Every problem of the size of a texture. Empty when all is well.
 std::vector<std::string> validate(const AtlasOptions& options);

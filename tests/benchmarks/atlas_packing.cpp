@@ -12,7 +12,7 @@ namespace {
 constexpr int packingRepetitions = 3;
 
 std::string nameOf(esm::AtlasLayout layout, const std::string& triangles) {
-    return std::string("packing ") + esm::layoutName(layout) + ", " + triangles;
+    return std::string("packing ") + esm::wordOf(layout) + ", " + triangles;
 }
 
 } // namespace

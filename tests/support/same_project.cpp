@@ -1,7 +1,6 @@
 #include "tests/support/same_project.h"
 
 #include "core/exchange/fuzzy/fuzzy_file.h"
-#include "core/exchange/project/project_layout.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -54,9 +53,9 @@ void expectSameMesh(const Project& a, const Project& b) {
     }));
     EXPECT_EQ(a.network->vertexNodes, b.network->vertexNodes);
     expectSameBinding(a.network->binding, b.network->binding);
-    for (const auto& [key, count] : project_layout::reportCounts)
-        EXPECT_EQ((*a.importReport).*count, (*b.importReport).*count) << key;
-    EXPECT_EQ(a.importReport->warnings, b.importReport->warnings);
+    forEachField(fieldsOf<RepairReport>, [&](const auto& field) {
+        EXPECT_EQ((*a.importReport).*field.member, (*b.importReport).*field.member) << field.key;
+    });
 }
 
 bool samePath(const Path& a, const Path& b) {

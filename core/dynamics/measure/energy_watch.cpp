@@ -152,8 +152,8 @@ std::string EnergyWatch::look(const WatchedSteps& steps) {
     const double held = keptEnergy(m_system, m_integrator, m_damping, steps) - m_startEnergy;
     const double rounding = m_roundingEnergy * static_cast<double>(m_steps);
     if (held <= m_work + allowedShare * (m_grossWork + m_startEnergy) + rounding) return {};
-    return "the steps make energy out of nothing: the tissue holds " + numberText(held, 2) +
-           " J more than at its start, of which its loads gave " + numberText(m_work, 2) +
+    return "the steps make energy out of nothing: the tissue holds " + roundedText(held, 2) +
+           " J more than at its start, of which its loads gave " + roundedText(m_work, 2) +
            " J; a shorter step is needed";
 }
 

@@ -66,8 +66,8 @@ void addParameters(std::vector<ExtremeCase>& cases) {
     for (const double springConstant : {1e-6, 1.0, 1e4, 1e9})
         for (const double viscosity : {0.0, 1e-6, 1.0, 1e3, 1e6})
             for (const double mass : {1e-9, 1e-3, 1e3}) {
-                const std::string name = numberText(springConstant) + " N/m, " + numberText(viscosity) +
-                                         " N·s/m, " + numberText(mass) + " kg";
+                const std::string name = roundedText(springConstant) + " N/m, " + roundedText(viscosity) +
+                                         " N·s/m, " + roundedText(mass) + " kg";
                 cases.push_back(pulled("spring constant, viscosity and mass", name,
                                        tissueOf(sheet(), {springConstant, viscosity, mass})));
             }
@@ -78,7 +78,7 @@ void addSteps(std::vector<ExtremeCase>& cases) {
         for (const Parameters& parameters :
              {Parameters{}, Parameters{1e4, 1e-3, 1e-3}, Parameters{10, 1e3, 1e-3}}) {
             ExtremeCase given =
-                pulled("a given step", numberText(step) + " s", tissueOf(sheet(), parameters));
+                pulled("a given step", roundedText(step) + " s", tissueOf(sheet(), parameters));
             given.timeStep = step;
             cases.push_back(std::move(given));
         }
@@ -116,7 +116,7 @@ void addShapes(std::vector<ExtremeCase>& cases) {
             model.springConstant[node] *= contrast;
             model.viscosity[node] *= contrast;
         }
-        cases.push_back(pulled("neighbours of 10⁶-fold contrast", numberText(contrast), std::move(model)));
+        cases.push_back(pulled("neighbours of 10⁶-fold contrast", roundedText(contrast), std::move(model)));
     }
 
     ExtremeCase stretched = pulled("forces that stretch tissue tenfold", "", tissueOf(sheet(), {}));
@@ -131,7 +131,7 @@ void addSecondPhases(std::vector<ExtremeCase>& cases) {
             model.stiffening = SpringStiffening{strain, factor};
             ExtremeCase stretched =
                 pulled("springs of another stiffness when stretched",
-                       numberText(factor) + " times beyond " + numberText(strain), std::move(model));
+                       roundedText(factor) + " times beyond " + roundedText(strain), std::move(model));
             if (factor > 1) stretched.force = {0, 10, 0};
             cases.push_back(std::move(stretched));
         }

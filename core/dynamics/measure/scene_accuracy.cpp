@@ -23,8 +23,8 @@ constexpr double followedShare =
         precision == Precision::Float
             ? "single precision rounds each step: choose double, or allow a larger error"
             : "allow a larger error, or choose another integrator";
-    throw InvalidModel("an error of " + numberText(mostError) +
-                       " of the motion is not reached; at a step of " + numberText(step) +
+    throw InvalidModel("an error of " + roundedText(mostError) +
+                       " of the motion is not reached; at a step of " + roundedText(step) +
                        " s shorter ones gain nothing: " + choices);
 }
 
@@ -32,7 +32,7 @@ constexpr double followedShare =
     const std::string follows = integratorName(follower);
     throw InvalidModel(std::string(integratorName(outcome.integrator)) +
                        " damps away swings that are faster than its steps: at " +
-                       numberText(outcome.timeStep) + " s it is " + percentText(error) +
+                       roundedText(outcome.timeStep) + " s it is " + percentText(error) +
                        " of the motion off a run by " + follows +
                        ", which follows them, and shorter ones gain little or would take long: choose " +
                        follows + ", or allow a larger error");
@@ -113,7 +113,7 @@ public:
         if (found.hidesSwings && !isExplicit(found.outcome.integrator))
             return withSwings(runs, found.estimatedError, newSink);
         if (!found.outcome.stable)
-            throw InvalidModel("at no step down to " + numberText(found.outcome.timeStep) +
+            throw InvalidModel("at no step down to " + roundedText(found.outcome.timeStep) +
                                " s does the run come to its end: " + found.outcome.outcome);
         refuseError(m_mostError, found.outcome.timeStep, m_run.settings.precision);
     }

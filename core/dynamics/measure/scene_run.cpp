@@ -24,9 +24,9 @@ constexpr double mostSteps = 1e12;       // at a microsecond each, eleven days
 /// @throws InvalidModel when there are more steps than can be run
 void requireRunnable(const Scene& scene, double timeStep) {
     if (!(scene.duration / timeStep > mostSteps)) return;
-    throw InvalidModel("duration: " + numberText(scene.duration) + " s in steps of " + numberText(timeStep) +
-                       " s are more steps than can be run, " + numberText(mostSteps) +
-                       "; shorten the duration or lengthen the step");
+    throw InvalidModel("duration: " + roundedText(scene.duration) + " s in steps of " +
+                       roundedText(timeStep) + " s are more steps than can be run, " +
+                       roundedText(mostSteps) + "; shorten the duration or lengthen the step");
 }
 
 class Recorder {

@@ -171,7 +171,7 @@ private:
                 goesOn);
         } catch (const Cancelled&) {
             if (!measured.isOverTime) throw;
-            measured.problem = "took longer than the " + numberText(mostSeconds) + " s that it may";
+            measured.problem = "took longer than the " + roundedText(mostSeconds) + " s that it may";
         }
         return measured;
     }
@@ -189,8 +189,8 @@ private:
             if (seconds > mostSeconds)
                 return {{},
                         {},
-                        "would take " + numberText(seconds, 2) + " s, more than the " +
-                            numberText(mostSeconds) + " s that it may",
+                        "would take " + roundedText(seconds, 2) + " s, more than the " +
+                            roundedText(mostSeconds) + " s that it may",
                         true};
             return run(stepping, halvings, m_run.scene.duration, mostSeconds);
         } catch (const InvalidModel& reason) {

@@ -65,7 +65,7 @@ FuzzyVariable variableFrom(FuzzyDraft& draft, const DraftVariable& source) {
     const TextWord& identifier = source.name.identifier;
     if (!hasRange && !source.terms.empty())
         draft.warn(identifier.place, identifier.text + " has no range; it is taken from its terms, " +
-                                         numberText(range.first) + " to " + numberText(range.second));
+                                         roundedText(range.first) + " to " + roundedText(range.second));
     FuzzyVariable variable{identifier.text, range.first, range.second, {}, source.unit};
     for (const DraftTerm& term : source.terms) {
         Trapezoid set = term.shape.set;

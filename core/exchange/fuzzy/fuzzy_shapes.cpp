@@ -197,7 +197,7 @@ void checkCount(const KnownShape& shape, const ShapeNumbers& numbers) {
         throw InvalidModel("a " + std::string(shape.name) + " takes " + std::to_string(shape.numbers) +
                            " numbers, got " + std::to_string(numbers.size()));
     if (hasHeight && numbers.back() != 1)
-        throw InvalidModel("has the height " + numberText(numbers.back()) + "; every set reaches 1 here");
+        throw InvalidModel("has the height " + roundedText(numbers.back()) + "; every set reaches 1 here");
 }
 
 } // namespace

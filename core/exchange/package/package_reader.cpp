@@ -38,11 +38,11 @@ ModelPackage readContent(const Glb& glb, std::vector<std::string>& problems) {
     checkNamesOfExtension(gltf);
     const GltfArrayReader arrays(glb, problems);
     ModelPackage package{readTissue(extension, arrays)};
-    package.base = baseTissueFromJson(extension.member("base"));
+    package.base = valueFrom<BaseTissue>(extension.member("base"));
     checkStiffening(extension, package);
     package.regions = regionsFromJson(extension.member("fuzzySystems"), extension.member("regions"));
     checkVersion(extension, package);
-    package.baseColour = colourFromJson(extension.member("baseColour"));
+    readValue(extension.member("baseColour"), package.baseColour, PlainForms());
     if (problems.empty()) readDrawn(extension, arrays, problems, package);
     return package;
 }

@@ -195,18 +195,18 @@ Json PackageBuilder::extension() {
               {"name", project.name},
               {"units", package_layout::units},
               {"damping", "isotropic"}};
-    if (m_from.tissue.stiffening) json["stiffening"] = toJson(*m_from.tissue.stiffening);
+    if (m_from.tissue.stiffening) json["stiffening"] = writtenFields(*m_from.tissue.stiffening);
     json["nodes"] = nodes();
     json["springs"] = springs();
     json["tethers"] = tethers();
     json["fixedNodes"] = fixedNodes();
     json["surface"] = surface();
     if (isBound()) json["binding"] = binding();
-    json["base"] = toJson(project.base);
+    json["base"] = writtenFields(project.base);
     json["fuzzySystems"] = std::move(regions.systems);
     json["regions"] = std::move(regions.regions);
     if (project.stepping) json["stepping"] = toJson(*project.stepping);
-    json["baseColour"] = colourToJson(project.texture.baseColour);
+    json["baseColour"] = project.texture.baseColour;
     if (m_from.pages) json["texture"] = texture();
     return json;
 }

@@ -123,7 +123,7 @@ PackagedTissue TissueReader::read(const JsonReader& extension) const {
     if (extension.member("damping").text() != "isotropic")
         extension.member("damping").addProblem("should be isotropic");
     if (extension.has("stiffening"))
-        package.tissue.stiffening = stiffeningFromJson(extension.member("stiffening"));
+        package.tissue.stiffening = valueFrom<SpringStiffening>(extension.member("stiffening"));
     readNodes(extension.member("nodes"), *network, package.tissue);
     readSprings(extension.member("springs"), *network, package.tissue);
     readTethers(extension.member("tethers"), package.tissue);

@@ -4,18 +4,19 @@
 
 namespace esm {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
-Eigen::Quaterniond orientationFromJson(const JsonReader& reader) {
-    if (reader.has("orientation")) {
-        if (reader.has("axis") || reader.has("degrees"))
-            reader.addProblem("has an orientation and axis with degrees too; leave one out");
-        const std::vector<double> q = reader.member("orientation").numbers(4);
-        return {q[0], q[1], q[2], q[3]};
+struct EllipsoidForms {
+    nlohmann::ordered_json write(const Eigen::Quaterniond& turn) const {
+        return {turn.w(), turn.x(), turn.y(), turn.z()};
     }
-    if (!reader.has("axis") && !reader.has("degrees")) return Eigen::Quaterniond::Identity();
+    void read(const JsonReader& reader, Eigen::Quaterniond& turn) const {
+        const std::vector<double> q = reader.numbers(4);
+        turn = {q[0], q[1], q[2], q[3]};
+    }
+};
+
+Eigen::Quaterniond turnAboutAxis(const JsonReader& reader) {
     const Eigen::Vector3d axis = reader.member("axis").vector();
     const double degrees = reader.member("degrees").number();
     if (degrees == 0) return Eigen::Quaterniond::Identity();
@@ -27,21 +28,19 @@ Eigen::Quaterniond orientationFromJson(const JsonReader& reader) {
 
 } // namespace
 
-Json vectorToJson(const Eigen::Vector3d& vector) {
-    return {vector.x(), vector.y(), vector.z()};
+nlohmann::ordered_json toJson(const Ellipsoid& ellipsoid) {
+    return writtenFields(ellipsoid, EllipsoidForms());
 }
 
-Json toJson(const Ellipsoid& ellipsoid) {
-    const Eigen::Quaterniond& q = ellipsoid.orientation;
-    return {{"centre", vectorToJson(ellipsoid.centre)},
-            {"radii", vectorToJson(ellipsoid.radii)},
-            {"orientation", {q.w(), q.x(), q.y(), q.z()}}};
-}
-
-Ellipsoid ellipsoidFromJson(const JsonReader& reader) {
+void fromJson(const JsonReader& reader, Ellipsoid& ellipsoid) {
     reader.allowOnly({"centre", "radii", "axis", "degrees", "orientation"});
-    if (!reader.json().is_object()) return {};
-    return {reader.member("centre").vector(), reader.member("radii").vector(), orientationFromJson(reader)};
+    if (!reader.json().is_object()) return;
+    readFields(reader, ellipsoid, EllipsoidForms());
+    if (!reader.has("axis") && !reader.has("degrees")) return;
+    if (reader.has("orientation"))
+        reader.addProblem("has an orientation and axis with degrees too; leave one out");
+    else
+        ellipsoid.orientation = turnAboutAxis(reader);
 }
 
 } // namespace esm

@@ -4,8 +4,6 @@
 
 namespace esm {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
 bool joinsByAndAlone(const FuzzyCondition& condition) {
@@ -41,19 +39,6 @@ int versionOf(const VersionNeeds& needs) {
     if (needs.extendedInference) return 4;
     if (needs.stiffening) return 3;
     return needs.binding ? 2 : 1;
-}
-
-Json toJson(const BaseTissue& base) {
-    Json json{{"springConstant", base.springConstant}, {"viscosity", base.viscosity}, {"mass", base.mass}};
-    if (base.stiffening) json["stiffening"] = toJson(*base.stiffening);
-    return json;
-}
-
-BaseTissue baseTissueFromJson(const JsonReader& reader) {
-    BaseTissue base{reader.member("springConstant").number(), reader.member("viscosity").number(),
-                    reader.member("mass").number()};
-    if (reader.has("stiffening")) base.stiffening = stiffeningFromJson(reader.member("stiffening"));
-    return base;
 }
 
 } // namespace esm

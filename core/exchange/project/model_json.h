@@ -26,7 +26,4 @@ VersionNeeds needsOf(const std::vector<Region>& regions, bool binding, bool stif
 /// The oldest that has all of it, so that older programs go on reading all that they understand.
 int versionOf(const VersionNeeds& needs);
 
-nlohmann::ordered_json toJson(const BaseTissue& base);
-BaseTissue baseTissueFromJson(const JsonReader& reader);
-
 } // namespace esm

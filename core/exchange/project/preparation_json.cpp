@@ -1,8 +1,8 @@
 #include "core/exchange/project/preparation_json.h"
 
+#include "core/exchange/fields_json.h"
 #include "core/support/errors.h"
 #include "core/support/file_io.h"
-#include "core/texture/texture_limits.h"
 
 #include <algorithm>
 
@@ -12,143 +12,67 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-RoundField fieldFromJson(const JsonReader& reader) {
-    const std::vector<double> centre = reader.member("centre").numbers(2);
-    const double radius = reader.member("radius").number();
-    if (centre.size() != 2) return {};
-    return {centre[0], centre[1], radius, reader.member("trim").number()};
+/// Of pinholes and of fisheyes OpenCV knows so many.
+std::size_t coefficientsOf(LensKind kind) {
+    return kind == LensKind::Fisheye ? 4 : 5;
 }
 
-ColourGains gainsFromJson(const JsonReader& reader) {
-    const std::vector<double> gains = reader.numbers(3);
-    if (gains.size() != 3) return {1, 1, 1};
-    return {gains[0], gains[1], gains[2]};
+Json lensToJson(const Lens& lens) {
+    Json json{{"kind", wordOf(lens.kind)}};
+    json.update(writtenFields(lens.camera));
+    for (std::size_t i = 0; i < coefficientsOf(lens.kind); ++i)
+        json["coefficients"].push_back(lens.coefficients[i]);
+    return json;
 }
 
 Lens lensFromJson(const JsonReader& reader) {
     reader.allowOnly({"kind", "fx", "fy", "cx", "cy", "coefficients"});
     Lens lens;
     if (!reader.json().is_object()) return lens;
-    const JsonReader kind = reader.member("kind");
-    if (kind.json() == "fisheye")
-        lens.kind = LensKind::Fisheye;
-    else if (kind.json() != "pinhole" && !kind.json().is_null())
-        kind.addProblem("must be \"pinhole\" or \"fisheye\"");
-    lens.camera.fx = reader.member("fx").number();
-    lens.camera.fy = reader.member("fy").number();
-    lens.camera.cx = reader.member("cx").number();
-    lens.camera.cy = reader.member("cy").number();
-    const std::size_t count = lens.kind == LensKind::Fisheye ? 4 : 5;
-    const std::vector<double> coefficients = reader.member("coefficients").numbers(count);
-    for (std::size_t i = 0; i < coefficients.size() && i < count; ++i)
-        lens.coefficients[i] = coefficients[i];
+    fromJson(reader.member("kind"), lens.kind);
+    readFields(reader, lens.camera);
+    const std::vector<double> coefficients = reader.member("coefficients").numbers(coefficientsOf(lens.kind));
+    std::copy(coefficients.begin(), coefficients.end(), lens.coefficients.begin());
     return lens;
 }
 
-Json toJson(const Lens& lens) {
-    const bool isFisheye = lens.kind == LensKind::Fisheye;
-    Json coefficients = Json::array();
-    for (std::size_t i = 0; i < (isFisheye ? 4 : 5); ++i)
-        coefficients.push_back(lens.coefficients[i]);
-    return {{"kind", isFisheye ? "fisheye" : "pinhole"},
-            {"fx", lens.camera.fx},
-            {"fy", lens.camera.fy},
-            {"cx", lens.camera.cx},
-            {"cy", lens.camera.cy},
-            {"coefficients", std::move(coefficients)}};
-}
-
-std::vector<PhotoStroke> strokesFromJson(const JsonReader& reader) {
-    std::vector<PhotoStroke> strokes;
-    for (const JsonReader& element : reader.elements()) {
-        PhotoStroke stroke;
-        const JsonReader path = element.member("path");
-        const std::vector<double> numbers = path.numbers(path.json().size());
-        if (numbers.empty() || numbers.size() % 2 != 0)
-            path.addProblem("must have an x and a y for each place");
-        for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
-            stroke.path.emplace_back(numbers[i], numbers[i + 1]);
-        stroke.radius = element.member("radius").number();
-        stroke.softness = element.member("softness").number();
-        stroke.takesBack = element.member("takesBack").flag();
-        strokes.push_back(std::move(stroke));
+struct PreparationForms {
+    Json write(const RoundField& field) const {
+        return {{"centre", {field.centreX, field.centreY}}, {"radius", field.radius}, {"trim", field.trim}};
     }
-    return strokes;
-}
+    void read(const JsonReader& reader, RoundField& field) const {
+        const std::vector<double> centre = reader.member("centre").numbers(2);
+        field = {centre[0], centre[1], reader.member("radius").number(), reader.member("trim").number()};
+    }
 
-Json toJson(const std::vector<PhotoStroke>& strokes) {
-    Json list = Json::array();
-    for (const PhotoStroke& stroke : strokes) {
-        Json path = Json::array();
-        for (const Eigen::Vector2d& place : stroke.path) {
-            path.push_back(place.x());
-            path.push_back(place.y());
+    Json write(const std::vector<Eigen::Vector2d>& path) const {
+        Json json = Json::array();
+        for (const Eigen::Vector2d& place : path) {
+            json.push_back(place.x());
+            json.push_back(place.y());
         }
-        list.push_back({{"path", std::move(path)},
-                        {"radius", stroke.radius},
-                        {"softness", stroke.softness},
-                        {"takesBack", stroke.takesBack}});
+        return json;
     }
-    return list;
-}
+    void read(const JsonReader& reader, std::vector<Eigen::Vector2d>& path) const {
+        const std::vector<double> numbers = reader.numbers(reader.json().size());
+        if (numbers.empty() || numbers.size() % 2 != 0)
+            reader.addProblem("must have an x and a y for each place");
+        for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+            path.emplace_back(numbers[i], numbers[i + 1]);
+    }
 
-ColourMatch matchFromJson(const JsonReader& reader) {
-    ColourMatch match;
-    const auto read = [&](const char* key, std::array<double, 3>& values) {
-        const std::vector<double> numbers = reader.member(key).numbers(3);
-        if (numbers.size() == 3) std::copy(numbers.begin(), numbers.end(), values.begin());
-    };
-    read("scale", match.scale);
-    read("offset", match.offset);
-    return match;
-}
-
-PhotoCrop cropFromJson(const JsonReader& reader) {
-    PhotoCrop crop;
-    const auto pixels = [&](const char* key) {
-        return static_cast<int>(reader.member(key).integer(0, texture_limits::mostPhotoPixels));
-    };
-    crop.x = pixels("x");
-    crop.y = pixels("y");
-    crop.width = pixels("width");
-    crop.height = pixels("height");
-    return crop;
-}
-
-Json toJson(const PhotoCrop& crop) {
-    return {{"x", crop.x}, {"y", crop.y}, {"width", crop.width}, {"height", crop.height}};
-}
+    Json write(const Lens& lens) const { return lensToJson(lens); }
+    void read(const JsonReader& reader, Lens& lens) const { lens = lensFromJson(reader); }
+};
 
 } // namespace
 
-PhotoPreparation preparationFromJson(const JsonReader& reader) {
-    PhotoPreparation preparation;
-    if (reader.has("roundField")) preparation.field = fieldFromJson(reader.member("roundField"));
-    if (reader.has("strokes")) preparation.strokes = strokesFromJson(reader.member("strokes"));
-    if (reader.has("highlights"))
-        preparation.highlightThreshold = static_cast<int>(reader.member("highlights").integer(1, 255));
-    if (reader.has("evenLight")) preparation.evenLight = reader.member("evenLight").number();
-    if (reader.has("whiteBalance")) preparation.whiteBalance = gainsFromJson(reader.member("whiteBalance"));
-    if (reader.has("colourMatch")) preparation.match = matchFromJson(reader.member("colourMatch"));
-    if (reader.has("lens")) preparation.lens = lensFromJson(reader.member("lens"));
-    if (reader.has("crop")) preparation.crop = cropFromJson(reader.member("crop"));
-    return preparation;
+void fromJson(const JsonReader& reader, PhotoPreparation& preparation) {
+    readFields(reader, preparation, PreparationForms());
 }
 
 Json toJson(const PhotoPreparation& preparation) {
-    Json json = Json::object();
-    if (const auto& field = preparation.field)
-        json["roundField"] = {
-            {"centre", {field->centreX, field->centreY}}, {"radius", field->radius}, {"trim", field->trim}};
-    if (!preparation.strokes.empty()) json["strokes"] = toJson(preparation.strokes);
-    if (preparation.highlightThreshold) json["highlights"] = *preparation.highlightThreshold;
-    if (preparation.evenLight != 0) json["evenLight"] = preparation.evenLight;
-    if (preparation.whiteBalance) json["whiteBalance"] = *preparation.whiteBalance;
-    if (preparation.match)
-        json["colourMatch"] = {{"scale", preparation.match->scale}, {"offset", preparation.match->offset}};
-    if (preparation.lens) json["lens"] = toJson(*preparation.lens);
-    if (preparation.crop) json["crop"] = toJson(*preparation.crop);
-    return json;
+    return writtenFields(preparation, PreparationForms());
 }
 
 Lens readLensFile(const std::filesystem::path& file) {
@@ -163,7 +87,7 @@ Lens readLensFile(const std::filesystem::path& file) {
 }
 
 void writeLensFile(const Lens& lens, const std::filesystem::path& file) {
-    writeFileAtomically(file, toJson(lens).dump(2) + '\n');
+    writeFileAtomically(file, lensToJson(lens).dump(2) + '\n');
 }
 
 } // namespace esm

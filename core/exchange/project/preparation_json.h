@@ -9,7 +9,7 @@ namespace esm {
 
 /// A photo's preparation as `docs/project-file.md` describes it. Its numbers are finite, and no more is
 /// checked: `validate()` does.
-PhotoPreparation preparationFromJson(const JsonReader& reader);
+void fromJson(const JsonReader& reader, PhotoPreparation& preparation);
 nlohmann::ordered_json toJson(const PhotoPreparation& preparation);
 
 /// A lens in the form that it has in a preparation. @throws FileError

@@ -1,10 +1,6 @@
 #pragma once
 
-#include "core/geometry/repair.h"
-
-#include <array>
 #include <cstdint>
-#include <utility>
 
 /// What writing and reading of the project file agree on; described in `docs/project-file.md`.
 namespace esm::project_layout {
@@ -25,30 +21,12 @@ constexpr const char* atlasCorners = "atlas/corners.f64";
 constexpr const char* atlasPages = "atlas/pages.u32";
 constexpr const char* brushPoints = "painting/points.f64";
 
-/// Texels per metre that are asked for. In the texture's settings and beside what a packed atlas achieved,
-/// whose key has always been the shorter one.
-constexpr const char* askedOfTexture = "texelsPerMetre";
+/// Texels per metre that were asked for, beside what a packed atlas achieved, whose key has always been the
+/// shorter one.
 constexpr const char* askedOfAtlas = "askedTexelsPerMetre";
 
 /// Bytes after decompression; what claims more is refused instead of filling the memory.
 constexpr std::uint64_t largestManifest = std::uint64_t{64} << 20;
 constexpr std::uint64_t largestProject = std::uint64_t{2} << 30;
-
-using ReportCount = std::pair<const char*, std::size_t RepairReport::*>;
-constexpr std::array<ReportCount, 13> reportCounts{{
-    {"mergedVertices", &RepairReport::mergedVertices},
-    {"splitPolygons", &RepairReport::splitPolygons},
-    {"degenerateTriangles", &RepairReport::degenerateTriangles},
-    {"duplicateTriangles", &RepairReport::duplicateTriangles},
-    {"unusedVertices", &RepairReport::unusedVertices},
-    {"flippedTriangles", &RepairReport::flippedTriangles},
-    {"droppedParts", &RepairReport::droppedParts},
-    {"components", &RepairReport::components},
-    {"boundaryEdgesBefore", &RepairReport::boundaryEdgesBefore},
-    {"nonManifoldEdgesBefore", &RepairReport::nonManifoldEdgesBefore},
-    {"boundaryEdges", &RepairReport::boundaryEdges},
-    {"nonManifoldEdges", &RepairReport::nonManifoldEdges},
-    {"inconsistentEdges", &RepairReport::inconsistentEdges},
-}};
 
 } // namespace esm::project_layout

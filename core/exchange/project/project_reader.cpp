@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace esm {
 
@@ -64,7 +65,7 @@ public:
 
     /// Prepares a layer's photo, where the picture has room beside the other ones.
     void prepare(const JsonReader& reader, TextureLayer& layer) {
-        const PhotoPreparation preparation = preparationFromJson(reader);
+        const PhotoPreparation preparation = std::exchange(layer.preparation, {});
         if (!layer.photo || preparation.isNothing()) return;
         try {
             takePixels(layer.photo->image.pixels.size() / 4, layer.photo->fileName);
@@ -171,28 +172,17 @@ std::shared_ptr<const SpringNetwork> readNetwork(const JsonReader& arrays, Sourc
 }
 
 /// Rows are all there was before files said so.
-AtlasLayout atlasLayoutFromJson(const JsonReader& reader) {
-    if (!reader.has("layout")) return AtlasLayout::Rows;
-    const JsonReader named = reader.member("layout");
-    const auto layout = layoutFromName(named.text());
-    if (named.json().is_string() && !layout)
-        named.addProblem("should be rows, matched_rows or unfolded_groups");
-    return layout.value_or(AtlasLayout::Rows);
-}
-
-/// Bounded so that the numbers fit; what they come to together is checked with the whole project.
-AtlasOptions atlasOptionsFromJson(const JsonReader& reader, const char* askedKey) {
-    return {static_cast<int>(reader.member("size").integer(1, texture_limits::largestPageSize)),
-            static_cast<int>(reader.member("pages").integer(1, texture_limits::mostPages)),
-            static_cast<int>(reader.member("gap").integer(0, texture_limits::largestPageSize)),
-            atlasLayoutFromJson(reader), reader.has(askedKey) ? reader.member(askedKey).number() : 0};
+template<class Table> AtlasOptions readOptions(const JsonReader& reader, const Table& table) {
+    AtlasOptions options;
+    options.layout = AtlasLayout::Rows;
+    readFields(reader, options, PlainForms(), table);
+    return options;
 }
 
 std::shared_ptr<const Atlas> readAtlas(const JsonReader& reader, const JsonReader& arrays, Source& source) {
     auto atlas = std::make_shared<Atlas>();
-    atlas->options = atlasOptionsFromJson(reader, layout::askedOfAtlas);
-    atlas->texelsPerMetre = reader.member("texelsPerMetre").number();
-    atlas->utilisation = reader.member("utilisation").number();
+    atlas->options = readOptions(reader, atlasFields(layout::askedOfAtlas));
+    readFields(reader, *atlas);
     const std::vector<double> c = source.numbers(arrays, layout::atlasCorners, 6);
     for (std::size_t i = 0; i < c.size(); i += 6)
         atlas->corners.push_back(
@@ -201,14 +191,6 @@ std::shared_ptr<const Atlas> readAtlas(const JsonReader& reader, const JsonReade
     for (const std::uint32_t page : source.indices(arrays, layout::atlasPages, 1, pages))
         atlas->page.push_back(static_cast<std::uint16_t>(page));
     return atlas;
-}
-
-std::shared_ptr<const RepairReport> reportFromJson(const JsonReader& reader) {
-    auto report = std::make_shared<RepairReport>();
-    for (const auto& [key, count] : layout::reportCounts)
-        (*report).*count = reader.member(key).count();
-    report->warnings = reader.member("warnings").texts();
-    return report;
 }
 
 Scene readScene(const JsonReader& reader) {
@@ -236,31 +218,24 @@ std::shared_ptr<const Photo> readPhotoFile(const JsonReader& reader, Source& sou
 
 using PhotoFiles = std::vector<std::shared_ptr<const Photo>>;
 
-std::shared_ptr<const Photo> photoOf(const JsonReader& layer, const PhotoFiles& files) {
-    const std::size_t place = layer.member("file").count();
-    if (place < files.size()) return files[place];
-    layer.addProblem("names photo file " + std::to_string(place) + ", but there are " +
-                     std::to_string(files.size()));
-    return nullptr;
-}
+/// What of layers stands elsewhere in the file.
+struct LayerReading {
+    const PhotoFiles& files;
+    const std::vector<double>& brushPoints;
+    std::size_t& nextPoint;
 
-/// Hiding what lies beneath is all there was before files said so.
-Blending blendingFromJson(const JsonReader& layer) {
-    if (!layer.has("blending")) return Blending::Normal;
-    const JsonReader named = layer.member("blending");
-    const auto blending = blendingFromName(named.text());
-    if (named.json().is_string() && !blending) named.addProblem("should be normal, multiply or multi-band");
-    return blending.value_or(Blending::Normal);
-}
-
-std::vector<LandmarkPair> readLandmarks(const JsonReader& reader) {
-    std::vector<LandmarkPair> landmarks;
-    for (const JsonReader& pair : reader.elements()) {
-        const std::vector<double> photo = pair.member("photo").numbers(2);
-        if (photo.size() == 2) landmarks.push_back({{photo[0], photo[1]}, pair.member("organ").vector()});
+    void read(const JsonReader& reader, std::shared_ptr<const Photo>& photo) const {
+        const std::size_t place = reader.count();
+        if (place < files.size())
+            photo = files[place];
+        else
+            reader.addProblem("names photo file " + std::to_string(place) + ", but there are " +
+                              std::to_string(files.size()));
     }
-    return landmarks;
-}
+    void read(const JsonReader& reader, BrushStrokes& strokes) const {
+        strokes = strokesFromJson(reader, brushPoints, nextPoint);
+    }
+};
 
 std::vector<TextureLayer> readLayers(const JsonReader& reader, const JsonReader& arrays, Source& source) {
     PhotoFiles files;
@@ -272,18 +247,8 @@ std::vector<TextureLayer> readLayers(const JsonReader& reader, const JsonReader&
     std::size_t nextPoint = 0;
     std::vector<TextureLayer> layers;
     for (const JsonReader& json : reader.member("layers").elements()) {
-        TextureLayer layer;
-        layer.name = json.member("name").text();
-        if (json.has("file")) layer.photo = photoOf(json, files);
-        layer.projector = projectorFromJson(json.member("projector"));
-        layer.blendPixels = json.member("blendPixels").number();
-        layer.opacity = json.member("opacity").number();
-        layer.visible = json.member("visible").flag();
-        if (json.has("preparation")) source.prepare(json.member("preparation"), layer);
-        layer.blending = blendingFromJson(json);
-        if (json.has("strokes")) layer.strokes = strokesFromJson(json.member("strokes"), points, nextPoint);
-        if (json.has("landmarks")) layer.landmarks = readLandmarks(json.member("landmarks"));
-        layers.push_back(std::move(layer));
+        layers.push_back(valueFrom<TextureLayer>(json, LayerReading{files, points, nextPoint}));
+        if (json.has("preparation")) source.prepare(json.member("preparation"), layers.back());
     }
     return layers;
 }
@@ -294,14 +259,15 @@ Project readContent(const JsonReader& manifest, Source& source) {
     project.name = manifest.member("name").text();
     project.mesh = readMesh(arrays, source);
     project.network = readNetwork(arrays, source);
-    project.importReport = reportFromJson(manifest.member("importReport"));
-    project.base = baseTissueFromJson(manifest.member("base"));
+    project.importReport =
+        std::make_shared<const RepairReport>(valueFrom<RepairReport>(manifest.member("importReport")));
+    project.base = valueFrom<BaseTissue>(manifest.member("base"));
     project.regions = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
     project.scene = readScene(manifest.member("scene"));
     if (manifest.has("stepping")) project.stepping = steppingFromJson(manifest.member("stepping"));
     project.layers = readLayers(manifest.member("photos"), arrays, source);
-    project.texture.atlas = atlasOptionsFromJson(manifest.member("texture"), layout::askedOfTexture);
-    project.texture.baseColour = colourFromJson(manifest.member("texture").member("baseColour"));
+    project.texture.atlas = readOptions(manifest.member("texture"), fieldsOf<AtlasOptions>);
+    readFields(manifest.member("texture"), project.texture);
     if (manifest.has("atlas")) project.atlas = readAtlas(manifest.member("atlas"), arrays, source);
     numberParts(project);
     return project;

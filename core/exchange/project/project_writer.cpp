@@ -66,15 +66,6 @@ void addBinding(const Binding& binding, Content& content) {
     content.add(layout::bindingLines, numbers.lines);
 }
 
-Json toJson(const AtlasOptions& options, const char* askedKey) {
-    Json json{{"size", options.size},
-              {"pages", options.pages},
-              {"gap", options.gap},
-              {"layout", layoutName(options.layout)}};
-    if (options.texelsPerMetre > 0) json[askedKey] = options.texelsPerMetre;
-    return json;
-}
-
 Json addAtlas(const Atlas& atlas, Content& content) {
     std::vector<double> corners;
     for (const auto& triangle : atlas.corners)
@@ -82,9 +73,8 @@ Json addAtlas(const Atlas& atlas, Content& content) {
             corners.insert(corners.end(), {corner.x(), corner.y()});
     content.add(layout::atlasCorners, corners);
     content.add(layout::atlasPages, std::vector<std::uint32_t>(atlas.page.begin(), atlas.page.end()));
-    Json json = toJson(atlas.options, layout::askedOfAtlas);
-    json["texelsPerMetre"] = atlas.texelsPerMetre;
-    json["utilisation"] = atlas.utilisation;
+    Json json = writtenFields(atlas.options, PlainForms(), atlasFields(layout::askedOfAtlas));
+    json.update(writtenFields(atlas));
     return json;
 }
 
@@ -97,56 +87,39 @@ std::string entryOfPhoto(std::size_t number, const std::string& fileName) {
     return "photos/" + std::to_string(number) + (plain ? ending : "");
 }
 
-/// The place of a photo's file, added where it is not there yet: layers may share one.
-std::size_t addPhotoFile(const Photo& photo, Json& files, Content& content,
-                         std::vector<const Photo*>& added) {
-    const auto same = [&](const Photo* other) {
-        return other == &photo || (other->fileName == photo.fileName && other->encoded == photo.encoded);
-    };
-    const auto found = std::find_if(added.begin(), added.end(), same);
-    const auto place = static_cast<std::size_t>(found - added.begin());
-    if (found != added.end()) return place;
-    added.push_back(&photo);
-    const std::string entry = entryOfPhoto(place, photo.fileName);
-    files.push_back({{"entry", entry}, {"fileName", photo.fileName}, {"bytes", photo.encoded.size()}});
-    content.entries.push_back({entry, photo.encoded, false});
-    return place;
-}
+/// What of layers stands elsewhere in the file.
+struct LayerWriting {
+    Content& content;
+    Json& files;
+    std::vector<const Photo*>& added;
+    std::vector<double>& brushPoints;
 
-Json toJson(const std::vector<LandmarkPair>& landmarks) {
-    Json list = Json::array();
-    for (const auto& [photo, organ] : landmarks)
-        list.push_back({{"photo", {photo.x(), photo.y()}}, {"organ", {organ.x(), organ.y(), organ.z()}}});
-    return list;
-}
+    /// The place of a photo's file, added where it is not there yet: layers may share one.
+    Json write(const std::shared_ptr<const Photo>& photo) const {
+        const auto same = [&](const Photo* other) {
+            return other == photo.get() ||
+                   (other->fileName == photo->fileName && other->encoded == photo->encoded);
+        };
+        const auto found = std::find_if(added.begin(), added.end(), same);
+        const auto place = static_cast<std::size_t>(found - added.begin());
+        if (found != added.end()) return place;
+        added.push_back(photo.get());
+        const std::string entry = entryOfPhoto(place, photo->fileName);
+        files.push_back({{"entry", entry}, {"fileName", photo->fileName}, {"bytes", photo->encoded.size()}});
+        content.entries.push_back({entry, photo->encoded, false});
+        return place;
+    }
+
+    Json write(const BrushStrokes& strokes) const { return toJson(strokes, brushPoints); }
+};
 
 Json addPhotos(const std::vector<TextureLayer>& layers, Content& content) {
-    Json files = Json::array(), list = Json::array();
+    Json files = Json::array();
     std::vector<const Photo*> added;
     std::vector<double> points;
-    for (const TextureLayer& layer : layers) {
-        Json json{{"name", layer.name}};
-        if (layer.photo) json["file"] = addPhotoFile(*layer.photo, files, content, added);
-        json["projector"] = esm::toJson(layer.projector);
-        json["blendPixels"] = layer.blendPixels;
-        json["opacity"] = layer.opacity;
-        json["visible"] = layer.visible;
-        if (!layer.preparation.isNothing()) json["preparation"] = esm::toJson(layer.preparation);
-        if (layer.blending != Blending::Normal) json["blending"] = blendingName(layer.blending);
-        if (!layer.strokes.empty()) json["strokes"] = esm::toJson(layer.strokes, points);
-        if (!layer.landmarks.empty()) json["landmarks"] = toJson(layer.landmarks);
-        list.push_back(std::move(json));
-    }
+    Json list = written(layers, LayerWriting{content, files, added, points});
     if (!points.empty()) content.add(layout::brushPoints, points);
     return {{"files", std::move(files)}, {"layers", std::move(list)}};
-}
-
-Json toJson(const RepairReport& report) {
-    Json json = Json::object();
-    for (const auto& [key, count] : layout::reportCounts)
-        json[key] = report.*count;
-    json["warnings"] = report.warnings;
-    return json;
 }
 
 Json manifestOf(const Project& project, Content& content) {
@@ -154,20 +127,20 @@ Json manifestOf(const Project& project, Content& content) {
     addNetwork(*project.network, content);
     if (project.network->binding) addBinding(*project.network->binding, content);
     RegionsJson regions = toJson(project.regions);
-    Json texture = toJson(project.texture.atlas, layout::askedOfTexture);
-    texture["baseColour"] = colourToJson(project.texture.baseColour);
+    Json texture = writtenFields(project.texture.atlas);
+    texture.update(writtenFields(project.texture));
     Json manifest{{"format", layout::format},
                   {"version", projectVersionOf(project)},
                   {"program", ESM_VERSION},
                   {"name", project.name},
-                  {"importReport", toJson(*project.importReport)},
-                  {"base", esm::toJson(project.base)},
+                  {"importReport", writtenFields(*project.importReport)},
+                  {"base", writtenFields(project.base)},
                   {"fuzzySystems", std::move(regions.systems)},
                   {"regions", std::move(regions.regions)},
                   {"scene", toJson(project.scene)},
                   {"photos", addPhotos(project.layers, content)},
                   {"texture", std::move(texture)}};
-    if (project.stepping) manifest["stepping"] = esm::toJson(*project.stepping);
+    if (project.stepping) manifest["stepping"] = toJson(*project.stepping);
     if (project.atlas) manifest["atlas"] = addAtlas(*project.atlas, content);
     manifest["arrays"] = content.arrays;
     return manifest;
@@ -180,7 +153,7 @@ std::vector<std::string> problemsOf(const Project& project, const Json& manifest
         if (layer.photo && layer.photo->encoded.empty())
             problems.push_back("the photo " + layer.name + " has no file");
         try {
-            projectorFromJson(esm::toJson(layer.projector));
+            projectorFromJson(toJson(layer.projector));
         } catch (const InvalidModel& error) {
             problems.push_back("the projector of the photo " + layer.name + ": " + error.what());
         }

@@ -20,7 +20,4 @@ RegionsJson toJson(const std::vector<Region>& regions);
 /// Regions that name the same system share it.
 std::vector<Region> regionsFromJson(const JsonReader& systems, const JsonReader& regions);
 
-nlohmann::ordered_json colourToJson(const std::array<std::uint8_t, 3>& colour);
-std::array<std::uint8_t, 3> colourFromJson(const JsonReader& reader);
-
 } // namespace esm

@@ -29,21 +29,27 @@ Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& turn) {
 
 } // namespace
 
-Eigen::Isometry3d rigidPoseFromJson(const JsonReader& reader) {
+nlohmann::ordered_json toJson(const Pose& pose) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (int i = 0; i < 16; ++i)
+        json.push_back(pose.matrix()(i / 4, i % 4));
+    return json;
+}
+
+void fromJson(const JsonReader& reader, Pose& pose) {
     const std::vector<double> numbers = reader.numbers(16);
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    if (!reader.json().is_array() || reader.json().size() != numbers.size()) return pose;
+    pose = Pose::Identity();
+    if (!reader.json().is_array() || reader.json().size() != numbers.size()) return;
     const Eigen::Matrix4d matrix =
         Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
     if (!isNearlyRigid(matrix)) {
         reader.addProblem(
             "must be a rotation and a shift, without scaling, shearing or mirroring and with 0 0 0 1 "
             "as its last row");
-        return pose;
+        return;
     }
     pose.matrix() = matrix;
     if (deviationFromRigid(pose.linear()) > poseRounding) pose.linear() = nearestRotation(pose.linear());
-    return pose;
 }
 
 } // namespace esm

@@ -13,58 +13,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::uint32_t nodeFromJson(const JsonReader& reader) {
-    return static_cast<std::uint32_t>(reader.integer(0, std::numeric_limits<std::uint32_t>::max()));
-}
-
-std::vector<std::uint32_t> nodesFromJson(const JsonReader& reader) {
-    std::vector<std::uint32_t> nodes;
-    for (const JsonReader& node : reader.elements())
-        nodes.push_back(nodeFromJson(node));
-    return nodes;
-}
-
-Path pathFromJson(const JsonReader& reader) {
-    Path path;
-    for (const JsonReader& point : reader.elements()) {
-        const std::vector<double> txyz = point.numbers(4);
-        path.push_back({txyz[0], {txyz[1], txyz[2], txyz[3]}});
-    }
-    return path;
-}
-
-NodeSelection selectionFromJson(const JsonReader& reader) {
-    reader.allowOnly({"nodes", "ellipsoid"});
-    NodeSelection selection;
-    if (!reader.json().is_object()) return selection;
-    if (!reader.has("nodes") && !reader.has("ellipsoid"))
-        reader.addProblem("must name nodes, an ellipsoid or both");
-    if (reader.has("nodes")) selection.nodes = nodesFromJson(reader.member("nodes"));
-    if (reader.has("ellipsoid")) selection.ellipsoid = ellipsoidFromJson(reader.member("ellipsoid"));
-    return selection;
-}
-
-TetherRule tetherFromJson(const JsonReader& reader) {
-    reader.allowOnly({"every", "spring_constant", "viscosity"});
-    if (!reader.json().is_object()) return {};
-    return {nodeFromJson(reader.member("every")), reader.member("spring_constant").number(),
-            reader.member("viscosity").number()};
-}
-
-NodeForce forceFromJson(const JsonReader& reader, double duration) {
-    reader.allowOnly({"node", "force", "from", "to"});
-    if (!reader.json().is_object()) return {0, Eigen::Vector3d::Zero(), 0, 0};
-    return {nodeFromJson(reader.member("node")), reader.member("force").vector(),
-            reader.has("from") ? reader.member("from").number() : 0,
-            reader.has("to") ? reader.member("to").number() : duration};
-}
-
-NodeMove moveFromJson(const JsonReader& reader) {
-    reader.allowOnly({"node", "path"});
-    if (!reader.json().is_object()) return {};
-    return {nodeFromJson(reader.member("node")), pathFromJson(reader.member("path"))};
-}
-
 Collider colliderFromJson(const JsonReader& reader) {
     const JsonReader shape = reader.member("shape");
     const Json& named = shape.json();
@@ -123,87 +71,70 @@ InstrumentMotion instrumentFromJson(const JsonReader& reader) {
     return instrument;
 }
 
-Recording recordingFromJson(const JsonReader& reader) {
-    reader.allowOnly({"every", "nodes"});
-    Recording record;
-    if (reader.has("every")) record.every = reader.member("every").number();
-    if (!reader.has("nodes") || reader.member("nodes").json() == "all") return record;
-    if (reader.member("nodes").json().is_string())
-        reader.member("nodes").addProblem("must be \"all\" or a list of nodes");
-    else
-        record.nodes = nodesFromJson(reader.member("nodes"));
-    return record;
-}
+/// What stands in a scene otherwise than as a list of members.
+struct SceneForms : TypedForms {
+    Json write(const PathPoint& point) const {
+        return {point.time, point.value.x(), point.value.y(), point.value.z()};
+    }
+    void read(const JsonReader& reader, PathPoint& point) const {
+        const std::vector<double> txyz = reader.numbers(4);
+        point = {txyz[0], {txyz[1], txyz[2], txyz[3]}};
+    }
 
-template<class Entry, class Read>
-std::vector<Entry> list(const JsonReader& reader, const char* key, Read read) {
-    std::vector<Entry> entries;
-    if (reader.has(key))
-        for (const JsonReader& element : reader.member(key).elements())
-            entries.push_back(read(element));
-    return entries;
-}
+    void read(const JsonReader& reader, NodeSelection& selection) const {
+        readFields(reader, selection, *this);
+        if (reader.json().is_object() && !reader.has("nodes") && !reader.has("ellipsoid"))
+            reader.addProblem("must name nodes, an ellipsoid or both");
+    }
 
-Scene sceneFromMembers(const JsonReader& reader) {
-    Scene scene;
-    scene.duration = reader.member("duration").number();
-    if (reader.has("gravity")) scene.gravity = reader.member("gravity").vector();
-    scene.fixed = list<NodeSelection>(reader, "fixed", selectionFromJson);
-    scene.tethers = list<TetherRule>(reader, "tethers", tetherFromJson);
-    scene.forces = list<NodeForce>(
-        reader, "forces", [&](const JsonReader& force) { return forceFromJson(force, scene.duration); });
-    scene.moves = list<NodeMove>(reader, "moves", moveFromJson);
+    Json write(const std::optional<std::vector<std::uint32_t>>& nodes) const {
+        return nodes ? Json(*nodes) : Json("all");
+    }
+    void read(const JsonReader& reader, std::optional<std::vector<std::uint32_t>>& nodes) const {
+        if (reader.json() == "all") return;
+        if (reader.json().is_string())
+            reader.addProblem("must be \"all\" or a list of nodes");
+        else
+            readValue(reader, nodes.emplace(), *this);
+    }
+};
+
+/// Forces act as long as the scene lasts, unless they say otherwise.
+struct SceneReading : SceneForms {
+    const Scene& scene;
+
+    using SceneForms::read;
+    void read(const JsonReader& reader, NodeForce& force) const {
+        force.to = scene.duration;
+        readFields(reader, force, SceneForms());
+    }
+};
+
+void readInstruments(const JsonReader& reader, Scene& scene) {
     if (reader.has("instrument") && reader.has("instruments"))
         reader.member("instrument").addProblem("and instruments are there; put all into instruments");
     if (reader.has("instrument"))
         scene.instruments = {instrumentFromJson(reader.member("instrument"))};
-    else
-        scene.instruments = list<InstrumentMotion>(reader, "instruments", instrumentFromJson);
-    if (reader.has("record")) scene.record = recordingFromJson(reader.member("record"));
-    return scene;
+    else if (reader.has("instruments"))
+        for (const JsonReader& instrument : reader.member("instruments").elements())
+            scene.instruments.push_back(instrumentFromJson(instrument));
 }
 
 /// A value that could not be read stands in the scene as a harmless default, of which nothing more is said.
 bool speaksOfUnread(const std::string& problem, const std::vector<std::string>& unread) {
-    const std::string place = problem.substr(0, problem.find(": "));
+    const std::string place = problem.substr(0, problem.find_first_of(": "));
     return std::any_of(unread.begin(), unread.end(),
                        [&](const std::string& text) { return text.compare(0, place.size(), place) == 0; });
 }
 
-Json toJson(const Path& path) {
-    Json json = Json::array();
-    for (const PathPoint& point : path)
-        json.push_back({point.time, point.value.x(), point.value.y(), point.value.z()});
-    return json;
-}
-
-Json toJson(const NodeSelection& selection) {
-    Json json{{"nodes", selection.nodes}};
-    if (selection.ellipsoid) json["ellipsoid"] = toJson(*selection.ellipsoid);
-    return json;
-}
-
-Json toJson(const TetherRule& rule) {
-    return {{"every", rule.every}, {"spring_constant", rule.springConstant}, {"viscosity", rule.viscosity}};
-}
-
-Json toJson(const NodeForce& force) {
-    return {
-        {"node", force.node}, {"force", vectorToJson(force.force)}, {"from", force.from}, {"to", force.to}};
-}
-
-Json toJson(const NodeMove& move) {
-    return {{"node", move.node}, {"path", toJson(move.path)}};
-}
-
-Json toJson(const InstrumentMotion& instrument) {
+Json instrumentToJson(const InstrumentMotion& instrument) {
     const auto* capsule = std::get_if<Capsule>(&instrument.shape);
     Json json = Json::object();
     if (!instrument.name.empty()) json["name"] = instrument.name;
     json["shape"] = capsule ? "capsule" : "sphere";
     json["radius"] = radiusOf(instrument.shape);
     if (capsule) json["length"] = capsule->length;
-    json["path"] = toJson(instrument.path);
+    json["path"] = written(instrument.path, SceneForms());
     for (std::size_t i = 0; i < instrument.orientations.size(); ++i)
         for (const double number : {instrument.orientations[i].w(), instrument.orientations[i].x(),
                                     instrument.orientations[i].y(), instrument.orientations[i].z()})
@@ -211,20 +142,18 @@ Json toJson(const InstrumentMotion& instrument) {
     return json;
 }
 
-template<class Entry> void addList(Json& json, const char* key, const std::vector<Entry>& entries) {
-    for (const Entry& entry : entries)
-        json[key].push_back(toJson(entry));
-}
-
 } // namespace
 
 Scene sceneFromJson(const Json& json) {
     std::vector<std::string> problems;
     const JsonReader reader(json, "", problems);
-    reader.allowOnly({"duration", "gravity", "fixed", "tethers", "forces", "moves", "instrument",
-                      "instruments", "record"});
+    std::vector<std::string> keys = keysOf(fieldsOf<Scene>);
+    keys.insert(keys.end(), {"instrument", "instruments"});
+    reader.allowOnly(keys);
     if (!json.is_object()) throw InvalidModel(problems);
-    Scene scene = sceneFromMembers(reader);
+    Scene scene;
+    readMembers(reader, scene, SceneReading{{}, scene}, fieldsOf<Scene>);
+    readInstruments(reader, scene);
 
     const std::vector<std::string> unread = problems;
     for (const std::string& problem : validate(scene, std::numeric_limits<std::size_t>::max()))
@@ -234,17 +163,15 @@ Scene sceneFromJson(const Json& json) {
 }
 
 Json toJson(const Scene& scene) {
-    Json json{{"duration", scene.duration}, {"gravity", vectorToJson(scene.gravity)}};
-    addList(json, "fixed", scene.fixed);
-    addList(json, "tethers", scene.tethers);
-    addList(json, "forces", scene.forces);
-    addList(json, "moves", scene.moves);
+    Json json = writtenFields(scene, SceneForms());
+    Json record = std::move(json["record"]);
+    json.erase("record"); // it always was the last
     if (!hasPlainInstrument(scene))
-        addList(json, "instruments", scene.instruments);
+        for (const InstrumentMotion& instrument : scene.instruments)
+            json["instruments"].push_back(instrumentToJson(instrument));
     else if (!scene.instruments.empty())
-        json["instrument"] = toJson(scene.instruments.front());
-    json["record"]["every"] = scene.record.every;
-    json["record"]["nodes"] = scene.record.nodes ? Json(*scene.record.nodes) : Json("all");
+        json["instrument"] = instrumentToJson(scene.instruments.front());
+    json["record"] = std::move(record);
     return json;
 }
 

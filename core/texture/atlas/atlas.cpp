@@ -187,24 +187,6 @@ void checkOptions(AtlasOptions options) {
 
 } // namespace
 
-const char* layoutName(AtlasLayout layout) {
-    switch (layout) {
-    case AtlasLayout::Rows:
-        return "rows";
-    case AtlasLayout::MatchedRows:
-        return "matched_rows";
-    case AtlasLayout::UnfoldedGroups:
-        break;
-    }
-    return "unfolded_groups";
-}
-
-std::optional<AtlasLayout> layoutFromName(const std::string& name) {
-    for (const AtlasLayout layout : atlasLayouts)
-        if (name == layoutName(layout)) return layout;
-    return std::nullopt;
-}
-
 Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options) {
     checkOptions(options);
     const Shapes shapes = shapesOf(mesh);

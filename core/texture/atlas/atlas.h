@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/support/fields.h"
+#include "core/texture/texture_limits.h"
 
 #include <array>
 #include <optional>
@@ -17,10 +19,10 @@ enum class AtlasLayout {
 };
 constexpr std::array<AtlasLayout, 3> atlasLayouts{AtlasLayout::Rows, AtlasLayout::MatchedRows,
                                                   AtlasLayout::UnfoldedGroups};
-
-/// "rows", "matched_rows", "unfolded_groups"
-const char* layoutName(AtlasLayout layout);
-std::optional<AtlasLayout> layoutFromName(const std::string& name);
+template<>
+inline constexpr auto wordsOf<AtlasLayout> =
+    std::array{Word{AtlasLayout::Rows, "rows"}, Word{AtlasLayout::MatchedRows, "matched_rows"},
+               Word{AtlasLayout::UnfoldedGroups, "unfolded_groups"}};
 
 struct AtlasOptions {
     int size = 2048; ///< pixels, width and height of a page
@@ -32,6 +34,20 @@ struct AtlasOptions {
 
     bool operator==(const AtlasOptions&) const = default;
 };
+/// @param askedKey of the texels per metre that are asked for: a packed atlas has what it achieved under the
+/// usual one
+constexpr auto atlasFields(const char* askedKey) {
+    using namespace texture_limits;
+    return std::tuple{
+        field("size", &AtlasOptions::size, Limits<int>{"the texture's size", 1, largestPageSize, "pixels"}),
+        field("pages", &AtlasOptions::pages, Limits<int>{"the number of pages", 1, mostPages}),
+        field("gap", &AtlasOptions::gap, Limits<int>{"the gap", 0, largestPageSize, "pixels"}),
+        field("layout", &AtlasOptions::layout).mayBeAbsent(),
+        field(askedKey, &AtlasOptions::texelsPerMetre,
+              Limits<double>{"the texels per metre that are asked for", 0, mostTexelsPerMetre})
+            .whenSet()};
+}
+template<> inline constexpr auto fieldsOf<AtlasOptions> = atlasFields("texelsPerMetre");
 
 /// Where every triangle lies in texture space: similar to its 3-D shape, one scale for all [R 4.3.2], in a
 /// patch of its own or, in unfolded groups, in one with neighbours whose edges it shares there too. A
@@ -44,6 +60,10 @@ struct Atlas {
         corners;                     ///< per triangle, pixels from the page's top left corner
     std::vector<std::uint16_t> page; ///< per triangle
 };
+/// What was achieved. Files have it beside the options; the lists have entries of their own.
+template<>
+inline constexpr auto fieldsOf<Atlas> =
+    std::tuple{field("texelsPerMetre", &Atlas::texelsPerMetre), field("utilisation", &Atlas::utilisation)};
 
 /// As large as the pages allow, or as large as asked for. @throws InvalidModel when size, pages or gap cannot
 /// hold the mesh, naming the smallest size that can

@@ -1,7 +1,5 @@
 #include "core/texture/layers/brush_stroke.h"
 
-#include "core/texture/texture_limits.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -19,29 +17,14 @@ double fractionNearest(const Eigen::Vector3d& fromStart, const Eigen::Vector3d& 
     return squaredLength > 0 ? std::clamp(fromStart.dot(along) / squaredLength, 0.0, 1.0) : 0;
 }
 
-bool isShare(double value) {
-    return value >= 0 && value <= 1;
-}
-
 bool isSound(const BrushPoint& point) {
     return point.place.allFinite() && point.normal.allFinite() && !point.normal.isZero(0);
 }
 
 } // namespace
 
-const char* brushName(BrushKind kind) {
-    constexpr std::array<const char*, 4> names{"erase", "restore", "colour", "clone"};
-    return names[static_cast<std::size_t>(kind)];
-}
-
 std::vector<std::string> validate(const BrushStroke& stroke) {
-    std::vector<std::string> problems;
-    if (!(stroke.radius >= texture_limits::shortestPhoto && stroke.radius <= texture_limits::longestPhoto))
-        problems.emplace_back("the brush's radius must be from 1 micrometre to 1 kilometre");
-    if (!isShare(stroke.softness)) problems.emplace_back("the brush's softness must be from 0 to 1");
-    if (!isShare(stroke.strength)) problems.emplace_back("the brush's strength must be from 0 to 1");
-    if (!stroke.shift.allFinite())
-        problems.emplace_back("the way to the place that is cloned must be finite");
+    std::vector<std::string> problems = fieldProblems(stroke);
     if (stroke.path.empty()) problems.emplace_back("the path has no point");
     if (!std::all_of(stroke.path.begin(), stroke.path.end(), isSound))
         problems.emplace_back("the path has a point without a finite place or a direction");

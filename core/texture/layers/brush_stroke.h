@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/support/fields.h"
 #include "core/support/shared_values.h"
+#include "core/texture/texture_limits.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -21,11 +23,10 @@ enum class BrushKind {
     Clone,   ///< lays what lies beneath the layer at another place
 };
 
-inline constexpr std::array<BrushKind, 4> brushKinds{BrushKind::Erase, BrushKind::Restore, BrushKind::Colour,
-                                                     BrushKind::Clone};
-
-/// As files name it: `erase`, `restore`, `colour`, `clone`.
-const char* brushName(BrushKind kind);
+template<>
+inline constexpr auto wordsOf<BrushKind> =
+    std::array{Word{BrushKind::Erase, "erase"}, Word{BrushKind::Restore, "restore"},
+               Word{BrushKind::Colour, "colour"}, Word{BrushKind::Clone, "clone"}};
 
 /// Whether a brush lays colour instead of changing the layer's mask.
 inline bool laysColour(BrushKind kind) {
@@ -55,6 +56,20 @@ struct BrushStroke {
 
     bool operator==(const BrushStroke&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<BrushStroke> =
+    std::tuple{field("brush", &BrushStroke::kind),
+               field("radius", &BrushStroke::radius,
+                     Limits<double>{"the brush's radius", texture_limits::shortestPhoto,
+                                    texture_limits::longestPhoto, "m"}),
+               field("softness", &BrushStroke::softness, Limits<double>{"the brush's softness", 0, 1}),
+               field("strength", &BrushStroke::strength, Limits<double>{"the brush's strength", 0, 1}),
+               field("points", &BrushStroke::path),
+               field("colour", &BrushStroke::colour).onlyWhere([](const BrushStroke& stroke) {
+                   return stroke.kind == BrushKind::Colour;
+               }),
+               field("shift", &BrushStroke::shift, finiteLimits("the way to the place that is cloned"))
+                   .onlyWhere([](const BrushStroke& stroke) { return stroke.kind == BrushKind::Clone; })};
 
 /// Never null; shared, so that a copy of a layer costs little.
 using BrushStrokes = std::vector<ByValue<BrushStroke>>;

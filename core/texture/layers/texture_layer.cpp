@@ -22,17 +22,6 @@ std::size_t pointsOf(const BrushStrokes& strokes) {
 
 } // namespace
 
-const char* blendingName(Blending blending) {
-    constexpr std::array<const char*, 3> names{"normal", "multiply", "multi-band"};
-    return names[static_cast<std::size_t>(blending)];
-}
-
-std::optional<Blending> blendingFromName(const std::string& name) {
-    for (const Blending blending : blendings)
-        if (name == blendingName(blending)) return blending;
-    return std::nullopt;
-}
-
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer) {
     if (layer.prepared) return layer.prepared;
     if (!layer.photo) return nullptr;

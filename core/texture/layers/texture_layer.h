@@ -23,10 +23,10 @@ enum class Blending {
 };
 
 inline constexpr std::array<Blending, 3> blendings{Blending::Normal, Blending::Multiply, Blending::MultiBand};
-
-/// As files name it: `normal`, `multiply`, `multi-band`.
-const char* blendingName(Blending blending);
-std::optional<Blending> blendingFromName(const std::string& name);
+template<>
+inline constexpr auto wordsOf<Blending> =
+    std::array{Word{Blending::Normal, "normal"}, Word{Blending::Multiply, "multiply"},
+               Word{Blending::MultiBand, "multi-band"}};
 
 /// A photo on the organ, or what was painted there. Never baked in: layers are composed anew when one
 /// changes.
@@ -48,6 +48,18 @@ struct TextureLayer : Identified<TextureLayer> {
     bool operator==(const TextureLayer&) const = default;
 };
 using LayerId = Id<TextureLayer>;
+template<>
+inline constexpr auto fieldsOf<TextureLayer> =
+    std::tuple{field("name", &TextureLayer::name),
+               field("file", &TextureLayer::photo).whenSet(),
+               field("projector", &TextureLayer::projector),
+               field("blendPixels", &TextureLayer::blendPixels, amountLimits("the blending width")),
+               field("opacity", &TextureLayer::opacity, Limits<double>{"the opacity", 0, 1}),
+               field("visible", &TextureLayer::visible),
+               field("preparation", &TextureLayer::preparation).whenSet(),
+               field("blending", &TextureLayer::blending).whenSet(),
+               field("strokes", &TextureLayer::strokes).whenSet(),
+               field("landmarks", &TextureLayer::landmarks).whenSet()};
 
 /// What the projector throws: the prepared picture, or the photo's own; null without a photo.
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);

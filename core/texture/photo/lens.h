@@ -10,11 +10,14 @@
 namespace esm {
 
 enum class LensKind { Pinhole, Fisheye };
+template<>
+inline constexpr auto wordsOf<LensKind> =
+    std::array{Word{LensKind::Pinhole, "pinhole"}, Word{LensKind::Fisheye, "fisheye"}};
 
 /// How a lens bends straight lines, in OpenCV's models.
 struct Lens {
     LensKind kind = LensKind::Pinhole;
-    Intrinsics camera{1, 1, 0, 0};
+    Intrinsics camera;
     std::array<double, 5> coefficients{}; ///< k1 k2 p1 p2 k3; of a fisheye k1 k2 k3 k4, and 0
 
     bool operator==(const Lens&) const = default;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/support/fields.h"
 #include "core/texture/image.h"
+#include "core/texture/texture_limits.h"
 
 #include <Eigen/Core>
 
@@ -18,6 +20,14 @@ struct PhotoStroke {
 
     bool operator==(const PhotoStroke&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<PhotoStroke> =
+    std::tuple{field("path", &PhotoStroke::path,
+                     Limits<double>{"the places", -texture_limits::longestFocalLength,
+                                    texture_limits::longestFocalLength, "pixels"}),
+               field("radius", &PhotoStroke::radius, Limits<double>{"the radius", 0.5, 5000, "pixels"}),
+               field("softness", &PhotoStroke::softness, Limits<double>{"the softness", 0, 1}),
+               field("takesBack", &PhotoStroke::takesBack)};
 
 /// Takes the alpha of what the strokes leave out away, one stroke after another; even a hard one has an edge
 /// of a pixel.

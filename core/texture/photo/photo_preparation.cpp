@@ -1,6 +1,7 @@
 #include "core/texture/photo/photo_preparation.h"
 
 #include "core/support/errors.h"
+#include "core/support/offenders.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
@@ -16,45 +17,29 @@ using Problems = std::vector<std::string>;
 
 constexpr double mostTrim = 90; ///< percent
 constexpr double largestCoefficient = 1e3;
-constexpr double widestBrush = 5000; ///< pixels
 
-bool isWithin(double value, double least, double most) {
+bool liesBetween(double value, double least, double most) {
     return value >= least && value <= most; // not so for NaN
 }
 
 void checkField(const RoundField& field, Problems& problems) {
     const double far = texture_limits::longestFocalLength;
-    if (!isWithin(field.radius, 1, far) || !isWithin(field.centreX, -far, far) ||
-        !isWithin(field.centreY, -far, far))
+    if (!liesBetween(field.radius, 1, far) || !liesBetween(field.centreX, -far, far) ||
+        !liesBetween(field.centreY, -far, far))
         problems.emplace_back(
             "the round field must have a radius of 1 to 1e7 pixels and a centre within 1e7");
-    if (!isWithin(field.trim, 0, mostTrim))
+    if (!liesBetween(field.trim, 0, mostTrim))
         problems.emplace_back("the round field must be trimmed by 0 to 90 %");
 }
 
 void checkLens(const Lens& lens, Problems& problems) {
-    const double most = texture_limits::longestFocalLength;
-    for (const double focal : {lens.camera.fx, lens.camera.fy})
-        if (!(focal > 0) || focal > most) {
-            problems.emplace_back("the lens must have a focal length above 0 and up to 1e7 pixels");
-            break;
-        }
-    if (!isWithin(lens.camera.cx, -most, most) || !isWithin(lens.camera.cy, -most, most))
-        problems.emplace_back("the lens must have its centre within 1e7 pixels");
-    const auto isSane = [](double c) { return isWithin(c, -largestCoefficient, largestCoefficient); };
+    addUnder(problems, "the lens", fieldProblems(lens.camera));
+    const auto isSane = [](double c) { return liesBetween(c, -largestCoefficient, largestCoefficient); };
     if (!std::all_of(lens.coefficients.begin(), lens.coefficients.end(), isSane))
         problems.emplace_back("the lens's coefficients must lie between -1000 and 1000");
 }
 
 void checkStrokes(const std::vector<PhotoStroke>& strokes, Problems& problems) {
-    const double far = texture_limits::longestFocalLength;
-    const auto isPlace = [&](const Eigen::Vector2d& place) {
-        return isWithin(place.x(), -far, far) && isWithin(place.y(), -far, far);
-    };
-    const auto isSound = [&](const PhotoStroke& stroke) {
-        return !stroke.path.empty() && std::all_of(stroke.path.begin(), stroke.path.end(), isPlace) &&
-               isWithin(stroke.radius, 0.5, widestBrush) && isWithin(stroke.softness, 0, 1);
-    };
     std::size_t places = 0;
     for (const PhotoStroke& stroke : strokes)
         places += stroke.path.size();
@@ -62,20 +47,11 @@ void checkStrokes(const std::vector<PhotoStroke>& strokes, Problems& problems) {
         problems.push_back("there must be at most " + std::to_string(texture_limits::mostStrokes) +
                            " strokes, with " + std::to_string(texture_limits::mostPhotoPlaces) +
                            " places together");
-    if (!std::all_of(strokes.begin(), strokes.end(), isSound))
-        problems.emplace_back(
-            "strokes must have places within 1e7 pixels, a radius of 0.5 to 5000 pixels and a "
-            "softness of 0 to 1");
-}
-
-void checkMatch(const ColourMatch& match, Problems& problems) {
-    const auto all = [](const std::array<double, 3>& values, double least, double most) {
-        return std::all_of(values.begin(), values.end(),
-                           [=](double value) { return isWithin(value, least, most); });
-    };
-    if (!all(match.scale, smallestSpread, largestSpread) || !all(match.offset, -largestShift, largestShift))
-        problems.emplace_back(
-            "matched colours must have scales of 0.5 to 2 and offsets between -300 and 300");
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const std::string place = "strokes[" + std::to_string(i) + "]";
+        if (strokes[i].path.empty()) addUnder(problems, place, {"the path has no place"});
+        addUnder(problems, place, fieldProblems(strokes[i]));
+    }
 }
 
 void checkCrop(const PhotoCrop& crop, int width, int height, Problems& problems) {
@@ -109,18 +85,12 @@ bool PhotoPreparation::isNothing() const {
 }
 
 std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height) {
-    Problems problems;
+    Problems problems = fieldProblems(preparation);
     if (preparation.field) checkField(*preparation.field, problems);
     checkStrokes(preparation.strokes, problems);
-    if (preparation.highlightThreshold && !isWithin(*preparation.highlightThreshold, 1, 255))
-        problems.emplace_back("the threshold of highlights must lie between 1 and 255");
-    if (!isWithin(preparation.evenLight, 0, 1))
-        problems.emplace_back("the strength of even light must lie between 0 and 1");
-    if (preparation.whiteBalance &&
-        !std::all_of(preparation.whiteBalance->begin(), preparation.whiteBalance->end(),
-                     [](double gain) { return isWithin(gain, smallestGain, largestGain); }))
-        problems.emplace_back("the gains of white balance must lie between 0.25 and 4");
-    if (preparation.match) checkMatch(*preparation.match, problems);
+    if (preparation.match)
+        for (std::string& problem : fieldProblems(*preparation.match))
+            problems.push_back(std::move(problem));
     if (preparation.lens) checkLens(*preparation.lens, problems);
     if (preparation.crop) checkCrop(*preparation.crop, width, height, problems);
     return problems;

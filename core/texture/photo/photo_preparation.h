@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/fields.h"
 #include "core/support/progress.h"
 #include "core/texture/image.h"
 #include "core/texture/photo/colour_match.h"
@@ -9,6 +10,7 @@
 #include "core/texture/photo/photo_colours.h"
 #include "core/texture/photo/photo_mask.h"
 #include "core/texture/photo/round_field.h"
+#include "core/texture/texture_limits.h"
 
 #include <optional>
 #include <string>
@@ -22,6 +24,15 @@ struct PhotoCrop {
 
     bool operator==(const PhotoCrop&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<PhotoCrop> = [] {
+    constexpr int most = texture_limits::mostPhotoPixels;
+    return std::tuple{
+        field("x", &PhotoCrop::x, Limits<int>{"the crop's x", 0, most, "pixels"}),
+        field("y", &PhotoCrop::y, Limits<int>{"the crop's y", 0, most, "pixels"}),
+        field("width", &PhotoCrop::width, Limits<int>{"the crop's width", 0, most, "pixels"}),
+        field("height", &PhotoCrop::height, Limits<int>{"the crop's height", 0, most, "pixels"})};
+}();
 
 /// What is done to a photo before it is laid on the organ; by default nothing. Applied in this order, so that
 /// the field and the strokes lie on the photo as it was taken and the crop on what comes out.
@@ -39,6 +50,21 @@ struct PhotoPreparation {
 
     bool operator==(const PhotoPreparation&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<PhotoPreparation> = std::tuple{
+    field("roundField", &PhotoPreparation::field).whenSet(),
+    field("strokes", &PhotoPreparation::strokes).whenSet(),
+    field("highlights", &PhotoPreparation::highlightThreshold,
+          Limits<int>{"the threshold of highlights", 1, 255})
+        .whenSet(),
+    field("evenLight", &PhotoPreparation::evenLight, Limits<double>{"the strength of even light", 0, 1})
+        .whenSet(),
+    field("whiteBalance", &PhotoPreparation::whiteBalance,
+          Limits<double>{"the gains of white balance", smallestGain, largestGain})
+        .whenSet(),
+    field("colourMatch", &PhotoPreparation::match).whenSet(),
+    field("lens", &PhotoPreparation::lens).whenSet(),
+    field("crop", &PhotoPreparation::crop).whenSet()};
 
 /// Every problem of a preparation for a photo of that size. Empty when all is well.
 std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height);

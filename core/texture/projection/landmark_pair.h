@@ -1,15 +1,20 @@
 #pragma once
 
+#include "core/support/fields.h"
+
 #include <Eigen/Core>
 
 namespace esm {
 
 /// The same landmark in a photo and on an organ.
 struct LandmarkPair {
-    Eigen::Vector2d photo; ///< pixels from the top left corner
-    Eigen::Vector3d organ; ///< m
+    Eigen::Vector2d photo = Eigen::Vector2d::Zero(); ///< pixels from the top left corner
+    Eigen::Vector3d organ = Eigen::Vector3d::Zero(); ///< m
 
     bool operator==(const LandmarkPair&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<LandmarkPair> =
+    std::tuple{field("photo", &LandmarkPair::photo), field("organ", &LandmarkPair::organ)};
 
 } // namespace esm

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/geometry/pose.h"
+#include "core/support/fields.h"
 #include "core/texture/intrinsics.h"
+#include "core/texture/texture_limits.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -15,6 +17,9 @@ enum class ProjectorKind {
     Parallel,    ///< the photo lies in the plane z = 0, centred on the origin, and is thrown along −z
     Perspective, ///< from an eye at the origin that looks along −z, as the camera saw it
 };
+template<>
+inline constexpr auto wordsOf<ProjectorKind> =
+    std::array{Word{ProjectorKind::Parallel, "parallel"}, Word{ProjectorKind::Perspective, "perspective"}};
 
 /// Where a photo is thrown from, x right and y up in its own space [R 4.3.2.3].
 struct Projector {
@@ -26,8 +31,34 @@ struct Projector {
     std::optional<Intrinsics> intrinsics; ///< perspective: in place of the field of view
     bool falloff = false;                 ///< the weight falls with the angle, see `angleWeight`
 
+    bool isParallel() const { return kind == ProjectorKind::Parallel; }
+    bool hasIntrinsics() const { return !isParallel() && intrinsics; }
+
     bool operator==(const Projector&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<Projector> = [] {
+    using namespace texture_limits;
+    const auto isParallel = [](const Projector& projector) { return projector.isParallel(); };
+    return std::tuple{
+        field("pose", &Projector::pose),
+        field("width", &Projector::width,
+              Limits<double>{"the projector's width", shortestPhoto, longestPhoto, "m"})
+            .onlyWhere(isParallel),
+        field("height", &Projector::height,
+              Limits<double>{"the projector's height", shortestPhoto, longestPhoto, "m"})
+            .onlyWhere(isParallel),
+        field("kind", &Projector::kind).mayBeAbsent(),
+        field("intrinsics", &Projector::intrinsics).onlyWhere([](const Projector& projector) {
+            return projector.hasIntrinsics();
+        }),
+        field("fov", &Projector::fieldOfView,
+              Limits<double>{"the projector's field of view", narrowestView, widestView, "degrees"})
+            .onlyWhere(
+                [](const Projector& projector) { return !projector.isParallel() && !projector.intrinsics; }),
+        field("occlusion", &Projector::occlusion).mayBeAbsent(),
+        field("falloff", &Projector::falloff).whenSet()};
+}();
 
 /// The camera of a perspective projector; from a field of view one with square pixels and the principal point
 /// in the photo's middle.

@@ -31,8 +31,8 @@ TEST(MeasuredStepping, IsCheckedWhole) {
 
 TEST(Precision, HasANameThatReadsBack) {
     for (const Precision precision : {Precision::Double, Precision::Float})
-        EXPECT_EQ(precisionFromName(precisionName(precision)), precision);
-    EXPECT_FALSE(precisionFromName("half"));
+        EXPECT_EQ(fromWord<Precision>(wordOf(precision)), precision);
+    EXPECT_FALSE(fromWord<Precision>("half"));
 }
 
 } // namespace

@@ -28,10 +28,10 @@ TEST(ExactText, ReadsBackTheSame) {
 }
 
 TEST(NumberText, HasSoManyDigitsAtMost) {
-    EXPECT_EQ(numberText(0.5), "0.5");
-    EXPECT_EQ(numberText(1.0 / 3), "0.333333");
-    EXPECT_EQ(numberText(1.0 / 3, 2), "0.33");
-    EXPECT_EQ(numberText(1e30), "1e+30");
+    EXPECT_EQ(roundedText(0.5), "0.5");
+    EXPECT_EQ(roundedText(1.0 / 3), "0.333333");
+    EXPECT_EQ(roundedText(1.0 / 3, 2), "0.33");
+    EXPECT_EQ(roundedText(1e30), "1e+30");
 }
 
 TEST(PercentText, IsForPeople) {

@@ -12,12 +12,15 @@ TEST(AtlasOptions, AreSoundUpToTheLargestThatMemoryHolds) {
     for (const AtlasOptions options :
          {AtlasOptions{}, AtlasOptions{1, 1, 0}, AtlasOptions{16384, 4, 2}, AtlasOptions{4096, 64, 2}})
         EXPECT_THAT(validate(options), ElementsAre()) << options.size;
-    EXPECT_THAT(validate(AtlasOptions{0, 1, 0}), ElementsAre(HasSubstr("0 pixels")));
-    EXPECT_THAT(validate(AtlasOptions{16385, 1, 0}), ElementsAre(HasSubstr("at most 16384")));
-    EXPECT_THAT(validate(AtlasOptions{1024, 1, 16385}), ElementsAre(HasSubstr("smaller gap")));
-    EXPECT_THAT(validate(AtlasOptions{1024, 65, -1}), ElementsAre(HasSubstr("gap"), HasSubstr("65 pages")));
+    EXPECT_THAT(validate(AtlasOptions{0, 1, 0}),
+                ElementsAre("the texture's size must be from 1 to 16384 pixels"));
+    EXPECT_THAT(validate(AtlasOptions{16385, 1, 0}), ElementsAre(HasSubstr("size must be from 1 to 16384")));
+    EXPECT_THAT(validate(AtlasOptions{1024, 1, 16385}),
+                ElementsAre(HasSubstr("gap must be from 0 to 16384")));
+    EXPECT_THAT(validate(AtlasOptions{1024, 65, -1}),
+                ElementsAre(HasSubstr("pages must be from 1 to 64"), HasSubstr("gap")));
     EXPECT_THAT(validate(AtlasOptions{16384, 5, 2}), ElementsAre(HasSubstr("too large together")));
-    EXPECT_THAT(validate(AtlasOptions{16384, 256, 2}), ElementsAre(HasSubstr("256 pages")));
+    EXPECT_THAT(validate(AtlasOptions{16384, 256, 2}), ElementsAre(HasSubstr("pages must be from 1 to 64")));
 }
 
 TEST(AtlasLayout, LiesOnItsPages) {

@@ -45,8 +45,8 @@ TEST(ModelJson, BringsTheBaseTissueBackBitByBit) {
     base.viscosity = 1e-300;
     base.mass = 1.0 / 3;
     std::vector<std::string> problems;
-    const ModelJson written = ModelJson::parse(toJson(base).dump());
-    const BaseTissue read = baseTissueFromJson(JsonReader(written, "base", problems));
+    const ModelJson written = ModelJson::parse(writtenFields(base).dump());
+    const BaseTissue read = valueFrom<BaseTissue>(JsonReader(written, "base", problems));
     EXPECT_EQ(read.springConstant, base.springConstant);
     EXPECT_EQ(read.viscosity, base.viscosity);
     EXPECT_EQ(read.mass, base.mass);
@@ -56,17 +56,17 @@ TEST(ModelJson, BringsTheBaseTissueBackBitByBit) {
 TEST(ModelJson, NotesEveryMissingValueOfTheBaseTissue) {
     std::vector<std::string> problems;
     const ModelJson file{{"viscosity", 1}};
-    baseTissueFromJson(JsonReader(file, "base", problems));
+    valueFrom<BaseTissue>(JsonReader(file, "base", problems));
     EXPECT_THAT(problems, ElementsAre(HasSubstr("base.springConstant"), HasSubstr("base.mass")));
 }
 
 TEST(ModelJson, BringsBiphasicSpringsBackBitByBit) {
     BaseTissue base;
-    EXPECT_FALSE(toJson(base).contains("stiffening"));
+    EXPECT_FALSE(writtenFields(base).contains("stiffening"));
     base.stiffening = SpringStiffening{0.1 + 0.2, 1.0 / 3};
     std::vector<std::string> problems;
-    const ModelJson written = ModelJson::parse(toJson(base).dump());
-    const BaseTissue read = baseTissueFromJson(JsonReader(written, "base", problems));
+    const ModelJson written = ModelJson::parse(writtenFields(base).dump());
+    const BaseTissue read = valueFrom<BaseTissue>(JsonReader(written, "base", problems));
     EXPECT_THAT(problems, IsEmpty());
     ASSERT_TRUE(read.stiffening);
     EXPECT_EQ(read.stiffening->strain, base.stiffening->strain);

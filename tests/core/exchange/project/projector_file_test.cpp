@@ -56,8 +56,8 @@ TEST(ProjectorFile, ComesBackBitByBit) {
 TEST(ProjectorFile, ListsEveryProblem) {
     const Json json =
         Json::parse(R"({"width": -1, "height": "tall", "occlusion": 1, "colour": 3, "kind": "flat"})");
-    EXPECT_THAT(problems(json), ElementsAre(HasSubstr("colour"), HasSubstr("pose"), HasSubstr("kind"),
-                                            HasSubstr("width"), HasSubstr("height"), HasSubstr("occlusion")));
+    EXPECT_THAT(problems(json), ElementsAre(HasSubstr("colour"), HasSubstr("pose"), HasSubstr("width"),
+                                            HasSubstr("height"), HasSubstr("kind"), HasSubstr("occlusion")));
     EXPECT_THAT(problems(Json::parse("[1]")), ElementsAre(HasSubstr("object")));
 }
 
@@ -141,9 +141,9 @@ TEST(ProjectorFile, FallsOffWithTheAngleOnlyWhereItSaysSo) {
 TEST(ProjectorFile, RefusesACameraThatCannotBeWithOneMessageEach) {
     const std::pair<const char*, const char*> refusals[] = {
         {R"(, "kind": "perspective")", "fov"},
-        {R"(, "fov": 0)", "fov must lie"},
-        {R"(, "fov": 180)", "fov must lie"},
-        {R"(, "fov": -40)", "fov must lie"},
+        {R"(, "fov": 0)", "fov must be from 0.1"},
+        {R"(, "fov": 180)", "fov must be from 0.1"},
+        {R"(, "fov": -40)", "fov must be from 0.1"},
         {R"(, "fov": "wide")", "fov"},
         {R"(, "fov": 60, "intrinsics": {"fx": 1, "fy": 1, "cx": 0, "cy": 0})", "leave one of them away"},
         {R"(, "intrinsics": {"fx": 0, "fy": 1, "cx": 0, "cy": 0})", "intrinsics.fx must be above 0"},
@@ -155,7 +155,7 @@ TEST(ProjectorFile, RefusesACameraThatCannotBeWithOneMessageEach) {
         {R"(, "intrinsics": [1, 1, 0, 0])", "intrinsics"},
         {R"(, "kind": "parallel", "fov": 60)", "perspective projector"},
         {R"(, "kind": "parallel", "intrinsics": {})", "perspective projector"},
-        {R"(, "kind": "fisheye", "width": 1, "height": 1)", "kind must be"}};
+        {R"(, "kind": "fisheye", "width": 1, "height": 1)", "kind should be parallel or perspective"}};
     for (const auto& [rest, problem] : refusals)
         EXPECT_THAT(problems(inPerspective(rest)), ElementsAre(HasSubstr(problem))) << rest;
 }

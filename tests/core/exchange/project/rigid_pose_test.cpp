@@ -9,7 +9,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 struct ReadPose {
-    Eigen::Isometry3d pose;
+    Pose pose;
     std::vector<std::string> problems;
 };
 
@@ -18,7 +18,7 @@ ReadPose poseFrom(const Eigen::Matrix4d& matrix) {
     for (int i = 0; i < 16; ++i)
         json.push_back(matrix(i / 4, i % 4));
     ReadPose result;
-    result.pose = rigidPoseFromJson({json, "pose", result.problems});
+    fromJson({json, "pose", result.problems}, result.pose);
     return result;
 }
 

@@ -191,14 +191,15 @@ TEST(SceneFile, ListsEveryProblemWithItsPlace) {
     json["moves"][0]["path"][1] = {0, 0, 0, 0};
     json["instrument"].erase("radius");
     json["record"]["every"] = -0.01;
-    EXPECT_THAT(
-        problemsOf(json),
-        ElementsAre(HasSubstr("duration should be a number"), HasSubstr("gravity should be a list of 3"),
-                    HasSubstr("fixed[0].nodes[1] should be a whole number"),
-                    HasSubstr("fixed[1].ellipsoid.axis must have a length"),
-                    HasSubstr("forces[0].node should be a whole number"),
-                    HasSubstr("instrument.radius is missing"), HasSubstr("tethers[0]: every must be 1"),
-                    HasSubstr("moves[0]: 1 point not later"), HasSubstr("record.every: must be above 0")));
+    EXPECT_THAT(problemsOf(json), ElementsAre(HasSubstr("duration should be a number"),
+                                              HasSubstr("gravity should be a list of 3"),
+                                              HasSubstr("fixed[0].nodes[1] should be a whole number"),
+                                              HasSubstr("fixed[1].ellipsoid.axis must have a length"),
+                                              HasSubstr("tethers[0].every should be a whole number from 1"),
+                                              HasSubstr("forces[0].node should be a whole number"),
+                                              HasSubstr("record.every must be above 0 s"),
+                                              HasSubstr("instrument.radius is missing"),
+                                              HasSubstr("moves[0]: 1 point not later")));
 }
 
 TEST(SceneFile, RefusesEntriesOfAnotherKind) {

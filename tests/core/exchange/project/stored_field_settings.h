@@ -35,7 +35,10 @@ template<class Find, class Part> auto partOf(const Find& find, const Part& part)
     return [find, part](Project& project) { return find(project) ? part(*find(project)) : nullptr; };
 }
 
-/// What photos and paintings store.
+/// All that has a table of fields.
+void addTables(Fields& fields);
+
+/// What of photos and paintings has no table, or is bound further.
 void addPhotoFields(Fields& fields);
 
 } // namespace esm::stored

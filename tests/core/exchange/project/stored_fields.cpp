@@ -19,11 +19,6 @@ Region* regionOf(Project& project) {
     return project.regions.size() > 1 ? &project.regions[1] : nullptr;
 }
 
-Ellipsoid* ellipsoidOf(Project& project) {
-    Region* region = regionOf(project);
-    return region && region->ellipsoid ? &*region->ellipsoid : nullptr;
-}
-
 template<class T> T* first(std::vector<T>& list) {
     return list.empty() ? nullptr : &list.front();
 }
@@ -49,53 +44,18 @@ template<class Change> Setting systemWith(const Change& change) {
 }
 
 void addTissue(Fields& fields) {
-    const std::vector<double> amounts{0, largestNumber}, masses{leastMass, largestNumber};
     fields.push_back(
-        field("base.springConstant", amounts, [](Project& p) { return &p.base.springConstant; }));
-    fields.push_back(field("base.viscosity", amounts, [](Project& p) { return &p.base.viscosity; }));
-    fields.push_back(field("base.mass", masses, [](Project& p) { return &p.base.mass; }));
-    fields.push_back(field<std::optional<SpringStiffening>>(
-        "base.stiffening",
-        {std::nullopt, SpringStiffening{smallest, smallest}, SpringStiffening{largestNumber, 1}},
-        [](Project& p) { return &p.base.stiffening; }));
-    fields.push_back({"base.stiffening.factor", {[](Project& p) {
-                          p.regions.clear();
-                          p.base.springConstant = 1;
-                          p.base.stiffening = SpringStiffening{1, largestNumber};
-                      }}});
-    const auto held = [](auto TissueValues::*value) {
-        return partOf(regionOf, [value](Region& region) { return &(region.held.*value); });
-    };
-    const std::vector<std::optional<double>> heldAmounts{std::nullopt, 0, largestNumber};
-    fields.push_back(field("held.springConstant", heldAmounts, held(&TissueValues::springConstant)));
-    fields.push_back(field("held.viscosity", heldAmounts, held(&TissueValues::viscosity)));
-    fields.push_back(field<std::optional<double>>("held.mass", {std::nullopt, leastMass, largestNumber},
-                                                  held(&TissueValues::mass)));
+        field<double>("base.mass", {leastMass, largestNumber}, [](Project& p) { return &p.base.mass; }));
+    fields.push_back(
+        field<std::optional<double>>("held.mass", {std::nullopt, leastMass, largestNumber},
+                                     partOf(regionOf, [](Region& region) { return &region.held.mass; })));
 }
 
 void addRegions(Fields& fields) {
-    using Names = std::vector<std::string>;
     fields.push_back(field<std::vector<Region>>("regions", {{}}, [](Project& p) { return &p.regions; }));
-    fields.push_back(field("region.name", Names{"", std::string(10000, 'a')},
-                           partOf(regionOf, [](Region& r) { return &r.name; })));
-    fields.push_back(
-        field<std::array<std::uint8_t, 3>>("region.colour", {{0, 0, 0}, {255, 255, 255}},
-                                           partOf(regionOf, [](Region& r) { return &r.colour; })));
-    fields.push_back(field<double>("region.rim", {0, smallest, largestNumber},
-                                   partOf(regionOf, [](Region& r) { return &r.rim; })));
-    fields.push_back(field<std::optional<Ellipsoid>>(
-        "region.ellipsoid", {std::nullopt}, partOf(regionOf, [](Region& r) { return &r.ellipsoid; })));
-    fields.push_back(field<Eigen::Vector3d>(
-        "ellipsoid.centre", {Eigen::Vector3d::Constant(-largest), Eigen::Vector3d::Constant(largest)},
-        partOf(ellipsoidOf, [](Ellipsoid& e) { return &e.centre; })));
-    fields.push_back(field<Eigen::Vector3d>(
-        "ellipsoid.radii", {Eigen::Vector3d::Constant(smallest), Eigen::Vector3d::Constant(largest)},
-        partOf(ellipsoidOf, [](Ellipsoid& e) { return &e.radii; })));
     fields.push_back(field<NamedValues>("region.inputs",
                                         {{}, {{"zeal", -largest}}, {{"zeal", largest}, {"age", smallest}}},
                                         partOf(regionOf, [](Region& r) { return &r.inputs; })));
-    fields.push_back(field<std::shared_ptr<const FuzzySystem>>(
-        "region.system", {nullptr}, partOf(regionOf, [](Region& r) { return &r.system; })));
 }
 
 /// As many and as long as they may be; of all terms but two no rule speaks.
@@ -151,19 +111,12 @@ void addSystems(Fields& fields) {
 }
 
 void addScene(Fields& fields) {
-    const std::vector<double> times{smallest, largest};
     const std::vector<Eigen::Vector3d> vectors{Eigen::Vector3d::Constant(-largest),
                                                Eigen::Vector3d::Constant(largest)};
-    const auto tether = [](Project& p) { return first(p.scene.tethers); };
     const auto force = [](Project& p) { return first(p.scene.forces); };
     fields.push_back(field<Scene>("scene", {{}}, [](Project& p) { return &p.scene; }));
-    fields.push_back(field("duration", times, [](Project& p) { return &p.scene.duration; }));
-    fields.push_back(field("gravity", vectors, [](Project& p) { return &p.scene.gravity; }));
     fields.push_back(field<std::vector<NodeSelection>>("fixed", {{}, {{}}, {{{7}, Ellipsoid{}}}},
                                                        [](Project& p) { return &p.scene.fixed; }));
-    fields.push_back(field<std::uint32_t>("tethers.every", {1, std::numeric_limits<std::uint32_t>::max()},
-                                          partOf(tether, [](TetherRule& r) { return &r.every; })));
-    fields.push_back(field<TetherRule>("tethers", {{1, 0, 0}, {1, largestNumber, largestNumber}}, tether));
     fields.push_back(field<NodeForce>(
         "forces", {{0, vectors[0], -largest, -largest}, {7, vectors[1], smallest, largest}}, force));
     fields.push_back(field<std::vector<NodeMove>>(
@@ -202,8 +155,6 @@ void addTexture(Fields& fields) {
                                             {16384, 4, 16384, AtlasLayout::MatchedRows, 1e9},
                                             {4096, 64, 0, AtlasLayout::UnfoldedGroups, smallest}};
     fields.push_back(field("texture", options, [](Project& p) { return &p.texture.atlas; }));
-    fields.push_back(field<std::array<std::uint8_t, 3>>("baseColour", {{0, 0, 0}, {255, 255, 255}},
-                                                        [](Project& p) { return &p.texture.baseColour; }));
     fields.push_back(
         field<std::shared_ptr<const Atlas>>("atlas", {nullptr}, [](Project& p) { return &p.atlas; }));
     fields.push_back({"atlas.options",
@@ -274,6 +225,7 @@ namespace esm {
 
 std::vector<StoredField> storedFields() {
     std::vector<StoredField> fields;
+    stored::addTables(fields);
     stored::addTissue(fields);
     stored::addRegions(fields);
     stored::addSystems(fields);

@@ -14,18 +14,6 @@ template<class Part> auto layerPart(std::size_t layer, const Part& part) {
 
 /// What every layer stores that throws a photo.
 void addLayer(Fields& fields, std::size_t i) {
-    fields.push_back(field<double>("blendPixels", {0, largestNumber},
-                                   layerPart(i, [](TextureLayer& l) { return &l.blendPixels; })));
-    fields.push_back(
-        field<double>("opacity", {0, 1}, layerPart(i, [](TextureLayer& l) { return &l.opacity; })));
-    fields.push_back(
-        field<bool>("visible", {false, true}, layerPart(i, [](TextureLayer& l) { return &l.visible; })));
-    fields.push_back(field<bool>("occlusion", {false, true},
-                                 layerPart(i, [](TextureLayer& l) { return &l.projector.occlusion; })));
-    fields.push_back(field<bool>("falloff", {false, true},
-                                 layerPart(i, [](TextureLayer& l) { return &l.projector.falloff; })));
-    fields.push_back(field<Blending>("blending", {blendings.begin(), blendings.end()},
-                                     layerPart(i, [](TextureLayer& l) { return &l.blending; })));
     fields.push_back(field<std::vector<LandmarkPair>>(
         "landmarks",
         {{},
@@ -44,13 +32,6 @@ void addPhotos(Fields& fields) {
     fields.push_back(field<std::vector<TextureLayer>>("layers", {{}}, [](Project& p) { return &p.layers; }));
     for (std::size_t i = 0; i < 3; ++i)
         addLayer(fields, i);
-    const std::vector<double> lengths{shortestPhoto, longestPhoto};
-    fields.push_back(
-        field("width", lengths, layerPart(0, [](TextureLayer& l) { return &l.projector.width; })));
-    fields.push_back(
-        field("height", lengths, layerPart(0, [](TextureLayer& l) { return &l.projector.height; })));
-    fields.push_back(field<double>("fov", {narrowestView, widestView},
-                                   layerPart(1, [](TextureLayer& l) { return &l.projector.fieldOfView; })));
     fields.push_back(field<std::optional<Intrinsics>>(
         "intrinsics",
         {Intrinsics{smallest, smallest, -longestFocalLength, longestFocalLength},

@@ -271,7 +271,7 @@ TEST(Atlas, MorePagesGiveMoreTexels) {
     for (const AtlasLayout layout : atlasLayouts) {
         const double one = packAtlas(mesh, {256, 1, 2, layout}).texelsPerMetre,
                      four = packAtlas(mesh, {256, 4, 2, layout}).texelsPerMetre;
-        EXPECT_GT(four, 1.9 * one) << layoutName(layout);
+        EXPECT_GT(four, 1.9 * one) << wordOf(layout);
     }
 }
 
@@ -331,9 +331,9 @@ TEST(Atlas, NamesTheSmallestSizeThatFits) {
 TEST(Atlas, RefusesWhatCannotBe) {
     const TriangleMesh mesh = lumpySurface(10, 10);
     EXPECT_THAT(refusal(mesh, {16385, 0, -1}),
-                testing::AllOf(HasSubstr("16384"), HasSubstr("gap of -1"), HasSubstr("0 pages")));
-    EXPECT_THAT(refusal(mesh, {1024, 65, 2}), HasSubstr("65 pages"));
-    EXPECT_THAT(refusal(mesh, {1024, 1, 20000}), HasSubstr("smaller gap"));
+                testing::AllOf(HasSubstr("16384"), HasSubstr("the gap"), HasSubstr("number of pages")));
+    EXPECT_THAT(refusal(mesh, {1024, 65, 2}), HasSubstr("pages must be from 1 to 64"));
+    EXPECT_THAT(refusal(mesh, {1024, 1, 20000}), HasSubstr("gap must be from 0 to 16384"));
     EXPECT_THAT(refusal({}, {1024, 1, 2}), HasSubstr("no surface"));
     EXPECT_THAT(refusal({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, {1024, 1, 2}),
                 HasSubstr("no surface"));

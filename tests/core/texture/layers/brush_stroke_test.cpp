@@ -74,7 +74,7 @@ TEST(BrushStroke, CoversADiscAroundItsPointHoweverTheTextureIsPacked) {
                     ASSERT_EQ(colour, distance <= 0.02 ? blue : base) << distance;
                 });
         const double area = double(texels) / (atlas.texelsPerMetre * atlas.texelsPerMetre);
-        EXPECT_NEAR(area / (M_PI * 0.02 * 0.02), 1, 0.02) << layoutName(layout);
+        EXPECT_NEAR(area / (M_PI * 0.02 * 0.02), 1, 0.02) << wordOf(layout);
     }
 }
 
@@ -181,8 +181,8 @@ TEST(Blending, MultipliesValuesFromZeroToOne) {
 
 TEST(Blending, IsFoundByItsName) {
     for (const Blending blending : blendings)
-        EXPECT_EQ(blendingFromName(blendingName(blending)), blending);
-    EXPECT_EQ(blendingFromName("screen"), std::nullopt);
+        EXPECT_EQ(fromWord<Blending>(wordOf(blending)), blending);
+    EXPECT_EQ(fromWord<Blending>("screen"), std::nullopt);
 }
 
 TEST(BrushStroke, SaysWhatIsWrongWithIt) {
@@ -194,7 +194,11 @@ TEST(BrushStroke, SaysWhatIsWrongWithIt) {
     EXPECT_THAT(problemsWith([](BrushStroke& s) { s.radius = 0; }), ElementsAre(HasSubstr("radius")));
     EXPECT_THAT(problemsWith([](BrushStroke& s) { s.softness = 1.1; }), ElementsAre(HasSubstr("softness")));
     EXPECT_THAT(problemsWith([](BrushStroke& s) { s.strength = -1; }), ElementsAre(HasSubstr("strength")));
-    EXPECT_THAT(problemsWith([](BrushStroke& s) { s.shift.x() = nan; }), ElementsAre(HasSubstr("cloned")));
+    const auto clonesFromNowhere = [](BrushStroke& s) {
+        s.kind = BrushKind::Clone;
+        s.shift.x() = nan;
+    };
+    EXPECT_THAT(problemsWith(clonesFromNowhere), ElementsAre(HasSubstr("cloned")));
     EXPECT_THAT(problemsWith([](BrushStroke& s) { s.path.clear(); }), ElementsAre(HasSubstr("no point")));
     EXPECT_THAT(problemsWith([](BrushStroke& s) { s.path[0].normal.setZero(); }),
                 ElementsAre(HasSubstr("direction")));

@@ -90,10 +90,10 @@ TEST(PageLevels, KeepSeamsUnseenOnASmoothPhoto) {
         const Atlas atlas = packAtlas(mesh, {1024, 1, 8, layout});
         const std::vector<Image> pages = composite(mesh, atlas, {layerFromAbove(photo, 0.11)}, baseColour);
         const auto smaller = smallerPages(atlas, pages);
-        EXPECT_LE(seamError(mesh, atlas, pages), 2) << layoutName(layout);
+        EXPECT_LE(seamError(mesh, atlas, pages), 2) << wordOf(layout);
         for (int level = 1; level <= 2; ++level)
             EXPECT_LE(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)]}, level), 2)
-                << layoutName(layout) << ' ' << level;
+                << wordOf(layout) << ' ' << level;
     }
 }
 

@@ -86,7 +86,7 @@ TEST(PhotoPreparation, NamesEveryProblem) {
     bad.strokes = {PhotoStroke{{{1, nan}}, 0, 2, false}};
     bad.match = ColourMatch{{0, 1, 1}, {0, nan, 0}};
     bad.crop = PhotoCrop{10, 0, std::numeric_limits<int>::max(), 5};
-    EXPECT_EQ(validate(bad, 100, 80).size(), 11U);
+    EXPECT_EQ(validate(bad, 100, 80).size(), 14U);
     EXPECT_THROW(prepared(drawnPhoto(4, 4, [](int, int) -> Channels { return {}; }), bad), InvalidModel);
     EXPECT_TRUE(validate({}, 100, 80).empty());
 }

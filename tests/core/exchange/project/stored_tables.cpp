@@ -1,0 +1,192 @@
+#include "tests/core/exchange/project/stored_field_settings.h"
+
+#include <algorithm>
+
+/// What the tables beside the structs say is stored, so that a field that is added is tried without a word
+/// here.
+namespace esm::stored {
+
+namespace {
+
+template<class Member, class Number> Member filledWith(Number number) {
+    if constexpr (std::is_arithmetic_v<Member>) {
+        return number;
+    } else if constexpr (requires { Member::Constant(number); }) {
+        return Member::Constant(number);
+    } else if constexpr (requires(Member member) { member.has_value(); }) {
+        return filledWith<typename Member::value_type>(number);
+    } else if constexpr (requires(Member member) { member.fill(number); }) {
+        Member member;
+        member.fill(number);
+        return member;
+    } else {
+        return Member(1, filledWith<typename Member::value_type>(number));
+    }
+}
+
+template<class Member, class Number> std::vector<Member> extremesOf(const Limits<Number>& limits) {
+    return {filledWith<Member>(limits.least), filledWith<Member>(limits.most)};
+}
+
+/// None of what has a table of its own, or stands elsewhere in the file.
+template<class Member> std::vector<Member> extremesOf(Unlimited) {
+    if constexpr (std::is_same_v<Member, bool>) return {false, true};
+    if constexpr (std::is_same_v<Member, std::size_t>) return {0, std::numeric_limits<Member>::max()};
+    if constexpr (std::is_same_v<Member, std::uint32_t>) return {0, 7}; // a node
+    if constexpr (std::is_same_v<Member, std::string>) return {"", "0123456789abcdef"};
+    if constexpr (std::is_same_v<Member, std::array<std::uint8_t, 3>>) return {{0, 0, 0}, {255, 255, 255}};
+    std::vector<Member> values;
+    if constexpr (HasWords<Member>)
+        for (const auto& [value, word] : wordsOf<Member>)
+            values.push_back(value);
+    return values;
+}
+
+template<class Struct, class Member, class Limit>
+std::vector<Member> valuesOf(const FileField<Struct, Member, Limit>& field) {
+    std::vector<Member> values = extremesOf<Member>(field.limits);
+    if (field.presence != Presence::Always) values.push_back(Struct{}.*field.member);
+    return values;
+}
+
+template<class Struct> using Change = std::function<void(Struct&)>;
+
+/// @param within does a change to the struct wherever a project has it, if it does
+/// @param others keys of what other parts of a project bound further
+template<class Struct, class Within>
+void addTable(Fields& fields, const std::string& place, const Within& within,
+              const std::vector<std::string>& others = {}) {
+    forEachField(fieldsOf<Struct>, [&](const auto& field) {
+        if (std::find(others.begin(), others.end(), field.key) != others.end()) return;
+        StoredField stored{place + '.' + field.key, {}};
+        for (const auto& value : valuesOf(field))
+            stored.settings.push_back([within, field, value](Project& project) {
+                within(project, Change<Struct>([&](Struct& changed) {
+                           if (field.belongsTo(changed)) changed.*field.member = value;
+                       }));
+            });
+        if (!stored.settings.empty()) fields.push_back(stored);
+    });
+}
+
+/// Changes a copy of what many share.
+template<class Shared, class Struct> void replace(Shared& shared, const Change<Struct>& change) {
+    auto copy = std::make_shared<Struct>(*shared);
+    change(*copy);
+    shared = std::shared_ptr<const Struct>(copy);
+}
+
+template<class Struct> auto firstOf(std::vector<Struct> Scene::*list) {
+    return [list](Project& p, const Change<Struct>& change) {
+        if (!(p.scene.*list).empty()) change((p.scene.*list).front());
+    };
+}
+
+/// Masses are spread over nodes, of which each must keep one; stored_fields.cpp has them.
+void addTissueTables(Fields& fields) {
+    addTable<BaseTissue>(fields, "base", [](Project& p, const auto& change) { change(p.base); }, {"mass"});
+    addTable<SpringStiffening>(fields, "base.stiffening", [](Project& p, const auto& change) {
+        p.regions.clear();
+        p.base.springConstant = 1;
+        change(p.base.stiffening.emplace(SpringStiffening{1, 1}));
+    });
+    addTable<Region>(fields, "region", [](Project& p, const auto& change) {
+        if (p.regions.size() > 1) change(p.regions[1]);
+    });
+    addTable<TissueValues>(fields, "region.held",
+                           [](Project& p, const auto& change) {
+                               if (p.regions.size() > 1) change(p.regions[1].held);
+                           },
+                           {"mass"});
+    addTable<Ellipsoid>(fields, "region.ellipsoid", [](Project& p, const auto& change) {
+        if (p.regions.size() > 1 && p.regions[1].ellipsoid) change(*p.regions[1].ellipsoid);
+    });
+    const auto withStepping = [](Project& p) -> MeasuredStepping& {
+        if (!p.stepping) p.stepping = MeasuredStepping{{Integrator::Rk4, 1, Precision::Double}, 1, 1, ""};
+        p.stepping->stepping.integrator = Integrator::Rk4;
+        return *p.stepping;
+    };
+    addTable<MeasuredStepping>(fields, "stepping",
+                               [=](Project& p, const auto& change) { change(withStepping(p)); });
+    addTable<Stepping>(fields, "stepping",
+                       [=](Project& p, const auto& change) { change(withStepping(p).stepping); });
+}
+
+void addSceneTables(Fields& fields) {
+    addTable<Scene>(fields, "scene", [](Project& p, const auto& change) { change(p.scene); });
+    addTable<NodeSelection>(fields, "fixed", firstOf(&Scene::fixed));
+    addTable<TetherRule>(fields, "tethers", firstOf(&Scene::tethers));
+    addTable<NodeForce>(fields, "forces", firstOf(&Scene::forces));
+    addTable<NodeMove>(fields, "moves", firstOf(&Scene::moves));
+    addTable<Recording>(fields, "record", [](Project& p, const auto& change) { change(p.scene.record); });
+}
+
+/// What a layer throws, and how, is bound to its kind; stored_photo_fields.cpp has that.
+void addLayerTables(Fields& fields, std::size_t i) {
+    const auto inLayer = [i](Project& p, const auto& change) {
+        if (p.layers.size() > i) change(p.layers[i]);
+    };
+    std::vector<std::string> bound{"file", "preparation"};
+    if (i == 3) bound.push_back("blending"); // nothing is painted in bands
+    addTable<TextureLayer>(fields, "layer", inLayer, bound);
+    addTable<Projector>(fields, "projector",
+                        [=](Project& p, const auto& change) {
+                            inLayer(p, [&](TextureLayer& layer) { change(layer.projector); });
+                        },
+                        {"kind"});
+    addTable<Intrinsics>(fields, "intrinsics", [=](Project& p, const auto& change) {
+        inLayer(p, [&](TextureLayer& layer) {
+            if (layer.projector.hasIntrinsics()) change(*layer.projector.intrinsics);
+        });
+    });
+    addTable<BrushStroke>(fields, "stroke",
+                          [=](Project& p, const Change<BrushStroke>& change) {
+                              inLayer(p, [&](TextureLayer& layer) {
+                                  for (auto& stroke : layer.strokes)
+                                      replace(stroke, change);
+                              });
+                          },
+                          {"brush"});
+    addTable<LandmarkPair>(fields, "landmark", [=](Project& p, const auto& change) {
+        inLayer(p, [&](TextureLayer& layer) { change(layer.landmarks.emplace_back()); });
+    });
+}
+
+void addPreparationTables(Fields& fields) {
+    const auto preparing = [](Project& p, const Change<PhotoPreparation>& change) {
+        if (p.layers.size() < 2) return;
+        PhotoPreparation preparation = p.layers[1].preparation;
+        change(preparation);
+        prepare(p.layers[1], preparation);
+    };
+    addTable<PhotoPreparation>(fields, "preparation", preparing);
+    addTable<PhotoStroke>(fields, "preparation.strokes", [=](Project& p, const auto& change) {
+        preparing(p, [&](PhotoPreparation& preparation) {
+            preparation.strokes = {{{{5, 5}}, 20, 0, false}};
+            change(preparation.strokes[0]);
+        });
+    });
+    addTable<ColourMatch>(fields, "preparation.colourMatch", [=](Project& p, const auto& change) {
+        preparing(p, [&](PhotoPreparation& preparation) { change(preparation.match.emplace()); });
+    });
+}
+
+} // namespace
+
+void addTables(Fields& fields) {
+    addTissueTables(fields);
+    addSceneTables(fields);
+    for (std::size_t i = 0; i < 4; ++i)
+        addLayerTables(fields, i);
+    addPreparationTables(fields);
+    addTable<AtlasOptions>(fields, "texture", [](Project& p, const auto& change) {
+        p.texture.atlas = {};
+        change(p.texture.atlas);
+    });
+    addTable<TextureSettings>(fields, "texture", [](Project& p, const auto& change) { change(p.texture); });
+    addTable<RepairReport>(fields, "importReport", [](Project& p, const Change<RepairReport>& change) {
+        replace(p.importReport, change);
+    });
+}
+
+} // namespace esm::stored
