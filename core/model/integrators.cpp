@@ -167,6 +167,11 @@ bool hasConstantMatrix(Integrator integrator) {
     return traitsOf(integrator).hasConstantMatrix;
 }
 
+bool hasTangentMatrix(Integrator integrator) {
+    const IntegratorTraits& traits = traitsOf(integrator);
+    return traits.kind == StepKind::Solving && !traits.hasConstantMatrix;
+}
+
 bool hasSecondOrderForm(Integrator integrator) {
     const IntegratorTraits& traits = traitsOf(integrator);
     return traits.kind == StepKind::Solving && traits.startsAs != integrator;

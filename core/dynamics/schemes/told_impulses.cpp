@@ -6,12 +6,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Whether the step's own solution takes springs as stiff as they are, and the contacts' alone as stiff as
-/// their constants in every direction.
-bool followsTangents(Integrator integrator) {
-    return integrator == Integrator::Implicit || integrator == Integrator::Bdf2;
-}
-
 /// Velocities that one instrument gave by its contacts and by what it moved afterwards, m/s.
 Vectors givenBy(std::size_t instrument, const MadeWay& way, StepSolver& solver, bool byContacts) {
     Vectors given(way.before.size(), Vector3d::Zero());
@@ -74,13 +68,13 @@ Vector3d impulseFor(const Vectors& change, const MadeWay& way) {
 
 // By Newton's third law an instrument's force is what the tissue lacks to keep its balance: the momentum that
 // the instrument gave it, and what that did to the ties that hold it, within the step. Explicit steps and
-// `split` take that from the contacts' impulses themselves. Implicit steps do not: their contacts answer by a
-// constant matrix, in which springs resist sideways as much as along, and impulses grow by what that
-// resistance takes up. There the velocities that an instrument gave are held against the matrix with which
-// the step was solved; on a net pushed across, the bare impulses are twice the force. What is moved out after
-// the solution counts alike.
+// `split` take that from the contacts' impulses themselves. Steps that follow the tangents do not: their
+// contacts answer by a constant matrix, in which springs resist sideways as much as along, and impulses grow
+// by what that resistance takes up. There the velocities that an instrument gave are held against the matrix
+// with which the step was solved; on a net pushed across, the bare impulses are twice the force. What is
+// moved out after the solution counts alike.
 void tellImpulses(const MadeWay& way, StepSolver& solver, std::vector<InstrumentTouch>& touches) {
-    const bool bySolution = followsTangents(way.integrator);
+    const bool bySolution = hasTangentMatrix(way.integrator);
     const auto& contacts = way.problem.contacts;
     for (std::size_t i = 0; i < contacts.size() && !bySolution; ++i)
         touches[contacts[i].collider].impulse -=

@@ -217,16 +217,15 @@ TEST_P(ForceOnInstruments, IsWhatHoldsTheTissueAgainstThem) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, ForceOnInstruments,
-                         testing::Values(ThirdLaw{Integrator::Euler, 0.0002},
-                                         ThirdLaw{Integrator::Split, 0.002},
-                                         ThirdLaw{Integrator::Split2, 0.002},
-                                         ThirdLaw{Integrator::Implicit, 0.01},
-                                         ThirdLaw{Integrator::Bdf2, 0.01}),
-                         [](const auto& info) {
-                             std::string name = integratorName(info.param.integrator);
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Integrators, ForceOnInstruments,
+    testing::Values(ThirdLaw{Integrator::Euler, 0.0002}, ThirdLaw{Integrator::Trapezoid, 0.01},
+                    ThirdLaw{Integrator::Split, 0.002}, ThirdLaw{Integrator::Split2, 0.002},
+                    ThirdLaw{Integrator::Implicit, 0.01}, ThirdLaw{Integrator::Bdf2, 0.01}),
+    [](const auto& info) {
+        std::string name = integratorName(info.param.integrator);
+        return name;
+    });
 
 TEST(ContactColliders, InstrumentsThatOverlapNeitherThrowTheTissueNorLoseIt) {
     for (const Integrator integrator : allIntegrators) {
