@@ -8,6 +8,7 @@
 #include "app/editor/edits/photo_edits.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/recent_menu.h"
+#include "core/authoring/layers.h"
 #include "core/authoring/packing.h"
 #include "core/exchange/meshes/mesh_file.h"
 #include "core/exchange/project/project_file.h"

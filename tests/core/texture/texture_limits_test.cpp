@@ -1,5 +1,6 @@
 #include "core/texture/texture_limits.h"
 
+#include "core/texture/atlas/atlas.h"
 #include "tests/support/test_surfaces.h"
 
 #include <gmock/gmock.h>
