@@ -56,6 +56,7 @@ template<HasWords Enum> void fromJson(const JsonReader& reader, Enum& value) {
     if (found) value = *found;
     if (found || !reader.json().is_string()) return;
     std::vector<std::string> words;
+    words.reserve(wordsOf<Enum>.size());
     for (const Word<Enum>& word : wordsOf<Enum>)
         words.emplace_back(word.word);
     reader.addProblem("should be " + alternatives(words));
