@@ -8,6 +8,13 @@
 
 namespace esm {
 
+namespace {
+
+// Pixels; so much has room beside undo and redo in the smallest window.
+constexpr int kindWidth = 70, fieldWidth = 78, gap = 6;
+
+} // namespace
+
 InstrumentOptions::InstrumentOptions(InstrumentTool& tool, QWidget* parent)
     : QWidget(parent), m_tool(tool), m_kind(new QComboBox(this)),
       m_radius(new NumberField(lengthFormat(smallestLength), this)),
@@ -15,16 +22,18 @@ InstrumentOptions::InstrumentOptions(InstrumentTool& tool, QWidget* parent)
     m_kind->addItem(tr("ball"), static_cast<int>(InstrumentKind::Ball));
     m_kind->addItem(tr("shaft"), static_cast<int>(InstrumentKind::Shaft));
     m_kind->setObjectName(QStringLiteral("instrumentKind"));
+    m_kind->setFixedWidth(kindWidth);
+    m_kind->setAccessibleName(tr("Instrument"));
+    m_kind->setToolTip(
+        tr("What pushes the tissue: a ball, or a shaft as of laparoscopic instruments, round at both ends"));
     guardFromWheel(*m_kind);
     m_radius->setObjectName(QStringLiteral("instrumentRadius"));
     m_length->setObjectName(QStringLiteral("instrumentLength"));
     auto* row = new QHBoxLayout(this);
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     row->setContentsMargins(10, 0, 0, 0);
-    row->setSpacing(8);
-    addField(
-        *row, tr("Instrument"), m_kind,
-        tr("What pushes the tissue: a ball, or a shaft as of laparoscopic instruments, round at both ends"));
+    row->setSpacing(gap);
+    row->addWidget(m_kind);
     addField(*row, tr("Radius"), m_radius, tr("Radius of the ball, or of the shaft and its ends"));
     m_lengthCaption = addField(*row, tr("Length"), m_length,
                                tr("Length of the shaft between the centres of its round ends"));
@@ -37,7 +46,7 @@ QLabel* InstrumentOptions::addField(QHBoxLayout& row, const QString& caption, QW
     auto* label = new QLabel(caption, this);
     label->setProperty("quiet", true);
     label->setBuddy(field);
-    field->setFixedWidth(92);
+    field->setFixedWidth(fieldWidth);
     field->setAccessibleName(caption);
     for (QWidget* widget : std::initializer_list<QWidget*>{label, field}) {
         widget->setToolTip(toolTip);
