@@ -36,7 +36,7 @@ class BadMeshTest(Case):
         message = self.fails(1, "import", mesh, "-o", out, naming=mesh)
         self.assertEqual(out.read_bytes(), b"what was here before")
         self.assertEqual([path.name for path in self.folder.glob("out*")], ["out.esm"])
-        self.assertNotRegex(message, r"(?i)exception|assert|std::|0x")
+        self.assertNotRegex(message.replace(str(self.folder), ""), r"(?i)exception|assert|std::|0x")
 
     def test_bad_files_are_named_and_change_nothing(self):
         for name, content in MESHES.items():
