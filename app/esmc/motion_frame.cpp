@@ -5,6 +5,7 @@
 #include "core/support/file_io.h"
 #include "core/support/numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -50,25 +51,33 @@ std::string_view nextLine(std::string_view& text) {
 
 } // namespace
 
-std::vector<Eigen::Vector3d> readMotionFrame(const std::filesystem::path& file, std::size_t nodeCount,
+std::vector<Eigen::Vector3d> readMotionFrame(const std::filesystem::path& file,
+                                             const std::vector<std::size_t>& nodeCounts,
                                              std::optional<double> time) {
     const Bytes content = readFile(file);
     std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
     if (nextLine(text) != "time,node,x,y,z")
         throw FileError(file, "is no trajectory: its first line should be time,node,x,y,z");
-    std::vector<Eigen::Vector3d> positions(nodeCount, Eigen::Vector3d::Zero());
-    std::vector<double> seen(nodeCount, std::nan(""));
+    const std::size_t mostNodes = nodeCounts.back();
+    std::vector<Eigen::Vector3d> positions(mostNodes, Eigen::Vector3d::Zero());
+    std::vector<double> seen(mostNodes, std::nan(""));
     double frame = std::nan("");
     for (std::size_t number = 2; !text.empty(); ++number) {
         const std::optional<Row> row = rowOf(nextLine(text));
-        if (!row || row->node >= nodeCount)
-            throw FileError(file, "line " + std::to_string(number) + " is no place of one of the model's " +
-                                      std::to_string(nodeCount) + " nodes");
+        if (!row || row->node >= mostNodes)
+            throw FileError(file,
+                            "line " + std::to_string(number) + " is no place of one of the model's " +
+                                std::to_string(mostNodes) +
+                                " nodes; where a scene splits the organ, store it in the project first");
         if (time && row->time > *time) break;
         frame = seen[row->node] = row->time;
         positions[row->node] = row->position;
     }
     if (std::isnan(frame)) throw FileError(file, "has no frame at that time or before it");
+    const auto lastSeen = std::find(seen.rbegin(), seen.rend(), frame);
+    const std::size_t nodeCount = *std::lower_bound(nodeCounts.begin(), nodeCounts.end(),
+                                                    static_cast<std::size_t>(seen.rend() - lastSeen));
+    positions.resize(nodeCount);
     for (std::size_t node = 0; node < nodeCount; ++node)
         if (seen[node] != frame)
             throw FileError(file, "says nothing of node " + std::to_string(node) + " at " +

@@ -10,8 +10,10 @@ namespace esm {
 
 /// Where a trajectory, as `simulate` writes it, has the nodes at a time (s): in its last frame that is not
 /// later, in its last of all without a time.
-/// @throws FileError: not a trajectory, or one of `nodeCount` nodes is not in that frame or cannot be drawn
-std::vector<Eigen::Vector3d> readMotionFrame(const std::filesystem::path& file, std::size_t nodeCount,
+/// @param nodeCounts how many nodes a frame may have, rising: at the start, and after each split of the scene
+/// @throws FileError: not a trajectory, or one of that frame's nodes is missing or cannot be drawn
+std::vector<Eigen::Vector3d> readMotionFrame(const std::filesystem::path& file,
+                                             const std::vector<std::size_t>& nodeCounts,
                                              std::optional<double> time);
 
 } // namespace esm

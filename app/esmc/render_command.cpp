@@ -4,6 +4,7 @@
 #include "app/esmc/model_report.h"
 #include "app/esmc/motion_frame.h"
 #include "app/esmc/opened_file.h"
+#include "core/dynamics/measure/scene_stages.h"
 #include "core/exchange/image_file.h"
 #include "core/offscreen/offscreen.h"
 #include "core/render/drawn_shape.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <variant>
 
 namespace esm {
@@ -89,8 +91,8 @@ Camera cameraFor(const RequestedView& view, const Eigen::AlignedBox3d& box, doub
 /// Springs coloured by their constant, the colours spanning what the organ has.
 void colourSprings(RenderScene& scene, const TissueModel& tissue) {
     std::vector<double> values;
-    for (const Spring& spring : tissue.network->springs)
-        values.push_back(springConstant(tissue, spring));
+    for (const SpringValues& spring : springValues(tissue))
+        values.push_back(spring.springConstant);
     if (values.empty()) return;
     const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
     if (*lowest == *highest) return;
@@ -154,6 +156,24 @@ RenderScene packageScene(ModelPackage package, const Shown& shown) {
     return scene;
 }
 
+/// The organ as a trajectory has it, after as many splits of the scene as made the frame's nodes.
+void showMotion(RenderScene& scene, const std::optional<Project>& project, const RenderOptions& options) {
+    std::vector<SceneStage> stages;
+    if (project)
+        stages = laterStages(authoredTopology(project->mesh, project->network), evaluateModel(*project),
+                             project->scene);
+    std::vector<std::size_t> nodeCounts{scene.network->restPositions.size()};
+    for (const SceneStage& stage : stages)
+        nodeCounts.push_back(stage.organ.tissue.mass.size());
+    scene.nodePositions = readMotionFrame(options.motion, nodeCounts, options.time);
+    const SceneStage* stage = stageOfNodes(stages, scene.nodePositions.size());
+    if (!stage) return;
+    scene.mesh = stage->organ.topology.surface;
+    scene.network = stage->organ.topology.network;
+    scene.springValues.reset();
+    if (scene.showSprings) colourSprings(scene, stage->organ.tissue);
+}
+
 Report runRender(const RenderOptions& options, Context& context) {
     const PictureSize size = parseSize(options.size);
     const Shown named = parseWords(options.show, {"surface", "springs", "regions", "projectors"}, "--show");
@@ -161,15 +181,15 @@ Report runRender(const RenderOptions& options, Context& context) {
     const RequestedView view = requestedView(options, size);
     context.subject = options.project;
     const bool isPackage = isModelPackage(options.project);
+    std::optional<Project> project;
+    if (!isPackage) project = openedProject(options.project, context);
     RenderScene scene = isPackage ? packageScene(openedPackage(options.project, context), shown)
-                                  : projectScene(openedProject(options.project, context), shown, context);
+                                  : projectScene(*project, shown, context);
     scene.showSurface = shows(shown, "surface");
     // A pure motion model has nothing but springs to show.
     scene.showSprings = shows(shown, "springs") || scene.mesh->triangles.empty();
     scene.unlit = options.unlit;
-    if (!options.motion.empty())
-        scene.nodePositions =
-            readMotionFrame(options.motion, scene.network->restPositions.size(), options.time);
+    if (!options.motion.empty()) showMotion(scene, project, options);
     const Camera camera =
         cameraFor(view, organBox(*scene.mesh, *scene.network), static_cast<double>(size.width) / size.height);
     writePng(renderOffscreen(scene, camera, size.width, size.height), options.output);

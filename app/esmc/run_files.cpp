@@ -3,17 +3,9 @@
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
-#include <numeric>
-
 namespace esm {
 
 namespace {
-
-std::vector<std::uint32_t> firstNumbers(std::size_t count) {
-    std::vector<std::uint32_t> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 0U);
-    return numbers;
-}
 
 /// CSV `time,instrument,fx,fy,fz`, numbers so that they read back exactly.
 void writeForces(const std::vector<ForceRow>& rows, const Scene& scene, AtomicFile& file) {
@@ -55,17 +47,23 @@ void requireSurface(const RunOutputs& outputs, const RunnableModel& model) {
         throw InvalidModel("--surface takes the places of all nodes: leave record.nodes out of the scene");
 }
 
-RunFiles::RunFiles(const RunOutputs& outputs, const RunnableModel& model)
-    : m_model(model), m_nodes(outputs.nodes, "node",
-                              model.scene.record.nodes.value_or(firstNumbers(model.tissue.mass.size()))) {
-    if (!outputs.surface.empty())
-        m_surface.emplace(outputs.surface, "vertex", firstNumbers(model.mesh->vertices.size()));
+RunFiles::RunFiles(const RunOutputs& outputs, const RunnableModel& model,
+                   const std::vector<SceneStage>& stages)
+    : m_model(model), m_stages(stages),
+      m_nodes(outputs.nodes, "node", recordedNodes(model.scene, model.tissue.mass.size())) {
+    if (!outputs.surface.empty()) m_surface.emplace(outputs.surface, "vertex");
     if (!outputs.forces.empty()) m_forces.emplace(outputs.forces);
 }
 
 void RunFiles::add(double time, const std::vector<Eigen::Vector3d>& positions) {
     m_nodes.add(time, positions);
-    if (m_surface) m_surface->add(time, drawnPositions(*m_model.mesh, *m_model.tissue.network, positions));
+    if (m_surface) m_surface->add(time, drawn(positions));
+}
+
+std::vector<Eigen::Vector3d> RunFiles::drawn(const std::vector<Eigen::Vector3d>& positions) const {
+    const SceneStage* stage = stageOfNodes(m_stages, positions.size());
+    if (!stage) return drawnPositions(*m_model.mesh, *m_model.tissue.network, positions);
+    return drawnPositions(*stage->organ.topology.surface, *stage->organ.topology.network, positions);
 }
 
 void RunFiles::commit(const std::vector<ForceRow>& forces, Interruption& interruption) {

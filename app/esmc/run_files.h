@@ -3,6 +3,7 @@
 #include "app/esmc/runnable_model.h"
 #include "app/esmc/trajectory_file.h"
 #include "core/dynamics/measure/scene_run.h"
+#include "core/dynamics/measure/scene_stages.h"
 
 #include <optional>
 #include <string>
@@ -23,10 +24,11 @@ void requireSurface(const RunOutputs& outputs, const RunnableModel& model);
 /// The same of the forces on instruments. @throws InvalidModel
 void requireInstruments(const RunOutputs& outputs, const Scene& scene);
 
-/// The files that a run writes, all or none. The model must outlive it.
+/// The files that a run writes, all or none. Model and stages must outlive it.
 class RunFiles {
 public:
-    RunFiles(const RunOutputs& outputs, const RunnableModel& model); ///< @throws FileError
+    RunFiles(const RunOutputs& outputs, const RunnableModel& model,
+             const std::vector<SceneStage>& stages); ///< @throws FileError
 
     /// @param positions m, of the nodes that the scene records
     void add(double time, const std::vector<Eigen::Vector3d>& positions);
@@ -35,7 +37,10 @@ public:
                 Interruption& interruption); ///< @throws FileError, Cancelled
 
 private:
+    std::vector<Eigen::Vector3d> drawn(const std::vector<Eigen::Vector3d>& positions) const;
+
     const RunnableModel& m_model;
+    const std::vector<SceneStage>& m_stages;
     TrajectoryFile m_nodes;
     std::optional<TrajectoryFile> m_surface;
     std::optional<AtomicFile> m_forces;

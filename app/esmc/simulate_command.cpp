@@ -117,6 +117,23 @@ void addInstruments(Report& report, const Scene& scene, const SceneOutcome& outc
     }
 }
 
+/// What each split made, so that loads can name it.
+void addSplits(Report& report, const std::vector<SceneStage>& stages) {
+    if (stages.empty()) return;
+    report.json["splits"] = Json::array();
+    for (const SceneStage& stage : stages) {
+        const std::vector<PartedNode>& parted = stage.organ.parted;
+        Json nodes = Json::array();
+        for (const auto& [node, twin, share] : parted)
+            nodes.push_back({{"node", twin}, {"of", node}});
+        report.json["splits"].push_back({{"split", stage.split}, {"time", stage.begin}, {"nodes", nodes}});
+        report.text.push_back(sceneEntry("split", stage.split) + " at " + inText(stage.begin) +
+                              " s: " + counted(parted.size(), "new node") + ", from " +
+                              std::to_string(parted.front().twin) + ", of node " +
+                              std::to_string(parted.front().node) + ", on");
+    }
+}
+
 /// What the outcome itself advises, else what helps in most cases.
 std::string withAdvice(const std::string& outcome) {
     const bool advises = outcome.find("shorter step") != std::string::npos;
@@ -196,7 +213,8 @@ struct MotionSeen {
     double farthestPlace = 0;           ///< m, the largest coordinate
 
     void add(const std::vector<Eigen::Vector3d>& positions) {
-        if (start.empty()) start = positions;
+        start.insert(start.end(), positions.begin() + static_cast<std::ptrdiff_t>(start.size()),
+                     positions.end());
         for (std::size_t i = 0; i < positions.size(); ++i) {
             longestWay = std::max(longestWay, (positions[i] - start[i]).norm());
             farthestPlace = std::max(farthestPlace, positions[i].cwiseAbs().maxCoeff());
@@ -301,6 +319,8 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     requireRecording(model.scene);
     requireSurface(outputs, model);
     requireInstruments(outputs, model.scene);
+    const std::vector<SceneStage> stages =
+        laterStages(authoredTopology(model.mesh, model.tissue.network), model.tissue, model.scene);
     std::vector<std::string> warnings;
     if (model.stepping && takesRecommended(options))
         settings = recommendedSettings(model, settings, warnings);
@@ -309,7 +329,7 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     std::optional<RunFiles> files;
     MotionSeen motion;
     const auto newSink = [&]() -> FrameSink {
-        files.emplace(outputs, model);
+        files.emplace(outputs, model, stages);
         motion = {};
         return [&](double time, const std::vector<Eigen::Vector3d>& positions) {
             files->add(time, positions);
@@ -322,6 +342,7 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     files->commit(accurate.outcome.forces, context.interruption);
     Report report = describe(accurate.outcome);
     addInstruments(report, model.scene, accurate.outcome);
+    addSplits(report, stages);
     if (options.mostError)
         addError(report, accurate, warnings);
     else if (isLeftToAuto(settings))

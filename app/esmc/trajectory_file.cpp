@@ -16,18 +16,18 @@ template<typename Number> void append(std::string& text, Number value) {
 } // namespace
 
 TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, const std::string& points,
-                               std::vector<std::uint32_t> numbers)
+                               std::optional<std::vector<std::uint32_t>> numbers)
     : m_file(file), m_numbers(std::move(numbers)) {
     m_file.write("time," + points + ",x,y,z\n");
 }
 
 void TrajectoryFile::add(double time, const std::vector<Eigen::Vector3d>& positions) {
     std::string row;
-    for (std::size_t i = 0; i < m_numbers.size(); ++i) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
         row.clear();
         append(row, time);
         row += ',';
-        append(row, m_numbers[i]);
+        append(row, m_numbers ? std::size_t{(*m_numbers)[i]} : i);
         for (const double coordinate : positions[i]) {
             row += ',';
             append(row, coordinate);

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,18 +15,19 @@ namespace esm {
 /// go to the disk as they come: a long run of a large organ does not fit into memory.
 class TrajectoryFile {
 public:
-    /// @param points what the rows are of, "node" or "vertex", and their numbers
+    /// @param points what the rows are of, "node" or "vertex"
+    /// @param numbers theirs; none: those of their places
     /// @throws FileError
     TrajectoryFile(const std::filesystem::path& file, const std::string& points,
-                   std::vector<std::uint32_t> numbers);
+                   std::optional<std::vector<std::uint32_t>> numbers = {});
 
     void add(double time,
-             const std::vector<Eigen::Vector3d>& positions); ///< one position (m) per point, time in s
+             const std::vector<Eigen::Vector3d>& positions); ///< m, of the points there are; time in s
     void commit() { m_file.commit(); }
 
 private:
     AtomicFile m_file;
-    std::vector<std::uint32_t> m_numbers;
+    std::optional<std::vector<std::uint32_t>> m_numbers;
 };
 
 } // namespace esm

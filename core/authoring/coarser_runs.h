@@ -7,7 +7,7 @@ namespace esm {
 
 /// A scene of a project on a quarter of its nodes, a sixteenth and so on, to be measured against the whole.
 /// Each shows the recorded nodes where it carries the drawn vertices that are there. None for what moves
-/// rigidly, and where a recorded node shows at no vertex. @throws Cancelled, between two of them
+/// rigidly or is split, and where a recorded node shows at no vertex. @throws Cancelled, between two of them
 std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene,
                                     const Progress& progress = {});
 

@@ -68,6 +68,13 @@ struct Simulation::Implementation {
     double contactWork = 0;               ///< J, of all instruments
     std::optional<KeptState> older, younger;
 
+    /// What the run began with, where its topology is another one now.
+    struct Whole {
+        SpringSystem system;
+        TouchedSurface surface;
+    };
+    std::optional<Whole> whole;
+
     Implementation(const TissueModel& model, const SimulationSettings& given, TouchedSurface touchable)
         : settings(given), surface(std::move(touchable)), team(makeTeam(model, given)),
           chosen(chooseStep(model, given)),
@@ -76,6 +83,11 @@ struct Simulation::Implementation {
     }
 
     void reset() {
+        if (whole) {
+            auto [system, touchable] = *std::exchange(whole, {});
+            surface = std::move(touchable);
+            stepper = Stepper(std::move(system), surface, {chosen, settings, team.get()});
+        }
         motion.positions = stepper.system().network->restPositions;
         motion.velocities.assign(motion.positions.size(), Eigen::Vector3d::Zero());
         guard.restart(motion.positions);
@@ -110,10 +122,12 @@ struct Simulation::Implementation {
 
     KeptState stateNow() const { return {motion, time(), instruments, guard}; }
 
-    /// Lets the motion, and the states that were kept of it, go on in tissue with other parameters.
-    void takeOver(const SpringSystem& other) {
+    /// Lets the motion, and the states that were kept of it, go on in other tissue. @param map none: of the
+    /// same nodes
+    void takeOver(const SpringSystem& other, const NodeMap* map = nullptr) {
         const auto take = [&](Motion& taken, DivergenceGuard& its) {
             const double before = esm::energy(stepper.system(), taken.positions, taken.velocities).total();
+            if (map) taken = {map->mapped(taken.positions), map->mapped(taken.velocities)};
             for (std::size_t node = 0; node < other.fixed.size(); ++node)
                 if (other.fixed[node]) taken.velocities[node].setZero();
             its.allow(std::max(0.0, esm::energy(other, taken.positions, taken.velocities).total() - before));
@@ -292,6 +306,19 @@ void Simulation::setModel(const TissueModel& model, const SimulationSettings& se
     self.goOnWith(chosen, std::move(stepper));
     // The motion goes on from here, whatever the parameters: back to here is better than back to rest.
     if (!self.older) self.older = self.younger ? std::exchange(self.younger, {}) : self.stateNow();
+}
+
+void Simulation::setTopology(const TissueModel& model, const NodeMap& map, TouchedSurface surface) {
+    Implementation& self = *m_implementation;
+    SpringSystem system = makeSpringSystem(model);
+    if (auto problems = map.problems(self.motion.positions.size(), system.mass.size()); !problems.empty())
+        throw InvalidModel(std::move(problems));
+    if (!self.team) self.team = makeTeam(model, self.settings);
+    Stepper stepper(std::move(system), surface, {self.chosen, self.settings, self.team.get()});
+    if (!self.whole) self.whole = {self.stepper.system(), self.surface};
+    self.takeOver(stepper.system(), &map);
+    self.surface = std::move(surface);
+    self.goOnWith(self.chosen, std::move(stepper));
 }
 
 void Simulation::keepState() {

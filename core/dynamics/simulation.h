@@ -6,6 +6,7 @@
 #include "core/dynamics/schemes/instrument_touch.h"
 #include "core/dynamics/settings.h"
 #include "core/model/tissue_model.h"
+#include "core/model/topology.h"
 
 #include <memory>
 #include <string>
@@ -70,6 +71,11 @@ public:
     void setModel(const TissueModel& model);
     void setModel(const TissueModel& model, const SimulationSettings& settings);
 
+    /// Goes on in tissue with other nodes, springs or triangles, as after a cut: motion and kept states as
+    /// the map says, instruments and what they did as they are. Steps stay as long as they are. reset()
+    /// brings the tissue back that the run began with. @throws InvalidModel
+    void setTopology(const TissueModel& model, const NodeMap& map, TouchedSurface surface = {});
+
     /// Keeps the state as it is now, and with it the one that was kept last.
     void keepState();
     /// Back to the older of the two states that were kept last, or to rest without two: a run that diverges
@@ -77,7 +83,7 @@ public:
     /// setModel() chooses anew. @throws InvalidModel as step()
     void goBack(double timeStep);
 
-    /// Back to rest at time 0, without instruments.
+    /// Back to rest at time 0, without instruments, and with the nodes that there were then.
     void reset();
 
 private:

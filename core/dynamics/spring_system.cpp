@@ -37,10 +37,11 @@ SpringSystem makeSpringSystem(const TissueModel& model) {
     system.mass = model.mass;
     system.tethers = model.tethers;
     system.springs.reserve(model.network->springs.size());
-    for (const Spring& spring : model.network->springs) {
-        const double constant = springConstant(model, spring);
-        system.springs.push_back({spring.first, spring.second, spring.restLength, constant,
-                                  viscosity(model, spring), secondPhaseOf(model.stiffening, constant)});
+    for (std::size_t i = 0; i < model.network->springs.size(); ++i) {
+        const auto& [first, second, restLength] = model.network->springs[i];
+        const auto [springConstant, viscosity] = valuesOf(model, i);
+        system.springs.push_back({first, second, restLength, springConstant, viscosity,
+                                  secondPhaseOf(model.stiffening, springConstant)});
     }
     system.fixed.assign(model.mass.size(), 0);
     for (std::uint32_t node : model.fixedNodes)

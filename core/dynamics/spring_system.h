@@ -10,7 +10,7 @@ namespace esm {
 
 using Vectors = std::vector<Eigen::Vector3d>; ///< one per node
 
-/// A tissue model laid out for stepping: each spring has the mean of its ends, fixed nodes are flags.
+/// A tissue model laid out for stepping: each spring has its values, fixed nodes are flags.
 struct SpringSystem {
     struct Element {
         std::uint32_t first, second;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -88,6 +89,26 @@ void checkForces(SceneCheck& check, const Scene& scene) {
         check.require(std::isfinite(force.from) && std::isfinite(force.to) && force.from <= force.to, place,
                       "from and to must be times, from not after to");
     }
+}
+
+void checkSplits(SceneCheck& check, const Scene& scene) {
+    for (std::size_t i = 0; i < scene.splits.size(); ++i) {
+        const std::string place = sceneEntry("split", i);
+        check.add(place, fieldProblems(scene.splits[i]));
+        check.require(!scene.splits[i].edges.empty(), place, "name at least one edge");
+        std::set<std::uint32_t> nodes;
+        for (const auto& [first, second] : scene.splits[i].edges)
+            nodes.insert({first, second});
+        check.requireNodes({nodes.begin(), nodes.end()}, place);
+    }
+}
+
+/// With as many nodes as splits may make at most: one for each of a path's.
+std::size_t nodesAtMost(const Scene& scene, std::size_t nodeCount) {
+    if (nodeCount == std::numeric_limits<std::size_t>::max()) return nodeCount;
+    for (const SurfaceSplit& split : scene.splits)
+        nodeCount += split.edges.size() + 1;
+    return nodeCount;
 }
 
 void checkMotion(SceneCheck& check, const Scene& scene) {
@@ -195,8 +216,10 @@ bool hasPlainInstrument(const Scene& scene) {
 }
 
 std::vector<std::string> validate(const Scene& scene, std::size_t nodeCount) {
-    SceneCheck check(nodeCount, fieldProblems(scene));
-    checkBoundary(check, scene);
+    SceneCheck ofStart(nodeCount, fieldProblems(scene));
+    checkBoundary(ofStart, scene);
+    SceneCheck check(nodesAtMost(scene, nodeCount), ofStart.takeProblems());
+    checkSplits(check, scene);
     checkForces(check, scene);
     checkMotion(check, scene);
     checkInstruments(check, scene);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/collider.h"
+#include "core/geometry/edge_path.h"
 #include "core/geometry/ellipsoid.h"
 #include "core/support/fields.h"
 
@@ -80,6 +81,18 @@ struct InstrumentMotion {
     bool operator==(const InstrumentMotion&) const = default;
 };
 
+/// The surface parts along edges: see `splitAlong()`. Edges of later splits may name nodes that earlier ones
+/// made.
+struct SurfaceSplit {
+    double time = 0; ///< s
+    EdgePath edges;
+
+    bool operator==(const SurfaceSplit&) const = default;
+};
+template<>
+inline constexpr auto fieldsOf<SurfaceSplit> = std::tuple{
+    field("time", &SurfaceSplit::time, amountLimits("time", "s")), field("edges", &SurfaceSplit::edges)};
+
 struct Recording {
     double every = 0.01;                             ///< s
     std::optional<std::vector<std::uint32_t>> nodes; ///< all without
@@ -100,6 +113,7 @@ struct Scene {
     std::vector<NodeForce> forces;
     std::vector<NodeMove> moves;
     std::vector<InstrumentMotion> instruments;
+    std::vector<SurfaceSplit> splits; ///< in any order; those of the same time one after the other
     Recording record;
 
     bool operator==(const Scene&) const = default;
@@ -113,6 +127,7 @@ inline constexpr auto fieldsOf<Scene> =
                field("tethers", &Scene::tethers).whenSet(),
                field("forces", &Scene::forces).whenSet(),
                field("moves", &Scene::moves).whenSet(),
+               field("split", &Scene::splits).whenSet(),
                field("record", &Scene::record).mayBeAbsent()};
 
 /// Where a path is at a time. Precondition: the path has a point.
@@ -132,7 +147,8 @@ bool hasPlainInstrument(const Scene& scene);
 /// "forces[2]": how a scene file names the third force.
 std::string sceneEntry(const char* list, std::size_t index);
 
-/// Every problem of a scene for a model of `nodeCount` nodes. Empty when it can run.
+/// Every problem of a scene for a model of `nodeCount` nodes that can be told without its surface. Loads and
+/// what is recorded may name nodes that splits may make.
 std::vector<std::string> validate(const Scene& scene, std::size_t nodeCount);
 
 } // namespace esm

@@ -56,6 +56,11 @@ std::string tissueDigest(const TissueModel& model) {
         digest.add(spring.second);
         digest.add(spring.restLength);
     }
+    if (hasOwnValues(model))
+        for (const auto& [springConstant, viscosity] : model.ownValues) {
+            digest.add(springConstant);
+            digest.add(viscosity);
+        }
     if (model.stiffening) {
         digest.add(model.stiffening->strain);
         digest.add(model.stiffening->factor);

@@ -5,9 +5,9 @@
 
 namespace esm {
 
-/// Sixteen hexadecimal digits (FNV-1a, 64 bits) of masses, spring constants, viscosities, rest lengths and
-/// the springs' law, in single precision as a model package holds them. Tethers and fixed nodes do not count:
-/// they are the scene's.
+/// Sixteen hexadecimal digits (FNV-1a, 64 bits) of masses, spring constants, viscosities, rest lengths, the
+/// springs' law and what they have of their own, in single precision as a model package holds them. Tethers
+/// and fixed nodes do not count: they are the scene's.
 std::string tissueDigest(const TissueModel& model);
 
 /// Whether it was measured on other tissue than this. What does not say on which was not.

@@ -3,6 +3,10 @@
 #include "core/support/numbers.h"
 #include "core/support/offenders.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace esm {
 
 namespace {
@@ -68,6 +72,18 @@ void checkNodeParameters(Problems& problems, const TissueModel& model) {
         placesWhere(model.viscosity.size(), [&](std::size_t i) { return !isAmount(model.viscosity[i]); }));
 }
 
+void checkOwnValues(Problems& problems, const TissueModel& model) {
+    const auto& values = model.ownValues;
+    const std::size_t springs = model.network->springs.size();
+    if (!values.empty() && values.size() != springs)
+        problems.push_back(std::to_string(values.size()) + " springs have values of their own, of " +
+                           std::to_string(springs));
+    reportOffenders(problems, "spring", "with a spring constant or viscosity" + withinBounds("0"),
+                    placesWhere(values.size(), [&](std::size_t i) {
+                        return !isAmount(values[i].springConstant) || !isAmount(values[i].viscosity);
+                    }));
+}
+
 void checkStiffening(Problems& problems, const TissueModel& model) {
     if (!model.stiffening) return;
     if (const Problems found = fieldProblems(*model.stiffening); !found.empty()) {
@@ -75,10 +91,15 @@ void checkStiffening(Problems& problems, const TissueModel& model) {
         return;
     }
     // Sound factors of sound numbers may still be too large together.
-    reportOffenders(problems, "node", "with a spring constant of stretched springs" + withinBounds("0"),
-                    placesWhere(model.springConstant.size(), [&](std::size_t i) {
-                        const double own = model.springConstant[i];
-                        return isAmount(own) && !isAmount(model.stiffening->factor * own);
+    const auto isTooStiff = [&](double own) {
+        return isAmount(own) && !isAmount(model.stiffening->factor * own);
+    };
+    const std::string fault = "with a spring constant of stretched springs" + withinBounds("0");
+    reportOffenders(problems, "node", fault, placesWhere(model.springConstant.size(), [&](std::size_t i) {
+                        return isTooStiff(model.springConstant[i]);
+                    }));
+    reportOffenders(problems, "spring", fault, placesWhere(model.ownValues.size(), [&](std::size_t i) {
+                        return isTooStiff(model.ownValues[i].springConstant);
                     }));
 }
 
@@ -101,12 +122,36 @@ void checkTethersAndFixedNodes(Problems& problems, const TissueModel& model) {
 
 } // namespace
 
-double springConstant(const TissueModel& model, const Spring& spring) {
-    return meanOfEnds(model.springConstant, spring);
+SpringValues valuesOf(const TissueModel& model, std::size_t spring) {
+    if (!model.ownValues.empty()) return model.ownValues[spring];
+    const Spring& between = model.network->springs[spring];
+    return {meanOfEnds(model.springConstant, between), meanOfEnds(model.viscosity, between)};
 }
 
-double viscosity(const TissueModel& model, const Spring& spring) {
-    return meanOfEnds(model.viscosity, spring);
+std::vector<SpringValues> springValues(const TissueModel& model) {
+    std::vector<SpringValues> values;
+    values.reserve(model.network->springs.size());
+    for (std::size_t spring = 0; spring < model.network->springs.size(); ++spring)
+        values.push_back(valuesOf(model, spring));
+    return values;
+}
+
+// Below the smallest normal number, singles have fewer digits.
+bool isMean(double value, double first, double second) {
+    const double allowed = meanTolerance * std::max(std::abs(first), std::abs(second));
+    return std::abs(value - (first + second) / 2) <=
+           allowed + static_cast<double>(std::numeric_limits<float>::min());
+}
+
+bool hasOwnValues(const TissueModel& model) {
+    for (std::size_t i = 0; i < model.ownValues.size(); ++i) {
+        const auto& [first, second, restLength] = model.network->springs[i];
+        const auto& [springConstant, viscosity] = model.ownValues[i];
+        if (!isMean(springConstant, model.springConstant[first], model.springConstant[second]) ||
+            !isMean(viscosity, model.viscosity[first], model.viscosity[second]))
+            return true;
+    }
+    return false;
 }
 
 std::vector<std::string> validate(const TissueModel& model) {
@@ -114,6 +159,7 @@ std::vector<std::string> validate(const TissueModel& model) {
     if (!model.network) return {"the model has no network of nodes and springs"};
     checkNetwork(problems, *model.network);
     checkNodeParameters(problems, model);
+    checkOwnValues(problems, model);
     checkStiffening(problems, model);
     checkTethersAndFixedNodes(problems, model);
     return problems;

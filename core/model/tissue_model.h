@@ -33,21 +33,37 @@ inline constexpr auto fieldsOf<SpringStiffening> = std::tuple{
     field("factor", &SpringStiffening::factor,
           positiveLimits("the factor of the spring constant of stretched springs", "", largestNumber))};
 
+/// What one spring is made of, where that is not the mean of its ends.
+struct SpringValues {
+    double springConstant; ///< N/m
+    double viscosity;      ///< N·s/m
+};
+
 /// Everything a simulation needs to know of the tissue, evaluated: regions and scene are already in the
 /// numbers.
 struct TissueModel {
     std::shared_ptr<const SpringNetwork> network;
-    std::vector<double> mass;                   ///< kg per node
-    std::vector<double> springConstant;         ///< N/m per node; a spring takes its ends' mean
-    std::vector<double> viscosity;              ///< N·s/m per node; a spring takes its ends' mean
+    std::vector<double> mass;            ///< kg per node
+    std::vector<double> springConstant;  ///< N/m per node, as regions say; a spring takes its ends' mean
+    std::vector<double> viscosity;       ///< N·s/m per node, as regions say; the same
+    std::vector<SpringValues> ownValues; ///< one per spring, in place of the means; empty: none has its own
     std::optional<SpringStiffening> stiffening; ///< of every spring, of no tether; linear without
     std::vector<Tether> tethers;
     std::vector<std::uint32_t> fixedNodes; ///< sorted, each once
 };
 
-/// Mean of the spring's two ends.
-double springConstant(const TissueModel& model, const Spring& spring);
-double viscosity(const TissueModel& model, const Spring& spring);
+/// Of the network's spring of that number: its own, or the mean of its two ends.
+SpringValues valuesOf(const TissueModel& model, std::size_t spring);
+/// The same of all springs.
+std::vector<SpringValues> springValues(const TissueModel& model);
+
+/// Relative to the larger of a spring's ends, how far its values may be from their mean and still be taken
+/// for it: what 32-bit numbers of packages are rounded by, with room to spare.
+constexpr double meanTolerance = 1e-6;
+/// Whether a value of a spring is the mean of its ends'.
+bool isMean(double value, double first, double second);
+/// Whether some spring is not its ends' mean.
+bool hasOwnValues(const TissueModel& model);
 
 /// Every problem: sizes that do not agree, springs to missing nodes, parameters that are negative or beyond
 /// 10³⁰ (a stretched spring's constant too), masses outside 10⁻³⁰ to 10³⁰ kg. Empty when the model can be

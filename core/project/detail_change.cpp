@@ -92,6 +92,12 @@ Scene overOtherNodes(Scene scene, const Points& before, const Points& after) {
         selection.nodes = stillFixed(before, after, afterwards, selection.nodes);
     for (TetherRule& rule : scene.tethers)
         rule = asStrong(rule, before.size(), after.size());
+    const auto isMadeBySplit = [&](const auto& load) { return load.node >= before.size(); };
+    scene.splits.clear();
+    scene.forces.erase(std::remove_if(scene.forces.begin(), scene.forces.end(), isMadeBySplit),
+                       scene.forces.end());
+    scene.moves.erase(std::remove_if(scene.moves.begin(), scene.moves.end(), isMadeBySplit),
+                      scene.moves.end());
     for (NodeForce& force : scene.forces)
         force.node = afterwards.nearest(before[force.node]);
     std::set<std::uint32_t> led;
@@ -101,7 +107,12 @@ Scene overOtherNodes(Scene scene, const Points& before, const Points& after) {
         if (led.insert(move.node).second) moves.push_back(std::move(move));
     }
     scene.moves = std::move(moves);
-    if (scene.record.nodes) scene.record.nodes = afterwards.nearest(before, *scene.record.nodes);
+    if (!scene.record.nodes) return scene;
+    Nodes& recorded = *scene.record.nodes;
+    recorded.erase(std::remove_if(recorded.begin(), recorded.end(),
+                                  [&](std::uint32_t node) { return node >= before.size(); }),
+                   recorded.end());
+    recorded = afterwards.nearest(before, recorded);
     return scene;
 }
 
@@ -127,6 +138,7 @@ Project withDetail(const Project& project, const Detail& detail) {
         changed.scene.tethers = fresh.scene.tethers;
         changed.scene.forces.clear();
         changed.scene.moves.clear();
+        changed.scene.splits.clear();
         changed.scene.record.nodes.reset();
     }
     return changed;

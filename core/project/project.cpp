@@ -251,6 +251,10 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& mo
     }
     for (std::size_t i = 0; i < scene.moves.size(); ++i)
         warnIfFixed("moves", i, scene.moves[i].node, "does not follow its path");
+    for (std::size_t i = 0; i < scene.splits.size(); ++i)
+        if (!(scene.splits[i].time < scene.duration))
+            warnings.push_back(sceneEntry("split", i) +
+                               ": it never happens; it should be before the end of the scene");
     if (scene.record.nodes && scene.record.nodes->empty())
         warnings.emplace_back("record: it names no node, and a run needs one; leave the list out for all");
     return warnings;

@@ -254,7 +254,7 @@ class Package:
         extended = any(map(is_extended, self.json["fuzzySystems"]))
         soft = any("rim" in region for region in self.json["regions"])
         needed = 5 if soft else 4 if extended else 3 if "stiffening" in self.json else 2 if "binding" in self.json else 1
-        check(self.json["version"] == needed, "another version of the extension")
+        check(self.json["version"] in (needed, 6), "another version of the extension")  # 6: springs of their own
         check(self.json["damping"] == "isotropic", "another damping")
         self.nodes, self.springs = self.json["nodes"], self.json["springs"]
         self.node_count, self.spring_count = self.nodes["count"], self.springs["count"]
@@ -285,6 +285,9 @@ class Package:
         self.lengths = self.array(group, "restLength", self.spring_count)
         for key, of_nodes in (("springConstant", self.node_c), ("viscosity", self.node_d)):
             for i, value in enumerate(self.array(group, key, self.spring_count)):
+                check(value >= 0, "a spring's parameter is below 0")
+                if self.json["version"] >= 6:
+                    continue
                 mean = (of_nodes[self.ends[2 * i]] + of_nodes[self.ends[2 * i + 1]]) / 2
                 check(abs(value - mean) <= 1e-6 * mean + 1e-37, "%s of spring %d is not its ends' mean" % (key, i))
         group = self.json["tethers"]

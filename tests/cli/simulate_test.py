@@ -363,6 +363,38 @@ class SimulateTest(Case):
         self.fails(1, "simulate", project, "--scene", still, "-o", self.file("o.csv"), "--forces", forces, naming="no instrument")
         self.fails(2, "simulate", project, "--scene", still, "-o", forces, "--forces", forces, naming="name another")
 
+    def test_splits_the_organ_while_it_moves(self):
+        octahedron = ("v 0 0 .05\nv .05 0 0\nv 0 .05 0\nv -.05 0 0\nv 0 -.05 0\nv 0 0 -.05\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\n"
+                      "f 6 3 2\nf 6 4 3\nf 6 5 4\nf 6 2 5\n")
+        project = self.file("ball.esm")
+        self.done("import", self.file("ball.obj", octahedron), "--unit", "m", "--mass", "0.1", "-o", project)
+        scene = {"duration": 0.1, "forces": [{"node": 0, "force": [0, 0, 1]}, {"node": 5, "force": [0, 0, -1]}],
+                 "split": [{"time": 0.045, "edges": [[1, 2], [2, 3], [3, 4], [4, 1]]}], "record": {"every": 0.02}}
+        surface = self.file("surface.csv")
+        report, rows = self.simulated(project, scene, "--integrator", "verlet", "--surface", surface)
+        self.assertEqual(report["splits"], [{"split": 0, "time": 0.045, "nodes": [
+            {"node": 6 + i, "of": 1 + i} for i in range(4)]}])
+        counts = {}
+        for row in rows:
+            counts[float(row["time"])] = counts.get(float(row["time"]), 0) + 1
+        self.assertEqual([count for _, count in sorted(counts.items())], [6, 6, 6, 10, 10, 10])
+        last = {int(row["node"]): float(row["z"]) for row in rows if float(row["time"]) == max(counts)}
+        for ring in range(1, 5):
+            self.assertGreater(abs(last[ring] - last[ring + 5]), 0.01)
+        with open(surface) as table:
+            self.assertEqual(len(list(csv.DictReader(table))), 3 * 6 + 3 * 10)
+        stored = self.file("stored.esm")
+        self.done("scene", project, "--scene", self.file("scene.json", scene), "-o", stored)
+        with zipfile.ZipFile(stored) as archive:
+            manifest = json.loads(archive.read("manifest.json"))
+        self.assertEqual((manifest["version"], manifest["scene"]["split"]), (9, scene["split"]))
+        picture = self.file("split.png")
+        for at in ("0.02", "0.1"):
+            self.done("render", stored, "--motion", self.file("out.csv"), "--at", at, "--show", "surface,springs", "-o", picture)
+        self.fails(1, "render", project, "--motion", self.file("out.csv"), "-o", picture, naming="store it in the project first")
+        scene["split"][0]["edges"] = [[0, 1]]
+        self.fails(1, "simulate", project, "--scene", self.file("one.json", scene), "-o", self.file("o.csv"), naming="parts nothing by itself")
+
     def test_refuses_more_steps_than_can_be_run_and_takes_any_time_between_frames(self):
         project = self.sample("tube")
         endless, out = self.file("endless.json", {"duration": 1e25}), self.file("no.csv")

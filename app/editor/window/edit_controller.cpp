@@ -61,10 +61,12 @@ void EditController::enable(const Actions& actions) {
     esm::enable(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
                 tr("Simulate fewer nodes under the full surface, or every vertex"),
                 tr("This model has no surface that fewer nodes could carry"));
+    const bool splits = !project.scene.splits.empty();
     esm::enable(
-        actions.playScene, hasLoads(project.scene),
+        actions.playScene, hasLoads(project.scene) && !splits,
         withShortcut(tr("Play the scene's forces, led nodes and instruments from rest"), actions.playScene),
-        tr("The scene has no force, led node or instrument: esmc scene stores one"));
+        splits ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
+               : tr("The scene has no force, led node or instrument: esmc scene stores one"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
     esm::enable(actions.addPhoto, !project.mesh->triangles.empty(),
                 withShortcut(tr("Lay a photo on the organ, from the camera"), actions.addPhoto), noSurface);

@@ -112,9 +112,9 @@ void MainWindow::buildPanels() {
     auto* workbench = new FuzzyWorkbench(*m_document, *m_selection);
     workbench->setWindowAction(m_actions.fuzzyWindow);
 
-    m_tissueLeft =
-        buildColumn(*this, Qt::LeftDockWidgetArea, tr("Organ"),
-                    {new ModelPanel(*m_document), regions, new EllipsoidPanel(*m_document, *m_selection)});
+    m_tissueLeft = buildColumn(
+        *this, Qt::LeftDockWidgetArea, tr("Organ"),
+        {new ModelPanel(*m_document, *m_preview), regions, new EllipsoidPanel(*m_document, *m_selection)});
     m_textureLeft =
         buildColumn(*this, Qt::LeftDockWidgetArea, tr("Photos"), {photos, new AtlasPanel(*m_document)});
     const auto underOptions = [this](ToolWorkspace workspace, std::initializer_list<QWidget*> panels) {
@@ -235,6 +235,13 @@ void MainWindow::noteTheScene() {
     if (scene.instruments.size() == 1) parts << tr("An instrument follows a path.");
     if (scene.instruments.size() > 1)
         parts << tr("%1 instruments follow paths.").arg(scene.instruments.size());
+    if (!scene.splits.empty()) {
+        parts << tr("At set times, the organ is split along edges.");
+        parts.prepend(
+            tr("The project holds a scene that “esmc simulate” runs. The window does not play splits "
+               "yet: it shows the whole organ, and what you do yourself."));
+        return m_status->showNote(tr("Has a scene with splits"), parts.join('\n'));
+    }
     if (parts.isEmpty()) return m_status->showNote({}, {});
     parts.prepend(
         tr("The project holds a scene. Simulation → Play scene (Shift+Space) plays it from rest; else the "

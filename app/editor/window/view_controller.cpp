@@ -15,8 +15,8 @@ namespace {
 std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& model) {
     auto values = std::make_shared<std::vector<double>>();
     values->reserve(model.network->springs.size());
-    for (const Spring& spring : model.network->springs)
-        values->push_back(springConstant(model, spring));
+    for (const SpringValues& spring : springValues(model))
+        values->push_back(spring.springConstant);
     return values;
 }
 
@@ -28,6 +28,7 @@ constexpr std::chrono::milliseconds redrawingPatience{400}, redrawingReminder{50
 ViewController::ViewController(OrganView& view, Document& document, Selection& selection, Preview& preview)
     : QObject(&view), m_view(view), m_document(document), m_selection(selection), m_preview(preview) {
     connect(&document, &Document::changed, this, &ViewController::followDocument);
+    connect(&preview, &Preview::tissueReady, this, &ViewController::takeTissue);
     connect(&selection, &Selection::changed, this, &ViewController::rebuildScene);
     connect(&preview, &Preview::frameReady, this, &ViewController::showFrame);
     connect(&m_redrawing, &QTimer::timeout, this, &ViewController::announceRedrawing);
@@ -66,11 +67,18 @@ void ViewController::followDocument(const Change& change) {
     // Where the hand is on one organ says nothing about the next.
     if (change.mesh) m_view.letGo();
     if (change.model() || change.stepping) m_preview.setProject(project);
-    if (change.model()) m_springConstants.reset();
     if (change.mesh || change.scene) m_fixedNodes = fixedNodesOf(*project.network, project.scene);
     if (change.picture()) composePhotos();
     rebuildScene();
     if (change.mesh) m_view.frameOrgan();
+}
+
+void ViewController::takeTissue() {
+    const std::shared_ptr<const TissueModel> tissue = m_preview.tissue();
+    if (!tissue) return;
+    m_tissue = tissue;
+    m_springConstants.reset();
+    if (showsSprings()) rebuildScene();
 }
 
 void ViewController::composePhotos() {
@@ -153,13 +161,18 @@ void ViewController::addProjector(RenderScene& scene) {
     scene.projectors.push_back({layer.projector, pictureOf(layer), true, isLaid, depth});
 }
 
+bool ViewController::showsSprings() const {
+    return (m_showSprings && !m_textureWorkspace) || m_document.project().mesh->triangles.empty();
+}
+
 void ViewController::addSprings(RenderScene& scene) {
     const Project& project = m_document.project();
-    const bool onlySprings = project.mesh->triangles.empty();
-    scene.showSprings = (m_showSprings && !m_textureWorkspace) || onlySprings;
+    scene.showSprings = showsSprings();
     m_view.setLegend(std::nullopt);
     if (!scene.showSprings || project.network->springs.empty()) return;
-    if (!m_springConstants) m_springConstants = springConstants(evaluateModel(project));
+    // Until what an edit comes to is evaluated, what was before it stays.
+    if (!m_tissue || m_tissue->network != project.network) return;
+    if (!m_springConstants) m_springConstants = springConstants(*m_tissue);
     const auto& values = *m_springConstants;
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     scene.springValueMinimum = *least;

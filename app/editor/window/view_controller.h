@@ -38,6 +38,8 @@ private:
     };
 
     void followDocument(const Change& change);
+    void takeTissue();
+    bool showsSprings() const;
     void composePhotos();
     void expectPhotos();
     void announceRedrawing();
@@ -61,7 +63,8 @@ private:
     QTimer m_redrawing; ///< runs while the photos are redrawn
     bool m_redrawingAnnounced = false;
     bool m_textureWorkspace = false, m_showSprings = false, m_showRegions = true;
-    std::shared_ptr<const std::vector<double>> m_springConstants; ///< N/m per spring, of the model as it is
+    std::shared_ptr<const TissueModel> m_tissue;                  ///< as it was evaluated last
+    std::shared_ptr<const std::vector<double>> m_springConstants; ///< its, N/m per spring; null until shown
     std::vector<std::uint32_t> m_fixedNodes;
     Mark m_mark;
 };

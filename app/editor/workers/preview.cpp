@@ -94,6 +94,11 @@ PreviewStatus Preview::status() const {
     return m_status;
 }
 
+std::shared_ptr<const TissueModel> Preview::tissue() const {
+    const std::lock_guard lock(m_mutex);
+    return m_tissueProject == m_inbox.projects ? m_tissue : nullptr;
+}
+
 Preview::Inbox Preview::collect(bool idle, Clock::time_point until) {
     std::unique_lock lock(m_mutex);
     if (idle)
@@ -122,7 +127,7 @@ bool Preview::workOnce(Worker& worker) {
     Inbox inbox = collect(!worker.playing, worker.next);
     if (inbox.stop) return false;
     worker.next = Clock::now() + framePeriod;
-    if (inbox.project) takeProject(worker, *inbox.project);
+    if (inbox.project) takeProject(worker, *inbox.project, inbox.projects);
     worker.project = inbox.projects;
     if (inbox.reset) worker.run.reset();
     if (inbox.playScene) worker.run.beginScene();
@@ -141,10 +146,17 @@ bool Preview::workOnce(Worker& worker) {
     return true;
 }
 
-void Preview::takeProject(Worker& worker, const Project& project) {
+void Preview::takeProject(Worker& worker, const Project& project, int number) {
     // The step of other parameters says nothing of these.
     worker.gauged.reset();
-    if (worker.run.setProject(project))
+    const bool runs = worker.run.setProject(project);
+    {
+        const std::lock_guard lock(m_mutex);
+        m_tissue = worker.run.tissue();
+        m_tissueProject = number;
+    }
+    emit tissueReady();
+    if (runs)
         gauge(worker);
     else
         takeSafeStep(std::nullopt);

@@ -46,9 +46,13 @@ public:
 
     PreviewFrame frame();
     PreviewStatus status() const;
+    /// What the project that came last is made of, evaluated once for all who show it; null while it is
+    /// evaluated, and where it cannot be.
+    std::shared_ptr<const TissueModel> tissue() const;
 
 signals:
     void frameReady();
+    void tissueReady();
     void statusChanged();
 
 private:
@@ -71,7 +75,8 @@ private:
 
     void work();
     bool workOnce(Worker& worker);
-    void takeProject(Worker& worker, const Project& project);
+    /// @param number how many projects had come with it
+    void takeProject(Worker& worker, const Project& project, int number);
     /// Seeks the largest stable step of the integrator that runs.
     void gauge(Worker& worker);
     /// Ends the run for what went wrong outside the simulation.
@@ -86,6 +91,8 @@ private:
     Inbox m_inbox;
     PreviewFrame m_frame;
     PreviewStatus m_status;
+    std::shared_ptr<const TissueModel> m_tissue;
+    int m_tissueProject = 0; ///< the number of the project that it is of
     std::atomic<bool> m_frameAnnounced = false;
     SafeStepFinder m_safeSteps;
     std::thread m_thread;

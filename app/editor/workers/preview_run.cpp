@@ -44,14 +44,16 @@ SimulationSettings settingsOf(const Project& project) {
 
 bool PreviewRun::setProject(const Project& project) {
     try {
-        const bool goesOn = m_simulation && m_model.network == project.network;
-        TissueModel model = evaluateModel(project);
+        const bool goesOn = m_simulation && m_network == project.network;
+        m_tissue.reset();
+        m_tissue = std::make_shared<const TissueModel>(evaluateModel(project));
         const SimulationSettings settings = settingsOf(project);
         if (goesOn)
-            m_simulation->setModel(model, settings);
+            m_simulation->setModel(*m_tissue, settings);
         else
-            m_simulation.emplace(model, settings, touchedSurface(*project.mesh, *project.network));
-        m_model = std::move(model);
+            m_simulation.emplace(*m_tissue, settings, touchedSurface(*project.mesh, *project.network));
+        m_model = m_tissue;
+        m_network = project.network;
         m_settings = settings;
         m_isShortened = project.stepping && *settings.timeStep < project.stepping->stepping.timeStep;
         m_scene = project.scene;
@@ -61,7 +63,7 @@ bool PreviewRun::setProject(const Project& project) {
             m_gentleTime = 0;
             m_playsScene = false;
         }
-        m_gentlePull = gentlePull(m_model);
+        m_gentlePull = gentlePull(*m_model);
         m_halvings = 0;
         m_isReplaced = false;
         m_modelFailure.clear();
@@ -69,7 +71,7 @@ bool PreviewRun::setProject(const Project& project) {
         return true;
     } catch (const std::exception& error) {
         m_modelFailure = error.what();
-        if (!m_simulation) m_model.network = project.network;
+        if (!m_simulation) m_network = project.network;
         return false;
     }
 }
@@ -83,7 +85,7 @@ void PreviewRun::reset() {
     m_debt = 0;
     m_runFailure.clear();
     if (!m_simulation) return;
-    if (m_halvings > 0 || m_isReplaced) m_simulation->setModel(m_model, m_settings);
+    if (m_halvings > 0 || m_isReplaced) m_simulation->setModel(*m_model, m_settings);
     m_halvings = 0;
     m_isReplaced = false;
     m_simulation->reset();
@@ -120,7 +122,7 @@ bool PreviewRun::isSceneOver() const {
 Loads PreviewRun::sceneLoads() const {
     const double now = m_simulation->time();
     if (m_playsScene)
-        return loadsDuring(m_scene, m_model.network->restPositions, now, now + m_simulation->timeStep());
+        return loadsDuring(m_scene, m_network->restPositions, now, now + m_simulation->timeStep());
     Loads loads;
     loads.gravity = m_scene.gravity;
     return loads;
@@ -129,20 +131,20 @@ Loads PreviewRun::sceneLoads() const {
 const std::vector<Eigen::Vector3d>& PreviewRun::positions() const {
     static const std::vector<Eigen::Vector3d> none;
     if (m_simulation) return m_simulation->positions();
-    return m_model.network ? m_model.network->restPositions : none;
+    return m_network ? m_network->restPositions : none;
 }
 
 void PreviewRun::followLoads(const PreviewLoads& loads) {
     if (!loads.pull)
         m_pull.reset();
     else if (!m_pull || m_pull->node() != loads.pull->node)
-        m_pull.emplace(m_model, m_simulation->positions(), loads.pull->node);
+        m_pull.emplace(*m_model, m_simulation->positions(), loads.pull->node);
     if (m_pull) m_pull->setTarget(loads.pull->target);
 
     if (!loads.gentleMotion || !m_gentlePull)
         m_gentleGrasp.reset();
     else if (!m_gentleGrasp)
-        m_gentleGrasp.emplace(m_model, m_simulation->positions(), m_gentlePull->node);
+        m_gentleGrasp.emplace(*m_model, m_simulation->positions(), m_gentlePull->node);
 }
 
 bool PreviewRun::step(const PreviewLoads& loads) {
@@ -175,7 +177,7 @@ bool PreviewRun::goBack() {
         m_isReplaced = true;
         m_halvings = 0;
         m_simulation->goBack(m_simulation->timeStep());
-        m_simulation->setModel(m_model, {});
+        m_simulation->setModel(*m_model, {});
     } else
         return false;
     // What is held takes hold anew, of the tissue where it is now.
@@ -203,7 +205,7 @@ void PreviewRun::measureForce(const Eigen::Vector3d& impulse, double simulated) 
 }
 
 bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
-    if (loads.pull && loads.pull->node >= m_model.network->restPositions.size()) return true;
+    if (loads.pull && loads.pull->node >= m_network->restPositions.size()) return true;
     if (m_playsScene && isSceneOver()) leaveScene();
     followLoads(loads);
     const double timeStep = m_simulation->timeStep();

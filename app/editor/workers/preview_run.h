@@ -64,11 +64,14 @@ public:
     bool advance(double seconds, const PreviewLoads& loads);
 
     bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
-    const TissueModel& model() const { return m_model; }
+    /// What runs. Precondition: a project was taken.
+    const TissueModel& model() const { return *m_model; }
+    /// What the last project comes to, whether or not it can be simulated; null where it cannot be evaluated.
+    const std::shared_ptr<const TissueModel>& tissue() const { return m_tissue; }
     /// Precondition: a project was taken.
     Integrator integrator() const { return m_simulation->integrator(); }
     const std::vector<Eigen::Vector3d>& positions() const;
-    const std::shared_ptr<const SpringNetwork>& network() const { return m_model.network; }
+    const std::shared_ptr<const SpringNetwork>& network() const { return m_network; }
     PreviewStatus status() const;
 
 private:
@@ -83,7 +86,9 @@ private:
     Eigen::Vector3d toldImpulse() const;
     void measureForce(const Eigen::Vector3d& impulse, double simulated);
 
-    TissueModel m_model;
+    std::shared_ptr<const TissueModel> m_model;     ///< what runs; null before the first
+    std::shared_ptr<const TissueModel> m_tissue;    ///< of the last project
+    std::shared_ptr<const SpringNetwork> m_network; ///< of what runs, or cannot
     SimulationSettings m_settings; ///< the project's way to step, in steps that can be watched
     bool m_isShortened = false;    ///< the project's step
     std::optional<Simulation> m_simulation;

@@ -21,18 +21,29 @@ std::size_t mostFramesOf(std::size_t points) {
     return std::clamp(most, fewestCompared, mostCompared) / 2 * 2;
 }
 
+/// Points that were not there at first move from where they were seen first.
+void addNewcomers(MotionPoints& start, const MotionPoints& now) {
+    for (std::size_t i = start.size(); i < now.size(); ++i)
+        start.push_back(now[i]);
+}
+
 MotionError errorBetween(const Trajectory& trajectory, const Trajectory& reference) {
     MotionError error;
-    for (const auto& [time, positions] : trajectory)
-        if (const auto found = reference.find(time); found != reference.end())
-            error.add(positions, found->second, reference.at(0));
+    MotionPoints start = reference.at(0);
+    for (const auto& [time, positions] : trajectory) {
+        const auto found = reference.find(time);
+        if (found == reference.end()) continue;
+        addNewcomers(start, found->second);
+        error.add(positions, found->second, start);
+    }
     return error;
 }
 
 } // namespace
 
 void MotionError::add(const MotionPoints& points, const MotionPoints& reference, const MotionPoints& start) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t inBoth = std::min(points.size(), reference.size());
+    for (std::size_t i = 0; i < inBoth; ++i) {
         m_difference += (points[i] - reference[i]).squaredNorm();
         m_motion += (reference[i] - start[i]).squaredNorm();
     }

@@ -23,10 +23,11 @@ Loads loadsDuring(const Scene& scene, const std::vector<Eigen::Vector3d>& rest, 
     Loads loads;
     loads.gravity = scene.gravity;
     for (const NodeForce& force : scene.forces)
-        if (const double share = shareOf(force, start, end); share > 0)
+        if (const double share = shareOf(force, start, end); share > 0 && force.node < rest.size())
             loads.forces.emplace_back(force.node, share * force.force);
     for (const NodeMove& move : scene.moves)
-        loads.held.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
+        if (move.node < rest.size())
+            loads.held.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
     for (const InstrumentMotion& instrument : scene.instruments)
         loads.instruments.push_back(placedAt(instrument, end));
     return loads;

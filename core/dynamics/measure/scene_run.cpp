@@ -1,6 +1,7 @@
 #include "core/dynamics/measure/scene_run.h"
 
 #include "core/dynamics/measure/scene_loads.h"
+#include "core/dynamics/measure/scene_stages.h"
 #include "core/dynamics/measure/timeline.h"
 #include "core/dynamics/measure/watched_run.h"
 #include "core/dynamics/stability/stability.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace esm {
@@ -31,8 +33,9 @@ void requireRunnable(const Scene& scene, double timeStep) {
 
 class Recorder {
 public:
-    Recorder(const Scene& scene, double timeStep, FrameSink sink)
-        : m_scene(scene), m_timeStep(timeStep), m_sink(std::move(sink)) {}
+    Recorder(const SceneRun& run, double timeStep, FrameSink sink)
+        : m_scene(run.scene), m_nodes(recordedNodes(run.scene, run.model.mass.size())), m_timeStep(timeStep),
+          m_sink(std::move(sink)) {}
 
     /// Hands out the state at a time when a frame is due, or when it is the last there will be.
     void offer(double time, const Simulation& simulation, bool last) {
@@ -74,16 +77,17 @@ private:
     }
 
     Vectors recorded(const Vectors& positions) const {
-        if (!m_scene.record.nodes) return positions;
+        if (!m_nodes) return positions;
         Vectors chosen;
-        for (std::uint32_t node : *m_scene.record.nodes)
-            chosen.push_back(positions[node]);
+        for (std::uint32_t node : *m_nodes)
+            if (node < positions.size()) chosen.push_back(positions[node]);
         return chosen;
     }
 
     const Scene& m_scene;
-    double m_timeStep;                          ///< s
-    double m_due = 0, m_given = 0, m_frame = 0; ///< s, s, a whole number; may be beyond any time
+    std::optional<std::vector<std::uint32_t>> m_nodes; ///< none: all
+    double m_timeStep;                                 ///< s
+    double m_due = 0, m_given = 0, m_frame = 0;        ///< s, s, a whole number; may be beyond any time
     FrameSink m_sink;
     std::vector<ForceRow> m_forces;
     Vectors m_impulses; ///< N·s, on the instruments up to the last row
@@ -117,29 +121,80 @@ void count(const TimeSpan& span, std::size_t taken, SceneOutcome& outcome) {
     outcome.shortestStep = std::min(outcome.shortestStep, lengthOf(span));
 }
 
+/// The simulated surface, node i as its vertex i, by which a run splits what it steps.
+Topology steppedTopology(const SceneRun& run) {
+    auto network = std::make_shared<SpringNetwork>(*run.model.network);
+    network->vertexNodes.resize(network->restPositions.size());
+    std::iota(network->vertexNodes.begin(), network->vertexNodes.end(), 0U);
+    auto surface =
+        std::make_shared<const TriangleMesh>(TriangleMesh{network->restPositions, run.surface.triangles});
+    return authoredTopology(std::move(surface), std::move(network));
+}
+
+std::vector<SceneStage> laterStages(const SceneRun& run) {
+    if (run.scene.splits.empty()) return {};
+    return laterStages(steppedTopology(run), run.model, run.scene);
+}
+
+/// What a run steps and watches, stage by stage.
+class StagedRun {
+public:
+    StagedRun(const SceneRun& run, const std::vector<SceneStage>& stages, Simulation& simulation)
+        : m_run(run), m_stages(stages), m_simulation(simulation), m_settings(run.settings) {
+        m_settings.integrator = simulation.integrator();
+        m_watched.emplace(simulation, m_settings);
+    }
+
+    WatchedRun& watched() { return *m_watched; }
+    const Scene& scene() const { return m_entered == 0 ? m_run.scene : m_stages[m_entered - 1].scene; }
+    const Vectors& rest() const { return m_simulation.system().network->restPositions; }
+
+    /// Begins the stages whose time has come; returns the seconds that took.
+    double enterStages(const Timeline& timeline) {
+        const auto isDue = [&] {
+            return m_entered < m_stages.size() && timeline.hasReached(m_stages[m_entered].begin);
+        };
+        if (!isDue()) return 0;
+        const double start = m_run.clock();
+        for (; isDue(); ++m_entered) {
+            const SplitTissue& organ = m_stages[m_entered].organ;
+            m_simulation.setTopology(organ.tissue, organ.map,
+                                     m_run.scene.instruments.empty() ? TouchedSurface()
+                                                                     : organ.topology.surface->triangles);
+            m_watched.emplace(m_simulation, m_settings);
+        }
+        return m_run.clock() - start;
+    }
+
+private:
+    const SceneRun& m_run;
+    const std::vector<SceneStage>& m_stages;
+    Simulation& m_simulation;
+    SimulationSettings m_settings;
+    std::optional<WatchedRun> m_watched;
+    std::size_t m_entered = 0;
+};
+
 /// Runs the scene from rest, its instruments standing at their paths' starts; returns the seconds spent
-/// stepping.
-double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& recorder, const Progress& progress,
-                   SceneOutcome& outcome) {
-    double stepping = 0;
-    SimulationSettings settings = run.settings;
-    settings.integrator = simulation.integrator();
-    WatchedRun watched(simulation, settings);
+/// stepping and splitting.
+double stepThrough(const SceneRun& run, const std::vector<SceneStage>& stages, Simulation& simulation,
+                   Recorder& recorder, const Progress& progress, SceneOutcome& outcome) {
+    StagedRun staged(run, stages, simulation);
     double lastReport = run.clock();
-    const Vectors& rest = run.model.network->restPositions;
     const TimeDivision division{std::ldexp(simulation.timeStep(), run.halvings), run.halvings};
-    Timeline timeline(run.scene, division, simulation.integrator(), rest.size());
+    Timeline timeline(run.scene, division, simulation.integrator(), staged.rest().size());
     outcome.averagedCorners = timeline.averagedCorners();
     std::vector<ColliderPose> starts;
     for (const InstrumentMotion& instrument : run.scene.instruments)
         starts.push_back(poseAt(instrument, 0));
     simulation.placeInstruments(std::move(starts));
+    double stepping = staged.enterStages(timeline);
     recorder.offer(0, simulation, false);
     while (!timeline.isAtEnd()) {
         const TimeSpan span = timeline.next(recorder.due(), mostTogether(run.scene, simulation));
-        Loads loads = loadsDuring(run.scene, rest, span.start, span.end);
+        Loads loads = loadsDuring(staged.scene(), staged.rest(), span.start, span.end);
         loads.beginsAnew = span.beginsAnew;
-        watched.begin();
+        staged.watched().begin();
         const double start = run.clock();
         const std::size_t taken = stepsTaken(simulation, loads, span);
         stepping += run.clock() - start;
@@ -151,9 +206,11 @@ double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& record
             recorder.offer(timeline.time(), simulation, true);
             break;
         }
-        outcome.outcome = watched.problemAfter(loads, lengthOf(span), span.steps, timeline.isAtEnd());
+        outcome.outcome =
+            staged.watched().problemAfter(loads, lengthOf(span), span.steps, timeline.isAtEnd());
         outcome.stable = outcome.outcome.empty();
         if (!outcome.stable) break;
+        stepping += staged.enterStages(timeline);
         recorder.offer(timeline.time(), simulation, timeline.isAtEnd());
         if (run.clock() - lastReport < progressInterval) continue;
         lastReport = run.clock();
@@ -163,24 +220,28 @@ double stepThrough(const SceneRun& run, Simulation& simulation, Recorder& record
     return stepping;
 }
 
-/// A chosen step is shortened so that frames fall on steps, where that leaves it long enough.
-SimulationSettings withStep(const SceneRun& run) {
+/// A chosen step suits every stage, and is shortened so that frames fall on steps, where that leaves it long
+/// enough.
+SimulationSettings withStep(const SceneRun& run, const std::vector<SceneStage>& stages) {
     SimulationSettings settings = run.settings;
     if (settings.timeStep) return settings;
-    const ChosenStep chosen = chooseStep(run.model, settings);
+    ChosenStep chosen = chooseStep(run.model, settings);
     settings.integrator = chosen.integrator;
+    for (const SceneStage& stage : stages)
+        chosen.timeStep = std::min(chosen.timeStep, chooseStep(stage.organ.tissue, settings).timeStep);
     const double every = run.scene.record.every;
     const double shortened = every / std::ceil(every / chosen.timeStep * (1 - 1e-9));
     settings.timeStep = shortened >= shortestStep ? shortened : chosen.timeStep;
     return settings;
 }
 
-double bestOfRepeats(const SceneRun& run, Simulation& simulation, double seconds) {
+double bestOfRepeats(const SceneRun& run, const std::vector<SceneStage>& stages, Simulation& simulation,
+                     double seconds) {
     for (int repeat = 1; repeat < mostRepeats && seconds < tooShortToTime; ++repeat) {
         simulation.reset();
         SceneOutcome ignored;
-        Recorder nothing(run.scene, simulation.timeStep(), {});
-        seconds = std::min(seconds, stepThrough(run, simulation, nothing, {}, ignored));
+        Recorder nothing(run, simulation.timeStep(), {});
+        seconds = std::min(seconds, stepThrough(run, stages, simulation, nothing, {}, ignored));
     }
     return seconds;
 }
@@ -224,7 +285,8 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     };
     reportProgress(progress, 0);
     const double start = run.clock();
-    SimulationSettings settings = withStep(run);
+    const std::vector<SceneStage> stages = laterStages(run);
+    SimulationSettings settings = withStep(run, stages);
     SceneOutcome outcome;
     outcome.timeStep = std::ldexp(*settings.timeStep, -run.halvings);
     requireRunnable(run.scene, outcome.timeStep);
@@ -237,15 +299,15 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     outcome.factorisationSeconds = simulation.factorisationSeconds();
     outcome.integrator = simulation.integrator();
 
-    Recorder recorder(run.scene, simulation.timeStep(), sink);
-    outcome.wallSeconds = stepThrough(run, simulation, recorder, progress, outcome);
+    Recorder recorder(run, simulation.timeStep(), sink);
+    outcome.wallSeconds = stepThrough(run, stages, simulation, recorder, progress, outcome);
     outcome.energy = simulation.energy();
     outcome.activeFraction = simulation.activeFraction();
     outcome.instruments = simulation.instrumentTouches();
     outcome.instruments.resize(run.scene.instruments.size());
     outcome.forces = recorder.takeForces();
     if (outcome.stable) outcome.outcome = "completed";
-    if (outcome.stable) outcome.wallSeconds = bestOfRepeats(run, simulation, outcome.wallSeconds);
+    if (outcome.stable) outcome.wallSeconds = bestOfRepeats(run, stages, simulation, outcome.wallSeconds);
     reportProgress(progress, 1);
     return outcome;
 }

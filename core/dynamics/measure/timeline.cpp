@@ -121,6 +121,13 @@ private:
 
 } // namespace
 
+std::vector<double> splitCorners(const Scene& scene) {
+    std::set<double> corners;
+    for (const SurfaceSplit& split : scene.splits)
+        addCorner(corners, split.time, scene.duration);
+    return {corners.begin(), corners.end()};
+}
+
 std::vector<double> forceCorners(const Scene& scene) {
     std::set<double> corners;
     for (const NodeForce& force : scene.forces) {
@@ -146,15 +153,18 @@ Timeline::Timeline(const Scene& scene, const TimeDivision& division, Integrator 
                    std::size_t nodeCount)
     : m_nominal(division.timeStep), m_step(division.stepLength()), m_duration(scene.duration),
       m_parts(std::ldexp(1, division.halvings)), m_close(closeTimes(m_nominal, scene.duration)) {
-    const std::vector<double> ofForces = forceCorners(scene), ofPaths = pathCorners(scene);
+    const std::vector<double> ofSplits = splitCorners(scene), ofForces = forceCorners(scene),
+                              ofPaths = pathCorners(scene);
     std::set<double> all(ofForces.begin(), ofForces.end());
     all.insert(ofPaths.begin(), ofPaths.end());
+    all.insert(ofSplits.begin(), ofSplits.end());
     all = apart(all, m_close, m_duration);
     if (cutsEverywhere(integrator)) {
         m_corners.assign(all.begin(), all.end());
     } else {
         CutChoice choice({m_nominal, m_duration, m_close},
                          nodeCount <= mostNodesForLengths ? mostLengths : 0);
+        choice.choose(ofSplits, all);
         choice.choose(ofForces, all);
         choice.choose(ofPaths, all);
         m_corners = choice.takeCorners();

@@ -40,6 +40,8 @@ public:
 
     double time() const { return m_time; } ///< s, that was reached
     bool isAtEnd() const { return m_time >= m_duration; }
+    /// Whether a time, s, has come; what rounding misses it by is none.
+    bool hasReached(double time) const { return m_time >= time - m_close; }
 
     /// The next step; where whole ones follow each other without a corner, up to `most` of them that begin
     /// before `until`, s. Precondition: not at the end.
@@ -77,6 +79,8 @@ private:
     std::optional<Piece> m_piece; ///< of the cut step that we are in
 };
 
+/// Times inside the scene at which the organ is split, s, rising.
+std::vector<double> splitCorners(const Scene& scene);
 /// Times inside the scene at which a force begins or ends, and at which a led node or an instrument changes
 /// its velocity or its turning, s, rising.
 std::vector<double> forceCorners(const Scene& scene);

@@ -117,8 +117,10 @@ Json PackageBuilder::springs() {
     for (const Spring& spring : m_network.springs) {
         ends.insert(ends.end(), {spring.first, spring.second});
         restLengths.push_back(spring.restLength);
-        springConstants.push_back(springConstant(m_from.tissue, spring));
-        viscosities.push_back(viscosity(m_from.tissue, spring));
+    }
+    for (const auto& [springConstant, viscosity] : springValues(m_from.tissue)) {
+        springConstants.push_back(springConstant);
+        viscosities.push_back(viscosity);
     }
     m_shared.springNodes = m_arrays.addIndices(ends, GltfTarget::Indices);
     json["nodes"] = m_shared.springNodes;
@@ -191,7 +193,10 @@ Json PackageBuilder::extension() {
     const Project& project = m_from.project;
     RegionsJson regions = toJson(project.regions);
     const bool stiffens = m_from.tissue.stiffening.has_value();
-    Json json{{"version", versionOf(needsOf(project.regions, isBound(), stiffens))},
+    const int version = hasOwnValues(m_from.tissue)
+                            ? package_layout::versionOfOwnValues
+                            : versionOf(needsOf(project.regions, isBound(), stiffens));
+    Json json{{"version", version},
               {"name", project.name},
               {"units", package_layout::units},
               {"damping", "isotropic"}};

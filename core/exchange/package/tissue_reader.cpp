@@ -13,7 +13,7 @@ namespace {
 
 class TissueReader {
 public:
-    explicit TissueReader(const GltfArrayReader& arrays) : m_arrays(arrays) {}
+    TissueReader(const GltfArrayReader& arrays, int version) : m_arrays(arrays), m_version(version) {}
 
     PackagedTissue read(const JsonReader& extension) const;
 
@@ -27,7 +27,8 @@ private:
     }
 
     void readNodes(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const;
-    void readSprings(const JsonReader& group, SpringNetwork& network, const TissueModel& tissue) const;
+    void readSprings(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const;
+    void readOwnValues(const JsonReader& springs, TissueModel& tissue) const;
     void readTethers(const JsonReader& group, TissueModel& tissue) const;
     void readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const;
     void readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const;
@@ -35,6 +36,7 @@ private:
                    const std::vector<double>& ofNodes) const;
 
     const GltfArrayReader& m_arrays;
+    int m_version;
 };
 
 void TissueReader::readNodes(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const {
@@ -45,18 +47,15 @@ void TissueReader::readNodes(const JsonReader& group, SpringNetwork& network, Ti
     tissue.viscosity = scalars(group, "viscosity", count);
 }
 
-/// A package that says one thing per spring and another per node would run differently in different
-/// simulators.
+/// Before springs could have values of their own, a package that said one thing per spring and another per
+/// node would have run differently in different simulators.
 void TissueReader::checkMean(const JsonReader& springs, const char* key, const SpringNetwork& network,
                              const std::vector<double>& ofNodes) const {
     const std::vector<double> values = scalars(springs, key, network.springs.size());
     if (m_arrays.foundProblems()) return;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double first = ofNodes[network.springs[i].first], second = ofNodes[network.springs[i].second];
-        const double allowed = package_layout::meanTolerance * std::max(std::abs(first), std::abs(second));
-        if (std::abs(values[i] - (first + second) / 2) <=
-            allowed + static_cast<double>(std::numeric_limits<float>::min()))
-            continue;
+        if (isMean(values[i], first, second)) continue;
         springs.member(key).addProblem("holds " + std::to_string(values[i]) + " for spring " +
                                        std::to_string(i) + ", but its ends' mean is " +
                                        std::to_string((first + second) / 2));
@@ -64,8 +63,18 @@ void TissueReader::checkMean(const JsonReader& springs, const char* key, const S
     }
 }
 
-void TissueReader::readSprings(const JsonReader& group, SpringNetwork& network,
-                               const TissueModel& tissue) const {
+/// None where all are the mean: rounding to 32 bits gives no spring a value of its own.
+void TissueReader::readOwnValues(const JsonReader& springs, TissueModel& tissue) const {
+    const std::size_t count = tissue.network->springs.size();
+    const std::vector<double> springConstants = scalars(springs, "springConstant", count);
+    const std::vector<double> viscosities = scalars(springs, "viscosity", count);
+    if (m_arrays.foundProblems()) return;
+    for (std::size_t i = 0; i < count; ++i)
+        tissue.ownValues.push_back({springConstants[i], viscosities[i]});
+    if (!hasOwnValues(tissue)) tissue.ownValues.clear();
+}
+
+void TissueReader::readSprings(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const {
     const std::size_t count = countOf(group);
     if (count == 0) return;
     const std::vector<std::uint32_t> ends =
@@ -74,8 +83,12 @@ void TissueReader::readSprings(const JsonReader& group, SpringNetwork& network,
     if (ends.size() != 2 * count || restLengths.size() != count) return;
     for (std::size_t i = 0; i < count; ++i)
         network.springs.push_back({ends[2 * i], ends[2 * i + 1], restLengths[i]});
-    checkMean(group, "springConstant", network, tissue.springConstant);
-    checkMean(group, "viscosity", network, tissue.viscosity);
+    if (m_version >= package_layout::versionOfOwnValues) {
+        readOwnValues(group, tissue);
+    } else {
+        checkMean(group, "springConstant", network, tissue.springConstant);
+        checkMean(group, "viscosity", network, tissue.viscosity);
+    }
 }
 
 void TissueReader::readTethers(const JsonReader& group, TissueModel& tissue) const {
@@ -163,7 +176,8 @@ void checkNamesOfExtension(const JsonReader& gltf) {
 }
 
 PackagedTissue readTissue(const JsonReader& extension, const GltfArrayReader& arrays) {
-    return TissueReader(arrays).read(extension);
+    const auto version = static_cast<int>(extension.member("version").integer(1, modelPackageVersion));
+    return TissueReader(arrays, version).read(extension);
 }
 
 } // namespace esm

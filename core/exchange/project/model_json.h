@@ -18,6 +18,7 @@ struct VersionNeeds {
     bool landmarks = false;         ///< photos with landmarks: version 8
     bool maskedPhotos = false;      ///< photos with strokes, or their colours matched: version 8
     bool instruments = false;       ///< others than one sphere without a name or a turn: version 9
+    bool splits = false;            ///< a scene that splits the organ: version 9
 };
 
 /// What the regions and their fuzzy systems need, with what else does.

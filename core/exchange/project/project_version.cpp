@@ -42,6 +42,7 @@ int projectVersionOf(const Project& project) {
     needs.landmarks = any(needsLandmarks);
     needs.maskedPhotos = any(needsMask);
     needs.instruments = !hasPlainInstrument(project.scene);
+    needs.splits = !project.scene.splits.empty();
     return versionOf(needs);
 }
 

@@ -81,6 +81,18 @@ struct SceneForms : TypedForms {
         point = {txyz[0], {txyz[1], txyz[2], txyz[3]}};
     }
 
+    Json write(const std::pair<std::uint32_t, std::uint32_t>& edge) const {
+        return {edge.first, edge.second};
+    }
+    void read(const JsonReader& reader, std::pair<std::uint32_t, std::uint32_t>& edge) const {
+        std::vector<std::uint32_t> ends;
+        readValue(reader, ends, *this);
+        if (ends.size() == 2)
+            edge = {ends[0], ends[1]};
+        else if (reader.json().is_array())
+            reader.addProblem("must be the two nodes of an edge");
+    }
+
     void read(const JsonReader& reader, NodeSelection& selection) const {
         readFields(reader, selection, *this);
         if (reader.json().is_object() && !reader.has("nodes") && !reader.has("ellipsoid"))

@@ -175,11 +175,12 @@ std::vector<double> ofAllCells(const Content& content, const std::vector<double>
 /// Precondition: the columns of the points are there.
 void addCellColumns(const TissueModel& tissue, Content& content) {
     std::vector<double> springConstants, viscosities, restLengths;
-    for (const Spring& spring : tissue.network->springs) {
-        springConstants.push_back(springConstant(tissue, spring));
-        viscosities.push_back(viscosity(tissue, spring));
-        restLengths.push_back(spring.restLength);
+    for (const auto& [springConstant, viscosity] : springValues(tissue)) {
+        springConstants.push_back(springConstant);
+        viscosities.push_back(viscosity);
     }
+    for (const Spring& spring : tissue.network->springs)
+        restLengths.push_back(spring.restLength);
     const std::vector<double> none(content.points.places.size(), 0);
     content.ofCells = {
         {"spring_constant", "N/m", ofAllCells(content, springConstants, content.ofPoints[1].values)},

@@ -17,9 +17,11 @@ constexpr std::uint32_t pushed = 5;
 /// W, what the springs' dampers turn into heat.
 double dissipation(const TissueModel& model, const Vectors& velocities) {
     double power = 0;
-    for (const Spring& spring : model.network->springs)
-        power +=
-            viscosity(model, spring) * (velocities[spring.first] - velocities[spring.second]).squaredNorm();
+    for (std::size_t i = 0; i < model.network->springs.size(); ++i) {
+        const Spring& spring = model.network->springs[i];
+        power += valuesOf(model, i).viscosity *
+                 (velocities[spring.first] - velocities[spring.second]).squaredNorm();
+    }
     return power;
 }
 

@@ -1,5 +1,6 @@
 #include "core/exchange/project/project_file.h"
 #include "tests/core/exchange/export_package.h"
+#include "tests/core/exchange/own_springs.h"
 #include "tests/support/exchange_projects.h"
 
 #include <cstdio>
@@ -83,6 +84,11 @@ Project withInstruments(Project project) {
     return project;
 }
 
+Project withSplits(Project project) {
+    project.scene.splits = {{1.0 / 3, {{0, 1}, {1, 2}}}, {0, {{5, 4}}}};
+    return project;
+}
+
 std::map<std::string, Project> sampleProjects() {
     return {{"version-1", projectInRows()},
             {"version-1-bare", bareProject()},
@@ -94,18 +100,24 @@ std::map<std::string, Project> sampleProjects() {
             {"version-6", perspectiveProject()},
             {"version-7", preparedProject()},
             {"version-8", newestProject()},
-            {"version-9-instruments", withInstruments(untextured(softProject()))}};
+            {"version-9-instruments", withInstruments(untextured(softProject()))},
+            {"version-9-split", withSplits(untextured(softProject()))}};
 }
+
+/// Packages that projects are exported as are of this version at most.
+constexpr int newestOfProjects = 5;
 
 void writeSamples(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder / "projects");
     std::filesystem::create_directories(folder / "packages");
     for (const auto& [name, project] : sampleProjects()) {
         saveProject(project, folder / "projects" / (name + ".esm"));
-        if (name[8] - '0' > modelPackageVersion) continue;
+        if (name[8] - '0' > newestOfProjects) continue;
         exportPackage(project, folder / "packages" / (name + ".glb"),
                       {{}, [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; }});
     }
+    const Project soft = untextured(softProject());
+    writePackage(withOwnSprings(soft), folder / "packages" / "version-6-own-springs.glb", {});
 }
 
 } // namespace

@@ -107,8 +107,8 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
     exportPackage(richProject(), m_file);
     const Glb whole = parseGlb(readFile(m_file));
     const std::vector<Damage> cases{
-        {"/version", 6,
-         "was made by a newer version (6) of the program; this one reads up to 5; update the program"},
+        {"/version", 7,
+         "was made by a newer version (7) of the program; this one reads up to 6; update the program"},
         {"/version", "one", "version"},
         {"/damping", "axial", "damping"},
         {"/stiffening", true, "stiffening"},

@@ -2,6 +2,7 @@
 #include "core/exchange/package/package_layout.h"
 #include "core/exchange/project/project_file.h"
 #include "tests/core/exchange/export_package.h"
+#include "tests/core/exchange/own_springs.h"
 #include "tests/core/exchange/rounded_tissue.h"
 #include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
@@ -18,6 +19,14 @@ using PackageJson = nlohmann::ordered_json;
 /// The project that a sample was exported from.
 std::filesystem::path projectOf(const std::filesystem::path& package) {
     return package.parent_path() / ".." / "projects" / package.stem().concat(".esm");
+}
+
+/// Those that were exported from a project.
+std::vector<std::filesystem::path> exportedPackages() {
+    std::vector<std::filesystem::path> packages;
+    for (const std::filesystem::path& file : samples("packages"))
+        if (exists(projectOf(file))) packages.push_back(file);
+    return packages;
 }
 
 /// Without the version of the program, and without the places of arrays and pictures in the binary part,
@@ -70,7 +79,7 @@ TEST(ModelPackageSamples, AreOfEveryVersion) {
 }
 
 TEST(ModelPackageSamples, HoldWhatTheirProjectsHold) {
-    for (const std::filesystem::path& file : samples("packages")) {
+    for (const std::filesystem::path& file : exportedPackages()) {
         SCOPED_TRACE(file.filename());
         EXPECT_THAT(validatePackage(file), testing::IsEmpty());
         const ModelPackage package = loadPackage(file);
@@ -87,7 +96,7 @@ TEST(ModelPackageSamples, HoldWhatTheirProjectsHold) {
 
 TEST(ModelPackageSamples, AreExportedAsTheyWere) {
     const TemporaryFolder folder;
-    for (const std::filesystem::path& file : samples("packages")) {
+    for (const std::filesystem::path& file : exportedPackages()) {
         SCOPED_TRACE(file.filename());
         const ModelPackage package = loadPackage(file);
         const std::filesystem::path again = folder / "again.glb";
@@ -96,6 +105,20 @@ TEST(ModelPackageSamples, AreExportedAsTheyWere) {
         expectSameGlb(file, again);
         expectSameTextures(package, loadPackage(again));
     }
+}
+
+TEST(ModelPackageSamples, HoldSpringsOfTheirOwn) {
+    const TemporaryFolder folder;
+    const std::filesystem::path again = folder / "again.glb";
+    for (const std::filesystem::path& file : samples("packages")) {
+        if (file.stem() != "version-6-own-springs") continue;
+        const Handover handover =
+            withOwnSprings(loadProject(projectOf(file.parent_path() / "version-5.glb")));
+        expectSameTissue(loadPackage(file).tissue, handover.tissue);
+        writePackage(handover, again, {});
+        expectSameGlb(file, again);
+    }
+    EXPECT_TRUE(exists(again));
 }
 
 } // namespace

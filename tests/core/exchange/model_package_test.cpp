@@ -201,7 +201,7 @@ TEST_F(ModelPackageFile, IsOfTheVersionThatItsReadersNeed) {
     EXPECT_EQ(version(boundProject({Detail::Kind::Rigid, 0})), 2);
     EXPECT_EQ(version(biphasicProject()), 3);
     EXPECT_EQ(version(extendedInferenceProject()), 4);
-    EXPECT_EQ(version(softProject()), modelPackageVersion);
+    EXPECT_EQ(version(softProject()), 5);
 }
 
 TEST_F(ModelPackageFile, OpensWithAWarningWhatViewersShowOtherwise) {

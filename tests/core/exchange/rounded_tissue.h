@@ -49,6 +49,11 @@ inline void expectSameTissue(const TissueModel& package, const TissueModel& proj
     EXPECT_EQ(package.mass, rounded(project.mass));
     EXPECT_EQ(package.springConstant, rounded(project.springConstant));
     EXPECT_EQ(package.viscosity, rounded(project.viscosity));
+    ASSERT_EQ(package.ownValues.size(), hasOwnValues(project) ? project.ownValues.size() : 0);
+    for (std::size_t i = 0; i < package.ownValues.size(); ++i) {
+        EXPECT_EQ(package.ownValues[i].springConstant, rounded(project.ownValues[i].springConstant)) << i;
+        EXPECT_EQ(package.ownValues[i].viscosity, rounded(project.ownValues[i].viscosity)) << i;
+    }
     expectSameStiffening(package.stiffening, project.stiffening);
     EXPECT_EQ(package.fixedNodes, project.fixedNodes);
     ASSERT_EQ(package.tethers.size(), project.tethers.size());

@@ -29,6 +29,10 @@ TEST(TissueDigest, ChangesWithWhateverMovesTheTissue) {
         [](TissueModel& model) {
             model.stiffening = SpringStiffening{0.2, 2};
         },
+        [](TissueModel& model) {
+            model.ownValues = springValues(model);
+            model.ownValues.back().viscosity *= 0.5;
+        },
     };
     for (const auto& change : changes) {
         TissueModel other = tube;
@@ -45,6 +49,8 @@ TEST(TissueDigest, IsThatOfThePackageAndOfAnyScene) {
     tube.fixedNodes = {0, 1};
     tube.tethers.clear();
     EXPECT_EQ(tissueDigest(tube), digest);
+    tube.ownValues = springValues(tube);
+    EXPECT_EQ(tissueDigest(tube), digest) << "all are the mean of their ends";
 }
 
 TEST(TissueDigest, SaysNothingOfWhatDoesNotNameItsTissue) {

@@ -52,8 +52,40 @@ TEST(TissueModel, GivesASpringTheMeanOfItsEnds) {
     TissueModel model = modelOf(networkFromMesh(square()));
     model.springConstant = {1, 2, 4, 8};
     model.viscosity = {10, 20, 40, 80};
-    EXPECT_EQ(springConstant(model, {1, 3, 1}), 5);
-    EXPECT_EQ(viscosity(model, {0, 2, 1}), 25);
+    const auto [first, second, restLength] = model.network->springs[1];
+    ASSERT_EQ(std::pair(first, second), std::pair(1U, 2U));
+    EXPECT_EQ(valuesOf(model, 1).springConstant, 3);
+    EXPECT_EQ(valuesOf(model, 1).viscosity, 30);
+    EXPECT_FALSE(hasOwnValues(model));
+}
+
+TEST(TissueModel, GivesASpringWhatItHasOfItsOwn) {
+    TissueModel model = modelOf(networkFromMesh(square()));
+    const SpringValues means = valuesOf(model, 4);
+    model.ownValues = springValues(model);
+    EXPECT_FALSE(hasOwnValues(model));
+    model.ownValues[4].viscosity *= 1 + 2e-6;
+    EXPECT_TRUE(hasOwnValues(model));
+    model.ownValues[4] = {3 * means.springConstant, means.viscosity / 3};
+    EXPECT_EQ(valuesOf(model, 4).springConstant, 3 * means.springConstant);
+    EXPECT_EQ(valuesOf(model, 4).viscosity, means.viscosity / 3);
+    EXPECT_EQ(valuesOf(model, 3).springConstant, means.springConstant);
+    EXPECT_THAT(validate(model), IsEmpty());
+}
+
+TEST(TissueModel, RefusesSpringsWhoseOwnValuesAreNone) {
+    TissueModel model = modelOf(networkFromMesh(square()));
+    model.stiffening = SpringStiffening{0.2, 5};
+    model.ownValues = springValues(model);
+    model.ownValues[1].springConstant = -1;
+    model.ownValues[2].viscosity = NAN;
+    model.ownValues[3].springConstant = 0.9e30;
+    EXPECT_THAT(validate(model),
+                ElementsAre(HasSubstr("2 springs with a spring constant or viscosity that is not 0 to 1e+30 "
+                                      "(spring 1, 2)"),
+                            HasSubstr("stretched springs that is not 0 to 1e+30 (spring 3)")));
+    model.ownValues.resize(2);
+    EXPECT_THAT(validate(model), testing::Contains(HasSubstr("2 springs have values of their own, of 5")));
 }
 
 TEST(TissueModel, ThatIsSoundHasNoProblem) {
@@ -93,7 +125,7 @@ TEST(TissueModel, IsBoundedSoThatNothingComputedFromItOverflows) {
         return validate(model).empty();
     };
     EXPECT_TRUE(within(1e30, 1e30, 1e-30));
-    EXPECT_EQ(springConstant(model, {1, 3, 1}), 1e30);
+    EXPECT_EQ(valuesOf(model, 0).springConstant, 1e30);
     EXPECT_TRUE(within(0, 0, 1e30));
     EXPECT_FALSE(within(1.1e30, 1, 1));
     EXPECT_FALSE(within(1, 1e308, 1));

@@ -98,8 +98,8 @@ TEST(RigidDetail, IsThePublishedModelInsideTheOrgan) {
     EXPECT_EQ(model.fixedNodes.size(), 6U);
     EXPECT_THAT(model.tethers, IsEmpty());
     EXPECT_DOUBLE_EQ(model.mass[0], 0.5 / 8);
-    EXPECT_EQ(springConstant(model, network.springs[3]), 81.3091);
-    EXPECT_EQ(viscosity(model, network.springs[3]), 6);
+    EXPECT_EQ(valuesOf(model, 3).springConstant, 81.3091);
+    EXPECT_EQ(valuesOf(model, 3).viscosity, 6);
     const Eigen::Vector3d middle = (network.restPositions[0] + network.restPositions[1]) / 2;
     EXPECT_LT((middle - Eigen::Vector3d(0.1, 0.2, -0.05)).norm(), 1e-9);
     EXPECT_NEAR((network.restPositions[0] - middle).y(), 0.015, 1e-4);
@@ -218,6 +218,22 @@ TEST(WithDetail, KeepsTheHoldOnTheSurroundingsAndWhatTheSceneSays) {
     EXPECT_EQ(back.network->restPositions, mesh.vertices);
     EXPECT_NEAR(back.scene.tethers[0].springConstant, 2.4, 1e-12);
     EXPECT_GE(back.scene.fixed[0].nodes.size(), 20U);
+}
+
+TEST(WithDetail, LeavesOutSplitsAndWhatActsOnTheNodesTheyMake) {
+    Project full = organ(lumpySurface(30, 60), {});
+    const auto made = static_cast<std::uint32_t>(full.network->restPositions.size());
+    full.scene.splits = {{0.1, {{3, 4}, {4, 5}}}};
+    full.scene.forces = {{700, {0, 0, 1}, 0, 1}, {made, {0, 0, 1}, 0, 1}};
+    full.scene.moves = {{made, {{0, {0, 0, 0}}}}, {11, {{0, {0, 0, 1}}}}};
+    full.scene.record.nodes = std::vector<std::uint32_t>{made, 700};
+    const Project fewer = withDetail(full, {Detail::Kind::Nodes, 150});
+    EXPECT_THAT(validate(fewer), IsEmpty());
+    EXPECT_THAT(fewer.scene.splits, IsEmpty());
+    EXPECT_EQ(fewer.scene.forces.size(), 1U);
+    EXPECT_EQ(fewer.scene.moves.size(), 1U);
+    EXPECT_EQ(fewer.scene.record.nodes->size(), 1U);
+    EXPECT_THAT(withDetail(full, {Detail::Kind::Rigid}).scene.splits, IsEmpty());
 }
 
 TEST(WithDetail, GivesWhatBecomesRigidItsOwnHoldAndBack) {

@@ -98,8 +98,8 @@ TEST(SoftRim, MixesWithinBothEndsInProportionToTheWeight) {
     EXPECT_NEAR(model.springConstant[10], (500 + 16) / 2.0, 1e-9);
     EXPECT_EQ(model.springConstant[15], 16);
     EXPECT_TRUE(std::is_sorted(model.springConstant.rbegin(), model.springConstant.rend()));
-    EXPECT_NEAR(springConstant(model, project.network->springs[9]),
-                (model.springConstant[9] + model.springConstant[10]) / 2, 1e-12);
+    EXPECT_NEAR(valuesOf(model, 9).springConstant, (model.springConstant[9] + model.springConstant[10]) / 2,
+                1e-12);
 }
 
 TEST(SoftRim, LeavesEqualTissueAsItIs) {

@@ -84,8 +84,8 @@ TEST(Samples, TubeHasThePublishedSprings) {
     EXPECT_EQ(model.tethers[1].node, 3U);
     EXPECT_DOUBLE_EQ(model.tethers[1].springConstant, 2.41327);
     EXPECT_DOUBLE_EQ(model.tethers[1].viscosity, 10.6875);
-    EXPECT_NEAR(springConstant(model, tube.network->springs[0]), 16.2606, 2e-4 * 16.26);
-    EXPECT_NEAR(viscosity(model, tube.network->springs[0]), 2.87713, 2e-4 * 2.877);
+    EXPECT_NEAR(valuesOf(model, 0).springConstant, 16.2606, 2e-4 * 16.26);
+    EXPECT_NEAR(valuesOf(model, 0).viscosity, 2.87713, 2e-4 * 2.877);
     double mass = 0;
     for (const double nodeMass : model.mass)
         mass += nodeMass;

@@ -109,6 +109,7 @@ AccuracyPanel::AccuracyPanel(Document& document, Preview& preview, QWidget* pare
     m_rest.setSingleShot(true);
     m_rest.setInterval(restBeforeComparing);
     connect(&m_rest, &QTimer::timeout, this, &AccuracyPanel::compareTissue);
+    connect(&preview, &Preview::tissueReady, &m_rest, qOverload<>(&QTimer::start));
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.model() || change.stepping) m_rest.start();
         refresh();
@@ -196,13 +197,10 @@ Project AccuracyPanel::onMeasuredNodes(Project project) const {
 }
 
 void AccuracyPanel::compareTissue() {
-    const Project& project = m_document.project();
-    try {
-        m_isFromOtherTissue =
-            project.stepping && isFromOtherTissue(*project.stepping, evaluateModel(project));
-    } catch (const InvalidModel&) {
-        m_isFromOtherTissue = false; // the preview says what is wrong
-    }
+    const std::optional<MeasuredStepping>& stepping = m_document.project().stepping;
+    const std::shared_ptr<const TissueModel> tissue = m_preview.tissue();
+    // Until it is evaluated, what was said before stays; where it cannot be, the preview says what is wrong.
+    if (tissue || !stepping) m_isFromOtherTissue = stepping && isFromOtherTissue(*stepping, *tissue);
     refresh();
 }
 

@@ -39,8 +39,9 @@ QString fixingText(const TissueModel& model) {
 
 } // namespace
 
-ModelPanel::ModelPanel(Document& document, QWidget* parent)
-    : Section(tr("Model"), parent), m_document(document), m_baseMass(new NumberField(massFormat(), this)) {
+ModelPanel::ModelPanel(Document& document, Preview& preview, QWidget* parent)
+    : Section(tr("Model"), parent), m_document(document), m_preview(preview),
+      m_baseMass(new NumberField(massFormat(), this)) {
     auto* rows = new ValueRows(this);
     m_nodes = rows->addText(tr("Nodes"), QStringLiteral("nodeCount"));
     m_springs = rows->addText(tr("Springs"), QStringLiteral("springCount"));
@@ -72,29 +73,23 @@ ModelPanel::ModelPanel(Document& document, QWidget* parent)
     });
     connect(m_baseMass, &NumberField::gestureFinished, &document, &Document::finishGesture);
     connect(&document, &Document::changed, this, &ModelPanel::show);
+    connect(&preview, &Preview::tissueReady, this, &ModelPanel::showTissue);
     show(Change::everything());
+    showTissue(); // it may have been ready before there was a panel
 }
 
 void ModelPanel::show(const Change& change) {
     if (change.mesh) showMesh();
     if (change.tissue || change.mesh) m_baseMass->setValue(m_document.project().base.mass);
-    if (!change.model()) return;
-    m_evaluated = false;
-    if (isVisible()) showEvaluated();
 }
 
-void ModelPanel::showEvent(QShowEvent* event) {
-    Section::showEvent(event);
-    if (!m_evaluated) showEvaluated();
-}
-
-void ModelPanel::showEvaluated() {
-    const TissueModel model = evaluateModel(m_document.project());
-    const double mass = std::accumulate(model.mass.begin(), model.mass.end(), 0.0);
+void ModelPanel::showTissue() {
+    const std::shared_ptr<const TissueModel> tissue = m_preview.tissue();
+    if (!tissue) return;
+    const double mass = std::accumulate(tissue->mass.begin(), tissue->mass.end(), 0.0);
     m_totalMass->setText(tr("%1 kg").arg(numberText(mass)));
-    m_fixed->setText(countText(model.fixedNodes.size()));
-    m_fixing->setText(fixingText(model));
-    m_evaluated = true;
+    m_fixed->setText(countText(tissue->fixedNodes.size()));
+    m_fixing->setText(fixingText(*tissue));
 }
 
 void ModelPanel::showMesh() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/document/document.h"
+#include "app/editor/workers/preview.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/section.h"
 
@@ -11,21 +12,18 @@ class ModelPanel : public Section {
     Q_OBJECT
 
 public:
-    explicit ModelPanel(Document& document, QWidget* parent = nullptr);
-
-protected:
-    void showEvent(QShowEvent* event) override;
+    ModelPanel(Document& document, Preview& preview, QWidget* parent = nullptr);
 
 private:
     void show(const Change& change);
     void showMesh();
-    /// What takes an evaluation of the model: only while it is seen.
-    void showEvaluated();
+    /// What takes an evaluation of the model, which the preview makes; until it has, what was there stays.
+    void showTissue();
 
     Document& m_document;
+    Preview& m_preview;
     QLabel *m_nodes, *m_springs, *m_vertices, *m_size, *m_centre, *m_fixed, *m_totalMass, *m_fixing;
     NumberField* m_baseMass;
-    bool m_evaluated = false;
 };
 
 } // namespace esm

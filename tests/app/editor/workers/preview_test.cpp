@@ -66,6 +66,20 @@ TEST(PreviewRun, DoesNotMoveOnWithAModelThatWasRefused) {
     EXPECT_EQ(run.status().failure, "");
 }
 
+TEST(Preview, TellsWhatTheLastProjectIsMadeOfAndNothingOlder) {
+    Preview preview;
+    EXPECT_FALSE(preview.tissue());
+    Project tube = makeSample("tube");
+    preview.setProject(tube);
+    ESM_EVENTUALLY(preview.tissue());
+    EXPECT_EQ(preview.tissue()->network, tube.network);
+    EXPECT_EQ(preview.tissue()->mass, evaluateModel(tube).mass);
+    tube.base.mass *= 2;
+    preview.setProject(tube);
+    ESM_EVENTUALLY(preview.tissue());
+    EXPECT_EQ(preview.tissue()->mass, evaluateModel(tube).mass);
+}
+
 TEST(PreviewRun, GoesOnFromRestAfterItWasStopped) {
     PreviewRun run;
     run.setProject(makeSample("tube"));

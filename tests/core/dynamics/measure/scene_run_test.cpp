@@ -1,6 +1,7 @@
 #include "core/dynamics/measure/scene_run.h"
 #include "core/support/errors.h"
 #include "tests/support/every_integrator.h"
+#include "tests/support/recorded_frames.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
 
@@ -10,17 +11,6 @@ using namespace esm;
 using tissue::Vectors;
 
 namespace {
-
-struct Frames {
-    std::vector<double> times;
-    std::vector<Vectors> positions;
-    FrameSink sink() {
-        return [this](double time, const Vectors& now) {
-            times.push_back(time);
-            positions.push_back(now);
-        };
-    }
-};
 
 /// @param side nodes along a side of the grid
 TissueModel heldAtOneSide(const TriangleMesh& grid, std::uint32_t side) {
@@ -40,7 +30,7 @@ TEST(SceneRun, RecordsAtTheFirstStepThatReachesTheTime) {
     Scene scene;
     scene.duration = 0.105;
     scene.record.every = 0.03;
-    Frames frames;
+    RecordedFrames frames;
     const SceneOutcome outcome =
         runScene({membrane(), {}, scene, withStep(Integrator::Split, 0.01)}, frames.sink());
     ASSERT_EQ(frames.times.size(), 5);
@@ -55,7 +45,7 @@ TEST(SceneRun, DoesNotDriftOverManySteps) {
     Scene scene;
     scene.duration = 1000;
     scene.record.every = 0.1;
-    Frames frames;
+    RecordedFrames frames;
     const SceneOutcome outcome =
         runScene({tissue::oneSpring({10, 1, 1}), {}, scene, withStep(Integrator::Split, 0.1)}, frames.sink());
     EXPECT_EQ(outcome.steps, 10000);
@@ -67,7 +57,7 @@ TEST(SceneRun, PutsFramesOnStepsWhenItChoosesTheStep) {
     Scene scene;
     scene.duration = 0.5;
     scene.record.every = 0.025;
-    Frames frames;
+    RecordedFrames frames;
     const SceneOutcome outcome = runScene({membrane(), {}, scene, {}}, frames.sink());
     EXPECT_LE(outcome.timeStep, 0.01);
     ASSERT_EQ(frames.times.size(), 21);
@@ -79,7 +69,7 @@ TEST(SceneRun, GivesEachFrameOnceWhenStepsAreLonger) {
     Scene scene;
     scene.duration = 0.1;
     scene.record.every = 0.001;
-    Frames frames;
+    RecordedFrames frames;
     runScene({membrane(), {}, scene, withStep(Integrator::Split, 0.02)}, frames.sink());
     EXPECT_THAT(frames.times,
                 testing::Pointwise(testing::DoubleNear(1e-12), {0.0, 0.02, 0.04, 0.06, 0.08, 0.1}));
@@ -100,7 +90,7 @@ TEST(SceneRun, RefusesMoreStepsThanCanBeRun) {
 TEST(SceneRun, CutsAStepThatIsLongerThanTheScene) {
     Scene scene;
     scene.duration = 1e-9;
-    Frames frames;
+    RecordedFrames frames;
     const SceneOutcome outcome = runScene(
         {tissue::oneSpring({10, 1, 1}), {}, scene, withStep(Integrator::Split, 0.01)}, frames.sink());
     EXPECT_EQ(outcome.steps, 1);
@@ -115,7 +105,7 @@ TEST(SceneRun, RecordsStartAndEndWhenFramesAreFartherApartThanTheRunIsLong) {
     for (const double every : {1.0, 1e25, 1e308}) {
         scene.record.every = every;
         for (const SimulationSettings& settings : {withStep(Integrator::Split, 0.01), SimulationSettings()}) {
-            Frames frames;
+            RecordedFrames frames;
             const SceneOutcome outcome = runScene({membrane(), {}, scene, settings}, frames.sink());
             EXPECT_EQ(outcome.steps, 10) << every;
             EXPECT_THAT(frames.times, testing::Pointwise(testing::DoubleNear(1e-9), {0.0, 0.1})) << every;
@@ -129,7 +119,7 @@ TEST(SceneRun, RecordsEveryStepWhenFramesAreCloserThanStepsCanBe) {
     for (const double every : {1e-10, 1e-300}) {
         scene.record.every = every;
         for (const SimulationSettings& settings : {withStep(Integrator::Split, 0.01), SimulationSettings()}) {
-            Frames frames;
+            RecordedFrames frames;
             const SceneOutcome outcome = runScene({membrane(), {}, scene, settings}, frames.sink());
             EXPECT_EQ(outcome.timeStep, 0.01) << every;
             EXPECT_EQ(frames.times.size(), 6) << every;
@@ -161,7 +151,7 @@ TEST_P(SceneRunByEach, LosesNoBlowThatIsShorterThanItsSteps) {
     const TissueModel model = tissue::oneSpring({0, 0, 4});
     // split2 has no stable step without viscosity.
     if (GetParam() == Integrator::Split2) return;
-    Frames frames;
+    RecordedFrames frames;
     const SceneOutcome outcome = runScene({model, {}, scene, withStep(GetParam(), 0.1)}, frames.sink());
     const double velocity = 500 * 0.0008 / 4, way = velocity * (1 - 0.2317);
     EXPECT_NEAR(outcome.energy.kinetic, 0.5 * 4 * velocity * velocity, 1e-9);
@@ -198,7 +188,7 @@ TEST(SceneRun, LeadsNodesAlongTheirPaths) {
     scene.record.nodes = std::vector<std::uint32_t>{24, 25};
     scene.moves = {{24, {{0.0, {0, 0, 0}}, {0.5, {0, 0, -0.01}}}}};
     const TissueModel model = membrane();
-    Frames frames;
+    RecordedFrames frames;
     runScene({model, {}, scene, {}}, frames.sink());
     const Eigen::Vector3d rest = model.network->restPositions[24];
     ASSERT_EQ(frames.positions.size(), 11);
@@ -213,7 +203,7 @@ TEST(SceneRun, PushesTheSurfaceWithItsInstrument) {
     const TissueModel model = heldAtOneSide(mesh, 15);
     Scene scene;
     scene.instruments = {{Sphere{0.02}, {{0.0, {0, 0, 0.04}}, {0.5, {0, 0, 0.0}}}, {}, {}}};
-    Frames frames;
+    RecordedFrames frames;
     EXPECT_TRUE(runScene({model, mesh.triangles, scene, {}}, frames.sink()).touched());
     EXPECT_EQ(frames.positions.front(), model.network->restPositions);
     EXPECT_LE(frames.positions.back()[112].z(), -0.02);
@@ -227,7 +217,7 @@ TEST(SceneRun, SweepsTheInstrumentFromItsPathsStart) {
     Scene scene;
     scene.duration = 0.02;
     scene.instruments = {{Sphere{0.01}, {{0.0, {0, 0, 0.03}}, {0.005, {0, 0, -0.03}}}, {}, {}}};
-    Frames frames;
+    RecordedFrames frames;
     runScene({model, mesh.triangles, scene, withStep(Integrator::Split, 0.01)}, frames.sink());
     EXPECT_LE(frames.positions.back()[112].z(), -0.04 + 1e-9);
 }
@@ -235,7 +225,7 @@ TEST(SceneRun, SweepsTheInstrumentFromItsPathsStart) {
 TEST(SceneRun, DivergingEndsWithItsLastGoodState) {
     Scene scene;
     scene.forces = {{24, {0, 0, 1}, 0, 1}};
-    Frames frames;
+    RecordedFrames frames;
     const TissueModel model = tissue::fromMesh(tissue::gridMesh(7, 0.1), {1e6, 0, 1e-4});
     const SceneOutcome outcome =
         runScene({model, {}, scene, withStep(Integrator::Euler, 0.01)}, frames.sink());
@@ -253,7 +243,7 @@ TEST(SceneRun, EndsWithTheFramesItHasAtAStepThatCannotBeComputed) {
     scene.duration = 4;
     scene.record.every = 1;
     scene.forces = {{24, {0, 0, 1}, 2, 4}};
-    Frames frames;
+    RecordedFrames frames;
     const TissueModel model = tissue::fromMesh(tissue::gridMesh(7, 0.1), {1e6, 1e6, 1e-9});
     const SceneOutcome outcome =
         runScene({model, {}, scene, withStep(Integrator::Propagation, 1)}, frames.sink());
@@ -270,7 +260,7 @@ TEST(SceneRun, IsTheSameEveryTime) {
     scene.duration = 0.5;
     scene.moves = {{7, {{0.0, {0, 0, 0}}, {0.5, {0.01, 0, 0}}}}};
     scene.instruments = {{Sphere{0.02}, {{0.0, {0, 0, 0.08}}, {0.5, {0, 0, 0.04}}}, {}, {}}};
-    Frames first, second;
+    RecordedFrames first, second;
     runScene({model, mesh.triangles, scene, {}}, first.sink());
     runScene({model, mesh.triangles, scene, {}}, second.sink());
     EXPECT_EQ(first.positions, second.positions);

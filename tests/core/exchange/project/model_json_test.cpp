@@ -85,6 +85,9 @@ TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
     VersionNeeds several;
     several.instruments = true;
     EXPECT_EQ(versionOf(several), 9);
+    VersionNeeds split;
+    split.splits = true;
+    EXPECT_EQ(versionOf(split), 9);
     EXPECT_EQ(versionOf({false, false, false, false, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true, true}), 7);

@@ -107,6 +107,9 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(version(marked), 8);
     marked.scene.instruments = {{Capsule{0.01, 0.1}, {{0, {0, 0, 0}}}, {}, {}}};
     EXPECT_EQ(version(marked), projectFileVersion);
+    Project split = richProject();
+    split.scene.splits = {{0.5, {{0, 1}}}};
+    EXPECT_EQ(version(split), 9);
 }
 
 TEST_F(ProjectFile, OfAVersionTooLowOpensWithAWarning) {

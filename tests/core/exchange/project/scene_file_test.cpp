@@ -174,6 +174,34 @@ TEST(SceneFile, RefusesInstrumentsInPlainWords) {
                 ElementsAre(HasSubstr("a list of 4")));
 }
 
+TEST(SceneFile, ReadsAndWritesSplits) {
+    Json json = whole();
+    json["split"] =
+        Json::parse(R"([ {"time": 0.2, "edges": [[12, 13], [13, 27]]}, {"time": 0, "edges": [[1, 2]]} ])");
+    const Scene scene = sceneFromJson(json);
+    ASSERT_EQ(scene.splits.size(), 2U);
+    EXPECT_EQ(scene.splits[0], (SurfaceSplit{0.2, {{12, 13}, {13, 27}}}));
+    EXPECT_EQ(toJson(scene)["split"], json["split"]);
+    EXPECT_FALSE(toJson(sceneFromJson(whole())).contains("split"));
+}
+
+TEST(SceneFile, RefusesSplitsThatAreNone) {
+    const auto splitWith = [](const char* text) { return problemsWith("/split", Json::parse(text)); };
+    EXPECT_THAT(splitWith(R"([{"edges": [[1, 2]]}])"), ElementsAre(HasSubstr("split[0].time")));
+    EXPECT_THAT(splitWith(R"([{"time": 0}])"), ElementsAre(HasSubstr("split[0].edges")));
+    EXPECT_THAT(splitWith(R"([{"time": 0, "edges": []}])"),
+                ElementsAre(HasSubstr("split[0]: name at least one")));
+    EXPECT_THAT(splitWith(R"([{"time": -1, "edges": [[1, 2]]}])"),
+                ElementsAre(HasSubstr("split[0].time must be 0 s or more")));
+    EXPECT_THAT(splitWith(R"([{"time": 0, "edges": [[1, 2, 3]]}])"),
+                ElementsAre(HasSubstr("split[0].edges[0] must be the two nodes of an edge")));
+    EXPECT_THAT(splitWith(R"([{"time": 0, "edges": [[1, -2]]}])"),
+                ElementsAre(HasSubstr("split[0].edges[0][1]")));
+    EXPECT_THAT(splitWith(R"([{"time": 0, "edges": [1, 2]}])"), testing::SizeIs(2));
+    EXPECT_THAT(splitWith(R"([{"time": 0, "edges": [[1, 2]], "depth": 1}])"),
+                ElementsAre(HasSubstr("is not known here")));
+}
+
 TEST(SceneFile, RefusesKeysItDoesNotKnowAnywhere) {
     for (const char* pointer : {"/forse", "/fixed/0/node", "/fixed/1/ellipsoid/radius", "/tethers/0/every_n",
                                 "/forces/0/until", "/moves/0/from", "/instrument/speed", "/record/frames"})

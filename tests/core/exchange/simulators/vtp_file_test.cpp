@@ -76,8 +76,8 @@ TEST_F(VtpFile, HoldsSpringsAndTheirTissueToTheLastBit) {
         const Spring& spring = tissue.network->springs[i];
         EXPECT_EQ(ends[2 * i], spring.first);
         EXPECT_EQ(ends[2 * i + 1], spring.second);
-        EXPECT_EQ(constants[i], springConstant(tissue, spring));
-        EXPECT_EQ(viscosities[i], viscosity(tissue, spring));
+        EXPECT_EQ(constants[i], valuesOf(tissue, i).springConstant);
+        EXPECT_EQ(viscosities[i], valuesOf(tissue, i).viscosity);
         EXPECT_EQ(lengths[i], spring.restLength);
     }
 }

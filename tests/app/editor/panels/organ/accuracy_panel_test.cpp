@@ -19,6 +19,8 @@ namespace {
 class AccuracyPanelTest : public testing::Test {
 protected:
     AccuracyPanelTest() : m_document(briefTube()), m_panel(m_document, m_preview) {
+        QObject::connect(&m_document, &Document::changed, &m_preview,
+                         [this] { m_preview.setProject(m_document.project()); });
         m_panel.resize(340, 700);
         m_panel.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&m_panel, patience));
