@@ -92,12 +92,11 @@ Scene overOtherNodes(Scene scene, const Points& before, const Points& after) {
         selection.nodes = stillFixed(before, after, afterwards, selection.nodes);
     for (TetherRule& rule : scene.tethers)
         rule = asStrong(rule, before.size(), after.size());
-    const auto isMadeBySplit = [&](const auto& load) { return load.node >= before.size(); };
     scene.splits.clear();
-    scene.forces.erase(std::remove_if(scene.forces.begin(), scene.forces.end(), isMadeBySplit),
-                       scene.forces.end());
-    scene.moves.erase(std::remove_if(scene.moves.begin(), scene.moves.end(), isMadeBySplit),
-                      scene.moves.end());
+    const auto isMadeBySplit = [&](std::uint32_t node) { return node >= before.size(); };
+    const auto actsOnOne = [&](const auto& load) { return isMadeBySplit(load.node); };
+    std::erase_if(scene.forces, actsOnOne);
+    std::erase_if(scene.moves, actsOnOne);
     for (NodeForce& force : scene.forces)
         force.node = afterwards.nearest(before[force.node]);
     std::set<std::uint32_t> led;
@@ -108,11 +107,8 @@ Scene overOtherNodes(Scene scene, const Points& before, const Points& after) {
     }
     scene.moves = std::move(moves);
     if (!scene.record.nodes) return scene;
-    Nodes& recorded = *scene.record.nodes;
-    recorded.erase(std::remove_if(recorded.begin(), recorded.end(),
-                                  [&](std::uint32_t node) { return node >= before.size(); }),
-                   recorded.end());
-    recorded = afterwards.nearest(before, recorded);
+    std::erase_if(*scene.record.nodes, isMadeBySplit);
+    scene.record.nodes = afterwards.nearest(before, *scene.record.nodes);
     return scene;
 }
 

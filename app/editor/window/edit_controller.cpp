@@ -135,13 +135,14 @@ void EditController::freeNodes() {
 void EditController::chooseDetail() {
     const Project project = m_document.project();
     const std::size_t vertices = project.mesh->vertices.size();
+    QString question = tr("Nodes that carry the surface of %1 vertices").arg(countText(vertices));
+    if (!project.scene.splits.empty())
+        question += '\n' + tr("The scene's splits will be removed: other nodes have other edges.");
     bool accepted = false;
     const int nodes = ask(m_window, [&] {
-        return QInputDialog::getInt(
-            &m_window, tr("Nodes to simulate"),
-            tr("Nodes that carry the surface of %1 vertices").arg(countText(vertices)),
-            static_cast<int>(project.network->restPositions.size()), fewestVertices,
-            static_cast<int>(vertices), 100, &accepted);
+        return QInputDialog::getInt(&m_window, tr("Nodes to simulate"), question,
+                                    static_cast<int>(project.network->restPositions.size()), fewestVertices,
+                                    static_cast<int>(vertices), 100, &accepted);
     });
     if (!accepted) return;
     attempt(&m_window, tr("The surface cannot be simulated so"), [&] {

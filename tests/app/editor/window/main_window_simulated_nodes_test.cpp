@@ -15,7 +15,8 @@ protected:
 
     void choose(int nodes) {
         script.expect([](QWidget* dialog) { return qobject_cast<QInputDialog*>(dialog) != nullptr; },
-                      [nodes](QDialog* dialog) {
+                      [this, nodes](QDialog* dialog) {
+                          question = qobject_cast<QInputDialog*>(dialog)->labelText();
                           qobject_cast<QInputDialog*>(dialog)->setIntValue(nodes);
                           dialog->accept();
                       });
@@ -23,6 +24,7 @@ protected:
     }
 
     DialogScript script;
+    QString question;
 };
 
 } // namespace
@@ -40,6 +42,20 @@ TEST_F(SimulatedNodesTest, CarryTheWholeSurfaceAndCanBeTakenBack) {
     EXPECT_EQ(project().network->restPositions.size(), 170U);
     EXPECT_EQ(project().network->springs.size(), 340U);
     ESM_EVENTUALLY(window->view().scene().nodePositions.size() == 170);
+}
+
+TEST_F(SimulatedNodesTest, SayThatSplitsAreRemoved) {
+    choose(60);
+    EXPECT_FALSE(question.contains("splits"));
+    Project split = makeSample("tube");
+    const Spring& spring = split.network->springs[0];
+    split.scene.splits = {{0.1, {{spring.first, spring.second}}}};
+    open(split);
+    choose(60);
+    EXPECT_TRUE(question.contains("splits will be removed"));
+    EXPECT_TRUE(project().scene.splits.empty());
+    window->document().undoStack()->undo();
+    EXPECT_EQ(project().scene.splits.size(), 1U);
 }
 
 TEST_F(SimulatedNodesTest, AreWhatAPullTakes) {
