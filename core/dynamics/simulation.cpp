@@ -34,9 +34,9 @@ constexpr double judgedTogether = 16, mostJudgedTogether = 1024;
 /// Fewer nodes are faster on one thread.
 constexpr std::size_t leastForThreads = 2000;
 
-std::unique_ptr<ThreadTeam> makeTeam(const TissueModel& model, const SimulationSettings& settings) {
+std::unique_ptr<ThreadTeam> makeTeam(std::size_t nodes, const SimulationSettings& settings) {
     const bool usesTeam = isExplicit(settings.integrator) || settings.integrator == Integrator::Auto;
-    if (!usesTeam || settings.threads == 1 || model.mass.size() < leastForThreads) return nullptr;
+    if (!usesTeam || settings.threads == 1 || nodes < leastForThreads) return nullptr;
     return std::make_unique<ThreadTeam>(settings.threads);
 }
 
@@ -75,18 +75,23 @@ struct Simulation::Implementation {
     };
     std::optional<Whole> whole;
 
-    Implementation(const TissueModel& model, const SimulationSettings& given, TouchedSurface touchable)
-        : settings(given), surface(std::move(touchable)), team(makeTeam(model, given)),
-          chosen(chooseStep(model, given)),
-          stepper(makeSpringSystem(model), surface, {chosen, given, team.get()}) {
+    Implementation(PreparedModel model, TouchedSurface touchable)
+        : settings(model.settings), surface(std::move(touchable)),
+          team(makeTeam(model.system.mass.size(), settings)), chosen(model.chosen),
+          stepper(std::move(model), surface, team.get()) {
         reset();
+    }
+
+    /// Of the tissue that runs or ran, whose network's order of elimination may be known.
+    PreparedModel prepared(SpringSystem system, const ChosenStep& step) const {
+        return prepareModel(std::move(system), settings, step, stepper.factoriser());
     }
 
     void reset() {
         if (whole) {
             auto [system, touchable] = *std::exchange(whole, {});
             surface = std::move(touchable);
-            stepper = Stepper(std::move(system), surface, {chosen, settings, team.get()});
+            stepper = Stepper(prepared(std::move(system), chosen), surface, team.get());
         }
         motion.positions = stepper.system().network->restPositions;
         motion.velocities.assign(motion.positions.size(), Eigen::Vector3d::Zero());
@@ -200,7 +205,9 @@ struct Simulation::Implementation {
 };
 
 Simulation::Simulation(const TissueModel& model, const SimulationSettings& settings, TouchedSurface surface)
-    : m_implementation(std::make_unique<Implementation>(model, settings, std::move(surface))) {}
+    : Simulation(prepareModel(model, settings), std::move(surface)) {}
+Simulation::Simulation(PreparedModel model, TouchedSurface surface)
+    : m_implementation(std::make_unique<Implementation>(std::move(model), std::move(surface))) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
@@ -294,15 +301,19 @@ void Simulation::setModel(const TissueModel& model) {
 }
 
 void Simulation::setModel(const TissueModel& model, const SimulationSettings& settings) {
+    setModel(prepareModel(model, settings, m_implementation->stepper.factoriser()));
+}
+
+void Simulation::setModel(PreparedModel model) {
     Implementation& self = *m_implementation;
-    SpringSystem system = makeSpringSystem(model);
-    if (system.mass.size() != self.motion.positions.size())
+    if (model.system.mass.size() != self.motion.positions.size())
         throw InvalidModel("new parameters are for another number of nodes than the running model has");
-    const ChosenStep chosen = chooseStep(model, settings);
-    if (!self.team) self.team = makeTeam(model, settings);
-    Stepper stepper(std::move(system), self.surface, {chosen, settings, self.team.get()}, &self.stepper);
+    if (!self.team) self.team = makeTeam(model.system.mass.size(), model.settings);
+    SimulationSettings settings = model.settings;
+    const ChosenStep chosen = model.chosen;
+    Stepper stepper(std::move(model), self.surface, self.team.get(), &self.stepper);
     self.takeOver(stepper.system());
-    self.settings = settings;
+    self.settings = std::move(settings);
     self.goOnWith(chosen, std::move(stepper));
     // The motion goes on from here, whatever the parameters: back to here is better than back to rest.
     if (!self.older) self.older = self.younger ? std::exchange(self.younger, {}) : self.stateNow();
@@ -313,8 +324,8 @@ void Simulation::setTopology(const TissueModel& model, const NodeMap& map, Touch
     SpringSystem system = makeSpringSystem(model);
     if (auto problems = map.problems(self.motion.positions.size(), system.mass.size()); !problems.empty())
         throw InvalidModel(std::move(problems));
-    if (!self.team) self.team = makeTeam(model, self.settings);
-    Stepper stepper(std::move(system), surface, {self.chosen, self.settings, self.team.get()});
+    if (!self.team) self.team = makeTeam(system.mass.size(), self.settings);
+    Stepper stepper(self.prepared(std::move(system), self.chosen), surface, self.team.get());
     if (!self.whole) self.whole = {self.stepper.system(), self.surface};
     self.takeOver(stepper.system(), &map);
     self.surface = std::move(surface);
@@ -331,8 +342,8 @@ void Simulation::keepState() {
 void Simulation::goBack(double timeStep) {
     Implementation& self = *m_implementation;
     const ChosenStep shorter{self.chosen.integrator, timeStep};
-    self.goOnWith(shorter, Stepper(self.stepper.system(), self.surface,
-                                   {shorter, self.settings, self.team.get()}, &self.stepper));
+    self.goOnWith(shorter, Stepper(self.prepared(self.stepper.system(), shorter), self.surface,
+                                   self.team.get(), &self.stepper));
     self.failure.clear();
     if (self.older)
         self.goBack(*self.older);

@@ -3,6 +3,7 @@
 #include "core/dynamics/contact/touched_surface.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/motion.h"
+#include "core/dynamics/prepared_model.h"
 #include "core/dynamics/schemes/instrument_touch.h"
 #include "core/dynamics/settings.h"
 #include "core/model/tissue_model.h"
@@ -21,6 +22,7 @@ public:
     /// @throws InvalidModel with every problem of model or settings (a step that is not above zero, split
     /// with axial damping, …)
     Simulation(const TissueModel& model, const SimulationSettings& settings, TouchedSurface surface = {});
+    explicit Simulation(PreparedModel model, TouchedSurface surface = {});
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
     ~Simulation();
@@ -70,6 +72,8 @@ public:
     /// InvalidModel
     void setModel(const TissueModel& model);
     void setModel(const TissueModel& model, const SimulationSettings& settings);
+    /// The same without the time that it takes to choose a step and to factorise its matrices.
+    void setModel(PreparedModel model);
 
     /// Goes on in tissue with other nodes, springs or triangles, as after a cut: motion and kept states as
     /// the map says, instruments and what they did as they are. Steps stay as long as they are. reset()

@@ -48,6 +48,12 @@ void OrganView::setScene(RenderScene scene) {
     update();
 }
 
+void OrganView::changeScene(const std::function<void(RenderScene&)>& change) {
+    change(m_scene);
+    m_tool->dress(m_scene);
+    update();
+}
+
 void OrganView::setNodePositions(std::vector<Eigen::Vector3d> positions) {
     m_scene.nodePositions = std::move(positions);
     m_picker.sceneChanged();

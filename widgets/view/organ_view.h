@@ -9,6 +9,7 @@
 #include <QSurfaceFormat>
 
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -32,6 +33,9 @@ public:
     /// Replaces all that is shown. The first scene with anything in it is framed.
     void setScene(RenderScene scene);
     const RenderScene& scene() const { return m_scene; }
+    /// Changes a part of what is shown. Mesh, network and the nodes' positions have to stay: what is picked
+    /// is found by them.
+    void changeScene(const std::function<void(RenderScene&)>& change);
     /// Replaces only the nodes' positions, as a running simulation gives them.
     void setNodePositions(std::vector<Eigen::Vector3d> positions);
     /// Those that the scene leads.

@@ -29,7 +29,10 @@ ViewController::ViewController(OrganView& view, Document& document, Selection& s
     : QObject(&view), m_view(view), m_document(document), m_selection(selection), m_preview(preview) {
     connect(&document, &Document::changed, this, &ViewController::followDocument);
     connect(&preview, &Preview::tissueReady, this, &ViewController::takeTissue);
-    connect(&selection, &Selection::changed, this, &ViewController::rebuildScene);
+    connect(&selection, &Selection::changed, this, [this] {
+        rebuild(
+            {&ViewController::showEllipsoids, &ViewController::markRegion, &ViewController::showProjector});
+    });
     connect(&preview, &Preview::frameReady, this, &ViewController::showFrame);
     connect(&m_redrawing, &QTimer::timeout, this, &ViewController::announceRedrawing);
     connect(&m_composer, &TextureComposer::composed, this, &ViewController::showTexture);
@@ -45,11 +48,11 @@ void ViewController::connectActions(const Actions& actions) {
     connect(actions.frame, &QAction::triggered, &m_view, &OrganView::frameOrgan);
     connect(actions.showSprings, &QAction::toggled, this, [this](bool on) {
         m_showSprings = on;
-        rebuildScene();
+        rebuild({&ViewController::showSprings});
     });
     connect(actions.showRegions, &QAction::toggled, this, [this](bool on) {
         m_showRegions = on;
-        rebuildScene();
+        rebuild({&ViewController::showEllipsoids, &ViewController::markRegion});
     });
     connect(actions.texture, &QAction::toggled, this, [this](bool on) {
         m_textureWorkspace = on;
@@ -59,7 +62,7 @@ void ViewController::connectActions(const Actions& actions) {
 
 void ViewController::setTheme(Theme theme) {
     m_theme = theme;
-    rebuildScene();
+    rebuild({&ViewController::paintBackground});
 }
 
 void ViewController::followDocument(const Change& change) {
@@ -69,8 +72,13 @@ void ViewController::followDocument(const Change& change) {
     if (change.model() || change.stepping) m_preview.setProject(project);
     if (change.mesh || change.scene) m_fixedNodes = fixedNodesOf(*project.network, project.scene);
     if (change.picture()) composePhotos();
-    rebuildScene();
-    if (change.mesh) m_view.frameOrgan();
+    if (change.mesh) {
+        rebuildScene();
+        return m_view.frameOrgan();
+    }
+    if (change.picture()) rebuild({&ViewController::dressOrgan, &ViewController::showProjector});
+    if (change.regions) rebuild({&ViewController::showEllipsoids, &ViewController::markRegion});
+    if (change.scene) rebuild({&ViewController::showFixedNodes});
 }
 
 void ViewController::takeTissue() {
@@ -78,7 +86,7 @@ void ViewController::takeTissue() {
     if (!tissue) return;
     m_tissue = tissue;
     m_springConstants.reset();
-    if (showsSprings()) rebuildScene();
+    if (showsSprings()) rebuild({&ViewController::showSprings});
 }
 
 void ViewController::composePhotos() {
@@ -110,38 +118,50 @@ void ViewController::rebuildScene() {
     RenderScene scene;
     scene.mesh = project.mesh;
     scene.network = project.network;
-    const PreviewFrame frame = m_preview.frame();
+    PreviewFrame frame = m_preview.frame();
     if (frame.network == project.network) {
-        scene.nodePositions = frame.positions;
-        scene.instruments = frame.instruments;
+        scene.nodePositions = std::move(frame.positions);
+        scene.instruments = std::move(frame.instruments);
     }
-    scene.baseColour = project.texture.baseColour;
-    const auto atlas = m_composer.atlas();
-    if (atlas && atlas == project.atlas && !project.layers.empty()) {
-        scene.atlas = atlas;
-        scene.texturePages = m_composer.pages();
-        scene.smallerPages = m_composer.smallerPages();
-    }
-    scene.thrown = m_moving.thrown();
-    std::tie(scene.backgroundTop, scene.backgroundBottom) = viewBackground(m_theme);
-    addEllipsoids(scene);
-    addProjector(scene);
-    addSprings(scene);
-    if (!m_textureWorkspace) scene.fixedNodes = m_fixedNodes;
+    dressOrgan(scene);
+    showEllipsoids(scene);
     markRegion(scene);
+    showProjector(scene);
+    showSprings(scene);
+    showFixedNodes(scene);
+    paintBackground(scene);
     m_view.setScene(std::move(scene));
 }
 
-void ViewController::addEllipsoids(RenderScene& scene) {
+void ViewController::rebuild(std::initializer_list<Part> parts) {
+    m_view.changeScene([&](RenderScene& scene) {
+        for (const Part part : parts)
+            (this->*part)(scene);
+    });
+}
+
+void ViewController::dressOrgan(RenderScene& scene) {
+    const Project& project = m_document.project();
+    const auto atlas = m_composer.atlas();
+    const bool isDressed = atlas && atlas == project.atlas && !project.layers.empty();
+    scene.baseColour = project.texture.baseColour;
+    scene.atlas = isDressed ? atlas : nullptr;
+    scene.texturePages = isDressed ? m_composer.pages() : nullptr;
+    scene.smallerPages = isDressed ? m_composer.smallerPages() : nullptr;
+    scene.thrown = m_moving.thrown();
+}
+
+void ViewController::showEllipsoids(RenderScene& scene) {
+    scene.ellipsoids.clear();
     if (m_textureWorkspace || !m_showRegions) return;
-    const auto& regions = m_document.project().regions;
-    for (const Region& region : regions)
+    for (const Region& region : m_document.project().regions)
         if (region.ellipsoid)
             scene.ellipsoids.push_back(
                 {*region.ellipsoid, region.colour, m_selection.region() == region.id, region.rim});
 }
 
 void ViewController::markRegion(RenderScene& scene) {
+    scene.marked.reset();
     const Region* selected = m_selection.selectedRegion();
     if (m_textureWorkspace || !m_showRegions || !selected || !selected->ellipsoid) return;
     const Project& project = m_document.project();
@@ -152,7 +172,8 @@ void ViewController::markRegion(RenderScene& scene) {
     scene.marked = MarkedNodes{m_mark.weights, region.colour};
 }
 
-void ViewController::addProjector(RenderScene& scene) {
+void ViewController::showProjector(RenderScene& scene) {
+    scene.projectors.clear();
     const TextureLayer* selected = m_selection.selectedLayer();
     if (!m_textureWorkspace || !selected || !selected->photo) return;
     const TextureLayer& layer = *selected;
@@ -161,13 +182,25 @@ void ViewController::addProjector(RenderScene& scene) {
     scene.projectors.push_back({layer.projector, pictureOf(layer), true, isLaid, depth});
 }
 
+void ViewController::showFixedNodes(RenderScene& scene) {
+    if (m_textureWorkspace)
+        scene.fixedNodes.clear();
+    else
+        scene.fixedNodes = m_fixedNodes;
+}
+
+void ViewController::paintBackground(RenderScene& scene) {
+    std::tie(scene.backgroundTop, scene.backgroundBottom) = viewBackground(m_theme);
+}
+
 bool ViewController::showsSprings() const {
     return (m_showSprings && !m_textureWorkspace) || m_document.project().mesh->triangles.empty();
 }
 
-void ViewController::addSprings(RenderScene& scene) {
+void ViewController::showSprings(RenderScene& scene) {
     const Project& project = m_document.project();
     scene.showSprings = showsSprings();
+    scene.springValues.reset();
     m_view.setLegend(std::nullopt);
     if (!scene.showSprings || project.network->springs.empty()) return;
     // Until what an edit comes to is evaluated, what was before it stays.
@@ -190,7 +223,7 @@ void ViewController::showFrame() {
 }
 
 void ViewController::showTexture() {
-    rebuildScene();
+    rebuild({&ViewController::dressOrgan, &ViewController::showProjector});
     if (m_moving.isMoving()) return;
     const QString redrawn =
         m_composer.pages() ? tr("Photos redrawn in %1 s").arg(numberText(m_composer.milliseconds() / 1000, 2))

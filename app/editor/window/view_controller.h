@@ -10,6 +10,8 @@
 
 #include <QTimer>
 
+#include <initializer_list>
+
 namespace esm {
 
 struct Actions;
@@ -45,11 +47,18 @@ private:
     void announceRedrawing();
     /// @param result what became of it; empty when nothing is left to redraw
     void endRedrawing(const QString& result);
+    /// Makes the picture anew.
     void rebuildScene();
-    void addEllipsoids(RenderScene& scene);
+    /// Makes some parts of it anew.
+    using Part = void (ViewController::*)(RenderScene& scene);
+    void rebuild(std::initializer_list<Part> parts);
+    void dressOrgan(RenderScene& scene);
+    void showEllipsoids(RenderScene& scene);
     void markRegion(RenderScene& scene);
-    void addProjector(RenderScene& scene);
-    void addSprings(RenderScene& scene);
+    void showProjector(RenderScene& scene);
+    void showSprings(RenderScene& scene);
+    void showFixedNodes(RenderScene& scene);
+    void paintBackground(RenderScene& scene);
     void showFrame();
     void showTexture();
 

@@ -1,5 +1,7 @@
 #include "app/editor/workers/preview.h"
 
+#include <utility>
+
 namespace esm {
 
 namespace {
@@ -12,10 +14,16 @@ double inSeconds(Clock::duration duration) {
     return std::chrono::duration<double>(duration).count();
 }
 
+/// Takes a command, unless it waits for a project that has not arrived.
+std::optional<int> takeDue(std::optional<int>& command, int arrived) {
+    return command && *command <= arrived ? std::exchange(command, std::nullopt) : std::nullopt;
+}
+
 } // namespace
 
 Preview::Preview(QObject* parent)
     : QObject(parent), m_safeSteps([this](std::optional<double> step) { takeSafeStep(step); }),
+      m_preparer([this](const auto& task) { return prepare(task); }, [this] { takePrepared(); }),
       m_thread([this] { work(); }) {}
 
 Preview::~Preview() {
@@ -33,15 +41,47 @@ template<typename Change> void Preview::send(Change change) {
 }
 
 void Preview::setProject(const Project& project) {
-    send([&](Inbox& inbox) {
-        inbox.project = project;
-        ++inbox.projects;
-    });
+    bool isOtherOrgan = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        ++m_inbox.asked;
+        isOtherOrgan = std::exchange(m_inbox.network, project.network) != project.network;
+        if (isOtherOrgan) m_status = {};
+        m_status.playing = m_inbox.playing;
+    }
+    m_preparer.ask(project);
+    if (isOtherOrgan) emit statusChanged();
 }
 
 int Preview::projectCount() const {
     const std::lock_guard lock(m_mutex);
-    return m_inbox.projects;
+    return m_inbox.asked;
+}
+
+std::shared_ptr<PreparedProject> Preview::prepare(const Preparer::Task& task) {
+    const auto tell = [&](const auto& tissue) { tellTissue(tissue, task.number); };
+    return std::make_shared<PreparedProject>(prepareProject(task.question, tell));
+}
+
+void Preview::tellTissue(const std::shared_ptr<const TissueModel>& tissue, int number) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_tissue = tissue;
+        m_tissueProject = number;
+    }
+    emit tissueReady();
+}
+
+void Preview::takePrepared() {
+    Outcome<std::shared_ptr<PreparedProject>> outcome = m_preparer.outcome();
+    if (!outcome.failure.empty()) {
+        outcome.answer = std::make_shared<PreparedProject>();
+        outcome.answer->failure = outcome.failure;
+    }
+    send([&](Inbox& inbox) {
+        inbox.prepared = std::move(outcome.answer);
+        inbox.arrived = outcome.number;
+    });
 }
 
 void Preview::setPlaying(bool playing) {
@@ -51,17 +91,18 @@ void Preview::setPlaying(bool playing) {
 void Preview::togglePlaying() {
     send([this](Inbox& inbox) {
         inbox.playing = !inbox.playing;
-        if (!m_status.failure.empty()) inbox.reset = true;
+        if (!m_status.failure.empty()) inbox.reset = inbox.asked;
     });
 }
 
 void Preview::reset() {
-    send([](Inbox& inbox) { inbox.reset = true; });
+    send([](Inbox& inbox) { inbox.reset = inbox.asked; });
 }
 
 void Preview::playScene() {
     send([](Inbox& inbox) {
-        inbox.playScene = inbox.playing = true;
+        inbox.playScene = inbox.asked;
+        inbox.playing = true;
         inbox.loads.gentleMotion = false;
     });
 }
@@ -96,7 +137,7 @@ PreviewStatus Preview::status() const {
 
 std::shared_ptr<const TissueModel> Preview::tissue() const {
     const std::lock_guard lock(m_mutex);
-    return m_tissueProject == m_inbox.projects ? m_tissue : nullptr;
+    return m_tissueProject == m_inbox.asked ? m_tissue : nullptr;
 }
 
 Preview::Inbox Preview::collect(bool idle, Clock::time_point until) {
@@ -106,8 +147,10 @@ Preview::Inbox Preview::collect(bool idle, Clock::time_point until) {
     else
         m_changed.wait_until(lock, until, [this] { return m_inbox.stop; });
     Inbox taken = m_inbox;
-    m_inbox.project.reset();
-    m_inbox.reset = m_inbox.playScene = m_inbox.isNew = false;
+    m_inbox.prepared.reset();
+    m_inbox.isNew = false;
+    taken.reset = takeDue(m_inbox.reset, m_inbox.arrived);
+    taken.playScene = takeDue(m_inbox.playScene, m_inbox.arrived);
     return taken;
 }
 
@@ -127,36 +170,32 @@ bool Preview::workOnce(Worker& worker) {
     Inbox inbox = collect(!worker.playing, worker.next);
     if (inbox.stop) return false;
     worker.next = Clock::now() + framePeriod;
-    if (inbox.project) takeProject(worker, *inbox.project, inbox.projects);
-    worker.project = inbox.projects;
-    if (inbox.reset) worker.run.reset();
-    if (inbox.playScene) worker.run.beginScene();
-    worker.playing =
-        inbox.playing && worker.run.isReady() && worker.run.advance(inSeconds(framePeriod), inbox.loads);
+    PreviewRun& run = worker.run;
+    if (inbox.prepared) take(worker, std::move(*inbox.prepared));
+    if (inbox.reset) run.reset();
+    if (inbox.playScene) run.beginScene();
+    // An organ that another one is to replace rests.
+    const bool isWanted = inbox.playing && run.network() == inbox.network;
+    worker.playing = isWanted && run.isReady() && run.advance(inSeconds(framePeriod), inbox.loads);
     gauge(worker);
-    // A run that failed, or came to its scene's end, has to be started again by hand.
-    if (inbox.playing && !worker.playing) {
-        const std::lock_guard lock(m_mutex);
-        if (!m_inbox.project && !m_inbox.reset && !m_inbox.playScene) {
-            m_inbox.playing = false;
-            inbox.isNew = true;
-        }
-    }
-    if (worker.playing || inbox.isNew) publish(worker);
+    if (inbox.playing && !worker.playing) pauseWhatEnded(inbox);
+    if (worker.playing || inbox.isNew) publish(worker, inbox.arrived);
     return true;
 }
 
-void Preview::takeProject(Worker& worker, const Project& project, int number) {
+/// A run that failed, or came to its scene's end, has to be started again by hand.
+void Preview::pauseWhatEnded(Inbox& inbox) {
+    const std::lock_guard lock(m_mutex);
+    const bool changes = m_inbox.prepared || m_inbox.arrived != m_inbox.asked;
+    if (changes || m_inbox.reset || m_inbox.playScene) return;
+    m_inbox.playing = false;
+    inbox.isNew = true;
+}
+
+void Preview::take(Worker& worker, PreparedProject prepared) {
     // The step of other parameters says nothing of these.
     worker.gauged.reset();
-    const bool runs = worker.run.setProject(project);
-    {
-        const std::lock_guard lock(m_mutex);
-        m_tissue = worker.run.tissue();
-        m_tissueProject = number;
-    }
-    emit tissueReady();
-    if (runs)
+    if (worker.run.take(std::move(prepared)))
         gauge(worker);
     else
         takeSafeStep(std::nullopt);
@@ -187,16 +226,18 @@ void Preview::takeSafeStep(std::optional<double> step) {
     emit statusChanged();
 }
 
-void Preview::publish(const Worker& worker) {
+void Preview::publish(const Worker& worker, int project) {
     const PreviewRun& run = worker.run;
     PreviewStatus status = run.status();
     bool statusIsNew = false;
     {
         const std::lock_guard lock(m_mutex);
+        const bool isFormerOrgan = run.network() != m_inbox.network;
+        if (isFormerOrgan && m_inbox.arrived != m_inbox.asked) return;
         m_frame.network = run.network();
         m_frame.positions = run.positions();
         m_frame.instruments = run.sceneInstruments();
-        m_frame.project = worker.project;
+        m_frame.project = project;
         status.playing = m_inbox.playing;
         status.safeStep = m_status.safeStep;
         statusIsNew = m_status.playing != status.playing || m_status.failure != status.failure ||

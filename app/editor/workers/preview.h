@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/workers/latest_worker.h"
 #include "app/editor/workers/preview_run.h"
 #include "app/editor/workers/safe_step_finder.h"
 
@@ -17,11 +18,13 @@ struct PreviewFrame {
     std::shared_ptr<const SpringNetwork> network; ///< the one the positions belong to
     std::vector<Eigen::Vector3d> positions;       ///< m, one per node
     std::vector<PlacedCollider> instruments;      ///< of the scene that plays
-    int project = 0; ///< how many projects had come when the one was that it is computed by
+    int project = 0; ///< the number of the project that it is computed by, from 1
 };
 
-/// The running model behind the window, on one thread of its own. What comes in replaces what came before it
-/// and was not looked at yet; of what goes out only the latest frame is kept, so a slow window skips frames.
+/// The running model behind the window, on a thread of its own. Projects are evaluated and their matrices
+/// factorised on a second one, while the model runs on by the parameters it has. What comes in replaces what
+/// came before it and was not begun yet; of what goes out only the latest frame is kept, so a slow window
+/// skips frames.
 class Preview : public QObject {
     Q_OBJECT
 
@@ -29,6 +32,7 @@ public:
     explicit Preview(QObject* parent = nullptr);
     ~Preview() override;
 
+    /// What is said after it waits for it: played and put to rest is this project.
     void setProject(const Project& project);
     /// How many projects have come: each is evaluated once at most.
     int projectCount() const;
@@ -56,33 +60,39 @@ signals:
     void statusChanged();
 
 private:
+    using Preparer = LatestWorker<Project, std::shared_ptr<PreparedProject>>;
+
     /// Guarded by m_mutex; what the worker has yet to look at.
     struct Inbox {
-        std::optional<Project> project;
-        int projects = 0; ///< that came so far
-        bool isNew = false, reset = false, playScene = false, playing = false, stop = false;
+        std::shared_ptr<PreparedProject> prepared;
+        int asked = 0, arrived = 0; ///< numbers of the last project that came and that was prepared
+        std::shared_ptr<const SpringNetwork> network; ///< of the last that came
+        std::optional<int> reset, playScene;          ///< wait for the project of this number
+        bool isNew = false, playing = false, stop = false;
         PreviewLoads loads;
     };
 
     /// The worker's own.
     struct Worker {
         PreviewRun run;
-        int project = 0; ///< the number of the one that the run goes by
         bool playing = false;
         std::chrono::steady_clock::time_point next;
         std::optional<Integrator> gauged; ///< the one whose largest stable step is sought or told
     };
 
+    std::shared_ptr<PreparedProject> prepare(const Preparer::Task& task);
+    void tellTissue(const std::shared_ptr<const TissueModel>& tissue, int number);
+    void takePrepared();
     void work();
     bool workOnce(Worker& worker);
-    /// @param number how many projects had come with it
-    void takeProject(Worker& worker, const Project& project, int number);
+    void take(Worker& worker, PreparedProject prepared);
     /// Seeks the largest stable step of the integrator that runs.
     void gauge(Worker& worker);
+    void pauseWhatEnded(Inbox& inbox);
     /// Ends the run for what went wrong outside the simulation.
     void giveUp(PreviewRun& run, const std::string& reason);
     Inbox collect(bool idle, std::chrono::steady_clock::time_point until);
-    void publish(const Worker& worker);
+    void publish(const Worker& worker, int project);
     void takeSafeStep(std::optional<double> step);
     template<typename Change> void send(Change change);
 
@@ -95,6 +105,7 @@ private:
     int m_tissueProject = 0; ///< the number of the project that it is of
     std::atomic<bool> m_frameAnnounced = false;
     SafeStepFinder m_safeSteps;
+    Preparer m_preparer;
     std::thread m_thread;
 };
 

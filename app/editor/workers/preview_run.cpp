@@ -33,47 +33,43 @@ void letGoOfLedNodes(std::vector<HeldNode>& held, std::size_t led) {
     held.erase(std::remove_if(firstOfHand, held.end(), isLed), held.end());
 }
 
-SimulationSettings settingsOf(const Project& project) {
-    if (!project.stepping) return {};
-    Stepping stepping = project.stepping->stepping;
-    stepping.timeStep /= std::max(1.0, std::ceil(stepping.timeStep / longestWatchedStep));
-    return withStepping({}, stepping);
-}
-
 } // namespace
 
-bool PreviewRun::setProject(const Project& project) {
+bool PreviewRun::take(PreparedProject prepared) {
+    const std::shared_ptr<const SpringNetwork> network = prepared.project.network;
+    m_modelFailure = prepared.failure;
     try {
-        const bool goesOn = m_simulation && m_network == project.network;
-        m_tissue.reset();
-        m_tissue = std::make_shared<const TissueModel>(evaluateModel(project));
-        const SimulationSettings settings = settingsOf(project);
-        if (goesOn)
-            m_simulation->setModel(*m_tissue, settings);
-        else
-            m_simulation.emplace(*m_tissue, settings, touchedSurface(*project.mesh, *project.network));
-        m_model = m_tissue;
-        m_network = project.network;
-        m_settings = settings;
-        m_isShortened = project.stepping && *settings.timeStep < project.stepping->stepping.timeStep;
-        m_scene = project.scene;
-        if (!goesOn) {
-            m_pull.reset();
-            m_gentleGrasp.reset();
-            m_gentleTime = 0;
-            m_playsScene = false;
-        }
-        m_gentlePull = gentlePull(*m_model);
-        m_halvings = 0;
-        m_isReplaced = false;
-        m_modelFailure.clear();
-        m_runFailure.clear();
-        return true;
+        if (prepared.model) run(std::move(prepared));
     } catch (const std::exception& error) {
         m_modelFailure = error.what();
-        if (!m_simulation) m_network = project.network;
-        return false;
     }
+    if (!m_simulation) m_network = network;
+    return m_modelFailure.empty();
+}
+
+void PreviewRun::run(PreparedProject prepared) {
+    const Project& project = prepared.project;
+    const SimulationSettings settings = prepared.model->settings;
+    const bool goesOn = m_simulation && m_network == project.network;
+    if (goesOn)
+        m_simulation->setModel(std::move(*prepared.model));
+    else
+        m_simulation.emplace(std::move(*prepared.model), touchedSurface(*project.mesh, *project.network));
+    m_model = std::move(prepared.tissue);
+    m_network = project.network;
+    m_settings = settings;
+    m_isShortened = project.stepping && *settings.timeStep < project.stepping->stepping.timeStep;
+    m_scene = project.scene;
+    m_gentlePull = std::move(prepared.gentlePull);
+    if (!goesOn) {
+        m_pull.reset();
+        m_gentleGrasp.reset();
+        m_gentleTime = 0;
+        m_playsScene = false;
+    }
+    m_halvings = 0;
+    m_isReplaced = false;
+    m_runFailure.clear();
 }
 
 void PreviewRun::reset() {

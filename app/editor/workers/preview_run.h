@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/editor/workers/grasp.h"
-#include "core/project/project.h"
+#include "app/editor/workers/prepared_project.h"
 
 #include <chrono>
 #include <memory>
@@ -38,15 +38,12 @@ struct PreviewStatus {
     std::string failure; ///< why the tissue cannot move; empty when all is well
 };
 
-/// s; of longer steps the organ would be seen to jump.
-inline constexpr double longestWatchedStep = 0.04;
-
 /// The simulation behind the window, run by the preview's thread alone.
 class PreviewRun {
 public:
     /// Takes a project; the motion goes on when the network is the same. False when it cannot be
     /// simulated: nothing moves until another project can be.
-    bool setProject(const Project& project);
+    bool take(PreparedProject prepared);
     /// Back to rest, and past what stopped the run.
     void reset();
     /// Plays the scene's loads from rest. Its clock is the simulation's; the steps are not cut where loads
@@ -66,8 +63,6 @@ public:
     bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
     /// What runs. Precondition: a project was taken.
     const TissueModel& model() const { return *m_model; }
-    /// What the last project comes to, whether or not it can be simulated; null where it cannot be evaluated.
-    const std::shared_ptr<const TissueModel>& tissue() const { return m_tissue; }
     /// Precondition: a project was taken.
     Integrator integrator() const { return m_simulation->integrator(); }
     const std::vector<Eigen::Vector3d>& positions() const;
@@ -75,6 +70,7 @@ public:
     PreviewStatus status() const;
 
 private:
+    void run(PreparedProject prepared);
     void followLoads(const PreviewLoads& loads);
     bool step(const PreviewLoads& loads);
     Loads sceneLoads() const;
@@ -87,7 +83,6 @@ private:
     void measureForce(const Eigen::Vector3d& impulse, double simulated);
 
     std::shared_ptr<const TissueModel> m_model;     ///< what runs; null before the first
-    std::shared_ptr<const TissueModel> m_tissue;    ///< of the last project
     std::shared_ptr<const SpringNetwork> m_network; ///< of what runs, or cannot
     SimulationSettings m_settings; ///< the project's way to step, in steps that can be watched
     bool m_isShortened = false;    ///< the project's step

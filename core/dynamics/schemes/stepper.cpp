@@ -20,7 +20,6 @@ constexpr std::size_t mostLedByImpulses = 64;
 constexpr std::size_t mostContacts = 256;
 constexpr int mostContactRounds = 3;
 constexpr int mostBranchRounds = 4;       ///< after which all springs are taken for strained
-constexpr std::size_t mostSolvers = 24;   ///< kept; steps cut to ever other lengths ask for ever other ones
 constexpr double contactTolerance = 1e-3; ///< in radii; the rest is projected out
 constexpr double impulseTolerance = 1e-5; ///< in radii
 
@@ -30,12 +29,6 @@ constexpr double smoothChange = 0.5;
 bool isJump(const Eigen::Vector3d& before, const Eigen::Vector3d& now) {
     const double larger = std::max(before.squaredNorm(), now.squaredNorm());
     return (now - before).squaredNorm() > smoothChange * smoothChange * larger;
-}
-
-/// The same for durations that differ by rounding alone.
-long lengthOf(double duration) {
-    constexpr double parts = 1 << 28;
-    return std::lround(parts * std::log2(duration));
 }
 
 /// The last place given for each node that is free to follow, in the order of nodes.
@@ -66,21 +59,25 @@ double impulseToleranceOf(const std::vector<Contact>& contacts, const std::vecto
 
 } // namespace
 
-Stepper::Stepper(SpringSystem system, TouchedSurface surface, const StepperOptions& options,
-                 const Stepper* former)
-    : m_system(std::move(system)), m_surface(std::move(surface)), m_options(options),
-      m_integrator(options.chosen.integrator), m_duration(options.chosen.timeStep),
-      m_free(m_system.fixed, former ? former->m_free.factoriser : std::make_shared<MatrixFactoriser>()),
-      m_led(m_system.fixed, former ? former->m_led.factoriser : std::make_shared<MatrixFactoriser>()),
+Stepper::Stepper(PreparedModel model, TouchedSurface surface, ThreadTeam* team, const Stepper* former)
+    : m_system(std::move(model.system)), m_surface(std::move(surface)), m_settings(std::move(model.settings)),
+      m_team(team), m_integrator(model.chosen.integrator), m_duration(model.chosen.timeStep),
+      m_free(std::move(model.solvers)),
+      m_led(m_system.fixed, former ? former->m_led.factoriser() : std::make_shared<MatrixFactoriser>()),
       m_strained(m_system), m_scheme(makeScheme(former)) {
-    if (std::holds_alternative<MatrixScheme>(m_scheme)) solverFor(m_duration, false);
-    if (hasSecondOrderForm(m_integrator)) solverFor(m_duration, true);
+    if (!former) return;
+    m_formerSeconds = former->m_formerSeconds;
+    if (former->factoriser() != factoriser()) m_formerSeconds += former->factoriser()->seconds();
+}
+
+double Stepper::factorisationSeconds() const {
+    return m_formerSeconds + factoriser()->seconds() + m_led.factoriser()->seconds();
 }
 
 bool Stepper::canTakeScheme(const Stepper& former) const {
-    const SimulationSettings &settings = m_options.settings, &others = former.m_options.settings;
+    const SimulationSettings &settings = m_settings, &others = former.m_settings;
     return isExplicit(m_integrator) && m_integrator == former.m_integrator &&
-           m_system.network == former.m_system.network && m_options.team == former.m_options.team &&
+           m_system.network == former.m_system.network && m_team == former.m_team &&
            settings.damping == others.damping && settings.precision == others.precision &&
            settings.restTolerance == others.restTolerance;
 }
@@ -92,8 +89,8 @@ Stepper::Scheme Stepper::makeScheme(const Stepper* former) const {
         if (auto* inFloat = std::get_if<ExplicitScheme<float>>(&former->m_scheme))
             return inFloat->withParameters(m_system);
     }
-    const SimulationSettings& settings = m_options.settings;
-    const KernelOptions options{settings.damping, {}, m_options.team};
+    const SimulationSettings& settings = m_settings;
+    const KernelOptions options{settings.damping, {}, m_team};
     if (traitsOf(m_integrator).kind == StepKind::Searching)
         return PropagationScheme(m_system, settings.damping, settings.isWanted);
     if (!isExplicit(m_integrator)) return MatrixScheme(m_integrator, settings.damping);
@@ -299,7 +296,7 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
         projectOut(m_surface, stays, motion.positions, colliders, next.positions);
     tellImpulses({m_system,
                   m_integrator,
-                  m_options.settings.damping,
+                  m_settings.damping,
                   h,
                   motion.positions,
                   free.velocities,
@@ -314,13 +311,7 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
 }
 
 StepSolver& Stepper::solverFor(double duration, bool builds) {
-    auto& [prescribed, factoriser, linear, branches] = solvers();
-    const std::pair key(lengthOf(duration), builds);
-    if (const auto known = linear.find(key); known != linear.end()) return *known->second;
-    if (linear.size() >= mostSolvers) linear.clear();
-    auto solver = std::make_unique<StepSolver>(
-        StepMatrix(m_system, stepFactors(m_integrator, duration, builds), prescribed, *factoriser));
-    return *(linear[key] = std::move(solver));
+    return solvers().linear(m_system, m_integrator, duration, builds);
 }
 
 bool Stepper::hasBranches() const {
@@ -328,19 +319,12 @@ bool Stepper::hasBranches() const {
 }
 
 StepSolver& Stepper::branchSolverFor(double duration) {
-    auto& [prescribed, factoriser, linear, branches] = solvers();
-    const long key = lengthOf(duration);
-    if (const auto known = branches.find(key); known != branches.end()) return *known->second;
-    if (branches.size() >= mostSolvers) branches.clear();
-    auto solver = std::make_unique<StepSolver>(StepMatrix(m_strained.linearised(m_system),
-                                                          stepFactors(m_integrator, duration, false),
-                                                          prescribed, *factoriser));
-    return *(branches[key] = std::move(solver));
+    return solvers().branch(m_system, m_strained, m_integrator, duration);
 }
 
 void Stepper::forgetBranches() {
-    m_free.branches.clear();
-    m_led.branches.clear();
+    m_free.forgetBranches();
+    m_led.forgetBranches();
 }
 
 // The matrices without the led nodes stay, for when they are let go.
@@ -350,8 +334,8 @@ void Stepper::prescribe(const std::vector<HeldNode>& held) {
     std::vector<char> prescribed = m_system.fixed;
     for (const HeldNode& node : held)
         prescribed[node.node] = 1;
-    if (prescribed == m_led.prescribed) return;
-    m_led = Solvers(std::move(prescribed), m_led.factoriser);
+    if (prescribed == m_led.prescribed()) return;
+    m_led = StepSolvers(std::move(prescribed), m_led.factoriser());
 }
 
 } // namespace esm

@@ -1,22 +1,15 @@
 #pragma once
 
 #include "core/dynamics/contact/contact.h"
+#include "core/dynamics/prepared_model.h"
 #include "core/dynamics/schemes/explicit_scheme.h"
 #include "core/dynamics/schemes/instrument_touch.h"
 #include "core/dynamics/schemes/matrix_scheme.h"
 #include "core/dynamics/schemes/propagation.h"
-#include "core/dynamics/strained_springs.h"
 
-#include <map>
 #include <variant>
 
 namespace esm {
-
-struct StepperOptions {
-    ChosenStep chosen;
-    SimulationSettings settings;
-    ThreadTeam* team; ///< outlives the stepper; none is one thread
-};
 
 /// Steps one spring system by any of the integrators, leading nodes and making way for instruments: first
 /// as if nothing touched the tissue, then with the impulses that its contacts ask for. Integrators that build
@@ -25,12 +18,14 @@ struct StepperOptions {
 /// Explicit ones begin anew in each step that leads nodes, which go evenly through it.
 class Stepper {
 public:
-    /// @param former what stepped the same network before: orders and layouts that hang on the network alone
-    /// are taken from it. May be null, or of another network.
-    Stepper(SpringSystem system, TouchedSurface surface, const StepperOptions& options,
-            const Stepper* former = nullptr);
+    /// @param team outlives the stepper; null is one thread
+    /// @param former what stepped the same network before: the kernel's layout, which hangs on the network
+    /// alone, is taken from it. May be null, or of another network.
+    Stepper(PreparedModel model, TouchedSurface surface, ThreadTeam* team, const Stepper* former = nullptr);
 
     const SpringSystem& system() const { return m_system; }
+    /// Knows the network's order of elimination.
+    const std::shared_ptr<MatrixFactoriser>& factoriser() const { return m_free.factoriser(); }
 
     /// What is stepped at once.
     struct Request {
@@ -49,7 +44,7 @@ public:
     double activeFraction() const;
 
     /// s, wall time that this stepper and those it took over from have spent factorising.
-    double factorisationSeconds() const { return m_free.factoriser->seconds() + m_led.factoriser->seconds(); }
+    double factorisationSeconds() const;
 
     /// J, what the instruments did to the tissue in the last step.
     double contactWork() const { return m_contactWork; }
@@ -98,30 +93,22 @@ private:
     StepSolver& branchSolverFor(double duration);
     void prescribe(const std::vector<HeldNode>& held);
 
+    StepSolvers& solvers() { return m_leadsMany ? m_led : m_free; }
+    void forgetBranches();
+
     SpringSystem m_system;
     TouchedSurface m_surface;
-    StepperOptions m_options;
+    SimulationSettings m_settings;
+    ThreadTeam* m_team;
     Integrator m_integrator;
     double m_duration; ///< s, of the last step
     std::vector<InstrumentTouch> m_touches;
     double m_contactWork = 0; ///< J
 
-    /// The matrices of the tissue with some nodes prescribed.
-    struct Solvers {
-        std::vector<char> prescribed;
-        std::shared_ptr<MatrixFactoriser> factoriser; ///< one stepper after the other has it
-        std::map<std::pair<long, bool>, std::unique_ptr<StepSolver>> linear; ///< by length and form
-        std::map<long, std::unique_ptr<StepSolver>> branches;                ///< by length
-
-        Solvers(std::vector<char> nodes, std::shared_ptr<MatrixFactoriser> used)
-            : prescribed(std::move(nodes)), factoriser(std::move(used)) {}
-    };
-    Solvers& solvers() { return m_leadsMany ? m_led : m_free; }
-    void forgetBranches();
-
     bool m_leadsMany = false;
-    Solvers m_free; ///< of the fixed nodes
-    Solvers m_led;  ///< of these and the led ones, as they were when many were led last
+    StepSolvers m_free;         ///< of the fixed nodes
+    StepSolvers m_led;          ///< of these and the led ones, as they were when many were led last
+    double m_formerSeconds = 0; ///< that factorisers took which are no longer used
     StrainedSprings m_strained;
 
     /// How a node was led in the last step, on the mean.

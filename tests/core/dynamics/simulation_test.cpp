@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <future>
+
 using namespace esm;
 
 namespace {
@@ -156,6 +158,28 @@ TEST_P(NewParameters, AreSteppedAsByASimulationMadeWithThem) {
         ASSERT_TRUE(changed.step(loads) && made.step(loads));
     EXPECT_EQ(changed.positions(), made.positions());
     EXPECT_EQ(changed.velocities(), made.velocities());
+}
+
+// The window prepares them beside the run.
+TEST_P(NewParameters, MayBePreparedWhileTheSimulationSteps) {
+    TissueModel soft = tissue::fromMesh(tissue::gridMesh(12, 0.1), {10, 0.01, 0.001}), stiff = soft;
+    for (double& springConstant : stiff.springConstant)
+        springConstant *= 3;
+    const SimulationSettings settings = withStep(GetParam(), 5e-4);
+    Simulation waiting(soft, settings), changed(soft, settings);
+    Loads loads;
+    loads.forces = {{5, {0, 0, 0.01}}};
+    for (int change = 0; change < 3; ++change) {
+        const TissueModel& next = change % 2 ? soft : stiff;
+        auto prepared = std::async(std::launch::async, [&] { return prepareModel(next, settings); });
+        for (int i = 0; i < 20; ++i)
+            ASSERT_TRUE(waiting.step(loads) && changed.step(loads));
+        waiting.setModel(prepared.get());
+        changed.setModel(next);
+    }
+    EXPECT_EQ(waiting.positions(), changed.positions());
+    EXPECT_EQ(waiting.velocities(), changed.velocities());
+    EXPECT_EQ(waiting.factorisationSeconds() > 0, traitsOf(GetParam()).kind == StepKind::Solving);
 }
 
 // Matrices are kept for nodes that are led again, and for those that are let go.

@@ -5,6 +5,7 @@
 #include "tests/support/eventually.h"
 
 #include <gtest/gtest.h>
+#include <QScopeGuard>
 #include <QTest>
 
 #include <algorithm>
@@ -21,6 +22,19 @@ bool hasTakenAll(Preview& preview, const Project& last, int number) {
     preview.setProject(last);
     return QTest::qWaitFor([&] { return preview.frame().project == number; }, patience);
 }
+
+/// Keeps a thread waiting. Outlives the thread.
+class Gate {
+public:
+    void open() {
+        m_isOpen = true;
+        m_isOpen.notify_all();
+    }
+    void wait() const { m_isOpen.wait(false); }
+
+private:
+    std::atomic<bool> m_isOpen = false;
+};
 
 Project refusedProject() {
     Project project = makeSample("tube");
@@ -55,13 +69,13 @@ bool playUntilHalved(PreviewRun& run, int halvings, int mostFrames) {
 
 TEST(PreviewRun, DoesNotMoveOnWithAModelThatWasRefused) {
     PreviewRun run;
-    ASSERT_TRUE(run.setProject(makeSample("tube")));
+    ASSERT_TRUE(run.take(prepareProject(makeSample("tube"))));
     EXPECT_TRUE(run.isReady());
-    EXPECT_FALSE(run.setProject(refusedProject()));
+    EXPECT_FALSE(run.take(prepareProject(refusedProject())));
     run.reset();
     EXPECT_FALSE(run.isReady());
     EXPECT_NE(run.status().failure, "");
-    EXPECT_TRUE(run.setProject(makeSample("tube")));
+    EXPECT_TRUE(run.take(prepareProject(makeSample("tube"))));
     EXPECT_TRUE(run.isReady());
     EXPECT_EQ(run.status().failure, "");
 }
@@ -82,7 +96,7 @@ TEST(Preview, TellsWhatTheLastProjectIsMadeOfAndNothingOlder) {
 
 TEST(PreviewRun, GoesOnFromRestAfterItWasStopped) {
     PreviewRun run;
-    run.setProject(makeSample("tube"));
+    run.take(prepareProject(makeSample("tube")));
     run.stop("no reason");
     EXPECT_FALSE(run.isReady());
     EXPECT_EQ(run.status().failure, "no reason");
@@ -94,7 +108,7 @@ TEST(PreviewRun, GoesBackAndOnInShorterStepsWhenTheMotionRunsWild) {
     const Project tube = steppedTooLong(3);
     const double timeStep = tube.stepping->stepping.timeStep;
     PreviewRun run;
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_TRUE(playUntilHalved(run, 2, 2000));
     EXPECT_EQ(run.status().halvings, 2);
     EXPECT_DOUBLE_EQ(run.status().timeStep, timeStep / 4);
@@ -103,7 +117,7 @@ TEST(PreviewRun, GoesBackAndOnInShorterStepsWhenTheMotionRunsWild) {
     EXPECT_EQ(run.status().failure, "");
     EXPECT_LT(growth(run), 2);
 
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_EQ(run.status().halvings, 0);
     EXPECT_DOUBLE_EQ(run.status().timeStep, timeStep);
 }
@@ -112,7 +126,7 @@ TEST(PreviewRun, GoesOnAsTheProgramChoosesWhereShorterStepsAreOfNoHelp) {
     const Project tube = steppedTooLong(1000);
     const double timeStep = tube.stepping->stepping.timeStep;
     PreviewRun run;
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_TRUE(playUntilHalved(run, 100, 200));
     EXPECT_TRUE(run.status().isReplaced);
     EXPECT_EQ(run.status().halvings, 0) << "its own step may be halved as often as the first";
@@ -131,7 +145,7 @@ TEST(PreviewRun, TakesShorterStepsWhereOneCannotBeComputed) {
     tube.base.viscosity *= 1e6;
     tube.stepping = {{Integrator::Propagation, longestWatchedStep, Precision::Double}, 0.01, 1};
     PreviewRun run;
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_TRUE(playUntilHalved(run, 1, 20)) << run.status().failure;
     EXPECT_EQ(run.status().halvings, 1);
     EXPECT_EQ(run.status().timeStep, longestWatchedStep / 2);
@@ -143,7 +157,7 @@ TEST(PreviewRun, StopsWithAWordWhereTheTissueCanBeSeenForTheLastTime) {
     tube.scene = {};
     tube.scene.gravity = {0, -1e9, 0}; // and nothing holds it
     PreviewRun run;
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     for (int frame = 0; frame < 100 && run.isReady(); ++frame) {
         run.advance(1.0 / 60, {});
         ASSERT_TRUE(std::all_of(run.positions().begin(), run.positions().end(), isDrawable)) << frame;
@@ -158,7 +172,7 @@ TEST(PreviewRun, StopsWithAWordWhereTheTissueCanBeSeenForTheLastTime) {
 
 TEST(PreviewRun, TellsTheForceOnTheInstrumentThatIsHeld) {
     PreviewRun run;
-    ASSERT_TRUE(run.setProject(makeSample("liver")));
+    ASSERT_TRUE(run.take(prepareProject(makeSample("liver"))));
     EXPECT_FALSE(run.status().instrumentForce);
     const Eigen::AlignedBox3d box = boundingBox(run.positions());
     PreviewLoads loads;
@@ -185,7 +199,7 @@ TEST(PreviewRun, PlaysTheScenesLoadsFromRestToItsEnd) {
     project.scene.moves = {{top, {{0, {0, 0, 0}}, {0.2, {0, 0, 0.01}}}}};
     project.scene.instruments = {{Sphere{0.01}, {{0, {0, 0, 1}}, {0.2, {0.1, 0, 1}}}, {}, {}}};
     PreviewRun run;
-    ASSERT_TRUE(run.setProject(project));
+    ASSERT_TRUE(run.take(prepareProject(project)));
     EXPECT_TRUE(run.sceneInstruments().empty());
     ASSERT_TRUE(run.advance(0.1, {}));
     EXPECT_LT((run.positions()[top] - rest[top]).norm(), 1e-6) << "nothing of it without being asked";
@@ -221,14 +235,14 @@ TEST(Preview, PausesWhereItsSceneEnds) {
 TEST(PreviewRun, StepsAsTheProjectSays) {
     Project tube = makeSample("tube");
     PreviewRun run;
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     const Integrator automatic = *run.status().integrator;
     tube.stepping = {{Integrator::Bdf2, 0.004, Precision::Double}, 0.01, 1};
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_EQ(run.status().integrator, Integrator::Bdf2);
     EXPECT_EQ(run.status().timeStep, 0.004);
     tube.stepping.reset();
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_EQ(run.status().integrator, automatic);
 }
 
@@ -236,15 +250,15 @@ TEST(PreviewRun, ShortensStepsThatAreTooLongToBeWatched) {
     Project tube = makeSample("tube");
     tube.stepping = {{Integrator::Split2, 0.1, Precision::Double}, 0.01, 1};
     PreviewRun run;
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_DOUBLE_EQ(run.status().timeStep, 0.1 / 3);
     EXPECT_TRUE(run.status().isShortened);
     tube.stepping->stepping.timeStep = longestWatchedStep;
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_EQ(run.status().timeStep, longestWatchedStep);
     EXPECT_FALSE(run.status().isShortened);
     tube.stepping.reset();
-    ASSERT_TRUE(run.setProject(tube));
+    ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_FALSE(run.status().isShortened);
 }
 
@@ -289,27 +303,66 @@ TEST(Preview, PlaysAfterAnOddNumberOfToggles) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return !preview.status().playing; }, patience));
 }
 
-TEST(Preview, ShowsAChangeAfterTheFrameThatIsUnderWay) {
-    std::atomic<int> project = 0, frames = 0, framesOfFormer = 0; // outlive the thread that counts
+TEST(Preview, MovesOnByTheFormerParametersWhileNewOnesArePrepared) {
+    Gate gate;
     Preview preview;
-    QObject::connect(&preview, &Preview::frameReady, [&] {
-        // Taken at once, every frame is announced.
-        if (preview.frame().project < project) ++framesOfFormer;
-        ++frames;
-    });
+    const auto opening = qScopeGuard([&gate] { gate.open(); });
     Project tube = makeSample("tube");
     preview.setProject(tube);
+    preview.setGentleMotion(true);
     preview.setPlaying(true);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return preview.frame().project == 1; }, patience));
-    for (int change = 2; change < 12; ++change) {
-        tube.base.viscosity *= 1.1;
-        preview.setProject(tube);
-        framesOfFormer = 0;
-        project = change;
-        ASSERT_TRUE(QTest::qWaitFor([&] { return preview.frame().project == change; }, patience));
-        EXPECT_LE(framesOfFormer, 1);
-        ESM_EVENTUALLY(preview.frame().project == change && frames > 3 * change);
+    ESM_EVENTUALLY(preview.frame().project == 1 && preview.status().realTimeFactor > 0);
+    // Announced on the thread that prepares, before it factorises.
+    QObject::connect(
+        &preview, &Preview::tissueReady, &preview, [&gate] { gate.wait(); }, Qt::DirectConnection);
+    tube.base.viscosity *= 2;
+    preview.setProject(tube);
+    for (int i = 0; i < 3; ++i) {
+        const std::vector<Eigen::Vector3d> positions = preview.frame().positions;
+        ESM_EVENTUALLY(preview.frame().positions != positions);
+        EXPECT_EQ(preview.frame().project, 1);
     }
+    gate.open();
+    ESM_EVENTUALLY(preview.frame().project == 2);
+}
+
+TEST(Preview, PreparesOfQuickChangesTheFirstAndTheLast) {
+    Gate gate;
+    std::atomic<int> prepared = 0;
+    Preview preview;
+    const auto opening = qScopeGuard([&gate] { gate.open(); });
+    QObject::connect(
+        &preview, &Preview::tissueReady, &preview,
+        [&] {
+            ++prepared;
+            gate.wait();
+        },
+        Qt::DirectConnection);
+    Project tube = makeSample("tube");
+    preview.setProject(tube);
+    ESM_EVENTUALLY(prepared == 1);
+    for (int change = 2; change <= 10; ++change) {
+        tube.base.mass *= 1.1;
+        preview.setProject(tube);
+    }
+    gate.open();
+    ESM_EVENTUALLY(preview.frame().project == 10);
+    EXPECT_EQ(prepared, 2);
+    EXPECT_EQ(preview.tissue()->mass, evaluateModel(tube).mass);
+}
+
+TEST(Preview, PutsToRestAndPlaysTheProjectThatCameBefore) {
+    Project tube = makeSample("tube"), liver = makeSample("liver");
+    liver.scene.duration = 0.1;
+    liver.scene.forces = {{20, {0, 0, 0.01}, 0, 0.1}};
+    Preview preview;
+    preview.setProject(tube);
+    ESM_EVENTUALLY(preview.frame().project == 1);
+    preview.setProject(liver);
+    preview.playScene();
+    ESM_EVENTUALLY(preview.frame().project == 2 && !preview.status().playing);
+    EXPECT_EQ(preview.frame().network, liver.network);
+    EXPECT_NE(preview.frame().positions, liver.network->restPositions);
 }
 
 TEST(Preview, LearnsHowFarTheStepMayGo) {

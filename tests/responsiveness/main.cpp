@@ -1,0 +1,118 @@
+// Measures how a window keeps up while its tissue plays and is edited: how soon it answers, how far frames
+// lie apart, and how long a slider's move takes to be seen. In a virtual display it draws by software.
+//   responsiveness [NODES…]   10000 and 16000 unless given
+
+#include "app/editor/window/application.h"
+#include "tests/responsiveness/organ.h"
+#include "tests/responsiveness/window_watch.h"
+
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTest>
+
+#include <cstdio>
+#include <cstdlib>
+
+using namespace responsiveness;
+
+namespace {
+
+constexpr int moves = 20, ticks = 200;
+constexpr int betweenMoves = 400, betweenTicks = 16; // ms
+constexpr int patience = 60000;                      // ms
+
+/// Ends the program where it does not come about.
+template<class Condition> void waitFor(const char* what, const Condition& condition) {
+    if (QTest::qWaitFor(condition, patience)) return;
+    std::fprintf(stderr, "Waited in vain for %s.\n", what);
+    std::exit(1);
+}
+
+/// The region's first slider to and fro, as a drag of its handle.
+void moveSlider(esm::MainWindow& window, int move) {
+    const esm::RegionId region{1};
+    window.document().edit(QStringLiteral("slider"),
+                           [&](esm::Project& project) {
+                               esm::Region& edited = partOf(project.regions, region);
+                               const esm::FuzzyVariable& input = edited.system->inputs.front();
+                               const double place = 0.3 + 0.4 * (move % 20) / 20;
+                               setInput(edited, input.name,
+                                        input.minimum + place * (input.maximum - input.minimum));
+                           },
+                           {esm::EditKind::Input, region, 0});
+}
+
+/// ms, from a slider's move to the first frame that is computed by what it comes to.
+double timeToSee(esm::MainWindow& window, const WindowWatch& watch, int move) {
+    const auto start = std::chrono::steady_clock::now();
+    moveSlider(window, move);
+    const int number = window.preview().projectCount();
+    waitFor("a frame by new parameters", [&] { return watch.project() >= number; });
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void print(const char* what, const Times& times) {
+    std::printf("  %-44s median %6.1f   99 %% %6.1f   latest %6.1f ms\n", what, share(times, 0.5),
+                share(times, 0.99), share(times, 1));
+}
+
+void printAll(const char* phase, const WindowWatch& watch) {
+    std::printf(" %s\n", phase);
+    print("an answer of the window", watch.answers());
+    print("between computed frames", watch.frameGaps());
+    print("between pictures", watch.pictureGaps());
+}
+
+void measure(std::size_t nodes, Tissue tissue) {
+    esm::MainWindow window(ballOf(nodes, tissue));
+    window.show();
+    window.preview().setGentleMotion(true);
+    window.preview().setPlaying(true);
+    waitFor("motion", [&] { return window.preview().status().realTimeFactor > 0; });
+    QTest::qWait(2000);
+    const esm::PreviewStatus status = window.preview().status();
+    std::printf("%zu nodes, %s in steps of %g ms, %.2g times real time\n",
+                window.document().project().network->restPositions.size(), integratorName(*status.integrator),
+                1000 * status.timeStep, status.realTimeFactor);
+    {
+        const WindowWatch watch(window);
+        QTest::qWait(3000);
+        printAll("playing", watch);
+    }
+    {
+        const WindowWatch watch(window);
+        Times seen;
+        for (int move = 0; move < moves; ++move) {
+            seen.push_back(timeToSee(window, watch, move));
+            window.document().finishGesture();
+            QTest::qWait(betweenMoves);
+        }
+        printAll("a slider moved now and then", watch);
+        print("from the move to its first frame", seen);
+    }
+    {
+        const WindowWatch watch(window);
+        for (int tick = 0; tick < ticks; ++tick) {
+            moveSlider(window, tick);
+            QTest::qWait(betweenTicks);
+        }
+        printAll("a slider dragged", watch);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QStandardPaths::setTestModeEnabled(true);
+    esm::Application application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("esm"));
+    QCoreApplication::setApplicationName(QStringLiteral("esm-responsiveness"));
+    std::vector<std::size_t> sizes{10000, 16000};
+    if (argc > 1) sizes.clear();
+    for (int i = 1; i < argc; ++i)
+        sizes.push_back(std::strtoull(argv[i], nullptr, 10));
+    for (const std::size_t nodes : sizes)
+        for (const Tissue tissue : {Tissue::Published, Tissue::WeaklyDamped})
+            measure(nodes, tissue);
+    return 0;
+}

@@ -1,0 +1,59 @@
+#include "tests/responsiveness/organ.h"
+
+#include "core/geometry/repair.h"
+#include "core/samples/samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace responsiveness {
+
+namespace {
+
+constexpr double radius = 0.06; // m
+
+/// A cube's six faces as nets of squares, drawn to a ball: triangles of nearly one size everywhere. Faces
+/// meet in vertices that are given twice, as in files.
+esm::PolygonSoup ball(std::size_t nodes) {
+    const auto squares = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(nodes) / 6));
+    esm::PolygonSoup soup;
+    for (int face = 0; face < 6; ++face) {
+        const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+        const int axis = face / 2;
+        const double side = face % 2 ? 1 : -1;
+        for (std::uint32_t row = 0; row <= squares; ++row)
+            for (std::uint32_t column = 0; column <= squares; ++column) {
+                Eigen::Vector3d point;
+                point[axis] = side;
+                point[(axis + 1) % 3] = side * (2.0 * row / squares - 1);
+                point[(axis + 2) % 3] = 2.0 * column / squares - 1;
+                soup.vertices.push_back(radius * point.normalized());
+            }
+        for (std::uint32_t row = 0; row < squares; ++row)
+            for (std::uint32_t column = 0; column < squares; ++column) {
+                const std::uint32_t corner = first + row * (squares + 1) + column;
+                soup.polygons.push_back({corner, corner + squares + 1, corner + squares + 2, corner + 1});
+            }
+    }
+    return soup;
+}
+
+} // namespace
+
+esm::Project ballOf(std::size_t nodes, Tissue tissue) {
+    esm::Project project = esm::makeProject("ball", esm::repair(ball(nodes), {.weldDistance = 1e-9}));
+    esm::Region region = esm::makeSample("liver").regions.front();
+    region.id = {1};
+    region.ellipsoid = esm::Ellipsoid{{radius, 0, 0}, {radius, radius, radius}};
+    region.rim = radius / 4;
+    project.regions = {region};
+    if (tissue == Tissue::WeaklyDamped) {
+        project.base.viscosity = 1e-3;
+        project.regions.front().held.viscosity = 1e-3;
+        for (esm::TetherRule& rule : project.scene.tethers)
+            rule.viscosity = 1e-3;
+    }
+    return project;
+}
+
+} // namespace responsiveness

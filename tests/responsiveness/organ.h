@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/project/project.h"
+
+#include <cstddef>
+
+namespace responsiveness {
+
+enum class Tissue { Published, WeaklyDamped };
+
+/// A ball of about so many nodes, one half of which a region has: `auto` steps it by `split2` where it is as
+/// viscous as was published, and by an explicit method where it is weakly damped.
+esm::Project ballOf(std::size_t nodes, Tissue tissue);
+
+} // namespace responsiveness
