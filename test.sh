@@ -3,6 +3,7 @@
 #   ./test.sh [PRESET]   release (default), debug or asan
 #   ./test.sh --bench    measures instead, in the release build, and prints ratios: on a machine that does nothing else
 #   ./test.sh --bench --against FILE | --record FILE   compares with an earlier program: see scripts/compare_benchmarks.py
+#   ./test.sh --window [NODES…]   measures how soon the window answers, and what an edit takes to be seen
 #   ./test.sh --growth [REPETITIONS]   measures how cost grows with the surface, and fails where it grows too fast
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -21,6 +22,12 @@ if [[ ${1:-} == --growth ]]; then
   cmake --preset release -DESM_BUILD_BENCHMARKS=ON
   cmake --build --preset release --target growth
   exec build/release/bin/growth "${@:2}"
+fi
+
+if [[ ${1:-} == --window ]]; then
+  cmake --preset release -DESM_BUILD_BENCHMARKS=ON
+  cmake --build --preset release --target responsiveness
+  exec xvfb-run -a -s "-screen 0 1440x900x24" build/release/bin/responsiveness "${@:2}"
 fi
 
 preset=${1:-release}

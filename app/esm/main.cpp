@@ -34,7 +34,6 @@ int main(int argc, char** argv) {
     // A limit on file sizes then shows as a write that fails, which is told.
     std::signal(SIGXFSZ, SIG_IGN);
     const QStringList files = readCommandLine(argc, argv);
-    QSurfaceFormat::setDefaultFormat(esm::viewFormat());
 
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

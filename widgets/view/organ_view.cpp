@@ -3,41 +3,19 @@
 #include "core/render/drawn_shape.h"
 #include "widgets/view/axis_cube.h"
 
-#include <QOpenGLContext>
 #include <QPainter>
-#include <QSurfaceFormat>
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 namespace esm {
-namespace {
 
-void* resolved(const char* name) {
-    return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
-}
-
-} // namespace
-
-QSurfaceFormat viewFormat() {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setSamples(4);
-    return format;
-}
-
-OrganView::OrganView(QWidget* parent) : QOpenGLWidget(parent) {
-    setFormat(viewFormat());
+OrganView::OrganView(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(240, 180);
-}
-
-OrganView::~OrganView() {
-    dropRenderer();
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    connect(&m_maker, &PictureMaker::made, this, &OrganView::takePicture);
 }
 
 void OrganView::setScene(RenderScene scene) {
@@ -45,24 +23,24 @@ void OrganView::setScene(RenderScene scene) {
     m_picker.sceneChanged();
     m_tool->dress(m_scene);
     if (!m_framed && !organBox().isEmpty()) frameOrgan();
-    update();
+    redraw();
 }
 
 void OrganView::changeScene(const std::function<void(RenderScene&)>& change) {
     change(m_scene);
     m_tool->dress(m_scene);
-    update();
+    redraw();
 }
 
 void OrganView::setNodePositions(std::vector<Eigen::Vector3d> positions) {
     m_scene.nodePositions = std::move(positions);
     m_picker.sceneChanged();
-    update();
+    redraw();
 }
 
 void OrganView::setInstruments(std::vector<PlacedCollider> instruments) {
     m_scene.instruments = std::move(instruments);
-    update();
+    redraw();
 }
 
 void OrganView::setLegend(std::optional<ViewLegend> legend) {
@@ -91,7 +69,7 @@ void OrganView::setTool(ViewTool& tool) {
 void OrganView::followTool() {
     m_tool->dress(m_scene);
     setCursor(m_tool->cursor());
-    update();
+    redraw();
 }
 
 void OrganView::letGo() {
@@ -118,7 +96,7 @@ void OrganView::frameOrgan() {
 
 void OrganView::applyCamera(const Camera& camera) {
     m_cameraController.setCamera(camera);
-    update();
+    redraw();
     emit cameraChanged();
 }
 
@@ -137,59 +115,55 @@ Eigen::AlignedBox3d OrganView::organBox() const {
     return showsNodes ? surface.merged(boundingBox(nodes)) : surface;
 }
 
-void OrganView::initializeGL() {
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &OrganView::dropRenderer,
-            Qt::UniqueConnection);
-    try {
-        m_renderer = std::make_unique<Renderer>(resolved);
-        m_problem.clear();
-    } catch (const std::exception& problem) {
-        m_problem = cannotBeShown(problem);
-    }
+/// Asked for once the widget is painted, so that changes which come together are drawn together, and what is
+/// hidden not at all.
+void OrganView::redraw() {
+    m_isStale = true;
+    update();
 }
 
-/// GL objects can only be deleted in their context, which goes before this widget does.
-void OrganView::dropRenderer() {
-    if (!m_renderer) return;
-    makeCurrent();
-    m_renderer.reset();
-    doneCurrent();
+void OrganView::askForPicture() {
+    const double ratio = devicePixelRatioF();
+    m_asked = m_maker.ask({m_scene, camera(), {qRound(width() * ratio), qRound(height() * ratio), ratio}});
+    m_isStale = false;
 }
 
-void OrganView::paintGL() {
-    if (m_renderer) drawScene();
-    paintOverlay();
+void OrganView::takePicture() {
+    m_picture = m_maker.picture();
+    update();
     emit drawn();
 }
 
-void OrganView::drawScene() {
-    const double ratio = devicePixelRatioF();
-    try {
-        m_renderer->draw(m_scene, camera(), {qRound(width() * ratio), qRound(height() * ratio), ratio});
-        m_problem.clear();
-    } catch (const std::exception& problem) {
-        m_problem = cannotBeShown(problem);
-    }
+bool OrganView::isUpToDate() const {
+    return !m_isStale && m_picture.number == m_asked && m_picture.isSmooth;
 }
 
-QString OrganView::cannotBeShown(const std::exception& problem) {
-    return tr("The organ cannot be shown: %1").arg(QString::fromUtf8(problem.what()));
+void OrganView::resizeEvent(QResizeEvent*) {
+    m_isStale = true;
 }
 
-void OrganView::paintOverlay() {
+void OrganView::paintEvent(QPaintEvent*) {
+    if (m_isStale) askForPicture();
     QPainter painter(this);
-    if (!m_problem.isEmpty()) {
-        painter.fillRect(rect(), palette().color(QPalette::Window));
-        painter.setPen(palette().color(QPalette::WindowText));
-        painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, m_problem);
-        return;
+    if (m_picture.image.isNull()) painter.fillRect(rect(), palette().color(QPalette::Window));
+    if (m_picture.problem.isEmpty()) {
+        painter.drawImage(rect(), m_picture.image);
+        return paintOverlay(painter);
     }
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("The organ cannot be shown: %1").arg(m_picture.problem));
+}
+
+/// What lies over the picture goes by the camera that the picture was made with, lest it swim on it.
+void OrganView::paintOverlay(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     const OverlayStyle style{size(), palette()};
-    m_tool->draw(painter, sight(), style.palette);
+    const Camera& shown = m_picture.image.isNull() ? camera() : m_picture.camera;
+    m_tool->draw(painter, {m_scene, shown, size(), m_picker}, style.palette);
     if (m_legend) paintLegend(painter, style, *m_legend);
     paintHint(painter, style, m_hint, m_legend.has_value());
-    paintAxisCube(painter, camera(), cubeSquare(size()), style.palette);
+    paintAxisCube(painter, shown, cubeSquare(size()), style.palette);
 }
 
 } // namespace esm

@@ -3,32 +3,26 @@
 #include "core/render/renderer.h"
 #include "widgets/view/camera_controller.h"
 #include "widgets/view/overlay.h"
+#include "widgets/view/picture_maker.h"
 #include "widgets/view/view_tool.h"
 
-#include <QOpenGLWidget>
-#include <QSurfaceFormat>
+#include <QWidget>
 
-#include <exception>
 #include <functional>
-#include <memory>
 #include <optional>
 
 namespace esm {
-
-/// The kind of surface that the view draws on; a program makes it the default before its first window.
-QSurfaceFormat viewFormat();
 
 /// Shows an organ and what stands around it, and hands mouse and wheel to the tool in hand. Knows no document
 /// and no tool: a scene goes in, and nothing moves until a new scene says so. Only the camera is the view's
 /// own.
 ///
 /// Esc lets go of what is held; every other key is the window's.
-class OrganView : public QOpenGLWidget {
+class OrganView : public QWidget {
     Q_OBJECT
 
 public:
     explicit OrganView(QWidget* parent = nullptr);
-    ~OrganView() override;
 
     /// Replaces all that is shown. The first scene with anything in it is framed.
     void setScene(RenderScene scene);
@@ -36,6 +30,8 @@ public:
     /// Changes a part of what is shown. Mesh, network and the nodes' positions have to stay: what is picked
     /// is found by them.
     void changeScene(const std::function<void(RenderScene&)>& change);
+    /// Whether its picture shows the scene as it is now, with smooth edges.
+    bool isUpToDate() const;
     /// Replaces only the nodes' positions, as a running simulation gives them.
     void setNodePositions(std::vector<Eigen::Vector3d> positions);
     /// Those that the scene leads.
@@ -63,12 +59,12 @@ public:
 signals:
     void toolChanged();
     void cameraChanged();
-    /// A picture was drawn.
+    /// A picture was drawn of the scene.
     void drawn();
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -85,14 +81,16 @@ private:
     void moveTool(const ToolMouse& mouse);
     void followTool();
 
-    void drawScene();
-    void paintOverlay();
-    static QString cannotBeShown(const std::exception& problem);
-    void dropRenderer();
+    void redraw();
+    void askForPicture();
+    void takePicture();
+    void paintOverlay(QPainter& painter);
 
     RenderScene m_scene;
-    std::unique_ptr<Renderer> m_renderer;
-    QString m_problem; ///< why nothing can be drawn
+    PictureMaker m_maker;
+    MadePicture m_picture; ///< that is shown
+    int m_asked = 0;       ///< number of the picture that was asked for last
+    bool m_isStale = true; ///< what was asked for last is no longer what is to be shown
     CameraController m_cameraController;
     Picker m_picker;
     ViewTool m_noTool;

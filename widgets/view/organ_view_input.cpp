@@ -52,13 +52,13 @@ void OrganView::wheelEvent(QWheelEvent* event) {
 }
 
 void OrganView::keyPressEvent(QKeyEvent* event) {
-    if (event->key() != Qt::Key_Escape) return QOpenGLWidget::keyPressEvent(event);
+    if (event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
     cancel();
 }
 
 void OrganView::leaveEvent(QEvent* event) {
     m_tool->leave();
-    QOpenGLWidget::leaveEvent(event);
+    QWidget::leaveEvent(event);
 }
 
 ToolMouse OrganView::mouseOf(const QMouseEvent& event) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/workers/latest_input.h"
+#include "core/support/latest_input.h"
 #include "core/support/progress.h"
 
 #include <QThread>

@@ -145,7 +145,8 @@ Preview::Inbox Preview::collect(bool idle, Clock::time_point until) {
     if (idle)
         m_changed.wait(lock, [this] { return m_inbox.isNew; });
     else
-        m_changed.wait_until(lock, until, [this] { return m_inbox.stop; });
+        // New parameters are not kept waiting for the next frame.
+        m_changed.wait_until(lock, until, [this] { return m_inbox.stop || m_inbox.prepared; });
     Inbox taken = m_inbox;
     m_inbox.prepared.reset();
     m_inbox.isNew = false;

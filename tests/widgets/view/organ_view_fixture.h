@@ -14,6 +14,13 @@
 
 namespace esm {
 
+/// What is to be seen, once all is drawn.
+inline QImage pictureOf(OrganView& view) {
+    view.update();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.isUpToDate(); }, patience));
+    return view.grab().toImage();
+}
+
 /// A view of 600 × 450 pixels that shows a ball of 0.1 m.
 class OrganViewTest : public testing::Test {
 protected:

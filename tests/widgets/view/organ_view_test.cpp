@@ -38,7 +38,7 @@ public:
 } // namespace
 
 TEST_F(OrganViewTest, ShowsTheOrganOverItsBackground) {
-    const QImage picture = view.grabFramebuffer();
+    const QImage picture = pictureOf(view);
     ASSERT_FALSE(picture.isNull());
     const QColor organ = picture.pixelColor(picture.rect().center()), corner = picture.pixelColor(5, 200);
     EXPECT_GT(organ.red(), organ.green() + 40);
@@ -200,7 +200,7 @@ TEST_F(OrganViewTest, TextureIsNotReadBeyondItsPatches) {
     scene.unlit = true;
     scene.backgroundTop = scene.backgroundBottom = {128, 128, 128};
     view.setScene(scene);
-    const QImage picture = view.grabFramebuffer();
+    const QImage picture = pictureOf(view);
     int strays = 0;
     for (int y = 0; y < 400; ++y)       // above the hint
         for (int x = 0; x < 500; ++x) { // left of the cube
@@ -217,7 +217,7 @@ TEST_F(OrganViewTest, MarksFollowTheNodesAndTheScaleOfValues) {
     scene.marked = MarkedNodes{std::make_shared<const std::vector<double>>(nodes, 1.0)};
     scene.fixedNodes = {0, std::uint32_t(nodes / 2)};
     view.setScene(scene);
-    view.grabFramebuffer();
+    pictureOf(view);
     const auto afresh = [this] {
         OrganView other;
         other.resize(view.size());
@@ -225,33 +225,49 @@ TEST_F(OrganViewTest, MarksFollowTheNodesAndTheScaleOfValues) {
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&other, patience));
         other.setScene(scene);
         other.setCamera(view.camera());
-        return other.grabFramebuffer();
+        return pictureOf(other);
     };
     scene.springValueMaximum = 5;
     view.setScene(scene);
-    EXPECT_EQ(view.grabFramebuffer(), afresh());
+    EXPECT_EQ(pictureOf(view), afresh());
     scene.nodePositions = scene.network->restPositions;
     for (auto& position : scene.nodePositions)
         position.x() += 0.02;
     view.setScene(scene);
-    EXPECT_EQ(view.grabFramebuffer(), afresh());
+    EXPECT_EQ(pictureOf(view), afresh());
     scene.fixedNodes = {1};
     view.setScene(scene);
-    EXPECT_EQ(view.grabFramebuffer(), afresh());
+    EXPECT_EQ(pictureOf(view), afresh());
+}
+
+TEST_F(OrganViewTest, AnswersWhileItsPictureIsDrawn) {
+    TriangleMesh large = ball(400, 600);
+    for (Vector3d& vertex : large.vertices)
+        vertex *= 0.1;
+    scene.network = edgeNetwork(large);
+    scene.mesh = std::make_shared<TriangleMesh>(std::move(large));
+    pictureOf(view);
+    QSignalSpy pictures(&view, &OrganView::drawn);
+    view.setScene(scene);
+    view.repaint();
+    EXPECT_FALSE(view.isUpToDate()) << "what takes long is drawn elsewhere";
+    EXPECT_EQ(pictures.count(), 0);
+    pictureOf(view);
+    EXPECT_GT(pictures.count(), 0);
 }
 
 TEST_F(OrganViewTest, OverlaysArePainted) {
-    const QImage plain = view.grabFramebuffer();
+    const QImage plain = pictureOf(view);
     view.setLegend(ViewLegend{"Spring constant", "N/m", 2.4, 81});
     view.setHint("Drag to pull the tissue");
-    const QImage painted = view.grabFramebuffer();
+    const QImage painted = pictureOf(view);
     const QRect legend(20, view.height() - 45, 200, 12);
     EXPECT_NE(plain.copy(legend), painted.copy(legend));
     const QColor right = painted.pixelColor(14 + 230 - 14, view.height() - 14 - 66 + 35);
     EXPECT_GT(right.red(), right.blue() + 80) << "the ramp ends in red";
     view.setHint("Something else");
     const QRect hint(14 + 230 + 14, view.height() - 14 - 26, view.width() - 14 - 230 - 28, 26);
-    EXPECT_NE(view.grabFramebuffer().copy(hint), painted.copy(hint));
+    EXPECT_NE(pictureOf(view).copy(hint), painted.copy(hint));
 }
 
 TEST_F(OrganViewTest, OverlaysTakeTheColoursOfTheTheme) {
@@ -260,7 +276,7 @@ TEST_F(OrganViewTest, OverlaysTakeTheColoursOfTheTheme) {
         QPalette palette = view.palette();
         palette.setColor(QPalette::Window, colour);
         view.setPalette(palette);
-        return view.grabFramebuffer().pixelColor(14 + 230 - 6, view.height() - 14 - 33);
+        return pictureOf(view).pixelColor(14 + 230 - 6, view.height() - 14 - 33);
     };
     EXPECT_LT(legendBackground(Qt::black).lightness(), 60);
     EXPECT_GT(legendBackground(Qt::white).lightness(), 200);

@@ -60,11 +60,11 @@ TEST_F(InstrumentToolTest, TakesAnotherSizeInTheHand) {
 
 TEST_F(InstrumentToolTest, ShowsThroughTheOrgan) {
     tool->chooseRadius(0.03);
-    const QColor without = view.grabFramebuffer().pixelColor(middle());
+    const QColor without = pictureOf(view).pixelColor(middle());
     moveTo(middle(), Qt::NoButton);
     wheel(middle(), 60, Qt::ControlModifier);
     ASSERT_LT(view.scene().heldInstrument.value().pose.place.z(), 0.0) << "deep inside";
-    EXPECT_NE(view.grabFramebuffer().pixelColor(middle()), without);
+    EXPECT_NE(pictureOf(view).pixelColor(middle()), without);
 }
 
 TEST_F(InstrumentToolTest, GoesWhereTheMouseLeavesTheViewUnlessItIsHeld) {

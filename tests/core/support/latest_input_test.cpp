@@ -1,4 +1,4 @@
-#include "app/editor/workers/latest_input.h"
+#include "core/support/latest_input.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,144 @@
+#include "widgets/view/picture_maker.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace esm {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int smoothSamples = 4; ///< per pixel
+/// What a picture may take and still be made smooth at once: half a frame of a display.
+constexpr std::chrono::milliseconds patience{8};
+/// A scene that did not change for so long is taken to rest. Frames of a slow motion come oftener.
+constexpr std::chrono::milliseconds restTime{120};
+
+QSurfaceFormat surfaceFormat() {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    return format;
+}
+
+void* resolved(const char* name) {
+    return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+}
+
+} // namespace
+
+/// The thread's own context and what is drawn on.
+class PictureMaker::Canvas {
+public:
+    explicit Canvas(QOffscreenSurface& surface) : m_surface(surface) {}
+    ~Canvas() {
+        if (m_renderer) m_context.makeCurrent(&m_surface);
+        m_target.reset();
+        m_renderer.reset();
+    }
+
+    /// Whether a picture with smooth edges takes long.
+    bool isSlow() const { return m_isSlow; }
+    /// @param samples per pixel; 0: edges are not smooth
+    /// @throws std::runtime_error as paint()
+    QImage draw(const PictureContent& content, int samples) {
+        const Clock::time_point start = Clock::now();
+        QImage image = paint(content, samples);
+        const Clock::duration time = Clock::now() - start;
+        m_isSlow = (samples > 0 ? time : smoothSamples * time) > patience;
+        return image;
+    }
+
+private:
+    /// @throws std::runtime_error where OpenGL 3.3 is missing
+    QImage paint(const PictureContent& content, int samples) {
+        prepare();
+        const QSize size(content.size.width, content.size.height);
+        if (!m_target || m_target->size() != size || m_target->format().samples() != samples) {
+            m_target.reset();
+            QOpenGLFramebufferObjectFormat format;
+            format.setSamples(samples);
+            format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+            m_target.emplace(size, format);
+        }
+        if (!m_target->bind()) throw std::runtime_error("the graphics driver gives no picture of this size");
+        m_renderer->draw(content.scene, content.camera, content.size);
+        QImage image = m_target->toImage();
+        image.reinterpretAsFormat(QImage::Format_RGB32); // nothing shines through the organ's background
+        image.setDevicePixelRatio(content.size.pixelRatio);
+        return image;
+    }
+
+    void prepare() {
+        if (m_renderer) return;
+        m_context.setFormat(surfaceFormat());
+        if (!m_context.create() || !m_context.makeCurrent(&m_surface))
+            throw std::runtime_error("the graphics driver has no OpenGL 3.3");
+        m_renderer.emplace(resolved);
+    }
+
+    QOffscreenSurface& m_surface;
+    QOpenGLContext m_context;
+    std::optional<Renderer> m_renderer;
+    std::optional<QOpenGLFramebufferObject> m_target;
+    bool m_isSlow = false;
+};
+
+PictureMaker::PictureMaker(QObject* parent) : QObject(parent), m_thread(QThread::create([this] { work(); })) {
+    m_surface.setFormat(surfaceFormat());
+    m_surface.create();
+    m_thread->start();
+}
+
+PictureMaker::~PictureMaker() {
+    m_asked.stop();
+    m_thread->wait();
+}
+
+int PictureMaker::ask(PictureContent content) {
+    m_asked.put({std::move(content), ++m_lastNumber});
+    return m_lastNumber;
+}
+
+MadePicture PictureMaker::picture() const {
+    const std::lock_guard lock(m_mutex);
+    return m_picture;
+}
+
+/// What lives in the context is made and deleted by the thread that draws.
+void PictureMaker::work() {
+    Canvas canvas(m_surface);
+    while (const std::optional<Asked> asked = m_asked.take()) {
+        try {
+            answer(canvas, *asked);
+        } catch (const std::exception& problem) {
+            publish({asked->number, {}, asked->content.camera, true, QString::fromUtf8(problem.what())});
+        }
+    }
+}
+
+void PictureMaker::answer(Canvas& canvas, const Asked& asked) {
+    const auto& [content, number] = asked;
+    if (canvas.isSlow()) {
+        publish({number, canvas.draw(content, 0), content.camera, false, {}});
+        if (m_asked.becomesObsoleteWithin(restTime)) return;
+    }
+    publish({number, canvas.draw(content, smoothSamples), content.camera, true, {}});
+}
+
+void PictureMaker::publish(MadePicture picture) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_picture = std::move(picture);
+    }
+    emit made();
+}
+
+} // namespace esm
