@@ -2,6 +2,8 @@
 
 namespace esm {
 
+// The level is read off the network and not stored beside it, so that the two cannot disagree. A binding with
+// triangles is a coarser surface; one without is the line of the stiff piece.
 Detail detailOf(const SpringNetwork& network) {
     const std::size_t nodes = network.restPositions.size();
     if (!network.binding) return {Detail::Kind::EveryVertex, nodes};

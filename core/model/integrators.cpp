@@ -4,7 +4,16 @@ namespace esm {
 
 namespace {
 
-/// One row for each integrator, in the order of the enumeration. What a row leaves out is as most have it.
+/// One row for each integrator, in the order of the enumeration. What a row leaves out is as most have it. A
+/// table, and not a switch for each question: who adds an integrator sees in one place all that he has to
+/// say, and the compiler finds a row that is missing.
+///
+/// The order of each stands above its equations in core/dynamics/schemes, where its energy is kept in
+/// core/dynamics/measure/energy_watch.
+///
+/// The first seven colours are those of Okabe and Ito (2008), made to be told apart by people who see few
+/// colours. The five that follow are a grey and four that are darker than any of the seven: they differ in
+/// lightness, which everybody sees.
 constexpr std::array rows{
     IntegratorTraits{.integrator = Integrator::Auto,
                      .name = "auto",
@@ -115,6 +124,7 @@ constexpr std::array rows{
                          "trapezoid, a method of second order that bears stiff tissue and lets it swing on"},
 };
 
+/// `traitsOf` looks a row up by its number, which therefore has to be its place.
 constexpr bool isRowOf(std::size_t index, Integrator integrator) {
     return rows[index].integrator == integrator && static_cast<std::size_t>(integrator) == index;
 }
@@ -167,6 +177,7 @@ bool hasConstantMatrix(Integrator integrator) {
     return traitsOf(integrator).hasConstantMatrix;
 }
 
+// This and the next follow from other traits and are no traits themselves: a row cannot contradict itself.
 bool hasTangentMatrix(Integrator integrator) {
     const IntegratorTraits& traits = traitsOf(integrator);
     return traits.kind == StepKind::Solving && !traits.hasConstantMatrix;

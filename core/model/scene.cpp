@@ -15,7 +15,8 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-/// Adds problems under the place in the scene they belong to.
+/// Adds problems under the place in the scene they belong to. All are gathered, and not the first one thrown:
+/// who mends a scene file sees at once what is wrong with it.
 class SceneCheck {
 public:
     SceneCheck(std::size_t nodeCount, Problems problems)
@@ -30,6 +31,7 @@ public:
                 "there is no node " + std::to_string(node) + "; " + nodesThereAre());
     }
 
+    /// As one problem, however many nodes are missing: the wrong organ under a scene would else fill pages.
     void requireNodes(const std::vector<std::uint32_t>& nodes, const std::string& place) {
         Problems found;
         std::vector<std::size_t> missing;
@@ -41,6 +43,7 @@ public:
         add(place, found);
     }
 
+    /// Times that are not numbers are told alone, since no order can be asked of them.
     void requirePath(const Path& path, const std::string& place) {
         require(!path.empty(), place, "the path has no point; give [time, x, y, z] at least once");
         const auto notFinite = [&](std::size_t i) {
@@ -103,7 +106,8 @@ void checkSplits(SceneCheck& check, const Scene& scene) {
     }
 }
 
-/// With as many nodes as splits may make at most: one for each of a path's.
+/// With as many nodes as splits may make at most: a path of n edges meets n + 1 nodes, and each becomes two
+/// once. How many there are in truth is known only once the splits are made (scene_stages.cpp).
 std::size_t nodesAtMost(const Scene& scene, std::size_t nodeCount) {
     if (nodeCount == std::numeric_limits<std::size_t>::max()) return nodeCount;
     for (const SurfaceSplit& split : scene.splits)
@@ -111,6 +115,7 @@ std::size_t nodesAtMost(const Scene& scene, std::size_t nodeCount) {
     return nodeCount;
 }
 
+/// A node has one path. Of two, the one that stands last would win in silence.
 void checkMotion(SceneCheck& check, const Scene& scene) {
     std::set<std::uint32_t> moved;
     for (std::size_t i = 0; i < scene.moves.size(); ++i) {
@@ -134,6 +139,8 @@ bool isPlainName(const std::string& name) {
            });
 }
 
+/// Of a unit quaternion whose four numbers were rounded to six decimals, each is off by 5·10⁻⁷ and the length
+/// by 10⁻⁶ at most.
 void checkOrientations(SceneCheck& check, const InstrumentMotion& instrument, const std::string& place) {
     const auto& turns = instrument.orientations;
     check.require(turns.empty() || turns.size() == instrument.path.size(), place,
@@ -173,6 +180,9 @@ std::string sceneEntry(const char* list, std::size_t index) {
     return std::string(list) + "[" + std::to_string(index) + "]";
 }
 
+// The point after the time is found by halving: each step asks, and a path that was recorded may have many
+// points. Straight between two points, which is what a path says; a spline would overshoot where a hand
+// stops.
 Eigen::Vector3d positionAt(const Path& path, double time) {
     const auto later = std::upper_bound(path.begin(), path.end(), time,
                                         [](double t, const PathPoint& point) { return t < point.time; });
@@ -183,6 +193,8 @@ Eigen::Vector3d positionAt(const Path& path, double time) {
     return before.value + part * (later->value - before.value);
 }
 
+// The orientation turns at an even speed about one axis between two points (spherical interpolation, Shoemake
+// 1985). Mixing the four numbers evenly would turn faster in the middle.
 ColliderPose poseAt(const InstrumentMotion& instrument, double time) {
     const auto& [shape, path, orientations, name] = instrument;
     ColliderPose pose{positionAt(path, time)};
@@ -215,6 +227,8 @@ bool hasPlainInstrument(const Scene& scene) {
     return std::holds_alternative<Sphere>(only.shape) && only.orientations.empty() && only.name.empty();
 }
 
+// What holds from the start on is held against the nodes that there are then, loads and what is recorded also
+// against those that splits make.
 std::vector<std::string> validate(const Scene& scene, std::size_t nodeCount) {
     SceneCheck ofStart(nodeCount, fieldProblems(scene));
     checkBoundary(ofStart, scene);

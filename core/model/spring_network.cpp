@@ -4,7 +4,9 @@
 
 namespace esm {
 
-// Rest lengths are those of the mesh: the organ is at rest as it was drawn, and no spring has tension.
+// Every edge becomes a spring [R 2.3.7, 4.1], those too by which polygons were split: without its diagonal a
+// square would be free to shear. Rest lengths are those of the mesh. The organ is then at rest as it was
+// drawn, and no spring has tension.
 SpringNetwork networkFromMesh(const TriangleMesh& mesh) {
     SpringNetwork network;
     network.restPositions = mesh.vertices;
@@ -18,6 +20,7 @@ SpringNetwork networkFromMesh(const TriangleMesh& mesh) {
 }
 
 // Vertices are moved by what their nodes moved by, not put where these are: a vertex may lie beside its node.
+// A network with a binding has fewer nodes than vertices, and turns what lies between them as well.
 std::vector<Eigen::Vector3d> drawnPositions(const TriangleMesh& mesh, const SpringNetwork& network,
                                             const std::vector<Eigen::Vector3d>& nodePositions) {
     if (network.binding)
@@ -30,6 +33,7 @@ std::vector<Eigen::Vector3d> drawnPositions(const TriangleMesh& mesh, const Spri
     return positions;
 }
 
+// Of what is seen: nodes of the stiff piece stand outside the organ, and would make it look larger.
 Eigen::AlignedBox3d organBox(const TriangleMesh& mesh, const SpringNetwork& network) {
     return boundingBox(mesh.triangles.empty() ? network.restPositions : mesh.vertices);
 }

@@ -4,11 +4,14 @@ namespace esm {
 
 namespace {
 
+/// 64 bits, four to a digit: what tissueDigest() writes.
 constexpr std::size_t tissueDigits = 16;
 constexpr const char* hexadecimal = "0123456789abcdef";
 
 } // namespace
 
+// Single precision is the explicit kernel's alone. Solving loses the more digits the worse a matrix is
+// conditioned, and there would be seven to lose.
 std::vector<std::string> validate(const Stepping& stepping) {
     std::vector<std::string> problems = fieldProblems(stepping);
     if (stepping.precision == Precision::Float && !mayBeExplicit(stepping.integrator))
@@ -18,6 +21,7 @@ std::vector<std::string> validate(const Stepping& stepping) {
     return problems;
 }
 
+// What a file says is not believed: digits that no tissue can have would only look like other tissue.
 std::vector<std::string> validate(const MeasuredStepping& measured) {
     std::vector<std::string> problems = validate(measured.stepping);
     if (measured.stepping.integrator == Integrator::Auto)

@@ -9,13 +9,22 @@ namespace esm {
 
 namespace {
 
+/// m²
 double areaOf(const Triangle& t, const std::vector<Eigen::Vector3d>& at) {
     return (at[t[1]] - at[t[0]]).cross(at[t[2]] - at[t[0]]).norm() / 2;
 }
 
-// Round each node that becomes two, the triangles on the right of the path go with the twin, and with them
-// every spring to a node that was met there. No node is moved and nothing is added, so that mass, momentum
-// and energy stay what they are.
+// The tissue is parted where its triangles meet, along their edges; no triangle is cut. Round each node that
+// becomes two, the triangles on the right of the path go with the twin, and with them every spring to a node
+// that was met there. Sides are told by the triangles alone (edge_path.cpp), so that they hold on the
+// thinnest tissue too.
+//
+// No node is moved and nothing is added. Mass is shared by area, spring constants along the path in halves:
+// what was one node or spring is two that do together what the one did. Mass, momentum and energy therefore
+// stay what they are. The source takes a new node's mass from all nodes around it [R 4.14]. That keeps the
+// sum as well, but changes the momentum of nodes that the cut does not meet.
+//
+// The whole organ is copied once: time goes with its size, and not with the length of the path.
 class SurfaceSplitter {
 public:
     SurfaceSplitter(const Topology& topology, const TissueModel& tissue, const EdgePath& path)
@@ -57,6 +66,8 @@ private:
         RightSide right;
     };
 
+    /// An edge of the border is refused before anything is parted: there is nothing on its other side to part
+    /// from. An end inside the surface has no sides and stays one node.
     void findParted(const TriangleSides& sides) {
         std::vector<double> areas(m_network.restPositions.size());
         for (const Triangle& triangle : m_triangles)
@@ -74,7 +85,8 @@ private:
                 "from the border");
     }
 
-    /// @param area m², of all triangles at the node
+    /// Shared by the area at rest, over which even tissue has its mass spread. @param area m², of all
+    /// triangles at the node
     void part(std::uint32_t node, RightSide right, double area) {
         double ofRight = 0;
         for (const std::uint32_t triangle : right.triangles)
@@ -88,6 +100,8 @@ private:
         m_sides.emplace(node, Side{twin, share, std::move(right)});
     }
 
+    /// What the twin gets is taken from the node, and not computed a second time: sums then stay the same to
+    /// rounding. Both have their place and, as the motion is mapped, their velocity in common.
     void partNodes(SplitTissue& result, SpringNetwork& network) const {
         TissueModel& tissue = result.tissue;
         for (const auto& [node, twin, share] : m_parted) {
@@ -122,6 +136,8 @@ private:
         return isRight ? parted->second.twin : node;
     }
 
+    /// A spring that is no side of a triangle, as a lattice has within the body, has none that would tell its
+    /// side. A wrong guess would hold both sides together.
     void requireSide(const Spring& spring, const TriangleSides& sides) const {
         const bool isParted = m_sides.count(spring.first) + m_sides.count(spring.second) > 0;
         if (isParted && !sides.hasEdge(spring.first, spring.second))
@@ -130,6 +146,8 @@ private:
                                " is no edge of the surface: on which side it goes is not known");
     }
 
+    /// A spring along the path has half its ends' mean, so that all springs get values of their own. Nodes
+    /// keep what regions say of them.
     void partSprings(const TriangleSides& sides, TissueModel& tissue, SpringNetwork& network) const {
         tissue.ownValues = springValues(m_tissue);
         for (std::size_t i = 0; i < m_network.springs.size(); ++i) {
@@ -149,6 +167,7 @@ private:
     }
 
     /// Each vertex that is drawn at a parted node becomes two where triangles of both sides meet at it.
+    /// Several vertices may hang on one node; each gets a twin of its own.
     std::shared_ptr<const TriangleMesh> partedSurface(SpringNetwork& network) const {
         auto mesh = std::make_shared<TriangleMesh>(*m_before.surface);
         for (const PartedNode& parted : m_parted) {

@@ -7,9 +7,9 @@ namespace esm {
 
 namespace {
 
-/// [Fowler, Noll, Vo: The FNV Non-Cryptographic Hash Algorithm, IETF draft]. It tells tissue that has
-/// changed, not somebody who wants to deceive: few lines, and the same digits on every machine and in every
-/// version of a library.
+/// The hash FNV-1a of Fowler, Noll and Vo (IETF draft), of 64 bits; start and factor are the numbers that
+/// they give. It tells tissue that has changed, not somebody who wants to deceive. So a few lines do, with
+/// the same digits on every machine and in every version of a library.
 class Fnv1a {
 public:
     void add(std::uint32_t word) {
@@ -46,6 +46,8 @@ private:
 
 } // namespace
 
+// What most tissue lacks is added only where it is there. Digests of tissue without it stay those that
+// programs gave which knew nothing of it.
 std::string tissueDigest(const TissueModel& model) {
     Fnv1a digest;
     digest.add(model.mass);

@@ -72,6 +72,8 @@ void checkNodeParameters(Problems& problems, const TissueModel& model) {
         placesWhere(model.viscosity.size(), [&](std::size_t i) { return !isAmount(model.viscosity[i]); }));
 }
 
+/// Either every spring has values of its own or none has: a value's place in the list says which spring it is
+/// of.
 void checkOwnValues(Problems& problems, const TissueModel& model) {
     const auto& values = model.ownValues;
     const std::size_t springs = model.network->springs.size();
@@ -122,6 +124,8 @@ void checkTethersAndFixedNodes(Problems& problems, const TissueModel& model) {
 
 } // namespace
 
+// All that steps or writes springs asks this one function, so that nobody can forget that a cut left values
+// of their own.
 SpringValues valuesOf(const TissueModel& model, std::size_t spring) {
     if (!model.ownValues.empty()) return model.ownValues[spring];
     const Spring& between = model.network->springs[spring];
@@ -136,13 +140,16 @@ std::vector<SpringValues> springValues(const TissueModel& model) {
     return values;
 }
 
-// Below the smallest normal number, singles have fewer digits.
+// Packages hold numbers of 32 bits, whose rounding is a relative 6·10⁻⁸; a mean of two rounded ones is off by
+// as much again. Below the smallest normal number singles have fewer digits, and the difference itself is
+// compared.
 bool isMean(double value, double first, double second) {
     const double allowed = meanTolerance * std::max(std::abs(first), std::abs(second));
     return std::abs(value - (first + second) / 2) <=
            allowed + static_cast<double>(std::numeric_limits<float>::min());
 }
 
+// Values that are the mean after all do not count: digests and files of such tissue stay as they were.
 bool hasOwnValues(const TissueModel& model) {
     for (std::size_t i = 0; i < model.ownValues.size(); ++i) {
         const auto& [first, second, restLength] = model.network->springs[i];

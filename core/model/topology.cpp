@@ -21,13 +21,15 @@ NodeMap NodeMap::identity(std::size_t nodeCount) {
     return map;
 }
 
+// Sources of all nodes lie in one list, and of each node only the end is kept, as in a compressed sparse
+// matrix. Nearly all nodes come from one: a list for each would be mostly overhead.
 void NodeMap::add(const std::vector<Source>& sources) {
     m_sources.insert(m_sources.end(), sources.begin(), sources.end());
     m_ends.push_back(m_sources.size());
 }
 
-// A sum that begins with its first term: a node that comes from one alone keeps every bit, the sign of a zero
-// too.
+// Positions and velocities alike, as a cut keeps both. The sum begins with its first term: a node that comes
+// from one alone keeps every bit, the sign of a zero too.
 std::vector<Eigen::Vector3d> NodeMap::mapped(const std::vector<Eigen::Vector3d>& ofNodesBefore) const {
     std::vector<Eigen::Vector3d> result;
     result.reserve(m_ends.size());
@@ -41,6 +43,8 @@ std::vector<Eigen::Vector3d> NodeMap::mapped(const std::vector<Eigen::Vector3d>&
     return result;
 }
 
+// Weights that do not add up to 1 would move a node towards the origin. The tolerance is that of rounding:
+// weights of some ten nodes, each rounded to 16 digits, are off by far less.
 std::vector<std::string> NodeMap::problems(std::size_t before, std::size_t after) const {
     std::vector<std::string> found;
     if (m_ends.size() != after)
