@@ -7,6 +7,10 @@
 
 namespace esm {
 
+// Triangles are neighbours where they share an edge. Written down once for each of its triangles and put into
+// order, the sides of an edge lie side by side: all that asks for neighbours walks along one list. A hash
+// table of edges finds them as well, but its entries are scattered in memory; counting is faster than hashing
+// or sorting all of them was (docs/performance.md).
 std::vector<TriangleSide> sidesByEdge(const std::vector<Triangle>& triangles) {
     std::vector<TriangleSide> sides;
     sides.reserve(3 * triangles.size());
@@ -42,6 +46,9 @@ std::vector<Triangle> trianglesAcross(const std::vector<Triangle>& triangles) {
     return across;
 }
 
+// The surface encloses a volume where each of its edges has two triangles that run along it in opposite
+// directions. What departs from that is counted, and not mended: a border may be meant, and where three
+// sheets meet nobody knows which two belong together.
 EdgeCounts countEdges(const std::vector<TriangleSide>& sides) {
     EdgeCounts counts;
     forEachEdge(sides, [&counts](auto first, auto last) {

@@ -7,7 +7,8 @@ namespace esm {
 namespace {
 
 /// m that the ends of an axis go while it turns evenly. Each goes round the axis of the turn, on a circle as
-/// wide as the end is far from it.
+/// wide as the end is far from it. Of the two angles that make the same turn the smaller one is gone through,
+/// as between() does.
 double arcOf(double half, const ColliderPose& from, const ColliderPose& to) {
     const Eigen::Vector3d direction = from.orientation * Eigen::Vector3d::UnitZ();
     const Eigen::AngleAxisd turn(to.orientation * from.orientation.conjugate());
@@ -32,6 +33,8 @@ Collider scaled(Collider collider, double factor) {
     return collider;
 }
 
+// Place and turning are mixed apart, each evenly: the turning by spherical interpolation (Shoemake 1985), so
+// that an instrument does not turn faster half-way.
 ColliderPose between(const ColliderPose& from, const ColliderPose& to, double part) {
     return {from.place + part * (to.place - from.place), from.orientation.slerp(part, to.orientation)};
 }
@@ -46,6 +49,8 @@ ColliderAxis axisOf(const PlacedCollider& collider) {
     return {collider.pose.place, collider.pose.orientation * Eigen::Vector3d::UnitZ(), half};
 }
 
+// Shift and arc are added, though they may run against each other. A bound may be too large, and the exact
+// way of the farthest point would have to be searched for.
 double mostMotion(const Collider& collider, const ColliderPose& from, const ColliderPose& to) {
     const double half = lengthOf(collider) / 2, shift = (to.place - from.place).norm();
     return half == 0 ? shift : shift + arcOf(half, from, to);

@@ -26,7 +26,9 @@ struct WayRound {
 enum class Turn { Clockwise, Counterclockwise }; ///< seen from outside
 
 /// Goes round a vertex from one neighbour until another, or until the border: from triangle to triangle, each
-/// across the side that the last one was left by.
+/// across the side that the last one was left by. As many steps as the vertex has triangles. A way that comes
+/// back to where it began without meeting its end has gone round one of two fans that touch in the vertex
+/// alone.
 WayRound goRound(const TriangleSides& sides, std::uint32_t vertex, const Edge& fromTo, Turn turn) {
     WayRound way;
     for (std::uint32_t at = fromTo.first;;) {
@@ -60,6 +62,8 @@ bool VertexPath::runsAlong(std::uint32_t first, std::uint32_t second) const {
     return place != places.end() && (before(place->second) == second || after(place->second) == second);
 }
 
+// Edges are named as pairs and not as a row of vertices, so that a list with a gap is found and not bridged.
+// A path that comes to a vertex twice would have more than two sides there.
 VertexPath verticesAlong(const EdgePath& path, std::size_t vertexCount) {
     if (path.empty()) throw InvalidModel("no edge is named");
     VertexPath along{{path.front().first}, {{path.front().first, 0}}};
@@ -83,6 +87,7 @@ VertexPath verticesAlong(const EdgePath& path, std::size_t vertexCount) {
     return along;
 }
 
+// Found by halving in the sorted list: a path has few edges beside those of the surface.
 std::pair<TriangleSides::Side, TriangleSides::Side> TriangleSides::sidesOf(std::uint32_t first,
                                                                            std::uint32_t second) const {
     const Edge edge = std::minmax(first, second);
@@ -106,6 +111,8 @@ void TriangleSides::requireInner(std::uint32_t first, std::uint32_t second) cons
                            " lies on the border, where nothing is to part");
 }
 
+// A triangle runs along its sides counter-clockwise as seen from outside. The one that runs along an edge in
+// the path's direction therefore lies on its left.
 std::optional<std::uint32_t> TriangleSides::leftOf(std::uint32_t from, std::uint32_t to) const {
     const auto [begin, end] = sidesOf(from, to);
     if (end - begin > 2)

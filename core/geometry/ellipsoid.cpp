@@ -47,10 +47,13 @@ double parameterOfNearest(const Vector3d& radii, const Vector3d& place) {
 
 } // namespace
 
+// Divided by its radii the ellipsoid is the unit ball.
 bool contains(const Ellipsoid& ellipsoid, const Vector3d& point) {
     return inOwnAxes(ellipsoid, point).cwiseQuotient(ellipsoid.radii).squaredNorm() <= 1;
 }
 
+// Mirrored into the octant where all coordinates are positive: an ellipsoid is symmetric, and of each sign
+// only one case is then left.
 double distanceOutside(const Ellipsoid& ellipsoid, const Vector3d& point) {
     if (contains(ellipsoid, point)) return 0;
     // In units of the largest extent, whose squares neither overflow nor vanish.

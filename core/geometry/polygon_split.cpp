@@ -35,7 +35,9 @@ std::vector<Eigen::Vector2d> projected(const std::vector<Eigen::Vector3d>& verti
     return corners;
 }
 
-/// Twice the area below which three corners count as lying on one line.
+/// Twice the area below which three corners count as lying on one line. Coordinates are rounded to 10⁻¹⁶ of
+/// the polygon's extent, and a product of two of them has that relative to the extent's square. 10⁻¹² is some
+/// thousands of such roundings.
 double negligibleTurn(const std::vector<Eigen::Vector2d>& corners) {
     double squaredExtent = 0;
     for (const Eigen::Vector2d& corner : corners)
@@ -116,6 +118,8 @@ std::vector<Triangle> fan(std::size_t cornerCount) {
 
 } // namespace
 
+// A convex polygon may be split as a fan, in time in proportion to its corners. Only the others are worth
+// cutting ears.
 std::vector<Triangle> splitPolygon(const std::vector<Eigen::Vector3d>& vertices,
                                    const std::vector<std::uint32_t>& polygon) {
     if (polygon.size() == 3) return {{polygon[0], polygon[1], polygon[2]}};

@@ -16,7 +16,7 @@ namespace esm {
 namespace {
 
 constexpr double largestCoordinate = 1e12;  // beyond it areas and volumes lose their meaning in double
-constexpr std::size_t mostCorners = 10'000; // cutting ears takes time quadratic in the corners
+constexpr std::size_t mostCorners = 10'000; // cutting ears takes the square of it, 10⁸ tests and more
 
 /// The triangles of a soup under repair; indices are those of the soup's vertices.
 struct Workpiece {
@@ -75,6 +75,8 @@ bool hasNoArea(const std::vector<Eigen::Vector3d>& vertices, const Triangle& t) 
     return u.cross(v).norm() <= 1e-12 * longest;
 }
 
+/// A polygon of n corners stands for n − 2 triangles. Each corner that falls onto its neighbour takes one of
+/// them away, which is counted as a triangle without area.
 void weldAndSplit(Workpiece& piece, double weldDistance) {
     const std::vector<std::uint32_t> representatives = weld(piece.soup.vertices, weldDistance);
     for (std::uint32_t i = 0; i < representatives.size(); ++i)
@@ -130,6 +132,7 @@ void dropDegenerateAndDuplicate(Workpiece& piece) {
                            "points that are less far apart");
 }
 
+/// By the number of triangles: volume would ask for a closed surface, which a part need not be.
 void selectParts(Workpiece& piece, KeepParts keep) {
     const Parts parts = connectedParts(piece.triangles, piece.soup.vertices.size());
     piece.report.components = parts.count;
@@ -156,7 +159,9 @@ std::size_t usedVertexCount(const Workpiece& piece) {
     return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
 }
 
-/// Numbers the vertices that are left in the order in which the polygons first use them.
+/// Numbers the vertices that are left in the order in which the polygons first use them, corner by corner.
+/// Numbers then hang on the faces alone: two files of one surface that list their points in another order
+/// come to the same nodes.
 TriangleMesh numbered(const Workpiece& piece) {
     std::vector<bool> used(piece.soup.vertices.size(), false);
     for (const Triangle& triangle : piece.triangles)

@@ -19,6 +19,8 @@ Vector3d outwardAround(const TriangleMesh& mesh, const SurfaceSpot& spot, double
     return sum.norm() > 0 ? Vector3d(sum.stableNormalized()) : spot.outward;
 }
 
+// The patch is as large as the ellipsoid's own footprint: what it lies on decides how it lies. Of all turns
+// that take z outwards the shortest is taken, so that x and y stay as near as can be to where they were.
 Ellipsoid laidOn(const TriangleMesh& mesh, const SurfaceSpot& spot, const Vector3d& radii) {
     const Vector3d outward = outwardAround(mesh, spot, std::max(radii.x(), radii.y()));
     return {spot.point, radii, Eigen::Quaterniond(shortestTurn(Vector3d::UnitZ(), outward))};

@@ -14,6 +14,9 @@ Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points) {
     return box;
 }
 
+// In the order of the triangles and not in that of the numbers: springs that are made of neighbouring
+// triangles then lie close together in memory. Repeats are found by counting (sorted_by_vertex.h), in time
+// linear in the triangles.
 std::vector<Edge> uniqueEdges(const std::vector<Triangle>& triangles) {
     std::vector<Edge> edges;
     edges.reserve(3 * triangles.size());
