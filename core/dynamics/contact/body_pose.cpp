@@ -4,6 +4,8 @@
 
 namespace esm {
 
+// Two nodes tell a place and a direction. How the body is turned about their line they do not tell: the
+// shortest turn adds none.
 BodyPose::BodyPose(const TouchedSurface::Body& body, const Vectors& positions)
     : m_turn(Eigen::Matrix3d::Identity()), m_middleAtRest((body.first + body.second) / 2),
       m_middle((positions[body.line.first] + positions[body.line.second]) / 2) {

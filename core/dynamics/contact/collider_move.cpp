@@ -10,7 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double planeSlack = 0.98;  ///< so that sliding along the surface can turn the plane
+/// With 1 the plane of a point that lay right on it could not turn at all, and tissue would not slide along
+/// the collider. With 0.98 it may turn by arccos 0.98, some 11°, in a step.
+constexpr double planeSlack = 0.98;
 constexpr double leastLength = 1e-9; ///< of a sum of directions that has one
 
 /// A surface point as the nearest point of a collider's axis sees it: where it lay before, where it lies now.
@@ -18,9 +20,9 @@ struct SeenPoint {
     Vector3d then, now; ///< m
 };
 
-/// Away from the axis where the point now lies, but turned away from where it was only so far that the plane
-/// kept free, `distance` from the axis, leaves its old place free as well: a push then takes speed and gives
-/// none.
+/// Away from the axis, as the point now lies. From the point's old place the normal is however turned away
+/// only so far that this place, too, is beyond the plane at `distance` from the axis. A plane that cut it off
+/// would move the point out farther than it came in: that would give speed, and a push may only take it.
 Vector3d outward(const SeenPoint& seen, double distance, const Vector3d& elseWhere) {
     const auto& [then, now] = seen;
     const double thenLength = then.norm(), nowLength = now.norm();

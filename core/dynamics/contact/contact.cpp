@@ -9,7 +9,7 @@ namespace esm {
 namespace {
 
 constexpr double projectionTolerance = 1e-9; ///< in radii
-constexpr int mostProjections = 30;
+constexpr int mostProjections = 30;          ///< tissue that has nowhere to go is left as it is then
 
 bool areSame(const Contact& a, const Contact& b) {
     const auto sameNode = [](const NodeShare& one, const NodeShare& other) { return one.node == other.node; };
@@ -17,7 +17,8 @@ bool areSame(const Contact& a, const Contact& b) {
            std::equal(a.shares.begin(), a.shares.end(), b.shares.begin(), b.shares.end(), sameNode);
 }
 
-/// Moves a contact's point out by as much as it is inside, its nodes by their shares.
+/// Moves a contact's point out by as much as it is inside. A node of weight w goes by w / Σw² of that, in sum
+/// the whole way; of all ways to share it out this has the least sum of squares.
 void pushOut(const Contact& contact, const std::vector<char>& immovable, double inside, Vectors& positions,
              std::vector<NodePush>& pushes) {
     double squares = 0;
@@ -31,7 +32,7 @@ void pushOut(const Contact& contact, const std::vector<char>& immovable, double 
     }
 }
 
-constexpr double opposite = -0.5; ///< cosine between normals that leave no way out to the side
+constexpr double opposite = -0.5; ///< cosine of 120°, from where on normals leave no way out to the side
 
 bool shareANode(const Contact& a, const Contact& b) {
     return std::any_of(a.shares.begin(), a.shares.end(), [&](const NodeShare& one) {
@@ -40,7 +41,9 @@ bool shareANode(const Contact& a, const Contact& b) {
     });
 }
 
-/// m, by which the planes of two contacts overlap where they face each other.
+/// m, by which the planes of two contacts overlap where they face each other: both distances, less how far
+/// the axes are apart along the direction in which they face. Only contacts that have a node in common press
+/// the same tissue.
 double overlapOf(const Contact& a, const Contact& b) {
     if (a.collider == b.collider || !shareANode(a, b)) return 0;
     if (a.plane.normal.dot(b.plane.normal) > opposite) return 0;
@@ -88,6 +91,8 @@ bool areClear(const std::vector<Contact>& found, const std::vector<ColliderMove>
     });
 }
 
+// The deepest first, since there may be more than are kept. Contacts of earlier rounds stay although they may
+// be clear by now: without their impulses the tissue would come back.
 void mergeContacts(std::vector<Contact>& contacts, std::vector<Contact> found, std::size_t most) {
     std::stable_sort(found.begin(), found.end(),
                      [](const Contact& a, const Contact& b) { return a.depth > b.depth; });
@@ -99,6 +104,9 @@ void mergeContacts(std::vector<Contact>& contacts, std::vector<Contact> found, s
     }
 }
 
+// What the impulses left inside, because they were solved to a tolerance or because there were too many
+// contacts, is moved out point by point. Points share nodes, and one that goes out may take another in: so
+// pass after pass looks again, until all are clear.
 std::vector<NodePush> projectOut(const TouchedSurface& surface, const std::vector<char>& immovable,
                                  const Vectors& before, const std::vector<ColliderMove>& colliders,
                                  Vectors& positions) {

@@ -35,7 +35,9 @@ std::vector<std::vector<Share>> sharesOf(const ContactProblem& problem,
     return shares;
 }
 
-/// Change of a contact's normal velocity per impulse on another.
+/// Change of a contact's normal velocity per impulse on another: N·A⁻¹·Nᵀ, where N makes normal velocities of
+/// those of the nodes. The step's matrix is the same for x, y and z, so that each pair of contacts takes a
+/// number of A⁻¹ times the cosine between their normals.
 Eigen::MatrixXd contactResponse(const ContactProblem& problem, const std::vector<std::vector<Share>>& shares,
                                 const Eigen::MatrixXd& nodeResponse) {
     const auto size = static_cast<Eigen::Index>(shares.size());
@@ -61,6 +63,9 @@ struct NodeAnswers {
     Eigen::MatrixXd velocities;       ///< of movable nodes per impulse on them, 1/kg
 };
 
+/// Led nodes must not give way, but the factorised matrix does not know them. Each impulse therefore comes
+/// with others, on the led nodes, that give these back the velocity it took: a small dense system in place of
+/// a new factorisation.
 NodeAnswers answersOf(const ContactProblem& problem, NodeImpulses& response) {
     NodeAnswers answers;
     answers.nodes = movableNodes(problem);
@@ -76,6 +81,12 @@ NodeAnswers answersOf(const ContactProblem& problem, NodeImpulses& response) {
 }
 
 /// impulses ≥ 0, matrix·impulses ≥ needed, and one of the two with equality for each contact.
+///
+/// Projected Gauss-Seidel (Cryer 1971): each contact in turn takes the impulse that it needs beside those of
+/// the others, but never one that pulls. The matrix is symmetric and has no negative eigenvalue, for which
+/// the method settles; it begins with the impulses of the round before and may stop at any sweep. Pivoting
+/// methods are exact, but who is pushed and who is not would have to be found one after the other. What 200
+/// sweeps leave is moved out afterwards (projectOut()).
 void solveComplementarity(const Eigen::MatrixXd& matrix, const ContactProblem& problem,
                           Eigen::VectorXd& impulses) {
     for (int sweep = 0; sweep < mostSweeps; ++sweep) {
@@ -92,6 +103,7 @@ void solveComplementarity(const Eigen::MatrixXd& matrix, const ContactProblem& p
     }
 }
 
+/// In the half-solved step, where an impulse on a node is one sparse column.
 void lay(const ContactProblem& problem, const NodeAnswers& answers,
          const std::vector<std::vector<Share>>& shares, const Eigen::VectorXd& impulses,
          const NodeImpulses& response, Vectors& half) {

@@ -12,6 +12,7 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
+/// Of half a radius each: 32 radii in a step.
 constexpr int mostParts = 64;
 
 /// A box, m, and for how long, s, something may come into it.
@@ -70,6 +71,11 @@ AlignedBox3d boxOf(const ColliderMove& move) {
 
 } // namespace
 
+// What touches a collider is a radius away from its axis. If both together move by no more than half a radius
+// in a part, it is still half a radius away at the part's end, on the side that it came from: the way out is
+// the way back, and nothing passes through. Parts are doubled and not counted up, since each length of a part
+// needs a matrix of its own.
+//
 // A capsule's points go no farther than those of its axis, and along a straight axis it is an end that goes
 // farthest: what half a radius per part is for one end, it is for all.
 int contactParts(const TouchedSurface& surface, const Vectors& positions, const Vectors& velocities,

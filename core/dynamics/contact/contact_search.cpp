@@ -15,8 +15,13 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr double smallTriangle = 0.25; ///< circle around it, in radii of the collider
-constexpr double leastMovable = 0.2;   ///< share of a point that its movable nodes must carry
+/// Circle around it, in radii of the collider. With the circle's radius ρ and corners at least √(r² + ρ²)
+/// from the axis, the middle between them is at least r away. So corners alone do, at most 3 % of a radius
+/// farther out.
+constexpr double smallTriangle = 0.25;
+/// Share of a point that its movable nodes must carry. To move the point by d, they go by d over their share:
+/// five times as far, at most.
+constexpr double leastMovable = 0.2;
 
 AlignedBox3d boxAround(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     AlignedBox3d box(a);
@@ -50,7 +55,8 @@ private:
     AlignedBox3d m_box;
 };
 
-/// Squared radius of the smallest circle that holds a triangle.
+/// Squared radius of the smallest circle that holds a triangle: about its longest side where the angle
+/// opposite is not acute, else through its corners, abc over four times the area.
 double enclosingCircle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     std::array<double, 3> sides{(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()};
     std::sort(sides.begin(), sides.end());
@@ -84,7 +90,10 @@ NodePoint nodePoint(const Triangle& triangle, const Vector3d& weights) {
     return point;
 }
 
-/// The contacts of one collider with triangles over the nodes.
+/// The contacts of one collider with triangles over the nodes. A point on an edge or a corner belongs to
+/// several triangles and becomes one contact: it is known by its nodes and the part of the axis that it is
+/// nearest to. All triangles are asked whether they come near, since all may have moved since the step
+/// before.
 class SurfaceSearch {
 public:
     SurfaceSearch(const ColliderMove& move, std::size_t collider, const std::vector<char>& immovable,
@@ -151,7 +160,9 @@ private:
     bool m_meetsImmovable = false;
 };
 
-/// The deepest point of a body that moves as one piece, for each part of a collider's axis.
+/// The deepest point of a body that moves as one piece, for each part of a collider's axis. One point of each
+/// part is enough: a rigid body cannot be dented, and moves out as a whole. The axis is taken to where the
+/// body lies at rest, in place of all the body's points to where it is now.
 class BodySearch {
 public:
     BodySearch(const TouchedSurface& surface, const AxisMove& move, const Vectors& before,

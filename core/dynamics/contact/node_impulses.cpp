@@ -4,7 +4,12 @@ namespace esm {
 
 namespace {
 
+/// Products between so many are 8 MB; one more and all are forgotten.
 constexpr std::size_t mostSlots = 1024;
+
+/// With A = L·Lᵀ, A⁻¹ between two nodes is the product of their columns of L⁻¹. These lie on the ways from
+/// both nodes to the root of the elimination tree, which are the same from where they meet: gone through from
+/// the root, the product ends at the first rows that differ.
 
 double product(const HalfColumn& a, const HalfColumn& b) {
     double sum = 0;
@@ -53,6 +58,7 @@ void NodeImpulses::add(std::uint32_t node, const Eigen::Vector3d& impulse, Vecto
         half[static_cast<std::size_t>(column.rows[i])] += column.values[i] * impulse;
 }
 
+// Each impulse on one led node moves the others too, so that all are found together.
 void NodeImpulses::lead(const std::vector<std::uint32_t>& nodes, const Vectors& velocities, Vectors& half) {
     const auto factorisation = response(nodes).llt();
     Eigen::MatrixX3d change(nodes.size(), 3);

@@ -2,6 +2,7 @@
 
 namespace esm {
 
+// What hangs on a line alone has no triangles over nodes: its drawn triangles are touched.
 TouchedSurface touchedSurface(const TriangleMesh& mesh, const SpringNetwork& network) {
     const bool isBody =
         network.binding && network.binding->surface.empty() && network.binding->lines.size() == 1;

@@ -12,7 +12,7 @@ namespace esm {
 namespace {
 
 constexpr double allowedShare = 0.25;    ///< of the work that went in or out, and of what was held before
-constexpr std::size_t stepsPerLook = 64; ///< of an explicit integrator; a look costs about two of them
+constexpr std::size_t stepsPerLook = 64; ///< of an explicit integrator; a look costs about two of them: 3 %
 constexpr std::size_t solvesPerLook = 8; ///< a step that solves costs far more than a look
 
 /// J, of all springs when each of their ends is off by a rounding of the largest coordinate. Stiff tissue at
@@ -91,8 +91,8 @@ MiddleStep stepAfter(const SpringSystem& system, Damping damping, const WatchedS
     return {motion.positions, std::move(to), std::move(velocities), 0};
 }
 
-// ½·x⁻ᵀ·K·x⁺ of springs that are not linear: half of both ends' energies, less ¼·ΔxᵀKΔx, where KΔx is what
-// the forces change by.
+// Of linear springs the middle energy is ½·x⁻ᵀ·K·x⁺. Of others it is half of both ends' energies, less
+// ¼·ΔxᵀKΔx, where KΔx is what the forces change by: for linear ones that is the same.
 double middleEnergy(const SpringSystem& system, Damping damping, const WatchedSteps& last,
                     const MiddleStep& step) {
     Vectors forces, forcesBefore, viscous(step.velocities.size(), Eigen::Vector3d::Zero());

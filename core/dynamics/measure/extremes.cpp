@@ -17,7 +17,8 @@ using Eigen::Vector3d;
 
 constexpr int perSide = 6;
 
-/// A sheet of 0.1 m with the diagonals of its squares.
+/// A sheet of 0.1 m with the diagonals of its squares, held along one side. Small, since every case is run by
+/// every integrator, some 1200 runs in all.
 SpringNetwork sheet() {
     SpringNetwork network;
     for (int y = 0; y < perSide; ++y)
@@ -53,6 +54,7 @@ TissueModel tissueOf(SpringNetwork network, const Parameters& parameters) {
     return model;
 }
 
+/// Pulled at the last node: a corner across from the held side, or what the case has added.
 ExtremeCase pulled(std::string family, std::string name, TissueModel model) {
     const auto last = static_cast<std::uint32_t>(model.mass.size() - 1);
     // What the softest spring stretches by a millimetre.
@@ -73,6 +75,8 @@ void addParameters(std::vector<ExtremeCase>& cases) {
             }
 }
 
+/// Soft, stiff and viscous tissue in steps that somebody typed in. Too long ones must be told, not computed
+/// on.
 void addSteps(std::vector<ExtremeCase>& cases) {
     for (const double step : {1e-7, 1e-5, 1e-3, 1e-1, 1.0})
         for (const Parameters& parameters :
@@ -124,6 +128,7 @@ void addShapes(std::vector<ExtremeCase>& cases) {
     cases.push_back(std::move(stretched));
 }
 
+/// Springs that become softer or stiffer at once, in use, or never. Where their law changes its slope jumps.
 void addSecondPhases(std::vector<ExtremeCase>& cases) {
     for (const double strain : {1e-9, 0.2, 1e3})
         for (const double factor : {1e-9, 1e-3, 1e3, 1e9}) {
@@ -163,6 +168,8 @@ std::vector<ExtremeCase> extremeCases() {
     return cases;
 }
 
+// Half of the run under load, half without: swings that the load leaves, and creeping back, are where energy
+// out of nothing shows. A reason is no failure; a state that is not finite is one, whatever was said of it.
 ExtremeOutcome runExtreme(const ExtremeCase& tested, Integrator integrator, int steps) {
     SimulationSettings settings;
     settings.integrator = integrator;

@@ -6,7 +6,9 @@ namespace esm {
 
 namespace {
 
-/// The part of a step during which a force acts. What rounding leaves of a long one is none.
+/// The part of a step during which a force acts. The mean of a force over a step gives the tissue the same
+/// momentum as the force, however short it is. What rounding leaves of a long one is none: it would count as
+/// a load in a step without.
 double shareOf(const NodeForce& force, double start, double end) {
     constexpr double rounding = 1e-9;
     const double duration = end - start;

@@ -17,8 +17,8 @@ namespace esm {
 
 namespace {
 
-constexpr double tooShortToTime = 0.03; // s
-constexpr int mostRepeats = 5;
+constexpr double tooShortToTime = 0.03;  // s
+constexpr int mostRepeats = 5;           // at most 0.15 s in all
 constexpr double progressInterval = 0.1; // s
 constexpr double mostAtOnce = 16;        ///< on a whole tissue, so that a run can be stopped within a second
 constexpr double mostSteps = 1e12;       // at a microsecond each, eleven days
@@ -31,6 +31,8 @@ void requireRunnable(const Scene& scene, double timeStep) {
                        roundedText(mostSteps) + "; shorten the duration or lengthen the step");
 }
 
+/// Hands out frames at the times that a scene asks for, at the first step that reaches each. Steps are not
+/// cut for frames: that would change the motion with what is looked at.
 class Recorder {
 public:
     Recorder(const SceneRun& run, double timeStep, FrameSink sink)
@@ -93,8 +95,8 @@ private:
     Vectors m_impulses; ///< N·s, on the instruments up to the last row
 };
 
-/// How many whole steps may be taken together. Only explicit ones are short enough to be worth it, under
-/// loads that stay as they are.
+/// How many whole steps may be taken together. Each call copies the state and looks at where it led, which
+/// explicit steps are too short to bear one by one. Loads that move would stand still meanwhile.
 std::size_t mostTogether(const Scene& scene, const Simulation& simulation) {
     if (!isExplicit(simulation.integrator()) || !scene.moves.empty() || !scene.instruments.empty()) return 1;
     return static_cast<std::size_t>(mostAtOnce / std::max(simulation.activeFraction(), 1e-3));
@@ -121,7 +123,8 @@ void count(const TimeSpan& span, std::size_t taken, SceneOutcome& outcome) {
     outcome.shortestStep = std::min(outcome.shortestStep, lengthOf(span));
 }
 
-/// The simulated surface, node i as its vertex i, by which a run splits what it steps.
+/// The simulated surface, node i as its vertex i, by which a run splits what it steps. The drawn surface is
+/// not asked for: a run is the same whether or not somebody draws it.
 Topology steppedTopology(const SceneRun& run) {
     auto network = std::make_shared<SpringNetwork>(*run.model.network);
     network->vertexNodes.resize(network->restPositions.size());
@@ -136,7 +139,8 @@ std::vector<SceneStage> laterStages(const SceneRun& run) {
     return laterStages(steppedTopology(run), run.model, run.scene);
 }
 
-/// What a run steps and watches, stage by stage.
+/// What a run steps and watches, stage by stage. The watch over energy begins anew with each stage: a split
+/// changes none, but its sums hang on nodes and springs that are others then.
 class StagedRun {
 public:
     StagedRun(const SceneRun& run, const std::vector<SceneStage>& stages, Simulation& simulation)
@@ -235,6 +239,8 @@ SimulationSettings withStep(const SceneRun& run, const std::vector<SceneStage>& 
     return settings;
 }
 
+/// What else a machine does can only make a run longer. Of short ones, where that is much, the shortest of
+/// some is the nearest to its own time.
 double bestOfRepeats(const SceneRun& run, const std::vector<SceneStage>& stages, Simulation& simulation,
                      double seconds) {
     for (int repeat = 1; repeat < mostRepeats && seconds < tooShortToTime; ++repeat) {

@@ -8,7 +8,8 @@ namespace esm {
 
 namespace {
 
-/// The places of splits in the order in which they happen.
+/// The places of splits in the order in which they happen. Those of one time keep the order of the scene,
+/// since a later one may name nodes that an earlier one made.
 std::vector<std::size_t> inOrderOfTime(const Scene& scene) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < scene.splits.size(); ++i)
@@ -36,6 +37,8 @@ void requireMemory(std::size_t splits, std::size_t nodeCount, const Scene& scene
                            "; join paths of the same time into longer ones");
 }
 
+/// A force that acts already acts on tissue, which goes on to both sides: shared by area, as the mass is, it
+/// accelerates both as it did the one.
 void shareForces(Scene& scene, double time, const PartedNode& parted) {
     const std::size_t count = scene.forces.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -49,6 +52,7 @@ void shareForces(Scene& scene, double time, const PartedNode& parted) {
     }
 }
 
+/// What leads a node has hold of all of it.
 void leadTwin(Scene& scene, const PartedNode& parted) {
     const auto isOf = [](std::uint32_t node) {
         return [node](const NodeMove& move) { return move.node == node; };
@@ -76,7 +80,8 @@ SplitTissue splitOf(const Scene& scene, std::size_t split, const Topology& topol
     }
 }
 
-/// Only once all splits are made it is known which nodes there are.
+/// Only once all splits are made it is known which nodes there are. validate() without them had to allow as
+/// many as there may be at most.
 void requireNodes(const Scene& unsplit, std::size_t nodeCount) {
     if (auto problems = validate(unsplit, nodeCount); !problems.empty())
         throw InvalidModel(std::move(problems));
@@ -84,6 +89,8 @@ void requireNodes(const Scene& unsplit, std::size_t nodeCount) {
 
 } // namespace
 
+// All stages are made before the run begins. A split that cannot be made is then told at once, and not after
+// minutes of stepping; the step can be chosen for all of them; and runs in other steps part the organ alike.
 std::vector<SceneStage> laterStages(const Topology& start, const TissueModel& tissue, const Scene& scene) {
     std::vector<SceneStage> stages;
     if (scene.splits.empty()) return stages;
@@ -104,6 +111,7 @@ std::vector<SceneStage> laterStages(const Topology& start, const TissueModel& ti
     return stages;
 }
 
+// Each split adds a node at least, so that their number tells the stage.
 const SceneStage* stageOfNodes(const std::vector<SceneStage>& stages, std::size_t nodeCount) {
     const auto found = std::find_if(stages.begin(), stages.end(), [&](const SceneStage& stage) {
         return stage.organ.tissue.mass.size() == nodeCount;

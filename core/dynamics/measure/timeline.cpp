@@ -16,11 +16,13 @@ double closeTimes(double timeStep, double duration) {
     return std::max(1e-9 * timeStep, 4 * std::numeric_limits<double>::epsilon() * duration);
 }
 
-/// Lengths of cut steps that an integrator may factorise for in one run.
+/// Lengths of cut steps that an integrator may factorise for in one run. Each costs a factorisation, and the
+/// memory of its factor.
 constexpr std::size_t mostLengths = 8;
 /// With more nodes a factorisation costs more than it gains, in time and in memory.
 constexpr std::size_t mostNodesForLengths = 100'000;
 
+/// Those that factorise no matrix: a step of another length costs them nothing.
 bool cutsEverywhere(Integrator integrator) {
     return isExplicit(integrator) || traitsOf(integrator).kind == StepKind::Searching;
 }
@@ -79,7 +81,10 @@ std::set<double> apart(const std::set<double>& corners, double close, double dur
     return kept;
 }
 
-/// Chooses the whole steps that are cut at the corners in them, as long as that takes few lengths.
+/// Chooses the whole steps that are cut at the corners in them, as long as that takes few lengths. Two cuts
+/// of the same length need one matrix, and loads often begin and end at round times: so lengths are counted,
+/// and not cuts. Greedy, in the order in which corners are offered: which choice would cut most is not worth
+/// searching for.
 class CutChoice {
 public:
     struct Times {
@@ -128,6 +133,7 @@ std::vector<double> splitCorners(const Scene& scene) {
     return {corners.begin(), corners.end()};
 }
 
+// A force that acts for no time gives no momentum.
 std::vector<double> forceCorners(const Scene& scene) {
     std::set<double> corners;
     for (const NodeForce& force : scene.forces) {
@@ -149,6 +155,9 @@ std::vector<double> pathCorners(const Scene& scene) {
     return {corners.begin(), corners.end()};
 }
 
+// Splits come first, then forces, then paths, so that what finds no length left matters least. Inside a step
+// that is not cut a path still leads to its place at the step's end, and a force counts with its mean; but a
+// split comes late.
 Timeline::Timeline(const Scene& scene, const TimeDivision& division, Integrator integrator,
                    std::size_t nodeCount)
     : m_nominal(division.timeStep), m_step(division.stepLength()), m_duration(scene.duration),

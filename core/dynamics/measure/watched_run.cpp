@@ -5,6 +5,7 @@ namespace esm {
 WatchedRun::WatchedRun(const Simulation& simulation, const SimulationSettings& settings)
     : m_simulation(simulation), m_watch(simulation.system(), settings, simulation.motion()) {}
 
+// A copy of the motion costs less than a step, and the watch needs where the tissue was.
 void WatchedRun::begin() {
     m_before = m_simulation.motion();
     m_contactWork = m_simulation.contactWork();
