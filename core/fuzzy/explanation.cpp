@@ -6,6 +6,8 @@ namespace esm {
 
 namespace {
 
+/// Words of a condition in the order in which they stand, as the explanation lists them. Their degrees are
+/// told before any NOT: the word is what the user sees in the partition.
 void addPropositions(RuleExplanation& explanation, const FuzzyCondition& condition, const FuzzySystem& system,
                      const std::vector<std::optional<double>>& inputs) {
     if (condition.kind == FuzzyCondition::Kind::Is)
@@ -16,6 +18,8 @@ void addPropositions(RuleExplanation& explanation, const FuzzyCondition& conditi
 
 } // namespace
 
+/// Degrees are asked for once more, word by word, where infer() needs that of the whole alone. An explanation
+/// is asked for now and then, an inference with every move of a slider: inference keeps nothing for it.
 std::vector<RuleExplanation> explainRules(const FuzzySystem& system,
                                           const std::vector<std::optional<double>>& inputs) {
     std::vector<RuleExplanation> explanations;
@@ -30,7 +34,9 @@ std::vector<RuleExplanation> explainRules(const FuzzySystem& system,
     return explanations;
 }
 
-/// By the very steps of inference, with what lies between them kept.
+/// By the very steps of inference, with what lies between them kept: an explanation that computed in a way of
+/// its own could disagree with the result. Sets are told rule by rule, as the user wrote them; collectSets()
+/// may join some.
 OutputExplanation explainOutput(const FuzzySystem& system, std::size_t output,
                                 const std::vector<double>& firing) {
     OutputExplanation explanation;

@@ -5,6 +5,8 @@
 
 namespace esm {
 
+/// It is asked before anything goes through a condition recursively, and is recursive itself: so it turns
+/// back at the level that is asked for, however deep a file has nested.
 bool isDeeperThan(int levels, const FuzzyCondition& condition) {
     if (levels <= 0) return true;
     return std::any_of(condition.parts.begin(), condition.parts.end(),

@@ -24,7 +24,8 @@ struct FuzzyCondition {
     bool operator==(const FuzzyCondition&) const = default;
 };
 
-/// Conditions within conditions, itself counted: whoever goes through one may call himself that often.
+/// How deep conditions may be nested, the outermost counted. It bounds the recursion of all that goes through
+/// one.
 inline constexpr int deepestCondition = 100;
 
 /// Does not look further down than `levels`.

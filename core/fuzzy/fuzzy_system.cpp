@@ -7,6 +7,8 @@
 
 namespace esm {
 
+/// A name stands in rules as one word, between others and beside brackets. What the parser would take for two
+/// words, for a bracket or for a keyword could be given but never be used.
 std::string nameProblem(const std::string& name) {
     const auto endsWord = [](char c) {
         return static_cast<unsigned char>(c) <= ' ' || c == 127 || isBracket(c);

@@ -18,7 +18,7 @@ std::string listed(std::initializer_list<double> numbers) {
     return text;
 }
 
-/// Beyond it the square of a width overflows.
+/// Beyond it the square of a width overflows, which the moment of a set takes (centre_of_gravity.cpp).
 std::string upToLargest() {
     return " up to " + roundedText(largestNumber);
 }
@@ -81,6 +81,7 @@ private:
         if (!names.insert(name).second) add(part, ": the name is there twice");
     }
 
+    /// Inputs and outputs share their names: values are set and told by name alone.
     void checkVariables(List list) {
         if (variables(list).empty()) add(nameOf(list) + ": there must be at least one");
         if (const std::size_t count = variables(list).size(); count > mostFuzzyWords)
@@ -133,6 +134,8 @@ private:
         }
     }
 
+    /// Too many rules are told by their number alone: to list what is wrong with each would take long and
+    /// help nobody.
     void checkRules() {
         if (m_system.rules.size() > mostFuzzyRules) {
             add(tooManyRules(m_system.rules.size()));

@@ -23,9 +23,13 @@ std::vector<double> firingDegrees(const FuzzySystem& system,
 
 } // namespace
 
-/// Mamdani's inference [R 2.48, 2.49]: each rule cuts its conclusions' sets down to its degree, all sets of
-/// an output are joined, and the centre of gravity of the whole is its value. Outputs are computed one after
-/// another in the same memory.
+/// Mamdani's inference (Mamdani and Assilian 1975) [R 2.48, 2.49]: each rule cuts its conclusions' sets down
+/// to its degree, all sets of an output are joined, and the centre of gravity of the whole is its value.
+/// Every rule that fires has a say in it. The place of the highest degree, which is often taken instead,
+/// would jump from one term to the next while an input moves slowly.
+///
+/// Time goes with the words of all rules, and for each output with its sets times the places where they bend.
+/// Outputs are computed one after another in the same memory.
 InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional<double>>& inputs) {
     InferenceResult result;
     result.firing = firingDegrees(system, inputs);
@@ -38,6 +42,7 @@ InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional
     return result;
 }
 
+/// Everything that is wrong is gathered, so that a command line or a script is mended once.
 std::vector<std::optional<double>> orderedInputs(const FuzzySystem& system, const NamedValues& values) {
     std::vector<std::optional<double>> ordered(system.inputs.size());
     std::vector<std::string> problems;
@@ -56,6 +61,8 @@ std::vector<std::optional<double>> orderedInputs(const FuzzySystem& system, cons
     return ordered;
 }
 
+/// Two decimals are told, so that what would be 0.00 is left out: below 0.005. Of equal degrees the term that
+/// stands first in the partition is named first.
 std::string inWords(const FuzzyVariable& variable, double value) {
     std::vector<std::pair<double, const std::string*>> degrees;
     for (const FuzzyTerm& term : variable.terms)

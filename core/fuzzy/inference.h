@@ -18,10 +18,9 @@ struct InferenceResult {
 };
 
 /// Mamdani inference by the system's norms [R 2.48, 2.49], then the exact centre of gravity of each output.
-/// `inputs` are in the system's order; one that is missing or not a number takes no part: a rule that asks
-/// for it, whatever else its condition says, does not fire, because a condition of which a part is unknown is
-/// unknown. Inputs out of range are evaluated unclamped.
-/// Preconditions: the system is valid, there are as many inputs as it has. Does not throw.
+/// `inputs` are in the system's order. One that is missing or not a number is unknown. So is every condition
+/// that asks for it, whatever else it says, and its rule does not fire. Inputs out of range are evaluated
+/// unclamped. Preconditions: the system is valid, there are as many inputs as it has. Does not throw.
 InferenceResult infer(const FuzzySystem& system, const std::vector<std::optional<double>>& inputs);
 
 /// Puts named values into the system's order. @throws InvalidModel naming every unknown or non-finite one

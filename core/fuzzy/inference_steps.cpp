@@ -32,6 +32,8 @@ double firingOf(const FuzzyRule& rule, std::optional<double> condition) {
     return rule.weight * condition.value_or(0);
 }
 
+/// A set under the maximum for each term, under a sum for each conclusion (collectSets()), with four bends
+/// each. Memory is then asked for once, and not within each output of each inference.
 OutputSets workingMemory(const FuzzySystem& system) {
     std::size_t terms = 0, conclusions = 0;
     for (const FuzzyVariable& output : system.outputs)
@@ -47,6 +49,8 @@ OutputSets workingMemory(const FuzzySystem& system) {
     return work;
 }
 
+/// A set that lies outside the output's range, cut down as it is, has nothing to take the centre of gravity
+/// of.
 std::optional<ImpliedSet> concludedSet(const FuzzySystem& system, const FuzzyProposition& conclusion,
                                        double degree) {
     if (!(degree > 0)) return std::nullopt;

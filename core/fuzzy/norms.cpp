@@ -8,7 +8,8 @@ namespace esm {
 
 namespace {
 
-/// In the order of both enumerations.
+/// In the order of both enumerations. They are the three pairs that FCL (IEC 61131-7) has words for, so that
+/// systems go to files of others and back.
 constexpr std::array<const char*, 3> tNorms{"minimum", "product", "bounded-difference"};
 constexpr std::array<const char*, 3> tConorms{"maximum", "probabilistic-sum", "bounded-sum"};
 

@@ -9,12 +9,16 @@ namespace esm {
 
 namespace {
 
+/// In which what bends between corners shows: the centre of gravity is curved even where all sets are
+/// straight.
 constexpr std::size_t evenSteps = 128;
 /// Beside a corner and not only at it: a set that begins upright jumps there, and the value at the corner
 /// belongs to one side alone.
-constexpr double besideCorner = 1e-9;    ///< of the input's range
-constexpr double finestStep = 2e-9;      ///< of the input's range: what rises within it is a jump
-constexpr double smallestRise = 0.01;    ///< of the output's range
+constexpr double besideCorner = 1e-9; ///< of the input's range
+/// Of the input's range: what rises within it is a jump. Twice the way beside a corner, so that places on
+/// both sides of a corner are not parted further.
+constexpr double finestStep = 2e-9;
+constexpr double smallestRise = 0.01;    ///< of the output's range: 2 pixels of a drawing 200 high
 constexpr std::size_t mostPoints = 6000; ///< of a curve; behind them only what is asked for in any case
 
 /// Infers one output again and again: only by the rules that speak of it, in memory that stays. A curve asks
@@ -146,6 +150,8 @@ ResponseCurve responseCurve(const FuzzySystem& system, const ResponseQuestion& q
     return std::move(tracer).curve();
 }
 
+/// In cells of one size and not refined as a curve is: a map is looked at as a whole, and its price is known
+/// beforehand.
 ResponseMap responseMap(const FuzzySystem& system, const ResponseQuestion& question, const MapInputs& inputs,
                         std::size_t cells, const Progress& progress) {
     const auto middle = [&](std::size_t input, std::size_t cell) {

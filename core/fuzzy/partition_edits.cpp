@@ -100,6 +100,8 @@ Trapezoid withCorner(const FuzzyVariable& variable, std::size_t term, Corner cor
     return set;
 }
 
+/// A shoulder's upright side stays with the end of the range, so that the term becomes wider or narrower. One
+/// that is a shoulder at both ends fills the range and has nowhere to go.
 Trapezoid shifted(const FuzzyVariable& variable, std::size_t term, double by) {
     Trapezoid set = variable.terms[term].set;
     const bool staysLeft = isLeftShoulder(variable, set), staysRight = isRightShoulder(variable, set);
@@ -159,6 +161,8 @@ std::vector<FuzzyTerm> evenPartition(const FuzzyVariable& variable) {
     return terms;
 }
 
+/// Neighbours are those whose middles follow each other: a list may have any order. Each pair shares one
+/// flank, so that one pass over the pairs lays all of them.
 std::vector<FuzzyTerm> overlappedByHalf(const FuzzyVariable& variable) {
     std::vector<FuzzyTerm> terms = variable.terms;
     std::vector<double> middles;

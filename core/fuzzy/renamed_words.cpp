@@ -18,9 +18,10 @@ template<class Named> std::size_t placeOf(const std::vector<Named>& list, const 
     return static_cast<std::size_t>(found - list.begin());
 }
 
-/// What is there under the name, or under the one it has got: in a list of as many, at the same place, and
-/// new as the old one is gone. Null where that is not told. Text that cannot be read yet has no places of
-/// variables that an edit could map, so a renaming is read off the two systems.
+/// The entry of that name or, where it was renamed, the one that took its place. An entry counts as renamed
+/// where the list is as long as before, the old name is gone, and what stands at its place has a name that is
+/// new. Null where that cannot be told. Text that is no rule yet does not say which variable a word means, so
+/// that a renaming is read off the two systems.
 template<class Named>
 const Named* successorOf(const std::vector<Named>& before, const std::vector<Named>& after,
                          const std::string& name) {
@@ -46,6 +47,8 @@ Followed variableOf(const FuzzySystem& before, const FuzzySystem& after, const s
 
 } // namespace
 
+/// Word by word and not by reading the rule: a line that is being typed is no rule yet, and must keep its
+/// names as others do. Terms are those of the variable that was named last.
 std::string withNamesOf(const FuzzySystem& after, const FuzzySystem& before, const std::string& line) {
     std::string renamed;
     std::size_t copied = 0;

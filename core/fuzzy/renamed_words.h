@@ -4,9 +4,9 @@
 
 namespace esm {
 
-/// A line of a rule's text with the names that variables and terms have got since, word by word, so that what
-/// cannot be read as a rule follows too. Where the systems have other variables or terms than the same under
-/// other names, their words stay.
+/// A line of a rule's text in which words of `before` are replaced by the names that the same variables and
+/// terms have in `after`. The line need not be a rule yet. Words stay as they are where more than names has
+/// changed.
 std::string withNamesOf(const FuzzySystem& after, const FuzzySystem& before, const std::string& line);
 
 } // namespace esm

@@ -14,6 +14,8 @@ void collectInputs(std::set<std::size_t>& inputs, const FuzzyCondition& conditio
         collectInputs(inputs, part);
 }
 
+/// Each rule is compared with every other: what a comparison asks is worked out once for each rule, and not
+/// once for each pair.
 RuleFacts factsOf(const FuzzyRule& rule, const FuzzyNorms& norms, RuleReach& reach) {
     RuleFacts facts;
     facts.normalForm = normalForm(rule.condition, norms);
@@ -27,8 +29,8 @@ RuleFacts factsOf(const FuzzyRule& rule, const FuzzyNorms& norms, RuleReach& rea
 }
 
 /// Cells of the input for which a rule that asks for it may fire, whatever the other inputs are: the shadow
-/// of the rule's boxes on this input. A rule whose boxes are not known, or one of whose boxes leaves the
-/// input open, covers all; so what is reported as uncovered is certain.
+/// of the rule's boxes on this input. A rule covers everything where its boxes are not known, or where one of
+/// them leaves the input open. What is reported as uncovered is therefore certain.
 CellSet coveredCells(const std::vector<RuleFacts>& rules, std::size_t input, std::size_t count) {
     CellSet covered(count);
     CellSet whole = complementOf(covered, count);

@@ -18,6 +18,8 @@ std::string rulesText(const FuzzySystem& system) {
     return joined(lines, "\n");
 }
 
+/// Line by line, so that a mistake costs one rule and not those behind it: while a rule is being typed,
+/// nearly every text has one.
 RulesReading readRules(const FuzzySystem& system, const std::vector<std::string>& lines) {
     RulesReading reading;
     const auto count = static_cast<std::size_t>(

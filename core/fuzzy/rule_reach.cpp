@@ -48,6 +48,7 @@ bool isWithin(const ValueBox& inner, const ValueBox& outer) {
     });
 }
 
+/// Both boxes have their inputs in rising order, and are gone through side by side.
 std::optional<ValueBox> commonPart(const ValueBox& one, const ValueBox& other) {
     ValueBox common;
     auto left = one.begin();
@@ -121,6 +122,8 @@ RuleReach::Boxes RuleReach::propositionBoxes(const FuzzyProposition& proposition
     return {ValueBox{{input, std::move(set)}}};
 }
 
+/// Of two conditions that must both hold, each box of one with each of the other: the only step that
+/// multiplies boxes, and the one that has to be watched.
 RuleReach::Boxes RuleReach::commonOf(const Boxes& one, const Boxes& other) {
     Boxes common;
     for (const ValueBox& a : one)

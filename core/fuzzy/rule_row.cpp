@@ -53,6 +53,8 @@ std::string partOf(const std::string& line, std::size_t begin, std::size_t end) 
     return line.substr(begin, end - begin);
 }
 
+/// By the keywords alone, without reading what stands between them: a part that no parser can read yet is
+/// still kept as it was typed.
 RuleParts partsOf(const std::string& line) {
     const std::vector<RuleWord> words = ruleWords(line);
     RuleParts parts;
@@ -78,7 +80,8 @@ std::string lineOf(const RuleParts& parts) {
     return line;
 }
 
-/// Whether what a line lacks can only be a condition or conclusions.
+/// Whether what a line lacks can only be a condition or conclusions. A line without THEN, or with two, is no
+/// rule with a gap but text that is still being typed.
 bool mayBeUnfinished(const std::string& line) {
     int thens = 0, withs = 0;
     for (const RuleWord& word : ruleWords(line)) {
@@ -90,6 +93,8 @@ bool mayBeUnfinished(const std::string& line) {
            (parts.condition.empty() || parts.conclusions.empty());
 }
 
+/// What cells cannot show stays text, each side of the rule for itself: a condition in brackets leaves the
+/// conclusions to their cells.
 RuleRow filled(const FuzzySystem& system, const FuzzyRule& rule) {
     RuleRow row;
     row.inputs.resize(system.inputs.size());
@@ -126,6 +131,9 @@ RuleRow unfinishedRow(const FuzzySystem& system, const std::string& line) {
 
 } // namespace
 
+/// Three tries, from the most that can be shown to the least: a whole rule, one that lacks a side, a line of
+/// text. The table and the text show the same rules, so that no line may get lost on the way into a row and
+/// back.
 RuleRow rowOf(const FuzzySystem& system, const std::string& line) {
     try {
         return filled(system, parseRule(system, line));

@@ -46,7 +46,13 @@ Expectation wordsOr(std::vector<std::string> words, Expectation other) {
     return other;
 }
 
-/// Recursive descent: disjunction → conjunction → factor → NOT factor | ( disjunction ) | proposition.
+/// Recursive descent: disjunction → conjunction → factor → NOT factor | ( disjunction ) | proposition. A
+/// function for each of these is the grammar itself, written out. It sees one word ahead, never goes back,
+/// and knows at the first word that does not fit what would have fitted there: that is the message to the
+/// user, and what an editor offers (wordsThatFit()).
+///
+/// A word is read as what is expected in its place and looked up in the list that may stand there, so that a
+/// term may be called like a variable. Lists have a few names; time goes with the words times those.
 class RuleParser {
 public:
     RuleParser(const FuzzySystem& system, const std::string& text)
@@ -149,6 +155,8 @@ private:
         return static_cast<std::size_t>(found - list.begin());
     }
 
+    /// By from_chars, which knows no other decimal point than the one of rules, whatever the machine's
+    /// language.
     double weight() {
         const std::string& text = word().text;
         double value = -1;
@@ -183,7 +191,9 @@ std::string propositionText(const std::vector<FuzzyVariable>& variables, const F
     return variable.name + is + variable.terms.at(proposition.term).name;
 }
 
-/// How tightly a condition holds together: the looser of two needs brackets within the other.
+/// How tightly a condition holds together: the looser of two needs brackets within the other. Words are
+/// written from these numbers and read by the order of the parser's functions; both say that NOT binds
+/// tighter than AND, and AND than OR.
 int tightness(Kind kind) {
     switch (kind) {
     case Kind::Or:
@@ -220,6 +230,8 @@ std::string conditionText(const std::vector<FuzzyVariable>& inputs, const FuzzyC
 
 } // namespace
 
+/// Letters from A to Z alone, and not as the machine's language has them: in Turkish the small letter of I is
+/// another one.
 bool isKeyword(const std::string& word, const char* keyword) {
     const std::string expected(keyword);
     return word.size() == expected.size() &&

@@ -18,6 +18,7 @@ Variables& listOf(FuzzySystem& system, FuzzySide side) {
     return side == FuzzySide::Inputs ? system.inputs : system.outputs;
 }
 
+/// Every edit ends here: what it gives can be evaluated, or it throws and nothing was edited.
 FuzzySystem checked(FuzzySystem system) {
     if (auto problems = validate(system); !problems.empty()) throw InvalidModel(std::move(problems));
     return system;
@@ -43,10 +44,11 @@ void throwIfNoName(const std::string& name) {
     if (const std::string problem = nameProblem(name); !problem.empty()) throw InvalidModel(problem);
 }
 
+/// What becomes of "variable IS term" on one side; none where it can no longer be said.
+///
 /// Rules speak of variables and terms by their places in lists. So every edit of a list is the same edit of
 /// the rules with another map from old places to new ones, and a rule that speaks of what is gone goes with
-/// it.
-/// What becomes of "variable IS term" on one side; none where it can no longer be said.
+/// it. Rules by name would survive the edit, but then each inference would have to look names up.
 using Remap = std::function<std::optional<FuzzyProposition>(const FuzzyProposition&)>;
 
 /// False where the condition speaks of what is gone.
@@ -103,6 +105,7 @@ std::optional<std::size_t> afterRemoval(std::size_t index, std::size_t removed) 
     return index > removed ? index - 1 : index;
 }
 
+/// What lies between both places moves up by one, as in a list that is reordered by hand.
 template<class List> void move(List& list, std::size_t from, std::size_t to) {
     const auto at = [&](std::size_t index) { return list.begin() + static_cast<std::ptrdiff_t>(index); };
     if (from < to)
@@ -135,7 +138,8 @@ struct Gap {
 };
 
 /// Goes over the cores from left to right, as one lays out overlapping intervals: what none of them has
-/// covered so far up to the next beginning is a gap.
+/// covered so far up to the next beginning is a gap. Cores and not whole terms, since flanks overlap where
+/// partitions are good.
 Gap widestGap(const FuzzyVariable& variable) {
     std::vector<std::size_t> rising(variable.terms.size());
     for (std::size_t i = 0; i < rising.size(); ++i)
@@ -173,6 +177,7 @@ const FuzzyVariable& variableAt(const FuzzySystem& system, const VariablePlace& 
     return variablesOf(system, place.side)[place.index];
 }
 
+/// People type "spring constant" where rules need one word. Spaces at the ends are slips and go.
 std::string ruleName(const std::string& typed) {
     std::string name;
     bool isGap = false;
@@ -231,6 +236,8 @@ FuzzySystem withVariableMoved(FuzzySystem system, const VariablePlace& place, st
     return checked(std::move(system));
 }
 
+/// Into the widest gap between two cores: flanks over the outer thirds, a core over the middle one. It meets
+/// both neighbours and leaves their cores alone.
 AddedTerm withTermAdded(FuzzySystem system, const VariablePlace& place) {
     FuzzyVariable& variable = listOf(system, place.side)[place.index];
     const Gap gap = widestGap(variable);
@@ -276,6 +283,8 @@ FuzzySystem withoutTerm(FuzzySystem system, const VariablePlace& place, std::siz
     return checked(std::move(system));
 }
 
+/// Without rules, but with words to write some: the outputs carry the names by which a region takes them for
+/// its tissue.
 FuzzySystem newFuzzySystem(const std::string& name) {
     FuzzySystem system;
     system.name = name;

@@ -14,7 +14,9 @@ namespace {
 using WarningKind = SystemWarning::Kind;
 using ValueBoxes = std::vector<ValueBox>;
 
-constexpr std::size_t mostPairWork = 4'000'000; // comparisons of rules and of their boxes
+/// Comparisons of rules and of their boxes. The most rules there may be, 2000, make two million pairs: all of
+/// them are looked at, with one box each on the mean.
+constexpr std::size_t mostPairWork = 4'000'000;
 
 /// "Rule 3", "Rules 3, 5 and 8", "Rules 3, 5, 8, 9, 12, 15 and 40 more".
 std::string rulesInWords(const std::vector<std::size_t>& rules) {
@@ -38,6 +40,10 @@ std::string termsInWords(const FuzzyVariable& variable, const TermSet& terms) {
     return joined(names, " and ");
 }
 
+/// Everything is found from the corners of the terms (rule_reach.cpp): nothing is sampled, so that a gap as
+/// narrow as one value is found. Each kind of warning is a pass of its own over the rules' facts. Only
+/// contradictions need pairs of rules; all else is linear in them, or sorts them. What would take too long is
+/// left out, and said to be.
 class WarningFinder {
 public:
     explicit WarningFinder(const FuzzySystem& system)
@@ -65,7 +71,7 @@ private:
         m_warnings.push_back({kind, text, std::move(rules)});
     }
 
-    /// Of them alone is there a list when they are looked for.
+    /// Contradictions come first, so that the list holds them alone while they are looked for.
     void addContradiction(const std::string& text, std::vector<std::size_t> rules) {
         m_hasMoreContradictions = m_warnings.size() == mostContradictions;
         if (!m_hasMoreContradictions) add(WarningKind::Contradiction, text, std::move(rules));
@@ -158,6 +164,7 @@ private:
         return parts.empty() ? "both hold" : joined(parts, " and ");
     }
 
+    /// In two groups, as what to do about them differs: a condition is to be mended, a weight was set.
     void findRulesThatNeverFire() {
         std::vector<std::size_t> weightless, impossible;
         for (std::size_t rule = 0; rule < m_facts.size(); ++rule)
@@ -173,6 +180,8 @@ private:
         tell(weightless, "its weight is 0.", "their weights are 0.");
     }
 
+    /// Rules that say the same have the same key, normal form and conclusions, which brings them together in
+    /// one pass. Groups are told in the order of their first rules.
     void findDuplicates() {
         std::map<std::pair<std::string, std::map<std::size_t, TermSet>>, std::vector<std::size_t>> saying;
         for (std::size_t rule = 0; rule < m_facts.size(); ++rule)
@@ -249,6 +258,7 @@ private:
         return concluded;
     }
 
+    /// Where a variable is not spoken of at all, that is said once, and not of each of its terms.
     void findUnused(const std::vector<FuzzyVariable>& variables, const std::vector<TermSet>& used,
                     const std::string& ofVariable, const std::string& ofTerms) {
         for (std::size_t i = 0; i < variables.size(); ++i) {

@@ -37,8 +37,10 @@ std::string inWords(const ValueRange& range) {
     return range.includesTo ? "above " + from + ", up to " + to : "between " + from + " and " + to;
 }
 
-/// Corners are cells of their own: there a term may hold fully that does not do so on either side, as a
-/// single point does.
+/// A degree is above 0, and full, between the same corners all the way. Each corner and each stretch between
+/// two of them is therefore one cell, and a statement on a range one of some dozen cells: exact, where
+/// sampling would miss what lies between two samples. Corners are cells of their own: there a term may hold
+/// fully that does not do so on either side, as a single point does.
 std::vector<ValueCell> cellsOf(const FuzzyVariable& variable) {
     std::vector<double> corners{variable.minimum, variable.maximum};
     for (const FuzzyTerm& term : variable.terms)
@@ -60,6 +62,7 @@ bool CellSet::isEmpty() const {
     return std::all_of(m_words.begin(), m_words.end(), [](std::uint64_t word) { return word == 0; });
 }
 
+/// Cell by cell, since the last word has bits that stand for none. The others compare 64 cells at once.
 bool CellSet::isWhole() const {
     for (std::size_t i = 0; i < m_cells; ++i)
         if (!contains(i)) return false;
@@ -87,6 +90,7 @@ void CellSet::intersect(const CellSet& other) {
         m_words[i] &= other.m_words[i];
 }
 
+/// Neighbouring cells become one range; it includes an end where the cell there is a corner.
 std::vector<ValueRange> rangesOf(const std::vector<ValueCell>& cells, const CellSet& set) {
     std::vector<ValueRange> ranges;
     for (std::size_t i = 0; i < cells.size(); ++i) {
