@@ -71,6 +71,13 @@ struct SurfaceQuery::Implementation {
     float* scaledPositions = nullptr; ///< owned by the geometry
 };
 
+// A tree of boxes over the triangles (Embree, Wald et al. 2014): a ray or a point passes over whole branches
+// whose box it does not meet, in time that grows with the logarithm of the triangles. Where vertices move the
+// tree keeps its branches and only its boxes are made anew (refitted), in one pass. It becomes worse the
+// farther the surface goes from the shape it was built for, but tissue keeps its neighbours.
+//
+// Robust, so that a ray through an edge does not slip between the two triangles there: organs would have
+// pinholes.
 SurfaceQuery::Implementation::Implementation(const std::vector<Eigen::Vector3d>& initialPositions,
                                              std::vector<Triangle> initialTriangles)
     : triangles(std::move(initialTriangles)), device(newDevice()), scene(rtcNewScene(device.get())),
@@ -98,9 +105,9 @@ void SurfaceQuery::Implementation::commitScene() {
     checkLastError(device.get());
 }
 
-// The tree (Embree, Wald et al. 2014) works in single precision. Brought to the middle and to the size 2, a
-// surface loses 10⁻⁷ of its own size to that, wherever it lies and whatever its unit is. Where the tree has
-// found a triangle, the answer is computed anew in double from the triangle's true corners.
+// The tree works in single precision. Brought to the middle and to the size 2, a surface loses 10⁻⁷ of its
+// own size to that, wherever it lies and whatever its unit is. Where the tree has found a triangle, the
+// answer is computed anew in double from the triangle's true corners.
 void SurfaceQuery::Implementation::setPositions(const std::vector<Eigen::Vector3d>& newPositions) {
     for (const Eigen::Vector3d& position : newPositions)
         if (!position.allFinite()) throw InvalidModel("a vertex of the surface is at no finite place");
@@ -172,7 +179,7 @@ std::optional<RayHit> SurfaceQuery::firstHit(const Ray& ray) const {
     const Eigen::Vector3d normal = (b - a).cross(c - a), fromA = ray.origin - a;
     const double across = direction.dot(normal), squared = normal.squaredNorm();
     const double hitInFloat = skipped + double{query.ray.tfar} / surface.scale;
-    // A triangle seen edge-on has no better distance than the one found.
+    // A triangle seen edge-on, to a millionth, has no better distance than the one found.
     const bool edgeOn = !(across * across > 1e-12 * squared);
     const double distance = edgeOn ? hitInFloat : std::max(0.0, -fromA.dot(normal) / across);
     const Eigen::Vector3d place = ray.origin + distance * direction;
@@ -184,10 +191,10 @@ struct SurfaceQuery::Implementation::Nearest {
     Eigen::Vector3d point;
     std::optional<RayHit> best;
 
-    /// Keeps what lies as near as the best in reach, so that the tree's order does not choose among equals: a
-    /// point over an edge is as near to both triangles, and the tree, whose boxes are in single precision,
-    /// must not pass one of them over. The reach is therefore a little more than the best distance, by a
-    /// relative and an absolute share well above its roundings, and never grows again.
+    /// Keeps what lies as near as the best in reach, so that the tree's order does not choose among equals. A
+    /// point over an edge is as near to both triangles; the tree, whose boxes are in single precision, must
+    /// pass over neither. The reach is therefore a little more than the best distance: by 10⁻⁵ of it and of
+    /// half the surface's size, a hundred times what rounding takes. It never grows again.
     static bool visit(RTCPointQueryFunctionArguments* arguments) {
         constexpr double slack = 1 + 1e-5;
         auto& self = *static_cast<Nearest*>(arguments->userPtr);

@@ -73,11 +73,13 @@ Terms termsOf(const cv::Mat& small, int x, int y) {
     return termsAt((x + 0.5 - 0.5 * small.cols) / half, (y + 0.5 - 0.5 * small.rows) / half);
 }
 
-/// What a camera sees is light × reflectance. The logarithm makes a sum of it, of which a least-squares
-/// polynomial takes the slow part, for the light (the model of retinex, Land and McCann 1971; a polynomial
-/// has no radius to choose, leaves no halo at edges, and goes on under what is masked out). The small
-/// multiple of the identity keeps the equations solvable where too few pixels count for fifteen terms.
 /// The logarithm of the light as it changes slowly over the photo; nothing where nothing counts.
+///
+/// What a camera sees is light × reflectance. The logarithm makes a sum of it, of which a least-squares
+/// polynomial takes the slow part, for the light: the model of retinex (Land and McCann 1971). A blur is the
+/// usual way to the slow part. A polynomial has no radius to choose, leaves no halo at edges, and goes on
+/// under what is masked out. The small multiple of the identity keeps the equations solvable where too few
+/// pixels count for fifteen terms.
 std::optional<Terms> slowLight(const cv::Mat& small) {
     Eigen::Matrix<double, termCount, termCount> normal =
         Eigen::Matrix<double, termCount, termCount>::Identity() * 1e-6;

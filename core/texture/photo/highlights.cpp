@@ -13,9 +13,10 @@ namespace esm {
 namespace {
 
 constexpr int narrowestRim = 2;
-constexpr double inpaintRadius = 4;
-constexpr int surroundingPixels = 12; ///< pixels around a highlight in which its surroundings are looked for
-constexpr int darkestSource = 32;     ///< brightest channel; what is darker is no tissue to fill from
+constexpr double inpaintRadius = 4; ///< pixels around each that is filled, whose colours are mixed
+constexpr int surroundingPixels =
+    12; ///< three times that: so far around a highlight its surroundings are looked for
+constexpr int darkestSource = 32; ///< brightest channel; what is darker is no tissue to fill from
 
 bool isOpaque(const std::uint8_t* pixel) {
     return pixel[3] > 0;
@@ -92,6 +93,8 @@ std::size_t countHighlights(const Image& photo, int threshold) {
     return photo.empty() ? 0 : static_cast<std::size_t>(cv::countNonZero(highlightMask(photo, threshold)));
 }
 
+/// By fast marching (Telea 2004), from the rim inwards, each pixel from those around it that are known
+/// already: the tissue's colours go on into the highlight. A mean of the rim alone would leave a flat spot.
 std::size_t fillHighlights(Image& photo, int threshold) {
     if (photo.empty()) return 0;
     const cv::Mat mask = highlightMask(photo, threshold);

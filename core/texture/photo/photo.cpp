@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::uintmax_t mostBytes = 1'000'000'000;
 
+/// What the decoder's process hands back is as little trusted as the file: the picture must have the size
+/// that the header promised, lying or standing, and nothing may follow it.
 Image readPicture(DecodedStream& stream, const PhotoFormat& format) {
     const auto width = stream.value<std::uint32_t>(), height = stream.value<std::uint32_t>();
     const bool isStored = width == format.width && height == format.height;

@@ -45,6 +45,7 @@ private:
     ByteOrder m_order;
 };
 
+/// CRC-32, as PNG has behind each chunk.
 std::uint32_t checksum(const Bytes& bytes, std::size_t place, std::size_t size) {
     return static_cast<std::uint32_t>(crc32_z(0, bytes.data() + place, size));
 }
@@ -63,6 +64,9 @@ int exifOrientation(const Bytes& exif) {
     return 1;
 }
 
+/// Eight bytes of signature, then chunks: length, name, data, checksum. The first holds the size, at a fixed
+/// place; IEND is the last. A chunk acTL is that of an animation (APNG). The checksums find what was damaged
+/// before it is decoded.
 PhotoFormat inspectPng(const Bytes& encoded) {
     const Cursor cursor(encoded, ByteOrder::Big);
     PhotoFormat format;
@@ -108,10 +112,15 @@ int segmentOrientation(const Cursor& cursor, std::size_t place) {
     return exifOrientation(cursor.part(place + exifBegin, length + 2 - exifBegin));
 }
 
+/// Of the sixteen markers from 0xc0 on all but three, which hold tables and extensions, begin a frame and
+/// tell its size.
 bool isFrameMarker(std::uint32_t code) {
     return code >= 0xc0 && code <= 0xcf && code != 0xc4 && code != 0xc8 && code != 0xcc;
 }
 
+/// Segments, each a marker and its length, from the start of the image to its end. A progressive picture has
+/// the compressed data of several scans between them, in which the next marker is looked for. Without the end
+/// marker decoders would fill what is missing with grey and say nothing.
 PhotoFormat inspectJpeg(const Bytes& encoded) {
     constexpr std::uint32_t endOfImage = 0xd9, startOfImage = 0xd8, application = 0xe1;
     const Cursor cursor(encoded, ByteOrder::Big);
@@ -132,6 +141,8 @@ PhotoFormat inspectJpeg(const Bytes& encoded) {
     return format;
 }
 
+/// The header of 12 bytes is that of OS/2, with numbers half as wide. A height below zero says that rows come
+/// from the top.
 PhotoFormat inspectBmp(const Bytes& encoded) {
     const Cursor cursor(encoded, ByteOrder::Little);
     PhotoFormat format;
@@ -143,6 +154,7 @@ PhotoFormat inspectBmp(const Bytes& encoded) {
     return format;
 }
 
+/// The first directory is the first picture. A number of type 3 has two bytes, any other one here four.
 PhotoFormat inspectTiff(const Bytes& encoded, ByteOrder order) {
     const Cursor cursor(encoded, order);
     PhotoFormat format;

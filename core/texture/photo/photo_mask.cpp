@@ -51,7 +51,8 @@ struct Coverage {
     }
 };
 
-/// Draws one segment of a stroke where it covers more than those before it.
+/// Draws one segment of a stroke where it covers more than those before it. Only the pixels around the
+/// segment are looked at, so that a long stroke costs its area and not that of its box for each segment.
 void drawSegment(const PhotoStroke& stroke, std::size_t segment, const Image& photo, Coverage& coverage) {
     const Eigen::Vector2d& from = stroke.path[segment];
     const Eigen::Vector2d& to = stroke.path[std::min(segment + 1, stroke.path.size() - 1)];

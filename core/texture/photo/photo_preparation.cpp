@@ -62,6 +62,8 @@ void checkCrop(const PhotoCrop& crop, int width, int height, Problems& problems)
                            std::to_string(height) + " pixels");
 }
 
+/// What is cut off becomes transparent and the picture keeps its size: places in it, of strokes and
+/// landmarks, stay true.
 void keepOnly(const PhotoCrop& crop, Image& photo) {
     tbb::parallel_for(0, photo.height, [&](int y) {
         const bool isRowKept = y >= crop.y && y - crop.y < crop.height;
@@ -96,6 +98,7 @@ std::vector<std::string> validate(const PhotoPreparation& preparation, int width
     return problems;
 }
 
+/// The field first: the white balance must not look at what the field leaves out.
 PhotoPreparation withFound(PhotoPreparation preparation, const Image& photo, StepsToFind steps) {
     if (steps.field) preparation.field = findRoundField(photo);
     if (steps.whiteBalance) preparation.whiteBalance = findWhiteBalance(shownOf(photo, preparation));

@@ -114,8 +114,9 @@ Image halved(const Image& image) {
     return halved(image, allOpaque(image));
 }
 
-/// A pyramid of halved pictures (Williams 1983, Pyramidal parametrics) takes a third of the photo's memory
-/// and gives the mean of any square in eight readings.
+/// A pyramid of halved pictures (Williams 1983, Pyramidal parametrics): the levels after the first have ¼ +
+/// 1/16 + … of its pixels, a third. The mean of any square is then eight readings, four pixels in each of two
+/// levels, however large the square is; to add its pixels up would take longer the smaller the photo is seen.
 PhotoSampler::PhotoSampler(const Image& photo) : m_photo(photo), m_isOpaque(allOpaque(photo)) {
     while (level(m_smaller.size()).width > 1 || level(m_smaller.size()).height > 1)
         m_smaller.push_back(halved(level(m_smaller.size()), m_isOpaque));
