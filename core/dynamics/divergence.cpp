@@ -55,9 +55,9 @@ void DivergenceGuard::restart(const Vectors& rest) {
     m_size = rest.empty() ? 0 : spread(rest, middle(rest));
 }
 
-// What work a led node or an instrument does is not to be told from its way alone. But what is light takes at
-// most twice the speed of something heavy that hits it: the fastest there ever was stands for what all of the
-// tissue may have got.
+// The work of a led node or an instrument does not follow from its way alone, but it has a bound. What is
+// light leaves with at most twice the speed of something heavy that hits it. All of the tissue is therefore
+// taken to have got twice the speed of the fastest load there ever was.
 void DivergenceGuard::take(const Step& step, const Eigen::Vector3d& centre, double size) {
     m_work += workOfForces(step);
     for (const HeldNode& held : step.loads.held) {

@@ -26,7 +26,8 @@ public:
         const Vectors &before, &after; ///< positions, m
         const Vectors& velocities;     ///< after, m/s
         const Loads& loads;
-        /// m, that points of the first instruments went during the step; those after them have just appeared.
+        /// m, how far points of each instrument went during the step; those beyond its end have just
+        /// appeared.
         const std::vector<double>& instrumentWays;
         double duration; ///< s
     };

@@ -5,7 +5,7 @@
 namespace esm {
 
 std::vector<std::string> validate(const SimulationSettings& settings) {
-    constexpr double anyStep = 1; // s; one that is chosen is sound
+    constexpr double anyStep = 1; // s, in place of one that is chosen later and is sound
     std::vector<std::string> problems =
         validate(Stepping{settings.integrator, settings.timeStep.value_or(anyStep), settings.precision});
     const std::string integrator = integratorName(settings.integrator);

@@ -16,9 +16,9 @@ SecondPhase secondPhaseOf(const std::optional<SpringStiffening>& law, double spr
 
 } // namespace
 
-// Of each spring's constants the larger one counts, as bounds of the step need it: there the least damping
-// meets the most stiffness. What is between fixed nodes cannot move, and what has no elasticity does not
-// swing.
+// The bounds of a step need the case of least damping and most stiffness, so that of each spring's two
+// constants the larger one counts. What is between fixed nodes cannot move, and what has no elasticity does
+// not swing.
 double leastDampingRatio(const SpringSystem& system) {
     double ratio = std::numeric_limits<double>::infinity();
     for (const auto& spring : system.springs)

@@ -11,10 +11,10 @@ bool becomesStiffer(const SpringSystem::Element& spring) {
     return largestSpringConstant(spring) > spring.springConstant;
 }
 
-/// Of its strain, from where on a spring is taken in together with those that are beyond theirs. Where one
-/// passes its strain, for which the matrix is factorised anew, its neighbours soon follow: taken in ahead,
-/// many of them cost one factorisation. Taken in much earlier, they would make the matrix stiffer than the
-/// tissue, and its motion slower.
+/// Share of its strain from which on a spring is taken in as soon as others are beyond theirs. Where one
+/// passes its strain the matrix is factorised anew, and its neighbours soon follow. Taken in ahead, many of
+/// them cost one factorisation. Taken in much earlier, they would make the matrix stiffer than the tissue,
+/// and its motion slower.
 constexpr double nearShare = 0.8;
 
 /// @param share of each spring's strain

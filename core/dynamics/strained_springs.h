@@ -4,8 +4,9 @@
 
 namespace esm {
 
-/// The springs that a constant matrix takes as stiff as beyond the strain of their law; the others it takes
-/// as stiff as up to it. They change seldom, so that a factorised matrix stays of use.
+/// The springs that a constant matrix takes with the constant that they have beyond the strain of their law.
+/// All others it takes with the one up to that strain. They change seldom, so that a factorised matrix stays
+/// of use.
 class StrainedSprings {
 public:
     /// Whether there are springs that become stiffer at all.

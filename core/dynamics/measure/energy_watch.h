@@ -17,10 +17,10 @@ struct WatchedSteps {
 };
 
 /// Tells steps that make energy out of nothing. Where a step is a little too long, the springs' law may bound
-/// the swings, so that no place and no speed looks wrong, but they hold more energy than the loads ever gave.
-/// Viscosity only takes energy away. The tissue must therefore never hold more than the loads' work, but for
-/// what steps are inexact by: a quarter of all work that went in or out is allowed, and of what the tissue
-/// held at its start, as where its rest lengths were rounded.
+/// the swings, so that no place and no speed looks wrong; but they hold more energy than the loads ever gave.
+/// Viscosity only takes energy away: the tissue must never hold more than the loads' work and what it held at
+/// its start, as where rest lengths were rounded. Since steps are not exact, a quarter of all work that went
+/// in or out, and of the energy at the start, is allowed besides.
 class EnergyWatch {
 public:
     /// Starts where the motion starts. The system outlives the watch.
@@ -51,10 +51,11 @@ private:
     std::vector<std::vector<std::uint32_t>> m_springsOf; ///< by node; empty until one is led
 };
 
-/// The tissue's energy, J, in the form that an integrator keeps where nothing damps, less what constant loads
-/// gain from the state's place to where that form holds. Semi-implicit Euler, `split` and Verlet keep the
-/// kinetic energy in the middle of a step plus ½·x⁻ᵀ·K·x⁺, an elastic energy that belongs to both of its
-/// ends. The plain sum, which the others keep best, swings by a multiple of itself near their longest steps.
+/// The tissue's energy, J, in the form that an integrator keeps where nothing damps. Semi-implicit Euler,
+/// `split` and Verlet keep the kinetic energy in the middle of a step plus ½·x⁻ᵀ·K·x⁺, an elastic energy that
+/// belongs to both of its ends. The plain sum, which the others keep best, swings by a multiple of itself
+/// near their longest steps. What constant loads do between the state's place and the step's middle is taken
+/// off.
 double keptEnergy(const SpringSystem& system, Integrator integrator, Damping damping,
                   const WatchedSteps& steps);
 

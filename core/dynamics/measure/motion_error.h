@@ -28,9 +28,9 @@ private:
 /// has the number of the next.
 using Trajectory = std::map<long, std::vector<Eigen::Vector3d>>;
 
-/// Keeps of a run's frames those that are compared with another run's: at the end and at times that are
-/// multiples of the recording interval, so that runs in other steps meet them, and so few that memory holds
-/// them, however long the run. Of two runs it keeps the same times.
+/// Keeps those of a run's frames that are compared with another run's: that at the end, and those at
+/// multiples of the recording interval, which runs in other steps meet as well. They are so few that memory
+/// holds them, however long the run. Of two runs it keeps the same times.
 class ComparedFrames {
 public:
     /// Of a scene of so many seconds, recorded so often, s.
@@ -56,10 +56,10 @@ double relativeError(const Trajectory& trajectory, const Trajectory& reference);
 /// The same of two runs of one scene, but 0 where they are alike to the last bit, as where nothing moves.
 double changeBetween(const Trajectory& coarse, const Trajectory& finer);
 
-/// Of what was there before, halving a step leaves at most that, or it gains nothing: rounding spoils it.
+/// Halving a step that leaves more than this of the change before gains nothing: rounding spoils it.
 inline constexpr double leastGain = 0.9;
 
-/// A larger change of halving a step comes of steps that do not follow the motion yet, not of rounding.
+/// A larger change does not come of rounding, but of steps that do not follow the motion yet.
 inline constexpr double unfollowedChange = 0.1;
 
 /// What the latest halvings of a step changed, relative to the motion; infinite where there was none.
@@ -72,10 +72,10 @@ struct LatestChanges {
 };
 
 /// What is left of a trajectory's error, relative to its motion. If each halving leaves the same share r of
-/// the error, then r·change/(1 − r) is left. The share is the larger one of the last two that the changes
-/// tell: where motion has corners, as where springs stiffen, errors fall by fits and starts. Until there are
-/// two a half is taken to be left at least; of orders above the second no more is believed than of that, and
-/// of those below the first no more than they promise.
+/// the error, then r·change/(1 − r) is left. Two shares can be told from the last three changes; the larger
+/// one counts, since errors fall by fits and starts where motion has corners, as where springs stiffen. With
+/// fewer changes a half is taken to be left at least. Orders above the second are believed to gain no more
+/// than the second; those below the first no more than they promise.
 ///
 /// A change that fell by more than the order promises is luck: two parts of the error cancelled, and one of
 /// them will come to light. It counts as what the order would have left of the two changes before.

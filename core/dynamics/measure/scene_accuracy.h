@@ -27,11 +27,10 @@ AccurateOutcome runSceneToError(const SceneRun& run, double mostError, const New
 /// What `Auto` without a step may be off, relative to the motion, where that is not too much to wait for.
 inline constexpr double resolvedError = 0.05;
 
-/// The same for who left integrator and step to `Auto`: to `resolvedError`, by an integrator of the second
-/// order where viscosity does not ask for another. The step is halved once at least; more often while that
-/// takes about ten seconds at most, by a count of steps that is the same on every machine. Where that does
-/// not do, the outcome is the last run, with its estimate.
-/// @throws InvalidModel as runScene(); Cancelled
+/// The same where integrator and step were left to `Auto`: to `resolvedError`, by an integrator of the second
+/// order where viscosity does not ask for another. The step is halved once at least, and more often while
+/// that takes about ten seconds at most, by a count of steps that is the same on every machine. Where that
+/// does not do, the outcome is the last run, with its estimate. @throws InvalidModel as runScene(); Cancelled
 AccurateOutcome runSceneResolved(const SceneRun& run, const NewFrameSink& newSink,
                                  const Progress& progress = {});
 

@@ -31,9 +31,10 @@ constexpr double worthStopping = 0.1;    ///< s
 constexpr std::array referenceIntegrators{Integrator::Split2, Integrator::Rk4, Integrator::Split,
                                           Integrator::Bdf2};
 
-/// Halvings without gain after which more of them are not tried. In float, rounding soon spoils what shorter
-/// steps gain. Fewer nodes are off the full run, however short their steps. All others come to the reference
-/// in the end, though an instrument's way may hide for a while what they gain.
+/// So many halvings without gain are tried before an integrator is given up. In float none: rounding soon
+/// spoils what shorter steps gain. With fewer nodes two: such a run stays off the full one, however short its
+/// steps. All others come to the reference in the end, though an instrument may hide for a while what they
+/// gain.
 int halvingsInVain(Precision precision, bool isFull) {
     if (precision == Precision::Float) return 0;
     return isFull ? mostShorterSteps : 2;

@@ -18,9 +18,10 @@ double form(const Matrix& matrix, const Eigen::VectorXd& x) {
     return x.dot(matrix.selfadjointView<Eigen::Lower>() * x);
 }
 
-/// By what makes Q large without making it indefinite, so that parts of the tissue that differ by orders of
-/// magnitude weigh alike. Scaling from both sides changes no sign of Q's eigenvalues (Sylvester), but brings
-/// them close together, so that the one next to zero is a larger part of the spectrum and sooner found.
+/// What each row of Q is multiplied with, from both sides: one over the root of all on its diagonal that
+/// makes Q larger. Parts of the tissue that differ by orders of magnitude then weigh alike. Scaling from both
+/// sides changes no sign of Q's eigenvalues (Sylvester) but brings them close together. The one next to zero
+/// is then a larger part of the spectrum and sooner found.
 Eigen::VectorXd scaleOf(const StepFamily& family, double h) {
     Eigen::VectorXd scale = family.factors.mass * family.mass.diagonal();
     scale += std::max(0.0, family.factors.damping * h) * family.damping.diagonal();
@@ -79,12 +80,12 @@ double firstZero(const StepFamily& family, const Eigen::VectorXd& x) {
 }
 
 // The limit is the least first zero of all motions: any motion bounds it from above. At a step that is too
-// long, the motion that Q is most negative for has a first zero that is off the limit by the square of what
-// the motion is off the limit's, as with Rayleigh's quotient; so a few such motions lead there. A step
-// shorter by the tolerance is then shown to be definite. All of it takes products with the matrices, no
-// factorisation: time in proportion to their size.
+// long, take the motion that Q is most negative for. If it is a little off the limit's own motion, its first
+// zero is off the limit by the square of that, as with Rayleigh's quotient; so a few such motions lead there.
+// A step shorter by the tolerance is then shown to be definite. All of it takes products with the matrices,
+// no factorisation: time in proportion to their size.
 //
-// Where a step can neither be shown to be definite nor not, the share by which the next is shorter is
+// Where a step can be shown neither to be definite nor not to be, the share by which the next is shorter is
 // squared. The answer then loses some of its length, never its safety.
 double largestDefiniteStep(const StepFamily& family, const Eigen::VectorXd& near,
                            const DefiniteSearch& search) {

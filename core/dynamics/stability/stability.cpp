@@ -42,9 +42,9 @@ Integrator integratorFor(TissueSpectrum& tissue, const SimulationSettings& setti
     return Integrator::Bdf2;
 }
 
-/// Of a simulated second, the wall time it roughly takes, s per spring. Rough figures are enough, and the
-/// same on every machine, lest a project be stepped otherwise on another: they only decide whether a choice
-/// falls behind real time, and which of two does so less.
+/// s per spring: roughly the wall time that a simulated second takes. Rough figures are enough: they only
+/// decide whether a choice falls behind real time, and which of two does so less. They are the same on every
+/// machine, so that a project is stepped alike on all.
 double costOf(const ChosenStep& chosen) {
     constexpr double explicitSeconds = 5e-9, solvingSeconds = 8e-8, iteratingSeconds = 4e-7; // a step
     const double seconds = isExplicit(chosen.integrator)          ? explicitSeconds

@@ -13,7 +13,7 @@ namespace {
 constexpr double clearlyMore = 4;    ///< times; of two dampings the larger then decides how swings end
 constexpr double hardlyAny = 0.25;   ///< of a swing's logarithm, in all of a run
 constexpr double patience = 60;      ///< s, at the wall time that steps roughly take
-constexpr double leastHalvings = 16; ///< times as many steps as the longest stable ones are to be affordable
+constexpr double leastHalvings = 16; ///< of the longest stable step, four halvings, must still be affordable
 
 SwingBounds boundsOf(const SpringSystem& system, Damping damping) {
     const TissueSpectrum tissue(system, damping, {1e-2, Deformation::Any, {}});
@@ -35,9 +35,9 @@ SwingBounds swingBounds(const TissueModel& model, Damping damping) {
     return boundsOf(makeSpringSystem(model), damping);
 }
 
-// A viscosity of d/c takes ω²/2·d/c per second off the logarithm of a swing of ω. The steps hide the fastest
-// swing where they take a noticeable part of it as if they were such a viscosity, unless the tissue's own is
-// clearly larger: that ends the swing anyhow.
+// In a second, a viscosity of d/c takes ω²/2·d/c off the logarithm of a swing of ω. Steps that damp are like
+// such a viscosity. They hide the fastest swing where they take a noticeable part of it. They do not where
+// the tissue's own viscosity is clearly larger, which ends the swing anyhow.
 bool hidesSwings(const SwingBounds& bounds, Integrator integrator, double timeStep, double duration) {
     const double ratio = schemeOf(integrator).ownDamping(timeStep, bounds.largestFrequency);
     const double taken = std::pow(bounds.largestFrequency, 2) / 2 * ratio * duration;

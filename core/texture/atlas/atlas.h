@@ -29,7 +29,8 @@ struct AtlasOptions {
     int pages = 1;
     int gap = 2; ///< pixels that stay free between any two patches
     AtlasLayout layout = AtlasLayout::MatchedRows;
-    /// Asked for: as many pages are made as that takes. 0: as many as the pages that there are have room for.
+    /// The density that is asked for: as many pages are made as that takes. 0: the largest that `pages` have
+    /// room for.
     double texelsPerMetre = 0;
 
     bool operator==(const AtlasOptions&) const = default;

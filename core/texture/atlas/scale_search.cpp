@@ -61,10 +61,12 @@ private:
     }
 
     /// The guess is put a little beyond where the height would be just right: above it after a layout that
-    /// fitted, below it after one that did not. A guess that is right to within 0.05 % then closes the
-    /// interval from the other side, where one that creeps up on it would leave the far end where it was. As
-    /// long as nothing has fitted there is no interval yet; 2 % at least are then gone down, so that the
-    /// search ends however badly a height is estimated.
+    /// fitted, below it after one that did not. A guess that is right to within 0.05 % then moves the other
+    /// end of the interval, and the search is over. Without this it would come near from one side, again and
+    /// again, and the other end would stay where it was.
+    ///
+    /// As long as nothing has fitted there is no interval yet. Then the scale goes down by 2 % at least, so
+    /// that the search ends however badly a height is estimated.
     double next(double scale, double height) const {
         constexpr double beyond = 0.0005, leastStep = 0.02;
         const bool fitted = m_best.scale == scale;

@@ -8,10 +8,11 @@ namespace esm {
 
 namespace {
 
-/// Two generations: what the composition that runs has asked for, and what the one before had. An item that
-/// is asked for moves over from the second to the first; finish() throws away what is left. So nothing has to
-/// guess how much may be kept: memory is that of what the latest composition needed.
-/// Finds an item that was used or takes it over from before.
+/// Finds an item that was used, or takes it over from before.
+///
+/// There are two generations: what the composition that runs has asked for, and what the one before had. An
+/// item that is asked for moves over to the first; finish() drops what is left of the second. So nothing has
+/// to guess how much may be kept: memory is that of what the latest composition needed.
 template<typename Item, typename Same>
 const Item* usedAgain(std::vector<Item>& used, std::vector<Item>& before, const Same& same) {
     const auto found = std::find_if(used.begin(), used.end(), same);

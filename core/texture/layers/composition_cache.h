@@ -11,7 +11,7 @@
 
 namespace esm {
 
-/// A picture as it is thrown, with its pyramid.
+/// A picture as it is projected, with its pyramid.
 struct SampledPicture {
     std::shared_ptr<const Image> picture; ///< null without a photo
     std::shared_ptr<const PhotoSampler> sampler;

@@ -27,7 +27,7 @@ struct LayerColour {
     float weight;           ///< 0 to 1
 };
 
-/// A layer's photo and how it is thrown.
+/// A layer's photo and how it is projected.
 struct LayerPhoto {
     const TextureLayer& layer;
     const PhotoSampler& sampler;

@@ -10,13 +10,15 @@ namespace esm {
 
 namespace {
 
-/// Surface this share of the model's size apart hides nothing: the rays know points only to single precision.
+/// Surface that lies closer to another than this share of the model's size hides nothing of it: the rays know
+/// points only to single precision.
 constexpr double hidingTolerance = 1e-4;
 
 /// Texels around a patch whose colours are asked for, in which a stroke may begin.
 constexpr double strokeMargin = 3;
 
-/// Photo pixels over which a photo fades in that is blended in bands: its colours do before.
+/// A photo that is blended in bands fades in over so many of its pixels: there the bands have made its
+/// colours agree with what lies beneath.
 constexpr double bandedBorder = 4;
 
 bool clones(const TextureLayer& layer) {

@@ -10,11 +10,11 @@ namespace esm {
 /// 1024 pixels. What is finer needs no wide border.
 PhotoSize comparedSize(PhotoSize photo);
 
-/// A photo blended in bands (Burt and Adelson, A Multiresolution Spline, 1983) into what lies beneath it: the
-/// difference between both, in a Laplacian pyramid, is added to the photo so that at the border of what the
-/// photo shows nothing of it is left out; each band fades over a border of four times its own wavelength, the
-/// coarsest over a quarter of the photo's shorter side or `border`, where that is wider. So colours pass
-/// gradually and details do not mix. Deterministic with any number of threads.
+/// A photo blended in bands into what lies beneath it (Burt and Adelson 1983): colours pass gradually, and
+/// details do not mix. The difference between both is taken apart in a Laplacian pyramid and added to the
+/// photo. At the border of what the photo shows all of it is added; inside, each band fades over four times
+/// its own wavelength. The coarsest fades over a quarter of the photo's shorter side, or over `border` where
+/// that is wider. Deterministic with any number of threads.
 /// @param sampler of the photo
 /// @param beneath the same plane in `comparedSize()` pixels, alpha 0 where nothing is to be compared with
 /// @param mask the same plane, black where the photo is erased, so that its border is there; empty where

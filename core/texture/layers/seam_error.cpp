@@ -43,11 +43,13 @@ double difference(const Side& a, const Side& b) {
     return largest;
 }
 
-/// As the renderer reads a smaller page, in that page's texels. A place that keeps `inset` texels to all
-/// sides has weights of at least inset / height of the corners, and a height is area / opposite side (area
-/// here twice the triangle's). So every place is drawn towards the middle that these least weights give, by
-/// what is left of 1 without them: corners come to lie on the inner triangle, sides on its sides. A patch too
-/// thin for any such place (sum above 1) is read at that middle alone.
+/// The part of a patch that the renderer reads in a smaller page, in that page's texels: all that keeps
+/// `inset` texels to each side. It is the patch made smaller about a middle.
+///
+/// The distance to a side is a corner's weight times the height over that side, so that each weight must be
+/// inset / height at least. A height is area / side, where area is twice the triangle's. The three least
+/// weights give the middle, and what is left of 1 without them is the scale. A patch too thin for any such
+/// place, where they add up to more than 1, is read at the middle alone.
 PatchCorners patchRead(const PatchCorners& patch, double inset, int halvings) {
     const Eigen::Vector2d along = patch[1] - patch[0], beside = patch[2] - patch[0];
     const double area = std::abs(along.x() * beside.y() - along.y() * beside.x());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int rowsPerTask = 8, tasksPerReport = 8;
 
-/// The ray on which a projector throws a pixel of its photo.
+/// The ray along which a projector casts a pixel of its photo.
 Ray thrownRay(const Projector& projector, PhotoSize photo, const Eigen::Vector2d& pixel) {
     if (projector.kind == ProjectorKind::Perspective) {
         const Intrinsics camera = intrinsicsOf(projector, photo);

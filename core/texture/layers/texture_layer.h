@@ -43,7 +43,7 @@ struct TextureLayer : Identified<TextureLayer> {
     /// In the order in which they were painted. Erasing and restoring ones make the layer's mask; colour and
     /// clone brushes are for layers without a photo, where painting over what was erased shows again.
     BrushStrokes strokes;
-    std::vector<LandmarkPair> landmarks; ///< that place the photo, in pixels of the picture that is thrown
+    std::vector<LandmarkPair> landmarks; ///< that place the photo, in pixels of the projected picture
 
     bool operator==(const TextureLayer&) const = default;
 };
@@ -61,10 +61,10 @@ inline constexpr auto fieldsOf<TextureLayer> =
                field("strokes", &TextureLayer::strokes).whenSet(),
                field("landmarks", &TextureLayer::landmarks).whenSet()};
 
-/// What the projector throws: the prepared picture, or the photo's own; null without a photo.
+/// What is projected: the prepared picture, or the photo's own; null without a photo.
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);
 
-/// Whether two layers throw the same picture in the same way.
+/// Whether two layers project the same picture in the same way.
 bool throwsTheSame(const TextureLayer& a, const TextureLayer& b);
 
 /// Whether two layers look the same, whatever their names.

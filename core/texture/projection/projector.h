@@ -14,14 +14,14 @@
 namespace esm {
 
 enum class ProjectorKind {
-    Parallel,    ///< the photo lies in the plane z = 0, centred on the origin, and is thrown along −z
+    Parallel,    ///< the photo lies in the plane z = 0, centred on the origin, and is projected along −z
     Perspective, ///< from an eye at the origin that looks along −z, as the camera saw it
 };
 template<>
 inline constexpr auto wordsOf<ProjectorKind> =
     std::array{Word{ProjectorKind::Parallel, "parallel"}, Word{ProjectorKind::Perspective, "perspective"}};
 
-/// Where a photo is thrown from, x right and y up in its own space [R 4.3.2.3].
+/// From where a photo is projected, x right and y up in its own space [R 4.3.2.3].
 struct Projector {
     Pose pose = Pose::Identity();     ///< projector → model, m
     double width = 0.1, height = 0.1; ///< parallel: of the photo in space, m, > 0
