@@ -20,9 +20,13 @@ MOST_FUNCTION_LINES = (7, 17, 59)
 MOST_FILE_LINES = 400
 # Of a source's lines that are not empty. More would say again what the code says.
 COMMENT_SHARE = (0.04, 0.20)
+# Where algorithms stand each is explained above its source, so that less than this means some are not.
+LEAST_ALGORITHM_SHARE = 0.12
 # The core's folders in the order in which they build on each other; what is drawn stands beside them.
 CORE_ORDER = ("support", "geometry", "model", "dynamics", "decoding", "surface", "fuzzy", "texture", "project", "authoring",
               "exchange", "samples")
+# Of these, the folders of algorithms.
+ALGORITHM_FOLDERS = ("geometry", "model", "dynamics", "surface", "fuzzy", "texture")
 MAY_INCLUDE = {
     "core": ("core",),
     "widgets": ("core", "widgets"),
@@ -242,10 +246,27 @@ def comment_problems(product):
     return problems
 
 
+def algorithm_comment_problems(product):
+    """Folders of algorithms, all that is within them counted, whose sources explain too little."""
+    problems = []
+    for folder in ALGORITHM_FOLDERS:
+        counts = [comment_lines(text) for path, text in product.items()
+                  if path.startswith(f"core/{folder}/") and path.endswith(".cpp")]
+        if not counts:
+            continue
+        share = sum(comments for comments, _ in counts) / sum(written for _, written in counts)
+        print(f"comments in sources of core/{folder}: {100 * share:.1f} % of lines")
+        if share < LEAST_ALGORITHM_SHARE:
+            problems.append(f"core/{folder}: comments are {100 * share:.1f} % of its sources, "
+                            f"{100 * LEAST_ALGORITHM_SHARE:.0f} % at least: say above each algorithm why it is so")
+    return problems
+
+
 def main():
     sources = tracked_sources()
     product = {path: text for path, text in sources.items() if path.startswith(PRODUCT)}
-    problems = function_problems(product) + file_problems(sources) + comment_problems(product)
+    problems = (function_problems(product) + file_problems(sources) + comment_problems(product)
+                + algorithm_comment_problems(product))
     ring = cycle(folder_edges(product))
     print("folders: " + (" -> ".join(ring) if ring else "no cycles"))
     if ring:

@@ -63,6 +63,21 @@ class CommentLines(unittest.TestCase):
         self.assertEqual(check.comment_lines('/* one\n   two */\n\nint a; // three\nauto b = "// none";\n'), (3, 4))
 
 
+    def test_a_folder_of_algorithms_that_explains_too_little_is_named_with_its_share(self):
+        def of(comments, of_lines=100):
+            return "// why\n" * comments + "int a;\n" * (of_lines - comments)
+
+        sources = {"core/model/a.cpp": of(13), "core/model/deep/b.cpp": of(10), "core/model/c.h": of(0),
+                   "core/fuzzy/d.cpp": of(12), "core/texture/layers/e.cpp": of(24), "core/texture/f.cpp": of(0),
+                   "core/project/g.cpp": of(0)}
+        problems = check.algorithm_comment_problems(sources)
+        self.assertEqual([problem.partition(",")[0] for problem in problems],
+                         ["core/model: comments are 11.5 % of its sources"])
+
+    def test_every_folder_of_algorithms_is_one_of_the_core(self):
+        self.assertLessEqual(set(check.ALGORITHM_FOLDERS), set(check.CORE_ORDER))
+
+
 class Folders(unittest.TestCase):
     def test_a_ring_of_folders_is_named(self):
         edges = check.folder_edges({"core/a/x.h": '#include "core/b/y.h"\n', "core/b/y.h": '#include "core/c/z.h"\n',
