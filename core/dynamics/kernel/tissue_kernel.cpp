@@ -66,6 +66,8 @@ template<class Real> void TissueKernel<Real>::setParameters(const SpringSystem& 
     setTethers(system);
 }
 
+// Each spring's numbers stand at both its entries, as it is computed at both. A tissue without a second phase
+// anywhere has three lanes in place of five, and a function without that term.
 template<class Real> void TissueKernel<Real>::setSprings(const SpringSystem& system) {
     m_isBiphasic = std::any_of(system.springs.begin(), system.springs.end(),
                                [](const auto& spring) { return !spring.secondPhase.isLinear(); });
@@ -99,6 +101,8 @@ template<class Real> void TissueKernel<Real>::setMasses(const SpringSystem& syst
                 static_cast<Real>(1 / system.mass[node]);
 }
 
+// Tethers of one node rest at one place, so that their constants add up. Where there are any, each row has
+// one, of constants 0 where its node has none: the kernel then needs no branch for a row.
 template<class Real> void TissueKernel<Real>::setTethers(const SpringSystem& system) {
     m_tethers.assign(system.tethers.empty() ? 0 : sliceCount(), kernel::Tethers<Real>{});
     for (const Tether& tether : system.tethers) {
@@ -200,6 +204,8 @@ void TissueKernel<Real>::runAll(Function function, const kernel::Passage<Real>& 
     m_team->run(m_parts.size() - 1, compute, m_parts.size() / partsPerThread);
 }
 
+// A list of slices has no parts made beforehand. They are equally many slices, taken to cost as much as the
+// mean of all.
 template<class Real>
 void TissueKernel<Real>::runList(Function function, const kernel::Passage<Real>& passage,
                                  const SliceList& list) const {

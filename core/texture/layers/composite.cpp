@@ -22,6 +22,7 @@ void checkAtlas(const TriangleMesh& mesh, const Atlas& atlas) {
     if (!problems.empty()) throw InvalidModel(problems);
 }
 
+/// 65535 is 257 · 255, so that 16 bits meet every colour of 8 bits exactly.
 template<typename Channel> ImageOf<Channel> filledPage(int size, const std::array<std::uint8_t, 3>& colour) {
     constexpr Channel opaque = std::numeric_limits<Channel>::max();
     ImageOf<Channel> page;
@@ -33,6 +34,9 @@ template<typename Channel> ImageOf<Channel> filledPage(int size, const std::arra
     return page;
 }
 
+/// From the surface [R 4.3.2.3]: each texel of a patch asks the layers for the colour of its place. The other
+/// way round, from the pixels of photos to the texels that they fall on, texels would stay empty wherever a
+/// photo is coarser than the page.
 template<typename Channel>
 std::vector<ImageOf<Channel>>
 composed(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<TextureLayer>& layers,

@@ -12,7 +12,7 @@ namespace esm {
 
 namespace {
 
-/// Blocks of texels that become one must not reach across the bands in which pages are scanned.
+/// Blocks of texels that become one must not reach across the bands in which pages are scanned, of 2⁵ rows.
 constexpr int mostLevels = 5;
 
 /// A square of texels that becomes one.
@@ -49,6 +49,8 @@ void reduceBand(const Image& page, const BandOwners& owners, const PageBand& ban
             takeMean(page, owners, {x * size, y * size, size}, smaller.at(x, y));
 }
 
+/// While somebody paints, most bands of a page stay as they are: to compare one costs a walk through it, to
+/// halve it several.
 bool isSame(const Image& page, const Image& before, const PageBand& band) {
     const std::uint8_t* first = page.at(0, band.firstRow);
     return std::equal(first, first + 4 * std::ptrdiff_t{page.width} * (band.endRow - band.firstRow),
@@ -78,6 +80,8 @@ double filledGap(const AtlasOptions& options) {
     return std::min(static_cast<double>(options.gap), 2 * fillReach(options));
 }
 
+/// After one halving more than l, a texel is as wide as 2·2ˡ of the page's. The filter reads that far beyond
+/// its place, which must be no more than half of the gap: 4·2ˡ ≤ gap. A gap of 8 allows two halvings.
 int usableLevels(const AtlasOptions& options) {
     int levels = 0;
     while (levels < mostLevels && 4 << levels <= filledGap(options) && options.size % (2 << levels) == 0)
@@ -85,6 +89,8 @@ int usableLevels(const AtlasOptions& options) {
     return levels;
 }
 
+/// A texel that the filter reads has its middle up to √2 of its own width from the place. It shows the patch
+/// as far as half of the gap outside it, so that the rest has to lie inside.
 double levelInset(const AtlasOptions& options, int halvings) {
     const double reach = std::sqrt(2.0) * std::ldexp(1.0, halvings);
     return halvings > 0 ? std::max(0.0, reach - filledGap(options) / 2) : 0;

@@ -28,6 +28,8 @@ std::shared_ptr<const Image> pictureOf(const TextureLayer& layer) {
     return {layer.photo, &layer.photo->image}; // the photo owns both
 }
 
+/// Pictures never change once made, so that two are the same where they are one. What the preparation says
+/// and where landmarks lie is not asked: both are in the picture and the projector already.
 bool throwsTheSame(const TextureLayer& a, const TextureLayer& b) {
     return pictureOf(a) == pictureOf(b) && a.projector == b.projector && a.blendPixels == b.blendPixels;
 }
@@ -59,6 +61,7 @@ std::vector<std::string> paintingProblems(const TextureLayer& layer) {
     return problems;
 }
 
+/// The picture is made before the layer is touched: where that fails the layer stays as it was.
 void prepare(TextureLayer& layer, const PhotoPreparation& preparation) {
     std::shared_ptr<const Image> picture;
     if (!preparation.isNothing())
