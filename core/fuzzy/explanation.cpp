@@ -18,8 +18,9 @@ void addPropositions(RuleExplanation& explanation, const FuzzyCondition& conditi
 
 } // namespace
 
-/// Degrees are asked for once more, word by word, where infer() needs that of the whole alone. An explanation
-/// is asked for now and then, an inference with every move of a slider: inference keeps nothing for it.
+/// infer() needs the degrees of whole conditions; here those of their words are asked for as well. An
+/// explanation is wanted now and then, an inference with every move of a slider: so inference keeps nothing
+/// for it.
 std::vector<RuleExplanation> explainRules(const FuzzySystem& system,
                                           const std::vector<std::optional<double>>& inputs) {
     std::vector<RuleExplanation> explanations;

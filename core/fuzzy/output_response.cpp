@@ -9,8 +9,7 @@ namespace esm {
 
 namespace {
 
-/// In which what bends between corners shows: the centre of gravity is curved even where all sets are
-/// straight.
+/// For what bends between corners: the centre of gravity is curved even where all sets are straight.
 constexpr std::size_t evenSteps = 128;
 /// Beside a corner and not only at it: a set that begins upright jumps there, and the value at the corner
 /// belongs to one side alone.

@@ -191,9 +191,9 @@ std::string propositionText(const std::vector<FuzzyVariable>& variables, const F
     return variable.name + is + variable.terms.at(proposition.term).name;
 }
 
-/// How tightly a condition holds together: the looser of two needs brackets within the other. Words are
-/// written from these numbers and read by the order of the parser's functions; both say that NOT binds
-/// tighter than AND, and AND than OR.
+/// How tightly a condition holds together: the looser of two needs brackets within the other. Text is written
+/// by these numbers and read by the nesting of the parser's functions; both say that NOT binds tighter than
+/// AND, and AND than OR.
 int tightness(Kind kind) {
     switch (kind) {
     case Kind::Or:

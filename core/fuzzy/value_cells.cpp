@@ -37,10 +37,10 @@ std::string inWords(const ValueRange& range) {
     return range.includesTo ? "above " + from + ", up to " + to : "between " + from + " and " + to;
 }
 
-/// A degree is above 0, and full, between the same corners all the way. Each corner and each stretch between
-/// two of them is therefore one cell, and a statement on a range one of some dozen cells: exact, where
-/// sampling would miss what lies between two samples. Corners are cells of their own: there a term may hold
-/// fully that does not do so on either side, as a single point does.
+/// Whether a degree is above 0, and whether it is 1, changes at corners only. Each corner and each stretch
+/// between two of them is therefore one cell, and a statement on a range is one on some dozen cells. That is
+/// exact, where sampling would miss what lies between two samples. Corners are cells of their own: there a
+/// term may hold fully that does not do so on either side, as a single point does.
 std::vector<ValueCell> cellsOf(const FuzzyVariable& variable) {
     std::vector<double> corners{variable.minimum, variable.maximum};
     for (const FuzzyTerm& term : variable.terms)

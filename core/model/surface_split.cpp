@@ -136,8 +136,8 @@ private:
         return isRight ? parted->second.twin : node;
     }
 
-    /// A spring that is no side of a triangle, as a lattice has within the body, has none that would tell its
-    /// side. A wrong guess would hold both sides together.
+    /// A spring within the body, as a lattice has, belongs to no triangle that would tell its side. A wrong
+    /// guess would hold both sides together.
     void requireSide(const Spring& spring, const TriangleSides& sides) const {
         const bool isParted = m_sides.count(spring.first) + m_sides.count(spring.second) > 0;
         if (isParted && !sides.hasEdge(spring.first, spring.second))

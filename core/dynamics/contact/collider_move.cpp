@@ -20,8 +20,8 @@ struct SeenPoint {
     Vector3d then, now; ///< m
 };
 
-/// Away from the axis, as the point now lies. From the point's old place the normal is however turned away
-/// only so far that this place, too, is beyond the plane at `distance` from the axis. A plane that cut it off
+/// The direction from the axis to where the point now lies, but turned back towards where it lay before,
+/// until that place, too, is beyond the plane at `distance` from the axis. A plane that cut the old place off
 /// would move the point out farther than it came in: that would give speed, and a push may only take it.
 Vector3d outward(const SeenPoint& seen, double distance, const Vector3d& elseWhere) {
     const auto& [then, now] = seen;

@@ -168,8 +168,9 @@ std::vector<ExtremeCase> extremeCases() {
     return cases;
 }
 
-// Half of the run under load, half without: swings that the load leaves, and creeping back, are where energy
-// out of nothing shows. A reason is no failure; a state that is not finite is one, whatever was said of it.
+// Half of the run under load, half without: energy out of nothing shows in the swings that a load leaves, and
+// in creeping back. To stop with a reason is no failure. A state that is not finite is one, whatever the
+// reason says.
 ExtremeOutcome runExtreme(const ExtremeCase& tested, Integrator integrator, int steps) {
     SimulationSettings settings;
     settings.integrator = integrator;

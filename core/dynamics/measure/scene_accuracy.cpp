@@ -82,8 +82,8 @@ private:
     Trajectory m_frames;
 };
 
-/// In float, what gains nothing is spoilt by rounding, which may be as large as the motion: to wait for luck
-/// is vain.
+/// In float a step that gains nothing is spoilt by rounding, which may be as large as the motion: shorter
+/// ones gain nothing either.
 HalvingPatience patienceOf(const SimulationSettings& settings) {
     return settings.precision == Precision::Float ? HalvingPatience{1, 1} : HalvingPatience{};
 }

@@ -7,8 +7,8 @@ namespace esm {
 namespace {
 
 /// The part of a step during which a force acts. The mean of a force over a step gives the tissue the same
-/// momentum as the force, however short it is. What rounding leaves of a long one is none: it would count as
-/// a load in a step without.
+/// momentum as the force, however short it is. What rounding leaves of a long force at the border of a step
+/// is taken for none: else a step without a load would have one.
 double shareOf(const NodeForce& force, double start, double end) {
     constexpr double rounding = 1e-9;
     const double duration = end - start;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int narrowestRim = 2;
 constexpr double inpaintRadius = 4; ///< pixels around each that is filled, whose colours are mixed
-constexpr int surroundingPixels =
-    12; ///< three times that: so far around a highlight its surroundings are looked for
+/// Around a highlight, in which its surroundings are looked for: three times that.
+constexpr int surroundingPixels = 12;
 constexpr int darkestSource = 32; ///< brightest channel; what is darker is no tissue to fill from
 
 bool isOpaque(const std::uint8_t* pixel) {
