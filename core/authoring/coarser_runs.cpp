@@ -49,7 +49,7 @@ CoarserRun runOf(const Project& fewer, const Detail& detail, const std::vector<s
     Binding binding{fewer.network->binding->surface, fewer.network->binding->lines, {}};
     for (const std::uint32_t vertex : vertices) {
         rest.push_back(fewer.mesh->vertices[vertex]);
-        binding.vertices.push_back(fewer.network->binding->vertices[vertex]);
+        binding.vertices.add(fewer.network->binding->vertices[vertex]);
     }
     run.recorded = [rest, binding, network = fewer.network](const Vectors& positions) {
         return carried(rest, binding, network->restPositions, positions);

@@ -16,6 +16,28 @@ struct SteppingForms {
     }
 };
 
+constexpr std::size_t nodesWithoutStarts = 3; ///< per vertex
+
+/// With the last node again where there are fewer.
+void addFilledUp(const VertexBinding& vertex, BindingNumbers& numbers) {
+    for (std::size_t place = 0; place < nodesWithoutStarts; ++place) {
+        const bool isThere = place < vertex.nodes.size();
+        numbers.nodes.push_back(isThere ? vertex.nodes[place] : vertex.nodes.back());
+        numbers.shares.push_back(isThere ? vertex.shares[place] : 0);
+    }
+}
+
+BindingRows rowsOfThree(const std::vector<std::uint32_t>& nodes, const std::vector<double>& shares) {
+    const std::size_t count = std::min(nodes.size(), shares.size()) / nodesWithoutStarts;
+    BindingRows rows;
+    rows.starts.reserve(count + 1);
+    for (std::size_t row = 1; row <= count; ++row)
+        rows.starts.push_back(static_cast<std::uint32_t>(nodesWithoutStarts * row));
+    rows.nodes.assign(nodes.begin(), nodes.begin() + rows.starts.back());
+    rows.shares.assign(shares.begin(), shares.begin() + rows.starts.back());
+    return rows;
+}
+
 } // namespace
 
 Json toJson(const MeasuredStepping& measured) {
@@ -66,12 +88,21 @@ std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& corners) {
     return triangles;
 }
 
+bool needsStarts(const Binding& binding) {
+    const std::vector<std::uint32_t>& starts = binding.vertices.starts;
+    return std::adjacent_find(starts.begin(), starts.end(), [](std::uint32_t start, std::uint32_t next) {
+               return next - start > nodesWithoutStarts;
+           }) != starts.end();
+}
+
 BindingNumbers numbersOf(const Binding& binding) {
+    const BindingRows& rows = binding.vertices;
     BindingNumbers numbers;
-    for (const VertexBinding& vertex : binding.vertices) {
-        numbers.nodes.insert(numbers.nodes.end(), vertex.nodes.begin(), vertex.nodes.end());
-        numbers.shares.insert(numbers.shares.end(), vertex.shares.data(), vertex.shares.data() + 3);
-    }
+    if (needsStarts(binding))
+        numbers = {rows.starts, rows.nodes, rows.shares, {}};
+    else
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            addFilledUp(rows[i], numbers);
     for (const Edge& line : binding.lines)
         numbers.lines.insert(numbers.lines.end(), {line.first, line.second});
     return numbers;
@@ -79,10 +110,8 @@ BindingNumbers numbersOf(const Binding& binding) {
 
 Binding bindingOf(const BindingNumbers& numbers, std::vector<Triangle> surface) {
     Binding binding{std::move(surface), {}, {}};
-    const std::vector<Triangle> nodes = trianglesOf(numbers.nodes);
-    const std::vector<Eigen::Vector3d> shares = pointsOf(numbers.shares);
-    for (std::size_t i = 0; i < std::min(nodes.size(), shares.size()); ++i)
-        binding.vertices.push_back({nodes[i], shares[i]});
+    binding.vertices = numbers.starts ? BindingRows{*numbers.starts, numbers.nodes, numbers.shares}
+                                      : rowsOfThree(numbers.nodes, numbers.shares);
     for (std::size_t i = 0; i + 1 < numbers.lines.size(); i += 2)
         binding.lines.emplace_back(numbers.lines[i], numbers.lines[i + 1]);
     return binding;

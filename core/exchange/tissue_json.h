@@ -31,14 +31,20 @@ template<typename Number> std::vector<Eigen::Vector3d> pointsOf(const std::vecto
 std::vector<std::uint32_t> cornersOf(const std::vector<Triangle>& triangles);
 std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& corners);
 
-/// A binding's vertices and lines as lists: three nodes and three shares per vertex, two nodes per line; and
-/// back, as many vertices as both lists give.
+/// A binding's vertices and lines as lists, two nodes per line.
 struct BindingNumbers {
+    /// Where each vertex's nodes begin, then where the last one's end. Absent where none has more than three,
+    /// as in files of before: each has three then, those not needed with the share 0.
+    std::optional<std::vector<std::uint32_t>> starts;
     std::vector<std::uint32_t> nodes;
     std::vector<double> shares;
     std::vector<std::uint32_t> lines;
 };
+/// Whether a vertex has more than three nodes.
+bool needsStarts(const Binding& binding);
+/// Precondition: a valid binding.
 BindingNumbers numbersOf(const Binding& binding);
+/// Without starts as many vertices as both lists give.
 Binding bindingOf(const BindingNumbers& numbers, std::vector<Triangle> surface);
 
 } // namespace esm

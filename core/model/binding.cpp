@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
 
 namespace esm {
@@ -78,7 +80,13 @@ std::vector<std::vector<std::uint32_t>> trianglesAround(const std::vector<Triang
     return around;
 }
 
-VertexBinding onNode(std::uint32_t node) {
+/// What a vertex needs to hang on a triangle.
+struct ThreeNodes {
+    Triangle nodes;
+    std::array<double, 3> shares;
+};
+
+ThreeNodes onNode(std::uint32_t node) {
     return {{node, node, node}, {1, 0, 0}};
 }
 
@@ -90,9 +98,9 @@ struct FacingPoint {
 
 /// To the nearest of the candidates that face as the point does, the first where two are as near; to its node
 /// where none does.
-VertexBinding toNearest(const FacingPoint& point, const TriangleMesh& coarse,
-                        const std::vector<std::uint32_t>& candidates, std::uint32_t node) {
-    VertexBinding binding = onNode(node);
+ThreeNodes toNearest(const FacingPoint& point, const TriangleMesh& coarse,
+                     const std::vector<std::uint32_t>& candidates, std::uint32_t node) {
+    ThreeNodes binding = onNode(node);
     double nearest = std::numeric_limits<double>::infinity();
     for (const std::uint32_t candidate : candidates) {
         const Triangle& nodes = coarse.triangles[candidate];
@@ -104,7 +112,7 @@ VertexBinding toNearest(const FacingPoint& point, const TriangleMesh& coarse,
         const double distance = (shares[0] * a + shares[1] * b + shares[2] * c - point.place).squaredNorm();
         if (!(distance < nearest)) continue;
         nearest = distance;
-        binding = {nodes, shares};
+        binding = {nodes, {shares[0], shares[1], shares[2]}};
     }
     return binding;
 }
@@ -174,11 +182,42 @@ private:
 };
 
 bool isSound(const VertexBinding& vertex, std::size_t nodeCount) {
-    return *std::max_element(vertex.nodes.begin(), vertex.nodes.end()) < nodeCount &&
-           (vertex.shares.array() >= 0).all() && std::abs(vertex.shares.sum() - 1) <= shareTolerance;
+    const auto& [nodes, shares] = vertex;
+    return *std::max_element(nodes.begin(), nodes.end()) < nodeCount &&
+           std::all_of(shares.begin(), shares.end(), [](double share) { return share >= 0; }) &&
+           std::abs(std::accumulate(shares.begin(), shares.end(), 0.0) - 1) <= shareTolerance;
+}
+
+/// Whether rows lie one behind the other, none of them empty, from 0 to where nodes and shares end.
+bool areRows(const BindingRows& rows) {
+    const std::vector<std::uint32_t>& starts = rows.starts;
+    return !starts.empty() && starts.front() == 0 &&
+           std::adjacent_find(starts.begin(), starts.end(), std::greater_equal<>()) == starts.end() &&
+           starts.back() == rows.nodes.size() && rows.nodes.size() == rows.shares.size();
+}
+
+void reportVertices(std::vector<std::string>& problems, const BindingRows& rows, std::size_t nodeCount) {
+    if (!areRows(rows)) {
+        problems.emplace_back("the starts of the rows of nodes that carry drawn points should begin with 0, "
+                              "rise, and end with the number of nodes and shares");
+        return;
+    }
+    reportOffenders(problems, "drawn point", "whose nodes do not exist or whose shares are not of one",
+                    placesWhere(rows.size(), [&](std::size_t i) { return !isSound(rows[i], nodeCount); }));
 }
 
 } // namespace
+
+VertexBinding BindingRows::operator[](std::size_t vertex) const {
+    const std::uint32_t start = starts[vertex], count = starts[vertex + 1] - start;
+    return {std::span(nodes).subspan(start, count), std::span(shares).subspan(start, count)};
+}
+
+void BindingRows::add(const VertexBinding& vertex) {
+    nodes.insert(nodes.end(), vertex.nodes.begin(), vertex.nodes.end());
+    shares.insert(shares.end(), vertex.shares.begin(), vertex.shares.end());
+    starts.push_back(static_cast<std::uint32_t>(nodes.size()));
+}
 
 // A vertex that is a node hangs on it alone, so that it shows the node's place to the last bit. Every other
 // one is looked for along the surface first and in space only then: the shortest way over edges says on which
@@ -192,30 +231,44 @@ Binding bindToSurface(const TriangleMesh& drawn, const SimplifiedMesh& simulated
     const Points normals = vertexNormals(drawn.vertices, drawn.triangles);
     Binding binding;
     binding.surface = simulated.triangles;
-    binding.vertices.reserve(drawn.vertices.size());
+    binding.vertices.starts.reserve(drawn.vertices.size() + 1);
+    binding.vertices.nodes.reserve(3 * drawn.vertices.size());
+    binding.vertices.shares.reserve(3 * drawn.vertices.size());
     for (std::uint32_t vertex = 0; vertex < drawn.vertices.size(); ++vertex) {
         // A vertex of no triangle belongs to no part.
         const std::uint32_t node = nodes[vertex] == noIndex ? 0 : nodes[vertex];
         const bool isKept = simulated.vertices[node] == vertex;
-        binding.vertices.push_back(
+        const ThreeNodes three =
             isKept ? onNode(node)
-                   : toNearest({drawn.vertices[vertex], normals[vertex]}, coarse, candidates[node], node));
+                   : toNearest({drawn.vertices[vertex], normals[vertex]}, coarse, candidates[node], node);
+        binding.vertices.add({three.nodes, three.shares});
     }
     return binding;
 }
 
 Binding bindToLine(std::size_t vertexCount, const Edge& line) {
-    const VertexBinding middle{{line.first, line.second, line.second}, {0.5, 0.5, 0}};
-    return {{}, {line}, std::vector<VertexBinding>(vertexCount, middle)};
+    const ThreeNodes middle{{line.first, line.second, line.second}, {0.5, 0.5, 0}};
+    Binding binding{{}, {line}, {}};
+    for (std::size_t vertex = 0; vertex < vertexCount; ++vertex)
+        binding.vertices.add({middle.nodes, middle.shares});
+    return binding;
+}
+
+bool isOnOneLine(const Binding& binding) {
+    const std::vector<std::uint32_t>& nodes = binding.vertices.nodes;
+    return binding.surface.empty() && binding.lines.size() == 1 &&
+           std::all_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
+               return node == binding.lines[0].first || node == binding.lines[0].second;
+           });
 }
 
 std::vector<std::uint32_t> mainNodes(const Binding& binding) {
     std::vector<std::uint32_t> nodes;
     nodes.reserve(binding.vertices.size());
-    for (const VertexBinding& vertex : binding.vertices) {
-        Eigen::Index largest = 0;
-        vertex.shares.maxCoeff(&largest);
-        nodes.push_back(vertex.nodes.at(static_cast<std::size_t>(largest)));
+    for (std::size_t vertex = 0; vertex < binding.vertices.size(); ++vertex) {
+        const auto& [carrying, shares] = binding.vertices[vertex];
+        const auto largest = std::max_element(shares.begin(), shares.end()) - shares.begin();
+        nodes.push_back(carrying[static_cast<std::size_t>(largest)]);
     }
     return nodes;
 }
@@ -228,14 +281,19 @@ Points carried(const Points& restVertices, const Binding& binding, const Points&
     for (const Edge& line : binding.lines)
         surroundings.addLine(line);
     const std::vector<Matrix3d> changes = surroundings.changes();
+    const auto& [starts, nodes, shares] = binding.vertices;
     Points vertices = restVertices;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        for (std::size_t place = 0; place < 3; ++place) {
-            const std::uint32_t node = binding.vertices[i].nodes.at(place);
-            const double share = binding.vertices[i].shares[static_cast<Eigen::Index>(place)];
-            vertices[i] += share * (positions[node] - restPositions[node] +
-                                    changes[node] * (restVertices[i] - restPositions[node]));
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vector3d rest = vertices[i];
+        Vector3d vertex = rest;
+        for (const std::size_t end = starts[i + 1]; place < end; ++place) {
+            const std::uint32_t node = nodes[place];
+            vertex += shares[place] *
+                      (positions[node] - restPositions[node] + changes[node] * (rest - restPositions[node]));
         }
+        vertices[i] = vertex;
+    }
     return vertices;
 }
 
@@ -244,9 +302,7 @@ std::vector<std::string> validate(const Binding& binding, std::size_t vertexCoun
     if (binding.vertices.size() != vertexCount)
         problems.push_back(std::to_string(binding.vertices.size()) + " of " + std::to_string(vertexCount) +
                            " drawn vertices are carried");
-    reportOffenders(problems, "drawn point", "whose nodes do not exist or whose shares are not of one",
-                    placesWhere(binding.vertices.size(),
-                                [&](std::size_t i) { return !isSound(binding.vertices[i], nodeCount); }));
+    reportVertices(problems, binding.vertices, nodeCount);
     reportOffenders(problems, "simulated triangle", "with a node that does not exist",
                     placesWhere(binding.surface.size(), [&](std::size_t i) {
                         const Triangle& nodes = binding.surface[i];

@@ -7,7 +7,7 @@ namespace esm {
 Detail detailOf(const SpringNetwork& network) {
     const std::size_t nodes = network.restPositions.size();
     if (!network.binding) return {Detail::Kind::EveryVertex, nodes};
-    return {network.binding->surface.empty() ? Detail::Kind::Rigid : Detail::Kind::Nodes, nodes};
+    return {isOnOneLine(*network.binding) ? Detail::Kind::Rigid : Detail::Kind::Nodes, nodes};
 }
 
 } // namespace esm

@@ -23,13 +23,14 @@ std::array<std::uint8_t, 4> springPaint(const Colour& colour, bool overSurface) 
 /// How far a surface lies from the coarser one that carries it, m, as far as springs can be lifted out of it.
 double coverOver(const RenderScene& scene) {
     if (!scene.network->binding || !scene.mesh) return 0;
-    const std::vector<VertexBinding>& vertices = scene.network->binding->vertices;
+    const BindingRows& vertices = scene.network->binding->vertices;
     const std::vector<Eigen::Vector3d>& nodes = scene.network->restPositions;
     double farthest = 0;
     for (std::size_t i = 0; i < std::min(vertices.size(), scene.mesh->vertices.size()); ++i) {
-        const auto& [a, b, c] = vertices[i].nodes;
-        const Eigen::Vector3d& shares = vertices[i].shares;
-        const Eigen::Vector3d below = shares[0] * nodes[a] + shares[1] * nodes[b] + shares[2] * nodes[c];
+        const auto& [carrying, shares] = vertices[i];
+        Eigen::Vector3d below = Eigen::Vector3d::Zero();
+        for (std::size_t place = 0; place < carrying.size(); ++place)
+            below += shares[place] * nodes[carrying[place]];
         farthest = std::max(farthest, (scene.mesh->vertices[i] - below).norm());
     }
     return farthest;

@@ -254,6 +254,8 @@ class Package:
         extended = any(map(is_extended, self.json["fuzzySystems"]))
         soft = any("rim" in region for region in self.json["regions"])
         needed = 5 if soft else 4 if extended else 3 if "stiffening" in self.json else 2 if "binding" in self.json else 1
+        if "starts" in self.json.get("binding", {}):
+            needed = 6
         check(self.json["version"] in (needed, 6), "another version of the extension")  # 6: springs of their own
         check(self.json["damping"] == "isotropic", "another damping")
         self.nodes, self.springs = self.json["nodes"], self.json["springs"]
@@ -311,17 +313,20 @@ class Package:
 
     def check_binding(self):
         group, count = self.binding, self.json["surface"]["vertexCount"]
-        nodes, shares = self.array(group, "nodes", count, 3), self.array(group, "shares", count, 3)
+        starts = self.array(group, "starts", count + 1) if "starts" in group else range(0, 3 * count + 1, 3)
+        nodes, shares = self.array(group, "nodes", starts[-1]), self.array(group, "shares", starts[-1])
+        check(starts[0] == 0 and all(a < b for a, b in zip(starts, starts[1:])), "the rows' starts do not rise from 0")
         triangles = self.array(group, "triangles", group["triangleCount"], 3)
         lines = self.array(group, "lines", group["lineCount"], 2)
         check(all(node < self.node_count for node in nodes + triangles + lines), "a carrying node is out of range")
         check(all(0 <= share <= 1 for share in shares), "a share is not of 0 to 1")
         check(all(first != second for first, second in threes(lines, 2)), "a line has one end")
-        self.carriers, self.shares = threes(nodes), threes(shares)
+        self.starts = list(starts) if "starts" in group else None
+        self.carriers, self.shares = ([values[a:b] for a, b in zip(starts, starts[1:])] for values in (nodes, shares))
         self.simulated, self.lines = threes(triangles), threes(lines, 2)
-        for vertex, (three, parts) in enumerate(zip(self.carriers, self.shares)):
+        for vertex, (row, parts) in enumerate(zip(self.carriers, self.shares)):
             check(abs(sum(parts) - 1) <= 1e-6, "the shares in vertex %d are not one" % vertex)
-            most = [node for node, share in zip(three, parts) if share > max(parts) - 1e-6]
+            most = [node for node, share in zip(row, parts) if share > max(parts) - 1e-6]
             check(self.vertex_nodes[vertex] in most, "vertex %d has another main node" % vertex)
         self.check_carried()
 
@@ -385,8 +390,9 @@ def compare_project(package, file):
                                 ("rest positions of vertices", package.vertices, "mesh/vertices.f64")):
         compare(name, values, float32(arrays[entry]))
     if package.binding:
-        compare("carrying nodes", [n for three in package.carriers for n in three], arrays["binding/nodes.u32"])
-        compare("shares", [n for three in package.shares for n in three], float32(arrays["binding/shares.f64"]))
+        compare("starts of carrying nodes", package.starts, arrays.get("binding/starts.u32"))
+        compare("carrying nodes", [n for row in package.carriers for n in row], arrays["binding/nodes.u32"])
+        compare("shares", [n for row in package.shares for n in row], float32(arrays["binding/shares.f64"]))
         compare("simulated surface", [n for three in package.simulated for n in three], arrays["binding/surface.u32"])
         compare("lines", [n for two in package.lines for n in two], arrays["binding/lines.u32"])
     for name, values, entry in (("springs", package.ends, "network/springs.u32"),

@@ -126,6 +126,58 @@ Project boundProject(const Detail& detail) {
     return project;
 }
 
+// A corner that has the least coordinate along an axis has what its node's share falls by along it. Corners
+// without a share are left out, so that rows are of different lengths.
+Project latticeProject() {
+    Project project = richProject();
+    const Eigen::AlignedBox3d box = boundingBox(project.mesh->vertices);
+    const auto corner = [&](unsigned node) {
+        return box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(node));
+    };
+    SpringNetwork network;
+    for (std::uint32_t node = 0; node < 8; ++node) {
+        network.restPositions.push_back(corner(node));
+        for (std::uint32_t other = 0; other < node; ++other)
+            network.springs.push_back({other, node, (corner(node) - corner(other)).norm()});
+    }
+    network.binding.emplace();
+    for (const Eigen::Vector3d& vertex : project.mesh->vertices) {
+        const Eigen::Array3d along = (vertex - box.min()).array() / box.sizes().array();
+        std::vector<std::uint32_t> nodes;
+        std::vector<double> shares;
+        for (std::uint32_t node = 0; node < 8; ++node) {
+            double share = 1;
+            for (Eigen::Index axis = 0; axis < 3; ++axis)
+                share *= (node >> axis & 1U) != 0 ? along[axis] : 1 - along[axis];
+            if (!(share > 0)) continue;
+            nodes.push_back(node);
+            shares.push_back(share);
+        }
+        network.binding->vertices.add({nodes, shares});
+    }
+    network.vertexNodes = mainNodes(*network.binding);
+    project.network = std::make_shared<SpringNetwork>(std::move(network));
+    return project;
+}
+
+Project rowsProject(std::size_t length) {
+    Project project = boundProject({Detail::Kind::Nodes, 20});
+    SpringNetwork network = *project.network;
+    network.binding->vertices = {};
+    for (std::size_t vertex = 0; vertex < project.mesh->vertices.size(); ++vertex) {
+        std::vector<std::uint32_t> nodes;
+        std::vector<double> shares;
+        for (std::size_t place = 0; place < length; ++place) {
+            nodes.push_back(static_cast<std::uint32_t>((7 * vertex + place) % network.restPositions.size()));
+            shares.push_back(double(2 * place + 1) / double(length * length));
+        }
+        network.binding->vertices.add({nodes, shares});
+    }
+    network.vertexNodes = mainNodes(*network.binding);
+    project.network = std::make_shared<SpringNetwork>(std::move(network));
+    return project;
+}
+
 Project biphasicProject() {
     Project project = richProject();
     project.base.stiffening = SpringStiffening{0.1 + 0.2, 1e3 / 7};

@@ -16,6 +16,13 @@ Project richProject(std::uint32_t rings = 8);
 /// The same organ carried by fewer nodes than it has vertices, or moved rigidly.
 Project boundProject(const Detail& detail);
 
+/// The same organ in a lattice of one box, whose eight nodes turn nothing: up to eight carry each vertex.
+Project latticeProject();
+
+/// The same organ carried by its simulated surface, each vertex by as many nodes of it, from anywhere.
+/// @param length at most 19
+Project rowsProject(std::size_t length);
+
 /// The same organ of biphasic springs.
 Project biphasicProject();
 

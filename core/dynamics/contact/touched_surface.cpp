@@ -4,9 +4,7 @@ namespace esm {
 
 // What hangs on a line alone has no triangles over nodes: its drawn triangles are touched.
 TouchedSurface touchedSurface(const TriangleMesh& mesh, const SpringNetwork& network) {
-    const bool isBody =
-        network.binding && network.binding->surface.empty() && network.binding->lines.size() == 1;
-    if (!isBody) return simulatedSurface(mesh, network);
+    if (!network.binding || !isOnOneLine(*network.binding)) return simulatedSurface(mesh, network);
     const Edge line = network.binding->lines.front();
     TouchedSurface surface(mesh.triangles);
     surface.body = TouchedSurface::Body{mesh.vertices, line, network.restPositions[line.first],

@@ -9,6 +9,9 @@ constexpr const char* units = "SI: metre, kilogram, second, newton";
 /// The first version whose springs may have values other than their ends' mean.
 constexpr int versionOfOwnValues = 6;
 
+/// The first version in which more than three nodes may carry a vertex.
+constexpr int versionOfWideBindings = 6;
+
 /// Pixels, width and height of the preview picture.
 constexpr int largestPreview = 4096;
 

@@ -22,8 +22,11 @@ namespace {
 /// A reader of the version that the file says it is would take stiffer springs for linear, or infer
 /// otherwise.
 void checkVersion(const JsonReader& extension, const ModelPackage& package) {
-    const auto needed = static_cast<std::uint64_t>(
-        versionOf(needsOf(package.regions, extension.has("binding"), package.tissue.stiffening.has_value())));
+    const bool isBound = extension.has("binding");
+    int version = versionOf(needsOf(package.regions, isBound, package.tissue.stiffening.has_value()));
+    if (isBound && extension.member("binding").has("starts"))
+        version = std::max(version, package_layout::versionOfWideBindings);
+    const auto needed = static_cast<std::uint64_t>(version);
     if (extension.member("version").integer(1, modelPackageVersion) < needed)
         extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");
 }

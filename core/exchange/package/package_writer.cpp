@@ -53,6 +53,7 @@ private:
     Json surface();
     Json binding();
     Json texture() const;
+    int version() const;
     Json extension();
 
     struct PageVertices {
@@ -172,9 +173,12 @@ Json PackageBuilder::surface() {
 Json PackageBuilder::binding() {
     const BindingNumbers numbers = numbersOf(*m_network.binding);
     const std::vector<Triangle>& triangles = m_network.binding->surface;
-    Json json{{"nodes", m_arrays.addIndices(numbers.nodes)},
-              {"shares", m_arrays.addFloats(floats(numbers.shares, "share of a node"), GltfType::Vec3)},
-              {"triangleCount", triangles.size()}};
+    Json json;
+    if (numbers.starts) json["starts"] = m_arrays.addIndices(*numbers.starts);
+    json["nodes"] = m_arrays.addIndices(numbers.nodes);
+    json["shares"] = m_arrays.addFloats(floats(numbers.shares, "share of a node"),
+                                        numbers.starts ? GltfType::Scalar : GltfType::Vec3);
+    json["triangleCount"] = triangles.size();
     if (!triangles.empty()) json["triangles"] = m_arrays.addIndices(cornersOf(triangles));
     json["lineCount"] = m_network.binding->lines.size();
     if (!numbers.lines.empty()) json["lines"] = m_arrays.addIndices(numbers.lines);
@@ -189,14 +193,17 @@ Json PackageBuilder::texture() const {
             {"utilisation", atlas.utilisation}};
 }
 
+int PackageBuilder::version() const {
+    if (hasOwnValues(m_from.tissue)) return package_layout::versionOfOwnValues;
+    if (isBound() && needsStarts(*m_network.binding)) return package_layout::versionOfWideBindings;
+    const bool stiffens = m_from.tissue.stiffening.has_value();
+    return versionOf(needsOf(m_from.project.regions, isBound(), stiffens));
+}
+
 Json PackageBuilder::extension() {
     const Project& project = m_from.project;
     RegionsJson regions = toJson(project.regions);
-    const bool stiffens = m_from.tissue.stiffening.has_value();
-    const int version = hasOwnValues(m_from.tissue)
-                            ? package_layout::versionOfOwnValues
-                            : versionOf(needsOf(project.regions, isBound(), stiffens));
-    Json json{{"version", version},
+    Json json{{"version", version()},
               {"name", project.name},
               {"units", package_layout::units},
               {"damping", "isotropic"}};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace esm {
 
@@ -31,6 +32,7 @@ private:
     void readOwnValues(const JsonReader& springs, TissueModel& tissue) const;
     void readTethers(const JsonReader& group, TissueModel& tissue) const;
     void readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const;
+    BindingNumbers readRows(const JsonReader& group, std::size_t nodes, std::size_t vertices) const;
     void readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const;
     void checkMean(const JsonReader& springs, const char* key, const SpringNetwork& network,
                    const std::vector<double>& ofNodes) const;
@@ -115,13 +117,28 @@ void TissueReader::readSurface(const JsonReader& group, SpringNetwork& network, 
         trianglesOf(m_arrays.indices(group.member("triangles"), 3 * triangles, mesh.vertices.size()));
 }
 
+/// Starts of any kind: whether they are some is for validate() to say.
+BindingNumbers TissueReader::readRows(const JsonReader& group, std::size_t nodes,
+                                      std::size_t vertices) const {
+    BindingNumbers numbers;
+    std::size_t all = 3 * vertices;
+    if (group.has("starts")) {
+        constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+        numbers.starts = m_arrays.indices(group.member("starts"), vertices + 1, any);
+        all = m_arrays.count(group.member("nodes"));
+    }
+    numbers.nodes = m_arrays.indices(group.member("nodes"), all, nodes);
+    const std::vector<float> shares = numbers.starts
+                                          ? m_arrays.floats(group.member("shares"), GltfType::Scalar, all)
+                                          : m_arrays.floats(group.member("shares"), GltfType::Vec3, vertices);
+    numbers.shares.assign(shares.begin(), shares.end());
+    return numbers;
+}
+
 void TissueReader::readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const {
     const std::size_t nodes = network.restPositions.size();
     const std::size_t triangles = countOf(group, "triangleCount"), lines = countOf(group, "lineCount");
-    BindingNumbers numbers;
-    numbers.nodes = m_arrays.indices(group.member("nodes"), 3 * vertices, nodes);
-    const std::vector<float> shares = m_arrays.floats(group.member("shares"), GltfType::Vec3, vertices);
-    numbers.shares.assign(shares.begin(), shares.end());
+    BindingNumbers numbers = readRows(group, nodes, vertices);
     if (lines > 0) numbers.lines = m_arrays.indices(group.member("lines"), 2 * lines, nodes);
     std::vector<std::uint32_t> corners;
     if (triangles > 0) corners = m_arrays.indices(group.member("triangles"), 3 * triangles, nodes);

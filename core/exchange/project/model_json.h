@@ -19,6 +19,7 @@ struct VersionNeeds {
     bool maskedPhotos = false;      ///< photos with strokes, or their colours matched: version 8
     bool instruments = false;       ///< others than one sphere without a name or a turn: version 9
     bool splits = false;            ///< a scene that splits the organ: version 9
+    bool wideBinding = false;       ///< more than three nodes that carry one vertex: version 9
 };
 
 /// What the regions and their fuzzy systems need, with what else does.

@@ -13,6 +13,7 @@ constexpr const char* networkNodes = "network/nodes.f64";
 constexpr const char* networkSprings = "network/springs.u32";
 constexpr const char* networkRestLengths = "network/rest-lengths.f64";
 constexpr const char* networkVertexNodes = "network/vertex-nodes.u32";
+constexpr const char* bindingStarts = "binding/starts.u32";
 constexpr const char* bindingNodes = "binding/nodes.u32";
 constexpr const char* bindingShares = "binding/shares.f64";
 constexpr const char* bindingSurface = "binding/surface.u32";

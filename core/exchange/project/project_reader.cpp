@@ -145,9 +145,13 @@ std::shared_ptr<const TriangleMesh> readMesh(const JsonReader& arrays, Source& s
 }
 
 Binding readBinding(const JsonReader& arrays, Source& source, std::size_t nodes) {
-    const BindingNumbers numbers{source.indices(arrays, layout::bindingNodes, 3, nodes),
-                                 source.numbers(arrays, layout::bindingShares, 3),
-                                 source.indices(arrays, layout::bindingLines, 2, nodes)};
+    const bool hasStarts = arrays.has(layout::bindingStarts);
+    const std::size_t together = hasStarts ? 1 : 3;
+    BindingNumbers numbers{{},
+                           source.indices(arrays, layout::bindingNodes, together, nodes),
+                           source.numbers(arrays, layout::bindingShares, together),
+                           source.indices(arrays, layout::bindingLines, 2, nodes)};
+    if (hasStarts) numbers.starts = source.array<std::uint32_t>(arrays, layout::bindingStarts, 1);
     if (numbers.nodes.size() != numbers.shares.size() && !source.foundProblems())
         arrays.addProblem("give " + std::to_string(numbers.nodes.size()) +
                           " nodes that carry vertices, but " + std::to_string(numbers.shares.size()) +

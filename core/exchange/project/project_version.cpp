@@ -43,6 +43,7 @@ int projectVersionOf(const Project& project) {
     needs.maskedPhotos = any(needsMask);
     needs.instruments = !hasPlainInstrument(project.scene);
     needs.splits = !project.scene.splits.empty();
+    needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);
     return versionOf(needs);
 }
 

@@ -60,6 +60,7 @@ void addNetwork(const SpringNetwork& network, Content& content) {
 
 void addBinding(const Binding& binding, Content& content) {
     const BindingNumbers numbers = numbersOf(binding);
+    if (numbers.starts) content.add(layout::bindingStarts, *numbers.starts);
     content.add(layout::bindingNodes, numbers.nodes);
     content.add(layout::bindingShares, numbers.shares);
     content.add(layout::bindingSurface, cornersOf(binding.surface));

@@ -107,8 +107,8 @@ std::vector<double> carriedBy(const SpringNetwork& network, const Points& points
         if (network.binding) {
             const auto& [nodes, shares] = network.binding->vertices[vertex];
             value = 0;
-            for (int i = 0; i < 3; ++i)
-                value += shares[i] * ofNodes[nodes[static_cast<std::size_t>(i)]];
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                value += shares[i] * ofNodes[nodes[i]];
         }
         values.push_back(value);
     }

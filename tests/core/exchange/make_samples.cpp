@@ -101,10 +101,11 @@ std::map<std::string, Project> sampleProjects() {
             {"version-7", preparedProject()},
             {"version-8", newestProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
-            {"version-9-split", withSplits(untextured(softProject()))}};
+            {"version-9-split", withSplits(untextured(softProject()))},
+            {"version-9-wide-binding", untextured(latticeProject())}};
 }
 
-/// Packages that projects are exported as are of this version at most.
+/// Packages that projects of the same version are exported as are of this version at most.
 constexpr int newestOfProjects = 5;
 
 void writeSamples(const std::filesystem::path& folder) {
@@ -116,6 +117,7 @@ void writeSamples(const std::filesystem::path& folder) {
         exportPackage(project, folder / "packages" / (name + ".glb"),
                       {{}, [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; }});
     }
+    exportPackage(untextured(latticeProject()), folder / "packages" / "version-6-wide-binding.glb");
     const Project soft = untextured(softProject());
     writePackage(withOwnSprings(soft), folder / "packages" / "version-6-own-springs.glb", {});
 }

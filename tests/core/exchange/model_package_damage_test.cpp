@@ -1,9 +1,12 @@
 #include "tests/core/exchange/model_package_fixture.h"
 
 #include "core/exchange/package/glb.h"
+#include "core/support/byte_order.h"
 #include "tests/core/exchange/overwrite.h"
 #include "tests/support/exchange_projects.h"
 
+#include <algorithm>
+#include <functional>
 #include <set>
 
 namespace esm {
@@ -29,6 +32,54 @@ TEST_F(ModelPackageFile, ABindingThatCannotCarryTheSurfaceIsRefused) {
     EXPECT_THAT(refusal("triangleCount", 7), HasSubstr("binding.triangles"));
     EXPECT_THAT(refusal("lineCount", 1), HasSubstr("binding.lines is missing"));
     EXPECT_THAT(refusal("lineCount", -1), HasSubstr("binding.lineCount"));
+}
+
+TEST_F(ModelPackageFile, RowsOfNodesThatCannotCarryTheSurfaceAreRefused) {
+    exportPackage(rowsProject(4), m_file);
+    const Glb whole = parseGlb(readFile(m_file));
+    const auto refusal = [&](const char* key, std::size_t place, std::uint32_t number) {
+        Glb glb = whole;
+        const Json& accessor =
+            glb.json["accessors"]
+                    [glb.json["extensions"]["ESM_spring_mass"]["binding"][key].get<std::size_t>()];
+        const Json& view = glb.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+        Bytes bytes;
+        appendLittleEndian(bytes, number);
+        std::copy(bytes.begin(), bytes.end(),
+                  glb.binary.begin() + view.value("byteOffset", 0) + static_cast<std::ptrdiff_t>(4 * place));
+        overwrite(m_file, writeGlb(glb));
+        EXPECT_THAT(validatePackage(m_file), testing::SizeIs(1)) << key << " " << number;
+        EXPECT_THROW(loadPackagedTissue(m_file), FileError);
+        return loadingError();
+    };
+    for (const auto& [place, number] : std::vector<std::pair<std::size_t, std::uint32_t>>{
+             {0, 1}, {1, 0}, {1, 8}, {2, 4294967295U}, {48, 0}, {48, 4294967295U}})
+        EXPECT_THAT(refusal("starts", place, number), HasSubstr("starts of the rows of nodes")) << number;
+    EXPECT_THAT(refusal("nodes", 7, 20), HasSubstr("20 as number 7"));
+    EXPECT_THAT(refusal("shares", 3, 0), HasSubstr("drawn point 0"));
+    EXPECT_THAT(refusal("shares", 3, 0x7F800000), HasSubstr("not finite"));
+}
+
+TEST_F(ModelPackageFile, RowsOfNodesOfOtherLengthsThanTheirArraysAreRefused) {
+    exportPackage(rowsProject(4), m_file);
+    const Glb whole = parseGlb(readFile(m_file));
+    const auto refusal = [&](const std::function<void(Json&)>& change) {
+        Glb glb = whole;
+        change(glb.json["extensions"]["ESM_spring_mass"]);
+        overwrite(m_file, writeGlb(glb));
+        return loadingError();
+    };
+    const Json& extension = whole.json["extensions"]["ESM_spring_mass"];
+    const auto given = [&](const char* key, const Json& accessor) {
+        return refusal([&](Json& changed) { changed["binding"][key] = accessor; });
+    };
+    EXPECT_THAT(given("starts", extension["binding"]["nodes"]), HasSubstr("binding.starts"));
+    EXPECT_THAT(given("nodes", extension["binding"]["starts"]), HasSubstr("binding.shares"));
+    EXPECT_THAT(given("nodes", 9999), HasSubstr("binding.nodes"));
+    EXPECT_THAT(given("shares", extension["nodes"]["mass"]), HasSubstr("binding.shares"));
+    EXPECT_THAT(refusal([](Json& changed) { changed["binding"].erase("starts"); }),
+                HasSubstr("binding.nodes"));
+    EXPECT_THAT(refusal([](Json& changed) { changed["version"] = 5; }), HasSubstr("version should be 6"));
 }
 
 TEST_F(ModelPackageFile, ASpringLawIsRefusedThatAReaderCouldMissOrTakeForAnother) {

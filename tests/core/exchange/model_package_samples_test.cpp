@@ -16,9 +16,11 @@ namespace {
 
 using PackageJson = nlohmann::ordered_json;
 
-/// The project that a sample was exported from.
+/// The project that a sample was exported from: of its name, or of what a newer version of projects brought.
 std::filesystem::path projectOf(const std::filesystem::path& package) {
-    return package.parent_path() / ".." / "projects" / package.stem().concat(".esm");
+    const std::string name =
+        package.stem() == "version-6-wide-binding" ? "version-9-wide-binding" : package.stem();
+    return package.parent_path() / ".." / "projects" / (name + ".esm");
 }
 
 /// Those that were exported from a project.

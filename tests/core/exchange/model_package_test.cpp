@@ -180,14 +180,26 @@ TEST_F(ModelPackageFile, DrawnVerticesMayOutnumberTheNodes) {
 }
 
 TEST_F(ModelPackageFile, HoldsHowFewerNodesCarryTheSurface) {
-    for (const Detail& detail : {Detail{Detail::Kind::Nodes, 20}, Detail{Detail::Kind::Rigid, 0}}) {
-        Project project = boundProject(detail);
+    for (Project project : {boundProject({Detail::Kind::Nodes, 20}), boundProject({Detail::Kind::Rigid, 0}),
+                            latticeProject(), rowsProject(3), rowsProject(4), rowsProject(9)}) {
         expectReadIndependently(project, m_folder.path());
         expectSameTissue(exported(project).tissue, evaluateModel(project));
         project.layers.clear();
         project.atlas = nullptr;
         expectReadIndependently(project, m_folder.path());
         expectSameTissue(exported(project).tissue, evaluateModel(project));
+    }
+}
+
+TEST_F(ModelPackageFile, GivesSimulatorsRowsOfAnyNumberOfNodes) {
+    for (const Project& project : {latticeProject(), rowsProject(4)}) {
+        exportPackage(project, m_file);
+        const PackagedTissue package = loadPackagedTissue(m_file);
+        expectSameTissue(package.tissue, evaluateModel(project));
+        const std::vector<Eigen::Vector3d> drawn =
+            drawnPositions(package.mesh, *package.tissue.network, package.tissue.network->restPositions);
+        for (std::size_t i = 0; i < drawn.size(); ++i)
+            EXPECT_LT((drawn[i] - project.mesh->vertices[i]).norm(), 1e-8);
     }
 }
 
@@ -202,6 +214,10 @@ TEST_F(ModelPackageFile, IsOfTheVersionThatItsReadersNeed) {
     EXPECT_EQ(version(biphasicProject()), 3);
     EXPECT_EQ(version(extendedInferenceProject()), 4);
     EXPECT_EQ(version(softProject()), 5);
+    EXPECT_EQ(version(latticeProject()), 6);
+    EXPECT_EQ(version(rowsProject(1)), 2);
+    EXPECT_EQ(version(rowsProject(3)), 2);
+    EXPECT_EQ(version(rowsProject(4)), 6);
 }
 
 TEST_F(ModelPackageFile, OpensWithAWarningWhatViewersShowOtherwise) {

@@ -62,6 +62,51 @@ TEST_F(ProjectFile, ANewerVersionSaysSo) {
                           "up to 9; update the program"));
 }
 
+void setNumber(ZipEntry& entry, std::size_t place, std::uint32_t number) {
+    Bytes bytes;
+    appendLittleEndian(bytes, number);
+    std::copy(bytes.begin(), bytes.end(), entry.content.begin() + static_cast<std::ptrdiff_t>(4 * place));
+}
+
+TEST_F(ProjectFile, RowsOfNodesThatCannotCarryTheSurfaceAreRefused) {
+    const Project project = rowsProject(4);
+    const auto refusal = [&](const char* entry, std::size_t place, std::uint32_t number) {
+        saveChangedOf(project, entry, [&](auto&, ZipEntry& damaged) { setNumber(damaged, place, number); });
+        EXPECT_THAT(validateProjectFile(m_file), testing::SizeIs(1)) << entry << " " << number;
+        return loadingError();
+    };
+    const char *starts = project_layout::bindingStarts, *nodes = project_layout::bindingNodes,
+               *shares = project_layout::bindingShares;
+    const auto vertices = project.mesh->vertices.size();
+    for (const auto& [place, number] : std::vector<std::pair<std::size_t, std::uint32_t>>{
+             {0, 1}, {1, 0}, {1, 8}, {2, 4294967295U}, {vertices, 0}, {vertices, 4294967295U}})
+        EXPECT_THAT(refusal(starts, place, number), HasSubstr("starts of the rows of nodes")) << number;
+    EXPECT_THAT(refusal(nodes, 7, 20), HasSubstr("binding/nodes.u32: number 7 is 20"));
+    EXPECT_THAT(refusal(shares, 3, 0), HasSubstr("drawn point 0"));
+    EXPECT_THAT(refusal(shares, 3, 0xFFF00000), HasSubstr("number 1 is not finite"));
+}
+
+TEST_F(ProjectFile, RowsOfNodesOfAnotherNumberThanItClaimsAreRefused) {
+    const auto refusal = [&](const char* entry, std::uint64_t count) {
+        changeManifestOf(rowsProject(4), "/arrays", [&](Json& arrays) { arrays[entry] = count; });
+        return loadingError();
+    };
+    const char *starts = project_layout::bindingStarts, *nodes = project_layout::bindingNodes;
+    EXPECT_THAT(refusal(starts, 1U << 28), HasSubstr(starts));
+    EXPECT_THAT(refusal(starts, std::uint64_t{1} << 60), HasSubstr(starts));
+    EXPECT_THAT(refusal(starts, 0), HasSubstr(starts));
+    EXPECT_THAT(refusal(nodes, 1U << 28), HasSubstr(nodes));
+    changeManifestOf(rowsProject(4), "/arrays", [&](Json& arrays) { arrays.erase(starts); });
+    EXPECT_NE(loadingError(), "loaded") << "four nodes for each are taken for three";
+}
+
+TEST_F(ProjectFile, WithWideRowsInAnOlderVersionOpensWithAWarning) {
+    changeManifestOf(latticeProject(), "/version", [](Json& version) { version = 2; });
+    const OpenedProject opened = openProject(m_file);
+    expectSameProject(latticeProject(), opened.project);
+    EXPECT_THAT(opened.warnings, testing::Contains(HasSubstr("version should be 9")));
+}
+
 /// A second file entry that names the first one's bytes again.
 TEST_F(ProjectFile, APhotoIsNotUnpackedTwice) {
     saveProject(richProject(), m_file);

@@ -24,11 +24,30 @@ TEST_F(ProjectFile, ComesBackBitByBit) {
 }
 
 TEST_F(ProjectFile, KeepsHowFewerNodesCarryTheSurface) {
-    for (const Detail& detail : {Detail{Detail::Kind::Nodes, 20}, Detail{Detail::Kind::Rigid, 0}}) {
-        const Project project = boundProject(detail);
+    for (const Project& project :
+         {boundProject({Detail::Kind::Nodes, 20}), boundProject({Detail::Kind::Rigid, 0}), latticeProject(),
+          rowsProject(3), rowsProject(4), rowsProject(9)}) {
         saveProject(project, m_file);
         expectSameProject(project, loadProject(m_file));
         EXPECT_THAT(validateProjectFile(m_file), testing::IsEmpty());
+    }
+}
+
+TEST_F(ProjectFile, HoldsShorterRowsOfNodesWithThree) {
+    for (const std::size_t length : {1U, 2U}) {
+        const Project project = rowsProject(length);
+        saveProject(project, m_file);
+        const Bytes bytes = readFile(m_file);
+        const Project loaded = loadProject(m_file);
+        const BindingRows& rows = loaded.network->binding->vertices;
+        EXPECT_EQ(rows.nodes.size(), 3 * project.mesh->vertices.size());
+        std::vector<Eigen::Vector3d> positions = project.network->restPositions;
+        for (std::size_t node = 0; node < positions.size(); ++node)
+            positions[node] *= 1 + 0.01 * double(node);
+        EXPECT_EQ(drawnPositions(*loaded.mesh, *loaded.network, positions),
+                  drawnPositions(*project.mesh, *project.network, positions));
+        saveProject(loaded, m_file);
+        EXPECT_EQ(readFile(m_file), bytes);
     }
 }
 
@@ -110,6 +129,9 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     Project split = richProject();
     split.scene.splits = {{0.5, {{0, 1}}}};
     EXPECT_EQ(version(split), 9);
+    EXPECT_EQ(version(latticeProject()), 9);
+    EXPECT_EQ(version(rowsProject(3)), 2);
+    EXPECT_EQ(version(rowsProject(4)), 9);
 }
 
 TEST_F(ProjectFile, OfAVersionTooLowOpensWithAWarning) {
@@ -138,7 +160,7 @@ TEST_F(ProjectFile, OfWhatIsHardlyMeantOpensWithAWarning) {
 TEST_F(ProjectFile, ABindingThatCannotCarryTheSurfaceIsNotSaved) {
     Project project = boundProject({Detail::Kind::Nodes, 20});
     SpringNetwork network = *project.network;
-    network.binding->vertices.pop_back();
+    network.binding->vertices.starts.pop_back();
     project.network = std::make_shared<SpringNetwork>(network);
     EXPECT_THROW(saveProject(project, m_file), FileError);
 }

@@ -124,6 +124,22 @@ TEST_F(VtpFile, DrawsTheSurfaceThatFewerNodesCarry) {
     EXPECT_DOUBLE_EQ(sum(file.numbers<double>("PointData", "mass")), sum(tissue.mass));
 }
 
+TEST_F(VtpFile, GivesVerticesTheMeanOfAllTheirNodes) {
+    const Project project = latticeProject();
+    const TissueModel tissue = evaluateModel(project);
+    const VtpText file = exported(project);
+    const auto viscosities = file.numbers<double>("PointData", "viscosity");
+    const BindingRows& rows = project.network->binding->vertices;
+    const std::size_t nodes = tissue.viscosity.size();
+    ASSERT_EQ(viscosities.size(), nodes + rows.size());
+    for (std::size_t vertex = 0; vertex < rows.size(); ++vertex) {
+        double mean = 0;
+        for (std::size_t i = rows.starts[vertex]; i < rows.starts[vertex + 1]; ++i)
+            mean += rows.shares[i] * tissue.viscosity[rows.nodes[i]];
+        EXPECT_DOUBLE_EQ(viscosities[nodes + vertex], mean);
+    }
+}
+
 TEST_F(VtpFile, HoldsAModelWithoutSurface) {
     const VtpText file = exported(bareProject());
     EXPECT_EQ(file.count("Polys"), 0U);
