@@ -1,6 +1,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
+#include "core/authoring/import_unit.h"
 #include "core/exchange/meshes/mesh_file.h"
 #include "core/support/numbers.h"
 
@@ -18,8 +19,12 @@ struct ImportOptions {
     Detail detail;
 };
 
-const Words<LengthUnit> units{
-    {"mm", LengthUnit::Millimetre}, {"cm", LengthUnit::Centimetre}, {"m", LengthUnit::Metre}};
+Words<LengthUnit> units() {
+    Words<LengthUnit> words;
+    for (const auto& [unit, word] : wordsOf<LengthUnit>)
+        words.emplace_back(word, unit);
+    return words;
+}
 
 Detail requestedDetail(const std::string& given) {
     if (given == "rigid") return {Detail::Kind::Rigid, 0};
@@ -34,7 +39,7 @@ void declareImport(CLI::App& command, ImportOptions& options) {
     command.add_option("-o,--output", options.output, "Project to write (.esm)")
         ->required()
         ->check(writtenAs(".esm"));
-    addChoice(command, "--unit", options.unit, units,
+    addChoice(command, "--unit", options.unit, units(),
               "What a coordinate of the file means: mm, cm or m (the default)");
     command
         .add_option("--weld", options.weld, "Vertices closer than this become one, m (0: only equal ones)")
@@ -58,15 +63,14 @@ void declareImport(CLI::App& command, ImportOptions& options) {
 }
 
 /// Says which unit was probably meant; empty when the size (m) is one that organs and bodies have.
-std::string doubtfulSize(double size, LengthUnit unit) {
+std::string doubtfulSize(double size, const ImportOptions& options) {
     if (isPlausibleSize(size)) return {};
+    const double extent = size / metresPer(options.unit);
+    const LengthUnit likely = recommendedUnit(extent, meshFileEnding(options.mesh));
     std::string advice;
-    for (const auto& [fitting, meant] : fittingUnits(size / metresPer(unit)))
-        for (const auto& [word, other] : units) {
-            if (other != fitting) continue;
-            advice += advice.empty() ? "; with " : ", with ";
-            advice += "--unit " + word + " it would be " + inText(meant) + " m";
-        }
+    for (const auto& [unit, meant] : fittingUnits(extent))
+        advice += std::string(advice.empty() ? "; with" : ", with") + " --unit " + wordOf(unit) +
+                  " it would be " + inText(meant) + " m" + (unit == likely ? " (the likeliest)" : "");
     return "the model is " + inText(size) + " m large" +
            (advice.empty() ? ", and no unit makes it an organ's size" : advice);
 }
@@ -78,7 +82,7 @@ Report runImport(const ImportOptions& options, Context& context) {
     convertToMetres(soup, options.unit, options.up);
     RepairedMesh surface = repair(soup, {options.weld, options.keep});
     const double size = boundingBox(surface.mesh.vertices).sizes().maxCoeff();
-    const std::string doubt = doubtfulSize(size, options.unit);
+    const std::string doubt = doubtfulSize(size, options);
     if (!doubt.empty()) surface.report.warnings.push_back(doubt);
     const Project project = makeProject(std::filesystem::path(options.mesh).stem().string(),
                                         std::move(surface), options.mass, options.detail);

@@ -27,7 +27,9 @@ class ImportTest(Case):
 
     def test_doubts_a_size_no_organ_has_and_names_the_unit_that_fits(self):
         large = "".join(line.replace("1", "200") if line[0] == "v" else line for line in CUBE.splitlines(True))
-        self.assertIn("--unit mm", " ".join(self.imported(mesh=large)["warnings"]))
+        warnings = " ".join(self.imported(mesh=large)["warnings"])
+        self.assertIn("the model is 200 m large; with --unit mm it would be 0.2 m (the likeliest), with --unit cm it would be 2 m",
+                      warnings)
         self.assertEqual(self.imported("--unit", "mm", mesh=large)["warnings"], self.imported()["warnings"])
 
     def test_turns_z_up_into_y_up(self):

@@ -1,5 +1,6 @@
 #include "app/editor/dialogs/import_dialog.h"
 
+#include "core/authoring/import_unit.h"
 #include "core/model/motion_model.h"
 #include "core/project/project.h"
 #include "widgets/inputs/enabling.h"
@@ -89,15 +90,6 @@ constexpr std::size_t mostPartsListed = 12;
 
 } // namespace
 
-LengthUnit likelyUnit(double largestExtent, const QString& fileEnding) {
-    if (fileEnding == QLatin1String("glb") || fileEnding == QLatin1String("gltf")) return LengthUnit::Metre;
-    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Metre, LengthUnit::Centimetre}) {
-        const double metres = largestExtent * metresPer(unit);
-        if (metres >= 0.02 && metres <= 1) return unit;
-    }
-    return LengthUnit::Millimetre;
-}
-
 QString doubtfulExtent(double largestExtent, LengthUnit unit) {
     const double metres = largestExtent * metresPer(unit);
     if (isPlausibleSize(metres)) return {};
@@ -127,7 +119,7 @@ ImportDialog::ImportDialog(const QString& fileName, const ImportedSurface& all,
     auto* title = new QLabel(fileName, this);
     title->setProperty("strong", true);
     column->addWidget(title);
-    addUnits(column, likelyUnit(all.extent.maxCoeff(), fileName.section('.', -1).toLower()));
+    addUnits(column, recommendedUnit(all.extent.maxCoeff(), meshFileEnding(fileName.toStdString())));
     addParts();
     addOrientation(column);
     addReport(column);

@@ -25,10 +25,6 @@ struct ImportChoice {
     Detail detail;
 };
 
-/// The unit in which an organ of this extent has the size of an organ; glTF files are in metres by their
-/// standard.
-LengthUnit likelyUnit(double largestExtent, const QString& fileEnding);
-
 /// Says that no organ has this extent, in a file's unit, and which unit would fit; empty where it may be.
 QString doubtfulExtent(double largestExtent, LengthUnit unit);
 

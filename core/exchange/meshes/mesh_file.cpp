@@ -23,29 +23,6 @@ DecodingLimits limitsFor(const fs::path& file) {
 
 } // namespace
 
-bool isPlausibleSize(double metres) {
-    return metres >= 0.001 && metres <= 3;
-}
-
-std::vector<FittingUnit> fittingUnits(double extent) {
-    std::vector<FittingUnit> fitting;
-    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre})
-        if (isPlausibleSize(extent * metresPer(unit))) fitting.push_back({unit, extent * metresPer(unit)});
-    return fitting;
-}
-
-double metresPer(LengthUnit unit) {
-    switch (unit) {
-    case LengthUnit::Millimetre:
-        return 0.001;
-    case LengthUnit::Centimetre:
-        return 0.01;
-    case LengthUnit::Metre:
-        break;
-    }
-    return 1;
-}
-
 PolygonSoup readMeshFile(const fs::path& file, const Progress& progress) {
     const DecodingTask task{file, {"mesh", file.string()}, nullptr, limitsFor(file)};
     DecodedStream stream = decodeApart(task, progress);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/length_unit.h"
 #include "core/geometry/polygon_soup.h"
 #include "core/support/progress.h"
 
@@ -9,20 +10,7 @@
 
 namespace esm {
 
-enum class LengthUnit { Millimetre, Centimetre, Metre };
 enum class UpAxis { Y, Z };
-
-double metresPer(LengthUnit unit);
-
-/// Whether organs and bodies have this size: 1 mm to 3 m.
-bool isPlausibleSize(double metres);
-
-struct FittingUnit {
-    LengthUnit unit;
-    double size; ///< m, with this unit
-};
-/// The units in which so many of a file's units are a plausible size, the smallest first.
-std::vector<FittingUnit> fittingUnits(double extent);
 
 /// Reads a surface, in a process of its own. Node transforms are applied; lines and points are ignored.
 /// Coordinates and the order of the faces are the file's.
