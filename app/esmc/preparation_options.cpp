@@ -1,5 +1,6 @@
 #include "app/esmc/preparation_options.h"
 
+#include "core/exchange/fields_json.h"
 #include "core/exchange/project/preparation_json.h"
 #include "core/texture/layers/surface_match.h"
 
@@ -30,10 +31,9 @@ std::string gainsInText(const ColourGains& gains) {
 void reportField(const std::optional<RoundField>& field, Report& report) {
     report.json["round_field"] = nullptr;
     if (field) {
-        report.json["round_field"] = {
-            {"centre", {field->centreX, field->centreY}}, {"radius", field->radius}, {"trim", field->trim}};
+        report.json["round_field"] = written(*field);
         report.text.push_back("round field: radius " + inText(field->radius) + " pixels around " +
-                              inText(field->centreX) + ", " + inText(field->centreY) + ", " +
+                              inText(field->centre.x()) + ", " + inText(field->centre.y()) + ", " +
                               inText(field->trim) + " % trimmed");
     } else {
         report.text.emplace_back("round field: none found");

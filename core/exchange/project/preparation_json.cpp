@@ -37,14 +37,6 @@ Lens lensFromJson(const JsonReader& reader) {
 }
 
 struct PreparationForms {
-    Json write(const RoundField& field) const {
-        return {{"centre", {field.centreX, field.centreY}}, {"radius", field.radius}, {"trim", field.trim}};
-    }
-    void read(const JsonReader& reader, RoundField& field) const {
-        const std::vector<double> centre = reader.member("centre").numbers(2);
-        field = {centre[0], centre[1], reader.member("radius").number(), reader.member("trim").number()};
-    }
-
     Json write(const std::vector<Eigen::Vector2d>& path) const {
         Json json = Json::array();
         for (const Eigen::Vector2d& place : path) {

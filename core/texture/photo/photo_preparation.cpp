@@ -15,21 +15,10 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-constexpr double mostTrim = 90; ///< percent
 constexpr double largestCoefficient = 1e3;
 
 bool liesBetween(double value, double least, double most) {
     return value >= least && value <= most; // not so for NaN
-}
-
-void checkField(const RoundField& field, Problems& problems) {
-    const double far = texture_limits::longestFocalLength;
-    if (!liesBetween(field.radius, 1, far) || !liesBetween(field.centreX, -far, far) ||
-        !liesBetween(field.centreY, -far, far))
-        problems.emplace_back(
-            "the round field must have a radius of 1 to 1e7 pixels and a centre within 1e7");
-    if (!liesBetween(field.trim, 0, mostTrim))
-        problems.emplace_back("the round field must be trimmed by 0 to 90 %");
 }
 
 void checkLens(const Lens& lens, Problems& problems) {
@@ -88,7 +77,7 @@ bool PhotoPreparation::isNothing() const {
 
 std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height) {
     Problems problems = fieldProblems(preparation);
-    if (preparation.field) checkField(*preparation.field, problems);
+    if (preparation.field) addUnder(problems, "the round field", fieldProblems(*preparation.field));
     checkStrokes(preparation.strokes, problems);
     if (preparation.match)
         for (std::string& problem : fieldProblems(*preparation.match))

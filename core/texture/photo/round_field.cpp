@@ -191,14 +191,15 @@ std::optional<RoundField> findRoundField(const Image& photo) {
     }
     if (!best) return std::nullopt;
     const Circle& circle = best->circle;
-    return RoundField{circle.centre.x(), circle.centre.y(), circle.radius, RoundField().trim};
+    return RoundField{circle.centre, circle.radius, RoundField().trim};
 }
 
 void maskField(Image& photo, const RoundField& field) {
     const double radius = field.radius * (1 - field.trim / 100);
     tbb::parallel_for(0, photo.height, [&](int y) {
         for (int x = 0; x < photo.width; ++x) {
-            const double inside = radius + 0.5 - std::hypot(x + 0.5 - field.centreX, y + 0.5 - field.centreY);
+            const double inside =
+                radius + 0.5 - std::hypot(x + 0.5 - field.centre.x(), y + 0.5 - field.centre.y());
             std::uint8_t& alpha = photo.at(x, y)[3];
             alpha = static_cast<std::uint8_t>(std::lround(alpha * std::clamp(inside, 0.0, 1.0)));
         }

@@ -27,7 +27,7 @@ Project perspectiveProject() {
 
 PhotoPreparation versionSevenPreparation() {
     PhotoPreparation preparation;
-    preparation.field = RoundField{20.25, 1.0 / 3, 11, 2.5};
+    preparation.field = RoundField{{20.25, 1.0 / 3}, 11, 2.5};
     preparation.highlightThreshold = 200;
     preparation.evenLight = 0.7;
     preparation.whiteBalance = ColourGains{0.9, 1, 1.0 / 0.9};

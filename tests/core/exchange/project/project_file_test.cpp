@@ -173,7 +173,7 @@ TEST_F(ProjectFile, KeepsAModelWithoutSurfaceRegionsOrPhotos) {
 TEST_F(ProjectFile, KeepsHowPhotosAreMadeReady) {
     Project project = richProject();
     PhotoPreparation pinhole, fisheye;
-    pinhole.field = RoundField{20.25, 1.0 / 3, 11, 2.5};
+    pinhole.field = RoundField{{20.25, 1.0 / 3}, 11, 2.5};
     pinhole.strokes = {{{{1, 1.0 / 3}, {5, 6}}, 4.5, 0.25, false}, {{{2, 2}}, 1, 0, true}};
     pinhole.match = ColourMatch{{1.0 / 0.9, 1, 0.7}, {-1.0 / 3, 5, 6}};
     pinhole.highlightThreshold = 200;

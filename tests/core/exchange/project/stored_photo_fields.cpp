@@ -66,7 +66,7 @@ void addPainting(Fields& fields) {
 
 PhotoPreparation leastPreparation() {
     PhotoPreparation least;
-    least.field = RoundField{-1e7, -1e7, 1, 0};
+    least.field = RoundField{{-1e7, -1e7}, 1, 0};
     least.strokes = {{{{-1e7, -1e7}}, 0.5, 0, false}};
     least.highlightThreshold = 1;
     least.evenLight = smallest;
@@ -79,7 +79,7 @@ PhotoPreparation leastPreparation() {
 
 PhotoPreparation mostPreparation() {
     PhotoPreparation most;
-    most.field = RoundField{1e7, 1e7, 1e7, 90};
+    most.field = RoundField{{1e7, 1e7}, 1e7, 90};
     most.strokes = {{{{1e7, 1e7}, {0, 0}}, 5000, 1, true}};
     most.highlightThreshold = 255;
     most.evenLight = 1;

@@ -166,6 +166,11 @@ void addPreparationTables(Fields& fields) {
             change(preparation.strokes[0]);
         });
     });
+    addTable<RoundField>(fields, "preparation.roundField", [=](Project& p, const auto& change) {
+        preparing(p, [&](PhotoPreparation& preparation) {
+            change(preparation.field.emplace(RoundField{{5, 5}, 5, 2}));
+        });
+    });
     addTable<ColourMatch>(fields, "preparation.colourMatch", [=](Project& p, const auto& change) {
         preparing(p, [&](PhotoPreparation& preparation) { change(preparation.match.emplace()); });
     });

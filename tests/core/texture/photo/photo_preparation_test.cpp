@@ -78,7 +78,7 @@ TEST(PhotoPreparation, ThatDoesNothingChangesNoBit) {
 TEST(PhotoPreparation, NamesEveryProblem) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     PhotoPreparation bad;
-    bad.field = RoundField{nan, 0, 10, 95};
+    bad.field = RoundField{{nan, 0}, 10, 95};
     bad.highlightThreshold = 0;
     bad.evenLight = nan;
     bad.whiteBalance = ColourGains{1, nan, 1};
@@ -93,7 +93,7 @@ TEST(PhotoPreparation, NamesEveryProblem) {
 
 TEST(PhotoPreparation, IsTheSameWithAnyNumberOfThreads) {
     PhotoPreparation all;
-    all.field = RoundField{320, 240, 200, 2};
+    all.field = RoundField{{320, 240}, 200, 2};
     all.highlightThreshold = 30;
     all.evenLight = 0.7;
     all.whiteBalance = ColourGains{0.9, 1, 1.1};
@@ -123,8 +123,8 @@ TEST(RoundField, IsFoundWhereItIs) {
     for (const auto& [cx, cy, radius] : {std::array<double, 3>{320.3, 236.8, 200.4}, {300, 260, 290.5}}) {
         const auto field = findRoundField(roundPhoto(cx, cy, radius));
         ASSERT_TRUE(field);
-        EXPECT_NEAR(field->centreX, cx, 1);
-        EXPECT_NEAR(field->centreY, cy, 1);
+        EXPECT_NEAR(field->centre.x(), cx, 1);
+        EXPECT_NEAR(field->centre.y(), cy, 1);
         EXPECT_NEAR(field->radius, radius, 1);
     }
 }
@@ -147,8 +147,8 @@ TEST(RoundField, IsFoundInALaparoscopicPhoto) {
     ASSERT_TRUE(field);
     // By eye: the field spans the columns 175 to 1581, and of its chords at the rows 0 and 1074 the half
     // lengths are 431 and 487, which puts its centre between the rows 555 and 568.
-    EXPECT_NEAR(field->centreX, 878, 6);
-    EXPECT_NEAR(field->centreY, 561, 7);
+    EXPECT_NEAR(field->centre.x(), 878, 6);
+    EXPECT_NEAR(field->centre.y(), 561, 7);
     EXPECT_NEAR(field->radius, 703, 6);
 }
 
@@ -171,14 +171,14 @@ TEST(RoundField, IsFoundInASinusPhoto) {
     const auto field = findRoundField(loadPhoto(sharedData("images/sinus-sfm/00004584.jpg"))->image);
     ASSERT_TRUE(field);
     // By eye: the field spans the columns 467 to 1522 at its widest, at the row 540.
-    EXPECT_NEAR(field->centreX, 994, 6);
-    EXPECT_NEAR(field->centreY, 540, 12);
+    EXPECT_NEAR(field->centre.x(), 994, 6);
+    EXPECT_NEAR(field->centre.y(), 540, 12);
     EXPECT_NEAR(field->radius, 527, 6);
 }
 
 TEST(RoundField, IsMaskedWithAnEdgeOfOnePixel) {
     Image photo = drawnPhoto(100, 100, [](int, int) -> Channels { return {9, 9, 9, 255}; });
-    maskField(photo, {50, 50, 40, 10});
+    maskField(photo, {{50, 50}, 40, 10});
     for (int y = 0; y < 100; ++y)
         for (int x = 0; x < 100; ++x) {
             const double distance = std::hypot(x + 0.5 - 50, y + 0.5 - 50);
