@@ -120,7 +120,14 @@ nlohmann::ordered_json written(const Value& value, const Forms& forms = {}) {
 
 template<class Table> std::vector<std::string> keysOf(const Table& table) {
     std::vector<std::string> keys;
-    forEachField(table, [&](const auto& field) { keys.emplace_back(field.key); });
+    forEachField(table, [&](const auto& field) {
+        using Field = std::remove_cvref_t<decltype(field)>;
+        if constexpr (Field::hasKey)
+            keys.emplace_back(field.key);
+        else
+            for (std::string& key : keysOf(fieldsOf<typename Field::Value>))
+                keys.push_back(std::move(key));
+    });
     return keys;
 }
 
@@ -132,7 +139,7 @@ concept Typed = requires {
 /// Numbers that were not read, which is told already, are not told again.
 template<class Value, class Limit>
 void checkLimits(const JsonReader& reader, const Value& value, const Limit& limits) {
-    if constexpr (!std::is_same_v<Limit, Unlimited>)
+    if constexpr (requires { limits.name; })
         if (reader.json().is_number() && !isAllowed(value, limits))
             reader.addProblem("must be " + limitsText(limits));
 }
@@ -152,7 +159,10 @@ void readMember(const JsonReader& reader, Value& value, const Limit& limits, con
 template<class Struct, class Forms, class Table>
 void readMembers(const JsonReader& reader, Struct& value, const Forms& forms, const Table& table) {
     forEachField(table, [&](const auto& field) {
-        if (field.belongsTo(value) && (field.presence == Presence::Always || reader.has(field.key)))
+        using Field = std::remove_cvref_t<decltype(field)>;
+        if constexpr (!Field::hasKey)
+            readMembers(reader, value.*field.member, forms, fieldsOf<typename Field::Value>);
+        else if (field.belongsTo(value) && (field.presence == Presence::Always || reader.has(field.key)))
             readMember(reader.member(field.key), value.*field.member, field.limits, forms);
     });
 }
@@ -168,7 +178,10 @@ template<class Struct, class Forms, class Table>
 nlohmann::ordered_json writtenFields(const Struct& value, const Forms& forms, const Table& table) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     forEachField(table, [&](const auto& field) {
-        if (field.isWrittenFor(value)) json[field.key] = written(value.*field.member, forms);
+        if constexpr (!std::remove_cvref_t<decltype(field)>::hasKey)
+            json.update(writtenFields(value.*field.member, forms));
+        else if (field.isWrittenFor(value))
+            json[field.key] = written(value.*field.member, forms);
     });
     return json;
 }

@@ -41,15 +41,12 @@ BindingRows rowsOfThree(const std::vector<std::uint32_t>& nodes, const std::vect
 } // namespace
 
 Json toJson(const MeasuredStepping& measured) {
-    Json json = writtenFields(measured.stepping, SteppingForms());
-    json.update(writtenFields(measured));
-    return json;
+    return writtenFields(measured, SteppingForms());
 }
 
 std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader) {
     MeasuredStepping measured;
-    readFields(reader, measured.stepping, SteppingForms());
-    readFields(reader, measured);
+    readFields(reader, measured, SteppingForms());
     const Json& integrator = reader.member("integrator").json();
     if (!integrator.is_string() || !integratorFromName(integrator.get<std::string>())) return std::nullopt;
     return measured;

@@ -39,10 +39,10 @@ struct MeasuredStepping {
 
     bool operator==(const MeasuredStepping&) const = default;
 };
-/// What was measured; files have it beside the fields of the stepping.
 template<>
 inline constexpr auto fieldsOf<MeasuredStepping> =
-    std::tuple{field("error", &MeasuredStepping::error,
+    std::tuple{fieldsOfMember(&MeasuredStepping::stepping),
+               field("error", &MeasuredStepping::error,
                      Limits<double>{"the error", 0, std::numeric_limits<double>::max()}),
                field("wallPerSimulatedSecond", &MeasuredStepping::wallPerSimulatedSecond,
                      positiveLimits("the wall time per simulated second", "s")),

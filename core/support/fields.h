@@ -24,6 +24,9 @@ template<class Number> struct Limits {
 /// Of a field that any value of its type suits, or that is checked together with others.
 struct Unlimited {};
 
+/// Of a member without a key, whose own fields stand among those of the struct and have limits of their own.
+struct AmongFields : Unlimited {};
+
 constexpr Limits<double> amountLimits(const char* name, const char* unit = "") {
     return {name, 0, largestNumber, unit};
 }
@@ -72,6 +75,9 @@ enum class Presence {
 
 /// One member of a struct as files hold it.
 template<class Struct, class Member, class Limit> struct FileField {
+    using Value = Member;
+    static constexpr bool hasKey = !std::is_same_v<Limit, AmongFields>;
+
     const char* key;
     Member Struct::*member;
     Limit limits;
@@ -100,6 +106,12 @@ constexpr FileField<Struct, Member, Limit> field(const char* key, Member Struct:
     return {key, member, limits};
 }
 
+/// The member's own fields, at this place among those of the struct.
+template<class Struct, class Member>
+constexpr FileField<Struct, Member, AmongFields> fieldsOfMember(Member Struct::*member) {
+    return {"", member, {}};
+}
+
 /// The fields of a struct in the order in which files hold them: beside the struct stands a tuple of them.
 template<class Struct> inline constexpr std::nullptr_t fieldsOf = nullptr;
 
@@ -114,7 +126,7 @@ template<class Table, class Visit> constexpr void forEachField(const Table& tabl
 template<HasFields Struct> std::vector<std::string> fieldProblems(const Struct& value) {
     std::vector<std::string> problems;
     forEachField(fieldsOf<Struct>, [&](const auto& field) {
-        if constexpr (!std::is_same_v<decltype(field.limits), Unlimited>)
+        if constexpr (requires { field.limits.name; })
             if (field.belongsTo(value) && !isAllowed(value.*field.member, field.limits))
                 problems.push_back(std::string(field.limits.name) + " must be " + limitsText(field.limits));
     });

@@ -12,29 +12,19 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Of pinholes and of fisheyes OpenCV knows so many.
-std::size_t coefficientsOf(LensKind kind) {
-    return kind == LensKind::Fisheye ? 4 : 5;
-}
+/// As many coefficients as the lens's kind has, which stands before them.
+struct LensForms {
+    using Coefficients = std::array<double, 5>;
+    const Lens& lens;
 
-Json lensToJson(const Lens& lens) {
-    Json json{{"kind", wordOf(lens.kind)}};
-    json.update(writtenFields(lens.camera));
-    for (std::size_t i = 0; i < coefficientsOf(lens.kind); ++i)
-        json["coefficients"].push_back(lens.coefficients[i]);
-    return json;
-}
-
-Lens lensFromJson(const JsonReader& reader) {
-    reader.allowOnly({"kind", "fx", "fy", "cx", "cy", "coefficients"});
-    Lens lens;
-    if (!reader.json().is_object()) return lens;
-    fromJson(reader.member("kind"), lens.kind);
-    readFields(reader, lens.camera);
-    const std::vector<double> coefficients = reader.member("coefficients").numbers(coefficientsOf(lens.kind));
-    std::copy(coefficients.begin(), coefficients.end(), lens.coefficients.begin());
-    return lens;
-}
+    Json write(const Coefficients& coefficients) const {
+        return std::vector(coefficients.begin(), coefficients.begin() + coefficientsOf(lens.kind));
+    }
+    void read(const JsonReader& reader, Coefficients& coefficients) const {
+        const std::vector<double> numbers = reader.numbers(coefficientsOf(lens.kind));
+        std::copy(numbers.begin(), numbers.end(), coefficients.begin());
+    }
+};
 
 struct PreparationForms {
     Json write(const std::vector<Eigen::Vector2d>& path) const {
@@ -52,12 +42,18 @@ struct PreparationForms {
         for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
             path.emplace_back(numbers[i], numbers[i + 1]);
     }
-
-    Json write(const Lens& lens) const { return lensToJson(lens); }
-    void read(const JsonReader& reader, Lens& lens) const { lens = lensFromJson(reader); }
 };
 
 } // namespace
+
+void fromJson(const JsonReader& reader, Lens& lens) {
+    reader.allowOnly(keysOf(fieldsOf<Lens>));
+    if (reader.json().is_object()) readFields(reader, lens, LensForms{lens});
+}
+
+Json toJson(const Lens& lens) {
+    return writtenFields(lens, LensForms{lens});
+}
 
 void fromJson(const JsonReader& reader, PhotoPreparation& preparation) {
     readFields(reader, preparation, PreparationForms());
@@ -70,16 +66,15 @@ Json toJson(const PhotoPreparation& preparation) {
 Lens readLensFile(const std::filesystem::path& file) {
     const Json json = readJsonFile(file);
     std::vector<std::string> problems;
-    const Lens lens = lensFromJson(JsonReader(json, "", problems));
     PhotoPreparation only;
-    only.lens = lens;
+    fromJson(JsonReader(json, "", problems), only.lens.emplace());
     if (problems.empty()) problems = validate(only, 1, 1); // whatever the photo
     if (!problems.empty()) throw FileError(file, InvalidModel(problems).what());
-    return lens;
+    return *only.lens;
 }
 
 void writeLensFile(const Lens& lens, const std::filesystem::path& file) {
-    writeFileAtomically(file, lensToJson(lens).dump(2) + '\n');
+    writeFileAtomically(file, toJson(lens).dump(2) + '\n');
 }
 
 } // namespace esm

@@ -7,6 +7,11 @@
 
 namespace esm {
 
+/// A lens; keys that are not known are refused, in a project too. Its numbers are finite, and no more is
+/// checked: `validate()` does.
+void fromJson(const JsonReader& reader, Lens& lens);
+nlohmann::ordered_json toJson(const Lens& lens);
+
 /// A photo's preparation as `docs/project-file.md` describes it. Its numbers are finite, and no more is
 /// checked: `validate()` does.
 void fromJson(const JsonReader& reader, PhotoPreparation& preparation);

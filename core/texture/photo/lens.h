@@ -22,6 +22,15 @@ struct Lens {
 
     bool operator==(const Lens&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<Lens> =
+    std::tuple{field("kind", &Lens::kind), fieldsOfMember(&Lens::camera),
+               field("coefficients", &Lens::coefficients, Limits<double>{"the coefficients", -1000, 1000})};
+
+/// OpenCV knows five of a pinhole and four of a fisheye.
+constexpr std::size_t coefficientsOf(LensKind kind) {
+    return kind == LensKind::Fisheye ? 4 : 5;
+}
 
 /// Where the photo shows what a lens without distortion would show at `place`.
 Eigen::Vector2d distorted(const Lens& lens, const Eigen::Vector2d& place);

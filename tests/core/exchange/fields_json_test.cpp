@@ -30,6 +30,17 @@ inline constexpr auto fieldsOf<Tongs> =
                field("jaws", &Tongs::jaws), field("spare", &Tongs::spare).whenSet(),
                field("owner", &Tongs::owner).mayBeAbsent()};
 
+struct Arm {
+    std::string side;
+    Tongs tongs;
+    double reach = 1;
+    bool operator==(const Arm&) const = default;
+};
+template<>
+inline constexpr auto fieldsOf<Arm> =
+    std::tuple{field("side", &Arm::side), fieldsOfMember(&Arm::tongs),
+               field("reach", &Arm::reach, positiveLimits("the reach", "m")).whenSet()};
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -78,6 +89,22 @@ TEST(FieldsJson, TellEveryProblemWithItsPlace) {
                             "tongs.jaws[0].with is not known here; known are width",
                             "tongs.jaws[0].width must be above 0 m",
                             "tongs.jaws[1] should be an object in { }"));
+}
+
+TEST(FieldsJson, OfAMemberStandAmongThoseOfTheStruct) {
+    const Arm whole{"left", {Grip::Hook, 9, {}, std::nullopt, "us"}, 2};
+    const Json json = written(whole);
+    EXPECT_EQ(json.dump(), R"({"side":"left","grip":"hook","teeth":9,"jaws":[],"owner":"us","reach":2.0})");
+    std::vector<std::string> problems;
+    EXPECT_EQ(valueFrom<Arm>(JsonReader(json, "", problems), TypedForms()), whole);
+    EXPECT_THAT(problems, IsEmpty());
+    const Json bad = Json::parse(R"({"side": "left", "teeth": 10, "jaws": [], "width": 1})");
+    valueFrom<Arm>(JsonReader(bad, "", problems), TypedForms());
+    EXPECT_THAT(problems,
+                ElementsAre("width is not known here; known are side, grip, teeth, jaws, spare, owner, reach",
+                            "grip is missing", "teeth should be a whole number from 1 to 9"));
+    EXPECT_THAT(fieldProblems(Arm{"left", {Grip::Hook, 10, {}, std::nullopt, ""}, 0}),
+                ElementsAre("the reach must be above 0 m"));
 }
 
 struct NumberedJaws {

@@ -171,6 +171,12 @@ void addPreparationTables(Fields& fields) {
             change(preparation.field.emplace(RoundField{{5, 5}, 5, 2}));
         });
     });
+    addTable<Lens>(fields, "preparation.lens", [=](Project& p, const auto& change) {
+        preparing(p, [&](PhotoPreparation& preparation) { change(preparation.lens.emplace()); });
+    });
+    addTable<Intrinsics>(fields, "preparation.lens", [=](Project& p, const auto& change) {
+        preparing(p, [&](PhotoPreparation& preparation) { change(preparation.lens.emplace().camera); });
+    });
     addTable<ColourMatch>(fields, "preparation.colourMatch", [=](Project& p, const auto& change) {
         preparing(p, [&](PhotoPreparation& preparation) { change(preparation.match.emplace()); });
     });
