@@ -116,7 +116,7 @@ void setSpringLaw(BaseTissue& base, const TissueOptions& options) {
 Region requestedRegion(const TissueOptions& options, const ChosenPreset& preset) {
     Region region;
     if (preset) layPreset(region, *preset);
-    if (preset && options.ellipsoid.empty()) region.held.mass = preset->published.mass;
+    if (preset && options.ellipsoid.empty()) region.held.mass = preset->mass;
     if (!options.ellipsoid.empty()) region.ellipsoid = parseEllipsoid(options.ellipsoid);
     if (options.rim > 0 && !region.ellipsoid)
         throw UsageError("--rim: only an ellipsoid has a rim; give --ellipsoid as well");
@@ -181,8 +181,8 @@ void complete(Region& region, const TissueOptions& options, const NamedWords& in
 /// What of a preset is of a whole organ and does not come with a part of one.
 std::vector<std::string> presetWarnings(const ChosenPreset& preset, const Region& region) {
     std::vector<std::string> left;
-    if (preset && region.ellipsoid && preset->published.mass)
-        left.push_back("its mass, " + roundedText(*preset->published.mass) + " kg,");
+    if (preset && region.ellipsoid && preset->mass)
+        left.push_back("its mass, " + roundedText(*preset->mass) + " kg,");
     if (preset && region.ellipsoid && !preset->tethers.empty()) left.emplace_back("its tethers");
     if (left.empty()) return {};
     return {"--preset " + preset->name + ": " + joined(left, " and ") + (left.size() > 1 ? " are" : " is") +

@@ -105,7 +105,7 @@ void setSystem(Project& project, RegionId region, SharedSystem system) {
 std::optional<RegionId> applyPreset(Project& project, RegionId region, const TissuePreset& preset) {
     const Region* selected = findPart(project.regions, region);
     const bool isPart = selected && selected->ellipsoid;
-    const std::optional<double> mass = preset.published.mass;
+    const std::optional<double> mass = preset.mass;
     if (!isPart || !preset.system) tiePreset(project.scene, preset);
     if (!isPart && mass) project.base.mass = *mass;
     if (!preset.system) return selected ? std::optional(region) : std::nullopt;

@@ -19,10 +19,10 @@ void tiePreset(Scene& scene, const TissuePreset& preset) {
 
 std::string publishedText(const TissuePreset& preset) {
     std::vector<std::string> parts;
-    const TissueValues& values = preset.published;
-    if (values.springConstant) parts.push_back(roundedText(*values.springConstant) + " N/m");
-    if (values.viscosity) parts.push_back(roundedText(*values.viscosity) + " N·s/m");
-    if (values.mass) parts.push_back(roundedText(*values.mass) + " kg");
+    const auto& [springConstant, viscosity] = preset.published;
+    if (springConstant) parts.push_back(roundedText(*springConstant) + " N/m");
+    if (viscosity) parts.push_back(roundedText(*viscosity) + " N·s/m");
+    if (preset.mass) parts.push_back(roundedText(*preset.mass) + " kg");
     for (const TetherRule& rule : preset.tethers)
         parts.push_back("a tether of " + roundedText(rule.springConstant) + " N/m and " +
                         roundedText(rule.viscosity) + " N·s/m at one node in " + std::to_string(rule.every));

@@ -7,6 +7,19 @@
 
 namespace esm {
 
+/// What the words of a preset came to where they were published.
+struct PublishedTissue {
+    std::optional<double> springConstant; ///< N/m
+    std::optional<double> viscosity;      ///< N·s/m
+
+    bool operator==(const PublishedTissue&) const = default;
+};
+template<>
+inline constexpr auto fieldsOf<PublishedTissue> = std::tuple{
+    field("spring_constant", &PublishedTissue::springConstant, amountLimits("the spring constant", "N/m"))
+        .whenSet(),
+    field("viscosity", &PublishedTissue::viscosity, amountLimits("the viscosity", "N·s/m")).whenSet()};
+
 /// Tissue as somebody published it, in words, with the mass of the organ and what holds it in place. Nothing
 /// of it knows another organ's size or number of springs: it is taken as it was published.
 struct TissuePreset {
@@ -15,10 +28,24 @@ struct TissuePreset {
     std::string description;                   ///< a sentence or two in plain words
     std::string source;                        ///< where it was published
     std::shared_ptr<const FuzzySystem> system; ///< null: tissue stays as it was
-    NamedValues inputs;
-    TissueValues published; ///< what the words came to at the source, and the mass of the whole organ
+    NamedValues inputs;                        ///< of the system
+    PublishedTissue published;
+    std::optional<double> mass;      ///< kg, of the whole organ
     std::vector<TetherRule> tethers; ///< of the whole organ; none: they stay as they were
 };
+template<>
+inline constexpr auto fieldsOf<TissuePreset> =
+    std::tuple{field("name", &TissuePreset::name),
+               field("title", &TissuePreset::title),
+               field("description", &TissuePreset::description),
+               field("source", &TissuePreset::source),
+               field("system", &TissuePreset::system).whenSet(),
+               field("inputs", &TissuePreset::inputs).onlyWhere([](const TissuePreset& preset) {
+                   return preset.system != nullptr;
+               }),
+               field("published", &TissuePreset::published).whenSet(),
+               field("mass", &TissuePreset::mass, massLimits("the mass")).whenSet(),
+               field("tethers", &TissuePreset::tethers).whenSet()};
 
 /// Gives a region the preset's words, in place of what it had and of what was held of stiffness and
 /// viscosity.

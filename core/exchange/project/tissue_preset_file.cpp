@@ -1,11 +1,10 @@
 #include "core/exchange/project/tissue_preset_file.h"
 
+#include "core/exchange/fields_json.h"
 #include "core/exchange/fuzzy/embedded_presets.h"
 #include "core/exchange/fuzzy/fuzzy_file.h"
-#include "core/exchange/project/scene_file.h"
 #include "core/support/errors.h"
 #include "core/support/joined.h"
-#include "core/support/json_reader.h"
 
 namespace esm {
 
@@ -13,44 +12,22 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::optional<double> optionalNumber(const JsonReader& reader, const char* key) {
-    return reader.has(key) ? std::optional(reader.member(key).number()) : std::nullopt;
-}
-
-TissueValues publishedFromJson(const JsonReader& reader) {
-    TissueValues values;
-    values.mass = optionalNumber(reader, "mass");
-    if (!reader.has("published")) return values;
-    const JsonReader published = reader.member("published");
-    values.springConstant = optionalNumber(published, "spring_constant");
-    values.viscosity = optionalNumber(published, "viscosity");
-    return values;
-}
-
-void readWords(TissuePreset& preset, const JsonReader& reader) {
-    if (!reader.has("system")) return;
-    preset.system = std::make_shared<const FuzzySystem>(fuzzyPreset(reader.member("system").text()));
-    for (const auto& [input, value] : reader.member("inputs").members())
-        preset.inputs.emplace_back(input, value.number());
-}
+/// A system stands by its name, inputs as an object by theirs.
+struct PresetForms : TypedForms {
+    void read(const JsonReader& reader, std::shared_ptr<const FuzzySystem>& system) const {
+        system = std::make_shared<const FuzzySystem>(fuzzyPreset(reader.text()));
+    }
+    void read(const JsonReader& reader, NamedValues& inputs) const {
+        for (const auto& [input, value] : reader.members())
+            inputs.emplace_back(input, value.number());
+    }
+};
 
 } // namespace
 
 TissuePreset tissuePresetFromJson(const Json& json) {
     std::vector<std::string> problems;
-    const JsonReader reader(json, "", problems);
-    reader.allowOnly(
-        {"name", "title", "description", "source", "system", "inputs", "published", "mass", "tethers"});
-    TissuePreset preset;
-    preset.name = reader.member("name").text();
-    preset.title = reader.member("title").text();
-    preset.description = reader.member("description").text();
-    preset.source = reader.member("source").text();
-    preset.published = publishedFromJson(reader);
-    readWords(preset, reader);
-    if (reader.has("tethers"))
-        preset.tethers =
-            sceneFromJson({{"duration", 1}, {"tethers", reader.member("tethers").json()}}).tethers;
+    TissuePreset preset = valueFrom<TissuePreset>(JsonReader(json, "", problems), PresetForms());
     if (!problems.empty()) throw InvalidModel(problems);
     return preset;
 }

@@ -40,12 +40,12 @@ TEST(TissuePresetFile, HoldsThePublishedFigures) {
     const TissuePreset tube = tissuePreset("tube");
     EXPECT_EQ(tube.published.springConstant, 16.2606);
     EXPECT_EQ(tube.published.viscosity, 2.87713);
-    EXPECT_EQ(tube.published.mass, 0.010);
-    EXPECT_EQ(tissuePreset("uterus").published.mass, 0.5);
+    EXPECT_EQ(tube.mass, 0.010);
+    EXPECT_EQ(tissuePreset("uterus").mass, 0.5);
     EXPECT_EQ(tissuePreset("uterus").published.springConstant, 81.3091);
-    EXPECT_EQ(tissuePreset("bowel").published.mass, 0.1);
+    EXPECT_EQ(tissuePreset("bowel").mass, 0.1);
     EXPECT_EQ(tissuePreset("bowel").published.viscosity, 9.13015);
-    EXPECT_EQ(tissuePreset("ventricle").published.mass, 1);
+    EXPECT_EQ(tissuePreset("ventricle").mass, 1);
     EXPECT_EQ(tissuePreset("ventricle").published.viscosity, 72.8125);
     EXPECT_FALSE(tissuePreset("tube-tethers").system);
     for (const char* name : {"tube", "tube-tethers"}) {
@@ -66,4 +66,22 @@ TEST(TissuePresetFile, ThatIsNotThereIsAnsweredWithThoseThatAre) {
         EXPECT_THAT(error.what(), AllOf(HasSubstr("\"tub\""), HasSubstr("tube-tethers")));
     }
     EXPECT_THROW(tissuePresetFromJson({{"name", "x"}}), InvalidModel);
+}
+
+TEST(TissuePresetFile, SaysWhatIsWrongAndWhere) {
+    nlohmann::ordered_json json =
+        readJsonFile(std::filesystem::path(ESM_SOURCE_DIR) / "presets/tissue/tube.json");
+    json["mass"] = 0;
+    json["published"]["springConstant"] = 1;
+    json["tethers"][0]["every"] = 0;
+    json.erase("inputs");
+    try {
+        tissuePresetFromJson(json);
+        FAIL() << "accepted";
+    } catch (const InvalidModel& error) {
+        EXPECT_THAT(error.problems(),
+                    testing::UnorderedElementsAre("inputs is missing", HasSubstr("mass must be"),
+                                                  HasSubstr("published.springConstant is not known here"),
+                                                  HasSubstr("tethers[0].every should be")));
+    }
 }
