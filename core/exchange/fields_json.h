@@ -54,12 +54,7 @@ std::string alternatives(const std::vector<std::string>& words);
 template<HasWords Enum> void fromJson(const JsonReader& reader, Enum& value) {
     const std::optional<Enum> found = fromWord<Enum>(reader.text());
     if (found) value = *found;
-    if (found || !reader.json().is_string()) return;
-    std::vector<std::string> words;
-    words.reserve(wordsOf<Enum>.size());
-    for (const Word<Enum>& word : wordsOf<Enum>)
-        words.emplace_back(word.word);
-    reader.addProblem("should be " + alternatives(words));
+    if (!found && reader.json().is_string()) reader.addProblem("should be " + alternatives(allWords<Enum>()));
 }
 
 /// Takes what the object has into `value`, whose fields that may be absent stay as they are without.

@@ -1,16 +1,25 @@
 #pragma once
 
+#include "core/support/fields.h"
+
 #include <algorithm>
-#include <optional>
-#include <string>
+#include <array>
 
 namespace esm {
 
 /// How degrees of what must hold together are combined: a t-norm. [R B.1]
 enum class TNorm { Minimum, Product, BoundedDifference };
+template<>
+inline constexpr auto wordsOf<TNorm> =
+    std::array{Word{TNorm::Minimum, "minimum"}, Word{TNorm::Product, "product"},
+               Word{TNorm::BoundedDifference, "bounded-difference"}};
 
 /// How degrees of alternatives are combined: the t-conorm dual to the t-norm at the same place. [R B.2]
 enum class TConorm { Maximum, ProbabilisticSum, BoundedSum };
+template<>
+inline constexpr auto wordsOf<TConorm> =
+    std::array{Word{TConorm::Maximum, "maximum"}, Word{TConorm::ProbabilisticSum, "probabilistic-sum"},
+               Word{TConorm::BoundedSum, "bounded-sum"}};
 
 /// What the words of rules and the steps of inference compute; the defaults are Mamdani's. [R 2.48, 2.49]
 struct FuzzyNorms {
@@ -21,6 +30,12 @@ struct FuzzyNorms {
 
     bool operator==(const FuzzyNorms&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<FuzzyNorms> =
+    std::tuple{field("conjunction", &FuzzyNorms::conjunction).whenSet(),
+               field("disjunction", &FuzzyNorms::disjunction).whenSet(),
+               field("implication", &FuzzyNorms::implication).whenSet(),
+               field("aggregation", &FuzzyNorms::aggregation).whenSet()};
 
 /// Of the same family: NOT (a AND b) is then NOT a OR NOT b, by De Morgan's laws.
 TConorm dual(TNorm norm);
@@ -51,14 +66,5 @@ inline double combined(TConorm norm, double a, double b) {
         return std::max(a, b);
     }
 }
-
-/// As files call them: "minimum", "product", "bounded-difference"; "maximum", "probabilistic-sum",
-/// "bounded-sum".
-const char* normName(TNorm norm);
-const char* normName(TConorm norm);
-std::optional<TNorm> tNormFromName(const std::string& name);
-std::optional<TConorm> tConormFromName(const std::string& name);
-std::string tNormNames(); ///< all, for messages
-std::string tConormNames();
 
 } // namespace esm

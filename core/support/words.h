@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace esm {
 
@@ -31,6 +33,13 @@ template<HasWords Enum> constexpr std::optional<Enum> fromWord(std::string_view 
     for (const auto& [value, word] : wordsOf<Enum>)
         if (text == word) return value;
     return std::nullopt;
+}
+
+template<HasWords Enum> std::vector<std::string> allWords() {
+    std::vector<std::string> words;
+    for (const auto& [value, word] : wordsOf<Enum>)
+        words.emplace_back(word);
+    return words;
 }
 
 } // namespace esm

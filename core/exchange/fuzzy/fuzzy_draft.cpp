@@ -31,7 +31,7 @@ void settleAs(FuzzyDraft& draft, std::optional<Norm>& slot, const TextWord& word
     if (slot && *slot != named->norm)
         draft.warn(word.place, word.text +
                                    " is not taken: a system has one norm for all its outputs and rules, " +
-                                   "here " + normName(*slot));
+                                   "here " + wordOf(*slot));
     else
         slot = named->norm;
 }

@@ -1,5 +1,6 @@
 #include "core/exchange/fuzzy/fuzzy_file.h"
 
+#include "core/exchange/fields_json.h"
 #include "core/exchange/fuzzy/embedded_presets.h"
 #include "core/exchange/fuzzy/fcl_file.h"
 #include "core/exchange/fuzzy/fll_file.h"
@@ -7,7 +8,6 @@
 #include "core/fuzzy/rule_text.h"
 #include "core/support/errors.h"
 #include "core/support/joined.h"
-#include "core/support/json_reader.h"
 
 #include <algorithm>
 
@@ -32,11 +32,14 @@ FuzzyVariable variableFromJson(const std::string& name, const JsonReader& reader
     return variable;
 }
 
-std::vector<FuzzyVariable> variablesFromJson(const JsonReader& reader) {
-    std::vector<FuzzyVariable> variables;
-    for (const auto& [name, json] : reader.members())
-        variables.push_back(variableFromJson(name, json));
-    return variables;
+Json toJson(const FuzzyVariable& variable) {
+    Json terms = Json::object();
+    for (const FuzzyTerm& term : variable.terms)
+        terms[term.name] = {term.set.a, term.set.b, term.set.c, term.set.d};
+    Json json{{"range", {variable.minimum, variable.maximum}}};
+    if (!variable.unit.empty()) json["unit"] = variable.unit;
+    json["terms"] = std::move(terms);
+    return json;
 }
 
 void readRules(FuzzySystem& system, const JsonReader& reader, std::vector<std::string>& problems) {
@@ -56,48 +59,58 @@ void readRules(FuzzySystem& system, const JsonReader& reader, std::vector<std::s
     }
 }
 
-template<class Norm>
-void readNorm(const JsonReader& norms, const char* key, Norm& norm,
-              std::optional<Norm> (*fromName)(const std::string&), const std::string& names) {
-    if (!norms.has(key)) return;
-    const JsonReader reader = norms.member(key);
-    const std::string name = reader.text();
-    if (const std::optional<Norm> named = fromName(name))
-        norm = *named;
-    else if (reader.json().is_string())
-        reader.addProblem("is \"" + name + "\"; it may be " + names);
-}
+/// Rules can only be read against sound variables, which stand before them in the table.
+template<class Base> struct SystemReading : Base {
+    FuzzySystem& system;
+    std::vector<std::string>& problems;
 
-FuzzyNorms normsFromJson(const JsonReader& reader) {
-    FuzzyNorms norms;
-    reader.members(); // says so where it is no object
-    readNorm(reader, "conjunction", norms.conjunction, tNormFromName, tNormNames());
-    readNorm(reader, "disjunction", norms.disjunction, tConormFromName, tConormNames());
-    readNorm(reader, "implication", norms.implication, tNormFromName, tNormNames());
-    readNorm(reader, "aggregation", norms.aggregation, tConormFromName, tConormNames());
-    return norms;
-}
-
-/// Those that are not the default.
-Json toJson(const FuzzyNorms& norms) {
-    constexpr FuzzyNorms usual;
-    Json json = Json::object();
-    if (norms.conjunction != usual.conjunction) json["conjunction"] = normName(norms.conjunction);
-    if (norms.disjunction != usual.disjunction) json["disjunction"] = normName(norms.disjunction);
-    if (norms.implication != usual.implication) json["implication"] = normName(norms.implication);
-    if (norms.aggregation != usual.aggregation) json["aggregation"] = normName(norms.aggregation);
-    return json;
-}
-
-void noteOtherKeys(const JsonReader& reader) {
-    reader.allowOnly({"name", "description", "note", "inputs", "outputs", "norms", "rules"});
-    if (reader.has("norms"))
-        reader.member("norms").allowOnly({"conjunction", "disjunction", "implication", "aggregation"});
-    for (const char* list : {"inputs", "outputs"}) {
-        if (!reader.has(list)) continue;
-        for (const auto& [name, variable] : reader.member(list).members())
-            variable.allowOnly({"range", "unit", "terms"});
+    void read(const JsonReader& reader, std::vector<FuzzyVariable>& variables) const {
+        for (const auto& [name, json] : reader.members()) {
+            if constexpr (Typed<Base>) json.allowOnly({"range", "unit", "terms"});
+            variables.push_back(variableFromJson(name, json));
+        }
     }
+    template<HasWords Norm> void read(const JsonReader& reader, Norm& norm) const {
+        const std::string word = reader.text();
+        if (const std::optional<Norm> named = fromWord<Norm>(word))
+            norm = *named;
+        else if (reader.json().is_string())
+            reader.addProblem("is \"" + word + "\"; it may be " + joined(allWords<Norm>()));
+    }
+    void read(const JsonReader& reader, std::vector<FuzzyRule>&) const {
+        if (problems.empty()) problems = validate(system);
+        if (problems.empty()) readRules(system, reader, problems);
+    }
+};
+
+struct SystemWriting {
+    const FuzzySystem& system;
+
+    Json write(const std::vector<FuzzyVariable>& variables) const {
+        Json json = Json::object();
+        for (const FuzzyVariable& variable : variables)
+            json[variable.name] = toJson(variable);
+        return json;
+    }
+    Json write(const std::vector<FuzzyRule>& rules) const {
+        Json json = Json::array();
+        for (const FuzzyRule& rule : rules)
+            json.push_back(ruleText(system, rule));
+        return json;
+    }
+};
+
+void throwIfAny(const std::vector<std::string>& problems) {
+    if (!problems.empty()) throw InvalidModel(problems);
+}
+
+template<class Base> FuzzySystem fuzzySystemFrom(const Json& json) {
+    std::vector<std::string> problems;
+    FuzzySystem system;
+    readFields(JsonReader(json, "", problems), system, SystemReading<Base>{{}, system, problems});
+    throwIfAny(problems);
+    throwIfAny(validate(system)); // as a whole the rules may be too many
+    return system;
 }
 
 enum class FuzzyLanguage { Json, Fcl, Fll };
@@ -108,66 +121,19 @@ FuzzyLanguage languageOf(const std::filesystem::path& file) {
     return ending == ".fll" ? FuzzyLanguage::Fll : FuzzyLanguage::Json;
 }
 
-void throwIfAny(const std::vector<std::string>& problems) {
-    if (!problems.empty()) throw InvalidModel(problems);
-}
-
-Json toJson(const std::vector<FuzzyVariable>& variables) {
-    Json json = Json::object();
-    for (const FuzzyVariable& variable : variables) {
-        Json terms = Json::object();
-        for (const FuzzyTerm& term : variable.terms)
-            terms[term.name] = {term.set.a, term.set.b, term.set.c, term.set.d};
-        Json& entry = json[variable.name];
-        entry["range"] = {variable.minimum, variable.maximum};
-        if (!variable.unit.empty()) entry["unit"] = variable.unit;
-        entry["terms"] = std::move(terms);
-    }
-    return json;
-}
-
 FuzzySystem fuzzySystemFromUsersJson(const Bytes& content) {
     const std::string text = sourceText(content);
-    const Json json = parseJson(text.data(), text.data() + text.size());
-    std::vector<std::string> problems;
-    noteOtherKeys(JsonReader(json, "", problems));
-    throwIfAny(problems);
-    return fuzzySystemFromJson(json);
+    return fuzzySystemFrom<TypedForms>(parseJson(text.data(), text.data() + text.size()));
 }
 
 } // namespace
 
 FuzzySystem fuzzySystemFromJson(const Json& json) {
-    std::vector<std::string> problems;
-    const JsonReader reader(json, "", problems);
-    FuzzySystem system;
-    if (reader.has("name")) system.name = reader.member("name").text();
-    if (reader.has("description")) system.description = reader.member("description").text();
-    if (reader.has("note")) system.note = reader.member("note").text();
-    system.inputs = variablesFromJson(reader.member("inputs"));
-    system.outputs = variablesFromJson(reader.member("outputs"));
-    if (reader.has("norms")) system.norms = normsFromJson(reader.member("norms"));
-    const JsonReader rules = reader.member("rules");
-    throwIfAny(problems);
-
-    throwIfAny(validate(system)); // rules can only be read against sound variables
-    readRules(system, rules, problems);
-    throwIfAny(problems);
-    throwIfAny(validate(system)); // as a whole they may be too many
-    return system;
+    return fuzzySystemFrom<PlainForms>(json);
 }
 
 Json toJson(const FuzzySystem& system) {
-    Json json{{"name", system.name}};
-    if (!system.description.empty()) json["description"] = system.description;
-    json["note"] = system.note;
-    json["inputs"] = toJson(system.inputs);
-    json["outputs"] = toJson(system.outputs);
-    if (Json norms = toJson(system.norms); !norms.empty()) json["norms"] = std::move(norms);
-    json["rules"] = Json::array();
-    for (const FuzzyRule& rule : system.rules)
-        json["rules"].push_back(ruleText(system, rule));
-    return json;
+    return writtenFields(system, SystemWriting{system});
 }
 
 ImportedFuzzySystem importFuzzyFile(const std::filesystem::path& file) {

@@ -46,7 +46,7 @@ TEST(CentreOfGravity, IsThatOfRationalArithmetic) {
         FuzzySystem system = degreeSystem(sets, degrees);
         system.outputs[0].minimum = std::stod(minimum);
         system.outputs[0].maximum = std::stod(maximum);
-        system.norms = normsOf(tNormFromName(implication).value(), tConormFromName(aggregation).value());
+        system.norms = normsOf(fromWord<TNorm>(implication).value(), fromWord<TConorm>(aggregation).value());
         const double centre = std::stod(expected);
         EXPECT_NEAR(centreOf(system).value(), centre, 1e-12 * std::max(1.0, std::abs(centre)))
             << sets.size() << " conclusions, " << implication << ", " << aggregation;

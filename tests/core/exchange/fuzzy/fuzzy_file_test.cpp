@@ -93,10 +93,10 @@ TEST(FuzzyFile, ReadsEveryNorm) {
             Json json = Json::parse(sound());
             json["norms"] = {{"conjunction", t}, {"disjunction", s}, {"implication", t}, {"aggregation", s}};
             const FuzzyNorms norms = fuzzySystemFromJson(json).norms;
-            EXPECT_STREQ(normName(norms.conjunction), t);
-            EXPECT_STREQ(normName(norms.disjunction), s);
-            EXPECT_STREQ(normName(norms.implication), t);
-            EXPECT_STREQ(normName(norms.aggregation), s);
+            EXPECT_STREQ(wordOf(norms.conjunction), t);
+            EXPECT_STREQ(wordOf(norms.disjunction), s);
+            EXPECT_STREQ(wordOf(norms.implication), t);
+            EXPECT_STREQ(wordOf(norms.aggregation), s);
         }
 }
 

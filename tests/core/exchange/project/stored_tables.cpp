@@ -101,6 +101,13 @@ void addTissueTables(Fields& fields) {
     addTable<Ellipsoid>(fields, "region.ellipsoid", [](Project& p, const auto& change) {
         if (p.regions.size() > 1 && p.regions[1].ellipsoid) change(*p.regions[1].ellipsoid);
     });
+    const auto inSystem = [](Project& p, const Change<FuzzySystem>& change) {
+        if (p.regions.size() > 1 && p.regions[1].system) replace(p.regions[1].system, change);
+    };
+    addTable<FuzzySystem>(fields, "region.system", inSystem);
+    addTable<FuzzyNorms>(fields, "region.system.norms", [=](Project& p, const auto& change) {
+        inSystem(p, [&](FuzzySystem& system) { change(system.norms); });
+    });
     const auto withStepping = [](Project& p) -> MeasuredStepping& {
         if (!p.stepping) p.stepping = MeasuredStepping{{Integrator::Rk4, 1, Precision::Double}, 1, 1, ""};
         p.stepping->stepping.integrator = Integrator::Rk4;
