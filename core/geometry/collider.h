@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/support/fields.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -9,16 +11,23 @@ namespace esm {
 
 /// What lies within a radius of the origin.
 struct Sphere {
-    double radius; ///< m
+    double radius = 0; ///< m
     bool operator==(const Sphere&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<Sphere> =
+    std::tuple{field("radius", &Sphere::radius, positiveLimits("the radius", "m"))};
 
 /// What lies within a radius of a segment along z, whose middle is the origin.
 struct Capsule {
-    double radius; ///< m
-    double length; ///< m, of the segment: between the centres of both round ends
+    double radius = 0; ///< m
+    double length = 0; ///< m, of the segment: between the centres of both round ends
     bool operator==(const Capsule&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<Capsule> =
+    std::tuple{field("radius", &Capsule::radius, positiveLimits("the radius", "m")),
+               field("length", &Capsule::length, amountLimits("the length", "m"))};
 
 /// A rigid shape that pushes tissue, in coordinates of its own.
 using Collider = std::variant<Sphere, Capsule>;

@@ -1,6 +1,5 @@
 #include "core/model/scene.h"
 
-#include "core/support/numbers.h"
 #include "core/support/offenders.h"
 
 #include <algorithm>
@@ -131,8 +130,7 @@ void checkMotion(SceneCheck& check, const Scene& scene) {
 
 /// Names stand in CSV files as they are.
 bool isPlainName(const std::string& name) {
-    constexpr std::size_t longest = 100;
-    return name.size() <= longest && name.find_first_not_of(' ') != std::string::npos &&
+    return name.size() <= longestInstrumentName && name.find_first_not_of(' ') != std::string::npos &&
            std::none_of(name.begin(), name.end(), [](char letter) {
                const auto byte = static_cast<unsigned char>(letter);
                return letter == ',' || letter == '"' || byte < 0x20 || byte == 0x7f;
@@ -159,16 +157,14 @@ void checkInstruments(SceneCheck& check, const Scene& scene) {
     for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
         const InstrumentMotion& instrument = scene.instruments[i];
         const std::string place = hasPlainInstrument(scene) ? "instrument" : sceneEntry("instruments", i);
-        check.require(isPositive(radiusOf(instrument.shape)), place, "the radius must be above 0 m");
-        check.require(isAmount(lengthOf(instrument.shape)), place,
-                      "the length must be 0 m or more, at most " + roundedText(largestNumber));
+        std::visit([&](const auto& shape) { check.add(place, fieldProblems(shape)); }, instrument.shape);
         check.requirePath(instrument.path, place);
         checkOrientations(check, instrument, place);
         const std::string name = nameOf(scene, i);
-        check.require(
-            isPlainName(name), place,
-            "a name needs 1 to 100 bytes that are not all blanks, without commas, quotes and control "
-            "characters");
+        check.require(isPlainName(name), place,
+                      "a name needs 1 to " + std::to_string(longestInstrumentName) +
+                          " bytes that are not all blanks, without commas, quotes and control "
+                          "characters");
         check.require(names.insert(name).second, place,
                       "an earlier instrument is named \"" + name + "\" too; give each a name of its own");
     }

@@ -69,6 +69,8 @@ template<>
 inline constexpr auto fieldsOf<NodeMove> =
     std::tuple{field("node", &NodeMove::node), field("path", &NodeMove::path)};
 
+inline constexpr std::size_t longestInstrumentName = 100; ///< bytes
+
 /// A rigid instrument that pushes the surface.
 struct InstrumentMotion {
     Collider shape;

@@ -16,15 +16,14 @@ namespace {
 Collider colliderFromJson(const JsonReader& reader) {
     const JsonReader shape = reader.member("shape");
     const Json& named = shape.json();
-    if (named == "capsule")
-        return Capsule{reader.member("radius").number(), reader.member("length").number()};
+    if (named == "capsule") return valueFrom<Capsule>(reader);
     if (named == "jaws" || named == "mesh")
         shape.addProblem(named.dump() + " is not offered yet; use \"sphere\" or \"capsule\"");
     else if (!named.is_null() && named != "sphere")
         shape.addProblem("must be \"sphere\" or \"capsule\"");
     if (named == "sphere" && reader.has("length"))
         reader.member("length").addProblem("is for a capsule; leave it out of a sphere");
-    return Sphere{reader.member("radius").number()};
+    return valueFrom<Sphere>(reader);
 }
 
 /// A quaternion w, x, y, z of any length, of length 1; one that is so already keeps its bits.
@@ -140,12 +139,10 @@ bool speaksOfUnread(const std::string& problem, const std::vector<std::string>& 
 }
 
 Json instrumentToJson(const InstrumentMotion& instrument) {
-    const auto* capsule = std::get_if<Capsule>(&instrument.shape);
     Json json = Json::object();
     if (!instrument.name.empty()) json["name"] = instrument.name;
-    json["shape"] = capsule ? "capsule" : "sphere";
-    json["radius"] = radiusOf(instrument.shape);
-    if (capsule) json["length"] = capsule->length;
+    json["shape"] = std::holds_alternative<Capsule>(instrument.shape) ? "capsule" : "sphere";
+    json.update(std::visit([](const auto& shape) { return writtenFields(shape); }, instrument.shape));
     json["path"] = written(instrument.path, SceneForms());
     for (std::size_t i = 0; i < instrument.orientations.size(); ++i)
         for (const double number : {instrument.orientations[i].w(), instrument.orientations[i].x(),

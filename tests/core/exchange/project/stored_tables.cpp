@@ -125,6 +125,14 @@ void addSceneTables(Fields& fields) {
     addTable<TetherRule>(fields, "tethers", firstOf(&Scene::tethers));
     addTable<NodeForce>(fields, "forces", firstOf(&Scene::forces));
     addTable<NodeMove>(fields, "moves", firstOf(&Scene::moves));
+    addTable<Sphere>(fields, "instruments.sphere", [](Project& p, const auto& change) {
+        p.scene.instruments = {{Sphere{1}, {{0, {1, 2, 3}}}, {}, {}}};
+        change(std::get<Sphere>(p.scene.instruments.front().shape));
+    });
+    addTable<Capsule>(fields, "instruments.capsule", [](Project& p, const auto& change) {
+        p.scene.instruments = {{Capsule{1, 1}, {{0, {1, 2, 3}}}, {}, {}}};
+        change(std::get<Capsule>(p.scene.instruments.front().shape));
+    });
     addTable<Recording>(fields, "record", [](Project& p, const auto& change) { change(p.scene.record); });
 }
 
