@@ -7,7 +7,8 @@
 
 namespace esm {
 
-/// How degrees of what must hold together are combined: a t-norm. [R B.1]
+/// How degrees of what must hold together are combined: a t-norm. [R B.1] These three and their duals are the
+/// pairs that FCL (IEC 61131-7) has words for, so that systems go to files of others and back.
 enum class TNorm { Minimum, Product, BoundedDifference };
 template<>
 inline constexpr auto wordsOf<TNorm> =

@@ -43,6 +43,11 @@ void OrganView::setInstruments(std::vector<PlacedCollider> instruments) {
     redraw();
 }
 
+void OrganView::setInstrumentNames(QStringList names) {
+    m_instrumentNames = std::move(names);
+    update();
+}
+
 void OrganView::setLegend(std::optional<ViewLegend> legend) {
     m_legend = std::move(legend);
     update();
@@ -142,6 +147,20 @@ void OrganView::resizeEvent(QResizeEvent*) {
     m_isStale = true;
 }
 
+/// Above the place that is nearest to what is looked at: the middle of a long shaft may lie beyond the
+/// picture.
+void OrganView::nameInstruments(QPainter& painter, const Camera& shown) {
+    const Sight sight(m_scene, shown, size(), m_picker);
+    const Eigen::Vector3d up = cameraAxes(shown).col(1);
+    for (std::size_t i = 0; i < m_scene.instruments.size() && int(i) < m_instrumentNames.size(); ++i) {
+        const PlacedCollider& instrument = m_scene.instruments[i];
+        const ColliderAxis axis = axisOf(instrument);
+        const Eigen::Vector3d nearest = axis.at(axis.nearest(shown.target));
+        if (const auto place = sight.placeOf(nearest + radiusOf(instrument.shape) * up))
+            paintLabel(painter, *place, m_instrumentNames[int(i)], palette());
+    }
+}
+
 void OrganView::paintEvent(QPaintEvent*) {
     if (m_isStale) askForPicture();
     QPainter painter(this);
@@ -160,6 +179,7 @@ void OrganView::paintOverlay(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     const OverlayStyle style{size(), palette()};
     const Camera& shown = m_picture.image.isNull() ? camera() : m_picture.camera;
+    nameInstruments(painter, shown);
     m_tool->draw(painter, {m_scene, shown, size(), m_picker}, style.palette);
     if (m_legend) paintLegend(painter, style, *m_legend);
     paintHint(painter, style, m_hint, m_legend.has_value());

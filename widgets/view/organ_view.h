@@ -36,6 +36,8 @@ public:
     void setNodePositions(std::vector<Eigen::Vector3d> positions);
     /// Those that the scene leads.
     void setInstruments(std::vector<PlacedCollider> instruments);
+    /// What stands beside them, in their order.
+    void setInstrumentNames(QStringList names);
 
     void setLegend(std::optional<ViewLegend> legend);
     /// The line at the bottom.
@@ -85,6 +87,7 @@ private:
     void askForPicture();
     void takePicture();
     void paintOverlay(QPainter& painter);
+    void nameInstruments(QPainter& painter, const Camera& shown);
 
     RenderScene m_scene;
     PictureMaker m_maker;
@@ -99,6 +102,7 @@ private:
     std::optional<QPointF> m_pressed; ///< where the left button went down, while it may still become a click
     std::optional<ViewLegend> m_legend;
     QString m_hint;
+    QStringList m_instrumentNames;
     bool m_framed = false;
 };
 

@@ -20,6 +20,13 @@ std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& mo
     return values;
 }
 
+QStringList instrumentNames(const Scene& scene) {
+    QStringList names;
+    for (std::size_t i = 0; i < scene.instruments.size(); ++i)
+        names << QString::fromStdString(nameOf(scene, i));
+    return names;
+}
+
 /// Quick work needs no announcement; long work is announced again before the line forgets it.
 constexpr std::chrono::milliseconds redrawingPatience{400}, redrawingReminder{5000};
 
@@ -71,6 +78,7 @@ void ViewController::followDocument(const Change& change) {
     if (change.mesh) m_view.letGo();
     if (change.model() || change.stepping) m_preview.setProject(project);
     if (change.mesh || change.scene) m_fixedNodes = fixedNodesOf(*project.network, project.scene);
+    if (change.mesh || change.scene) m_view.setInstrumentNames(instrumentNames(project.scene));
     if (change.picture()) composePhotos();
     if (change.mesh) {
         rebuildScene();

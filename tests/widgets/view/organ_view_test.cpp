@@ -270,6 +270,18 @@ TEST_F(OrganViewTest, OverlaysArePainted) {
     EXPECT_NE(pictureOf(view).copy(hint), painted.copy(hint));
 }
 
+TEST_F(OrganViewTest, NamesStandBesideInstruments) {
+    const Eigen::Vector3d place(0.05, 0.12, 0);
+    view.setInstruments(
+        {sphereAt({0, 0, 0}, 0.001), {Capsule{0.002, 0.5}, {place - Eigen::Vector3d(0, 0, 0.25)}}});
+    const QPoint above = placeOf(place) - QPoint(0, 20);
+    const QColor nameless = pictureOf(view).pixelColor(above);
+    view.setInstrumentNames({"", "blade", "one that is not there"});
+    EXPECT_NE(pictureOf(view).pixelColor(above), nameless);
+    view.setInstruments({});
+    EXPECT_EQ(pictureOf(view).pixelColor(above), nameless) << "names go with their instruments";
+}
+
 TEST_F(OrganViewTest, OverlaysTakeTheColoursOfTheTheme) {
     view.setLegend(ViewLegend{"Spring constant", "N/m", 2.4, 81});
     const auto legendBackground = [&](const QColor& colour) {
