@@ -18,9 +18,9 @@ struct FittingUnit {
 /// The units in which so many of a file's units are a plausible size, the smallest first.
 std::vector<FittingUnit> fittingUnits(double extent);
 
-/// The unit that a file is most likely in.
+/// The unit that a file is most likely in. The size is plausible with it wherever it is with any.
 /// @param extent the largest side of the box around the surface, in the file's unit
-/// @param fileEnding in small letters, without the dot; glTF files are in metres by their standard
+/// @param fileEnding in small letters, without the dot
 LengthUnit recommendedUnit(double extent, std::string_view fileEnding);
 
 } // namespace esm

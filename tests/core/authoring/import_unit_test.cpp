@@ -19,6 +19,16 @@ TEST(ImportUnit, GivesTheOrganAUsualSize) {
 TEST(ImportUnit, IsMetresWhereTheFormatSaysSo) {
     EXPECT_EQ(recommendedUnit(1.7, "glb"), LengthUnit::Metre);
     EXPECT_EQ(recommendedUnit(0.005, "gltf"), LengthUnit::Metre);
+    EXPECT_EQ(recommendedUnit(200, "glb"), LengthUnit::Millimetre) << "no organ is 200 m large";
+    EXPECT_EQ(recommendedUnit(1e9, "glb"), LengthUnit::Metre);
+}
+
+TEST(ImportUnit, IsNeverOneThatWouldBeDoubtedWhereAnotherWouldNot) {
+    for (double extent = 1e-7; extent < 1e7; extent *= 1.1)
+        for (const char* ending : {"obj", "glb"}) {
+            const bool isSound = isPlausibleSize(extent * metresPer(recommendedUnit(extent, ending)));
+            EXPECT_EQ(isSound, !fittingUnits(extent).empty()) << extent << ' ' << ending;
+        }
 }
 
 TEST(ImportUnit, IsDoubtedOnlyWhereNoOrganHasTheSize) {
