@@ -150,7 +150,7 @@ void OrganView::resizeEvent(QResizeEvent*) {
 /// Above the place that is nearest to what is looked at: the middle of a long shaft may lie beyond the
 /// picture.
 void OrganView::nameInstruments(QPainter& painter, const Camera& shown) {
-    const Sight sight(m_scene, shown, size(), m_picker);
+    const Sight sight{m_scene, shown, size(), m_picker};
     const Eigen::Vector3d up = cameraAxes(shown).col(1);
     for (std::size_t i = 0; i < m_scene.instruments.size() && int(i) < m_instrumentNames.size(); ++i) {
         const PlacedCollider& instrument = m_scene.instruments[i];
