@@ -12,16 +12,9 @@ namespace {
 
 using BrushPath = std::vector<BrushPoint>;
 
-/// A path stands as its length; its points are appended to one array of the file.
+/// A path stands as its length; its points are in an array of the file.
 struct StrokeWriting {
-    std::vector<double>& points;
-
-    Json write(const BrushPath& path) const {
-        for (const auto& [place, normal] : path)
-            points.insert(points.end(),
-                          {place.x(), place.y(), place.z(), normal.x(), normal.y(), normal.z()});
-        return path.size();
-    }
+    Json write(const BrushPath& path) const { return path.size(); }
 };
 
 struct StrokeReading {
@@ -39,11 +32,19 @@ struct StrokeReading {
 
 } // namespace
 
-Json toJson(const BrushStrokes& strokes, std::vector<double>& points) {
+Json toJson(const BrushStrokes& strokes) {
     Json list = Json::array();
     for (const auto& stroke : strokes)
-        list.push_back(writtenFields(*stroke, StrokeWriting{points}));
+        list.push_back(writtenFields(*stroke, StrokeWriting()));
     return list;
+}
+
+std::vector<double> pointNumbers(const BrushStroke& stroke) {
+    std::vector<double> numbers;
+    numbers.reserve(numbersPerBrushPoint * stroke.path.size());
+    for (const auto& [place, normal] : stroke.path)
+        numbers.insert(numbers.end(), {place.x(), place.y(), place.z(), normal.x(), normal.y(), normal.z()});
+    return numbers;
 }
 
 BrushStrokes strokesFromJson(const JsonReader& reader, const std::vector<double>& points, std::size_t& next) {

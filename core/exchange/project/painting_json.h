@@ -8,8 +8,11 @@ namespace esm {
 /// Numbers of a brush stroke's point: its place and the surface's normal.
 constexpr std::size_t numbersPerBrushPoint = 6;
 
-/// Strokes as `docs/project-file.md` describes them; their points are appended to `points`.
-nlohmann::ordered_json toJson(const BrushStrokes& strokes, std::vector<double>& points);
+/// Strokes as `docs/project-file.md` describes them, without their points.
+nlohmann::ordered_json toJson(const BrushStrokes& strokes);
+
+/// The numbers of a stroke's points.
+std::vector<double> pointNumbers(const BrushStroke& stroke);
 
 /// Takes what the strokes say from the points, which go on at `next`. Its numbers are finite where the points
 /// are, and no more is checked: `validate()` does.
