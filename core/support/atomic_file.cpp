@@ -83,6 +83,13 @@ template<typename Take> bool takeFreeName(const fs::path& file, std::string& tak
 
 } // namespace
 
+std::string writingProblem(int reason) {
+    const bool isFull = reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
+    return std::string("cannot be written: ") + std::strerror(reason) +
+           (isFull ? "; free some space or choose another place"
+                   : "; choose a folder that can be written to");
+}
+
 AtomicFile::AtomicFile(const fs::path& target) : AtomicFile(target, {}) {}
 
 AtomicFile::AtomicFile(const fs::path& target, const fs::path& unfinishedIn)
@@ -155,11 +162,7 @@ void AtomicFile::commit() {
 }
 
 void AtomicFile::fail() const {
-    const int reason = errno;
-    const bool isFull = reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
-    throw FileError(m_file, std::string("cannot be written: ") + std::strerror(reason) +
-                                (isFull ? "; free some space or choose another place"
-                                        : "; choose a folder that can be written to"));
+    throw FileError(m_file, writingProblem(errno));
 }
 
 } // namespace esm
