@@ -2,6 +2,7 @@
 
 #include "app/editor/document/change.h"
 #include "app/editor/document/edit_kind.h"
+#include "core/support/file_lock.h"
 
 #include <QObject>
 #include <QString>
@@ -22,12 +23,37 @@ struct Former {
     std::optional<std::filesystem::path> path;
 };
 
+/// A step of the undo list.
+struct DocumentStep {
+    QString text;
+    std::optional<RegionId> systemOf; ///< as in Document::edit()
+    std::shared_ptr<const Project> after;
+};
+
+/// Where a document is saved.
+struct DocumentFile {
+    std::optional<std::filesystem::path> path;
+    std::optional<FileVersion> version; ///< as it was read or written last
+    Former former;
+    int clean = -1; ///< steps that are done in what lies in the file; -1 where none does
+};
+
+/// A document with its undo list.
+struct DocumentState {
+    std::shared_ptr<const Project> base; ///< before the first step; never null
+    std::vector<DocumentStep> steps;
+    int index = 0; ///< steps that are done
+    DocumentFile file;
+};
+
 /// The one project the window shows: a value, where it is saved, and the edits that led to it. Only commands
 /// change it; everyone else listens to changed().
 class Document : public QObject {
     Q_OBJECT
 
 public:
+    static constexpr int mostSteps = 500; ///< that can be undone
+
     explicit Document(Project project, QObject* parent = nullptr);
     ~Document() override;
 
@@ -38,6 +64,9 @@ public:
     const std::optional<std::filesystem::path>& proposedPath() const {
         return m_path ? m_path : m_former.path;
     }
+    /// Of the document's file as it was read or written last.
+    const std::optional<FileVersion>& fileVersion() const { return m_fileVersion; }
+    void setFileVersion(const std::optional<FileVersion>& version) { m_fileVersion = version; }
     QUndoStack* undoStack() { return &m_undoStack; }
     bool isModified() const { return !m_undoStack.isClean(); }
     /// The file's name; while it was never saved, what replace() was told, or the organ's name.
@@ -54,6 +83,11 @@ public:
     /// Another project takes the place of this one; nothing to undo remains.
     void replace(Project project, std::optional<std::filesystem::path> path, Origin origin = Origin::Stored,
                  Former former = {});
+    /// All of it, for who keeps it; costs a few pointers for each step.
+    DocumentState state() const;
+    DocumentFile file() const { return {m_path, m_fileVersion, m_former, m_undoStack.cleanIndex()}; }
+    /// Takes the place of this one, undo list and identities of parts included.
+    void restore(const DocumentState& state);
     /// `written` lies in this file; the document is saved when it still is that project.
     void markSaved(const std::filesystem::path& path, const Project& written);
 
@@ -68,18 +102,25 @@ public:
 
 signals:
     void changed(const esm::Change& change);
+    /// A step was made, merged into the last one, undone or redone.
+    void stepped();
+    /// Another document took the place of this one.
+    void replaced();
     /// Title, path or modified mark.
     void titleChanged();
 
 private:
     friend class ProjectCommand;
     void numberParts();
+    void announceReplaced();
     void take(const Project& project, std::optional<RegionId> systemOf);
 
     Project m_project;
     std::optional<std::filesystem::path> m_path;
+    std::optional<FileVersion> m_fileVersion;
     Former m_former;
     QUndoStack m_undoStack;
+    bool m_isBeingReplaced = false; ///< steps are no news then
     int m_gesture = 0;
     std::uint32_t m_lastRegion = 0, m_lastLayer = 0; ///< numbers that are given
     QString m_unfinished;

@@ -4,16 +4,16 @@
 
 namespace esm {
 
-ProjectCommand::ProjectCommand(Document& document, Project after, EditStep step)
-    : QUndoCommand(step.text), m_document(document), m_before(document.project()), m_after(std::move(after)),
+ProjectCommand::ProjectCommand(Document& document, Value before, Value after, EditStep step)
+    : QUndoCommand(step.text), m_document(document), m_before(std::move(before)), m_after(std::move(after)),
       m_step(std::move(step)) {}
 
 void ProjectCommand::undo() {
-    m_document.take(m_before, m_step.systemOf);
+    m_document.take(*m_before, m_step.systemOf);
 }
 
 void ProjectCommand::redo() {
-    m_document.take(m_after, m_step.systemOf);
+    m_document.take(*m_after, m_step.systemOf);
 }
 
 bool ProjectCommand::mergeWith(const QUndoCommand* next) {
@@ -21,7 +21,7 @@ bool ProjectCommand::mergeWith(const QUndoCommand* next) {
     const auto& later = static_cast<const ProjectCommand&>(*next);
     if (later.m_step.mergeKey != m_step.mergeKey || later.m_step.gesture != m_step.gesture) return false;
     m_after = later.m_after;
-    setObsolete(m_before == m_after);
+    setObsolete(*m_before == *m_after);
     return true;
 }
 

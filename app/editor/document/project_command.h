@@ -4,6 +4,7 @@
 
 #include <QUndoCommand>
 
+#include <memory>
 #include <optional>
 
 namespace esm {
@@ -22,16 +23,22 @@ struct EditStep {
 /// when both carry the same key in the same gesture, and drops itself when nothing is left of the change.
 class ProjectCommand : public QUndoCommand {
 public:
-    ProjectCommand(Document& document, Project after, EditStep step);
+    using Value = std::shared_ptr<const Project>;
+
+    ProjectCommand(Document& document, Value before, Value after, EditStep step);
 
     void undo() override;
     void redo() override;
     int id() const override { return m_step.mergeKey.kind == EditKind::Alone ? -1 : 1; }
     bool mergeWith(const QUndoCommand* next) override;
 
+    const Value& before() const { return m_before; }
+    const Value& after() const { return m_after; }
+    const EditStep& step() const { return m_step; }
+
 private:
     Document& m_document;
-    Project m_before, m_after;
+    Value m_before, m_after;
     EditStep m_step;
 };
 

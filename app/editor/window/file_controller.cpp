@@ -146,7 +146,7 @@ void FileController::openProject(const std::filesystem::path& file) {
             &m_window, tr("Opening %1").arg(fileName(file)),
             [&](const Progress& progress) { return esm::openProject(file, progress); }, Cancelling::Offered);
         m_document.replace(std::move(opened.project), file);
-        m_version = version;
+        m_document.setFileVersion(version);
         noteOpened(file);
         emit message(tr("Opened %1").arg(fileName(file)));
         tell(&m_window, tr("The project was opened, but something is wrong with it"), opened.warnings);
@@ -224,7 +224,7 @@ void FileController::addPaint() {
 bool FileController::saveTo(const std::filesystem::path& file) {
     commitTyping();
     const auto version = versionOf(file);
-    const bool isChanged = m_document.path() == file && version && version != m_version;
+    const bool isChanged = m_document.path() == file && version && version != m_document.fileVersion();
     if (isChanged && !mayReplaceChanged(file)) return false;
     return attempt(&m_window, tr("The project was not saved"), [&] { write(file, version); });
 }
@@ -244,13 +244,15 @@ bool FileController::mayReplaceChanged(const std::filesystem::path& file) {
 /// @param replaced the file that the user knows will go
 void FileController::write(const std::filesystem::path& file, const std::optional<FileVersion>& replaced) {
     const Project project = m_document.project();
+    std::optional<FileVersion> written;
     runLongWork(&m_window, tr("Saving %1").arg(fileName(file)), [&](const Progress&) {
         const FileLock lock(file);
         if (versionOf(file) != replaced)
             throw FileError(file, tr("another program has just changed it; save again").toStdString());
         saveProject(project, file);
-        m_version = versionOf(file);
+        written = versionOf(file);
     });
+    m_document.setFileVersion(written);
     m_document.markSaved(file, project);
     noteOpened(file);
     emit message((tr("Saved %1.").arg(fileName(file)) + ' ' + m_document.unfinished()).trimmed());
@@ -271,27 +273,29 @@ void FileController::exportTo(const std::filesystem::path& file) {
     });
 }
 
-void FileController::offerLeftBehind(Autosave& autosave) {
-    const auto copies = autosave.leftBehind();
-    if (copies.empty()) return;
-    const LeftBehind& latest = copies.front();
+void FileController::offerLeftBehind(Journal& journal) {
+    std::vector<LeftBehind> found = journal.leftBehind();
+    if (found.empty()) return;
+    LeftBehind& latest = found.front();
     const QString title = latest.former.title.isEmpty() ? tr("an organ") : latest.former.title;
     QMessageBox box(QMessageBox::Question, tr("Unsaved work"), tr("Bring back the unsaved work?"),
                     QMessageBox::Discard, &m_window);
     box.setObjectName(QStringLiteral("leftBehindBox"));
-    box.setInformativeText(tr("The program ended without saving %1. This copy of it was written on %2.")
+    box.setInformativeText(tr("The program ended without saving %1. It was last changed on %2.")
                                .arg(title, QLocale().toString(latest.written, QLocale::ShortFormat)));
     QPushButton* restore = box.addButton(tr("&Bring back"), QMessageBox::AcceptRole);
     box.setDefaultButton(restore);
     ask(m_window, [&] { return box.exec(); });
-    if (box.clickedButton() == box.button(QMessageBox::Discard)) return Autosave::discard(latest);
+    if (box.clickedButton() == box.button(QMessageBox::Discard)) return discard(latest);
     if (box.clickedButton() != restore) return;
     attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
-        OpenedProject opened = computeLong(&m_window, tr("Bringing back the unsaved work"),
-                                           [&](const Progress&) { return esm::openProject(latest.copy); });
-        m_document.replace(std::move(opened.project), std::nullopt, Origin::Unsaved, latest.former);
-        autosave.takeOver(latest);
-        tell(&m_window, tr("The work was brought back, but something is wrong with it"), opened.warnings);
+        const BroughtBack back =
+            computeLong(&m_window, tr("Bringing back the unsaved work"),
+                        [&](const Progress& progress) { return bringBack(latest, progress); });
+        m_document.restore(back.state);
+        journal.takeOver(std::move(latest));
+        emit broughtBack(back.view);
+        tell(&m_window, tr("The work was brought back, but something is wrong with it"), back.warnings);
     });
 }
 

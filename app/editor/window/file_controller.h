@@ -1,10 +1,9 @@
 #pragma once
 
-#include "app/editor/document/autosave.h"
 #include "app/editor/document/document.h"
 #include "app/editor/document/file_memory.h"
+#include "app/editor/document/journal.h"
 #include "core/render/camera.h"
-#include "core/support/file_lock.h"
 
 #include <QObject>
 #include <QWidget>
@@ -37,7 +36,7 @@ public:
     /// In the format that the file's ending says; the first there is where it says none.
     void exportTo(const std::filesystem::path& file);
     /// Offers the latest unsaved work that a sudden end of the program left behind.
-    void offerLeftBehind(Autosave& autosave);
+    void offerLeftBehind(Journal& journal);
 
     /// True when nothing would be lost: nothing is unsaved, it was saved now, or the user gives it up.
     bool mayLeaveProject();
@@ -46,6 +45,8 @@ signals:
     void message(const QString& text);
     void photoAdded();
     void paintAdded();
+    /// Unsaved work came back; what the window showed of it.
+    void broughtBack(const esm::JournalView& view);
 
 private:
     void chooseProject();
@@ -68,8 +69,6 @@ private:
     QWidget& m_window;
     Document& m_document;
     std::function<Camera()> m_camera;
-    /// Of the document's file as it was read or written last.
-    std::optional<FileVersion> m_version;
     RecentMenu* m_recent = nullptr;
 };
 

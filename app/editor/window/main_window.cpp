@@ -55,7 +55,7 @@ MainWindow::MainWindow(Project project)
     m_edits = new EditController(*this, *m_document, *m_selection, camera);
     m_device = new DeviceController(*m_view, *m_document, *m_selection,
                                     *new MotionDevice(MotionDevice::serviceSocket(), this));
-    m_autosave = new Autosave(*m_document, recoveryFolder(), this);
+    m_journal = new Journal(*m_document, *m_selection, recoveryFolder(), this);
     m_play = new PlayController(*this, *m_preview);
     m_status = new StatusLine(*statusBar());
     m_title = new QLabel(menuBar());
@@ -157,8 +157,9 @@ void MainWindow::connectParts() {
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
-    connect(m_autosave, &Autosave::failed, m_status, &StatusLine::showCopyFailure);
-    connect(m_autosave, &Autosave::message, m_status, &StatusLine::showMessage);
+    connect(m_files, &FileController::broughtBack, this, &MainWindow::showAgain);
+    connect(m_journal, &Journal::failed, m_status, &StatusLine::showCopyFailure);
+    connect(m_journal, &Journal::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::photoAdded, m_actions.texture, &QAction::trigger);
     connect(m_tools, &ToolController::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::paintAdded, m_actions.texture, &QAction::trigger);
@@ -208,6 +209,14 @@ void MainWindow::showWorkspace() {
     leftDock->setVisible(left);
     rightDock->setVisible(right);
     resizeDocks({leftDock, rightDock}, widths, Qt::Horizontal);
+    m_journal->setWorkspace(tissue ? QStringLiteral("tissue") : QStringLiteral("texture"));
+}
+
+void MainWindow::showAgain(const JournalView& view) {
+    if (view.workspace.empty()) return;
+    (view.workspace == "texture" ? m_actions.texture : m_actions.tissue)->trigger();
+    m_selection->setRegion(view.region);
+    m_selection->setPhoto(view.photo);
 }
 
 void MainWindow::showTitle() {
@@ -265,7 +274,7 @@ void MainWindow::restore() {
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
     m_actions.lightTheme->setChecked(settings.value(QStringLiteral("lightTheme")).toBool());
-    QTimer::singleShot(0, this, [this] { m_files->offerLeftBehind(*m_autosave); });
+    QTimer::singleShot(0, this, [this] { m_files->offerLeftBehind(*m_journal); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -52,6 +52,7 @@ private:
     void connectParts();
     void connectWorkspaces();
     void showWorkspace();
+    void showAgain(const JournalView& view);
     void showTitle();
     void noteTheScene();
     void setTheme(bool light);
@@ -67,7 +68,7 @@ private:
     ToolController* m_tools;
     ViewController* m_viewController;
     FileController* m_files;
-    Autosave* m_autosave;
+    Journal* m_journal;
     EditController* m_edits;
     PlayController* m_play;
     DeviceController* m_device;

@@ -190,9 +190,8 @@ void StatusLine::showPictureFailure(const QString& reason) {
 }
 
 void StatusLine::showCopyFailure(const QString& reason) {
-    const QString text = reason.isEmpty()
-                             ? QString()
-                             : tr("Unsaved work is not being copied, save it yourself: %1").arg(reason);
+    const QString text =
+        reason.isEmpty() ? QString() : tr("Unsaved work is not being kept, save it yourself: %1").arg(reason);
     if (text == m_copyFailure) return;
     m_copyFailure = text;
     showLasting();

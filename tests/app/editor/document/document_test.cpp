@@ -142,6 +142,33 @@ TEST(Document, IsUnsavedWhereItsProjectLiesInNoFile) {
     EXPECT_TRUE(document.isModified());
 }
 
+TEST(Document, ComesBackWithItsUndoList) {
+    Document document(makeSample("tube"));
+    const RegionId first = added(document);
+    setMass(document, 0.5);
+    document.undoStack()->setClean();
+    const RegionId last = added(document);
+    document.undoStack()->setIndex(1);
+
+    Document again(makeSample("uterus"));
+    setMass(again, 0.25);
+    QSignalSpy steps(&again, &Document::stepped), replacements(&again, &Document::replaced);
+    again.restore(document.state());
+    EXPECT_EQ(steps.size(), 0) << "to come back is no step";
+    EXPECT_EQ(replacements.size(), 1);
+    EXPECT_EQ(again.project(), document.project());
+    EXPECT_EQ(again.project().regions.back().id, first);
+    EXPECT_TRUE(again.isModified());
+    again.undoStack()->redo();
+    EXPECT_FALSE(again.isModified());
+    EXPECT_EQ(again.project().base.mass, 0.5);
+    again.undoStack()->redo();
+    EXPECT_EQ(again.project().regions.back().id, last);
+    EXPECT_GT(again.newRegionId().number, last.number) << "none is given twice";
+    again.undoStack()->setIndex(0);
+    EXPECT_EQ(again.project(), *document.state().base);
+}
+
 TEST(Selection, FollowsWhatIsAddedAndRemoved) {
     Document document(makeSample("tube"));
     Selection selection(document);

@@ -1,0 +1,216 @@
+#include "app/editor/document/journal_reader.h"
+
+#include "app/editor/document/journal_store.h"
+#include "core/exchange/project/project_content.h"
+#include "core/support/errors.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace esm {
+
+namespace fs = std::filesystem;
+using ProjectValue = std::shared_ptr<const Project>;
+
+namespace {
+
+constexpr std::uint64_t largestRecords = std::uint64_t{1} << 30;
+
+JournalRecords readRecords(const fs::path& journal) {
+    const fs::path file = recordsOf(journal);
+    if (regularFileSize(file) > largestRecords)
+        throw FileError(file, "is larger than a journal can be; discard it");
+    const Bytes text = readFile(file);
+    return recordsIn({reinterpret_cast<const char*>(text.data()), text.size()});
+}
+
+bool isHash(const std::string& name) {
+    return name.size() == 64 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// Reads states of a journal, the same parts once.
+class StateReader {
+public:
+    StateReader(const fs::path& journal, const Progress& progress)
+        : m_blobs(journal / "blobs"), m_progress(progress) {}
+
+    /// @throws InvalidModel where it cannot be read
+    ProjectValue read(const StoredState& state) {
+        const EntryBlobs blobs = blobsOf(state);
+        const ContentSource source{
+            [&](const std::string& entry, std::uint64_t largest) { return joined(blobs, entry, largest); },
+            [&](const std::string& entry) { return names(blobs, entry); }};
+        ReadContent content = projectFrom(manifestOf(state), source, m_shared, m_progress);
+        if (!content.problems.empty()) throw InvalidModel(content.problems);
+        giveIdentities(content.project, state);
+        share(content.project);
+        m_warnings = std::move(content.warnings);
+        m_latest = std::make_shared<const Project>(std::move(content.project));
+        return m_latest;
+    }
+
+    /// Of the state that was read last.
+    const std::vector<std::string>& warnings() const { return m_warnings; }
+
+private:
+    static std::string names(const EntryBlobs& blobs, const std::string& entry) {
+        const auto found = blobs.find(entry);
+        if (found == blobs.end()) return {};
+        return std::accumulate(found->second.begin(), found->second.end(), std::string());
+    }
+
+    Bytes joined(const EntryBlobs& blobs, const std::string& entry, std::uint64_t largest) const {
+        const auto found = blobs.find(entry);
+        if (found == blobs.end()) throw InvalidModel("the entry " + entry + " is missing");
+        Bytes bytes;
+        for (const std::string& name : found->second) {
+            const Bytes blob = read(name, largest - bytes.size());
+            bytes.insert(bytes.end(), blob.begin(), blob.end());
+        }
+        return bytes;
+    }
+
+    Bytes read(const std::string& name, std::uint64_t largest) const {
+        if (!isHash(name)) throw InvalidModel("a blob's name is no hash");
+        try {
+            const fs::path file = m_blobs / name;
+            if (regularFileSize(file) > largest) throw InvalidModel("the blob " + name + " is too large");
+            Bytes bytes = readFile(file);
+            if (hashOf(bytes) == name) return bytes;
+        } catch (const FileError& error) {
+            throw InvalidModel(error.what());
+        }
+        throw InvalidModel("the blob " + name + " is damaged");
+    }
+
+    /// Steps have most of their fuzzy systems and strokes in common.
+    void share(Project& project) const {
+        if (!m_latest) return;
+        for (Region& region : project.regions)
+            for (const Region& other : m_latest->regions)
+                if (region.system == other.system) region.system = other.system;
+        for (TextureLayer& layer : project.layers) {
+            const TextureLayer* former = findPart(m_latest->layers, layer.id);
+            if (!former) continue;
+            for (std::size_t i = 0; i < std::min(layer.strokes.size(), former->strokes.size()); ++i)
+                if (layer.strokes[i] == former->strokes[i]) layer.strokes[i] = former->strokes[i];
+        }
+    }
+
+    fs::path m_blobs;
+    const Progress& m_progress;
+    SharedParts m_shared;
+    ProjectValue m_latest;
+    std::vector<std::string> m_warnings;
+};
+
+/// The undo list around a state that could be read.
+struct ReadSteps {
+    std::size_t first, last;            ///< places of the first and the last state
+    std::vector<ProjectValue> projects; ///< of these places
+};
+
+ReadSteps readAround(const Replay& replay, const ProjectValue& now, StateReader& reader) {
+    ReadSteps read{replay.index, replay.index, {now}};
+    const auto tryToRead = [&](std::size_t place) -> ProjectValue {
+        try {
+            return reader.read(replay.at(place));
+        } catch (const InvalidModel&) {
+            return nullptr;
+        }
+    };
+    while (read.first > 0) {
+        ProjectValue before = tryToRead(read.first - 1);
+        if (!before) break;
+        read.projects.insert(read.projects.begin(), std::move(before));
+        --read.first;
+    }
+    while (read.last < replay.steps.size()) {
+        ProjectValue after = tryToRead(read.last + 1);
+        if (!after) break;
+        read.projects.push_back(std::move(after));
+        ++read.last;
+    }
+    return read;
+}
+
+DocumentState stateOf(const Replay& replay, const ReadSteps& read) {
+    DocumentState state;
+    state.base = read.projects.front();
+    for (std::size_t place = read.first + 1; place <= read.last; ++place) {
+        const ReplayedStep& step = replay.steps[place - 1];
+        state.steps.push_back(
+            {QString::fromStdString(step.text), step.systemOf, read.projects[place - read.first]});
+    }
+    state.index = static_cast<int>(replay.index - read.first);
+    if (replay.clean && *replay.clean >= read.first && *replay.clean <= read.last)
+        state.file.clean = static_cast<int>(*replay.clean - read.first);
+    return state;
+}
+
+/// The document's file, where it is still as the document knew it; else what is known from before.
+void takeFile(DocumentFile& file, const JournalFile& told) {
+    file.former.title = QString::fromStdString(told.formerTitle);
+    if (!told.formerPath.empty()) file.former.path = told.formerPath;
+    if (told.path.empty()) return;
+    const fs::path path = told.path;
+    const std::optional<FileVersion> version = versionOf(path);
+    if (version && numbersOf(version) == told.version) {
+        file.path = path;
+        file.version = version;
+    } else {
+        file.former = {QString::fromStdString(path.filename().string()), path};
+        file.clean = -1;
+    }
+}
+
+} // namespace
+
+fs::path recordsOf(const fs::path& journal) {
+    return journal / "records";
+}
+
+std::optional<Replay> replayOf(const fs::path& journal) {
+    try {
+        const JournalRecords read = readRecords(journal);
+        return replay(read.records, read.records.size(), Document::mostSteps);
+    } catch (const FileError&) {
+        return std::nullopt;
+    }
+}
+
+QString organNameIn(const StoredState& state) {
+    const auto name = state.find("name");
+    if (name == state.end() || !name->second->is_string()) return {};
+    return QString::fromStdString(name->second->get<std::string>());
+}
+
+BroughtBack readJournal(const fs::path& journal, const Progress& progress) {
+    const JournalRecords read = readRecords(journal);
+    StateReader reader(journal, progress);
+    std::string problem = "its first record is damaged";
+    std::size_t count = read.records.size();
+    while (const auto replayed = replay(read.records, count, Document::mostSteps)) {
+        try {
+            const ProjectValue now = reader.read(replayed->now());
+            BroughtBack back;
+            back.warnings = reader.warnings();
+            const ReadSteps steps = readAround(*replayed, now, reader);
+            back.state = stateOf(*replayed, steps);
+            takeFile(back.state.file, replayed->file);
+            back.view = replayed->view;
+            if (!read.areWhole || replayed->taken < read.records.size())
+                back.warnings.emplace_back(
+                    "The end of the journal cannot be read: the latest edits are lost");
+            if (steps.projects.size() <= replayed->steps.size())
+                back.warnings.emplace_back("Some steps cannot be read: they are missing in the undo list");
+            return back;
+        } catch (const InvalidModel& error) {
+            problem = error.what();
+            count = replayed->taken - 1;
+        }
+    }
+    throw FileError(journal, "holds nothing that can be read: " + problem + "; discard it");
+}
+
+} // namespace esm
