@@ -45,7 +45,7 @@ public:
         std::shared_ptr<const void>& known = m_shared.byContent[kind];
         if (!known) {
             const std::size_t problems = m_problems.size();
-            const std::shared_ptr<const Part> made = make();
+            std::shared_ptr<const Part> made = make();
             if (m_problems.size() > problems) return made;
             known = made;
         }

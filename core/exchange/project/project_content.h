@@ -25,6 +25,7 @@ struct ContentPiece {
     bool isPacked = false;        ///< compressed already, as photos are
 };
 
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann-json is not seen to move without throwing
 struct ProjectContent {
     nlohmann::ordered_json manifest;
     std::vector<ContentPiece> pieces; ///< in the order of their entries
