@@ -27,9 +27,9 @@ Journal::Journal(Document& document, Selection& selection, std::filesystem::path
     m_retry.setInterval(habits.retryPause);
     m_retry.setSingleShot(true);
     const auto told = [this](const JournalNews& news) {
-        QMetaObject::invokeMethod(
-            this, [this, news] { hear(news); }, Qt::QueuedConnection);
+        emit newsCame(news.kind, QString::fromStdString(news.reason));
     };
+    connect(this, &Journal::newsCame, this, &Journal::hear, Qt::QueuedConnection);
     m_writer = std::make_unique<JournalWriter>(newJournal(m_folder), told, std::move(habits));
     connect(&m_retry, &QTimer::timeout, this, &Journal::noteReplaced);
     connect(&document, &Document::replaced, this, &Journal::noteReplaced);
@@ -59,6 +59,7 @@ void Journal::takeOver(LeftBehind left) {
 std::vector<Journal::Step> Journal::steps() const {
     std::vector<Step> steps;
     const QUndoStack& stack = *m_document.undoStack();
+    steps.reserve(static_cast<std::size_t>(stack.count()));
     for (int i = 0; i < stack.count(); ++i)
         steps.push_back(static_cast<const ProjectCommand*>(stack.command(i))->after());
     return steps;
@@ -130,20 +131,21 @@ void Journal::noteView() {
     if (m_isKept && !m_isBroken) put(m_view);
 }
 
-void Journal::hear(const JournalNews& news) {
+void Journal::hear(int news, const QString& reason) {
     if (!m_isKept) return;
-    switch (news.kind) {
+    switch (news) {
     case JournalNews::Begun:
         return noteBegun();
     case JournalNews::Failed:
-        return noteFailure(QString::fromStdString(news.reason));
-    case JournalNews::Outgrown:
+        return noteFailure(reason);
+    default:
         if (!m_isRenewed && !m_isBroken) begin();
         m_isRenewed = true;
     }
 }
 
 void Journal::noteFailure(const QString& reason) {
+    if (!m_document.isModified()) return end();
     m_isBroken = true;
     m_isRenewed = false;
     m_retry.start();

@@ -36,6 +36,8 @@ signals:
     void failed(const QString& reason);
     /// Worth a word in passing.
     void message(const QString& text);
+    /// From the writer's thread; see JournalNews.
+    void newsCame(int kind, const QString& reason);
 
 private:
     using Step = std::shared_ptr<const Project>;
@@ -48,7 +50,7 @@ private:
     void begin();
     void end();
     void put(JournalTask task) { m_lastPut = m_writer->put(std::move(task)); }
-    void hear(const JournalNews& news);
+    void hear(int news, const QString& reason);
     void noteFailure(const QString& reason);
     void noteBegun();
     void tellFailure(const QString& reason);

@@ -144,7 +144,7 @@ TEST(JournalKill, LosesNothingOlderThanASecond) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
         const TemporaryFolder folder;
-        const Told told = toldUntilKilled(folder.path(), seed, 10 + static_cast<int>(random() % 200),
+        const Told told = toldUntilKilled(folder.path(), seed, 10 + static_cast<int>(random() % 500),
                                           static_cast<unsigned>(random() % 30000));
         auto left = leftBehindIn(folder.path());
         if (left.empty()) {

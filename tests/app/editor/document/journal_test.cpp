@@ -298,6 +298,21 @@ TEST_F(JournalTest, WritesAllAnewAfterItCouldNot) {
     EXPECT_EQ(digests.of(bringBack(leftByAKill(journal)).state), digests.of(document.state()));
 }
 
+TEST_F(JournalTest, TellsNoFailureWhereNothingIsUnsaved) {
+    Journal journal(document, selection, recovery, nullptr, retryingSoon());
+    QStringList failures;
+    QObject::connect(&journal, &Journal::failed, [&](const QString& reason) { failures << reason; });
+    std::ofstream(recovery) << "no folder";
+    setMass(0.5);
+    document.markSaved(folder / "tube.esm", document.project());
+    journal.finish();
+    QApplication::processEvents();
+    EXPECT_TRUE(failures.isEmpty());
+    std::filesystem::remove(recovery);
+    setMass(0.75);
+    EXPECT_EQ(bringBack(leftByAKill(journal)).state.steps.size(), 2U) << "the next edit is kept";
+}
+
 TEST_F(JournalTest, HasNothingToTellOnceTheWorkIsSaved) {
     Journal journal(document, selection, recovery, nullptr, retryingSoon());
     QStringList failures;

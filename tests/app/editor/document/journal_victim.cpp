@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     };
     tellTask();
     QObject::connect(&document, &Document::stepped, tellTask);
-    RandomEdits edits(document, selection, seed);
+    RandomEdits edits(document, selection, seed, 200); // drags of some seconds
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, [&] {
         edits.next();

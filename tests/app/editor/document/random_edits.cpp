@@ -26,10 +26,15 @@ const Region* RandomEdits::anyRegion() {
 }
 
 void RandomEdits::next() {
+    if (m_dragLeft > 0) {
+        --m_dragLeft;
+        return slide();
+    }
     if (m_isPainting || below(6) == 0) return paint();
     switch (below(8)) {
     case 0:
     case 1:
+        if (below(4) == 0) m_dragLeft = below(m_longestDrag);
         return slide();
     case 2:
     case 3:

@@ -14,8 +14,10 @@ Project projectToEdit();
 /// What a user does to a document, at random.
 class RandomEdits {
 public:
-    RandomEdits(Document& document, Selection& selection, std::uint32_t seed)
-        : m_document(document), m_selection(selection), m_painting(document, selection), m_random(seed) {}
+    /// @param longestDrag of a slider, in edits that follow each other
+    RandomEdits(Document& document, Selection& selection, std::uint32_t seed, std::uint32_t longestDrag = 5)
+        : m_document(document), m_selection(selection), m_painting(document, selection), m_random(seed),
+          m_longestDrag(longestDrag) {}
 
     /// Makes, grows, ends, undoes or redoes one step; may come to nothing.
     void next();
@@ -36,6 +38,7 @@ private:
     Painting m_painting;
     std::mt19937 m_random;
     bool m_isPainting = false;
+    std::uint32_t m_longestDrag, m_dragLeft = 0;
 };
 
 /// Digests of documents, worked out anew from every number they hold. The same for the same.
