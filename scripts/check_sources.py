@@ -4,7 +4,7 @@
     scripts/check_sources.py        prints sizes, cycles and the share of comments; ends with 1 where a limit is passed
 
 Functions must stay as short as they are, files of one screenful after another be split, the core's folders build on
-each other in one direction, and each test stand beside the source that it tests.
+each other in one direction, each source be listed to be built, and each test stand beside the source that it tests.
 """
 
 import re
@@ -201,6 +201,21 @@ def misplaced_tests(paths):
     return problems
 
 
+def unlisted_sources(paths, lists):
+    """Sources that no CMakeLists.txt above them names: what is not listed is not built, and no test says so."""
+    problems = []
+    for path in paths:
+        if not path.endswith(".cpp"):
+            continue
+        folders = [str(parent) for parent in Path(path).parents]
+        named = (re.search(rf"(?<![\w/]){re.escape(str(Path(path).relative_to(folder)))}(?!\w)", lists.get(folder, ""))
+                 for folder in folders)
+        others = any(f"/{path}" in text for text in lists.values())
+        if not any(named) and not others:
+            problems.append(f"{path}: no CMakeLists.txt lists it, so that it is not built")
+    return problems
+
+
 def quantiles(sizes):
     ordered = sorted(sizes)
     return statistics.median_low(ordered), ordered[int(0.9 * (len(ordered) - 1))], ordered[-1]
@@ -209,6 +224,13 @@ def quantiles(sizes):
 def tracked_sources():
     listed = subprocess.run(["git", "ls-files", "*.h", "*.cpp"], cwd=ROOT, check=True, capture_output=True, text=True)
     return {path: (ROOT / path).read_text() for path in listed.stdout.split() if (ROOT / path).exists()}
+
+
+def tracked_lists():
+    """What the CMakeLists.txt of each folder says."""
+    listed = subprocess.run(["git", "ls-files", "CMakeLists.txt", "*/CMakeLists.txt"], cwd=ROOT, check=True,
+                            capture_output=True, text=True)
+    return {str(Path(path).parent): (ROOT / path).read_text() for path in listed.stdout.split()}
 
 
 def function_problems(product):
@@ -272,6 +294,7 @@ def main():
     if ring:
         problems.append("folders build on each other in a ring: " + " -> ".join(ring))
     problems += layering_problems(product) + misplaced_tests(list(sources))
+    problems += unlisted_sources(list(sources), tracked_lists())
     for problem in problems:
         print(problem, file=sys.stderr)
     return 1 if problems else 0

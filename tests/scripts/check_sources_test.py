@@ -107,6 +107,20 @@ class Tests(unittest.TestCase):
         self.assertEqual([problem.partition(":")[0] for problem in check.misplaced_tests(sources + good + bad)], bad)
 
 
+class Lists(unittest.TestCase):
+    LISTS = {".": "add_subdirectory(core)", "core": "add_library(core a.cpp geometry/mesh.cpp)",
+             "tests/core": "esm_add_core_tests(a_test.cpp)\n${PROJECT_SOURCE_DIR}/tests/support/shared.cpp"}
+
+    def test_a_source_is_listed_in_a_folder_above_it_or_by_its_whole_path(self):
+        listed = ["core/a.cpp", "core/geometry/mesh.cpp", "tests/core/a_test.cpp", "tests/support/shared.cpp", "core/a.h"]
+        self.assertEqual(check.unlisted_sources(listed, self.LISTS), [])
+
+    def test_a_source_that_is_listed_nowhere_is_a_problem(self):
+        lost = ["core/b.cpp", "core/geometry/a.cpp", "tests/core/test.cpp", "tests/core/other/a_test.cpp"]
+        found = check.unlisted_sources(lost, self.LISTS)
+        self.assertEqual([problem.partition(":")[0] for problem in found], lost)
+
+
 class Sizes(unittest.TestCase):
     def test_are_told_at_the_median_of_nine_in_ten_and_at_most(self):
         self.assertEqual(check.quantiles(range(1, 12)), (6, 10, 11))

@@ -6,6 +6,7 @@
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 
+#include <QFile>
 #include <QMenuBar>
 
 #include <algorithm>
@@ -65,6 +66,21 @@ TEST_F(MainWindowTest, GivesEachEntryOfAMenuItsOwnLetter) {
     expectDifferent(textsOf(window->menuBar()));
     for (const auto* menu : window->menuBar()->findChildren<QMenu*>())
         expectDifferent(textsOf(menu));
+}
+
+TEST_F(MainWindowTest, GivesEachActionItsOwnKey) {
+    QStringList keys;
+    for (const QAction* action : window->findChildren<QAction*>())
+        for (const QKeySequence& key : action->shortcuts())
+            keys << key.toString();
+    EXPECT_GT(keys.size(), 20);
+    EXPECT_EQ(keys.removeDuplicates(), 0) << keys.join(' ').toStdString();
+}
+
+TEST_F(MainWindowTest, HasAnIconForEachTool) {
+    for (const ToolRow& tool : toolTable())
+        EXPECT_TRUE(QFile::exists(QStringLiteral(":/icons/%1.svg").arg(tool.icon)))
+            << tool.icon.toStdString();
 }
 
 TEST_F(MainWindowTest, KeepsTheMenusLettersFreeOfThePanels) {
