@@ -241,7 +241,7 @@ class SimulateTest(Case):
         ends = {}
         for integrator, step in {"split": "0.001", "split2": "0.005", "euler": "auto", "verlet": "auto", "heun": "auto",
                                  "rk4": "auto", "adams-moulton": "auto", "propagation": "auto", "implicit": "0.0001",
-                                 "bdf2": "0.0005", "projective": "0.0001"}.items():
+                                 "bdf2": "0.0005", "projective": "0.0001", "trapezoid": "0.0005"}.items():
             scene = {**TUBE_POKE, "duration": 0.02, "record": {"every": 0.02, "nodes": [85]}}
             report, rows = self.simulated(project, scene, "--integrator", integrator, "--dt", step)
             self.assertEqual(report["integrator"], integrator)

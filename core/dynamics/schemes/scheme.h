@@ -13,7 +13,7 @@ template<class Real> struct ExplicitWork;
 
 /// How an explicit integrator takes a step, on the kernel.
 struct ExplicitMethod {
-    std::size_t stageRates = 0; ///< evaluations within a step that must be kept until its end
+    std::size_t stageRates = 0; ///< evaluations in use at once within a step; one may overwrite another
     std::size_t keptRates = 0;  ///< evaluations that outlive their step
     void (*stepInDouble)(ExplicitWork<double>& work, const StepInput& input) = nullptr;
     void (*stepInFloat)(ExplicitWork<float>& work, const StepInput& input) = nullptr;

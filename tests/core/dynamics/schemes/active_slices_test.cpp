@@ -1,4 +1,5 @@
 #include "core/dynamics/simulation.h"
+#include "tests/support/every_integrator.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
@@ -13,8 +14,6 @@ using tissue::Vectors;
 
 namespace {
 
-constexpr std::array steppers{Integrator::Euler, Integrator::Verlet, Integrator::Heun, Integrator::Rk4,
-                              Integrator::AdamsMoulton};
 constexpr double restTolerance = 1e-6; // m
 constexpr double shortStep = 6e-5;     // s, stable with every integrator
 
@@ -117,7 +116,7 @@ std::vector<tissue::Parameters> dampings() {
 TEST(ActiveSlices, ALocalPokeMovesAsInTheWholeTissue) {
     for (const tissue::Parameters& parameters : dampings()) {
         const TissueModel model = tethered(membrane(40, parameters), 1);
-        for (const Integrator integrator : steppers) {
+        for (const Integrator integrator : explicitIntegrators()) {
             if (isSanitized() && integrator == Integrator::Rk4) continue; // adams-moulton begins with it
             SCOPED_TRACE(std::string(integratorName(integrator)) + ", viscosity " +
                          std::to_string(parameters.viscosity));

@@ -1,5 +1,6 @@
 #include "core/dynamics/simulation.h"
 #include "core/dynamics/stability/stability.h"
+#include "tests/support/every_integrator.h"
 #include "tests/support/motion_difference.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
@@ -11,9 +12,6 @@ using namespace esm;
 using tissue::Vectors;
 
 namespace {
-
-constexpr std::array explicitIntegrators{Integrator::Euler, Integrator::Verlet, Integrator::Heun,
-                                         Integrator::Rk4, Integrator::AdamsMoulton};
 
 Vectors pulled(const TissueModel& model, const SimulationSettings& settings, int steps) {
     Simulation simulation(model, settings);
@@ -35,7 +33,7 @@ TissueModel heldSphere(int levels) {
 
 TEST(ExplicitScheme, DoesNotDependOnTheThreads) {
     const TissueModel model = heldSphere(4);
-    for (const Integrator integrator : explicitIntegrators)
+    for (const Integrator integrator : explicitIntegrators())
         for (const Precision precision : {Precision::Double, Precision::Float}) {
             SimulationSettings settings = withStep(integrator, 1e-3);
             settings.precision = precision;
@@ -48,7 +46,7 @@ TEST(ExplicitScheme, DoesNotDependOnTheThreads) {
 
 TEST(ExplicitScheme, TakesStepsTogetherAsOneByOne) {
     const TissueModel model = heldSphere(2);
-    for (const Integrator integrator : explicitIntegrators) {
+    for (const Integrator integrator : explicitIntegrators()) {
         Simulation simulation(model, withStep(integrator, 1e-3));
         Loads loads;
         loads.gravity = {0, 0, -9.81};
@@ -75,7 +73,7 @@ TEST(ExplicitScheme, GoesBackToAGoodStateWhenStepsFail) {
 
 TEST(ExplicitScheme, InFloatFollowsDouble) {
     const TissueModel model = heldSphere(2);
-    for (const Integrator integrator : explicitIntegrators) {
+    for (const Integrator integrator : explicitIntegrators()) {
         SimulationSettings settings = withStep(integrator, 1e-3);
         const Vectors expected = pulled(model, settings, 200);
         settings.precision = Precision::Float;
@@ -96,7 +94,7 @@ TEST(ExplicitScheme, InFloatManyShortStepsAddUp) {
     const TissueModel tube = tissue::fallopianTube();
     Loads loads;
     loads.forces = {{85, {0.02, 0.02, 0.1}}};
-    for (const Integrator integrator : explicitIntegrators) {
+    for (const Integrator integrator : explicitIntegrators()) {
         if (isSanitized() && integrator != Integrator::Euler) continue; // the others sum alike
         SimulationSettings settings = withStep(integrator, 5e-8);
         Vectors places[2];
