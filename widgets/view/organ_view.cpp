@@ -128,15 +128,16 @@ void OrganView::redraw() {
 }
 
 void OrganView::askForPicture() {
-    const double ratio = devicePixelRatioF();
+    const double ratio = m_askedRatio = devicePixelRatioF();
     m_asked = m_maker.ask({m_scene, camera(), {qRound(width() * ratio), qRound(height() * ratio), ratio}});
     m_isStale = false;
 }
 
 void OrganView::takePicture() {
+    const int former = m_picture.number;
     m_picture = m_maker.picture();
     update();
-    emit drawn();
+    if (m_picture.number != former && m_picture.problem.isEmpty()) emit drawn();
 }
 
 bool OrganView::isUpToDate() const {
@@ -162,7 +163,8 @@ void OrganView::nameInstruments(QPainter& painter, const Camera& shown) {
 }
 
 void OrganView::paintEvent(QPaintEvent*) {
-    if (m_isStale) askForPicture();
+    // A move to another screen says nothing else.
+    if (m_isStale || m_askedRatio != devicePixelRatioF()) askForPicture();
     QPainter painter(this);
     if (m_picture.image.isNull()) painter.fillRect(rect(), palette().color(QPalette::Window));
     if (m_picture.problem.isEmpty()) {

@@ -61,7 +61,7 @@ public:
 signals:
     void toolChanged();
     void cameraChanged();
-    /// A picture was drawn of the scene.
+    /// The first picture of what the view was to show came.
     void drawn();
 
 protected:
@@ -91,9 +91,10 @@ private:
 
     RenderScene m_scene;
     PictureMaker m_maker;
-    MadePicture m_picture; ///< that is shown
-    int m_asked = 0;       ///< number of the picture that was asked for last
-    bool m_isStale = true; ///< what was asked for last is no longer what is to be shown
+    MadePicture m_picture;   ///< that is shown
+    int m_asked = 0;         ///< number of the picture that was asked for last
+    double m_askedRatio = 0; ///< its pixels per pixel of the design
+    bool m_isStale = true;   ///< what was asked for last is no longer what is to be shown
     CameraController m_cameraController;
     Picker m_picker;
     ViewTool m_noTool;

@@ -154,6 +154,11 @@ void Journal::noteFailure(const QString& reason) {
 
 void Journal::noteBegun() {
     m_isRenewed = false;
+    // A failure of before was heard since this beginning was asked for, and steps were left out.
+    if (m_isBroken) {
+        m_retry.stop();
+        return begin();
+    }
     if (m_taken) put(AfterwardsTask{[left = std::exchange(m_taken, nullptr)] { discard(*left); }});
     if (m_failure.isEmpty()) return;
     tellFailure({});

@@ -60,7 +60,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     std::filesystem::path m_folder;
-    bool m_isKept = false;       ///< else nothing is unsaved, and was since the document was opened
+    bool m_isKept = false;       ///< false while nothing has been unsaved since the document was opened
     bool m_isBroken = false;     ///< nothing can be written
     bool m_isRenewed = false;    ///< it is being written anew, since it has grown too large
     std::uint64_t m_dropped = 0; ///< steps that have left the undo list since the journal began

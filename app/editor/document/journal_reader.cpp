@@ -174,7 +174,7 @@ std::optional<Replay> replayOf(const fs::path& journal) {
     try {
         const JournalRecords read = readRecords(journal);
         return replay(read.records, read.records.size(), Document::mostSteps);
-    } catch (const FileError&) {
+    } catch (const std::exception&) {
         return std::nullopt;
     }
 }

@@ -128,6 +128,7 @@ void JournalStore::begin(const DocumentState& state, const JournalView& view) {
     syncFolder(m_folder / "blobs");
     writeFileAtomically(m_folder / "records", text);
     syncFolder(m_folder);
+    syncFolder(m_folder.parent_path());
     m_records = std::make_unique<AppendedFile>(m_folder / "records");
     m_wholeRecords = text.size();
     m_addedRecords = 0;

@@ -11,7 +11,7 @@ namespace esm {
 
 /// How large a journal may become beside what it needs.
 struct JournalBounds {
-    /// Records, and blobs, that may come to what was last written as a whole, where that is smaller. Bytes.
+    /// Bytes of records, and of blobs, that may always be added, however little was last written as a whole.
     std::uint64_t leastGrowth = 32 << 20;
 };
 

@@ -46,8 +46,10 @@ void Preview::setProject(const Project& project) {
         const std::lock_guard lock(m_mutex);
         ++m_inbox.asked;
         isOtherOrgan = std::exchange(m_inbox.network, project.network) != project.network;
-        if (isOtherOrgan) m_status = {};
-        m_status.playing = m_inbox.playing;
+        if (isOtherOrgan) {
+            m_status = {};
+            m_status.playing = m_inbox.playing;
+        }
     }
     m_preparer.ask(project);
     if (isOtherOrgan) emit statusChanged();
@@ -96,12 +98,16 @@ void Preview::togglePlaying() {
 }
 
 void Preview::reset() {
-    send([](Inbox& inbox) { inbox.reset = inbox.asked; });
+    send([](Inbox& inbox) {
+        inbox.reset = inbox.asked;
+        inbox.playScene.reset();
+    });
 }
 
 void Preview::playScene() {
     send([](Inbox& inbox) {
-        inbox.playScene = inbox.asked;
+        inbox.playScene = inbox.asked; // from rest
+        inbox.reset.reset();
         inbox.playing = true;
         inbox.loads.gentleMotion = false;
     });
@@ -177,18 +183,21 @@ bool Preview::workOnce(Worker& worker) {
     if (inbox.playScene) run.beginScene();
     // An organ that another one is to replace rests.
     const bool isWanted = inbox.playing && run.network() == inbox.network;
-    worker.playing = isWanted && run.isReady() && run.advance(inSeconds(framePeriod), inbox.loads);
+    const bool canPlay = isWanted && run.isReady();
+    worker.playing = canPlay && run.advance(inSeconds(framePeriod), inbox.loads);
     gauge(worker);
-    if (inbox.playing && !worker.playing) pauseWhatEnded(inbox);
+    const bool isSceneOver = canPlay && !worker.playing && run.isReady();
+    if (inbox.playing && !worker.playing) pauseWhatEnded(inbox, isSceneOver);
     if (worker.playing || inbox.isNew) publish(worker, inbox.arrived);
     return true;
 }
 
-/// A run that failed, or came to its scene's end, has to be started again by hand.
-void Preview::pauseWhatEnded(Inbox& inbox) {
+/// A run that failed, or came to its scene's end, has to be started again by hand. What failed may go on by a
+/// project that is being prepared.
+void Preview::pauseWhatEnded(Inbox& inbox, bool isSceneOver) {
     const std::lock_guard lock(m_mutex);
     const bool changes = m_inbox.prepared || m_inbox.arrived != m_inbox.asked;
-    if (changes || m_inbox.reset || m_inbox.playScene) return;
+    if ((changes && !isSceneOver) || m_inbox.reset || m_inbox.playScene) return;
     m_inbox.playing = false;
     inbox.isNew = true;
 }

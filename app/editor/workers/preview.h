@@ -88,7 +88,7 @@ private:
     void take(Worker& worker, PreparedProject prepared);
     /// Seeks the largest stable step of the integrator that runs.
     void gauge(Worker& worker);
-    void pauseWhatEnded(Inbox& inbox);
+    void pauseWhatEnded(Inbox& inbox, bool isSceneOver);
     /// Ends the run for what went wrong outside the simulation.
     void giveUp(PreviewRun& run, const std::string& reason);
     Inbox collect(bool idle, std::chrono::steady_clock::time_point until);

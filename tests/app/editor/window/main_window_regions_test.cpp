@@ -149,6 +149,19 @@ TEST_F(RegionsTest, ARenameAndAColourAreNoNewTissue) {
     EXPECT_EQ(window->preview().projectCount(), projects + 1);
 }
 
+TEST_F(RegionsTest, AnEditMakesItsPartOfThePictureAnewAndNoOther) {
+    window->preview().setPlaying(false);
+    ESM_EVENTUALLY(!window->preview().status().playing && window->view().isUpToDate());
+    const RenderScene& scene = window->view().scene();
+    const auto* const nodes = scene.nodePositions.data();
+    const auto rim = scene.ellipsoids.front().rim;
+    window->document().edit("rim", [](Project& p) { p.regions[1].rim += 0.01; });
+    EXPECT_DOUBLE_EQ(scene.ellipsoids.front().rim, rim + 0.01);
+    window->document().edit("colour", [](Project& p) { p.texture.baseColour = {1, 2, 3}; });
+    EXPECT_EQ(scene.baseColour, (Colour{1, 2, 3}));
+    EXPECT_EQ(scene.nodePositions.data(), nodes) << "the organ's places were not even copied";
+}
+
 TEST_F(RegionsTest, OrderChangesByKeysAndTissueWithIt) {
     window->document().edit("overlap", [](Project& p) {
         p.regions.push_back(p.regions[1]);
