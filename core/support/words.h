@@ -37,6 +37,7 @@ template<HasWords Enum> constexpr std::optional<Enum> fromWord(std::string_view 
 
 template<HasWords Enum> std::vector<std::string> allWords() {
     std::vector<std::string> words;
+    words.reserve(std::size(wordsOf<Enum>));
     for (const auto& [value, word] : wordsOf<Enum>)
         words.emplace_back(word);
     return words;
