@@ -19,12 +19,7 @@ AppendedFile::~AppendedFile() {
 }
 
 void AppendedFile::append(std::string_view data) {
-    while (!data.empty()) {
-        const ssize_t written = ::write(m_descriptor, data.data(), data.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail();
-        data.remove_prefix(static_cast<std::size_t>(written));
-    }
+    if (!writeWhole(m_descriptor, data)) fail();
 }
 
 void AppendedFile::sync() {

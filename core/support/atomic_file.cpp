@@ -90,6 +90,16 @@ std::string writingProblem(int reason) {
                    : "; choose a folder that can be written to");
 }
 
+bool writeWhole(int descriptor, std::string_view data) {
+    while (!data.empty()) {
+        const ssize_t written = ::write(descriptor, data.data(), data.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        data.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
 AtomicFile::AtomicFile(const fs::path& target) : AtomicFile(target, {}) {}
 
 AtomicFile::AtomicFile(const fs::path& target, const fs::path& unfinishedIn)
@@ -129,12 +139,7 @@ void AtomicFile::flush() {
 }
 
 void AtomicFile::writeOut(std::string_view data) {
-    while (!data.empty()) {
-        const ssize_t written = ::write(m_descriptor, data.data(), data.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail();
-        data.remove_prefix(static_cast<std::size_t>(written));
-    }
+    if (!writeWhole(m_descriptor, data)) fail();
 }
 
 void AtomicFile::giveName() {

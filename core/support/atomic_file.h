@@ -9,6 +9,9 @@ namespace esm {
 /// Why a file cannot be written, and what to do, for an `errno`.
 std::string writingProblem(int reason);
 
+/// False, with `errno`, where not all of it could be written.
+bool writeWhole(int descriptor, std::string_view data);
+
 /// A file written piece by piece that replaces its target whole or not at all. Until commit() the target is
 /// as it was; what was written goes away with the object, and on file systems that know nameless files even
 /// when the process is killed.

@@ -42,8 +42,6 @@ Journal::Journal(Document& document, Selection& selection, std::filesystem::path
 
 Journal::~Journal() {
     put(EndTask());
-    m_writer.reset();
-    if (m_taken) discard(*m_taken);
 }
 
 void Journal::setWorkspace(const QString& name) {
@@ -52,8 +50,8 @@ void Journal::setWorkspace(const QString& name) {
 }
 
 void Journal::takeOver(LeftBehind left) {
-    m_taken = std::make_shared<LeftBehind>(std::move(left));
     if (!m_isKept) begin();
+    put(TakeOverTask{std::move(left)});
 }
 
 std::vector<Journal::Step> Journal::steps() const {
@@ -159,7 +157,6 @@ void Journal::noteBegun() {
         m_retry.stop();
         return begin();
     }
-    if (m_taken) put(AfterwardsTask{[left = std::exchange(m_taken, nullptr)] { discard(*left); }});
     if (m_failure.isEmpty()) return;
     tellFailure({});
     emit message(tr("Unsaved work is kept again"));

@@ -67,8 +67,7 @@ private:
     std::vector<Step> m_steps;   ///< as they were when it last looked
     JournalFile m_file;
     JournalView m_view;
-    std::shared_ptr<LeftBehind> m_taken; ///< not written down here yet
-    QString m_failure;                   ///< as it was told
+    QString m_failure; ///< as it was told
     std::uint64_t m_lastPut = 0;
     QTimer m_retry;
     std::unique_ptr<JournalWriter> m_writer;

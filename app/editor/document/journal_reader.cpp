@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace esm {
 
@@ -13,8 +14,6 @@ namespace fs = std::filesystem;
 using ProjectValue = std::shared_ptr<const Project>;
 
 namespace {
-
-constexpr std::uint64_t largestRecords = std::uint64_t{1} << 30;
 
 JournalRecords readRecords(const fs::path& journal) {
     const fs::path file = recordsOf(journal);
@@ -34,13 +33,16 @@ public:
     StateReader(const fs::path& journal, const Progress& progress)
         : m_blobs(journal / "blobs"), m_progress(progress) {}
 
-    /// @throws InvalidModel where it cannot be read
-    ProjectValue read(const StoredState& state) {
+    /// @param fraction of all that is to be read
+    /// @throws InvalidModel where it cannot be read, Cancelled
+    ProjectValue read(const StoredState& state, double fraction = -1) {
+        reportProgress(m_progress, fraction);
+        const Progress goesOn = [&](double) { return !m_progress || m_progress(fraction); };
         const EntryBlobs blobs = blobsOf(state);
         const ContentSource source{
             [&](const std::string& entry, std::uint64_t largest) { return joined(blobs, entry, largest); },
             [&](const std::string& entry) { return names(blobs, entry); }};
-        ReadContent content = projectFrom(manifestOf(state), source, m_shared, m_progress);
+        ReadContent content = projectFrom(manifestOf(state), source, m_shared, goesOn);
         if (!content.problems.empty()) throw InvalidModel(content.problems);
         giveIdentities(content.project, state);
         share(content.project);
@@ -59,7 +61,7 @@ private:
         return std::accumulate(found->second.begin(), found->second.end(), std::string());
     }
 
-    Bytes joined(const EntryBlobs& blobs, const std::string& entry, std::uint64_t largest) const {
+    Bytes joined(const EntryBlobs& blobs, const std::string& entry, std::uint64_t largest) {
         const auto found = blobs.find(entry);
         if (found == blobs.end()) throw InvalidModel("the entry " + entry + " is missing");
         Bytes bytes;
@@ -70,8 +72,17 @@ private:
         return bytes;
     }
 
-    Bytes read(const std::string& name, std::uint64_t largest) const {
+    /// One that is damaged is read once: a state names it in each step.
+    Bytes read(const std::string& name, std::uint64_t largest) {
         if (!isHash(name)) throw InvalidModel("a blob's name is no hash");
+        if (m_damaged.contains(name)) throw InvalidModel("the blob " + name + " is damaged");
+        m_damaged.insert(name);
+        Bytes bytes = readSound(name, largest);
+        m_damaged.erase(name);
+        return bytes;
+    }
+
+    Bytes readSound(const std::string& name, std::uint64_t largest) const {
         try {
             const fs::path file = m_blobs / name;
             if (regularFileSize(file) > largest) throw InvalidModel("the blob " + name + " is too large");
@@ -100,9 +111,32 @@ private:
     fs::path m_blobs;
     const Progress& m_progress;
     SharedParts m_shared;
+    std::set<std::string> m_damaged; ///< names of blobs
     ProjectValue m_latest;
     std::vector<std::string> m_warnings;
 };
+
+/// The latest state that can be read.
+struct ReadLatest {
+    ProjectValue project;    ///< none where there is no such state
+    std::size_t records = 0; ///< up to the state's
+    std::string problem = "its first record is damaged";
+};
+
+ReadLatest readLatest(const std::vector<StoredState>& states, StateReader& reader) {
+    ReadLatest latest;
+    for (latest.records = states.size(); latest.records > 0; --latest.records) {
+        const StoredState& state = states[latest.records - 1];
+        if (latest.records < states.size() && state == states[latest.records]) continue;
+        try {
+            latest.project = reader.read(state);
+            break;
+        } catch (const InvalidModel& error) {
+            latest.problem = error.what();
+        }
+    }
+    return latest;
+}
 
 /// The undo list around a state that could be read.
 struct ReadSteps {
@@ -112,9 +146,12 @@ struct ReadSteps {
 
 ReadSteps readAround(const Replay& replay, const ProjectValue& now, StateReader& reader) {
     ReadSteps read{replay.index, replay.index, {now}};
+    const auto fractionRead = [&] {
+        return static_cast<double>(read.projects.size()) / static_cast<double>(replay.steps.size() + 1);
+    };
     const auto tryToRead = [&](std::size_t place) -> ProjectValue {
         try {
-            return reader.read(replay.at(place));
+            return reader.read(replay.at(place), fractionRead());
         } catch (const InvalidModel&) {
             return nullptr;
         }
@@ -188,29 +225,21 @@ QString organNameIn(const StoredState& state) {
 BroughtBack readJournal(const fs::path& journal, const Progress& progress) {
     const JournalRecords read = readRecords(journal);
     StateReader reader(journal, progress);
-    std::string problem = "its first record is damaged";
-    std::size_t count = read.records.size();
-    while (const auto replayed = replay(read.records, count, Document::mostSteps)) {
-        try {
-            const ProjectValue now = reader.read(replayed->now());
-            BroughtBack back;
-            back.warnings = reader.warnings();
-            const ReadSteps steps = readAround(*replayed, now, reader);
-            back.state = stateOf(*replayed, steps);
-            takeFile(back.state.file, replayed->file);
-            back.view = replayed->view;
-            if (!read.areWhole || replayed->taken < read.records.size())
-                back.warnings.emplace_back(
-                    "The end of the journal cannot be read: the latest edits are lost");
-            if (steps.projects.size() <= replayed->steps.size())
-                back.warnings.emplace_back("Some steps cannot be read: they are missing in the undo list");
-            return back;
-        } catch (const InvalidModel& error) {
-            problem = error.what();
-            count = replayed->taken - 1;
-        }
-    }
-    throw FileError(journal, "holds nothing that can be read: " + problem + "; discard it");
+    const ReadLatest latest = readLatest(statesAfter(read.records, Document::mostSteps), reader);
+    if (!latest.project)
+        throw FileError(journal, "holds nothing that can be read: " + latest.problem + "; discard it");
+    BroughtBack back;
+    back.warnings = reader.warnings();
+    const Replay replayed = *replay(read.records, latest.records, Document::mostSteps);
+    const ReadSteps steps = readAround(replayed, latest.project, reader);
+    back.state = stateOf(replayed, steps);
+    takeFile(back.state.file, replayed.file);
+    back.view = replayed.view;
+    if (!read.areWhole || latest.records < read.records.size())
+        back.warnings.emplace_back("The end of the journal cannot be read: the latest edits are lost");
+    if (steps.projects.size() <= replayed.steps.size())
+        back.warnings.emplace_back("Some steps cannot be read: they are missing in the undo list");
+    return back;
 }
 
 } // namespace esm

@@ -6,6 +6,7 @@
 #include <QCryptographicHash>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace esm {
@@ -23,6 +24,20 @@ void makeFolder(const fs::path& folder) {
 
 fs::path lockFileOf(const fs::path& place) {
     return fs::path(place).replace_extension(".lock");
+}
+
+/// Place of the first state such that the steps after it take at most so many bytes, or are to be redone.
+std::size_t firstKept(const std::vector<std::string>& steps, std::size_t index, std::uint64_t most) {
+    std::uint64_t size = 0;
+    std::size_t first = steps.size();
+    while (first > 0 && (first > index || size + steps[first - 1].size() <= most))
+        size += steps[--first].size();
+    return first;
+}
+
+void requireReadable(const fs::path& journal, std::uint64_t records) {
+    if (records > largestRecords)
+        throw FileError(journal, "would be too large to be read again; save the project");
 }
 
 std::string textOf(const std::optional<fs::path>& path) {
@@ -70,7 +85,9 @@ void JournalStore::takeLock() {
     std::error_code none;
     if (m_lock && m_lock->isLocked() && fs::exists(lockFileOf(m_folder), none)) return;
     m_lock = lockBeside(m_folder);
-    m_lock->tryLock();
+    if (!m_lock->tryLock())
+        throw FileError(lockFileOf(m_folder),
+                        "cannot be locked; make sure that files can be made in its folder");
 }
 
 std::string JournalStore::stored(const Bytes& blob) {
@@ -104,27 +121,34 @@ StoredState JournalStore::stateOf(const Project& project, Content* used) {
     return storedState(project, content.manifest, blobs);
 }
 
-std::string JournalStore::wholeText(const DocumentState& state, const JournalView& view, Content& used) {
-    m_written = stateOf(*state.base, &used);
-    std::string text = recordLine(openRecord(m_written));
-    std::uint64_t place = 0;
+/// From the state after as many steps as it takes to stay within `most`, with those that can be redone.
+std::string JournalStore::stepsText(const DocumentState& state, std::uint64_t most, Content& used) {
+    std::vector<StoredState> states{stateOf(*state.base, &used)};
+    std::vector<std::string> edits;
     for (const DocumentStep& step : state.steps) {
-        StoredState after = stateOf(*step.after, &used);
-        text += recordLine(editRecord({++place, step.text.toStdString(), step.systemOf}, m_written, after));
-        m_written = std::move(after);
+        states.push_back(stateOf(*step.after, &used));
+        const JournalStep told{edits.size() + 1, step.text.toStdString(), step.systemOf};
+        edits.push_back(recordLine(editRecord(told, states[edits.size()], states.back())));
     }
-    text += recordLine(moveRecord(static_cast<std::uint64_t>(state.index), place));
-    return text + recordLine(fileRecord(journalFile(state.file))) + recordLine(viewRecord(view));
+    m_written = states.back();
+    m_first = firstKept(edits, static_cast<std::size_t>(state.index), most);
+    const auto kept = edits.begin() + static_cast<std::ptrdiff_t>(m_first);
+    return std::accumulate(kept, edits.end(), recordLine(openRecord(states[m_first], m_first)));
 }
 
-void JournalStore::begin(const DocumentState& state, const JournalView& view) {
+void JournalStore::begin(const DocumentState& state, const JournalView& view, const JournalBounds& bounds) {
     m_records.reset();
+    m_isBehind = false;
     makeFolder(m_folder.parent_path());
     takeLock();
     makeFolder(m_folder / "blobs");
     std::erase_if(m_known, [](const auto& known) { return known.second.source.expired(); });
     Content used;
-    const std::string text = wholeText(state, view, used);
+    const std::string text =
+        stepsText(state, bounds.mostRecords / 2, used) +
+        recordLine(moveRecord(static_cast<std::uint64_t>(state.index), state.steps.size())) +
+        recordLine(fileRecord(journalFile(state.file))) + recordLine(viewRecord(view));
+    requireReadable(m_folder, text.size());
     syncFolder(m_folder / "blobs");
     writeFileAtomically(m_folder / "records", text);
     syncFolder(m_folder);
@@ -149,13 +173,21 @@ void JournalStore::removeUnused(const Content& used) {
 }
 
 void JournalStore::addEdit(const JournalStep& step, const Project& after) {
+    if (m_isBehind) return;
     StoredState state = stateOf(after);
     add(editRecord(step, m_written, state));
     m_written = std::move(state);
 }
 
+void JournalStore::addMove(std::uint64_t place, std::uint64_t last) {
+    m_isBehind = m_isBehind || place < m_first;
+    add(moveRecord(place, last));
+}
+
 void JournalStore::add(const nlohmann::ordered_json& record) {
+    if (m_isBehind) return;
     const std::string line = recordLine(record);
+    requireReadable(m_folder, m_wholeRecords + m_addedRecords + line.size());
     // No record may reach the disk before what it names.
     if (m_hasNewBlobs) syncFolder(m_folder / "blobs");
     m_hasNewBlobs = false;
@@ -168,7 +200,8 @@ void JournalStore::sync() {
 }
 
 bool JournalStore::hasOutgrown(const JournalBounds& bounds) const {
-    return m_addedRecords > std::max(bounds.leastGrowth, 2 * m_wholeRecords) ||
+    const std::uint64_t growth = std::min(2 * m_wholeRecords, bounds.mostRecords / 2);
+    return m_isBehind || m_addedRecords > std::max(bounds.leastGrowth, growth) ||
            m_addedBlobs > std::max(bounds.leastGrowth, m_wholeBlobs);
 }
 

@@ -13,6 +13,8 @@ namespace esm {
 struct JournalBounds {
     /// Bytes of records, and of blobs, that may always be added, however little was last written as a whole.
     std::uint64_t leastGrowth = 32 << 20;
+    /// Bytes of records; the first steps are left out where all would take more than half of it.
+    std::uint64_t mostRecords = largestRecords / 2;
 };
 
 /// The folder of a journal while it is written: `records`, and in `blobs` arrays, strokes and pictures, each
@@ -24,11 +26,13 @@ public:
     /// Writes all of it anew and only then lets go of what was there. Places begin at 0 again.
     /// @throws FileError, InvalidModel for a project that could not be read again; nothing can be added then
     /// until it succeeds
-    void begin(const DocumentState& state, const JournalView& view);
+    void begin(const DocumentState& state, const JournalView& view, const JournalBounds& bounds);
     /// On the disk with sync(), as the other records. Throws as begin().
     void addEdit(const JournalStep& step, const Project& after);
+    void addMove(std::uint64_t place, std::uint64_t last);
     void add(const nlohmann::ordered_json& record);
     void sync();
+    /// Whether it is to begin anew; it may keep nothing until then.
     bool hasOutgrown(const JournalBounds& bounds) const;
     /// After an error. What was written may be gone, as with a disk that is taken away.
     void giveUp();
@@ -40,14 +44,16 @@ private:
     StoredState stateOf(const Project& project, Content* used = nullptr);
     std::string blobOf(const ContentPiece& piece);
     std::string stored(const Bytes& blob);
-    std::string wholeText(const DocumentState& state, const JournalView& view, Content& used);
+    std::string stepsText(const DocumentState& state, std::uint64_t most, Content& used);
     void removeUnused(const Content& used);
     void takeLock();
 
     std::filesystem::path m_folder;
     std::unique_ptr<QLockFile> m_lock; ///< says that the program runs
     std::unique_ptr<AppendedFile> m_records;
-    StoredState m_written; ///< by the last record with a state
+    StoredState m_written;     ///< by the last record with a state
+    std::uint64_t m_first = 0; ///< place of the first state that was written
+    bool m_isBehind = false;   ///< the document went back to a step that was left out
     /// Blobs of what lives still, by its place in memory and its entry: written once, and hashed once.
     struct Known {
         std::weak_ptr<const void> source;

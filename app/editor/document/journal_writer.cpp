@@ -16,10 +16,9 @@ bool goesOn(const JournalTask& task) {
 bool replaces(const JournalTask& later, const JournalTask& earlier) {
     if (later.index() != earlier.index()) return false;
     if (std::holds_alternative<JournalView>(later)) return true;
-    if (!goesOn(later)) return false;
-    const auto &last = std::get<EditTask>(later), &first = std::get<EditTask>(earlier);
-    return last.place == first.place && last.step.mergeKey == first.step.mergeKey &&
-           last.step.gesture == first.step.gesture;
+    const auto *last = std::get_if<EditTask>(&later), *first = std::get_if<EditTask>(&earlier);
+    return last && first && goesOn(later) && last->place == first->place &&
+           last->step.mergeKey == first->step.mergeKey && last->step.gesture == first->step.gesture;
 }
 
 JournalWriter::JournalWriter(std::filesystem::path folder, std::function<void(const JournalNews&)> told,
@@ -83,8 +82,20 @@ void JournalWriter::write(const Batch& batch) {
         attempt([&] { write(task); });
     if (!m_isBroken) attempt([&] { m_store.sync(); });
     if (m_isBroken) return;
+    letGoOfTaken();
     if (m_habits.synced) m_habits.synced(batch.last);
     if (m_store.hasOutgrown(m_habits.bounds)) m_told({JournalNews::Outgrown, {}});
+}
+
+void JournalWriter::letGoOfTaken() {
+    if (m_taken) discard(*m_taken);
+    m_taken.reset();
+}
+
+void JournalWriter::end() {
+    m_isBroken = true;
+    m_store.end();
+    letGoOfTaken();
 }
 
 void JournalWriter::attempt(const std::function<void()>& work) {
@@ -106,27 +117,21 @@ void JournalWriter::fail(const std::string& reason) {
 void JournalWriter::write(const JournalTask& task) {
     if (const auto* begin = std::get_if<BeginTask>(&task)) {
         m_isBroken = true;
-        m_store.begin(begin->state, begin->view);
+        m_store.begin(begin->state, begin->view, m_habits.bounds);
         m_isBroken = false;
         return m_told({JournalNews::Begun, {}});
     }
-    if (std::holds_alternative<EndTask>(task)) {
-        m_isBroken = true;
-        return m_store.end();
-    }
+    if (std::holds_alternative<EndTask>(task)) return end();
+    if (const auto* taken = std::get_if<TakeOverTask>(&task)) m_taken = taken->left;
     if (m_isBroken) return;
     if (const auto* edit = std::get_if<EditTask>(&task))
         m_store.addEdit({edit->place, edit->step.text.toStdString(), edit->step.systemOf}, *edit->after);
     else if (const auto* move = std::get_if<MoveTask>(&task))
-        m_store.add(moveRecord(move->place, move->last));
+        m_store.addMove(move->place, move->last);
     else if (const auto* file = std::get_if<JournalFile>(&task))
         m_store.add(fileRecord(*file));
     else if (const auto* view = std::get_if<JournalView>(&task))
         m_store.add(viewRecord(*view));
-    else {
-        m_store.sync();
-        std::get<AfterwardsTask>(task).work();
-    }
 }
 
 } // namespace esm

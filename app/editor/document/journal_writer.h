@@ -2,6 +2,7 @@
 
 #include "app/editor/document/edit_kind.h"
 #include "app/editor/document/journal_store.h"
+#include "app/editor/document/left_behind.h"
 #include "app/editor/document/project_command.h"
 
 #include <chrono>
@@ -39,13 +40,13 @@ struct EditTask {
 struct MoveTask {
     std::uint64_t place, last;
 };
-/// Done once all before it is on the disk.
-struct AfterwardsTask {
-    std::function<void()> work;
+/// What was left behind goes once the journal has all of it.
+struct TakeOverTask {
+    LeftBehind left;
 };
 struct EndTask {};
 using JournalTask =
-    std::variant<BeginTask, EditTask, MoveTask, JournalFile, JournalView, AfterwardsTask, EndTask>;
+    std::variant<BeginTask, EditTask, MoveTask, JournalFile, JournalView, TakeOverTask, EndTask>;
 
 /// What the writer has to tell.
 struct JournalNews {
@@ -79,6 +80,8 @@ private:
     void writeAll();
     void write(const Batch& batch);
     void write(const JournalTask& task);
+    void end();
+    void letGoOfTaken();
     void attempt(const std::function<void()>& work);
     void fail(const std::string& reason);
     bool mayWait() const;
@@ -86,7 +89,8 @@ private:
     JournalStore m_store;
     std::function<void(const JournalNews&)> m_told;
     JournalHabits m_habits;
-    bool m_isBroken = true; ///< nothing is written before a beginning
+    bool m_isBroken = true;            ///< nothing is written before a beginning
+    std::optional<LeftBehind> m_taken; ///< not all of it is on the disk here yet
 
     std::mutex m_mutex; ///< guards what follows
     std::condition_variable m_changed;

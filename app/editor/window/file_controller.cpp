@@ -274,7 +274,9 @@ void FileController::exportTo(const std::filesystem::path& file) {
 }
 
 void FileController::offerLeftBehind(Journal& journal) {
-    std::vector<LeftBehind> found = journal.leftBehind();
+    // Journals may be long.
+    std::vector<LeftBehind> found = computeLong(&m_window, tr("Looking for unsaved work"),
+                                                [&](const Progress&) { return journal.leftBehind(); });
     if (found.empty()) return;
     LeftBehind& latest = found.front();
     const QString title = latest.former.title.isEmpty() ? tr("an organ") : latest.former.title;
@@ -289,9 +291,9 @@ void FileController::offerLeftBehind(Journal& journal) {
     if (box.clickedButton() == box.button(QMessageBox::Discard)) return discard(latest);
     if (box.clickedButton() != restore) return;
     attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
-        const BroughtBack back =
-            computeLong(&m_window, tr("Bringing back the unsaved work"),
-                        [&](const Progress& progress) { return bringBack(latest, progress); });
+        const BroughtBack back = computeLong(
+            &m_window, tr("Bringing back the unsaved work"),
+            [&](const Progress& progress) { return bringBack(latest, progress); }, Cancelling::Offered);
         m_document.restore(back.state);
         journal.takeOver(std::move(latest));
         emit broughtBack(back.view);

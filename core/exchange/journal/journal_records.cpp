@@ -118,8 +118,8 @@ Json changeOf(const StoredState& before, const StoredState& after) {
     return {{"members", std::move(members)}, {"gone", std::move(gone)}};
 }
 
-Json openRecord(const StoredState& state) {
-    return {{"record", "open"}, {"version", 1}, {"change", changeOf({}, state)}};
+Json openRecord(const StoredState& state, std::uint64_t place) {
+    return {{"record", "open"}, {"version", 1}, {"place", place}, {"change", changeOf({}, state)}};
 }
 
 Json editRecord(const JournalStep& step, const StoredState& before, const StoredState& after) {

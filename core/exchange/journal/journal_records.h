@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,6 +18,9 @@ namespace esm {
 /// A project's manifest member by member, the names of its entries' blobs, and the identities that its
 /// manifest leaves out. Members that stay as they were are shared.
 using StoredState = std::map<std::string, std::shared_ptr<const nlohmann::ordered_json>>;
+
+/// Bytes of a journal's records that are read.
+inline constexpr std::uint64_t largestRecords = std::uint64_t{1} << 30;
 
 /// The blobs of each entry of a manifest, in order.
 using EntryBlobs = std::map<std::string, std::vector<std::string>>;
@@ -63,7 +67,8 @@ struct JournalStep {
 };
 
 // Each record as JSON.
-nlohmann::ordered_json openRecord(const StoredState& state);
+/// @param place of the state: those before it are left out
+nlohmann::ordered_json openRecord(const StoredState& state, std::uint64_t place = 0);
 /// @param before the state of the record with a state that was written last
 nlohmann::ordered_json editRecord(const JournalStep& step, const StoredState& before,
                                   const StoredState& after);

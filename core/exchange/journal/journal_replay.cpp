@@ -41,6 +41,8 @@ public:
         return kind == "view" && takeView(record, problems);
     }
 
+    const StoredState& now() const { return m_replay.now(); }
+
     std::optional<Replay> result() && {
         if (!m_isOpen) return std::nullopt;
         if (m_clean && *m_clean >= m_first && *m_clean <= last()) m_replay.clean = *m_clean - m_first;
@@ -63,6 +65,7 @@ private:
 
     bool open(const JsonReader& record, const std::vector<std::string>& problems) {
         record.member("version").integer(1, 1);
+        m_first = placeIn(record, "place").value_or(0);
         m_written = changed(record);
         m_replay.base = m_written;
         m_isOpen = problems.empty();
@@ -140,6 +143,16 @@ std::optional<Replay> replay(const std::vector<Json>& records, std::size_t count
     std::optional<Replay> replay = std::move(player).result();
     if (replay) replay->taken = taken;
     return replay;
+}
+
+std::vector<StoredState> statesAfter(const std::vector<Json>& records, std::size_t mostSteps) {
+    Player player(mostSteps);
+    std::vector<StoredState> states;
+    for (const Json& record : records) {
+        if (!player.take(record)) break;
+        states.push_back(player.now());
+    }
+    return states;
 }
 
 } // namespace esm

@@ -31,4 +31,8 @@ struct Replay {
 std::optional<Replay> replay(const std::vector<nlohmann::ordered_json>& records, std::size_t count,
                              std::size_t mostSteps);
 
+/// What the project is after each record that makes sense. Neighbours that are the same share their members.
+std::vector<StoredState> statesAfter(const std::vector<nlohmann::ordered_json>& records,
+                                     std::size_t mostSteps);
+
 } // namespace esm

@@ -116,6 +116,26 @@ TEST_F(JournalReaderTest, KeepsTheLatestStateWhereAnEarlierOneCannotBeRead) {
     EXPECT_EQ(back.warnings.size(), 1U);
 }
 
+TEST_F(JournalReaderTest, ReadsWhatIsDamagedOnceAndMayBeStopped) {
+    setMass(0.5);
+    journal.finish();
+    const auto before = blobsIn(journals()[0]);
+    moveVertex();
+    for (int i = 0; i < 300; ++i)
+        setMass(1 + i);
+    const LeftBehind left = leftByAKill(journal);
+    for (const auto& blob : blobsIn(left.place))
+        if (!before.contains(blob)) std::filesystem::remove(left.place / "blobs" / blob);
+    int reports = 0;
+    const auto counted = [&](double) { return ++reports > 0; };
+    EXPECT_EQ(massIn(bringBack(left, counted)), 0.5);
+    EXPECT_GT(reports, 100) << "one of each state that names the blob";
+    const int stopAt = reports / 2;
+    reports = 0;
+    EXPECT_THROW(bringBack(left, [&](double) { return ++reports < stopAt; }), Cancelled);
+    EXPECT_EQ(reports, stopAt);
+}
+
 TEST_F(JournalReaderTest, SharesWhatStepsHaveInCommon) {
     setMass(0.5);
     moveVertex();

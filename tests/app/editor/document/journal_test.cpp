@@ -13,16 +13,6 @@
 
 using namespace esm;
 
-namespace {
-
-JournalHabits retryingSoon() {
-    JournalHabits habits;
-    habits.retryPause = std::chrono::milliseconds(20);
-    return habits;
-}
-
-} // namespace
-
 TEST_F(JournalTest, WritesNothingBeforeThereIsSomethingToLose) {
     Journal journal(document, selection, recovery);
     journal.setWorkspace("texture");
@@ -140,6 +130,33 @@ TEST_F(JournalTest, StaysWithinItsBounds) {
     EXPECT_EQ(digests.of(bringBack(leftByAKill(journal)).state), digests.of(document.state()));
 }
 
+TEST_F(JournalTest, LeavesOutTheFirstStepsWhereAllWouldBeTooLarge) {
+    JournalHabits habits;
+    habits.bounds.leastGrowth = 1000;
+    habits.bounds.mostRecords = 20'000;
+    Journal journal(document, selection, recovery, nullptr, habits);
+    for (int i = 0; i < Document::mostSteps; ++i)
+        setMass(1 + i);
+    const auto writtenAnew = [&] {
+        journal.finish();
+        QApplication::processEvents();
+        return bringBack(leftByAKill(journal));
+    };
+    const BroughtBack back = writtenAnew();
+    EXPECT_LT(back.state.steps.size(), static_cast<std::size_t>(Document::mostSteps));
+    EXPECT_GT(back.state.steps.size(), 10U);
+    EXPECT_EQ(back.state.steps.back().after->base.mass, Document::mostSteps);
+    EXPECT_LT(recordsText(journals()[0]).size(), 60'000U) << "of 500 steps with more than 300 bytes each";
+
+    document.undoStack()->setIndex(3);
+    const DocumentState undone = writtenAnew().state;
+    ASSERT_EQ(undone.index, 0);
+    EXPECT_EQ(undone.base->base.mass, 3);
+    EXPECT_EQ(undone.steps.back().after->base.mass, Document::mostSteps) << "what can be redone stays";
+    setMass(0.5);
+    EXPECT_EQ(writtenAnew().state.steps.back().after->base.mass, 0.5);
+}
+
 TEST_F(JournalTest, BringsBackWhatTheWindowShowed) {
     Journal journal(document, selection, recovery);
     setMass(0.5);
@@ -240,89 +257,23 @@ TEST_F(JournalTest, TakesOverWhatWasLeftBehind) {
     saveProject(document.project(), left);
     std::ofstream(recovery / "left.title") << "my liver.esm";
     {
-        Journal journal(document, selection, recovery);
+        std::promise<void> disk;
+        JournalHabits habits;
+        habits.begins = [stands = disk.get_future().share()](std::uint64_t) { stands.wait(); };
+        Journal journal(document, selection, recovery, nullptr, habits);
         auto found = journal.leftBehind();
         ASSERT_EQ(found.size(), 1U);
         EXPECT_EQ(found[0].former.title, "my liver.esm");
         document.restore(bringBack(found[0]).state);
         journal.takeOver(std::move(found[0]));
         EXPECT_TRUE(std::filesystem::exists(left)) << "until this journal has all of it";
-        ESM_EVENTUALLY(!std::filesystem::exists(left));
+        disk.set_value();
+        journal.finish();
+        EXPECT_FALSE(std::filesystem::exists(left));
         EXPECT_EQ(journals().size(), 1U);
         EXPECT_EQ(bringBack(leftByAKill(journal)).state.file.former.title, "my liver.esm");
     }
     EXPECT_TRUE(std::filesystem::is_empty(recovery));
-}
-
-TEST_F(JournalTest, TellsOnceThatNothingCanBeWrittenAndThatItCanAgain) {
-    Journal journal(document, selection, recovery, nullptr, retryingSoon());
-    QStringList failures, messages;
-    QObject::connect(&journal, &Journal::failed, [&](const QString& reason) { failures << reason; });
-    QObject::connect(&journal, &Journal::message, [&](const QString& text) { messages << text; });
-    std::ofstream(recovery) << "no folder";
-    setMass(0.5);
-    ESM_EVENTUALLY(!failures.isEmpty());
-    EXPECT_TRUE(failures[0].contains("recovery")) << failures[0].toStdString();
-    setMass(0.75);
-    QTest::qWait(0);
-    EXPECT_EQ(failures.size(), 1);
-    EXPECT_TRUE(messages.isEmpty());
-    std::filesystem::remove(recovery);
-    ESM_EVENTUALLY(failures.size() == 2);
-    EXPECT_EQ(failures[1], "");
-    EXPECT_EQ(messages.size(), 1);
-    EXPECT_EQ(bringBack(leftByAKill(journal)).state.steps.back().after->base.mass, 0.75);
-    Document other(makeSample("tube"));
-    Selection none(other);
-    EXPECT_TRUE(Journal(other, none, recovery).leftBehind().empty()) << "it is in use";
-}
-
-TEST_F(JournalTest, WritesAllAnewAfterItCouldNot) {
-    Journal journal(document, selection, recovery, nullptr, retryingSoon());
-    QStringList failures;
-    QObject::connect(&journal, &Journal::failed, [&](const QString& reason) { failures << reason; });
-    setMass(0.5);
-    journal.finish();
-    // As when a disk is taken away and another one comes.
-    std::filesystem::rename(recovery, folder / "away");
-    std::ofstream(recovery) << "no folder";
-    document.edit("move", [](Project& project) {
-        auto mesh = std::make_shared<TriangleMesh>(*project.mesh);
-        mesh->vertices[0].x() += 1e-6;
-        project.mesh = mesh;
-    });
-    ESM_EVENTUALLY(!failures.isEmpty());
-    std::filesystem::remove(recovery);
-    ESM_EVENTUALLY(failures.size() == 2);
-    DocumentDigests digests;
-    EXPECT_EQ(digests.of(bringBack(leftByAKill(journal)).state), digests.of(document.state()));
-}
-
-TEST_F(JournalTest, TellsNoFailureWhereNothingIsUnsaved) {
-    Journal journal(document, selection, recovery, nullptr, retryingSoon());
-    QStringList failures;
-    QObject::connect(&journal, &Journal::failed, [&](const QString& reason) { failures << reason; });
-    std::ofstream(recovery) << "no folder";
-    setMass(0.5);
-    document.markSaved(folder / "tube.esm", document.project());
-    journal.finish();
-    QApplication::processEvents();
-    EXPECT_TRUE(failures.isEmpty());
-    std::filesystem::remove(recovery);
-    setMass(0.75);
-    EXPECT_EQ(bringBack(leftByAKill(journal)).state.steps.size(), 2U) << "the next edit is kept";
-}
-
-TEST_F(JournalTest, HasNothingToTellOnceTheWorkIsSaved) {
-    Journal journal(document, selection, recovery, nullptr, retryingSoon());
-    QStringList failures;
-    QObject::connect(&journal, &Journal::failed, [&](const QString& reason) { failures << reason; });
-    std::ofstream(recovery) << "no folder";
-    setMass(0.5);
-    ESM_EVENTUALLY(failures.size() == 1);
-    document.markSaved(folder / "tube.esm", document.project());
-    ESM_EVENTUALLY(failures.size() == 2);
-    EXPECT_EQ(failures[1], "");
 }
 
 TEST_F(JournalTest, NeverLetsTheWindowWaitForADisk) {

@@ -1,0 +1,109 @@
+#include "app/editor/document/journal.h"
+#include "core/exchange/project/project_file.h"
+#include "core/samples/samples.h"
+#include "tests/app/editor/document/journal_fixture.h"
+#include "tests/support/eventually.h"
+
+#include <QApplication>
+
+using namespace esm;
+
+namespace {
+
+/// What a journal does that cannot be written for a while.
+class JournalFailureTest : public JournalTest {
+protected:
+    JournalFailureTest() : journal(document, selection, recovery, nullptr, retryingSoon()) {
+        QObject::connect(&journal, &Journal::failed, [&](const QString& reason) { failures << reason; });
+    }
+    static JournalHabits retryingSoon() {
+        JournalHabits habits;
+        habits.retryPause = std::chrono::milliseconds(20);
+        return habits;
+    }
+
+    Journal journal;
+    QStringList failures;
+};
+
+} // namespace
+
+TEST_F(JournalFailureTest, KeepsWhatWasLeftBehindUntilAllOfItCanBeWritten) {
+    std::filesystem::create_directories(recovery);
+    saveProject(document.project(), recovery / "left.esm");
+    auto found = journal.leftBehind();
+    ASSERT_EQ(found.size(), 1U);
+    document.restore(bringBack(found[0]).state);
+    journal.finish();
+    std::filesystem::rename(recovery, folder / "away");
+    std::ofstream(recovery) << "no folder";
+    setMass(0.5);
+    journal.takeOver(std::move(found[0]));
+    document.replace(document.project(), std::nullopt, Origin::Unsaved);
+    ESM_EVENTUALLY(!failures.isEmpty());
+    std::filesystem::remove(recovery);
+    std::filesystem::rename(folder / "away", recovery);
+    EXPECT_TRUE(std::filesystem::exists(recovery / "left.esm"));
+    ESM_EVENTUALLY(!std::filesystem::exists(recovery / "left.esm"));
+    EXPECT_EQ(bringBack(leftByAKill(journal)).state.base->base.mass, 0.5);
+}
+
+TEST_F(JournalFailureTest, TellsOnceThatNothingCanBeWrittenAndThatItCanAgain) {
+    QStringList messages;
+    QObject::connect(&journal, &Journal::message, [&](const QString& text) { messages << text; });
+    std::ofstream(recovery) << "no folder";
+    setMass(0.5);
+    ESM_EVENTUALLY(!failures.isEmpty());
+    EXPECT_TRUE(failures[0].contains("recovery")) << failures[0].toStdString();
+    setMass(0.75);
+    QTest::qWait(0);
+    EXPECT_EQ(failures.size(), 1);
+    EXPECT_TRUE(messages.isEmpty());
+    std::filesystem::remove(recovery);
+    ESM_EVENTUALLY(failures.size() == 2);
+    EXPECT_EQ(failures[1], "");
+    EXPECT_EQ(messages.size(), 1);
+    EXPECT_EQ(bringBack(leftByAKill(journal)).state.steps.back().after->base.mass, 0.75);
+    Document other(makeSample("tube"));
+    Selection none(other);
+    EXPECT_TRUE(Journal(other, none, recovery).leftBehind().empty()) << "it is in use";
+}
+
+TEST_F(JournalFailureTest, WritesAllAnewAfterItCouldNot) {
+    setMass(0.5);
+    journal.finish();
+    // As when a disk is taken away and another one comes.
+    std::filesystem::rename(recovery, folder / "away");
+    std::ofstream(recovery) << "no folder";
+    document.edit("move", [](Project& project) {
+        auto mesh = std::make_shared<TriangleMesh>(*project.mesh);
+        mesh->vertices[0].x() += 1e-6;
+        project.mesh = mesh;
+    });
+    ESM_EVENTUALLY(!failures.isEmpty());
+    std::filesystem::remove(recovery);
+    ESM_EVENTUALLY(failures.size() == 2);
+    DocumentDigests digests;
+    EXPECT_EQ(digests.of(bringBack(leftByAKill(journal)).state), digests.of(document.state()));
+}
+
+TEST_F(JournalFailureTest, TellsNoFailureWhereNothingIsUnsaved) {
+    std::ofstream(recovery) << "no folder";
+    setMass(0.5);
+    document.markSaved(folder / "tube.esm", document.project());
+    journal.finish();
+    QApplication::processEvents();
+    EXPECT_TRUE(failures.isEmpty());
+    std::filesystem::remove(recovery);
+    setMass(0.75);
+    EXPECT_EQ(bringBack(leftByAKill(journal)).state.steps.size(), 2U) << "the next edit is kept";
+}
+
+TEST_F(JournalFailureTest, HasNothingToTellOnceTheWorkIsSaved) {
+    std::ofstream(recovery) << "no folder";
+    setMass(0.5);
+    ESM_EVENTUALLY(failures.size() == 1);
+    document.markSaved(folder / "tube.esm", document.project());
+    ESM_EVENTUALLY(failures.size() == 2);
+    EXPECT_EQ(failures[1], "");
+}
