@@ -48,6 +48,9 @@ InstrumentTool::InstrumentTool(const ToolContext& context)
     : m_document(context.document), m_preview(context.preview), m_tilt(usualTilt) {
     connect(&m_document, &Document::changed, this, &InstrumentTool::followDocument);
     connect(&m_preview, &Preview::statusChanged, this, &InstrumentTool::changed);
+    connect(&m_preview, &Preview::frameReady, this, [this] {
+        if (m_tip) emit changed();
+    });
     followDocument(Change::everything());
 }
 
@@ -151,16 +154,24 @@ PlacedCollider InstrumentTool::placed() const {
              Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), m_towardsHand)}};
 }
 
+/// Where the tissue meets it, which may be behind the mouse.
+PlacedCollider InstrumentTool::shown() const {
+    const std::optional<PlacedCollider> met = m_preview.heldInstrument();
+    return met && met->shape == m_shape ? *met : placed();
+}
+
 void InstrumentTool::dress(RenderScene& scene) const {
     scene.heldInstrument.reset();
-    if (m_tip) scene.heldInstrument = placed();
+    if (m_tip) scene.heldInstrument = shown();
 }
 
 /// The force beside the tip, above a ball.
 void InstrumentTool::draw(QPainter& painter, const Sight& sight, const QPalette& palette) const {
     const std::optional<double> force = m_tip ? m_preview.status().instrumentForce : std::nullopt;
     if (!force) return;
-    const Eigen::Vector3d above = *m_tip + radiusOf(m_shape) * cameraAxes(sight.camera).col(1);
+    const ColliderAxis axis = axisOf(shown());
+    const Eigen::Vector3d above =
+        axis.at(-axis.half) + radiusOf(m_shape) * cameraAxes(sight.camera).col(1);
     if (const auto place = sight.placeOf(above))
         paintLabel(painter, *place, withUnit(*force, QStringLiteral("N"), 2), palette);
 }

@@ -45,6 +45,7 @@ private:
     void hover(const ToolMouse& mouse);
     void show();
     PlacedCollider placed() const;
+    PlacedCollider shown() const;
 
     Document& m_document;
     Preview& m_preview;

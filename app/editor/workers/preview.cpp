@@ -141,6 +141,11 @@ PreviewStatus Preview::status() const {
     return m_status;
 }
 
+std::optional<PlacedCollider> Preview::heldInstrument() const {
+    const std::lock_guard lock(m_mutex);
+    return m_status.playing ? m_frame.heldInstrument : std::nullopt;
+}
+
 std::shared_ptr<const TissueModel> Preview::tissue() const {
     const std::lock_guard lock(m_mutex);
     return m_tissueProject == m_inbox.asked ? m_tissue : nullptr;
@@ -247,6 +252,7 @@ void Preview::publish(const Worker& worker, int project) {
         m_frame.network = run.network();
         m_frame.positions = run.positions();
         m_frame.instruments = run.sceneInstruments();
+        m_frame.heldInstrument = run.heldInstrument();
         m_frame.project = project;
         status.playing = m_inbox.playing;
         status.safeStep = m_status.safeStep;

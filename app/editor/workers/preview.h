@@ -18,6 +18,7 @@ struct PreviewFrame {
     std::shared_ptr<const SpringNetwork> network; ///< the one the positions belong to
     std::vector<Eigen::Vector3d> positions;       ///< m, one per node
     std::vector<PlacedCollider> instruments;      ///< of the scene that plays
+    std::optional<PlacedCollider> heldInstrument; ///< where the tissue meets it
     int project = 0; ///< the number of the project that it is computed by, from 1
 };
 
@@ -50,6 +51,8 @@ public:
 
     PreviewFrame frame();
     PreviewStatus status() const;
+    /// Where the instrument is that the hand leads; none while nothing plays. See PreviewRun.
+    std::optional<PlacedCollider> heldInstrument() const;
     /// What the project that came last is made of, evaluated once for all who show it; null while it is
     /// evaluated, and where it cannot be.
     std::shared_ptr<const TissueModel> tissue() const;

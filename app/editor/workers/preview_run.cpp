@@ -18,6 +18,8 @@ constexpr int mostHalvings = 4;
 /// Keeping the state costs little, but not nothing.
 constexpr int framesBetweenStates = 15;
 constexpr double forceMemory = 0.15; // s
+/// Of an instrument in the hand: twice what surgeons' reach.
+constexpr double fastestHand = 1; // m/s
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -63,6 +65,7 @@ void PreviewRun::run(PreparedProject prepared) {
     m_gentlePull = std::move(prepared.gentlePull);
     if (!goesOn) {
         m_pull.reset();
+        m_heldInstrument.reset();
         m_gentleGrasp.reset();
         m_gentleTime = 0;
         m_playsScene = false;
@@ -143,10 +146,20 @@ void PreviewRun::followLoads(const PreviewLoads& loads) {
         m_gentleGrasp.emplace(*m_model, m_simulation->positions(), m_gentlePull->node);
 }
 
+/// One that comes is where the hand has it at once.
+void PreviewRun::leadInstrument(const std::optional<PlacedCollider>& target) {
+    const std::optional<PlacedCollider> before = std::exchange(m_heldInstrument, target);
+    if (!before || !target) return;
+    const double way = mostMotion(target->shape, before->pose, target->pose);
+    const double longest = fastestHand * m_simulation->timeStep();
+    if (way > longest) m_heldInstrument->pose = between(before->pose, target->pose, longest / way);
+}
+
 bool PreviewRun::step(const PreviewLoads& loads) {
     const double timeStep = m_simulation->timeStep();
     Loads acting = sceneLoads();
-    if (loads.instrument) acting.instruments.push_back(*loads.instrument);
+    leadInstrument(loads.instrument);
+    if (m_heldInstrument) acting.instruments.push_back(*m_heldInstrument);
     const std::size_t led = acting.held.size();
     if (m_pull) m_pull->advance(timeStep, acting.held);
     if (m_gentleGrasp) {

@@ -51,6 +51,10 @@ public:
     void beginScene();
     /// Where the scene's instruments are; none unless it plays or came to its end.
     std::vector<PlacedCollider> sceneInstruments() const;
+    /// Where the instrument is that the hand leads: it goes no faster than a hand does in the tissue's own
+    /// time. The mouse knows no such time, and where a second of the tissue takes long to compute it would
+    /// be swept through it.
+    const std::optional<PlacedCollider>& heldInstrument() const { return m_heldInstrument; }
     /// Stops the run for a reason, at the last good state that can be drawn.
     void stop(const std::string& reason);
     /// Steps until `seconds` are simulated, or more than that has been spent computing. Motion that runs
@@ -71,6 +75,7 @@ public:
 
 private:
     void run(PreparedProject prepared);
+    void leadInstrument(const std::optional<PlacedCollider>& target);
     void followLoads(const PreviewLoads& loads);
     bool step(const PreviewLoads& loads);
     Loads sceneLoads() const;
@@ -88,6 +93,7 @@ private:
     bool m_isShortened = false;    ///< the project's step
     std::optional<Simulation> m_simulation;
     std::optional<Grasp> m_pull, m_gentleGrasp;
+    std::optional<PlacedCollider> m_heldInstrument;
     std::optional<GentlePull> m_gentlePull;
     double m_gentleTime = 0;
     Scene m_scene;

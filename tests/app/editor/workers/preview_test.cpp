@@ -174,6 +174,29 @@ TEST(PreviewRun, TellsTheForceOnTheInstrumentThatIsHeld) {
     EXPECT_FALSE(run.status().instrumentForce) << "nothing is touched";
 }
 
+TEST(PreviewRun, LeadsTheHeldInstrumentNoFasterThanAHandGoes) {
+    PreviewRun run;
+    ASSERT_TRUE(run.take(prepareProject(makeSample("liver"))));
+    const Eigen::Vector3d aside = boundingBox(run.positions()).max() + Eigen::Vector3d(0.5, 0.5, 0.5);
+    PreviewLoads loads;
+    loads.instrument = PlacedCollider{Capsule{0.005, 0.2}, {aside}};
+    ASSERT_TRUE(run.advance(1.0 / 60, loads));
+    EXPECT_EQ(run.heldInstrument().value().pose.place, aside) << "it comes where the hand has it";
+    loads.instrument->pose.place.x() += 1;
+    double before = aside.x();
+    for (int frame = 0; frame < 1200 && before < aside.x() + 1; ++frame) {
+        ASSERT_TRUE(run.advance(1.0 / 60, loads));
+        const double now = run.heldInstrument().value().pose.place.x();
+        // A slow machine simulates less than the frame, never more than two and a step.
+        EXPECT_LE(now - before, 2.0 / 60 + run.status().timeStep + 1e-9);
+        before = now;
+    }
+    EXPECT_EQ(before, aside.x() + 1) << "and arrives";
+    loads.instrument.reset();
+    ASSERT_TRUE(run.advance(1.0 / 60, loads));
+    EXPECT_FALSE(run.heldInstrument());
+}
+
 TEST(PreviewRun, PlaysTheScenesLoadsFromRestToItsEnd) {
     Project project = makeSample("liver");
     const std::vector<Eigen::Vector3d>& rest = project.network->restPositions;
