@@ -8,8 +8,9 @@ namespace esm {
 
 PreparedModel prepareModel(const TissueModel& model, const SimulationSettings& settings,
                            std::shared_ptr<MatrixFactoriser> factoriser) {
-    const ChosenStep chosen = chooseStep(model, settings);
-    return prepareModel(makeSpringSystem(model), settings, chosen, std::move(factoriser));
+    SpringSystem system = makeSpringSystem(model);
+    const ChosenStep chosen = chooseStep(system, settings);
+    return prepareModel(std::move(system), settings, chosen, std::move(factoriser));
 }
 
 // Integrators of the second order take their first step by a form of the first, which has a matrix of its

@@ -26,7 +26,8 @@ template<class Work> std::string failureOf(const Work& work) {
 
 } // namespace
 
-PreparedProject prepareProject(const Project& project, const TissueEvaluated& evaluated) {
+PreparedProject prepareProject(const Project& project, const TissueEvaluated& evaluated,
+                               const std::shared_ptr<MatrixFactoriser>& factoriser) {
     PreparedProject prepared{project, nullptr, {}, {}, {}};
     prepared.failure =
         failureOf([&] { prepared.tissue = std::make_shared<const TissueModel>(evaluateModel(project)); });
@@ -34,7 +35,9 @@ PreparedProject prepareProject(const Project& project, const TissueEvaluated& ev
     if (!prepared.tissue) return prepared;
     prepared.failure = failureOf([&] {
         prepared.gentlePull = gentlePull(*prepared.tissue);
-        prepared.model = prepareModel(*prepared.tissue, settingsOf(project));
+        prepared.model = prepareModel(*prepared.tissue, settingsOf(project), factoriser);
+        // The thread that steps goes on with one of its own.
+        prepared.model->solvers.setFactoriser(std::make_shared<MatrixFactoriser>());
     });
     return prepared;
 }

@@ -28,6 +28,8 @@ using TissueEvaluated = std::function<void(const std::shared_ptr<const TissueMod
 
 /// Takes up to a tenth of a second for ten thousand nodes, on any thread.
 /// @param evaluated hears of the tissue, or that there is none, before its matrices are factorised
-PreparedProject prepareProject(const Project& project, const TissueEvaluated& evaluated = {});
+/// @param factoriser kept by those who prepare one project after the other: most have the same network
+PreparedProject prepareProject(const Project& project, const TissueEvaluated& evaluated = {},
+                               const std::shared_ptr<MatrixFactoriser>& factoriser = nullptr);
 
 } // namespace esm

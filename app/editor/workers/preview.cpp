@@ -62,7 +62,7 @@ int Preview::projectCount() const {
 
 std::shared_ptr<PreparedProject> Preview::prepare(const Preparer::Task& task) {
     const auto tell = [&](const auto& tissue) { tellTissue(tissue, task.number); };
-    return std::make_shared<PreparedProject>(prepareProject(task.question, tell));
+    return std::make_shared<PreparedProject>(prepareProject(task.question, tell, m_factoriser));
 }
 
 void Preview::tellTissue(const std::shared_ptr<const TissueModel>& tissue, int number) {

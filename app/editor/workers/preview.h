@@ -108,6 +108,8 @@ private:
     int m_tissueProject = 0; ///< the number of the project that it is of
     std::atomic<bool> m_frameAnnounced = false;
     SafeStepFinder m_safeSteps;
+    const std::shared_ptr<MatrixFactoriser> m_factoriser =
+        std::make_shared<MatrixFactoriser>(); ///< the preparer's
     Preparer m_preparer;
     std::thread m_thread;
 };

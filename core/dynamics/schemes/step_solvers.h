@@ -22,6 +22,8 @@ public:
 
     const std::vector<char>& prescribed() const { return m_prescribed; }
     const std::shared_ptr<MatrixFactoriser>& factoriser() const { return m_factoriser; }
+    /// For what is asked for from now on.
+    void setFactoriser(std::shared_ptr<MatrixFactoriser> factoriser) { m_factoriser = std::move(factoriser); }
 
     /// Of a step of so many seconds, with every spring as stiff as it may become.
     /// @param builds on the step before: see stepFactors()

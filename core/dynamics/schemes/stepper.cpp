@@ -67,7 +67,10 @@ Stepper::Stepper(PreparedModel model, TouchedSurface surface, ThreadTeam* team, 
       m_strained(m_system), m_scheme(makeScheme(former)) {
     if (!former) return;
     m_formerSeconds = former->m_formerSeconds;
-    if (former->factoriser() != factoriser()) m_formerSeconds += former->factoriser()->seconds();
+    if (former->factoriser() == factoriser()) return;
+    // The former one is this thread's, and knows the network's order of elimination.
+    m_formerSeconds += factoriser()->seconds();
+    m_free.setFactoriser(former->factoriser());
 }
 
 double Stepper::factorisationSeconds() const {

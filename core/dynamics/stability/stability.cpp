@@ -97,6 +97,13 @@ ChosenStep bestChoice(TissueSpectrum& tissue, const SimulationSettings& settings
                               "integrator or auto, or give all of the tissue some viscosity");
 }
 
+/// Where nothing has to be chosen. @throws InvalidModel for settings with problems
+std::optional<ChosenStep> givenStep(const SimulationSettings& settings) {
+    if (auto problems = validate(settings); !problems.empty()) throw InvalidModel(std::move(problems));
+    if (!settings.timeStep || settings.integrator == Integrator::Auto) return std::nullopt;
+    return ChosenStep{settings.integrator, *settings.timeStep};
+}
+
 } // namespace
 
 std::optional<double> criticalStep(const TissueModel& model, Integrator integrator,
@@ -127,16 +134,20 @@ double largestAngularFrequency(const TissueModel& model) {
 }
 
 ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings) {
-    if (auto problems = validate(settings); !problems.empty()) throw InvalidModel(std::move(problems));
+    if (const auto given = givenStep(settings)) return *given;
+    return chooseStep(makeSpringSystem(model), settings);
+}
+
+ChosenStep chooseStep(const SpringSystem& system, const SimulationSettings& settings) {
+    if (const auto given = givenStep(settings)) return *given;
     const bool isAuto = settings.integrator == Integrator::Auto;
-    if (settings.timeStep && !isAuto) return {settings.integrator, *settings.timeStep};
-    TissueSpectrum tissue(makeSpringSystem(model), settings.damping, {0.05, Deformation::Any, {}});
+    TissueSpectrum tissue(system, settings.damping, {0.05, Deformation::Any, {}});
     if (settings.timeStep) return {integratorFor(tissue, settings, *settings.timeStep), *settings.timeStep};
 
     const double cap = longestStep / safetyFactor;
     ChosenStep chosen{settings.integrator, 0};
     if (isAuto)
-        chosen = bestChoice(tissue, settings, cap, model.network->springs.size());
+        chosen = bestChoice(tissue, settings, cap, system.springs.size());
     else if (const auto step = schemeOf(settings.integrator).largestStable(tissue, cap))
         chosen.timeStep = *step;
     else

@@ -8,6 +8,8 @@
 
 namespace esm {
 
+struct SpringSystem;
+
 inline constexpr double longestStep = 0.01;  ///< s; what is chosen stays at or below this
 inline constexpr double shortestStep = 1e-9; ///< s; and at or above this
 
@@ -36,5 +38,6 @@ double largestAngularFrequency(const TissueModel& model);
 /// `Auto` then becomes an integrator that is stable at it (in float, `euler`).
 /// @throws InvalidModel when model or settings have problems, or no step of at least 1 ns would be stable
 ChosenStep chooseStep(const TissueModel& model, const SimulationSettings& settings);
+ChosenStep chooseStep(const SpringSystem& system, const SimulationSettings& settings);
 
 } // namespace esm
