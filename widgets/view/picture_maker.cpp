@@ -1,5 +1,7 @@
 #include "widgets/view/picture_maker.h"
 
+#include "core/support/thread_priority.h"
+
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 
@@ -7,7 +9,6 @@
 #include <exception>
 #include <optional>
 #include <stdexcept>
-#include <sys/resource.h>
 #include <utility>
 
 namespace esm {
@@ -22,13 +23,10 @@ constexpr std::chrono::milliseconds patience{8};
 /// A scene that did not change for so long is taken to rest. Frames of a slow motion come oftener.
 constexpr std::chrono::milliseconds restTime{120};
 
-/// Where a program draws in place of a graphics card, its threads, which are this one's children, would else
-/// take from the tissue the processors that it moves by: an edit is seen sooner, and as many pictures a
-/// second are made. On Linux the calling thread's alone.
-void giveWayToTheTissue() {
-    constexpr int niceness = 5; // with 10, pictures come late while a slider is dragged
-    ::setpriority(PRIO_PROCESS, 0, niceness);
-}
+/// Where a program draws in place of a graphics card, its threads, which this one starts, would else take
+/// from the tissue the processors that it moves by: an edit is seen sooner, and as many pictures a second are
+/// made. With 10, pictures come late while a slider is dragged.
+constexpr int niceness = 5;
 
 QSurfaceFormat surfaceFormat() {
     QSurfaceFormat format;
@@ -123,7 +121,7 @@ MadePicture PictureMaker::picture() const {
 
 /// What lives in the context is made and deleted by the thread that draws.
 void PictureMaker::work() {
-    giveWayToTheTissue();
+    giveWay(niceness);
     Canvas canvas(m_surface);
     while (const std::optional<Asked> asked = m_asked.take()) {
         try {

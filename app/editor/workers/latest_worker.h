@@ -2,6 +2,7 @@
 
 #include "core/support/latest_input.h"
 #include "core/support/progress.h"
+#include "core/support/thread_priority.h"
 
 #include <QThread>
 
@@ -25,7 +26,7 @@ template<typename Answer> struct Outcome {
 
 /// How a worker does its work.
 struct WorkerHabits {
-    QThread::Priority priority = QThread::InheritPriority;
+    int niceness = 0;                        ///< see giveWay()
     std::chrono::milliseconds settleTime{0}; ///< questions that follow each other faster are answered once
 };
 
@@ -64,21 +65,19 @@ public:
         LatestWorker& m_worker;
     };
 
-    /// What it throws is why there is no answer. Cancelled says that the question is obsolete, and nothing.
+    /// What it throws is told as the reason why there is no answer; of Cancelled, for a question that became
+    /// obsolete, nothing is told.
     using Work = std::function<Answer(const Task&)>;
 
-    /// @param work called on the worker's thread, as is
-    /// @param told whenever there is news
+    /// @param work called on the worker's thread
+    /// @param told called on the worker's thread whenever there is news
     LatestWorker(Work work, std::function<void()> told, WorkerHabits habits = {})
         : m_work(std::move(work)), m_told(std::move(told)), m_habits(habits),
           m_thread(QThread::create([this] { answerAll(); })) {
-        m_thread->start(habits.priority);
+        m_thread->start();
     }
     ~LatestWorker() {
         m_questions.stop();
-        // Nobody is kept waiting for one that idles.
-        if (m_thread->isRunning() && m_thread->priority() == QThread::IdlePriority)
-            m_thread->setPriority(QThread::NormalPriority);
         m_thread->wait();
     }
     LatestWorker(const LatestWorker&) = delete;
@@ -109,6 +108,7 @@ private:
     }
 
     void answerAll() {
+        giveWay(m_habits.niceness);
         while (const auto asked = m_questions.take())
             if (!m_questions.becomesObsoleteWithin(m_habits.settleTime)) answer(*asked);
     }

@@ -8,8 +8,9 @@ namespace esm {
 
 namespace {
 
-/// Edits that come at once are answered once.
-constexpr std::chrono::milliseconds settleTime{10};
+/// Nobody reads a gauge while a slider is dragged, and the tissue that moves meanwhile needs the processors.
+constexpr std::chrono::milliseconds settleTime{250};
+constexpr int niceness = 10;
 
 constexpr double tolerance = 0.05; ///< enough for a gauge
 
@@ -18,7 +19,7 @@ constexpr double tolerance = 0.05; ///< enough for a gauge
 SafeStepFinder::SafeStepFinder(Found found)
     : m_found(std::move(found)),
       m_worker([](const auto& task) { return stepOf(task.question, task.progress()); }, [this] { tell(); },
-               {QThread::IdlePriority, settleTime}) {}
+               {niceness, settleTime}) {}
 
 std::optional<double> SafeStepFinder::stepOf(const Question& question, const Progress& progress) {
     return criticalStep(question.model, question.integrator, {tolerance, Deformation::Any, progress});
