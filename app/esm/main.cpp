@@ -3,7 +3,6 @@
 #include "core/samples/samples.h"
 
 #include <QCommandLineParser>
-#include <QTimer>
 
 #include <csignal>
 
@@ -47,6 +46,6 @@ int main(int argc, char** argv) {
     std::vector<std::filesystem::path> paths;
     for (const QString& file : files)
         paths.emplace_back(file.toStdString());
-    QTimer::singleShot(0, &window, [&] { window.openFiles(paths); });
+    window.start(paths);
     return esm::Application::exec();
 }

@@ -4,13 +4,13 @@
 #include "core/exchange/meshes/mesh_file.h"
 #include "core/exchange/simulators/exporters.h"
 #include "core/support/angles.h"
+#include "core/support/letters.h"
 #include "core/support/numbers.h"
+#include "core/texture/photo/photo_format.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <sstream>
 
@@ -68,13 +68,14 @@ constexpr const char* toStandardOutput =
     "'-' would be standard output, to which no file is written; name a file";
 
 bool isKnownEnding(const std::string& ending) {
-    static const std::vector<std::string> others{".esm", ".png", ".csv",  ".glb",  ".json", ".jpg", ".jpeg",
-                                                 ".bmp", ".tif", ".tiff", ".webp", ".fcl",  ".fll"};
-    const auto& meshes = meshFileEndings();
-    return std::find(others.begin(), others.end(), ending) != others.end() ||
+    static const std::vector<std::string> others{".esm", ".csv", ".json", ".fcl", ".fll"};
+    const auto isOneOf = [](const std::string& word, const std::vector<std::string>& words) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    const std::string word = ending.substr(1);
+    return isOneOf(ending, others) || isOneOf(word, photoFileEndings()) || isOneOf(word, meshFileEndings()) ||
            std::any_of(exporters().begin(), exporters().end(),
-                       [&](const Exporter& exporter) { return exporter.ending == ending; }) ||
-           std::find(meshes.begin(), meshes.end(), ending.substr(1)) != meshes.end();
+                       [&](const Exporter& exporter) { return exporter.ending == ending; });
 }
 
 } // namespace
@@ -187,9 +188,7 @@ CLI::Validator wholeNumber() {
 
 std::string endingProblem(const std::string& file, const std::string& ending) {
     if (file == standardOutput) return toStandardOutput;
-    std::string given = std::filesystem::path(file).extension().string();
-    std::transform(given.begin(), given.end(), given.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    const std::string given = endingOf(file);
     if (given.empty() || given == ending || !isKnownEnding(given)) return {};
     return "'" + file + "' does not end in " + ending + ", the kind of file that is written";
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double alwaysGood = 3;    ///< times the size or the reach
 constexpr double energyMargin = 4;  ///< steps near their critical length let the energy swing
-constexpr double fastestAnswer = 2; ///< times its speed, of what something heavy hits
+constexpr double fastestAnswer = 2; ///< times the speed of something heavy that hits it
 
 bool allFinite(const Vectors& vectors) {
     return std::all_of(vectors.begin(), vectors.end(), [](const auto& v) { return v.allFinite(); });

@@ -1,5 +1,7 @@
 #include "core/dynamics/settling.h"
 
+#include "core/dynamics/node_ties.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,31 +23,6 @@ struct Hold {
 
 struct IsSlower {
     bool operator()(const Hold& a, const Hold& b) const { return a.waveTime > b.waveTime; }
-};
-
-/// The springs at each node.
-class SpringsAtNodes {
-public:
-    explicit SpringsAtNodes(const SpringSystem& system) : m_starts(system.mass.size() + 1, 0) {
-        for (const auto& spring : system.springs)
-            for (const std::uint32_t node : {spring.first, spring.second})
-                ++m_starts[node + 1];
-        for (std::size_t node = 0; node < system.mass.size(); ++node)
-            m_starts[node + 1] += m_starts[node];
-        std::vector<std::size_t> next(m_starts.begin(), m_starts.end() - 1);
-        m_springs.resize(m_starts.back());
-        for (std::uint32_t i = 0; i < system.springs.size(); ++i)
-            for (const std::uint32_t node : {system.springs[i].first, system.springs[i].second})
-                m_springs[next[node]++] = i;
-    }
-    template<class Visit> void visit(std::uint32_t node, const Visit& visit) const {
-        for (std::size_t i = m_starts[node]; i < m_starts[node + 1]; ++i)
-            visit(m_springs[i]);
-    }
-
-private:
-    std::vector<std::size_t> m_starts;
-    std::vector<std::uint32_t> m_springs;
 };
 
 /// N·s/m, sums at each node. Moved across flat tissue, a node meets the viscosity of all its springs,
@@ -93,17 +70,14 @@ std::vector<Hold> fastestHolds(const SpringSystem& system) {
     for (const Tether& tether : system.tethers)
         hang(tether.node, tether.node, 0, tether.springConstant);
 
-    const SpringsAtNodes springs(system);
+    const NodeTies ties(system);
     while (!waiting.empty()) {
         const Hold hold = waiting.top();
         waiting.pop();
         if (hold.waveTime > waveTimes[hold.node]) continue;
         holds.push_back(hold);
-        springs.visit(hold.node, [&, from = hold.node](std::uint32_t index) {
-            const auto& spring = system.springs[index];
-            hang(spring.first == from ? spring.second : spring.first, from, hold.waveTime,
-                 leastSpringConstant(spring));
-        });
+        for (const auto& [neighbour, spring] : ties.springsOf(hold.node))
+            hang(neighbour, hold.node, hold.waveTime, leastSpringConstant(system.springs[spring]));
     }
     return holds;
 }

@@ -89,9 +89,9 @@ struct Simulation::Implementation {
 
     void reset() {
         if (whole) {
-            auto [system, touchable] = *std::exchange(whole, {});
-            surface = std::move(touchable);
-            stepper = Stepper(prepared(std::move(system), chosen), surface, team.get());
+            stepper = Stepper(prepared(whole->system, chosen), whole->surface, team.get());
+            surface = std::move(whole->surface);
+            whole.reset();
         }
         motion.positions = stepper.system().network->restPositions;
         motion.velocities.assign(motion.positions.size(), Eigen::Vector3d::Zero());
@@ -246,11 +246,6 @@ double Simulation::factorisationSeconds() const {
     return m_implementation->stepper.factorisationSeconds();
 }
 
-bool Simulation::wasTouched() const {
-    const std::vector<InstrumentTouch>& touches = instrumentTouches();
-    return std::any_of(touches.begin(), touches.end(), [](const auto& touch) { return touch.touched; });
-}
-
 const std::vector<InstrumentTouch>& Simulation::instrumentTouches() const {
     return m_implementation->touches;
 }
@@ -308,6 +303,7 @@ void Simulation::setModel(PreparedModel model) {
     Implementation& self = *m_implementation;
     if (model.system.mass.size() != self.motion.positions.size())
         throw InvalidModel("new parameters are for another number of nodes than the running model has");
+    if (self.whole) throw InvalidModel("the tissue was cut: put it to rest before it takes new parameters");
     if (!self.team) self.team = makeTeam(model.system.mass.size(), model.settings);
     SimulationSettings settings = model.settings;
     const ChosenStep chosen = model.chosen;

@@ -15,7 +15,7 @@
 
 namespace esm {
 
-/// A running model: the only thing in the program that is mutable and lives on. One thread at a time.
+/// A running model. One thread at a time.
 class Simulation {
 public:
     /// Starts at rest. `surface` is what instruments touch; may be empty.
@@ -33,7 +33,7 @@ public:
     const std::vector<Eigen::Vector3d>& positions() const;  ///< m, one per node
     const std::vector<Eigen::Vector3d>& velocities() const; ///< m/s
     const Motion& motion() const;                           ///< both
-    const SpringSystem& system() const;                     ///< until setModel()
+    const SpringSystem& system() const;                     ///< until it is another one
     Energy energy() const;
 
     /// Advances by one step. When the result is not finite or went farther than the loads can have driven it,
@@ -45,8 +45,6 @@ public:
     const std::string& failure() const;
     /// J, what instruments have done to the tissue since the start.
     double contactWork() const;
-    /// Whether an instrument has touched what can move since the start.
-    bool wasTouched() const;
     /// Since the start, by the instruments' places in the loads.
     const std::vector<InstrumentTouch>& instrumentTouches() const;
 
@@ -68,8 +66,9 @@ public:
     void placeInstruments(std::vector<ColliderPose> poses);
 
     /// Takes new parameters for the same network, motion and instruments going on, and settings where they
-    /// are new too. States that were kept stay so; without any, the one there is now is kept. @throws
-    /// InvalidModel
+    /// are new too; as many threads step as before. States that were kept stay so; without any, the one there
+    /// is now is kept. @throws InvalidModel, also where setTopology() was called since the last reset(),
+    /// which would not know what the whole tissue is now
     void setModel(const TissueModel& model);
     void setModel(const TissueModel& model, const SimulationSettings& settings);
     /// The same without the time that it takes to choose a step and to factorise its matrices.
@@ -87,7 +86,9 @@ public:
     /// setModel() chooses anew. @throws InvalidModel as step()
     void goBack(double timeStep);
 
-    /// Back to rest at time 0, without instruments, and with the nodes that there were then.
+    /// Back to rest at time 0, without instruments, and with the nodes that there were then. @throws
+    /// InvalidModel after setTopology() where the matrices of that time cannot be made again; the tissue is
+    /// then as it was
     void reset();
 
 private:

@@ -4,9 +4,9 @@
 
 namespace esm {
 
-/// The springs that a constant matrix takes with the constant that they have beyond the strain of their law.
-/// All others it takes with the one up to that strain. They change seldom, so that a factorised matrix stays
-/// of use.
+/// Which springs are beyond the strain of their law, for a constant matrix: it takes these with the constant
+/// beyond the strain, all others with the one up to it. Which they are changes seldom, so that a factorised
+/// matrix stays of use.
 class StrainedSprings {
 public:
     /// Whether there are springs that become stiffer at all.

@@ -177,12 +177,7 @@ bool hasConstantMatrix(Integrator integrator) {
     return traitsOf(integrator).hasConstantMatrix;
 }
 
-// This and the next follow from other traits and are no traits themselves: a row cannot contradict itself.
-bool hasTangentMatrix(Integrator integrator) {
-    const IntegratorTraits& traits = traitsOf(integrator);
-    return traits.kind == StepKind::Solving && !traits.hasConstantMatrix;
-}
-
+// Follows from other traits and is none itself: a row cannot contradict itself.
 bool hasSecondOrderForm(Integrator integrator) {
     const IntegratorTraits& traits = traitsOf(integrator);
     return traits.kind == StepKind::Solving && traits.startsAs != integrator;

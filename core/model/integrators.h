@@ -72,8 +72,6 @@ bool isExplicit(Integrator integrator);
 bool mayBeExplicit(Integrator integrator);
 /// Solves with a matrix that is factorised once.
 bool hasConstantMatrix(Integrator integrator);
-/// Solves with a matrix that follows the tissue's present stiffness, made anew in each step.
-bool hasTangentMatrix(Integrator integrator);
 /// Solves for two matrices: that of its first step after a jump, and its own, which builds on the step
 /// before.
 bool hasSecondOrderForm(Integrator integrator);

@@ -120,5 +120,8 @@ RegionCount countOf(const SpringNetwork& network, const Region& region);
 
 /// Every problem of the project and its parts. Empty when all is well.
 std::vector<std::string> validate(const Project& project);
+/// What a project without problems is made of, evaluated once. @throws InvalidModel with all that validate()
+/// finds
+TissueModel soundModel(const Project& project);
 
 } // namespace esm

@@ -76,9 +76,7 @@ Problems networkProblems(const Project& project) {
     return problems;
 }
 
-} // namespace
-
-std::vector<std::string> validate(const Project& project) {
+Problems partProblems(const Project& project) {
     if (!project.mesh || !project.network || !project.importReport)
         return {"the project has no organ; import a mesh"};
     Problems problems;
@@ -93,9 +91,28 @@ std::vector<std::string> validate(const Project& project) {
         addUnder(problems, "photo " + std::to_string(i + 1) + " (" + project.layers[i].name + ")",
                  photoProblems(project.layers[i]));
     addUnder(problems, "texture", textureProblems(project));
-    // Only sound parts can be evaluated together.
-    if (problems.empty()) addUnder(problems, "model", validate(evaluateModel(project)));
     return problems;
+}
+
+} // namespace
+
+// Only sound parts can be evaluated together.
+TissueModel soundModel(const Project& project) {
+    Problems problems = partProblems(project);
+    if (!problems.empty()) throw InvalidModel(std::move(problems));
+    TissueModel model = evaluateModel(project);
+    addUnder(problems, "model", validate(model));
+    if (!problems.empty()) throw InvalidModel(std::move(problems));
+    return model;
+}
+
+std::vector<std::string> validate(const Project& project) {
+    try {
+        soundModel(project);
+        return {};
+    } catch (const InvalidModel& error) {
+        return error.problems();
+    }
 }
 
 } // namespace esm

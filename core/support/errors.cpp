@@ -3,6 +3,7 @@
 #include "core/support/joined.h"
 
 #include <algorithm>
+#include <new>
 
 namespace esm {
 
@@ -19,5 +20,10 @@ std::string inOneLine(const std::vector<std::string>& problems) {
 
 InvalidModel::InvalidModel(std::vector<std::string> problems)
     : std::runtime_error(inOneLine(problems)), m_problems(std::move(problems)) {}
+
+std::string reasonOf(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error)) return "there is not enough memory for it";
+    return error.what();
+}
 
 } // namespace esm

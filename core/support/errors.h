@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -33,5 +34,9 @@ class Cancelled : public std::runtime_error {
 public:
     Cancelled() : std::runtime_error("cancelled") {}
 };
+
+/// Why something failed, in the user's words: what the error says, except where the standard library words it
+/// for programmers. A part of a sentence, without a full stop.
+std::string reasonOf(const std::exception& error);
 
 } // namespace esm

@@ -32,8 +32,11 @@ std::uint64_t regularFileSize(const fs::path& file) {
     return size;
 }
 
-Bytes readFile(const fs::path& file) {
+Bytes readFile(const fs::path& file, std::uint64_t largest) {
     const std::uint64_t size = regularFileSize(file);
+    if (size > largest)
+        throw FileError(file, "is larger than the " + std::to_string(largest >> 20) +
+                                  " MiB that such a file may have; choose another file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw FileError(file, "cannot be opened; check its permissions");
     Bytes content(static_cast<std::size_t>(size));

@@ -42,27 +42,34 @@ bool isNumber(const std::string& text) {
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// As far as they can be listed: processes and their files go while one looks.
+std::vector<fs::path> entriesOf(const fs::path& folder) {
+    std::vector<fs::path> entries;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error))
+        entries.push_back(entry->path());
+    return entries;
+}
+
 /// Whether one of a process's open files is this one, with a lock on it.
 bool holds(const fs::path& process, const FileVersion& file) {
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(process / "fd", ignored)) {
+    const std::vector<fs::path> open = entriesOf(process / "fd");
+    return std::any_of(open.begin(), open.end(), [&](const fs::path& entry) {
         struct stat status {};
-        if (::stat(entry.path().c_str(), &status) != 0) continue;
-        if (status.st_dev != file.device || status.st_ino != file.inode) continue;
-        if (contentOf(process / "fdinfo" / entry.path().filename()).find("lock:") != std::string::npos)
-            return true;
-    }
-    return false;
+        return ::stat(entry.c_str(), &status) == 0 && status.st_dev == file.device &&
+               status.st_ino == file.inode &&
+               contentOf(process / "fdinfo" / entry.filename()).find("lock:") != std::string::npos;
+    });
 }
 
 /// "process 123 (esmc tissue liver.esm)": the system names no holder of such a lock, but lets a user look
 /// through the open files of his own processes.
 std::string holderOf(const FileVersion& file) {
-    std::error_code ignored;
-    for (const auto& process : fs::directory_iterator("/proc", ignored)) {
-        const std::string number = process.path().filename().string();
-        if (!isNumber(number) || !holds(process.path(), file)) continue;
-        std::string command = contentOf(process.path() / "cmdline");
+    for (const fs::path& process : entriesOf("/proc")) {
+        const std::string number = process.filename().string();
+        if (!isNumber(number) || !holds(process, file)) continue;
+        std::string command = contentOf(process / "cmdline");
         while (!command.empty() && command.back() == '\0')
             command.pop_back();
         std::replace(command.begin(), command.end(), '\0', ' ');

@@ -112,7 +112,8 @@ Json parseJson(const char* begin, const char* end) {
 }
 
 Json readJsonFile(const std::filesystem::path& file) {
-    const Bytes content = readFile(file);
+    constexpr std::uint64_t largest = std::uint64_t{64} << 20;
+    const Bytes content = readFile(file, largest);
     const char* begin = reinterpret_cast<const char*>(content.data());
     try {
         return parseJson(begin, begin + content.size());

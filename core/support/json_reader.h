@@ -19,7 +19,7 @@ nlohmann::ordered_json parseJson(const char* begin, const char* end);
 /// What parseJson() checks, without the result. @throws InvalidModel
 void guardJson(const char* begin, const char* end);
 
-/// @throws FileError: what readFile() and parseJson() throw
+/// @throws FileError: what readFile() and parseJson() throw; of more than 64 MiB
 nlohmann::ordered_json readJsonFile(const std::filesystem::path& file);
 
 /// Places of numbers that JSON cannot hold (NaN, infinite), as "regions[0].held.mass".

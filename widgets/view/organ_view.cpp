@@ -10,7 +10,7 @@
 
 namespace esm {
 
-OrganView::OrganView(QWidget* parent) : QWidget(parent) {
+OrganView::OrganView(QWidget* parent, PictureDrawing drawing) : QWidget(parent), m_maker(std::move(drawing)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(240, 180);

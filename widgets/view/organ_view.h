@@ -22,7 +22,8 @@ class OrganView : public QWidget {
     Q_OBJECT
 
 public:
-    explicit OrganView(QWidget* parent = nullptr);
+    /// @param drawing of its pictures, as the maker's
+    explicit OrganView(QWidget* parent = nullptr, PictureDrawing drawing = {});
 
     /// Replaces all that is shown. The first scene with anything in it is framed.
     void setScene(RenderScene scene);

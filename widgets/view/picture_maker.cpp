@@ -1,11 +1,11 @@
 #include "widgets/view/picture_maker.h"
 
+#include "core/support/errors.h"
 #include "core/support/thread_priority.h"
 
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 
-#include <chrono>
 #include <exception>
 #include <optional>
 #include <stdexcept>
@@ -51,16 +51,11 @@ public:
         m_renderer.reset();
     }
 
-    /// Whether a picture with smooth edges takes long.
-    bool isSlow() const { return m_isSlow; }
-    /// @param samples per pixel; 0: edges are not smooth
     /// @throws std::runtime_error as paint()
-    QImage draw(const PictureContent& content, int samples) {
+    DrawnPicture draw(const PictureContent& content, int samples) {
         const Clock::time_point start = Clock::now();
         QImage image = paint(content, samples);
-        const Clock::duration time = Clock::now() - start;
-        m_isSlow = (samples > 0 ? time : smoothSamples * time) > patience;
-        return image;
+        return {std::move(image), Clock::now() - start};
     }
 
 private:
@@ -95,10 +90,10 @@ private:
     QOpenGLContext m_context;
     std::optional<Renderer> m_renderer;
     std::optional<QOpenGLFramebufferObject> m_target;
-    bool m_isSlow = false;
 };
 
-PictureMaker::PictureMaker(QObject* parent) : QObject(parent), m_thread(QThread::create([this] { work(); })) {
+PictureMaker::PictureMaker(PictureDrawing drawing, QObject* parent)
+    : QObject(parent), m_drawing(std::move(drawing)), m_thread(QThread::create([this] { work(); })) {
     m_surface.setFormat(surfaceFormat());
     m_surface.create();
     m_thread->start();
@@ -123,22 +118,33 @@ MadePicture PictureMaker::picture() const {
 void PictureMaker::work() {
     giveWay(niceness);
     Canvas canvas(m_surface);
+    const PictureDrawing draw =
+        m_drawing ? m_drawing : [&canvas](const PictureContent& content, int samples) {
+            return canvas.draw(content, samples);
+        };
     while (const std::optional<Asked> asked = m_asked.take()) {
         try {
-            answer(canvas, *asked);
+            answer(draw, *asked);
         } catch (const std::exception& problem) {
-            publish({asked->number, {}, asked->content.camera, true, QString::fromUtf8(problem.what())});
+            publish(
+                {asked->number, {}, asked->content.camera, true, QString::fromStdString(reasonOf(problem))});
         }
     }
 }
 
-void PictureMaker::answer(Canvas& canvas, const Asked& asked) {
+QImage PictureMaker::drawn(const PictureDrawing& draw, const PictureContent& content, int samples) {
+    DrawnPicture picture = draw(content, samples);
+    m_isSlow = (samples > 0 ? picture.time : smoothSamples * picture.time) > patience;
+    return std::move(picture.image);
+}
+
+void PictureMaker::answer(const PictureDrawing& draw, const Asked& asked) {
     const auto& [content, number] = asked;
-    if (canvas.isSlow()) {
-        publish({number, canvas.draw(content, 0), content.camera, false, {}});
+    if (m_isSlow) {
+        publish({number, drawn(draw, content, 0), content.camera, false, {}});
         if (m_asked.becomesObsoleteWithin(restTime)) return;
     }
-    publish({number, canvas.draw(content, smoothSamples), content.camera, true, {}});
+    publish({number, drawn(draw, content, smoothSamples), content.camera, true, {}});
 }
 
 void PictureMaker::publish(MadePicture picture) {

@@ -9,6 +9,8 @@
 #include <QSurfaceFormat>
 #include <QThread>
 
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -29,6 +31,16 @@ struct MadePicture {
     QString problem;       ///< why there is no picture; empty when all is well
 };
 
+/// A picture as it was drawn.
+struct DrawnPicture {
+    QImage image;
+    std::chrono::steady_clock::duration time; ///< that drawing took
+};
+
+/// Draws a picture, on the maker's thread. What it throws is told as the reason why there is none.
+/// @param samples per pixel; 0: edges are not smooth
+using PictureDrawing = std::function<DrawnPicture(const PictureContent& content, int samples)>;
+
 /// Draws pictures on a thread of its own, so that no organ, however large, and no slow graphics keep the
 /// window waiting. The newest content wins. Where a picture with smooth edges takes long, as without a
 /// graphics card, one without comes first, and the smooth one only once nothing newer waits.
@@ -36,7 +48,8 @@ class PictureMaker : public QObject {
     Q_OBJECT
 
 public:
-    explicit PictureMaker(QObject* parent = nullptr);
+    /// @param drawing by OpenGL where none is given
+    explicit PictureMaker(PictureDrawing drawing = {}, QObject* parent = nullptr);
     ~PictureMaker() override;
 
     /// Gives the content's number.
@@ -55,9 +68,12 @@ private:
     class Canvas;
 
     void work();
-    void answer(Canvas& canvas, const Asked& asked);
+    void answer(const PictureDrawing& draw, const Asked& asked);
+    QImage drawn(const PictureDrawing& draw, const PictureContent& content, int samples);
     void publish(MadePicture picture);
 
+    PictureDrawing m_drawing;
+    bool m_isSlow = false;       ///< the thread's own: a picture with smooth edges takes long
     QOffscreenSurface m_surface; ///< made by the window's thread, which platforms ask for
     LatestInput<Asked> m_asked;
     int m_lastNumber = 0;

@@ -28,10 +28,8 @@ bool attempt(QWidget* window, const QString& title, const std::function<void()>&
         for (const auto& problem : error.problems())
             problems << QString::fromStdString(problem);
         showProblem(window, title, problems.join('\n'));
-    } catch (const std::bad_alloc&) {
-        showProblem(window, title, QObject::tr("There is not enough memory for this."));
     } catch (const std::exception& error) {
-        showProblem(window, title, QString::fromStdString(error.what()));
+        showProblem(window, title, QString::fromStdString(reasonOf(error)));
     }
     return false;
 }

@@ -26,10 +26,12 @@ Journal::Journal(Document& document, Selection& selection, std::filesystem::path
     : QObject(parent), m_document(document), m_selection(selection), m_folder(std::move(folder)) {
     m_retry.setInterval(habits.retryPause);
     m_retry.setSingleShot(true);
+    // From the writer's thread to this one. The writer ends before this object does, and what is in the queue
+    // then goes with it.
     const auto told = [this](const JournalNews& news) {
-        emit newsCame(news.kind, QString::fromStdString(news.reason));
+        QMetaObject::invokeMethod(
+            this, [this, news] { hear(news); }, Qt::QueuedConnection);
     };
-    connect(this, &Journal::newsCame, this, &Journal::hear, Qt::QueuedConnection);
     m_writer = std::make_unique<JournalWriter>(newJournal(m_folder), told, std::move(habits));
     connect(&m_retry, &QTimer::timeout, this, &Journal::noteReplaced);
     connect(&document, &Document::replaced, this, &Journal::noteReplaced);
@@ -129,17 +131,21 @@ void Journal::noteView() {
     if (m_isKept && !m_isBroken) put(m_view);
 }
 
-void Journal::hear(int news, const QString& reason) {
+void Journal::hear(const JournalNews& news) {
     if (!m_isKept) return;
-    switch (news) {
+    switch (news.kind) {
     case JournalNews::Begun:
         return noteBegun();
+    case JournalNews::Outgrown:
+        return noteOutgrown();
     case JournalNews::Failed:
-        return noteFailure(reason);
-    default:
-        if (!m_isRenewed && !m_isBroken) begin();
-        m_isRenewed = true;
+        return noteFailure(QString::fromStdString(news.reason));
     }
+}
+
+void Journal::noteOutgrown() {
+    if (!m_isRenewed && !m_isBroken) begin();
+    m_isRenewed = true;
 }
 
 void Journal::noteFailure(const QString& reason) {

@@ -36,8 +36,6 @@ signals:
     void failed(const QString& reason);
     /// Worth a word in passing.
     void message(const QString& text);
-    /// From the writer's thread; see JournalNews.
-    void newsCame(int kind, const QString& reason);
 
 private:
     using Step = std::shared_ptr<const Project>;
@@ -50,9 +48,10 @@ private:
     void begin();
     void end();
     void put(JournalTask task) { m_lastPut = m_writer->put(std::move(task)); }
-    void hear(int news, const QString& reason);
+    void hear(const JournalNews& news);
     void noteFailure(const QString& reason);
     void noteBegun();
+    void noteOutgrown();
     void tellFailure(const QString& reason);
     JournalFile file() const;
     std::vector<Step> steps() const;

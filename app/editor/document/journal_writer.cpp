@@ -1,6 +1,6 @@
 #include "app/editor/document/journal_writer.h"
 
-#include <new>
+#include "core/support/errors.h"
 
 namespace esm {
 
@@ -101,10 +101,8 @@ void JournalWriter::end() {
 void JournalWriter::attempt(const std::function<void()>& work) {
     try {
         work();
-    } catch (const std::bad_alloc&) {
-        fail("there is not enough memory for it");
     } catch (const std::exception& error) {
-        fail(error.what());
+        fail(reasonOf(error));
     }
 }
 

@@ -20,6 +20,7 @@ const TextureLayer* PreparationEdits::layer() const {
 void PreparationEdits::edit(const QString& text, const WishChange& change, EditKind kind) {
     const TextureLayer* selected = layer();
     if (!selected) return;
+    if (m_failure && m_failure->layer == selected->id) m_failure.reset();
     Edit asked{selected->id, text, kind, change, m_gesture};
     const bool replaces = kind != EditKind::Alone && !m_waiting.empty() && m_waiting.back().kind == kind &&
                           m_waiting.back().gesture == m_gesture && m_waiting.back().layer == asked.layer;
@@ -45,6 +46,14 @@ PreparationWish PreparationEdits::wanted() const {
 const PreparedPhoto* PreparationEdits::shown() const {
     const TextureLayer* selected = layer();
     return selected && m_shown.photo == selected->photo ? &m_shown : nullptr;
+}
+
+QString PreparationEdits::failure() const {
+    const TextureLayer* selected = layer();
+    const bool isOfSelected = selected && m_failure && m_failure->layer == selected->id &&
+                              m_failure->photo == selected->photo &&
+                              m_failure->preparation == selected->preparation;
+    return isOfSelected ? m_failure->reason : QString();
 }
 
 void PreparationEdits::follow() {
@@ -96,14 +105,16 @@ void PreparationEdits::take() {
     emit changed();
 }
 
+void PreparationEdits::fail(const Running& done, const PreparedPhoto& result) {
+    if (done.edit) {
+        const TextureLayer* edited = findPart(m_document.project().layers, done.edit->layer);
+        if (edited) m_failure = Failure{edited->id, edited->photo, done.before, result.failure};
+    } else if (const TextureLayer* selected = layer()) // not to be tried again
+        m_shown = {result.number, selected->photo, done.before, selected->prepared, 0, {}, {}, {}};
+}
+
 void PreparationEdits::finish(const Running& done, const PreparedPhoto& result) {
-    if (!result.failure.isEmpty()) {
-        if (done.edit)
-            emit failed(done.edit->text, result.failure);
-        else if (const TextureLayer* selected = layer()) // not to be tried again
-            m_shown = {result.number, selected->photo, done.before, selected->prepared, 0, {}, {}, {}};
-        return;
-    }
+    if (!result.failure.isEmpty()) return fail(done, result);
     if (!done.edit) {
         m_shown = result;
         return;

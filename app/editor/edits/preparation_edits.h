@@ -38,12 +38,12 @@ public:
     const PreparedPhoto* shown() const;
     /// Steps that were looked for in vain for the selected photo.
     SoughtSteps missing() const { return m_missing; }
+    /// Why the last edit of the selected photo could not be made; empty when all is well.
+    QString failure() const;
     bool isWorking() const { return m_running || !m_waiting.empty(); }
 
 signals:
     void changed();
-    /// An edit could not be made.
-    void failed(const QString& text, const QString& reason);
 
 private:
     struct Edit {
@@ -59,6 +59,13 @@ private:
         PhotoPreparation before;
         int number;
     };
+    /// An edit that could not be made.
+    struct Failure {
+        LayerId layer;
+        std::shared_ptr<const Photo> photo;
+        PhotoPreparation preparation; ///< that the layer has kept; with another one it is over
+        QString reason;
+    };
 
     void follow();
     void begin();
@@ -66,6 +73,7 @@ private:
     void look();
     void take();
     void finish(const Running& done, const PreparedPhoto& result);
+    void fail(const Running& done, const PreparedPhoto& result);
 
     Document& m_document;
     Selection& m_selection;
@@ -74,6 +82,7 @@ private:
     std::optional<Running> m_running;
     PreparedPhoto m_shown;
     SoughtSteps m_missing;
+    std::optional<Failure> m_failure;
     int m_gesture = 0, m_doneGesture = 0;
 };
 

@@ -15,6 +15,9 @@ constexpr double pointReach = 10;   // pixels around a point that is taken hold 
 constexpr double pointRadius = 4.5; // pixels
 constexpr double sameLength = 1e-9; // share by which two lengths are one
 
+/// To scale the whole project at every step of a drag would hold the drag up.
+constexpr int restBeforeFinding = 300; // ms
+
 /// Points lie on the same corners of another shape of the same organ.
 bool isSameTopology(const TriangleMesh& a, const TriangleMesh& b) {
     return a.vertices.size() == b.vertices.size() && a.triangles == b.triangles;
@@ -41,21 +44,28 @@ void paintPoint(QPainter& painter, const QPointF& place, const QColor& colour) {
 
 DistanceTool::DistanceTool(const ToolContext& context) : m_document(context.document) {
     connect(&m_document, &Document::changed, this, &DistanceTool::followDocument);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restBeforeFinding);
+    connect(&m_rest, &QTimer::timeout, this, &DistanceTool::update);
     followDocument(Change::everything());
 }
 
+/// What can be scaled depends on nearly all of a project: with the density kept, on the tissue's masses too.
+/// Only another organ changes what is measured.
 void DistanceTool::followDocument(const Change& change) {
-    if (change.mesh) {
-        const Project& project = m_document.project();
-        const bool isOther =
-            m_surface && (!isSameTopology(*m_surface, *project.mesh) ||
-                          m_network->restPositions.size() != project.network->restPositions.size());
-        if (isOther) m_points.clear();
-        m_held.reset();
-        m_begun.reset();
-        m_surface = project.mesh;
-        m_network = project.network;
+    if (!change.mesh) {
+        if (m_trueLength && length()) m_rest.start();
+        return;
     }
+    const Project& project = m_document.project();
+    const bool isOther =
+        m_surface && (!isSameTopology(*m_surface, *project.mesh) ||
+                      m_network->restPositions.size() != project.network->restPositions.size());
+    if (isOther) m_points.clear();
+    m_held.reset();
+    m_begun.reset();
+    m_surface = project.mesh;
+    m_network = project.network;
     update();
 }
 
@@ -79,6 +89,7 @@ void DistanceTool::setKept(KeptByScaling kept) {
 }
 
 void DistanceTool::update() {
+    m_rest.stop();
     m_obstacle = findObstacle();
     emit changed();
 }
@@ -101,6 +112,8 @@ QString DistanceTool::findObstacle() const {
 }
 
 void DistanceTool::scaleOrgan() {
+    if (isObstacleOld()) update();
+    if (!m_obstacle.isEmpty()) return;
     const double factor = scaleFactor(restPoint(m_points[0]), restPoint(m_points[1]), *m_trueLength);
     m_document.edit(tr("Scale organ"), [&](Project& project) { project = scaled(project, factor, m_kept); });
 }

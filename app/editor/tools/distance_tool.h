@@ -4,6 +4,8 @@
 #include "core/authoring/scale.h"
 #include "widgets/view/view_tool.h"
 
+#include <QTimer>
+
 namespace esm {
 
 /// Measures between two points of the surface, and scales the organ to a true length. The length is that of
@@ -23,7 +25,9 @@ public:
     void setKept(KeptByScaling kept);
     /// Why the organ cannot be scaled now; empty where it can.
     const QString& obstacle() const { return m_obstacle; }
-    /// Scales the organ by one undoable edit. Precondition: nothing is in the way.
+    /// Whether it is yet to be said anew, once edits rest.
+    bool isObstacleOld() const { return m_rest.isActive(); }
+    /// Scales the organ by one undoable edit, where nothing is in the way.
     void scaleOrgan();
 
     Hold press(const ToolMouse& mouse) override;
@@ -53,6 +57,7 @@ private:
     std::optional<double> m_trueLength; ///< m
     KeptByScaling m_kept = KeptByScaling::Mass;
     QString m_obstacle;
+    QTimer m_rest; ///< until the obstacle is found anew
 };
 
 } // namespace esm

@@ -18,7 +18,7 @@ QString nextStep(const Landmarking::Half& half) {
 } // namespace
 
 LandmarkTool::LandmarkTool(const ToolContext& context)
-    : m_document(context.document), m_selection(context.selection), m_landmarking(context.landmarking) {
+    : m_selection(context.selection), m_landmarking(context.landmarking) {
     connect(&m_landmarking, &Landmarking::changed, this, &LandmarkTool::show);
     show();
 }

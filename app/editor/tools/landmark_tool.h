@@ -39,7 +39,6 @@ private:
     void show();
     std::vector<PaintedMark> painted(const Sight& sight) const;
 
-    Document& m_document;
     Selection& m_selection;
     Landmarking& m_landmarking;
     QPointer<PhotoView> m_photo;

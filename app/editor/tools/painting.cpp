@@ -1,5 +1,6 @@
 #include "app/editor/tools/painting.h"
 
+#include "app/editor/document/project_command.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
@@ -48,8 +49,9 @@ void Painting::follow(const Change& change) {
         const TriangleMesh& mesh = *m_document.project().mesh;
         if (!mesh.vertices.empty()) m_brush.radius = fittingRadius(mesh);
         m_source.reset();
-        m_stroke.reset();
     }
+    // To grow what was undone in the middle of it would take the place of the stroke before.
+    if (m_stroke && (change.mesh || !isLaid())) finish();
     if (change.mesh || change.layers) emit changed();
 }
 
@@ -126,18 +128,39 @@ void Painting::goOn(const BrushPoint& point) {
 void Painting::finish() {
     if (m_stroke) m_document.finishGesture();
     m_stroke.reset();
+    m_laid.reset();
 }
 
+/// Other edits may have come since the stroke began, as of a photo that is prepared now: they stay.
 void Painting::drop() {
     if (!m_stroke) return;
+    const bool isAlone = isLastStep();
     finish();
-    m_document.undoStack()->undo();
+    if (isAlone) return m_document.undoStack()->undo();
+    m_document.edit(tr("Drop the stroke"),
+                    [&](Project& project) { partOf(project.layers, m_layer).strokes.pop_back(); });
+}
+
+/// Whether the stroke is the topmost of its layer. Two may be equal: it is this one.
+bool Painting::isLaid() const {
+    const TextureLayer* painted = findPart(m_document.project().layers, m_layer);
+    return painted && !painted->strokes.empty() && painted->strokes.back().get() == m_laid.get();
+}
+
+/// Whether the last step is to lay the stroke, all of it.
+bool Painting::isLastStep() const {
+    const QUndoStack& steps = *m_document.undoStack();
+    if (steps.index() == 0) return false;
+    const auto& last = static_cast<const ProjectCommand&>(*steps.command(steps.index() - 1));
+    const TextureLayer* before = findPart(last.before()->layers, m_layer);
+    return before && before->strokes.size() < partOf(m_document.project().layers, m_layer).strokes.size();
 }
 
 /// The first edit of a stroke adds it, the others replace it by what it has grown to.
 void Painting::edit() {
     const auto stroke = std::make_shared<const BrushStroke>(*m_stroke);
     const bool isNew = stroke->path.size() == 1;
+    m_laid = stroke;
     m_document.edit(stepName(stroke->kind),
                     [&](Project& project) {
                         BrushStrokes& strokes = partOf(project.layers, m_layer).strokes;

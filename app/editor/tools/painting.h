@@ -30,7 +30,7 @@ public:
     /// Points close to the one before are left out.
     void goOn(const BrushPoint& point);
     void finish();
-    /// Takes back the stroke that is being painted.
+    /// Takes back the stroke that is being painted, and nothing else.
     void drop();
 
 signals:
@@ -43,14 +43,17 @@ private:
     QString refusal() const;
     QString warning() const;
     void edit();
+    bool isLaid() const;
+    bool isLastStep() const;
 
     Document& m_document;
     Selection& m_selection;
     Brush m_brush;                             ///< its kind is that of a photo's layer
     BrushKind m_paintKind = BrushKind::Colour; ///< of a layer without photo
     std::optional<Eigen::Vector3d> m_source;
-    std::optional<BrushStroke> m_stroke; ///< while the brush is down
-    LayerId m_layer;                     ///< that it is painted on
+    std::optional<BrushStroke> m_stroke;       ///< while the brush is down
+    std::shared_ptr<const BrushStroke> m_laid; ///< the same, as the layer holds it
+    LayerId m_layer;                           ///< that it is painted on
     int m_gesture = 0;
 };
 

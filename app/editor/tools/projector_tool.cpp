@@ -23,12 +23,20 @@ std::optional<std::size_t> photoHandleAt(const ToolMouse& mouse) {
 } // namespace
 
 ProjectorTool::ProjectorTool(const ToolContext& context)
-    : m_document(context.document), m_selection(context.selection) {}
+    : m_document(context.document), m_selection(context.selection) {
+    connect(&m_document, &Document::changed, this, [this] {
+        if (m_drag && !findPart(m_document.project().layers, m_drag->photo)) release();
+    });
+    // Another project counts its photos anew.
+    connect(&m_document, &Document::replaced, this, &ProjectorTool::release);
+}
 
 Hold ProjectorTool::press(const ToolMouse& mouse) {
-    const auto& projectors = mouse.sight.scene.projectors;
+    const auto photo = m_selection.photo();
+    if (!photo) return Hold::Nothing;
+    const auto& projectors = mouse.sight.scene.projectors; // that of the selected photo
     if (const auto handle = photoHandleAt(mouse)) {
-        m_drag = Drag{faceOf(*selectedOf(projectors)), *handle};
+        m_drag = Drag{*photo, faceOf(*selectedOf(projectors)), *handle};
         return Hold::Drag;
     }
     const Ray ray = mouse.ray();
@@ -36,7 +44,7 @@ Hold ProjectorTool::press(const ToolMouse& mouse) {
     if (under < 0) return Hold::Nothing;
     const PhotoFace face = faceOf(projectors[static_cast<std::size_t>(under)]);
     const Eigen::Vector3d grabbed = ray.origin + *distanceTo(face, ray) * ray.direction.normalized();
-    m_drag = Drag{face, DragPlane{grabbed, face.projector.pose.linear().col(2)}};
+    m_drag = Drag{*photo, face, DragPlane{grabbed, face.projector.pose.linear().col(2)}};
     return Hold::Drag;
 }
 
@@ -46,17 +54,17 @@ bool ProjectorTool::takesShift(const ToolMouse& mouse) const {
 }
 
 void ProjectorTool::move(const ToolMouse& mouse) {
-    const auto selected = m_selection.photo();
-    if (!m_drag || !selected) return;
+    if (!m_drag) return;
     const bool isFree = mouse.keys.testFlag(Qt::ShiftModifier);
+    const LayerId photo = m_drag->photo;
     Projector dragged = m_drag->start.projector;
     if (const auto* handle = std::get_if<std::size_t>(&m_drag->held))
         dragged = scaled(m_drag->start, *handle, mouse.ray(), isFree ? Proportions::Free : Proportions::Kept);
     else
         dragged.pose.pretranslate(shift(std::get<DragPlane>(m_drag->held), mouse.ray()));
     m_document.edit(tr("Place photo"),
-                    [&](Project& project) { partOf(project.layers, *selected).projector = dragged; },
-                    {EditKind::ProjectorDrag, *selected});
+                    [&](Project& project) { partOf(project.layers, photo).projector = dragged; },
+                    {EditKind::ProjectorDrag, photo});
 }
 
 void ProjectorTool::release() {

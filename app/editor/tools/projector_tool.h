@@ -24,6 +24,7 @@ public:
 
 private:
     struct Drag {
+        LayerId photo;
         PhotoFace start;
         std::variant<std::size_t, DragPlane> held; ///< a handle, or the photo's plane, in which it is moved
     };

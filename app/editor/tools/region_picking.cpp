@@ -4,17 +4,15 @@
 
 namespace esm {
 
-std::optional<RegionId> selectDrawnRegion(const Document& document, Selection& selection, int drawn) {
-    for (const Region& region : document.project().regions) {
-        if (!region.ellipsoid || drawn-- != 0) continue;
-        selection.setRegion(region.id);
-        return region.id;
-    }
+std::optional<RegionId> drawnRegion(const Document& document, int drawn) {
+    for (const Region& region : document.project().regions)
+        if (region.ellipsoid && drawn-- == 0) return region.id;
     return std::nullopt;
 }
 
 void selectRegionUnder(const ToolMouse& mouse, const Document& document, Selection& selection) {
-    selectDrawnRegion(document, selection, ellipsoidUnder(mouse.sight.scene, mouse.ray()));
+    const auto region = drawnRegion(document, ellipsoidUnder(mouse.sight.scene, mouse.ray()));
+    if (region) selection.setRegion(region);
 }
 
 } // namespace esm

@@ -6,9 +6,9 @@
 
 namespace esm {
 
-/// Selects the region whose ellipsoid is the `drawn`th that is shown, and gives it: those that have one are
-/// shown in the order of the project. Nothing where there is none.
-std::optional<RegionId> selectDrawnRegion(const Document& document, Selection& selection, int drawn);
+/// The region whose ellipsoid is the `drawn`th that is shown: those that have one are shown in the order of
+/// the project. None where there is none.
+std::optional<RegionId> drawnRegion(const Document& document, int drawn);
 
 /// Selects the region whose ellipsoid lies under the mouse, where there is one.
 void selectRegionUnder(const ToolMouse& mouse, const Document& document, Selection& selection);

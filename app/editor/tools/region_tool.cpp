@@ -42,7 +42,18 @@ PaintedHandle::Form formOf(RegionHandle::Kind kind) {
 } // namespace
 
 RegionTool::RegionTool(const ToolContext& context)
-    : m_document(context.document), m_selection(context.selection), m_showRegions(context.showRegions) {}
+    : m_document(context.document), m_selection(context.selection), m_showRegions(context.showRegions) {
+    connect(&m_document, &Document::changed, this, &RegionTool::followDocument);
+    // Another project counts its regions anew.
+    connect(&m_document, &Document::replaced, this, &RegionTool::release);
+}
+
+/// What is gone cannot be dragged on.
+void RegionTool::followDocument() {
+    if (!m_drag) return;
+    const Region* region = findPart(m_document.project().regions, m_drag->region);
+    if (!region || !region->ellipsoid) release();
+}
 
 Hold RegionTool::press(const ToolMouse& mouse) {
     m_drag = dragAt(mouse);
@@ -54,21 +65,23 @@ std::optional<RegionTool::Drag> RegionTool::dragAt(const ToolMouse& mouse) const
     const Ray ray = mouse.ray();
     if (const auto handle = handleAt(mouse)) {
         const DrawnEllipsoid* selected = selectedOf(scene.ellipsoids);
-        const int drawn = static_cast<int>(selected - scene.ellipsoids.data());
+        const auto region = drawnRegion(m_document, static_cast<int>(selected - scene.ellipsoids.data()));
+        if (!region) return std::nullopt;
         switch (handle->kind) {
         case RegionHandle::Kind::Size:
-            return Drag{drawn, selected->shape, Size{handle->end}};
+            return Drag{*region, selected->shape, Size{handle->end}};
         case RegionHandle::Kind::Turn:
-            return Drag{drawn, selected->shape, Turn{{handle->place, ray}}};
+            return Drag{*region, selected->shape, Turn{{handle->place, ray}}};
         case RegionHandle::Kind::Rim:
-            return Drag{drawn, selected->shape, Rim{picturePlane(camera, handle->place)}};
+            return Drag{*region, selected->shape, Rim{picturePlane(camera, handle->place)}};
         }
     }
     const int under = ellipsoidUnder(scene, ray);
-    if (under < 0) return std::nullopt;
+    const auto region = drawnRegion(m_document, under);
+    if (!region) return std::nullopt;
     const Ellipsoid& shape = scene.ellipsoids[static_cast<std::size_t>(under)].shape;
     const Eigen::Vector3d grabbed = ray.origin + *distanceTo(shape, ray) * ray.direction.normalized();
-    return Drag{under, shape, Move{picturePlane(camera, grabbed)}};
+    return Drag{*region, shape, Move{picturePlane(camera, grabbed)}};
 }
 
 void RegionTool::move(const ToolMouse& mouse) {
@@ -77,6 +90,7 @@ void RegionTool::move(const ToolMouse& mouse) {
         return;
     }
     const Drag drag = *m_drag; // who hears of the edit may end the drag
+    m_selection.setRegion(drag.region);
     follow(drag, mouse.ray());
 }
 
@@ -84,31 +98,27 @@ void RegionTool::follow(const Drag& drag, const Ray& ray) {
     if (const auto* rim = std::get_if<Rim>(&drag.what)) {
         // None inside.
         if (const auto point = meet(ray, rim->plane))
-            widenRim(drag.drawn, distanceOutside(drag.start, *point));
+            widenRim(drag.region, distanceOutside(drag.start, *point));
     } else if (const auto* size = std::get_if<Size>(&drag.what)) {
-        shape(drag.drawn, scaled(drag.start, size->end, ray));
+        shape(drag.region, scaled(drag.start, size->end, ray));
     } else if (const auto* turn = std::get_if<Turn>(&drag.what)) {
-        shape(drag.drawn, turned(drag.start, turn->grip, ray));
+        shape(drag.region, turned(drag.start, turn->grip, ray));
     } else {
         Ellipsoid moved = drag.start;
         moved.centre += shift(std::get<Move>(drag.what).plane, ray);
-        shape(drag.drawn, moved);
+        shape(drag.region, moved);
     }
 }
 
-void RegionTool::shape(int drawn, const Ellipsoid& shape) {
-    const auto region = selectDrawnRegion(m_document, m_selection, drawn);
-    if (!region) return;
+void RegionTool::shape(RegionId region, const Ellipsoid& shape) {
     m_document.edit(tr("Shape region"),
-                    [&](Project& project) { partOf(project.regions, *region).ellipsoid = shape; },
-                    {EditKind::RegionShape, *region});
+                    [&](Project& project) { partOf(project.regions, region).ellipsoid = shape; },
+                    {EditKind::RegionShape, region});
 }
 
-void RegionTool::widenRim(int drawn, double metres) {
-    const auto region = selectDrawnRegion(m_document, m_selection, drawn);
-    if (!region) return;
-    m_document.edit(tr("Soft rim"), [&](Project& project) { partOf(project.regions, *region).rim = metres; },
-                    {EditKind::SoftRim, *region});
+void RegionTool::widenRim(RegionId region, double metres) {
+    m_document.edit(tr("Soft rim"), [&](Project& project) { partOf(project.regions, region).rim = metres; },
+                    {EditKind::SoftRim, region});
 }
 
 void RegionTool::release() {

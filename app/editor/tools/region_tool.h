@@ -38,15 +38,16 @@ private:
         DragPlane plane;
     };
     struct Drag {
-        int drawn; ///< which of the ellipsoids that are shown
+        RegionId region;
         Ellipsoid start;
         std::variant<Move, Size, Turn, Rim> what;
     };
 
     std::optional<Drag> dragAt(const ToolMouse& mouse) const;
     void follow(const Drag& drag, const Ray& ray);
-    void shape(int drawn, const Ellipsoid& shape);
-    void widenRim(int drawn, double metres);
+    void shape(RegionId region, const Ellipsoid& shape);
+    void widenRim(RegionId region, double metres);
+    void followDocument();
 
     Document& m_document;
     Selection& m_selection;

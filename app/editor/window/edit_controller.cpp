@@ -4,6 +4,7 @@
 #include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/edits/photo_edits.h"
+#include "app/editor/edits/simulated_edit.h"
 #include "app/editor/edits/starting_system.h"
 #include "app/editor/window/actions.h"
 #include "core/authoring/layers.h"
@@ -132,24 +133,31 @@ void EditController::freeNodes() {
     m_document.edit(tr("Free fixed nodes"), [](Project& project) { project.scene.fixed.clear(); });
 }
 
-void EditController::chooseDetail() {
-    const Project project = m_document.project();
+std::optional<std::size_t> EditController::askForNodes() {
+    const Project& project = m_document.project();
     const std::size_t vertices = project.mesh->vertices.size();
     QString question = tr("Nodes that carry the surface of %1 vertices").arg(countText(vertices));
     if (!project.scene.splits.empty())
         question += '\n' + tr("The scene's splits will be removed: other nodes have other edges.");
+    const int now = static_cast<int>(project.network->restPositions.size());
     bool accepted = false;
     const int nodes = ask(m_window, [&] {
-        return QInputDialog::getInt(&m_window, tr("Nodes to simulate"), question,
-                                    static_cast<int>(project.network->restPositions.size()), fewestVertices,
+        return QInputDialog::getInt(&m_window, tr("Nodes to simulate"), question, now, fewestVertices,
                                     static_cast<int>(vertices), 100, &accepted);
     });
-    if (!accepted) return;
+    return accepted ? std::optional(static_cast<std::size_t>(nodes)) : std::nullopt;
+}
+
+void EditController::chooseDetail() {
+    const auto nodes = askForNodes();
+    if (!nodes) return;
     attempt(&m_window, tr("The surface cannot be simulated so"), [&] {
-        const Detail detail{Detail::Kind::Nodes, static_cast<std::size_t>(nodes)};
+        const Detail detail{Detail::Kind::Nodes, *nodes};
+        const Project project = m_document.project();
         const Project changed = computeLong(&m_window, tr("Binding the surface to its nodes"),
                                             [&](const Progress&) { return withDetail(project, detail); });
-        m_document.edit(tr("Choose simulated nodes"), [&](Project& edited) { edited = changed; });
+        m_document.edit(tr("Choose simulated nodes"),
+                        [&](Project& edited) { takeSimulated(edited, changed); });
     });
 }
 

@@ -34,6 +34,7 @@ private:
     void fixRegion();
     void freeNodes();
     void chooseDetail();
+    std::optional<std::size_t> askForNodes();
     void enable(const Actions& actions);
 
     QWidget& m_window;

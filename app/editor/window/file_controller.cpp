@@ -15,6 +15,7 @@
 #include "core/exchange/simulators/exporters.h"
 #include "core/offscreen/preview_picture.h"
 #include "core/samples/samples.h"
+#include "core/texture/photo/photo_format.h"
 
 #include <QApplication>
 #include <QDir>
@@ -29,16 +30,19 @@ namespace esm {
 
 namespace {
 
-const QStringList& photoEndings() {
-    static const QStringList endings{"png", "jpg", "jpeg", "bmp", "tif", "tiff", "webp"};
-    return endings;
+QStringList listOf(const std::vector<std::string>& words) {
+    QStringList list;
+    for (const auto& word : words)
+        list << QString::fromStdString(word);
+    return list;
+}
+
+QStringList photoEndings() {
+    return listOf(photoFileEndings());
 }
 
 QStringList meshEndings() {
-    QStringList endings;
-    for (const auto& ending : meshFileEndings())
-        endings << QString::fromStdString(ending);
-    return endings;
+    return listOf(meshFileEndings());
 }
 
 QString filter(const QString& name, const QStringList& endings) {
@@ -259,9 +263,9 @@ void FileController::write(const std::filesystem::path& file, const std::optiona
 }
 
 void FileController::exportTo(const std::filesystem::path& file) {
-    const Exporter& exporter = exporterFor(file);
     commitTyping();
     attempt(&m_window, tr("The organ was not exported"), [&] {
+        const Exporter& exporter = exporterFor(file);
         const Project project = m_document.project();
         runLongWork(
             &m_window, tr("Exporting %1").arg(fileName(file)),

@@ -158,7 +158,7 @@ void MainWindow::connectParts() {
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::broughtBack, this, &MainWindow::showAgain);
-    connect(m_journal, &Journal::failed, m_status, &StatusLine::showCopyFailure);
+    connect(m_journal, &Journal::failed, m_status, &StatusLine::showJournalFailure);
     connect(m_journal, &Journal::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::photoAdded, m_actions.texture, &QAction::trigger);
     connect(m_tools, &ToolController::message, m_status, &StatusLine::showMessage);
@@ -274,7 +274,13 @@ void MainWindow::restore() {
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
     m_actions.lightTheme->setChecked(settings.value(QStringLiteral("lightTheme")).toBool());
-    QTimer::singleShot(0, this, [this] { m_files->offerLeftBehind(*m_journal); });
+}
+
+void MainWindow::start(const std::vector<std::filesystem::path>& files) {
+    QTimer::singleShot(0, this, [this, files] {
+        m_files->offerLeftBehind(*m_journal);
+        openFiles(files);
+    });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

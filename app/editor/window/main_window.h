@@ -28,8 +28,11 @@ public:
     explicit MainWindow(Project project);
     ~MainWindow() override;
 
-    /// As the user left the window, and what an unexpected end of the program left unsaved.
+    /// As the user left the window.
     void restore();
+    /// Offers what an unexpected end of the program left unsaved, then opens the files: once the window is
+    /// shown, and one after the other, since both ask the user.
+    void start(const std::vector<std::filesystem::path>& files);
 
     Document& document() { return *m_document; }
     Preview& preview() { return *m_preview; }

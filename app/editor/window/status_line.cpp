@@ -189,11 +189,11 @@ void StatusLine::showPictureFailure(const QString& reason) {
     showLasting();
 }
 
-void StatusLine::showCopyFailure(const QString& reason) {
+void StatusLine::showJournalFailure(const QString& reason) {
     const QString text =
         reason.isEmpty() ? QString() : tr("Unsaved work is not being kept, save it yourself: %1").arg(reason);
-    if (text == m_copyFailure) return;
-    m_copyFailure = text;
+    if (text == m_journalFailure) return;
+    m_journalFailure = text;
     showLasting();
 }
 
@@ -205,7 +205,7 @@ void StatusLine::showNote(const QString& note, const QString& explanation) {
 }
 
 QString StatusLine::problem() const {
-    for (const QString& text : {m_failure, m_pictureFailure, m_copyFailure, m_recovery})
+    for (const QString& text : {m_failure, m_pictureFailure, m_journalFailure, m_recovery})
         if (!text.isEmpty()) return text;
     return m_slowness;
 }

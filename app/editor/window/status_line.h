@@ -43,8 +43,8 @@ public:
     void showMessage(const QString& text);
     /// Why the photos are not on the organ; stays until it is empty.
     void showPictureFailure(const QString& reason);
-    /// Why no copy of unsaved work is kept; stays until it is empty.
-    void showCopyFailure(const QString& reason);
+    /// Why unsaved work is not written down; stays until it is empty.
+    void showJournalFailure(const QString& reason);
     /// What the preview leaves out, and more of it for who asks; stays while nothing else is to be said.
     void showNote(const QString& note, const QString& explanation);
 
@@ -66,7 +66,7 @@ private:
     qint64 m_since;                    ///< ms, pictures are counted
     std::optional<qint64> m_slowSince; ///< ms, while the motion is too slow
     int m_pictures = 0;
-    QString m_failure, m_pictureFailure, m_copyFailure, m_recovery, m_shortening, m_slowness, m_note,
+    QString m_failure, m_pictureFailure, m_journalFailure, m_recovery, m_shortening, m_slowness, m_note,
         m_noteExplained;
 };
 

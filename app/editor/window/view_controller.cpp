@@ -150,12 +150,13 @@ void ViewController::rebuild(std::initializer_list<Part> parts) {
 
 void ViewController::dressOrgan(RenderScene& scene) {
     const Project& project = m_document.project();
-    const auto atlas = m_composer.atlas();
-    const bool isDressed = atlas && atlas == project.atlas && !project.layers.empty();
+    TextureComposer::Composed composed = m_composer.composition();
+    const bool isDressed = composed.atlas && composed.atlas == project.atlas && !project.layers.empty();
+    if (!isDressed) composed = {};
     scene.baseColour = project.texture.baseColour;
-    scene.atlas = isDressed ? atlas : nullptr;
-    scene.texturePages = isDressed ? m_composer.pages() : nullptr;
-    scene.smallerPages = isDressed ? m_composer.smallerPages() : nullptr;
+    scene.atlas = composed.atlas;
+    scene.texturePages = composed.pages;
+    scene.smallerPages = composed.smallerPages;
     scene.thrown = m_moving.thrown();
 }
 
@@ -233,12 +234,12 @@ void ViewController::showFrame() {
 void ViewController::showTexture() {
     rebuild({&ViewController::dressOrgan, &ViewController::showProjector});
     if (m_moving.isMoving()) return;
-    const QString redrawn =
-        m_composer.pages() ? tr("Photos redrawn in %1 s").arg(numberText(m_composer.milliseconds() / 1000, 2))
-                           : QString();
-    endRedrawing(redrawn);
+    const TextureComposer::Composed composed = m_composer.composition();
+    endRedrawing(composed.pages
+                     ? tr("Photos redrawn in %1 s").arg(numberText(composed.milliseconds / 1000, 2))
+                     : QString());
     if (m_composer.isWorking()) m_redrawing.start(redrawingPatience);
-    const QString failure = QString::fromStdString(m_composer.failure());
+    const QString failure = QString::fromStdString(composed.failure);
     emit pictureFailed(failure.isEmpty() ? QString() : tr("The photos cannot be composed: %1").arg(failure));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/errors.h"
 #include "core/support/latest_input.h"
 #include "core/support/progress.h"
 #include "core/support/thread_priority.h"
@@ -11,7 +12,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <new>
 #include <string>
 
 namespace esm {
@@ -119,10 +119,8 @@ private:
             store([&](Outcome<Answer>& outcome) { outcome = {asked.number, std::move(answer), {}}; });
         } catch (const Cancelled&) {
             return; // another question waits
-        } catch (const std::bad_alloc&) {
-            fail(asked.number, "there is not enough memory for it.");
         } catch (const std::exception& error) {
-            fail(asked.number, error.what());
+            fail(asked.number, reasonOf(error));
         }
         m_answered = asked.number; // before anyone hears of it
         m_told();

@@ -1,5 +1,7 @@
 #include "app/editor/workers/pose_finder.h"
 
+#include "core/support/errors.h"
+
 namespace esm {
 
 namespace {
@@ -9,7 +11,7 @@ PoseAnswer answerTo(PoseQuestion question) {
     try {
         answer.fit = fitPose(answer.question.pairs, answer.question.camera);
     } catch (const std::exception& error) {
-        answer.failure = error.what();
+        answer.failure = reasonOf(error);
     }
     return answer;
 }

@@ -1,5 +1,7 @@
 #include "app/editor/workers/prepared_project.h"
 
+#include "core/support/errors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +22,7 @@ template<class Work> std::string failureOf(const Work& work) {
         work();
         return {};
     } catch (const std::exception& error) {
-        return error.what();
+        return reasonOf(error);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "app/editor/workers/preview.h"
 
+#include "core/support/errors.h"
+
 #include <utility>
 
 namespace esm {
@@ -173,7 +175,7 @@ void Preview::work() {
             goOn = workOnce(worker);
         } catch (const std::exception& error) {
             worker.playing = false;
-            giveUp(worker.run, error.what());
+            giveUp(worker.run, reasonOf(error));
         }
     }
 }

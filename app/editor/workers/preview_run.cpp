@@ -43,7 +43,7 @@ bool PreviewRun::take(PreparedProject prepared) {
     try {
         if (prepared.model) run(std::move(prepared));
     } catch (const std::exception& error) {
-        m_modelFailure = error.what();
+        m_modelFailure = reasonOf(error);
     }
     if (!m_simulation) m_network = network;
     return m_modelFailure.empty();

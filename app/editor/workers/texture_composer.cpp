@@ -10,29 +10,12 @@ TextureComposer::TextureComposer(QObject* parent)
     : QObject(parent), m_worker([this](const Worker::Task& task) { return compositionOf(task); },
                                 [this] { emit composed(); }) {}
 
-TextureComposer::Pages TextureComposer::pages() const {
-    return result().pages;
-}
-
-std::shared_ptr<const SmallerPages> TextureComposer::smallerPages() const {
-    return result().smallerPages;
-}
-
-std::shared_ptr<const Atlas> TextureComposer::atlas() const {
-    return result().atlas;
-}
-
-double TextureComposer::milliseconds() const {
-    return result().milliseconds;
-}
-
-std::string TextureComposer::failure() const {
-    return m_worker.outcome().failure;
-}
-
-TextureComposer::Composed TextureComposer::result() const {
+TextureComposer::Composed TextureComposer::composition() const {
     const Outcome<Composed> outcome = m_worker.outcome();
-    return outcome.failure.empty() ? outcome.answer : Composed{};
+    if (outcome.failure.empty()) return outcome.answer;
+    Composed none;
+    none.failure = outcome.failure;
+    return none;
 }
 
 /// Brings what is kept up to date with a project's layers.
@@ -68,8 +51,11 @@ TextureComposer::Composed TextureComposer::compositionOf(const Worker::Task& tas
         m_kept = {};
         throw InvalidModel("there is not enough memory; choose a smaller size of the atlas");
     }
-    return {project.atlas, m_kept.composition.pages, m_kept.smaller,
-            Milliseconds(std::chrono::steady_clock::now() - start).count()};
+    return {project.atlas,
+            m_kept.composition.pages,
+            m_kept.smaller,
+            Milliseconds(std::chrono::steady_clock::now() - start).count(),
+            {}};
 }
 
 } // namespace esm

@@ -22,28 +22,28 @@ class TextureComposer : public QObject {
 public:
     using Pages = std::shared_ptr<const std::vector<Image>>;
 
+    /// What came of one composition.
+    struct Composed {
+        std::shared_ptr<const Atlas> atlas;               ///< the one the pages belong to
+        Pages pages;                                      ///< null where nothing is composed
+        std::shared_ptr<const SmallerPages> smallerPages; ///< of those pages
+        double milliseconds = 0;                          ///< it took
+        std::string failure; ///< why there is nothing composed; empty when all is well
+    };
+
     explicit TextureComposer(QObject* parent = nullptr);
 
     void compose(const Project& project) { m_worker.ask(project); }
 
     /// Whether a composition is under way or waits.
     bool isWorking() const { return m_worker.isWorking(); }
-    Pages pages() const;                                      ///< null while nothing is composed
-    std::shared_ptr<const SmallerPages> smallerPages() const; ///< of those pages
-    std::shared_ptr<const Atlas> atlas() const;               ///< the one the pages belong to
-    double milliseconds() const;                              ///< the last composition took
-    std::string failure() const; ///< why it could not be composed; empty when all is well
+    /// The last. As one value: what is asked for later may be of the next.
+    Composed composition() const;
 
 signals:
     void composed();
 
 private:
-    struct Composed {
-        std::shared_ptr<const Atlas> atlas;
-        Pages pages;
-        std::shared_ptr<const SmallerPages> smallerPages;
-        double milliseconds = 0;
-    };
     /// What the thread keeps for the next composition.
     struct Kept {
         std::shared_ptr<const TriangleMesh> mesh;
@@ -56,7 +56,6 @@ private:
 
     Composed compositionOf(const Worker::Task& task);
     void keepPages(const Worker::Task& task);
-    Composed result() const;
 
     Kept m_kept;
     Worker m_worker;

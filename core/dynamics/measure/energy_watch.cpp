@@ -1,6 +1,7 @@
 #include "core/dynamics/measure/energy_watch.h"
 
 #include "core/dynamics/forces.h"
+#include "core/dynamics/spring_force.h"
 #include "core/support/numbers.h"
 
 #include <algorithm>
@@ -161,7 +162,7 @@ std::string EnergyWatch::look(const WatchedSteps& steps) {
 // tethers and other loads do on it. Elastic forces are a mean of both ends; those of viscosity are taken at
 // the end, since a node that begins to move drags what is viscous along from the first moment.
 double EnergyWatch::workOfLeading(const WatchedSteps& steps) {
-    if (m_springsOf.empty()) findSprings();
+    if (!m_ties) m_ties.emplace(m_system);
     const Motion &before = steps.before, &after = steps.after;
     double work = 0;
     for (const HeldNode& held : steps.loads.held) {
@@ -182,33 +183,17 @@ double EnergyWatch::workOfLeading(const WatchedSteps& steps) {
 Eigen::Vector3d EnergyWatch::innerForceOn(std::uint32_t node, const Vectors& positions,
                                           const Vectors& velocities) const {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
-    for (const std::uint32_t number : m_springsOf[node]) {
+    for (const auto& [other, number] : m_ties->springsOf(node)) {
         const SpringSystem::Element& spring = m_system.springs[number];
-        const std::uint32_t other = spring.first == node ? spring.second : spring.first;
         const Eigen::Vector3d between = positions[node] - positions[other];
-        const double length = between.norm();
-        if (length > 0)
-            force -= between *
-                     tensionPerLength(spring.springConstant, spring.secondPhase, spring.restLength / length);
-        if (velocities.empty()) continue;
-        Eigen::Vector3d approach = velocities[node] - velocities[other];
-        if (m_damping == Damping::Axial) approach = between.normalized() * between.normalized().dot(approach);
-        force -= spring.viscosity * approach;
+        force += elasticForce(spring, between);
+        if (!velocities.empty())
+            force += dampingForce(spring, m_damping, between, velocities[node] - velocities[other]);
     }
-    for (const Tether& tether : m_system.tethers) {
-        if (tether.node != node) continue;
-        force -= tether.springConstant * (positions[node] - m_system.network->restPositions[node]);
-        if (!velocities.empty()) force -= tether.viscosity * velocities[node];
-    }
+    const Tether& tether = m_ties->tetherOf(node);
+    force -= tether.springConstant * (positions[node] - m_system.network->restPositions[node]);
+    if (!velocities.empty()) force -= tether.viscosity * velocities[node];
     return force;
-}
-
-void EnergyWatch::findSprings() {
-    m_springsOf.resize(m_system.mass.size());
-    for (std::uint32_t number = 0; number < m_system.springs.size(); ++number) {
-        m_springsOf[m_system.springs[number].first].push_back(number);
-        m_springsOf[m_system.springs[number].second].push_back(number);
-    }
 }
 
 } // namespace esm

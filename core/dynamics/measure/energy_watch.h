@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/dynamics/motion.h"
+#include "core/dynamics/node_ties.h"
 #include "core/dynamics/settings.h"
 
+#include <optional>
 #include <string>
 
 namespace esm {
@@ -39,7 +41,6 @@ private:
     double workOfLeading(const WatchedSteps& steps);
     Eigen::Vector3d innerForceOn(std::uint32_t node, const Vectors& positions,
                                  const Vectors& velocities) const;
-    void findSprings();
 
     const SpringSystem& m_system;
     Integrator m_integrator;
@@ -48,7 +49,7 @@ private:
     double m_roundingEnergy;            ///< J, that rounding may add in one step
     double m_work = 0, m_grossWork = 0; ///< J
     std::size_t m_steps = 0, m_lookedAt = 0;
-    std::vector<std::vector<std::uint32_t>> m_springsOf; ///< by node; empty until one is led
+    std::optional<NodeTies> m_ties; ///< none until a node is led
 };
 
 /// The tissue's energy, J, in the form that an integrator keeps where nothing damps. Semi-implicit Euler,

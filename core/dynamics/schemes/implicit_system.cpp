@@ -98,30 +98,18 @@ Solved conjugateGradients(const TangentMatrix& matrix, const UnknownNodes& unkno
 
 } // namespace
 
-// A spring's force is its tension T(l) along its direction n. Lengthened, it changes by dT/dl along n;
-// turned, it keeps its size and turns with n, which is T/l across. T/l is below zero for a pressed spring: it
-// pushes its ends further aside the further they are aside.
 TangentMatrix::TangentMatrix(const SpringSystem& system, Damping damping, const MatrixFactors& factors,
                              const Vectors& positions)
     : m_system(system), m_damping(damping), m_factors(factors) {
     m_tangents.reserve(system.springs.size());
-    for (const auto& spring : system.springs) {
-        const Vector3d between = positions[spring.first] - positions[spring.second];
-        const double length = between.norm();
-        const double restRatio = spring.restLength / length;
-        if (length > 0)
-            m_tangents.push_back({between / length,
-                                  slope(spring.springConstant, spring.secondPhase, restRatio),
-                                  tensionPerLength(spring.springConstant, spring.secondPhase, restRatio)});
-        else
-            m_tangents.push_back({Vector3d::Zero(), 0, 0});
-    }
+    for (const auto& spring : system.springs)
+        m_tangents.push_back(tangentOf(spring, positions[spring.first] - positions[spring.second]));
 }
 
 // The least change that leaves each spring's part positive semidefinite, and with M the sum definite. The
 // step then errs towards what is stiffer, and is as long as that allows.
 void TangentMatrix::omitBuckling() {
-    for (Tangent& tangent : m_tangents)
+    for (SpringTangent& tangent : m_tangents)
         tangent.lateral = std::max(0.0, tangent.lateral);
 }
 
@@ -142,12 +130,8 @@ void TangentMatrix::addSprings(const MatrixFactors& factors, const Vectors& velo
                                Vectors& product) const {
     for (std::size_t i = 0; i < m_system.springs.size(); ++i) {
         const auto& spring = m_system.springs[i];
-        const auto& [direction, axial, lateral] = m_tangents[i];
-        const double damping = factors.damping * spring.viscosity;
-        const double across = factors.stiffness * lateral + (m_damping == Damping::Axial ? 0 : damping);
-        const double along = factors.stiffness * axial + damping;
-        const Vector3d difference = velocities[spring.first] - velocities[spring.second];
-        const Vector3d force = across * difference + (along - across) * direction.dot(difference) * direction;
+        const Vector3d force = resistance(spring, m_tangents[i], m_damping, factors,
+                                          velocities[spring.first] - velocities[spring.second]);
         product[spring.first] += force;
         product[spring.second] -= force;
     }

@@ -2,7 +2,7 @@
 
 #include "core/dynamics/motion.h"
 #include "core/dynamics/settings.h"
-#include "core/dynamics/step_matrix.h"
+#include "core/dynamics/spring_force.h"
 
 namespace esm {
 
@@ -22,18 +22,12 @@ public:
     void omitBuckling();
 
 private:
-    /// K of one spring is axial·n·nᵀ + lateral·(I − n·nᵀ).
-    struct Tangent {
-        Eigen::Vector3d direction;
-        double axial, lateral; ///< N/m
-    };
-
     void addSprings(const MatrixFactors& factors, const Vectors& velocities, Vectors& product) const;
 
     const SpringSystem& m_system;
     Damping m_damping;
     MatrixFactors m_factors;
-    std::vector<Tangent> m_tangents; ///< by spring
+    std::vector<SpringTangent> m_tangents; ///< by spring
 };
 
 /// Solves A·v = momentum for the nodes that are neither prescribed nor led, whose velocities are given, by

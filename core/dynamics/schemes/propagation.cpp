@@ -1,6 +1,7 @@
 #include "core/dynamics/schemes/propagation.h"
 
 #include "core/dynamics/schemes/schemes.h"
+#include "core/dynamics/spring_force.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -16,19 +17,6 @@ constexpr double settled = 1e-8; ///< change of a force, of the largest there wa
 constexpr int mostPasses = 2000, passesUnasked = 16;
 /// Of a place, some 50 roundings; what springs make of it cannot settle.
 constexpr double roundingMargin = 1e-14;
-
-/// Of one spring, on the node it is seen from.
-Vector3d springForce(const SpringSystem::Element& spring, Damping damping, const Vector3d& between,
-                     const Vector3d& approach) {
-    const double length = between.norm();
-    if (!(length > 0))
-        return damping == Damping::Axial ? Vector3d::Zero() : Vector3d(-spring.viscosity * approach);
-    const Vector3d elastic =
-        -between * tensionPerLength(spring.springConstant, spring.secondPhase, spring.restLength / length);
-    if (damping == Damping::Isotropic) return elastic - spring.viscosity * approach;
-    const Vector3d direction = between / length;
-    return elastic - spring.viscosity * direction.dot(approach) * direction;
-}
 
 // Always stable; but the more a node's springs outweigh its mass, the more passes its forces take to settle.
 // Steps are kept to h·D + h²·K < 100·M for each motion; the root of that quadratic is written so that nothing
@@ -47,36 +35,23 @@ const Scheme propagationScheme{.largestStable = largestPropagationStep,
 
 PropagationScheme::PropagationScheme(const SpringSystem& system, Damping damping,
                                      std::function<bool()> isWanted)
-    : m_damping(damping), m_isWanted(std::move(isWanted)), m_start(system.mass.size() + 1, 0),
-      m_neighbours(2 * system.springs.size()), m_tethers(system.mass.size()) {
-    for (const auto& spring : system.springs)
-        for (const std::uint32_t node : {spring.first, spring.second})
-            ++m_start[node + 1];
-    for (std::size_t i = 1; i < m_start.size(); ++i)
-        m_start[i] += m_start[i - 1];
-    std::vector<std::size_t> next(m_start.begin(), m_start.end() - 1);
-    for (std::uint32_t i = 0; i < system.springs.size(); ++i) {
-        const auto& spring = system.springs[i];
-        m_neighbours[next[spring.first]++] = {spring.second, i};
-        m_neighbours[next[spring.second]++] = {spring.first, i};
-    }
-    for (const Tether& tether : system.tethers)
-        m_tethers[tether.node].push_back(tether);
-}
+    : m_damping(damping), m_isWanted(std::move(isWanted)), m_ties(system) {}
 
 // Breadth first; then the parts that hang on nothing of it.
 std::vector<std::uint32_t> PropagationScheme::outwardsFrom(std::uint32_t node) const {
-    const auto count = static_cast<std::uint32_t>(m_tethers.size());
+    const auto count = static_cast<std::uint32_t>(m_ties.nodeCount());
     std::vector<std::uint32_t> order;
     std::vector<char> seen(count, 0);
     order.reserve(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t seed = i == 0 ? node : i - 1 < node ? i - 1 : i;
+        // The wanted node, and then all others in their order.
+        const std::uint32_t others = i <= node ? i - 1 : i;
+        const std::uint32_t seed = i == 0 ? node : others;
         if (std::exchange(seen[seed], 1)) continue;
         std::size_t reached = order.size();
         for (order.push_back(seed); reached < order.size(); ++reached)
-            for (std::size_t n = m_start[order[reached]]; n < m_start[order[reached] + 1]; ++n)
-                if (!std::exchange(seen[m_neighbours[n].node], 1)) order.push_back(m_neighbours[n].node);
+            for (const auto& neighbour : m_ties.springsOf(order[reached]))
+                if (!std::exchange(seen[neighbour.node], 1)) order.push_back(neighbour.node);
     }
     return order;
 }
@@ -84,16 +59,15 @@ std::vector<std::uint32_t> PropagationScheme::outwardsFrom(std::uint32_t node) c
 Vector3d PropagationScheme::forceOn(std::uint32_t node, const SpringSystem& system,
                                     const Motion& motion) const {
     Vector3d force = Vector3d::Zero();
-    for (std::size_t n = m_start[node]; n < m_start[node + 1]; ++n) {
-        const auto [other, spring] = m_neighbours[n];
-        force +=
-            springForce(system.springs[spring], m_damping, motion.positions[node] - motion.positions[other],
-                        motion.velocities[node] - motion.velocities[other]);
+    for (const auto& [other, number] : m_ties.springsOf(node)) {
+        const SpringSystem::Element& spring = system.springs[number];
+        const Vector3d between = motion.positions[node] - motion.positions[other];
+        force += elasticForce(spring, between) +
+                 dampingForce(spring, m_damping, between, motion.velocities[node] - motion.velocities[other]);
     }
-    for (const Tether& tether : m_tethers[node])
-        force -= tether.springConstant * (motion.positions[node] - system.network->restPositions[node]) +
-                 tether.viscosity * motion.velocities[node];
-    return force;
+    const Tether& tether = m_ties.tetherOf(node);
+    return force - tether.springConstant * (motion.positions[node] - system.network->restPositions[node]) -
+           tether.viscosity * motion.velocities[node];
 }
 
 /// The first phase of one step: passes over the nodes until their forces settle. That is so when no force
@@ -171,13 +145,12 @@ private:
 double PropagationScheme::diagonalOf(std::uint32_t node, const SpringSystem& system,
                                      const MatrixFactors& factors) const {
     double diagonal = factors.mass * system.mass[node];
-    for (std::size_t n = m_start[node]; n < m_start[node + 1]; ++n) {
-        const auto& spring = system.springs[m_neighbours[n].spring];
+    for (const auto& neighbour : m_ties.springsOf(node)) {
+        const auto& spring = system.springs[neighbour.spring];
         diagonal += factors.damping * spring.viscosity + factors.stiffness * largestSpringConstant(spring);
     }
-    for (const Tether& tether : m_tethers[node])
-        diagonal += factors.damping * tether.viscosity + factors.stiffness * tether.springConstant;
-    return diagonal;
+    const Tether& tether = m_ties.tetherOf(node);
+    return diagonal + factors.damping * tether.viscosity + factors.stiffness * tether.springConstant;
 }
 
 void PropagationScheme::step(const SpringSystem& system, const StepInput& input, const Motion& before,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/dynamics/motion.h"
+#include "core/dynamics/node_ties.h"
 #include "core/dynamics/settings.h"
 #include "core/dynamics/step_matrix.h"
 
@@ -24,9 +25,6 @@ public:
 
 private:
     class LocalPropagation;
-    struct Neighbour {
-        std::uint32_t node, spring;
-    };
 
     std::vector<std::uint32_t> outwardsFrom(std::uint32_t node) const;
     /// The node's entry on the diagonal of massFactor·M + dampingFactor·D + stiffnessFactor·K, as if springs
@@ -36,9 +34,7 @@ private:
 
     Damping m_damping;
     std::function<bool()> m_isWanted;
-    std::vector<std::size_t> m_start; ///< per node and one more: where its neighbours begin
-    std::vector<Neighbour> m_neighbours;
-    std::vector<std::vector<Tether>> m_tethers; ///< per node
+    NodeTies m_ties;
 };
 
 } // namespace esm

@@ -1,5 +1,7 @@
 #include "core/dynamics/schemes/told_impulses.h"
 
+#include "core/dynamics/spring_force.h"
+
 namespace esm {
 
 namespace {
@@ -29,18 +31,11 @@ Vectors givenBy(std::size_t instrument, const MadeWay& way, StepSolver& solver, 
 /// N·s, that a spring takes up through its end on what does not move, as the other end's velocity changes.
 Vector3d takenUp(const SpringSystem::Element& spring, const MadeWay& way, const MatrixFactors& factors,
                  const Vector3d& change) {
-    const double damping = factors.damping * spring.viscosity;
-    if (factors.stiffness == 0 && way.damping == Damping::Isotropic) return damping * change;
-    const Vector3d between = way.before[spring.first] - way.before[spring.second];
-    const double length = between.norm();
-    if (!(length > 0)) return Vector3d::Zero();
-    const double restRatio = spring.restLength / length;
-    const double axial = slope(spring.springConstant, spring.secondPhase, restRatio),
-                 lateral = tensionPerLength(spring.springConstant, spring.secondPhase, restRatio);
-    const double along = factors.stiffness * axial + damping,
-                 across = factors.stiffness * lateral + (way.damping == Damping::Axial ? 0 : damping);
-    const Vector3d direction = between / length;
-    return across * change + (along - across) * direction.dot(change) * direction;
+    const SpringTangent tangent =
+        factors.stiffness == 0 && way.damping == Damping::Isotropic
+            ? SpringTangent{}
+            : tangentOf(spring, way.before[spring.first] - way.before[spring.second]);
+    return resistance(spring, tangent, way.damping, factors, change);
 }
 
 /// N·s, that nodes which move must be given in all for a change of their velocities: their own momentum and
@@ -68,13 +63,13 @@ Vector3d impulseFor(const Vectors& change, const MadeWay& way) {
 
 // By Newton's third law an instrument's force is what the tissue lacks to keep its balance: the momentum that
 // the instrument gave it, and what that did to the ties that hold it, within the step. Explicit steps and
-// `split` take that from the contacts' impulses themselves. Steps that follow the tangents do not: their
-// contacts answer by a constant matrix, in which springs resist sideways as much as along, and impulses grow
-// by what that resistance takes up. There the velocities that an instrument gave are held against the matrix
-// with which the step was solved; on a net pushed across, the bare impulses are twice the force. What is
-// moved out after the solution counts alike.
+// `split` take that from the contacts' impulses themselves. Steps that solve for forces as they really are do
+// not: their contacts answer by a constant matrix, in which springs resist sideways as much as along, and
+// impulses grow by what that resistance takes up. There the velocities that an instrument gave are held
+// against the matrix with which the step was solved; on a net pushed across, the bare impulses are twice the
+// force. What is moved out after the solution counts alike.
 void tellImpulses(const MadeWay& way, StepSolver& solver, std::vector<InstrumentTouch>& touches) {
-    const bool bySolution = hasTangentMatrix(way.integrator);
+    const bool bySolution = !isExplicit(way.integrator) && !hasConstantMatrix(way.integrator);
     const auto& contacts = way.problem.contacts;
     for (std::size_t i = 0; i < contacts.size() && !bySolution; ++i)
         touches[contacts[i].collider].impulse -=

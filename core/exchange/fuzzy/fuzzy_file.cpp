@@ -116,7 +116,7 @@ template<class Base> FuzzySystem fuzzySystemFrom(const Json& json) {
 enum class FuzzyLanguage { Json, Fcl, Fll };
 
 FuzzyLanguage languageOf(const std::filesystem::path& file) {
-    const std::string ending = inSmallLetters(file.extension().string());
+    const std::string ending = endingOf(file);
     if (ending == ".fcl") return FuzzyLanguage::Fcl;
     return ending == ".fll" ? FuzzyLanguage::Fll : FuzzyLanguage::Json;
 }
@@ -141,11 +141,11 @@ ImportedFuzzySystem importFuzzyFile(const std::filesystem::path& file) {
     ImportedFuzzySystem imported;
     try {
         if (language == FuzzyLanguage::Fcl)
-            imported = fuzzySystemFromFcl(readFile(file));
+            imported = fuzzySystemFromFcl(readFile(file, largestFuzzySource));
         else if (language == FuzzyLanguage::Fll)
-            imported = fuzzySystemFromFll(readFile(file));
+            imported = fuzzySystemFromFll(readFile(file, largestFuzzySource));
         else
-            imported.system = fuzzySystemFromUsersJson(readFile(file));
+            imported.system = fuzzySystemFromUsersJson(readFile(file, largestFuzzySource));
     } catch (const InvalidModel& error) {
         throw FileError(file, error.what());
     }
@@ -154,7 +154,7 @@ ImportedFuzzySystem importFuzzyFile(const std::filesystem::path& file) {
 }
 
 bool isFuzzyFileName(const std::filesystem::path& file) {
-    return languageOf(file) != FuzzyLanguage::Json || inSmallLetters(file.extension().string()) == ".json";
+    return languageOf(file) != FuzzyLanguage::Json || endingOf(file) == ".json";
 }
 
 ExportedFuzzySystem exportFuzzySystem(const FuzzySystem& system, const std::filesystem::path& file) {

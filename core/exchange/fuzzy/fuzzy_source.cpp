@@ -1,7 +1,6 @@
 #include "core/exchange/fuzzy/fuzzy_source.h"
 
 #include "core/support/errors.h"
-#include "core/support/letters.h"
 
 #include <algorithm>
 #include <charconv>
@@ -87,9 +86,9 @@ void failAt(const TextPlace& place, const std::string& problem) {
 }
 
 std::string sourceText(const Bytes& content) {
-    constexpr std::size_t mostMegabytes = 4;
-    if (content.size() > (mostMegabytes << 20))
-        throw InvalidModel("is too large; a fuzzy system may have " + std::to_string(mostMegabytes) + " MB");
+    if (content.size() > largestFuzzySource)
+        throw InvalidModel("is too large; a fuzzy system may have " +
+                           std::to_string(largestFuzzySource >> 20) + " MB");
     std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
     if (looksLikeUtf16(bytes)) failAt({}, "is UTF-16 text; save it as UTF-8");
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
@@ -156,12 +155,6 @@ std::string_view trimmed(std::string_view text) {
 
 std::size_t letterCount(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), startsLetter));
-}
-
-std::string inSmallLetters(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
 }
 
 std::string asRemark(const std::string& text) {

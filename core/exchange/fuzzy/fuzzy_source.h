@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/file_io.h"
+#include "core/support/letters.h"
 
 #include <optional>
 #include <string>
@@ -19,6 +20,8 @@ bool isBefore(const TextPlace& one, const TextPlace& other);
 /// "line 3, column 5: problem"
 std::string placed(const TextPlace& place, const std::string& problem);
 [[noreturn]] void failAt(const TextPlace& place, const std::string& problem); ///< @throws InvalidModel
+
+inline constexpr std::uint64_t largestFuzzySource = 4 << 20; ///< bytes
 
 /// The text of a file that cannot be trusted, without byte order mark, its lines ending in a line feed.
 /// @throws InvalidModel: not UTF-8, binary (with the place), or larger than any fuzzy system
@@ -55,7 +58,6 @@ std::vector<TextWord> textWords(std::string_view code, TextPlace place, std::str
 
 std::string_view trimmed(std::string_view text);
 std::size_t letterCount(std::string_view text);
-std::string inSmallLetters(std::string text);
 
 /// A text without zero bytes that remarks of every form can hold on one line, and back.
 std::string asRemark(const std::string& text);

@@ -1,5 +1,7 @@
 #include "core/exchange/meshes/mesh_file.h"
 
+#include "core/support/letters.h"
+
 namespace esm {
 
 const std::vector<std::string>& meshFileEndings() {
@@ -8,11 +10,8 @@ const std::vector<std::string>& meshFileEndings() {
 }
 
 std::string meshFileEnding(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    if (!ending.empty()) ending.erase(0, 1);
-    for (char& letter : ending)
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    return ending;
+    const std::string ending = endingOf(file);
+    return ending.empty() ? ending : ending.substr(1);
 }
 
 } // namespace esm

@@ -46,7 +46,8 @@ std::optional<LandmarkPair> pairOf(std::string_view line) {
 } // namespace
 
 std::vector<LandmarkPair> readPairsFile(const std::filesystem::path& file) {
-    const Bytes content = readFile(file);
+    constexpr std::uint64_t largest = std::uint64_t{64} << 20;
+    const Bytes content = readFile(file, largest);
     refuseBinary(file, content, "CSV");
     TextLines lines(content);
     std::string_view line;

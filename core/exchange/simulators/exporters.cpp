@@ -3,8 +3,8 @@
 #include "core/exchange/model_package.h"
 #include "core/exchange/simulators/vtp_file.h"
 #include "core/support/errors.h"
-
-#include <algorithm>
+#include "core/support/joined.h"
+#include "core/support/letters.h"
 
 namespace esm {
 
@@ -17,19 +17,17 @@ const std::vector<Exporter>& exporters() {
     return all;
 }
 
-const Exporter* exporterNamed(const std::string& name) {
-    const auto& all = exporters();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Exporter& exporter) { return exporter.name == name; });
-    return found == all.end() ? nullptr : &*found;
-}
-
+/// A name that is an ending and nothing else counts as having it, as where the name is asked for.
 const Exporter& exporterFor(const std::filesystem::path& file) {
-    const auto& all = exporters();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Exporter& exporter) {
-        return file.extension() == exporter.ending;
-    });
-    return found == all.end() ? all.front() : *found;
+    const std::string name = inSmallLetters(file.filename().string());
+    std::vector<std::string> endings;
+    for (const Exporter& exporter : exporters()) {
+        if (name.ends_with(exporter.ending)) return exporter;
+        endings.push_back(exporter.ending);
+    }
+    if (!file.has_extension()) return exporters().front();
+    throw FileError(file,
+                    "has the ending of no format that there is; end its name in " + joined(endings, " or "));
 }
 
 void exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,

@@ -22,10 +22,8 @@ struct Exporter {
 
 const std::vector<Exporter>& exporters();
 
-/// Null where there is none of that name.
-const Exporter* exporterNamed(const std::string& name);
-
-/// The one whose ending a file has, the first there is where it has none of theirs.
+/// The one whose ending a file has, in letters of any size; the first there is where it has none at all.
+/// @throws FileError for another ending
 const Exporter& exporterFor(const std::filesystem::path& file);
 
 /// Evaluates the project and writes it. @throws FileError, also for a project with problems and for what the

@@ -1,22 +1,10 @@
 #include "core/exchange/simulators/handover.h"
 #include "core/authoring/packing.h"
 
-#include "core/support/errors.h"
-
 namespace esm {
 
-namespace {
-
-void refuse(std::vector<std::string> problems) {
-    if (!problems.empty()) throw InvalidModel(std::move(problems));
-}
-
-} // namespace
-
 Handover handoverOf(const Project& project) {
-    refuse(validate(project));
-    Handover handover{project, evaluateModel(project)};
-    refuse(validate(handover.tissue));
+    Handover handover{project, soundModel(project)};
     const TriangleMesh& mesh = *project.mesh;
     if (mesh.triangles.empty())
         handover.project.atlas = nullptr;

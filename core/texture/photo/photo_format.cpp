@@ -202,4 +202,9 @@ PhotoFormat inspectPhoto(const Bytes& encoded) {
     return format;
 }
 
+const std::vector<std::string>& photoFileEndings() {
+    static const std::vector<std::string> endings{"png", "jpg", "jpeg", "bmp", "tif", "tiff"};
+    return endings;
+}
+
 } // namespace esm

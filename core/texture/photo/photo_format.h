@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace esm {
 
@@ -18,5 +19,8 @@ struct PhotoFormat {
 /// with grey in silence and allocate whatever size a header claims. Of a BMP file the header is compared with
 /// the file's size, of a TIFF file the first directory read.
 PhotoFormat inspectPhoto(const Bytes& encoded);
+
+/// File name endings of the formats that are read, in small letters and without the dot.
+const std::vector<std::string>& photoFileEndings();
 
 } // namespace esm

@@ -6,6 +6,7 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/split_tissue.h"
+#include "tests/support/was_touched.h"
 
 #include <gmock/gmock.h>
 
@@ -153,6 +154,21 @@ TEST(TopologyChange, RefusesAMapThatIsNone) {
     advance(simulation, pull(), 3);
 }
 
+TEST(TopologyChange, TakesNewParametersOnceTheTissueIsWholeAgain) {
+    const Sheet sheet = hungSheet();
+    const SplitTissue split = splitSheet(sheet, fromBorderToBorder);
+    Simulation simulation = movingSheet(sheet, Integrator::Euler);
+    simulation.setTopology(split.tissue, split.map);
+    EXPECT_THROW(simulation.setModel(split.tissue), InvalidModel);
+    EXPECT_THROW(simulation.setModel(sheet.tissue), InvalidModel);
+    advance(simulation, pull(), 3);
+    simulation.reset();
+    TissueModel heavier = sheet.tissue;
+    heavier.mass[0] *= 2;
+    simulation.setModel(heavier);
+    EXPECT_EQ(simulation.system().mass[0], heavier.mass[0]);
+}
+
 /// An instrument in the gap touches both sides of it.
 TEST(TopologyChange, MovesWhatInstrumentsTouch) {
     const Sheet sheet = hungSheet();
@@ -168,7 +184,7 @@ TEST(TopologyChange, MovesWhatInstrumentsTouch) {
         loads.instruments[0].pose.place.z() -= 0.0015;
         ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
     }
-    EXPECT_TRUE(simulation.wasTouched());
+    EXPECT_TRUE(wasTouched(simulation));
     const PartedNode& middle = split.parted[4];
     EXPECT_GT(simulation.positions()[middle.twin].x() - simulation.positions()[middle.node].x(), 0.002);
 }

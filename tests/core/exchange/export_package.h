@@ -7,7 +7,7 @@ namespace esm {
 
 inline void exportPackage(const Project& project, const std::filesystem::path& file,
                           const HandoverMeans& means = {}) {
-    exportProject(project, *exporterNamed("glb"), file, means);
+    exportProject(project, exporterFor("organ.glb"), file, means);
 }
 
 } // namespace esm

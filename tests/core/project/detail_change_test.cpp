@@ -4,6 +4,7 @@
 #include "core/support/errors.h"
 #include "tests/support/test_surfaces.h"
 #include "tests/support/tissue_models.h"
+#include "tests/support/was_touched.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -173,7 +174,7 @@ TEST(RigidDetail, IsPushedAsAWholeByAnInstrument) {
                       0.99 * radiusOf(loads.instruments[0].shape))
                 << i;
     }
-    EXPECT_TRUE(simulation.wasTouched());
+    EXPECT_TRUE(wasTouched(simulation));
     EXPECT_LT(distortion(rest, drawn), 1e-12);
     double mean = 0, top = 0, bottom = 0;
     for (std::size_t i = 0; i < rest.size(); ++i) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
+
 using namespace esm;
 
 TEST(InvalidModel, NamesTheFirstProblemsAndCountsTheRest) {
@@ -11,4 +13,10 @@ TEST(InvalidModel, NamesTheFirstProblemsAndCountsTheRest) {
     const std::string text = many.what(), end = "; and 980 more";
     EXPECT_EQ(text.size(), 20 * 3 - 2 + end.size());
     EXPECT_EQ(text.substr(text.size() - end.size()), end);
+}
+
+TEST(ReasonOf, IsInTheUsersWords) {
+    EXPECT_EQ(reasonOf(FileError("organ.esm", "is empty")), "organ.esm: is empty");
+    EXPECT_EQ(reasonOf(std::bad_alloc()), "there is not enough memory for it");
+    EXPECT_EQ(reasonOf(std::bad_array_new_length()), "there is not enough memory for it");
 }

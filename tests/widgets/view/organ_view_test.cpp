@@ -2,6 +2,8 @@
 
 #include "core/texture/layers/patch_scan.h"
 
+#include <QScopeGuard>
+#include <QSemaphore>
 #include <QSignalSpy>
 
 using namespace esm;
@@ -241,18 +243,31 @@ TEST_F(OrganViewTest, MarksFollowTheNodesAndTheScaleOfValues) {
 }
 
 TEST_F(OrganViewTest, AnswersWhileItsPictureIsDrawn) {
-    TriangleMesh large = ball(400, 600);
-    for (Vector3d& vertex : large.vertices)
-        vertex *= 0.1;
-    scene.network = edgeNetwork(large);
-    scene.mesh = std::make_shared<TriangleMesh>(std::move(large));
-    pictureOf(view);
-    QSignalSpy pictures(&view, &OrganView::drawn);
-    view.setScene(scene);
-    view.repaint();
-    EXPECT_FALSE(view.isUpToDate()) << "what takes long is drawn elsewhere";
+    QSemaphore begun, mayGoOn;
+    RecordingTool tool;
+    OrganView slow(nullptr, [&](const PictureContent& content, int) {
+        begun.release();
+        mayGoOn.tryAcquire(1, patience); // a view that waits for its picture fails the test below
+        return DrawnPicture{QImage(content.size.width, content.size.height, QImage::Format_RGB32), {}};
+    });
+    const auto goingOn = qScopeGuard([&] { mayGoOn.release(100); });
+    QSignalSpy pictures(&slow, &OrganView::drawn);
+    slow.setTool(tool);
+    slow.resize(view.size());
+    slow.setScene(scene);
+    slow.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&slow, patience));
+    slow.repaint();
+    ASSERT_TRUE(begun.tryAcquire(1, patience));
+    QTest::mouseClick(&slow, Qt::LeftButton, {}, slow.rect().center());
+    EXPECT_TRUE(tool.picked) << "the click is answered";
+    slow.frameOrgan();
+    slow.repaint(); // asks for another picture, while the first stands still
+    QCoreApplication::processEvents();
     EXPECT_EQ(pictures.count(), 0);
-    pictureOf(view);
+    EXPECT_FALSE(slow.isUpToDate());
+    mayGoOn.release(100);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return slow.isUpToDate(); }, patience));
     EXPECT_GT(pictures.count(), 0);
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/long_work.h"
+#include "app/editor/edits/simulated_edit.h"
 #include "app/editor/panels/organ/stepping_text.h"
 #include "core/authoring/accuracy.h"
 #include "core/authoring/coarser_runs.h"
@@ -185,9 +186,9 @@ bool AccuracyPanel::isOutdated() const {
 }
 
 /// A project may be on the fewer nodes of a run that was chosen before.
-Project AccuracyPanel::onMeasuredNodes(Project project) const {
+Project AccuracyPanel::onMeasuredNodes(Project project, Tissue tissue) const {
     const Project& measured = m_measurement->project;
-    if (isOutdated()) {
+    if (tissue == Tissue::Other) {
         const bool isOnThem = project.network->restPositions.size() == measured.network->restPositions.size();
         return isOnThem ? project : withDetail(project, detailOf(*measured.network));
     }
@@ -264,12 +265,13 @@ void AccuracyPanel::use(std::size_t index) {
     const TradeoffRun& run = m_measurement->tradeoff.runs[index];
     const Project project = m_document.project();
     attempt(window(), tr("This setting cannot be used"), [&] {
-        const bool isCurrent = !isOutdated();
+        const Tissue tissue = isOutdated() ? Tissue::Other : Tissue::Measured;
         const Project changed = computeLong(window(), tr("Choosing method and step"), [&](const Progress&) {
-            return withRun(onMeasuredNodes(project), run);
+            return withRun(onMeasuredNodes(project, tissue), run);
         });
-        if (isCurrent && run.coarser) m_measurement->onFewerNodes.push_back(changed);
-        m_document.edit(tr("Choose method and step"), [&](Project& edited) { edited = changed; });
+        if (tissue == Tissue::Measured && run.coarser) m_measurement->onFewerNodes.push_back(changed);
+        m_document.edit(tr("Choose method and step"),
+                        [&](Project& edited) { takeSimulated(edited, changed); });
     });
 }
 

@@ -31,6 +31,9 @@ private:
         std::vector<Project> onFewerNodes{}; ///< the same, as one of its runs was chosen
     };
 
+    /// Of a project beside that of the measurement.
+    enum class Tissue { Measured, Other };
+
     QWidget* buildMeasured();
     void measure();
     void refresh();
@@ -41,7 +44,7 @@ private:
     void showRecommendation(QPushButton* button, std::optional<std::size_t> run, const QString& none);
     bool isMeasured() const;
     bool isOutdated() const;
-    Project onMeasuredNodes(Project project) const;
+    Project onMeasuredNodes(Project project, Tissue tissue) const;
     void use(std::size_t run);
     void useAutomatic();
 

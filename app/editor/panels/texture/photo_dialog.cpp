@@ -5,7 +5,6 @@
 #include "widgets/texture/image_conversion.h"
 
 #include <QShortcut>
-#include <QSignalBlocker>
 
 #include <algorithm>
 #include <cmath>
@@ -171,6 +170,7 @@ void PhotoDialog::chooseTool(PhotoTool tool) {
     m_pages->setCurrentIndex(tool == PhotoTool::Crop ? 2 : tool == PhotoTool::Straighten ? 1 : 0);
     changeBrush(1);
     showPhoto();
+    showHint(); // what the tool does, whatever was told before
 }
 
 void PhotoDialog::changeBrush(double factor) {
@@ -196,7 +196,8 @@ void PhotoDialog::showPhoto() {
     for (const auto& [part, field] : m_cropFields)
         field->setValue(crop.*part);
     enable(m_whole, wanted.crop.has_value(), tr("Keep the whole photo"), tr("The whole photo is kept"));
-    showHint();
+    const QString failure = m_edits.failure();
+    showHint(failure.isEmpty() ? QString() : tr("Not prepared: %1").arg(failure));
 }
 
 /// The photo as it was taken; for the crop, which lies on what comes out, the straightened one.

@@ -4,8 +4,6 @@
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
 
-#include <QVariant>
-
 #include <QSignalBlocker>
 
 namespace esm {

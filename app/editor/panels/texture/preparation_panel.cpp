@@ -62,11 +62,11 @@ QString strokesText(std::size_t strokes) {
 
 } // namespace
 
-PreparationPanel::PreparationPanel(Document& document, PreparationEdits& edits, QWidget* parent)
+PreparationPanel::PreparationPanel(Document&, PreparationEdits& edits, QWidget* parent)
     : Section(tr("Photo"), parent), m_edits(edits),
       m_before(pictureLabel(QStringLiteral("photoBefore"), this)),
-      m_after(pictureLabel(QStringLiteral("photoAfter"), this)), m_steps(new QGridLayout),
-      m_evenLightField(new NumberField(strengthFormat(), this)),
+      m_after(pictureLabel(QStringLiteral("photoAfter"), this)), m_warning(new QLabel(this)),
+      m_steps(new QGridLayout), m_evenLightField(new NumberField(strengthFormat(), this)),
       m_field(addStep(tr("Roun&d field"), "roundField")), m_strokes(addStep(tr("Brushed out"), "brushedOut")),
       m_highlights(addStep(tr("Hi&ghlights"), "highlights")),
       m_evenLight(addStep(tr("Even light"), "evenLight", m_evenLightField)),
@@ -76,13 +76,6 @@ PreparationPanel::PreparationPanel(Document& document, PreparationEdits& edits, 
     layOut();
     connectControls();
     connect(&edits, &PreparationEdits::changed, this, &PreparationPanel::show);
-    connect(&edits, &PreparationEdits::failed, this, [this](const QString&, const QString& reason) {
-        m_failure = reason;
-        show();
-    });
-    connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.layers) m_failure.clear();
-    });
     show();
 }
 
@@ -119,7 +112,11 @@ void PreparationPanel::layOut() {
     m_evenLightField->setObjectName(QStringLiteral("evenLightStrength"));
     m_evenLightField->setAccessibleName(tr("Even light, strength"));
     m_large->setObjectName(QStringLiteral("largePhoto"));
+    m_warning->setObjectName(QStringLiteral("preparationWarning"));
+    m_warning->setProperty("warning", true);
+    m_warning->setWordWrap(true);
     body()->addLayout(pictures);
+    body()->addWidget(m_warning);
     body()->addLayout(m_steps);
     body()->addWidget(m_large, 0, Qt::AlignLeft);
 }
@@ -184,8 +181,15 @@ void PreparationPanel::resizeEvent(QResizeEvent* event) {
 void PreparationPanel::show() {
     const TextureLayer* layer = m_edits.layer();
     setTitle(layer ? tr("Photo · %1").arg(QString::fromStdString(layer->name)) : tr("Photo"));
+    showFailure();
     showPictures(layer);
     showSteps(layer);
+}
+
+void PreparationPanel::showFailure() {
+    const QString failure = m_edits.failure();
+    m_warning->setText(failure.isEmpty() ? QString() : tr("Not prepared: %1").arg(failure));
+    m_warning->setVisible(!failure.isEmpty());
 }
 
 void PreparationPanel::showPictures(const TextureLayer* layer) {
@@ -276,7 +280,6 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
     enable(m_crop.box, layer && m_last.crop, tr("Keep only a part of the photo"), first);
     enable(m_large, layer, tr("Show the photo large: brush out text and overlays, straighten lines, crop"),
            none);
-    if (!m_failure.isEmpty()) m_after->setToolTip(tr("Not prepared: %1").arg(m_failure));
 }
 
 } // namespace esm

@@ -38,20 +38,20 @@ private:
     /// A step that is switched on with numbers that were known before, or off.
     template<typename Part> void connectKept(Step& step, Part PhotoPreparation::*part, const QString& text);
     void show();
+    void showFailure();
     void showPictures(const TextureLayer* layer);
     void showSteps(const TextureLayer* layer);
     void showWords(Step& step, bool on, const QString& words);
     QString highlightWords(const PhotoPreparation& wanted) const;
 
     PreparationEdits& m_edits;
-    QLabel *m_before, *m_after;
+    QLabel *m_before, *m_after, *m_warning;
     QGridLayout* m_steps;
     NumberField* m_evenLightField;
     Step m_field, m_strokes, m_highlights, m_evenLight, m_whiteBalance, m_match, m_lens, m_crop;
     QPushButton* m_large;
     PhotoPreparation m_last; ///< what the check boxes bring back
     std::shared_ptr<const Photo> m_lastOf;
-    QString m_failure;
 };
 
 } // namespace esm

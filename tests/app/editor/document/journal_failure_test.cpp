@@ -107,3 +107,15 @@ TEST_F(JournalFailureTest, HasNothingToTellOnceTheWorkIsSaved) {
     ESM_EVENTUALLY(failures.size() == 2);
     EXPECT_EQ(failures[1], "");
 }
+
+TEST_F(JournalFailureTest, TellsNothingOnceItIsGone) {
+    std::ofstream(recovery) << "no folder";
+    auto other = std::make_unique<Journal>(document, selection, recovery);
+    int told = 0;
+    QObject::connect(other.get(), &Journal::failed, [&] { ++told; });
+    setMass(0.5);
+    other->finish();
+    other.reset();
+    QApplication::processEvents();
+    EXPECT_EQ(told, 0);
+}

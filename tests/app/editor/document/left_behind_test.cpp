@@ -131,3 +131,18 @@ TEST_F(LeftBehindTest, TellsWhatIsWrongWithIt) {
     EXPECT_TRUE(dialogs.isDone());
     EXPECT_EQ(project().network->springs[3].restLength, 50);
 }
+
+TEST_F(LeftBehindTest, IsOfferedBeforeTheFilesOfTheCommandLineAreOpened) {
+    Project lost = makeSample("tube");
+    lost.base.mass = 0.75;
+    std::filesystem::create_directories(recoveryFolder());
+    saveProject(lost, recoveryFolder() / "left.esm");
+    saveProject(makeSample("ventricle"), folder / "asked for.esm");
+    acceptOffer();
+    dialogs.expectButton("unsavedBox", QMessageBox::Cancel);
+    window->start({folder / "asked for.esm"});
+    ESM_EVENTUALLY(dialogs.isDone());
+    EXPECT_EQ(project().base.mass, 0.75);
+    EXPECT_FALSE(window->document().path());
+    EXPECT_TRUE(window->document().isModified());
+}

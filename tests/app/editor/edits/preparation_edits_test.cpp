@@ -133,15 +133,30 @@ TEST(PreparationEdits, OfAPhotoThatIsGoneAreDropped) {
 
 TEST(PreparationEdits, ThatCannotBeMadeSayWhy) {
     Editing editing(withLayers({60}));
-    QString reason;
-    QObject::connect(&editing.edits, &PreparationEdits::failed,
-                     [&](const QString&, const QString& why) { reason = why; });
     editing.edits.edit("Crop", [](PreparationWish& wish) {
         wish.preparation.crop = PhotoCrop{0, 0, 999, 9};
     });
     ESM_EVENTUALLY(!editing.edits.isWorking());
-    EXPECT_TRUE(reason.contains("crop")) << reason.toStdString();
+    EXPECT_TRUE(editing.edits.failure().contains("crop")) << editing.edits.failure().toStdString();
     EXPECT_EQ(editing.document.undoStack()->count(), 0);
+    editing.evenLight(0.5);
+    EXPECT_EQ(editing.edits.failure(), "") << "another edit may do";
+}
+
+TEST(PreparationEdits, ThatFailAreToldOfTheirOwnPhoto) {
+    Editing editing(withLayers({60, 50}));
+    editing.edits.edit("Crop", [](PreparationWish& wish) {
+        wish.preparation.crop = PhotoCrop{0, 0, 999, 9};
+    });
+    editing.selection.setPhoto(editing.document.project().layers[1].id);
+    editing.evenLight(0.5);
+    ESM_EVENTUALLY(!editing.edits.isWorking());
+    EXPECT_EQ(editing.edits.failure(), "");
+    editing.selection.setPhoto(editing.document.project().layers[0].id);
+    EXPECT_TRUE(editing.edits.failure().contains("crop")) << "edits of other photos do not take it back";
+    editing.document.edit("Even light",
+                          [](Project& project) { project.layers[0].preparation.evenLight = 0.1; });
+    EXPECT_EQ(editing.edits.failure(), "") << "it is another preparation that is shown";
 }
 
 class PreparationPanelTest : public EditorTest {};

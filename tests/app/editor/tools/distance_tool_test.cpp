@@ -1,12 +1,14 @@
 #include "app/editor/tools/distance_tool.h"
 
 #include "core/samples/samples.h"
+#include "core/texture/texture_limits.h"
 #include "tests/app/editor/tools/tool_fixture.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/same_project.h"
 
 #include <QComboBox>
 #include <QLabel>
+#include <QSignalSpy>
 
 using namespace esm;
 using Eigen::Vector3d;
@@ -139,6 +141,33 @@ TEST_F(DistanceToolTest, SaysWhyTheOrganCannotBeScaled) {
     EXPECT_NE(tool->obstacle(), "");
     tool->setTrueLength(0.2);
     EXPECT_EQ(tool->obstacle(), "");
+}
+
+TEST_F(DistanceToolTest, LooksForObstaclesOnceEditsRest) {
+    dragBetween(placeOf(left), placeOf(right));
+    tool->setTrueLength(0.2);
+    ASSERT_EQ(tool->obstacle(), "");
+    const QSignalSpy found(tool, &DistanceTool::changed);
+    for (int i = 1; i <= 20; ++i)
+        edit([i](Project& project) { project.base.viscosity = i; });
+    EXPECT_EQ(found.count(), 0) << "a slider is not held up";
+    ESM_EVENTUALLY(!tool->isObstacleOld());
+    EXPECT_EQ(found.count(), 1);
+}
+
+TEST_F(DistanceToolTest, ScalesNothingThatHasJustBecomeImpossible) {
+    dragBetween(placeOf(left), placeOf(right));
+    tool->setTrueLength(0.2);
+    ASSERT_EQ(tool->obstacle(), "");
+    edit([](Project& project) {
+        project.layers.resize(1);
+        project.layers[0].photo = makeSamplePhoto("serosa");
+        project.layers[0].projector.width = texture_limits::longestPhoto;
+    });
+    tool->scaleOrgan();
+    expectSteps(1);
+    EXPECT_NE(tool->obstacle(), "");
+    EXPECT_EQ(tool->obstacle(), refusal(0.2 / *tool->length()));
 }
 
 TEST_F(DistanceToolTest, WithoutASurfaceItMeasuresBetweenNodes) {

@@ -98,6 +98,40 @@ TEST_F(PaintingTest, EscapeDropsTheStroke) {
     EXPECT_TRUE(strokes().empty());
 }
 
+TEST_F(PaintingTest, EscapeLeavesWhatCameMeanwhile) {
+    for (const bool growsOn : {false, true}) {
+        const double opacity = growsOn ? 0.5 : 0.25;
+        begin();
+        window->document().edit("prepare", [=](Project& p) { p.layers[0].opacity = opacity; });
+        if (growsOn) move(middle());
+        ASSERT_EQ(strokes().size(), 1U);
+        press(Qt::Key_Escape);
+        EXPECT_TRUE(strokes().empty());
+        EXPECT_EQ(project().layers[0].opacity, opacity);
+        QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, middle());
+    }
+}
+
+TEST_F(PaintingTest, AStrokeThatIsUndoneWhileItIsPaintedIsOver) {
+    QUndoStack& steps = *window->document().undoStack();
+    const int first = steps.count();
+    stroke();
+    const BrushStrokes before = strokes();
+    begin();
+    ASSERT_EQ(strokes().size(), 2U);
+    steps.undo();
+    move(middle());
+    EXPECT_TRUE(strokes() == before) << "the stroke before is another";
+    steps.undo();
+    move(middle() + QPoint(40, 0));
+    EXPECT_TRUE(strokes().empty());
+    QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, middle());
+    EXPECT_TRUE(strokes().empty());
+    EXPECT_EQ(steps.count(), first + 2) << "both can be redone";
+    begin();
+    EXPECT_EQ(strokes().size(), 1U);
+}
+
 TEST_F(PaintingTest, ALayerOffersWhatCanBeDoneToIt) {
     auto* kind = child<QComboBox>("brushKind");
     EXPECT_EQ(kind->count(), 2) << "a photo is erased and restored";

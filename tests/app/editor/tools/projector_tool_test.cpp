@@ -5,6 +5,54 @@
 using namespace esm;
 using Eigen::Vector3d;
 
+namespace {
+
+/// Two photos in front of the ball, each added by a step of its own, and a drag of the second that has begun.
+class TwoProjectors : public ToolTest {
+protected:
+    void SetUp() override {
+        ToolTest::SetUp();
+        for (const double height : {0.1, 0.0})
+            edit([&](Project& project) {
+                TextureLayer& layer = project.layers.emplace_back();
+                layer.id = document.newLayerId();
+                layer.photo = makeSamplePhoto("serosa");
+                layer.projector.pose.translation() = Vector3d(0, height, 0.15);
+                layer.projector.width = 0.06;
+                layer.projector.height = 0.04;
+            });
+        actions.texture->setChecked(true);
+        take<ProjectorTool>();
+        selection.setPhoto(project().layers[1].id);
+        press(placeOf({0, 0, 0.15}));
+        moveTo(placeOf({0.03, 0.01, 0.15}));
+        expectSteps(3);
+    }
+    Vector3d placeOfPhoto(std::size_t i) const { return project().layers[i].projector.pose.translation(); }
+};
+
+} // namespace
+
+TEST_F(TwoProjectors, ThePhotoThatWasTakenHoldOfIsMovedWhateverIsSelected) {
+    selection.setPhoto(project().layers[0].id);
+    moveTo(placeOf({0.05, 0, 0.15}));
+    EXPECT_EQ(placeOfPhoto(0), Vector3d(0, 0.1, 0.15));
+    EXPECT_NEAR(placeOfPhoto(1).x(), 0.05, 0.002);
+    release({0, 0});
+    expectSteps(3);
+}
+
+TEST_F(TwoProjectors, WhatGoesIsDraggedNoFurther) {
+    document.undoStack()->undo();
+    document.undoStack()->undo();
+    ASSERT_EQ(project().layers.size(), 1U);
+    selection.setPhoto(project().layers[0].id);
+    moveTo(placeOf({0.05, 0, 0.15}));
+    release({0, 0});
+    EXPECT_EQ(placeOfPhoto(0), Vector3d(0, 0.1, 0.15));
+    expectSteps(3);
+}
+
 TEST_F(ToolTest, ProjectorIsMovedAndScaled) {
     edit([](Project& project) {
         project.layers.resize(1);

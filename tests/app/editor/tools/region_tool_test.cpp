@@ -55,6 +55,28 @@ TEST_F(RegionToolTest, MovesAndScalesInOneStepEach) {
     EXPECT_EQ(shape().centre, centre);
 }
 
+TEST_F(RegionToolTest, WhatGoesIsDraggedNoFurther) {
+    addRegion({0, 0, -0.2}, {0.03, 0.02, 0.02});
+    const Vector3d centre(0.05, 0, 0.08);
+    edit([&](Project& project) {
+        Region added = project.regions[1];
+        added.id = {9};
+        added.ellipsoid->centre = centre;
+        project.regions.insert(project.regions.begin(), added);
+    });
+    press(placeOf(centre));
+    moveTo(placeOf(centre) + QPoint(0, 20));
+    moveTo(placeOf(centre) + QPoint(0, 40));
+    expectSteps(2);
+    document.undoStack()->undo();
+    document.undoStack()->undo();
+    ASSERT_EQ(project().regions.size(), 2U);
+    moveTo(placeOf(centre) + QPoint(0, 60));
+    release(placeOf(centre) + QPoint(0, 60));
+    EXPECT_EQ(shape().centre, Vector3d(0, 0, -0.2)) << "the other one, which is now drawn first";
+    expectSteps(2);
+}
+
 TEST_F(RegionToolTest, TurnsByTheDots) {
     addRegion({0, 0, 0}, {0.06, 0.03, 0.03});
     const QPoint dot = placeOf({0.06, 0, 0}) + QPoint(26, 0);

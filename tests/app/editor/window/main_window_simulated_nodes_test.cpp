@@ -17,6 +17,7 @@ protected:
         script.expect([](QWidget* dialog) { return qobject_cast<QInputDialog*>(dialog) != nullptr; },
                       [this, nodes](QDialog* dialog) {
                           question = qobject_cast<QInputDialog*>(dialog)->labelText();
+                          meanwhile();
                           qobject_cast<QInputDialog*>(dialog)->setIntValue(nodes);
                           dialog->accept();
                       });
@@ -25,6 +26,7 @@ protected:
 
     DialogScript script;
     QString question;
+    std::function<void()> meanwhile = [] {}; ///< what happens on its own while the user chooses
 };
 
 } // namespace
@@ -56,6 +58,16 @@ TEST_F(SimulatedNodesTest, SayThatSplitsAreRemoved) {
     EXPECT_TRUE(project().scene.splits.empty());
     window->document().undoStack()->undo();
     EXPECT_EQ(project().scene.splits.size(), 1U);
+}
+
+TEST_F(SimulatedNodesTest, LeaveWhatCameMeanwhile) {
+    meanwhile = [this] { window->document().edit("late", [](Project& edited) { edited.name = "late"; }); };
+    choose(60);
+    EXPECT_EQ(project().network->restPositions.size(), 60U);
+    EXPECT_EQ(project().name, "late");
+    window->document().undoStack()->undo();
+    EXPECT_EQ(project().network->restPositions.size(), 170U);
+    EXPECT_EQ(project().name, "late");
 }
 
 TEST_F(SimulatedNodesTest, AreWhatAPullTakes) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <QSemaphore>
 
+#include <new>
 #include <vector>
 
 using namespace esm;
@@ -74,6 +75,15 @@ TEST(LatestWorker, TellsWhyThereIsNoAnswerAndKeepsTheFormerOne) {
     doubling.worker.ask(6);
     doubling.finish();
     EXPECT_EQ(doubling.worker.outcome().failure, "");
+}
+
+TEST(LatestWorker, TellsInTheUsersWordsThatMemoryIsShort) {
+    QSemaphore told;
+    LatestWorker<int, int> worker([](const auto&) -> int { throw std::bad_alloc(); },
+                                  [&] { told.release(); });
+    worker.ask(1);
+    told.acquire();
+    EXPECT_EQ(worker.outcome().failure, "there is not enough memory for it");
 }
 
 TEST(LatestWorker, LetsWorkGoOnThatNewQuestionsMayWaitFor) {

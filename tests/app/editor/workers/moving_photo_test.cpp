@@ -54,7 +54,7 @@ TEST(MovingPhoto, IsThrownWhileItMovesAndPaintedWhenItRests) {
     moving.follow(project);
     EXPECT_FALSE(moving.thrown());
     ESM_EVENTUALLY(!composer.isWorking());
-    const TextureComposer::Pages before = composer.pages();
+    const TextureComposer::Pages before = composer.composition().pages;
     for (int i = 0; i < 3; ++i) {
         shift(project.layers[1]);
         moving.follow(project);
@@ -66,7 +66,7 @@ TEST(MovingPhoto, IsThrownWhileItMovesAndPaintedWhenItRests) {
     bool rested = false;
     QObject::connect(&moving, &MovingPhoto::rested, [&] { rested = true; });
     ESM_EVENTUALLY(rested && !moving.thrown());
-    EXPECT_NE(composer.pages(), before);
+    EXPECT_NE(composer.composition().pages, before);
 }
 
 TEST(MovingPhoto, ThatIsHiddenIsNotThrown) {

@@ -18,7 +18,7 @@ TEST(TextureComposer, WorksUntilTheLastRequestIsDone) {
     bool pagesAreThere = false;
     QObject::connect(&composer, &TextureComposer::composed, &composer, [&] {
         ++composed;
-        pagesAreThere = composer.pages() != nullptr;
+        pagesAreThere = composer.composition().pages != nullptr;
     });
     for (int request = 0; request < 5; ++request)
         composer.compose(project);
@@ -27,7 +27,7 @@ TEST(TextureComposer, WorksUntilTheLastRequestIsDone) {
     project.layers.clear();
     composer.compose(project);
     ESM_EVENTUALLY(!composer.isWorking());
-    EXPECT_EQ(composer.pages(), nullptr) << "nothing is left to compose";
+    EXPECT_EQ(composer.composition().pages, nullptr) << "nothing is left to compose";
 }
 
 TEST(TextureComposer, ShowsAfterEveryEditWhatAWholeCompositionShows) {
@@ -41,10 +41,11 @@ TEST(TextureComposer, ShowsAfterEveryEditWhatAWholeCompositionShows) {
     const auto expectWhole = [&] {
         composer.compose(project);
         ESM_EVENTUALLY(!composer.isWorking());
-        ASSERT_TRUE(composer.pages());
+        const TextureComposer::Composed composed = composer.composition();
+        ASSERT_TRUE(composed.pages);
         const auto whole =
             composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour);
-        EXPECT_EQ(composer.pages()->front().pixels, whole.front().pixels);
+        EXPECT_EQ(composed.pages->front().pixels, whole.front().pixels);
     };
     expectWhole();
     project.layers[1].projector.pose.translation().x() = 0.02;
@@ -53,4 +54,50 @@ TEST(TextureComposer, ShowsAfterEveryEditWhatAWholeCompositionShows) {
     expectWhole();
     project.texture.baseColour = {1, 2, 3};
     expectWhole();
+}
+
+TEST(TextureComposer, GivesPagesThatBelongTogetherWhileItWorks) {
+    Project project = makeSample("ventricle");
+    TextureLayer layer;
+    layer.photo = makeSamplePhoto("serosa");
+    project.layers = {layer};
+    std::vector<std::shared_ptr<const Atlas>> atlases;
+    for (const int size : {512, 1024})
+        atlases.push_back(std::make_shared<const Atlas>(packAtlas(*project.mesh, {size, 1, 4})));
+    TextureComposer composer;
+    for (std::size_t round = 0; round < 4; ++round) {
+        project.atlas = atlases[round % 2];
+        composer.compose(project);
+        // Before the worker is done, and at the moment at which it is.
+        for (bool goesOn = true; goesOn;) {
+            goesOn = composer.isWorking();
+            const TextureComposer::Composed composed = composer.composition();
+            if (!composed.pages) continue;
+            const Image& page = composed.pages->front();
+            ASSERT_EQ(page.width, composed.atlas->options.size);
+            ASSERT_EQ(composed.smallerPages->front().front().width, page.width / 2);
+        }
+        EXPECT_EQ(composer.composition().atlas, project.atlas);
+    }
+}
+
+TEST(TextureComposer, HasNothingButTheReasonWhereItFails) {
+    Project project = makeSample("ventricle");
+    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, {512, 1, 2}));
+    TextureLayer layer;
+    layer.photo = makeSamplePhoto("serosa");
+    project.layers = {layer};
+    TextureComposer composer;
+    composer.compose(project);
+    ESM_EVENTUALLY(!composer.isWorking());
+    EXPECT_EQ(composer.composition().failure, "");
+    auto broken = std::make_shared<Atlas>(*project.atlas);
+    broken->page.assign(broken->page.size(), 999);
+    project.atlas = broken;
+    composer.compose(project);
+    ESM_EVENTUALLY(!composer.isWorking());
+    const TextureComposer::Composed composed = composer.composition();
+    EXPECT_NE(composed.failure, "");
+    EXPECT_EQ(composed.pages, nullptr);
+    EXPECT_EQ(composed.atlas, nullptr);
 }

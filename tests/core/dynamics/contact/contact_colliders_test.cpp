@@ -5,6 +5,7 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
+#include "tests/support/was_touched.h"
 
 #include <gtest/gtest.h>
 
@@ -117,7 +118,7 @@ TEST(ContactColliders, NothingIsLeftInsideACapsuleThatComesDownLiesAcrossOrTurns
                 ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
                 ASSERT_GT(clearance(tissue.surface, simulation.positions(), loads.instruments[0]), -1e-6);
             }
-            EXPECT_TRUE(simulation.wasTouched());
+            EXPECT_TRUE(wasTouched(simulation));
         }
 }
 
@@ -218,11 +219,14 @@ TEST_P(ForceOnInstruments, IsWhatHoldsTheTissueAgainstThem) {
         }
 }
 
+// In steps of 10 ms `projective` is 1.6 % off where two instruments push: its passes leave a little force
+// unmet.
 INSTANTIATE_TEST_SUITE_P(
     Integrators, ForceOnInstruments,
     testing::Values(ThirdLaw{Integrator::Euler, 0.0002}, ThirdLaw{Integrator::Trapezoid, 0.01},
                     ThirdLaw{Integrator::Split, 0.002}, ThirdLaw{Integrator::Split2, 0.002},
-                    ThirdLaw{Integrator::Implicit, 0.01}, ThirdLaw{Integrator::Bdf2, 0.01}),
+                    ThirdLaw{Integrator::Implicit, 0.01}, ThirdLaw{Integrator::Bdf2, 0.01},
+                    ThirdLaw{Integrator::Propagation, 0.002}, ThirdLaw{Integrator::Projective, 0.002}),
     [](const auto& info) {
         std::string name = integratorName(info.param.integrator);
         return name;

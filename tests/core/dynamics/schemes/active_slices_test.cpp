@@ -3,6 +3,7 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 #include "tests/support/tissue_models.h"
+#include "tests/support/was_touched.h"
 
 #include <gtest/gtest.h>
 
@@ -218,7 +219,7 @@ TEST(ActiveSlices, AnInstrumentMovesWhatRested) {
     };
     EXPECT_LT(compare(record), 0.9);
     FilmedRun recording = record(withStep(Integrator::Euler, shortStep));
-    EXPECT_TRUE(recording.simulation().wasTouched());
+    EXPECT_TRUE(wasTouched(recording.simulation()));
 }
 
 TEST(ActiveSlices, StepsOneByOneFollowTheMotionToo) {

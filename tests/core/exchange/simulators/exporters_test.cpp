@@ -16,12 +16,24 @@ TEST(Exporters, HaveNamesAndEndingsOfTheirOwn) {
     for (const Exporter& exporter : exporters()) {
         EXPECT_TRUE(names.insert(exporter.name).second) << exporter.name;
         EXPECT_TRUE(endings.insert(exporter.ending).second) << exporter.ending;
-        EXPECT_EQ(exporterNamed(exporter.name), &exporter);
         EXPECT_EQ(&exporterFor("a folder/organ" + exporter.ending), &exporter);
         EXPECT_FALSE(exporter.title.empty() || exporter.purpose.empty()) << exporter.name;
     }
-    EXPECT_EQ(exporterNamed("carrier pigeon"), nullptr);
-    EXPECT_EQ(&exporterFor("organ"), &exporters().front());
+}
+
+TEST(Exporters, AreFoundByTheEndingOfAFile) {
+    EXPECT_EQ(exporterFor("organ.VTP").name, "vtp");
+    EXPECT_EQ(exporterFor("folder.glb/Organ.Vtp").name, "vtp");
+    EXPECT_EQ(exporterFor("organ.v2.GLB").name, "glb");
+    EXPECT_EQ(exporterFor(".vtp").name, "vtp");
+    EXPECT_EQ(&exporterFor("folder.vtp/organ"), &exporters().front());
+    try {
+        exporterFor("organ.stl");
+        ADD_FAILURE() << "it would be a file of another kind than its name says";
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith("organ.stl: "));
+        EXPECT_THAT(error.what(), testing::HasSubstr(".glb or .vtp"));
+    }
 }
 
 TEST(Exporters, RefuseAProjectWithProblemsAndLeaveNoFile) {

@@ -49,7 +49,7 @@ private:
 class VtpFile : public testing::Test {
 protected:
     VtpText exported(const Project& project) const {
-        exportProject(project, *exporterNamed("vtp"), m_file);
+        exportProject(project, exporterFor(m_file), m_file);
         return VtpText(m_file);
     }
 
@@ -151,7 +151,7 @@ TEST_F(VtpFile, AnExportThatIsCancelledLeavesTheOldFile) {
     exported(bareProject());
     const Bytes before = readFile(m_file);
     EXPECT_THROW(
-        exportProject(richProject(), *exporterNamed("vtp"), m_file, {[](double) { return false; }, {}}),
+        exportProject(richProject(), exporterFor(m_file), m_file, {[](double) { return false; }, {}}),
         Cancelled);
     EXPECT_EQ(readFile(m_file), before);
 }

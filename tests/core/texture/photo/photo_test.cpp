@@ -3,6 +3,7 @@
 #include "core/decoding/decoder_process.h"
 #include "core/support/errors.h"
 #include "core/texture/layers/texture_layer.h"
+#include "core/texture/photo/photo_format.h"
 #include "tests/support/decode_with.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shared_data.h"
@@ -251,6 +252,13 @@ TEST(Photo, ReadsPalettesWithAndWithoutHoles) {
         const auto photo = decodePhoto("a.png", png);
         EXPECT_EQ(pixelAt(*photo, 0, 0), (std::array<int, 4>{200, 30, 40, 255}));
         EXPECT_EQ(pixelAt(*photo, 1, 0)[3], hasHole ? 0 : 255);
+    }
+}
+
+TEST(Photo, IsReadByEveryEndingThatIsOffered) {
+    for (const std::string& ending : photoFileEndings()) {
+        const Bytes file = encoded("." + ending, noise(12, 9, CV_8UC3));
+        EXPECT_EQ(decodePhoto("liver." + ending, file)->image.width, 12) << ending;
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 
+#include <QElapsedTimer>
 #include <QProgressDialog>
 #include <QTest>
 #include <QTimer>
@@ -32,6 +33,22 @@ protected:
         tube.scene.instruments.clear();
         tube.scene.forces = {{85, {0, 0, 0.1}, 0, 1}};
         return tube;
+    }
+
+    /// With so many regions that the window shows a dialog while they are evaluated.
+    static Project slow(Project project) {
+        constexpr qint64 longEnough = 400; // ms
+        const auto isSlow = [&] {
+            QElapsedTimer timer;
+            timer.start();
+            evaluateModel(project);
+            return timer.elapsed() > longEnough;
+        };
+        while (!isSlow()) {
+            const std::vector<Region> regions = project.regions;
+            project.regions.insert(project.regions.end(), regions.begin(), regions.end());
+        }
+        return project;
     }
 
     QToolButton* button(const QString& text) {
@@ -91,6 +108,17 @@ TEST_F(AccuracyPanelTest, MeasuresRecommendsAndLetsOneBeChosenAndTakenBack) {
     m_document.edit("softer", [](Project& project) { project.base.viscosity *= 2; });
     EXPECT_TRUE(hint->isVisible());
     EXPECT_TRUE(recommendation("toError")->isVisible());
+}
+
+TEST_F(AccuracyPanelTest, LeavesWhatCameWhileAStepWasChosen) {
+    button("measure")->click();
+    ASSERT_TRUE(recommendation("toError")->isEnabled());
+    m_document.edit("slow", [](Project& project) { project = slow(project); });
+    QTimer::singleShot(0, &m_panel,
+                       [this] { m_document.edit("late", [](Project& project) { project.name = "late"; }); });
+    recommendation("toError")->click();
+    EXPECT_TRUE(stepping());
+    ESM_EVENTUALLY(m_document.project().name == "late");
 }
 
 TEST_F(AccuracyPanelTest, SaysOfAnOpenedProjectThatItsTissueHasChanged) {

@@ -155,6 +155,17 @@ TEST_F(PhotoDialogTest, CropsByAFrameAndByNumbers) {
     EXPECT_EQ(layer().prepared->at(10, 100)[3], 0);
 }
 
+TEST_F(PhotoDialogTest, SaysWhyAPhotoIsNotPrepared) {
+    const auto hint = [this] { return dialog->findChild<QLabel*>("photoHint")->text(); };
+    edits.edit("Crop", [](PreparationWish& wish) {
+        wish.preparation.crop = PhotoCrop{0, 0, photoWidth + 1, 9};
+    });
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_TRUE(hint().startsWith("Not prepared: ")) << hint().toStdString();
+    choose(Qt::Key_E);
+    EXPECT_FALSE(hint().startsWith("Not prepared: ")) << "what the tool does is to be read too";
+}
+
 TEST_F(PhotoDialogTest, ClosesWithItsPhoto) {
     document.edit("Remove", [](Project& project) { project.layers.clear(); });
     EXPECT_FALSE(dialog->isVisible());
