@@ -90,7 +90,7 @@ MainWindow::~MainWindow() {
 void MainWindow::buildPanels() {
     auto* regions = new RegionsPanel(*m_document, *m_selection);
     auto* photos = new PhotosPanel(*m_document, *m_selection);
-    auto* preparation = new PreparationPanel(*m_document, *m_preparations);
+    auto* preparation = new PreparationPanel(*m_preparations);
     auto* projector = new ProjectorPanel(*m_document, *m_selection);
     regions->setAddAction(m_actions.addRegion);
     photos->setAddAction(m_actions.addPhoto);

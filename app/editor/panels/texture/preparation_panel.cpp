@@ -62,7 +62,7 @@ QString strokesText(std::size_t strokes) {
 
 } // namespace
 
-PreparationPanel::PreparationPanel(Document&, PreparationEdits& edits, QWidget* parent)
+PreparationPanel::PreparationPanel(PreparationEdits& edits, QWidget* parent)
     : Section(tr("Photo"), parent), m_edits(edits),
       m_before(pictureLabel(QStringLiteral("photoBefore"), this)),
       m_after(pictureLabel(QStringLiteral("photoAfter"), this)), m_warning(new QLabel(this)),

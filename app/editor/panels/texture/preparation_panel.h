@@ -16,7 +16,7 @@ class PreparationPanel : public Section {
     Q_OBJECT
 
 public:
-    PreparationPanel(Document& document, PreparationEdits& edits, QWidget* parent = nullptr);
+    explicit PreparationPanel(PreparationEdits& edits, QWidget* parent = nullptr);
 
 signals:
     /// The photo is to be shown in a window of its own, where it is masked, straightened and cropped.

@@ -36,7 +36,7 @@ protected:
     Document document;
     Selection& selection = *new Selection(document);
     PreparationEdits& edits = *new PreparationEdits(document, selection);
-    PreparationPanel panel{document, edits};
+    PreparationPanel panel{edits};
 };
 
 } // namespace
