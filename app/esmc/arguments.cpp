@@ -68,7 +68,7 @@ constexpr const char* toStandardOutput =
     "'-' would be standard output, to which no file is written; name a file";
 
 bool isKnownEnding(const std::string& ending) {
-    static const std::vector<std::string> others{".esm", ".csv", ".json", ".fcl", ".fll"};
+    static const std::vector<std::string> others{".esm", ".csv", ".json", ".fcl", ".fll", ".webp"};
     const auto isOneOf = [](const std::string& word, const std::vector<std::string>& words) {
         return std::find(words.begin(), words.end(), word) != words.end();
     };

@@ -170,8 +170,7 @@ void InstrumentTool::draw(QPainter& painter, const Sight& sight, const QPalette&
     const std::optional<double> force = m_tip ? m_preview.status().instrumentForce : std::nullopt;
     if (!force) return;
     const ColliderAxis axis = axisOf(shown());
-    const Eigen::Vector3d above =
-        axis.at(-axis.half) + radiusOf(m_shape) * cameraAxes(sight.camera).col(1);
+    const Eigen::Vector3d above = axis.at(-axis.half) + radiusOf(m_shape) * cameraAxes(sight.camera).col(1);
     if (const auto place = sight.placeOf(above))
         paintLabel(painter, *place, withUnit(*force, QStringLiteral("N"), 2), palette);
 }
