@@ -76,10 +76,12 @@ private:
     Bytes read(const std::string& name, std::uint64_t largest) {
         if (!isHash(name)) throw InvalidModel("a blob's name is no hash");
         if (m_damaged.contains(name)) throw InvalidModel("the blob " + name + " is damaged");
-        m_damaged.insert(name);
-        Bytes bytes = readSound(name, largest);
-        m_damaged.erase(name);
-        return bytes;
+        try {
+            return readSound(name, largest);
+        } catch (const InvalidModel&) {
+            m_damaged.insert(name);
+            throw;
+        }
     }
 
     Bytes readSound(const std::string& name, std::uint64_t largest) const {

@@ -136,7 +136,7 @@ std::string JournalStore::stepsText(const DocumentState& state, std::uint64_t mo
     return std::accumulate(kept, edits.end(), recordLine(openRecord(states[m_first], m_first)));
 }
 
-void JournalStore::begin(const DocumentState& state, const JournalView& view, const JournalBounds& bounds) {
+void JournalStore::begin(const DocumentState& state, const JournalView& view) {
     m_records.reset();
     m_isBehind = false;
     makeFolder(m_folder.parent_path());
@@ -145,7 +145,7 @@ void JournalStore::begin(const DocumentState& state, const JournalView& view, co
     std::erase_if(m_known, [](const auto& known) { return known.second.source.expired(); });
     Content used;
     const std::string text =
-        stepsText(state, bounds.mostRecords / 2, used) +
+        stepsText(state, m_bounds.mostRecords / 2, used) +
         recordLine(moveRecord(static_cast<std::uint64_t>(state.index), state.steps.size())) +
         recordLine(fileRecord(journalFile(state.file))) + recordLine(viewRecord(view));
     requireReadable(m_folder, text.size());
@@ -199,10 +199,10 @@ void JournalStore::sync() {
     if (m_records) m_records->sync();
 }
 
-bool JournalStore::hasOutgrown(const JournalBounds& bounds) const {
-    const std::uint64_t growth = std::min(2 * m_wholeRecords, bounds.mostRecords / 2);
-    return m_isBehind || m_addedRecords > std::max(bounds.leastGrowth, growth) ||
-           m_addedBlobs > std::max(bounds.leastGrowth, m_wholeBlobs);
+bool JournalStore::hasOutgrown() const {
+    const std::uint64_t growth = std::min(2 * m_wholeRecords, m_bounds.mostRecords / 2);
+    return m_isBehind || m_addedRecords > std::max(m_bounds.leastGrowth, growth) ||
+           m_addedBlobs > std::max(m_bounds.leastGrowth, m_wholeBlobs);
 }
 
 void JournalStore::giveUp() {

@@ -21,19 +21,20 @@ struct JournalBounds {
 /// a file that is named by its hash. For one thread.
 class JournalStore {
 public:
-    explicit JournalStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+    JournalStore(std::filesystem::path folder, const JournalBounds& bounds)
+        : m_folder(std::move(folder)), m_bounds(bounds) {}
 
     /// Writes all of it anew and only then lets go of what was there. Places begin at 0 again.
     /// @throws FileError, InvalidModel for a project that could not be read again; nothing can be added then
     /// until it succeeds
-    void begin(const DocumentState& state, const JournalView& view, const JournalBounds& bounds);
+    void begin(const DocumentState& state, const JournalView& view);
     /// On the disk with sync(), as the other records. Throws as begin().
     void addEdit(const JournalStep& step, const Project& after);
     void addMove(std::uint64_t place, std::uint64_t last);
     void add(const nlohmann::ordered_json& record);
     void sync();
     /// Whether it is to begin anew; it may keep nothing until then.
-    bool hasOutgrown(const JournalBounds& bounds) const;
+    bool hasOutgrown() const;
     /// After an error. What was written may be gone, as with a disk that is taken away.
     void giveUp();
     /// Removes the folder, where there is one.
@@ -49,6 +50,7 @@ private:
     void takeLock();
 
     std::filesystem::path m_folder;
+    JournalBounds m_bounds;
     std::unique_ptr<QLockFile> m_lock; ///< says that the program runs
     std::unique_ptr<AppendedFile> m_records;
     StoredState m_written;     ///< by the last record with a state

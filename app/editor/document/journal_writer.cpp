@@ -23,7 +23,7 @@ bool replaces(const JournalTask& later, const JournalTask& earlier) {
 
 JournalWriter::JournalWriter(std::filesystem::path folder, std::function<void(const JournalNews&)> told,
                              JournalHabits habits)
-    : m_store(std::move(folder)), m_told(std::move(told)), m_habits(std::move(habits)),
+    : m_store(std::move(folder), habits.bounds), m_told(std::move(told)), m_habits(std::move(habits)),
       m_thread([this] { writeAll(); }) {}
 
 JournalWriter::~JournalWriter() {
@@ -84,7 +84,7 @@ void JournalWriter::write(const Batch& batch) {
     if (m_isBroken) return;
     letGoOfTaken();
     if (m_habits.synced) m_habits.synced(batch.last);
-    if (m_store.hasOutgrown(m_habits.bounds)) m_told({JournalNews::Outgrown, {}});
+    if (m_store.hasOutgrown()) m_told({JournalNews::Outgrown, {}});
 }
 
 void JournalWriter::letGoOfTaken() {
@@ -115,7 +115,7 @@ void JournalWriter::fail(const std::string& reason) {
 void JournalWriter::write(const JournalTask& task) {
     if (const auto* begin = std::get_if<BeginTask>(&task)) {
         m_isBroken = true;
-        m_store.begin(begin->state, begin->view, m_habits.bounds);
+        m_store.begin(begin->state, begin->view);
         m_isBroken = false;
         return m_told({JournalNews::Begun, {}});
     }
