@@ -2,6 +2,7 @@
 
 #include "core/dynamics/divergence.h"
 #include "core/dynamics/forces.h"
+#include "core/dynamics/kernel/thread_team.h"
 #include "core/dynamics/schemes/stepper.h"
 #include "core/dynamics/stability/stability.h"
 #include "core/support/errors.h"

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/dynamics/matrix_factors.h"
 #include "core/dynamics/settings.h"
 #include "core/dynamics/spring_system.h"
-#include "core/dynamics/step_matrix.h"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/matrix_factors.h"
 #include "core/dynamics/spring_system.h"
 
 #include <Eigen/SparseCholesky>
@@ -9,9 +10,6 @@ namespace esm {
 /// massFactor·M + dampingFactor·D + stiffnessFactor·K over the nodes that are not prescribed, in the order of
 /// the nodes; lower half. D and K are the graph Laplacians of viscosities and largest spring constants, with
 /// the tethers' on the diagonal: the same for x, y and z.
-struct MatrixFactors {
-    double mass, damping, stiffness;
-};
 Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const MatrixFactors& factors,
                                             const std::vector<char>& prescribed);
 

@@ -41,11 +41,11 @@ ExplicitScheme<Real>::ExplicitScheme(const SpringSystem& system, Integrator inte
       m_work(workFor<Real>(system, integrator, options, restTolerance)) {}
 
 template<class Real>
-ExplicitScheme<Real> ExplicitScheme<Real>::withParameters(const SpringSystem& system) const {
-    ExplicitScheme other = *this;
-    other.m_work.kernel.setParameters(system);
-    other.m_work.active = ActiveSlices<Real>(system, other.m_work.kernel, m_restTolerance);
-    other.restart();
+std::unique_ptr<StepScheme> ExplicitScheme<Real>::withParameters(const SpringSystem& system) const {
+    auto other = std::make_unique<ExplicitScheme>(*this);
+    other->m_work.kernel.setParameters(system);
+    other->m_work.active = ActiveSlices<Real>(system, other->m_work.kernel, m_restTolerance);
+    other->restart();
     return other;
 }
 
@@ -54,8 +54,21 @@ template<class Real> void ExplicitScheme<Real>::restart() {
 }
 
 template<class Real>
-void ExplicitScheme<Real>::steps(const StepInput& input, std::size_t count, const Motion& before,
-                                 Motion& after) {
+UntouchedStep ExplicitScheme<Real>::step(const SpringSystem& /*system*/, const StepInput& input,
+                                         const Motion& before, RunSolvers& /*solvers*/) {
+    UntouchedStep step;
+    run(input, 1, before, step.motion);
+    return step;
+}
+
+template<class Real>
+void ExplicitScheme<Real>::steps(const StepInput& input, std::size_t count, Motion& motion) {
+    run(input, count, motion, motion);
+}
+
+template<class Real>
+void ExplicitScheme<Real>::run(const StepInput& input, std::size_t count, const Motion& before,
+                               Motion& after) {
     load(input, before);
     double fractions = 0;
     for (std::size_t i = 0; i < count; ++i) {

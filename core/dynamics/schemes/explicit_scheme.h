@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/dynamics/schemes/explicit_work.h"
+#include "core/dynamics/schemes/step_scheme.h"
 #include "core/model/integrators.h"
 
 namespace esm {
 
 /// Steps of the integrators that need nothing but accelerations. What rests is left out: the method of each
 /// integrator computes active slices alone.
-template<class Real> class ExplicitScheme {
+template<class Real> class ExplicitScheme : public StepScheme {
 public:
     /// Precondition: isExplicit(integrator).
     /// @param restTolerance as in SimulationSettings
@@ -15,22 +16,21 @@ public:
     ExplicitScheme(const SpringSystem& system, Integrator integrator, const KernelOptions& options,
                    double restTolerance);
 
-    /// The same for other parameters of the same network. Precondition: nodes and springs join as before.
-    ExplicitScheme withParameters(const SpringSystem& system) const;
-
-    /// So many steps, as if nothing touched the tissue. Led nodes move evenly, in one step. `after` may be
-    /// `before`. Precondition: since the last step nothing changed the motion, or restart() was called.
-    void steps(const StepInput& input, std::size_t count, const Motion& before, Motion& after);
-
-    /// Forgets what earlier steps left behind.
-    void restart();
-
-    /// Share of the nodes that the last steps were computed for.
-    double activeFraction() const { return m_activeFraction; }
+    /// Led nodes move evenly. Precondition: since the last step nothing changed the motion, or restart() was
+    /// called.
+    UntouchedStep step(const SpringSystem& system, const StepInput& input, const Motion& before,
+                       RunSolvers& solvers) override;
+    void steps(const StepInput& input, std::size_t count, Motion& motion) override;
+    void restart() override;
+    double activeFraction() const override { return m_activeFraction; }
+    /// Precondition: nodes and springs join as before.
+    std::unique_ptr<StepScheme> withParameters(const SpringSystem& system) const override;
 
 private:
     using State = typename TissueKernel<Real>::State;
 
+    /// `after` may be `before`.
+    void run(const StepInput& input, std::size_t count, const Motion& before, Motion& after);
     void load(const StepInput& input, const Motion& before);
     void followMotion(double timeStep);
     void rest(const typename TissueKernel<Real>::SliceList& slices);

@@ -20,6 +20,7 @@ constexpr int mostNewtonSteps = 4;
 constexpr double newtonTolerance = 1e-3; ///< of the velocities, in the mean square over masses
 constexpr double solverTolerance = 1e-3; ///< of a step's equation
 constexpr int mostNewtonHalvings = 9;    ///< of a step that would go uphill
+constexpr int mostBranchRounds = 4;      ///< after which all springs are taken for strained
 
 double kineticEnergy(const SpringSystem& system, const Vectors& velocities) {
     double sum = 0;
@@ -58,14 +59,41 @@ void MatrixScheme::lead(const std::vector<HeldNode>& held, const Form& form, con
 }
 
 void MatrixScheme::remember(Motion before) {
+    if (!hasSecondOrderForm(m_integrator)) return;
     m_previous = std::move(before);
     m_previousForces.swap(m_forces);
 }
 
-std::optional<UntouchedStep> MatrixScheme::step(const SpringSystem& system, const StepInput& input,
-                                                const Motion& before, StepSolver& solver, bool builds) {
-    elasticForces(system, before.positions, m_forces);
+UntouchedStep MatrixScheme::step(const SpringSystem& system, const StepInput& input, const Motion& before,
+                                 RunSolvers& solvers) {
     const Start start{system, input, before};
+    if (m_previous)
+        if (auto built = solve(start, solvers.linear(system, input.duration, true), true))
+            return std::move(*built);
+    return firstStep(start, solvers);
+}
+
+UntouchedStep MatrixScheme::firstStep(const Start& start, RunSolvers& solvers) {
+    const double duration = start.input.duration;
+    if (hasConstantMatrix(m_integrator) && solvers.hasBranches(duration)) return branchStep(start, solvers);
+    return *solve(start, solvers.linear(start.system, duration, false), false);
+}
+
+// Where a spring is up to its strain before and after, it is so in between, and the matrix resists it no less
+// than its law does: only then is the step sure not to overshoot.
+UntouchedStep MatrixScheme::branchStep(const Start& start, RunSolvers& solvers) {
+    for (int round = 0;; ++round) {
+        UntouchedStep step = *solve(start, solvers.branch(start.system, start.input.duration), false);
+        for (const HeldNode& led : start.input.held)
+            step.motion.positions[led.node] = led.position;
+        if (!solvers.strain(start.system, step.motion.positions)) return step;
+        if (round == mostBranchRounds) solvers.strainAll();
+    }
+}
+
+std::optional<UntouchedStep> MatrixScheme::solve(const Start& start, StepSolver& solver, bool builds) {
+    const auto& [system, input, before] = start;
+    elasticForces(system, before.positions, m_forces);
     const Form form = formOf(input, before, builds);
     UntouchedStep step{before, {}};
     lead(input.held, form, before.positions, step.motion.velocities);

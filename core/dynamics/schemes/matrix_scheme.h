@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/schemes/step_solver.h"
+#include "core/dynamics/schemes/step_scheme.h"
 #include "core/dynamics/settings.h"
 
 #include <optional>
@@ -10,29 +10,25 @@ namespace esm {
 class TangentMatrix;
 
 /// The integrators that solve for velocities, each by its StepForm, and what they carry from step to step.
-class MatrixScheme {
+class MatrixScheme : public StepScheme {
 public:
     MatrixScheme(Integrator integrator, Damping damping) : m_integrator(integrator), m_damping(damping) {}
 
-    /// Whether a step can build on the last one.
-    bool canBuild() const { return m_previous.has_value(); }
-
-    /// One step, as if nothing touched the tissue. The solver holds the matrix of stepFactors(). Empty when a
-    /// step that builds on the last one would overshoot: it must then be taken without.
-    /// @throws InvalidModel when no solution is found
-    std::optional<UntouchedStep> step(const SpringSystem& system, const StepInput& input,
-                                      const Motion& before, StepSolver& solver, bool builds);
-
-    /// The next step may build on the one that started here. Precondition: it was the last to be computed.
-    void remember(Motion before);
-
-    /// Forgets what earlier steps left behind.
-    void restart() { m_previous.reset(); }
+    UntouchedStep step(const SpringSystem& system, const StepInput& input, const Motion& before,
+                       RunSolvers& solvers) override;
+    bool solvesOnLast() const override { return m_previous.has_value(); }
+    void remember(Motion before) override;
+    void restart() override { m_previous.reset(); }
 
 private:
     struct Start;
     struct Form;
 
+    /// Empty when a step that builds on the last one would overshoot: it must then be taken without.
+    /// @param solver holds the matrix of stepFactors()
+    std::optional<UntouchedStep> solve(const Start& start, StepSolver& solver, bool builds);
+    UntouchedStep firstStep(const Start& start, RunSolvers& solvers);
+    UntouchedStep branchStep(const Start& start, RunSolvers& solvers);
     static void lead(const std::vector<HeldNode>& held, const Form& form, const Vectors& positions,
                      Vectors& velocities);
     Form formOf(const StepInput& input, const Motion& before, bool builds) const;

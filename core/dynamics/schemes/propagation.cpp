@@ -153,11 +153,12 @@ double PropagationScheme::diagonalOf(std::uint32_t node, const SpringSystem& sys
     return diagonal + factors.damping * tether.viscosity + factors.stiffness * tether.springConstant;
 }
 
-void PropagationScheme::step(const SpringSystem& system, const StepInput& input, const Motion& before,
-                             Motion& after) const {
-    LocalPropagation propagation(*this, system, input, before, after);
+UntouchedStep PropagationScheme::step(const SpringSystem& system, const StepInput& input,
+                                      const Motion& before, RunSolvers& /*solvers*/) {
+    UntouchedStep step;
+    LocalPropagation propagation(*this, system, input, before, step.motion);
     for (int pass = 1; pass <= mostPasses; ++pass) {
-        if (!propagation.pass()) return;
+        if (!propagation.pass()) return step;
         if (pass % passesUnasked == 0 && m_isWanted && !m_isWanted()) throw Cancelled();
     }
     throw InvalidModel("the propagation does not settle within a step: shorten the step, or choose split");

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "core/dynamics/motion.h"
 #include "core/dynamics/node_ties.h"
+#include "core/dynamics/schemes/step_scheme.h"
 #include "core/dynamics/settings.h"
-#include "core/dynamics/step_matrix.h"
 
 #include <functional>
 
@@ -14,14 +13,14 @@ namespace esm {
 /// any more; then all nodes move on. The first pass starts at the node with the largest force, later ones
 /// where the force changed most, and go on outwards along the springs. What the node's own motion changes in
 /// its force is taken into account at once, so that stiff tissue settles as well.
-class PropagationScheme {
+class PropagationScheme : public StepScheme {
 public:
     /// @param isWanted asked now and then within a step; may be empty
     PropagationScheme(const SpringSystem& system, Damping damping, std::function<bool()> isWanted = {});
 
-    /// One step, as if nothing touched the tissue.
     /// @throws InvalidModel when the forces do not settle; Cancelled when it is not wanted any more
-    void step(const SpringSystem& system, const StepInput& input, const Motion& before, Motion& after) const;
+    UntouchedStep step(const SpringSystem& system, const StepInput& input, const Motion& before,
+                       RunSolvers& solvers) override;
 
 private:
     class LocalPropagation;

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/dynamics/matrix_factors.h"
 #include "core/dynamics/motion.h"
 #include "core/dynamics/spectrum/oscillator.h"
 #include "core/dynamics/spectrum/tissue_spectrum.h"
-#include "core/dynamics/step_matrix.h"
 
 #include <optional>
 

@@ -12,14 +12,9 @@ namespace esm {
 
 namespace {
 
-/// Above this, leading nodes through their responses to each other costs more than a factorisation without
-/// them.
-constexpr std::size_t mostLedByImpulses = 64;
-
 /// What touches beyond this is pushed out one by one, without dragging along what is around it.
 constexpr std::size_t mostContacts = 256;
 constexpr int mostContactRounds = 3;
-constexpr int mostBranchRounds = 4;       ///< after which all springs are taken for strained
 constexpr double contactTolerance = 1e-3; ///< in radii; the rest is projected out
 constexpr double impulseTolerance = 1e-5; ///< in radii
 
@@ -43,12 +38,6 @@ std::vector<HeldNode> movable(std::vector<HeldNode> held, const std::vector<char
     return result;
 }
 
-/// To the last bit.
-void place(const std::vector<HeldNode>& held, Vectors& positions) {
-    for (const HeldNode& node : held)
-        positions[node.node] = node.position;
-}
-
 /// Of those that touch, the finest tolerance, m.
 double impulseToleranceOf(const std::vector<Contact>& contacts, const std::vector<ColliderMove>& colliders) {
     double least = std::numeric_limits<double>::infinity();
@@ -62,19 +51,8 @@ double impulseToleranceOf(const std::vector<Contact>& contacts, const std::vecto
 Stepper::Stepper(PreparedModel model, TouchedSurface surface, ThreadTeam* team, const Stepper* former)
     : m_system(std::move(model.system)), m_surface(std::move(surface)), m_settings(std::move(model.settings)),
       m_team(team), m_integrator(model.chosen.integrator), m_duration(model.chosen.timeStep),
-      m_free(std::move(model.solvers)),
-      m_led(m_system.fixed, former ? former->m_led.factoriser() : std::make_shared<MatrixFactoriser>()),
-      m_strained(m_system), m_scheme(makeScheme(former)) {
-    if (!former) return;
-    m_formerSeconds = former->m_formerSeconds;
-    if (former->factoriser() == factoriser()) return;
-    // The former one is this thread's, and knows the network's order of elimination.
-    m_formerSeconds += factoriser()->seconds();
-    m_free.setFactoriser(former->factoriser());
-}
-
-double Stepper::factorisationSeconds() const {
-    return m_formerSeconds + factoriser()->seconds() + m_led.factoriser()->seconds();
+      m_solvers(m_system, m_integrator, std::move(model.solvers)), m_scheme(makeScheme(former)) {
+    if (former) m_solvers.takeOver(former->m_solvers);
 }
 
 bool Stepper::canTakeScheme(const Stepper& former) const {
@@ -85,38 +63,14 @@ bool Stepper::canTakeScheme(const Stepper& former) const {
            settings.restTolerance == others.restTolerance;
 }
 
-Stepper::Scheme Stepper::makeScheme(const Stepper* former) const {
-    if (former && canTakeScheme(*former)) {
-        if (auto* inDouble = std::get_if<ExplicitScheme<double>>(&former->m_scheme))
-            return inDouble->withParameters(m_system);
-        if (auto* inFloat = std::get_if<ExplicitScheme<float>>(&former->m_scheme))
-            return inFloat->withParameters(m_system);
-    }
-    const SimulationSettings& settings = m_settings;
-    const KernelOptions options{settings.damping, {}, m_team};
-    if (traitsOf(m_integrator).kind == StepKind::Searching)
-        return PropagationScheme(m_system, settings.damping, settings.isWanted);
-    if (!isExplicit(m_integrator)) return MatrixScheme(m_integrator, settings.damping);
-    if (settings.precision == Precision::Float)
-        return ExplicitScheme<float>(m_system, m_integrator, options, settings.restTolerance);
-    return ExplicitScheme<double>(m_system, m_integrator, options, settings.restTolerance);
+std::unique_ptr<StepScheme> Stepper::makeScheme(const Stepper* former) const {
+    if (former && canTakeScheme(*former)) return former->m_scheme->withParameters(m_system);
+    return makeStepScheme(m_system, m_integrator, m_settings, m_team);
 }
 
 void Stepper::restart() {
     m_lastLoads.reset();
-    forgetSteps();
-}
-
-void Stepper::forgetSteps() {
-    if (auto* scheme = std::get_if<MatrixScheme>(&m_scheme)) scheme->restart();
-    if (auto* scheme = std::get_if<ExplicitScheme<double>>(&m_scheme)) scheme->restart();
-    if (auto* scheme = std::get_if<ExplicitScheme<float>>(&m_scheme)) scheme->restart();
-}
-
-double Stepper::activeFraction() const {
-    if (auto* scheme = std::get_if<ExplicitScheme<double>>(&m_scheme)) return scheme->activeFraction();
-    if (auto* scheme = std::get_if<ExplicitScheme<float>>(&m_scheme)) return scheme->activeFraction();
-    return 1;
+    m_scheme->restart();
 }
 
 bool Stepper::touchesNothing(const Loads& loads) const {
@@ -127,12 +81,12 @@ void Stepper::steps(Motion& motion, const Request& request) {
     const Loads& loads = request.loads;
     if (!m_lastLoads || m_lastLoads->gravity != loads.gravity || m_lastLoads->forces != loads.forces ||
         lengthOf(m_duration) != lengthOf(request.duration) || loads.beginsAnew)
-        forgetSteps();
+        m_scheme->restart();
     m_duration = request.duration;
     m_touches.assign(request.colliders.size(), {});
     m_contactWork = 0;
     if (touchesNothing(loads)) {
-        explicitSteps({m_duration, &loads, {}}, request.count, motion, motion);
+        m_scheme->steps({m_duration, &loads, {}}, request.count, motion);
     } else {
         for (const Piece& piece : piecesOf(motion, request))
             advance(motion, piece);
@@ -165,23 +119,24 @@ std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Reques
 }
 
 void Stepper::advance(Motion& motion, const Piece& piece) {
-    prescribe(piece.input.held);
-    if (hasBranches() && m_strained.follow(m_system, motion.positions)) forgetBranches();
-    auto* const scheme = std::get_if<MatrixScheme>(&m_scheme);
-    const bool standsAlone = !piece.isWhole || (!scheme && !piece.input.held.empty());
-    if (jumps(piece.input, motion.positions) || standsAlone) forgetSteps();
+    m_solvers.prepare(m_system, piece.input, motion.positions);
+    const bool standsAlone = !piece.isWhole || (isExplicit(m_integrator) && !piece.input.held.empty());
+    if (jumps(piece.input, motion.positions) || standsAlone) m_scheme->restart();
     UntouchedStep untouched = untouchedStep(motion, piece);
     const bool touched = touches(motion, piece, untouched.motion.positions);
-    if (touched && scheme && scheme->canBuild()) untouched = firstOrderStep(motion, piece);
+    if (touched && m_scheme->solvesOnLast()) {
+        m_scheme->restart();
+        untouched = untouchedStep(motion, piece);
+    }
     if (touched) m_contactWork -= energy(m_system, untouched.motion).total();
     Motion next = touched ? madeWay(motion, piece, std::move(untouched)) : std::move(untouched.motion);
     if (touched) m_contactWork += energy(m_system, next).total();
 
     std::swap(motion, next);
     if (touched || standsAlone)
-        forgetSteps();
-    else if (hasSecondOrderForm(m_integrator))
-        scheme->remember(std::move(next));
+        m_scheme->restart();
+    else
+        m_scheme->remember(std::move(next));
 }
 
 bool Stepper::jumps(const StepInput& input, const Vectors& positions) {
@@ -196,52 +151,12 @@ bool Stepper::jumps(const StepInput& input, const Vectors& positions) {
     return !goOn;
 }
 
-bool Stepper::explicitSteps(const StepInput& input, std::size_t count, const Motion& before, Motion& after) {
-    if (auto* inDouble = std::get_if<ExplicitScheme<double>>(&m_scheme))
-        inDouble->steps(input, count, before, after);
-    else if (auto* inFloat = std::get_if<ExplicitScheme<float>>(&m_scheme))
-        inFloat->steps(input, count, before, after);
-    else
-        return false;
-    return true;
-}
-
 UntouchedStep Stepper::untouchedStep(const Motion& motion, const Piece& piece) {
-    UntouchedStep untouched;
-    if (auto* scheme = std::get_if<MatrixScheme>(&m_scheme)) {
-        if (scheme->canBuild())
-            if (auto step = scheme->step(m_system, piece.input, motion, solverFor(piece.input.duration, true),
-                                         true)) {
-                place(piece.input.held, step->motion.positions);
-                return std::move(*step);
-            }
-        return firstOrderStep(motion, piece);
-    }
-    if (!explicitSteps(piece.input, 1, motion, untouched.motion))
-        std::get<PropagationScheme>(m_scheme).step(m_system, piece.input, motion, untouched.motion);
-    place(piece.input.held, untouched.motion.positions);
+    UntouchedStep untouched = m_scheme->step(m_system, piece.input, motion, m_solvers);
+    // To the last bit.
+    for (const HeldNode& held : piece.input.held)
+        untouched.motion.positions[held.node] = held.position;
     return untouched;
-}
-
-// Where a spring is up to its strain before and after, it is so in between, and the matrix resists it no less
-// than its law does: only then is the step sure not to overshoot.
-UntouchedStep Stepper::branchStep(const Motion& motion, const Piece& piece) {
-    for (int round = 0;; ++round) {
-        UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(
-            m_system, piece.input, motion, branchSolverFor(piece.input.duration), false);
-        place(piece.input.held, step.motion.positions);
-        if (!m_strained.add(m_system, step.motion.positions)) return step;
-        if (round == mostBranchRounds) m_strained.addAll();
-        forgetBranches();
-    }
-}
-
-UntouchedStep Stepper::firstOrderStep(const Motion& motion, const Piece& piece) {
-    if (hasConstantMatrix(m_integrator) && hasBranches()) return branchStep(motion, piece);
-    UntouchedStep step = *std::get<MatrixScheme>(m_scheme).step(
-        m_system, piece.input, motion, solverFor(piece.input.duration, false), false);
-    place(piece.input.held, step.motion.positions);
-    return step;
 }
 
 std::vector<char> Stepper::immovable(const Piece& piece) const {
@@ -266,7 +181,7 @@ bool Stepper::touches(const Motion& motion, const Piece& piece, const Vectors& n
 // surface came to lie, and those that were found since: nothing is pushed twice.
 Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched) {
     const double h = piece.input.duration;
-    StepSolver& solver = hasBranches() ? branchSolverFor(h) : solverFor(h, false);
+    StepSolver& solver = m_solvers.forImpulses(m_system, h);
     if (untouched.half.empty()) solver.matrix.multiplyUpper(untouched.motion.velocities, untouched.half);
     const std::vector<ColliderMove>& colliders = piece.colliders;
     const std::vector<char> stays = immovable(piece);
@@ -311,34 +226,6 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
     for (std::size_t i = 0; i < solved.size(); ++i)
         next.velocities[i] += (next.positions[i] - solved[i]) / h;
     return next;
-}
-
-StepSolver& Stepper::solverFor(double duration, bool builds) {
-    return solvers().linear(m_system, m_integrator, duration, builds);
-}
-
-bool Stepper::hasBranches() const {
-    return m_strained.canChange() && stepFactors(m_integrator, m_duration, false).stiffness > 0;
-}
-
-StepSolver& Stepper::branchSolverFor(double duration) {
-    return solvers().branch(m_system, m_strained, m_integrator, duration);
-}
-
-void Stepper::forgetBranches() {
-    m_free.forgetBranches();
-    m_led.forgetBranches();
-}
-
-// The matrices without the led nodes stay, for when they are let go.
-void Stepper::prescribe(const std::vector<HeldNode>& held) {
-    m_leadsMany = held.size() > mostLedByImpulses;
-    if (!m_leadsMany) return;
-    std::vector<char> prescribed = m_system.fixed;
-    for (const HeldNode& node : held)
-        prescribed[node.node] = 1;
-    if (prescribed == m_led.prescribed()) return;
-    m_led = StepSolvers(std::move(prescribed), m_led.factoriser());
 }
 
 } // namespace esm

@@ -2,12 +2,8 @@
 
 #include "core/dynamics/contact/contact.h"
 #include "core/dynamics/prepared_model.h"
-#include "core/dynamics/schemes/explicit_scheme.h"
 #include "core/dynamics/schemes/instrument_touch.h"
-#include "core/dynamics/schemes/matrix_scheme.h"
-#include "core/dynamics/schemes/propagation.h"
-
-#include <variant>
+#include "core/dynamics/schemes/step_scheme.h"
 
 namespace esm {
 
@@ -25,7 +21,7 @@ public:
 
     const SpringSystem& system() const { return m_system; }
     /// Knows the network's order of elimination.
-    const std::shared_ptr<MatrixFactoriser>& factoriser() const { return m_free.factoriser(); }
+    const std::shared_ptr<MatrixFactoriser>& factoriser() const { return m_solvers.factoriser(); }
 
     /// What is stepped at once.
     struct Request {
@@ -41,10 +37,10 @@ public:
     bool touchesNothing(const Loads& loads) const;
 
     /// Share of the nodes that the last steps were computed for.
-    double activeFraction() const;
+    double activeFraction() const { return m_scheme->activeFraction(); }
 
     /// s, wall time that this stepper and those it took over from have spent factorising.
-    double factorisationSeconds() const;
+    double factorisationSeconds() const { return m_solvers.factorisationSeconds(); }
 
     /// J, what the instruments did to the tissue in the last step.
     double contactWork() const { return m_contactWork; }
@@ -55,13 +51,9 @@ public:
     void restart();
 
 private:
-    using Scheme =
-        std::variant<MatrixScheme, PropagationScheme, ExplicitScheme<double>, ExplicitScheme<float>>;
-
-    /// Whether the other's explicit scheme does for this one, but for its parameters.
+    /// Whether the other's scheme does for this one, but for its parameters.
     bool canTakeScheme(const Stepper& former) const;
-    Scheme makeScheme(const Stepper* former) const;
-    void forgetSteps();
+    std::unique_ptr<StepScheme> makeScheme(const Stepper* former) const;
 
     /// A part of a step in which neither instruments nor tissue move far.
     struct Piece {
@@ -73,29 +65,12 @@ private:
     void advance(Motion& motion, const Piece& piece);
     /// Whether led nodes change their velocities by more than smooth ways do. Takes note of them.
     bool jumps(const StepInput& input, const Vectors& positions);
-    /// Explicit steps one after the other, without looking for contacts.
-    bool explicitSteps(const StepInput& input, std::size_t count, const Motion& before, Motion& after);
     UntouchedStep untouchedStep(const Motion& motion, const Piece& piece);
-    /// Without building on the step before.
-    UntouchedStep firstOrderStep(const Motion& motion, const Piece& piece);
-    /// The same with a constant matrix that follows the branches of the springs' law.
-    UntouchedStep branchStep(const Motion& motion, const Piece& piece);
     /// Pushes the surface out of the instruments. Precondition: `untouched` did not build on the step before.
     Motion madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched);
     std::vector<char> immovable(const Piece& piece) const;
     /// Whether instruments touch what can give way. Takes note of them.
     bool touches(const Motion& motion, const Piece& piece, const Vectors& next);
-    /// @param duration s, of the step or the part of it that is solved for
-    StepSolver& solverFor(double duration, bool builds);
-    /// Whether the matrix depends on what is strained.
-    bool hasBranches() const;
-    /// Each spring as stiff as on its branch; what is never strained far is as if its law were linear.
-    StepSolver& branchSolverFor(double duration);
-    void prescribe(const std::vector<HeldNode>& held);
-
-    StepSolvers& solvers() { return m_leadsMany ? m_led : m_free; }
-    void forgetBranches();
-
     SpringSystem m_system;
     TouchedSurface m_surface;
     SimulationSettings m_settings;
@@ -105,12 +80,6 @@ private:
     std::vector<InstrumentTouch> m_touches;
     double m_contactWork = 0; ///< J
 
-    bool m_leadsMany = false;
-    StepSolvers m_free;         ///< of the fixed nodes
-    StepSolvers m_led;          ///< of these and the led ones, as they were when many were led last
-    double m_formerSeconds = 0; ///< that factorisers took which are no longer used
-    StrainedSprings m_strained;
-
     /// How a node was led in the last step, on the mean.
     struct LedNode {
         std::uint32_t node;
@@ -118,7 +87,8 @@ private:
     };
     std::vector<LedNode> m_ways;
     std::optional<Loads> m_lastLoads;
-    Scheme m_scheme;
+    RunSolvers m_solvers;
+    std::unique_ptr<StepScheme> m_scheme;
 };
 
 } // namespace esm
