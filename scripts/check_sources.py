@@ -4,7 +4,8 @@
     scripts/check_sources.py        prints sizes, cycles and the share of comments; ends with 1 where a limit is passed
 
 Functions must stay as short as they are, files of one screenful after another be split, the core's folders build on
-each other in one direction, each source be listed to be built, and each test stand beside the source that it tests.
+each other in one direction, each source be listed to be built, each test stand beside the source that it tests, and
+each thing have one word.
 """
 
 import re
@@ -35,6 +36,20 @@ MAY_INCLUDE = {
     "app/esmc": ("core", "app/esmc"),
     "app/decode": ("core", "app/decode"),
 }
+
+# One word for each thing: what must not be said, and what is said instead.
+WORDS = (
+    (re.compile(r"(?<!@)\bthr(?:own|ows|owing)\b[^.;]*\bphoto|\bphoto[^.;]*(?<!@)\bthr(?:own|ows|owing)\b", re.I),
+     "a photo is projected: to throw is for exceptions"),
+    (re.compile(r"\b(?:Held|Led)Node\b|\bPageBand\b"),
+     "a node that is led along a path is prescribed, rows of a page are a strip"),
+)
+# The same of what people read in the window.
+SHOWN_WORDS = (
+    (re.compile(r"\b(?:texel|multi-band|boolean|null pointer|iterator|vertex buffer)s?\b", re.I),
+     "a developer's word in a text of the window"),
+)
+SHOWN_TEXT = re.compile(r'\btr\(\s*((?:"(?:\\.|[^"\\\n])*"\s*)+)')
 
 TOKEN = re.compile(
     r'R"(?P<delimiter>[^()\\\s]{0,16})\(.*?\)(?P=delimiter)"'  # raw strings
@@ -216,6 +231,18 @@ def unlisted_sources(paths, lists):
     return problems
 
 
+def word_problems(sources):
+    """Words that say another thing than what is meant, line by line; and those that only developers know."""
+    problems = []
+    for path, text in sources.items():
+        for number, line in enumerate(text.splitlines(), 1):
+            problems += [f"{path}:{number}: {instead}" for word, instead in WORDS if word.search(line)]
+        for shown in SHOWN_TEXT.finditer(text):
+            number = text.count("\n", 0, shown.start()) + 1
+            problems += [f"{path}:{number}: {why}" for word, why in SHOWN_WORDS if word.search(shown[1])]
+    return problems
+
+
 def quantiles(sizes):
     ordered = sorted(sizes)
     return statistics.median_low(ordered), ordered[int(0.9 * (len(ordered) - 1))], ordered[-1]
@@ -294,7 +321,7 @@ def main():
     if ring:
         problems.append("folders build on each other in a ring: " + " -> ".join(ring))
     problems += layering_problems(product) + misplaced_tests(list(sources))
-    problems += unlisted_sources(list(sources), tracked_lists())
+    problems += unlisted_sources(list(sources), tracked_lists()) + word_problems(product)
     for problem in problems:
         print(problem, file=sys.stderr)
     return 1 if problems else 0

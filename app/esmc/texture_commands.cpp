@@ -98,7 +98,7 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
         ->required()
         ->check(writtenAs(".esm"));
     command.add_option("--photo", options.photo, "Photograph (PNG, JPEG, BMP or TIFF)")->required();
-    command.add_option("--projector", options.projector, "Where the photograph is thrown from (.json)")
+    command.add_option("--projector", options.projector, "Where the photograph is projected from (.json)")
         ->required();
     command
         .add_option("--blend", options.blend, "Pixels of the photograph over which its border fades in (24)")

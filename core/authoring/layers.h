@@ -6,8 +6,8 @@
 
 namespace esm {
 
-/// A photo on top of the others, thrown by `projector` with falloff; `atlas`, never null, is taken where the
-/// project has none. Precondition, here and below: `id` is not another's, see nextId().
+/// A photo on top of the others, projected by `projector` with falloff; `atlas`, never null, is taken where
+/// the project has none. Precondition, here and below: `id` is not another's, see nextId().
 void addPhoto(Project& project, LayerId id, std::shared_ptr<const Photo> photo, const Projector& projector,
               std::shared_ptr<const Atlas> atlas);
 

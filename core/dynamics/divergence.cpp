@@ -60,9 +60,9 @@ void DivergenceGuard::restart(const Vectors& rest) {
 // taken to have got twice the speed of the fastest load there ever was.
 void DivergenceGuard::take(const Step& step, const Eigen::Vector3d& centre, double size) {
     m_work += workOfForces(step);
-    for (const HeldNode& held : step.loads.held) {
-        const double way = (held.position - step.before[held.node]).norm();
-        m_reach = std::max(m_reach, (held.position - centre).norm());
+    for (const PrescribedNode& led : step.loads.prescribed) {
+        const double way = (led.position - step.before[led.node]).norm();
+        m_reach = std::max(m_reach, (led.position - centre).norm());
         m_fastestLoad = std::max(m_fastestLoad, way / step.duration);
     }
     for (std::size_t i = 0; i < step.loads.instruments.size(); ++i) {

@@ -9,7 +9,7 @@
 namespace esm {
 
 /// A node led to a place; its velocity is what takes it there in one step of the integrator.
-struct HeldNode {
+struct PrescribedNode {
     std::uint32_t node;
     Eigen::Vector3d position; ///< m, at the end of the step
 };
@@ -18,7 +18,7 @@ struct HeldNode {
 struct Loads {
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();             ///< m/s²
     std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> forces; ///< node, N
-    std::vector<HeldNode> held;
+    std::vector<PrescribedNode> prescribed;
     /// Where each instrument is at the end of the step; the n-th is the same one in every step. They push the
     /// surface out of their way. Within one step an instrument may move 32 radii; moved farther, it may pass
     /// through thin tissue. Where nothing can give way, as between fixed nodes, it passes.

@@ -14,7 +14,7 @@ struct Motion {
 struct StepInput {
     double duration; ///< s
     const Loads* loads;
-    std::vector<HeldNode> held; ///< where they are at the end; no fixed node, each once
+    std::vector<PrescribedNode> prescribed; ///< where they are at the end; no fixed node, each once
 };
 
 /// f + g: adds gravity and the forces on single nodes, N.
@@ -27,9 +27,9 @@ inline void addExternalForces(const SpringSystem& system, const Loads& loads, Ve
 }
 
 /// Gives the led nodes the velocities, m/s, that take them where they are led.
-inline void leadHeldNodes(const StepInput& input, const Vectors& positions, Vectors& velocities) {
-    for (const HeldNode& held : input.held)
-        velocities[held.node] = (held.position - positions[held.node]) / input.duration;
+inline void leadPrescribedNodes(const StepInput& input, const Vectors& positions, Vectors& velocities) {
+    for (const PrescribedNode& led : input.prescribed)
+        velocities[led.node] = (led.position - positions[led.node]) / input.duration;
 }
 
 } // namespace esm

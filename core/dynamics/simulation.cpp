@@ -19,8 +19,8 @@ std::string problemOf(const Loads& loads, std::size_t nodeCount) {
     if (!loads.gravity.allFinite()) return "gravity is not a number";
     for (const auto& [node, force] : loads.forces)
         if (node >= nodeCount || !force.allFinite()) return "a force names no node or is not a number";
-    for (const HeldNode& held : loads.held)
-        if (held.node >= nodeCount || !held.position.allFinite())
+    for (const PrescribedNode& led : loads.prescribed)
+        if (led.node >= nodeCount || !led.position.allFinite())
             return "a led node does not exist or has no place to go to";
     for (const auto& [shape, pose] : loads.instruments)
         if (!(pose.place.allFinite() && pose.orientation.coeffs().allFinite() && radiusOf(shape) > 0 &&

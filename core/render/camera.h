@@ -21,7 +21,7 @@ struct Camera {
     Eigen::Vector2d centre{0.5, 0.5}; ///< where in the picture the line of sight ends, as in `pickRay`
 };
 
-/// The eye of a perspective projector, for pictures of its photo's aspect: they show what it throws.
+/// The eye of a perspective projector, for pictures of its photo's aspect: they show what it projects.
 Camera cameraOf(const Projector& projector, PhotoSize photo);
 
 /// Standard views: front looks along −z (the eye at +z), right from +x, top from +y.

@@ -69,7 +69,8 @@ Vector4f withAlpha(const Colour& colour, float alpha) {
     return {rgb.x(), rgb.y(), rgb.z(), alpha};
 }
 
-/// Once the photo lies on the organ, the face is the slide it is thrown from: not the same picture once more.
+/// Once the photo lies on the organ, the face is the slide it is projected from: not the same picture once
+/// more.
 Vector4f facePaint(const DrawnProjector& drawn) {
     if (drawn.isLaid) return {1, 0.86F, 0.62F, 0.24F};
     return {1, 1, 1, drawn.selected ? 0.55F : 0.35F};

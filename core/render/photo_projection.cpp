@@ -18,8 +18,8 @@ PhotoSize sizeOf(const Image& photo) {
     return {photo.width, photo.height};
 }
 
-bool isPerspective(const ThrownPhoto& thrown) {
-    return thrown.projector.kind == ProjectorKind::Perspective;
+bool isPerspective(const ProjectedPhoto& projected) {
+    return projected.projector.kind == ProjectorKind::Perspective;
 }
 
 /// Colours weighed by alpha, so that filters mix in nothing of what is transparent (Porter and Duff 1984);
@@ -78,7 +78,7 @@ void GlDepthMap::bind(int unit) const {
 }
 
 PhotoProjection::PhotoProjection(const GlFunctions& gl)
-    : m_gl(gl), m_depthProgram(gl, shaders::thrownDepthVertex(), shaders::thrownDepthFragment()),
+    : m_gl(gl), m_depthProgram(gl, shaders::projectedDepthVertex(), shaders::projectedDepthFragment()),
       m_vertexBuffer(gl), m_indexBuffer(gl), m_vertexTexture(gl), m_array(gl), m_seen(gl) {
     m_array.bind();
     m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
@@ -88,28 +88,28 @@ PhotoProjection::PhotoProjection(const GlFunctions& gl)
 /// projector, depth alone, and a pixel on the screen is lit where it lies no deeper than that map says.
 /// Composing follows rays, which is exact and takes too long for each picture of a drag. The map is drawn
 /// anew only where photo, projector or surface are others.
-void PhotoProjection::take(const ThrownPhoto& thrown, const std::shared_ptr<const TriangleMesh>& mesh,
+void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_ptr<const TriangleMesh>& mesh,
                            const Frame& frame) {
-    const bool isKnown =
-        m_thrown && mesh == m_mesh && thrown.photo == m_photo && thrown.projector == m_thrown->projector;
+    const bool isKnown = m_projected && mesh == m_mesh && projected.photo == m_photo &&
+                         projected.projector == m_projected->projector;
     takeMesh(mesh, frame);
-    takePhoto(thrown.photo);
-    m_thrown = thrown;
+    takePhoto(projected.photo);
+    m_projected = projected;
     Eigen::Matrix4d fromOrigin = Eigen::Matrix4d::Identity();
     fromOrigin.topRightCorner<3, 1>() = frame.origin;
-    m_matrix = photoMatrix(thrown.projector, sizeOf(*thrown.photo)) * fromOrigin;
+    m_matrix = photoMatrix(projected.projector, sizeOf(*projected.photo)) * fromOrigin;
     m_tolerance = hidingShare * static_cast<double>(frame.size);
-    const Eigen::Isometry3d& pose = thrown.projector.pose;
-    const Eigen::Vector3f light =
-        isPerspective(thrown) ? frame.local(pose.translation()) : pose.linear().col(2).cast<float>().eval();
-    m_light = {light.x(), light.y(), light.z(), isPerspective(thrown) ? 1.0F : 0.0F};
-    if (isKnown || !thrown.projector.occlusion) return;
+    const Eigen::Isometry3d& pose = projected.projector.pose;
+    const Eigen::Vector3f light = isPerspective(projected) ? frame.local(pose.translation())
+                                                           : pose.linear().col(2).cast<float>().eval();
+    m_light = {light.x(), light.y(), light.z(), isPerspective(projected) ? 1.0F : 0.0F};
+    if (isKnown || !projected.projector.occlusion) return;
     measureDepth();
     drawDepth();
 }
 
-/// At rest: photos are thrown on the organ as it was when they were placed, and go along with the tissue as
-/// it moves.
+/// At rest: photos are projected on the organ as it was when they were placed, and go along with the tissue
+/// as it moves.
 void PhotoProjection::takeMesh(const std::shared_ptr<const TriangleMesh>& mesh, const Frame& frame) {
     if (mesh == m_mesh) return;
     m_mesh = mesh;
@@ -136,18 +136,18 @@ void PhotoProjection::takePhoto(const std::shared_ptr<const Image>& photo) {
                            static_cast<int>(std::log2(std::max(photo->width, photo->height))));
 }
 
-/// A parallel projector throws on nothing that faces away. Before an eye outside a closed surface that is
+/// A parallel projector shines on nothing that faces away. Before an eye outside a closed surface that is
 /// hidden anyway, but by surface so near at the outline that the depth map cannot tell.
 bool PhotoProjection::seesOnlyFronts() const {
-    return !isPerspective(*m_thrown) ||
-           (m_isSolid && !boundingBox(m_mesh->vertices).contains(m_thrown->projector.pose.translation()));
+    return !isPerspective(*m_projected) ||
+           (m_isSolid && !boundingBox(m_mesh->vertices).contains(m_projected->projector.pose.translation()));
 }
 
 /// What lies between the projector and the farthest of the organ, no more: depth is only so fine. Before an
 /// eye it goes as 1 / z: a near plane closer than a 2000th of the far one, as for an eye within the organ,
 /// would leave nothing of it for what lies farther off.
 void PhotoProjection::measureDepth() {
-    const Eigen::Matrix4d inModel = photoMatrix(m_thrown->projector, sizeOf(*m_photo));
+    const Eigen::Matrix4d inModel = photoMatrix(m_projected->projector, sizeOf(*m_photo));
     double least = std::numeric_limits<double>::max(), most = 0;
     for (const Eigen::Vector3d& vertex : m_mesh->vertices) {
         const double depth = inModel.row(3) * vertex.homogeneous();
@@ -155,7 +155,7 @@ void PhotoProjection::measureDepth() {
         most = std::max(most, depth);
     }
     m_far = std::max(most * 1.001, m_tolerance) + m_tolerance;
-    m_near = isPerspective(*m_thrown) ? std::max(0.5 * least, nearestShare * m_far) : -m_tolerance;
+    m_near = isPerspective(*m_projected) ? std::max(0.5 * least, nearestShare * m_far) : -m_tolerance;
 }
 
 void PhotoProjection::drawDepth() {
@@ -178,18 +178,18 @@ void PhotoProjection::drawDepth() {
 }
 
 void PhotoProjection::bind(const GlProgram& program) const {
-    program.set("throwing", Eigen::Matrix4f(m_matrix.cast<float>()));
+    program.set("projecting", Eigen::Matrix4f(m_matrix.cast<float>()));
     program.set("photoPixels", Eigen::Vector2f(float(m_photo->width), float(m_photo->height)));
     program.set("depths", Eigen::Vector2f(float(m_near), float(m_far)));
-    program.set("isPerspective", isPerspective(*m_thrown));
+    program.set("isPerspective", isPerspective(*m_projected));
     program.set("light", m_light);
     program.set("tolerance", static_cast<float>(m_tolerance));
-    program.set("occlusion", m_thrown->projector.occlusion);
+    program.set("occlusion", m_projected->projector.occlusion);
     program.set("onlyFronts", seesOnlyFronts());
-    program.set("falloff", m_thrown->projector.falloff);
-    program.set("blendPixels", static_cast<float>(m_thrown->blendPixels));
-    program.set("opacity", static_cast<float>(m_thrown->opacity));
-    program.set("multiplies", m_thrown->multiplies);
+    program.set("falloff", m_projected->projector.falloff);
+    program.set("blendPixels", static_cast<float>(m_projected->blendPixels));
+    program.set("opacity", static_cast<float>(m_projected->opacity));
+    program.set("multiplies", m_projected->multiplies);
     program.set("restVertices", 2);
     program.set("photo", 3);
     program.set("seen", 4);

@@ -36,17 +36,18 @@ private:
     int m_width = 0, m_height = 0;
 };
 
-/// Throws a photo on the surface while it is drawn, as composing would paint it: the same weights of border,
-/// alpha and angle, and, where the projector asks for it, only what it sees, by a depth map from there. On
-/// the organ at rest, however it is drawn, so that what is thrown lies where it will be painted.
+/// Projects a photo on the surface while it is drawn, as composing would paint it: the same weights of
+/// border, alpha and angle, and, where the projector asks for it, only what it sees, by a depth map from
+/// there. On the organ at rest, however it is drawn, so that what is projected lies where it will be painted.
 class PhotoProjection {
 public:
     explicit PhotoProjection(const GlFunctions& gl);
 
     /// Draws the depth map where the projector or the organ is another one; changes the viewport.
     /// Precondition: the photo is not empty.
-    void take(const ThrownPhoto& thrown, const std::shared_ptr<const TriangleMesh>& mesh, const Frame& frame);
-    /// Tells the program in use, made with `shaders::Throwing::Yes`.
+    void take(const ProjectedPhoto& projected, const std::shared_ptr<const TriangleMesh>& mesh,
+              const Frame& frame);
+    /// Tells the program in use, made with `shaders::Projecting::Yes`.
     void bind(const GlProgram& program) const;
 
 private:
@@ -65,7 +66,7 @@ private:
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::shared_ptr<const Image> m_photo;
     std::unique_ptr<GlTexture> m_photoTexture;
-    std::optional<ThrownPhoto> m_thrown;
+    std::optional<ProjectedPhoto> m_projected;
     bool m_isSolid = false;
     Eigen::Matrix4d m_matrix;     ///< as `photoMatrix`, from the frame's origin
     Eigen::Vector4f m_light;      ///< where the light comes from (w 1), or in which direction (w 0)

@@ -2,17 +2,17 @@
 
 namespace esm::shaders {
 
-std::string thrownPlace() {
+std::string projectedPlace() {
     return R"(
 uniform samplerBuffer restVertices;
-uniform mat4 throwing;
-vec4 thrownFrom(int vertex) { return throwing * vec4(texelFetch(restVertices, vertex).xyz, 1.0); }
+uniform mat4 projecting;
+vec4 projectedFrom(int vertex) { return projecting * vec4(texelFetch(restVertices, vertex).xyz, 1.0); }
 )";
 }
 
-std::string thrownColour() {
+std::string projectedColour() {
     return R"(
-in vec4 thrown; // the place in the photo (x w, y w, w), pixels, and the depth before the projector
+in vec4 projected; // the place in the photo (x w, y w, w), pixels, and the depth before the projector
 in vec3 rest;   // on the organ at rest
 uniform sampler2D photo;
 uniform sampler2DShadow seen;
@@ -43,31 +43,31 @@ float lightWeight(vec2 place, vec3 outward) {
     float weight = falloff ? angleWeight(cosine) : 1.0;
     if (!occlusion || weight <= 0.0) return weight;
     if (onlyFronts && cosine <= 0.0) return 0.0;
-    return weight * texture(seen, vec3(place, clamp(mapDepth(thrown.w - tolerance), 0.0, 1.0)));
+    return weight * texture(seen, vec3(place, clamp(mapDepth(projected.w - tolerance), 0.0, 1.0)));
 }
 
 vec3 withPhoto(vec3 beneath) {
     vec3 across = cross(dFdx(rest), dFdy(rest));
     vec3 outward = normalize(gl_FrontFacing ? across : -across);
-    vec2 pixel = thrown.xy / max(thrown.z, 1e-12);
+    vec2 pixel = projected.xy / max(projected.z, 1e-12);
     vec2 place = pixel / photoPixels;
-    vec4 thrownOn = texture(photo, place);
-    if (thrown.z <= 0.0 || thrown.w < -tolerance) return beneath;
-    float weight = opacity * thrownOn.a * borderWeight(pixel);
+    vec4 photoColour = texture(photo, place);
+    if (projected.z <= 0.0 || projected.w < -tolerance) return beneath;
+    float weight = opacity * photoColour.a * borderWeight(pixel);
     if (weight <= 0.0) return beneath;
     weight *= lightWeight(place, outward);
-    vec3 colour = thrownOn.rgb / thrownOn.a; // it is stored multiplied by alpha
+    vec3 colour = photoColour.rgb / photoColour.a; // it is stored multiplied by alpha
     return mix(beneath, multiplies ? beneath * colour : colour, weight);
 }
 )";
 }
 
-std::string thrownDepthVertex() {
-    return version() + thrownPlace() + R"(
+std::string projectedDepthVertex() {
+    return version() + projectedPlace() + R"(
 uniform vec2 photoPixels, depths;
 uniform bool isPerspective;
 void main() {
-    vec4 seen = thrownFrom(gl_VertexID);
+    vec4 seen = projectedFrom(gl_VertexID);
     float near = depths.x, far = depths.y, depth = seen.w;
     vec2 place = 2.0 * seen.xy / photoPixels - seen.z;
     float z = isPerspective ? ((far + near) * depth - 2.0 * far * near) / (far - near)
@@ -77,7 +77,7 @@ void main() {
 )";
 }
 
-std::string thrownDepthFragment() {
+std::string projectedDepthFragment() {
     return version() + "void main() {}\n";
 }
 

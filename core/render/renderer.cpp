@@ -39,9 +39,9 @@ Eigen::AlignedBox3d wholeBox(const RenderScene& scene, const Eigen::AlignedBox3d
     return box;
 }
 
-bool isThrown(const RenderScene& scene) {
-    return scene.thrown && scene.thrown->photo && !scene.thrown->photo->empty() &&
-           scene.thrown->opacity > 0 && scene.showSurface && scene.mesh && !scene.mesh->triangles.empty();
+bool projectsPhoto(const RenderScene& scene) {
+    return scene.projected && scene.projected->photo && !scene.projected->photo->empty() &&
+           scene.projected->opacity > 0 && scene.showSurface && scene.mesh && !scene.mesh->triangles.empty();
 }
 
 } // namespace
@@ -72,7 +72,7 @@ Renderer::Renderer(const Resolver& resolver) : m_implementation(std::make_unique
 Renderer::~Renderer() = default;
 
 /// The order is that of what hides what. Opaque things first, in any order, as depth decides; then what is
-/// seen through, which tests depth and does not write it. The depth map of a thrown photo is drawn before
+/// seen through, which tests depth and does not write it. The depth map of a projected photo is drawn before
 /// all, as it needs a target of its own.
 void Renderer::draw(const RenderScene& scene, const Camera& camera, const PictureSize& size) {
     if (size.width <= 0 || size.height <= 0) return;
@@ -81,12 +81,12 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, const Pictur
     const std::vector<Eigen::Vector3d> vertices = drawnVertices(scene, nodes);
     const Eigen::AlignedBox3d organ = boundingBox(vertices).merged(boundingBox(nodes));
     const Frame frame = parts.frameFor(scene, camera, size, wholeBox(scene, organ));
-    const bool throws = isThrown(scene);
-    if (throws) parts.projection.take(*scene.thrown, scene.mesh, frame);
+    const bool projects = projectsPhoto(scene);
+    if (projects) parts.projection.take(*scene.projected, scene.mesh, frame);
     parts.prepare(size);
     parts.drawBackground(scene, frame);
     parts.gl.Enable(GL_DEPTH_TEST);
-    if (scene.showSurface) parts.surface.draw(scene, vertices, frame, throws ? &parts.projection : nullptr);
+    if (scene.showSurface) parts.surface.draw(scene, vertices, frame, projects ? &parts.projection : nullptr);
     for (const PlacedCollider& instrument : instrumentsOf(scene))
         parts.markers.drawInstrument(instrument, frame);
     parts.gl.Enable(GL_BLEND);

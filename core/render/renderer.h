@@ -46,10 +46,10 @@ struct DrawnProjector {
     }
 };
 
-/// A photo that is thrown on the surface without being painted, as while its projector moves.
-struct ThrownPhoto {
+/// A photo that is projected on the surface without being painted, as while its projector moves.
+struct ProjectedPhoto {
     Projector projector;
-    std::shared_ptr<const Image> photo; ///< may be null: nothing is thrown
+    std::shared_ptr<const Image> photo; ///< may be null: nothing is projected
     double blendPixels = 0;  ///< photo pixels over which the weight rises from 0 at the border to 1
     double opacity = 1;      ///< 0 to 1
     bool multiplies = false; ///< what lies beneath, instead of hiding it
@@ -77,7 +77,7 @@ struct RenderScene {
     std::optional<MarkedNodes> marked;     ///< over the surface, whether or not all springs are shown
     std::vector<DrawnEllipsoid> ellipsoids;
     std::vector<DrawnProjector> projectors;
-    std::optional<ThrownPhoto> thrown; ///< over the texture
+    std::optional<ProjectedPhoto> projected; ///< over the texture
     std::vector<PlacedCollider> instruments;
     std::optional<PlacedCollider> heldInstrument; ///< by the hand
     Colour backgroundTop{57, 64, 71}, backgroundBottom{29, 32, 37};

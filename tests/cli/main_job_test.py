@@ -72,7 +72,7 @@ class MainJobTest(Case):
         self.assertGreater(min(math.dist(row[2:], deep) for row in rows[-nodes:]), 0.98 * radius)
 
     def photograph(self, project, centre, size, photo):
-        """Thrown from the front over the middle of the organ."""
+        """Projected from the front over the middle of the organ."""
         pose = [1, 0, 0, centre[0], 0, 1, 0, centre[1], 0, 0, 1, centre[2] + size[2], 0, 0, 0, 1]
         shape = {"pose": pose, "width": 0.6 * size[0], "height": 0.6 * size[1], "kind": "parallel"}
         projector = self.file("pose.json", shape)

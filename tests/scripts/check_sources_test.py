@@ -132,5 +132,17 @@ class Sizes(unittest.TestCase):
         self.assertEqual(check.function_problems({"core/a.cpp": "void f() {}\n"}), [])
 
 
+class Words(unittest.TestCase):
+    def test_finds_words_that_mean_another_thing(self):
+        for text in ("/// The photo is thrown on the organ.\n", "struct HeldNode {\n", "PageBand band;\n",
+                     'f(tr("one "\n   "Texel"));\n'):
+            self.assertEqual(len(check.word_problems({"core/a.h": text})), 1, text)
+
+    def test_lets_the_same_words_stand_where_they_mean_what_they_say(self):
+        for text in ("/// @throws FileError where a photo cannot be read\n", "Texel texelAt(int x);\n",
+                     "/// A ball is thrown aside.\n", 'f(tr("Pixel"), texel);\n'):
+            self.assertEqual(check.word_problems({"core/a.h": text}), [], text)
+
+
 if __name__ == "__main__":
     unittest.main(buffer=True)

@@ -9,7 +9,7 @@ namespace esm {
 /// and 40 % of the organ's size.
 Projector projectorFromCamera(const Camera& camera, const Image& photo, const TriangleMesh& mesh);
 
-/// The selected photo thrown from where the camera looks, as its kind does it: a perspective one shows
+/// The selected photo projected from where the camera looks, as its kind does it: a perspective one shows
 /// exactly what is seen, its height filling the picture's; a parallel one keeps its size.
 Projector aimedByCamera(const Projector& before, const Camera& camera, const Image& photo,
                         const TriangleMesh& mesh);

@@ -110,7 +110,7 @@ void ActionMaker::makeModelActions() {
     a.addPaint = make(tr("Add pain&t layer"), QKeySequence("Ctrl+L"),
                       tr("A layer that is painted on the organ with the brush"));
     a.fromCamera = make(tr("Photo from &camera"), QKeySequence(Qt::Key_C),
-                        tr("Throw the selected photo from where you look"));
+                        tr("Project the selected photo from where you look"));
 }
 
 void ActionMaker::makeViewActions() {

@@ -57,7 +57,7 @@ void EditController::enable(const Actions& actions) {
     esm::enable(actions.freeNodes, !project.scene.fixed.empty(), tr("Let every fixed node go"),
                 tr("No node is fixed"));
     esm::enable(actions.fromCamera, layer && layer->photo,
-                withShortcut(tr("Throw the selected photo from where you look"), actions.fromCamera),
+                withShortcut(tr("Project the selected photo from where you look"), actions.fromCamera),
                 layer ? tr("The selected layer has no photo, it is painted") : tr("No photo is selected"));
     esm::enable(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
                 tr("Simulate fewer nodes under the full surface, or every vertex"),

@@ -18,7 +18,7 @@ public:
     EditController(QWidget& window, Document& document, Selection& selection, std::function<Camera()> camera);
 
     void connectActions(const Actions& actions);
-    /// Throws the selected photo from where the user looks; keeps its size.
+    /// Projects the selected photo from where the user looks; keeps its size.
     void projectFromCamera();
 
 signals:

@@ -157,7 +157,7 @@ void ViewController::dressOrgan(RenderScene& scene) {
     scene.atlas = composed.atlas;
     scene.texturePages = composed.pages;
     scene.smallerPages = composed.smallerPages;
-    scene.thrown = m_moving.thrown();
+    scene.projected = m_moving.projected();
 }
 
 void ViewController::showEllipsoids(RenderScene& scene) {

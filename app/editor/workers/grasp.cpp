@@ -19,10 +19,10 @@ Grasp::Grasp(const TissueModel& model, const std::vector<Eigen::Vector3d>& posit
         m_start.push_back(positions[i]);
 }
 
-void Grasp::advance(double timeStep, std::vector<HeldNode>& held) {
+void Grasp::advance(double timeStep, std::vector<PrescribedNode>& prescribed) {
     m_displacement += (m_target - m_displacement) * (1 - std::exp(-timeStep / followTime));
     for (std::size_t i = 0; i < m_nodes.size(); ++i)
-        held.push_back({m_nodes[i], m_start[i] + m_displacement});
+        prescribed.push_back({m_nodes[i], m_start[i] + m_displacement});
 }
 
 Eigen::Vector3d displacementAt(const GentlePull& pull, double time) {

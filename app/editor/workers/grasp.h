@@ -20,7 +20,7 @@ public:
     void setDisplacement(const Eigen::Vector3d& displacement) { m_target = displacement; }
 
     /// Moves on by `timeStep` (s) and adds the held nodes.
-    void advance(double timeStep, std::vector<HeldNode>& held);
+    void advance(double timeStep, std::vector<PrescribedNode>& prescribed);
 
 private:
     std::uint32_t m_node;

@@ -68,11 +68,11 @@ void MovingPhoto::takeTexture() {
     if (m_isResting && !m_composer.isWorking()) m_layer.reset();
 }
 
-std::optional<ThrownPhoto> MovingPhoto::thrown() const {
+std::optional<ProjectedPhoto> MovingPhoto::projected() const {
     if (!m_layer) return std::nullopt;
     const TextureLayer& layer = partOf(m_project.layers, *m_layer);
-    return ThrownPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity,
-                       layer.blending == Blending::Multiply};
+    return ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity,
+                          layer.blending == Blending::Multiply};
 }
 
 } // namespace esm

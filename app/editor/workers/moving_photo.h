@@ -7,8 +7,8 @@
 
 namespace esm {
 
-/// While a projector moves, its photo is thrown on the organ by the renderer, over a texture that is composed
-/// without it; once it rests, it is painted like all others.
+/// While a projector moves, its photo is projected on the organ by the renderer, over a texture that is
+/// composed without it; once it rests, it is painted like all others.
 class MovingPhoto : public QObject {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
     /// Looks at what became of the photos, and has composed what is to be seen.
     void follow(const Project& project);
     /// What the renderer is to throw; nothing while all lies in the texture.
-    std::optional<ThrownPhoto> thrown() const;
+    std::optional<ProjectedPhoto> projected() const;
     /// Whether what is composed now is only what lies around the moving photo.
     bool isMoving() const { return m_layer && !m_isResting; }
 
@@ -33,7 +33,7 @@ private:
 
     TextureComposer& m_composer;
     Project m_project;              ///< as it was last seen
-    std::optional<LayerId> m_layer; ///< that is thrown
+    std::optional<LayerId> m_layer; ///< that is projected
     bool m_isResting = false;       ///< and about to be painted
     QTimer m_rest;
 };

@@ -26,13 +26,13 @@ double secondsSince(Clock::time_point start) {
 }
 
 /// What the scene leads, the first `led`, the hand cannot hold.
-void letGoOfLedNodes(std::vector<HeldNode>& held, std::size_t led) {
-    const auto firstOfHand = held.begin() + static_cast<std::ptrdiff_t>(led);
-    const auto isLed = [&](const HeldNode& node) {
-        return std::any_of(held.begin(), firstOfHand,
-                           [&](const HeldNode& other) { return other.node == node.node; });
+void letGoOfLedNodes(std::vector<PrescribedNode>& prescribed, std::size_t led) {
+    const auto firstOfHand = prescribed.begin() + static_cast<std::ptrdiff_t>(led);
+    const auto isLed = [&](const PrescribedNode& node) {
+        return std::any_of(prescribed.begin(), firstOfHand,
+                           [&](const PrescribedNode& other) { return other.node == node.node; });
     };
-    held.erase(std::remove_if(firstOfHand, held.end(), isLed), held.end());
+    prescribed.erase(std::remove_if(firstOfHand, prescribed.end(), isLed), prescribed.end());
 }
 
 } // namespace
@@ -160,14 +160,14 @@ bool PreviewRun::step(const PreviewLoads& loads) {
     Loads acting = sceneLoads();
     leadInstrument(loads.instrument);
     if (m_heldInstrument) acting.instruments.push_back(*m_heldInstrument);
-    const std::size_t led = acting.held.size();
-    if (m_pull) m_pull->advance(timeStep, acting.held);
+    const std::size_t led = acting.prescribed.size();
+    if (m_pull) m_pull->advance(timeStep, acting.prescribed);
     if (m_gentleGrasp) {
         m_gentleTime += timeStep;
         m_gentleGrasp->setDisplacement(displacementAt(*m_gentlePull, m_gentleTime));
-        m_gentleGrasp->advance(timeStep, acting.held);
+        m_gentleGrasp->advance(timeStep, acting.prescribed);
     }
-    letGoOfLedNodes(acting.held, led);
+    letGoOfLedNodes(acting.prescribed, led);
     try {
         return m_simulation->step(acting);
     } catch (const InvalidModel&) {

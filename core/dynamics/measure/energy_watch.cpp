@@ -86,8 +86,8 @@ MiddleStep stepAfter(const SpringSystem& system, Damping damping, const WatchedS
     Vectors velocities = motion.velocities;
     for (std::size_t i = 0; i < velocities.size(); ++i)
         if (!system.fixed[i]) velocities[i] += last.duration / 2 / system.mass[i] * forces[i];
-    for (const HeldNode& held : last.loads.held)
-        velocities[held.node] = motion.velocities[held.node];
+    for (const PrescribedNode& led : last.loads.prescribed)
+        velocities[led.node] = motion.velocities[led.node];
     Vectors to = moved(motion.positions, last.duration, velocities);
     return {motion.positions, std::move(to), std::move(velocities), 0};
 }
@@ -135,7 +135,7 @@ EnergyWatch::EnergyWatch(const SpringSystem& system, const SimulationSettings& s
 
 void EnergyWatch::add(const WatchedSteps& steps) {
     const double forces = workOfForces(m_system, steps.loads, steps.before.positions, steps.after.positions);
-    const double leading = steps.loads.held.empty() ? 0 : workOfLeading(steps);
+    const double leading = steps.loads.prescribed.empty() ? 0 : workOfLeading(steps);
     m_work += forces + leading + steps.contactWork;
     m_grossWork += std::abs(forces) + std::abs(leading) + std::abs(steps.contactWork);
     m_steps += steps.count;
@@ -165,8 +165,8 @@ double EnergyWatch::workOfLeading(const WatchedSteps& steps) {
     if (!m_ties) m_ties.emplace(m_system);
     const Motion &before = steps.before, &after = steps.after;
     double work = 0;
-    for (const HeldNode& held : steps.loads.held) {
-        const std::uint32_t node = held.node;
+    for (const PrescribedNode& led : steps.loads.prescribed) {
+        const std::uint32_t node = led.node;
         if (m_system.fixed[node]) continue;
         Eigen::Vector3d force = innerForceOn(node, after.positions, after.velocities);
         force += (innerForceOn(node, before.positions, {}) - innerForceOn(node, after.positions, {})) / 2;

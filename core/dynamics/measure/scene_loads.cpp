@@ -29,7 +29,7 @@ Loads loadsDuring(const Scene& scene, const std::vector<Eigen::Vector3d>& rest, 
             loads.forces.emplace_back(force.node, share * force.force);
     for (const NodeMove& move : scene.moves)
         if (move.node < rest.size())
-            loads.held.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
+            loads.prescribed.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
     for (const InstrumentMotion& instrument : scene.instruments)
         loads.instruments.push_back(placedAt(instrument, end));
     return loads;

@@ -28,9 +28,9 @@ template<class Real> void eulerStep(ExplicitWork<Real>& work, const StepInput& i
         for (int axis = 0; axis < 3; ++axis)
             work.addKeeping(static_cast<Real>(h * change[axis]), row, axis, work.next[row].position[axis]);
     }
-    for (const HeldNode& held : input.held) {
-        const std::size_t row = work.kernel.rowOf(held.node);
-        setComponents(work.next[row].position, held.position);
+    for (const PrescribedNode& led : input.prescribed) {
+        const std::size_t row = work.kernel.rowOf(led.node);
+        setComponents(work.next[row].position, led.position);
         std::copy_n(work.state[row].velocity, 4, work.next[row].velocity);
     }
 }

@@ -97,9 +97,9 @@ template<class Real> void ExplicitScheme<Real>::load(const StepInput& input, con
         m_work.active.activateAll();
         m_isLoaded = true;
     }
-    for (const HeldNode& held : input.held)
-        setComponents(m_work.state[m_work.kernel.rowOf(held.node)].velocity,
-                      (held.position - before.positions[held.node]) / input.duration);
+    for (const PrescribedNode& led : input.prescribed)
+        setComponents(m_work.state[m_work.kernel.rowOf(led.node)].velocity,
+                      (led.position - before.positions[led.node]) / input.duration);
 }
 
 template<class Real> void ExplicitScheme<Real>::followMotion(double timeStep) {

@@ -30,8 +30,8 @@ void ExplicitWork<Real>::computeRates(const StepInput& input, const State& at, S
     for (const auto& [node, force] : loads.forces)
         if (active.contains(kernel.sliceOf(node)))
             addToComponents(rates[kernel.rowOf(node)].velocity, double(kernel.inverseMass(node)) * force);
-    for (const HeldNode& held : input.held)
-        setComponents(rates[kernel.rowOf(held.node)].velocity, Eigen::Vector3d::Zero());
+    for (const PrescribedNode& led : input.prescribed)
+        setComponents(rates[kernel.rowOf(led.node)].velocity, Eigen::Vector3d::Zero());
 }
 
 template<class Real> void ExplicitWork<Real>::advance(State& to, std::initializer_list<Term> terms) const {

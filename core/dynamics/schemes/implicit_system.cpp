@@ -29,12 +29,12 @@ void addMultiple(Vectors& target, double factor, const Vectors& vectors) {
 /// The nodes whose velocities are sought.
 class UnknownNodes {
 public:
-    UnknownNodes(const StepMatrix& matrix, const std::vector<HeldNode>& led, std::size_t count)
+    UnknownNodes(const StepMatrix& matrix, const std::vector<PrescribedNode>& led, std::size_t count)
         : m_matrix(matrix), m_given(count) {
         for (std::uint32_t i = 0; i < count; ++i)
             m_given[i] = matrix.isPrescribed(i);
-        for (const HeldNode& held : led)
-            m_given[held.node] = 1;
+        for (const PrescribedNode& led : led)
+            m_given[led.node] = 1;
     }
 
     void keep(Vectors& vectors) const {
@@ -144,14 +144,15 @@ void TangentMatrix::addSprings(const MatrixFactors& factors, const Vectors& velo
 // Where the tangent is found to be indefinite, pressed springs buckle and are left out of it. Not before:
 // mostly their neighbours and their mass hold them, and forms whose order needs all of the tangent would lose
 // it. The second try starts from the same place, since the first may have gone anywhere.
-void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner, const std::vector<HeldNode>& led,
-                   const Vectors& momentum, Vectors& velocities, double tolerance) {
+void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner,
+                   const std::vector<PrescribedNode>& led, const Vectors& momentum, Vectors& velocities,
+                   double tolerance) {
     Vectors half;
     preconditioner.solveLower(momentum, velocities, half);
     Vectors start = velocities;
     preconditioner.solveUpper(std::move(half), start);
-    for (const HeldNode& held : led)
-        start[held.node] = velocities[held.node];
+    for (const PrescribedNode& led : led)
+        start[led.node] = velocities[led.node];
     const UnknownNodes unknown(preconditioner, led, velocities.size());
     velocities = start;
     Solved solved = conjugateGradients(matrix, unknown, momentum, tolerance, velocities);

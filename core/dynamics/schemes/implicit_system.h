@@ -35,7 +35,8 @@ private:
 /// K. Starts from that matrix's own solution, which has the momentum of the whole already.
 /// @param tolerance of the preconditioned residual's norm
 /// @throws InvalidModel when it does not converge
-void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner, const std::vector<HeldNode>& led,
-                   const Vectors& momentum, Vectors& velocities, double tolerance = 1e-10);
+void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner,
+                   const std::vector<PrescribedNode>& led, const Vectors& momentum, Vectors& velocities,
+                   double tolerance = 1e-10);
 
 } // namespace esm

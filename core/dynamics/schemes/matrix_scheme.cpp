@@ -49,9 +49,9 @@ MatrixScheme::Form MatrixScheme::formOf(const StepInput& input, const Motion& be
 }
 
 /// Gives the led nodes the velocities that take them where they are led.
-void MatrixScheme::lead(const std::vector<HeldNode>& held, const Form& form, const Vectors& positions,
-                        Vectors& velocities) {
-    for (const HeldNode& led : held) {
+void MatrixScheme::lead(const std::vector<PrescribedNode>& prescribed, const Form& form,
+                        const Vectors& positions, Vectors& velocities) {
+    for (const PrescribedNode& led : prescribed) {
         Eigen::Vector3d way = led.position - positions[led.node];
         if (!form.drift.empty()) way -= form.drift[led.node];
         velocities[led.node] = way / form.reach;
@@ -84,7 +84,7 @@ UntouchedStep MatrixScheme::firstStep(const Start& start, RunSolvers& solvers) {
 UntouchedStep MatrixScheme::branchStep(const Start& start, RunSolvers& solvers) {
     for (int round = 0;; ++round) {
         UntouchedStep step = *solve(start, solvers.branch(start.system, start.input.duration), false);
-        for (const HeldNode& led : start.input.held)
+        for (const PrescribedNode& led : start.input.prescribed)
             step.motion.positions[led.node] = led.position;
         if (!solvers.strain(start.system, step.motion.positions)) return step;
         if (round == mostBranchRounds) solvers.strainAll();
@@ -96,7 +96,7 @@ std::optional<UntouchedStep> MatrixScheme::solve(const Start& start, StepSolver&
     elasticForces(system, before.positions, m_forces);
     const Form form = formOf(input, before, builds);
     UntouchedStep step{before, {}};
-    lead(input.held, form, before.positions, step.motion.velocities);
+    lead(input.prescribed, form, before.positions, step.motion.velocities);
     if (hasConstantMatrix(m_integrator))
         solveConstant(start, form, solver, step);
     else if (m_damping == Damping::Axial)
@@ -122,7 +122,7 @@ Vectors MatrixScheme::placesAfter(const Start& start, const Form& form, const Ve
 void MatrixScheme::goBeyond(const Start& start, const Form& form, Vectors& velocities) {
     if (form.beyond == 0) return;
     std::vector<char> isLed(velocities.size(), 0);
-    for (const HeldNode& led : start.input.held)
+    for (const PrescribedNode& led : start.input.prescribed)
         isLed[led.node] = 1;
     for (std::size_t i = 0; i < velocities.size(); ++i)
         if (!isLed[i]) velocities[i] += form.beyond * (velocities[i] - start.before.velocities[i]);
@@ -141,7 +141,7 @@ void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolve
             extrapolated[i] -= m_forces[i];
     }
     solver.matrix.solveLower(momentum(start, form, extrapolated), velocities, step.half);
-    const auto led = ledByImpulses(solver.matrix, start.input.held);
+    const auto led = ledByImpulses(solver.matrix, start.input.prescribed);
     if (!led.empty()) solver.impulses.lead(led, velocities, step.half);
     solver.matrix.solveUpper(step.half, velocities);
 }
@@ -167,11 +167,11 @@ bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver
     Vectors safe = velocities, half;
     if (!form.isExact) {
         solver.matrix.solveLower(asked, safe, half);
-        const auto led = ledByImpulses(solver.matrix, start.input.held);
+        const auto led = ledByImpulses(solver.matrix, start.input.prescribed);
         if (!led.empty()) solver.impulses.lead(led, safe, half);
         solver.matrix.solveUpper(std::move(half), safe);
     }
-    solveImplicit(tangent, solver.matrix, start.input.held, asked, velocities);
+    solveImplicit(tangent, solver.matrix, start.input.prescribed, asked, velocities);
     const double known = potential(start, form, safe);
     const auto overshoots = [&] {
         const double reached = potential(start, form, velocities);
@@ -236,8 +236,8 @@ void MatrixScheme::solveTurning(const Start& start, const Form& form, StepSolver
         TangentMatrix tangent(damped, Damping::Isotropic, form.factors, places);
         tangent.omitBuckling();
         Vectors change(velocities.size(), Eigen::Vector3d::Zero());
-        solveImplicit(tangent, solver.matrix, start.input.held, missing(turning, form, places, velocities),
-                      change, solverTolerance);
+        solveImplicit(tangent, solver.matrix, start.input.prescribed,
+                      missing(turning, form, places, velocities), change, solverTolerance);
         const double share = takeDownhill(turning, form, change, velocities);
         const double changed = share * share * kineticEnergy(damped, change);
         if (changed <= newtonTolerance * newtonTolerance * kineticEnergy(damped, velocities)) return;

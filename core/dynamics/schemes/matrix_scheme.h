@@ -29,8 +29,8 @@ private:
     std::optional<UntouchedStep> solve(const Start& start, StepSolver& solver, bool builds);
     UntouchedStep firstStep(const Start& start, RunSolvers& solvers);
     UntouchedStep branchStep(const Start& start, RunSolvers& solvers);
-    static void lead(const std::vector<HeldNode>& held, const Form& form, const Vectors& positions,
-                     Vectors& velocities);
+    static void lead(const std::vector<PrescribedNode>& prescribed, const Form& form,
+                     const Vectors& positions, Vectors& velocities);
     Form formOf(const StepInput& input, const Motion& before, bool builds) const;
     bool gainsEnergy(const Start& start, const Form& form, const TangentMatrix& tangent,
                      const Vectors& velocities) const;

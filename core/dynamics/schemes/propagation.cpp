@@ -81,10 +81,10 @@ public:
           m_given(system.fixed), m_external(before.positions.size(), Vector3d::Zero()), m_forces(m_external) {
         addExternalForces(system, *input.loads, m_external);
         m_after = before;
-        leadHeldNodes(input, before.positions, m_after.velocities);
-        for (const HeldNode& held : input.held) {
-            m_given[held.node] = 1;
-            m_after.positions[held.node] = held.position;
+        leadPrescribedNodes(input, before.positions, m_after.velocities);
+        for (const PrescribedNode& led : input.prescribed) {
+            m_given[led.node] = 1;
+            m_after.positions[led.node] = led.position;
         }
         for (std::uint32_t node = 0; node < m_forces.size(); ++node) {
             m_resistance.push_back(scheme.diagonalOf(node, system, {1, m_step, m_step * m_step}));

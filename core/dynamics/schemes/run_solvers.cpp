@@ -28,16 +28,16 @@ double RunSolvers::factorisationSeconds() const {
 }
 
 void RunSolvers::prepare(const SpringSystem& system, const StepInput& input, const Vectors& positions) {
-    prescribe(input.held, system.fixed);
+    prescribe(input.prescribed, system.fixed);
     if (hasBranches(input.duration) && m_strained.follow(system, positions)) forgetBranches();
 }
 
 // The matrices without the led nodes stay, for when they are let go.
-void RunSolvers::prescribe(const std::vector<HeldNode>& led, const std::vector<char>& fixed) {
+void RunSolvers::prescribe(const std::vector<PrescribedNode>& led, const std::vector<char>& fixed) {
     m_leadsMany = led.size() > mostLedByImpulses;
     if (!m_leadsMany) return;
     std::vector<char> prescribed = fixed;
-    for (const HeldNode& node : led)
+    for (const PrescribedNode& node : led)
         prescribed[node.node] = 1;
     if (prescribed == m_led.prescribed()) return;
     m_led = StepSolvers(std::move(prescribed), m_led.factoriser());

@@ -39,7 +39,7 @@ public:
 
 private:
     StepSolvers& solvers() { return m_leadsMany ? m_led : m_free; }
-    void prescribe(const std::vector<HeldNode>& led, const std::vector<char>& fixed);
+    void prescribe(const std::vector<PrescribedNode>& led, const std::vector<char>& fixed);
     void forgetBranches();
 
     Integrator m_integrator;

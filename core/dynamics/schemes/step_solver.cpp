@@ -8,9 +8,10 @@ MatrixFactors stepFactors(Integrator integrator, double duration, bool builds) {
     return schemeOf(builds ? integrator : traitsOf(integrator).startsAs).factors(duration);
 }
 
-std::vector<std::uint32_t> ledByImpulses(const StepMatrix& matrix, const std::vector<HeldNode>& held) {
+std::vector<std::uint32_t> ledByImpulses(const StepMatrix& matrix,
+                                         const std::vector<PrescribedNode>& prescribed) {
     std::vector<std::uint32_t> led;
-    for (const HeldNode& node : held)
+    for (const PrescribedNode& node : prescribed)
         if (!matrix.isPrescribed(node.node)) led.push_back(node.node);
     return led;
 }

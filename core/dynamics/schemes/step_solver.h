@@ -27,6 +27,7 @@ struct UntouchedStep {
 };
 
 /// The led nodes that the matrix does not take for prescribed.
-std::vector<std::uint32_t> ledByImpulses(const StepMatrix& matrix, const std::vector<HeldNode>& held);
+std::vector<std::uint32_t> ledByImpulses(const StepMatrix& matrix,
+                                         const std::vector<PrescribedNode>& prescribed);
 
 } // namespace esm

@@ -27,10 +27,11 @@ bool isJump(const Eigen::Vector3d& before, const Eigen::Vector3d& now) {
 }
 
 /// The last place given for each node that is free to follow, in the order of nodes.
-std::vector<HeldNode> movable(std::vector<HeldNode> held, const std::vector<char>& fixed) {
-    std::stable_sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
-    std::vector<HeldNode> result;
-    for (const HeldNode& node : held) {
+std::vector<PrescribedNode> movable(std::vector<PrescribedNode> prescribed, const std::vector<char>& fixed) {
+    std::stable_sort(prescribed.begin(), prescribed.end(),
+                     [](const auto& a, const auto& b) { return a.node < b.node; });
+    std::vector<PrescribedNode> result;
+    for (const PrescribedNode& node : prescribed) {
         if (fixed[node.node]) continue;
         if (!result.empty() && result.back().node == node.node) result.pop_back();
         result.push_back(node);
@@ -74,7 +75,8 @@ void Stepper::restart() {
 }
 
 bool Stepper::touchesNothing(const Loads& loads) const {
-    return isExplicit(m_integrator) && loads.held.empty() && (loads.instruments.empty() || m_surface.empty());
+    return isExplicit(m_integrator) && loads.prescribed.empty() &&
+           (loads.instruments.empty() || m_surface.empty());
 }
 
 void Stepper::steps(Motion& motion, const Request& request) {
@@ -97,17 +99,17 @@ void Stepper::steps(Motion& motion, const Request& request) {
 std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Request& request) const {
     const Loads& loads = request.loads;
     const double duration = request.duration;
-    const std::vector<HeldNode> held = movable(loads.held, m_system.fixed);
-    if (request.colliders.empty() || m_surface.empty()) return {{{duration, &loads, held}, true, {}}};
+    const std::vector<PrescribedNode> prescribed = movable(loads.prescribed, m_system.fixed);
+    if (request.colliders.empty() || m_surface.empty()) return {{{duration, &loads, prescribed}, true, {}}};
     Vectors velocities = motion.velocities;
-    leadHeldNodes({duration, &loads, held}, motion.positions, velocities);
+    leadPrescribedNodes({duration, &loads, prescribed}, motion.positions, velocities);
     const int parts = contactParts(m_surface, motion.positions, velocities, request.colliders, duration);
 
     std::vector<Piece> pieces;
     for (int part = 1; part <= parts; ++part) {
         const double fraction = static_cast<double>(part) / parts;
-        Piece piece{{duration / parts, &loads, held}, parts == 1, {}};
-        for (HeldNode& node : piece.input.held) {
+        Piece piece{{duration / parts, &loads, prescribed}, parts == 1, {}};
+        for (PrescribedNode& node : piece.input.prescribed) {
             const Eigen::Vector3d& start = motion.positions[node.node];
             if (part < parts) node.position = start + fraction * (node.position - start);
         }
@@ -120,7 +122,7 @@ std::vector<Stepper::Piece> Stepper::piecesOf(const Motion& motion, const Reques
 
 void Stepper::advance(Motion& motion, const Piece& piece) {
     m_solvers.prepare(m_system, piece.input, motion.positions);
-    const bool standsAlone = !piece.isWhole || (isExplicit(m_integrator) && !piece.input.held.empty());
+    const bool standsAlone = !piece.isWhole || (isExplicit(m_integrator) && !piece.input.prescribed.empty());
     if (jumps(piece.input, motion.positions) || standsAlone) m_scheme->restart();
     UntouchedStep untouched = untouchedStep(motion, piece);
     const bool touched = touches(motion, piece, untouched.motion.positions);
@@ -140,10 +142,10 @@ void Stepper::advance(Motion& motion, const Piece& piece) {
 }
 
 bool Stepper::jumps(const StepInput& input, const Vectors& positions) {
-    std::vector<LedNode> ways;
-    for (const HeldNode& held : input.held)
-        ways.push_back({held.node, (held.position - positions[held.node]) / input.duration});
-    const auto goesOn = [](const LedNode& before, const LedNode& now) {
+    std::vector<PrescribedWay> ways;
+    for (const PrescribedNode& led : input.prescribed)
+        ways.push_back({led.node, (led.position - positions[led.node]) / input.duration});
+    const auto goesOn = [](const PrescribedWay& before, const PrescribedWay& now) {
         return before.node == now.node && !isJump(before.velocity, now.velocity);
     };
     const bool goOn = std::equal(m_ways.begin(), m_ways.end(), ways.begin(), ways.end(), goesOn);
@@ -154,15 +156,15 @@ bool Stepper::jumps(const StepInput& input, const Vectors& positions) {
 UntouchedStep Stepper::untouchedStep(const Motion& motion, const Piece& piece) {
     UntouchedStep untouched = m_scheme->step(m_system, piece.input, motion, m_solvers);
     // To the last bit.
-    for (const HeldNode& held : piece.input.held)
-        untouched.motion.positions[held.node] = held.position;
+    for (const PrescribedNode& led : piece.input.prescribed)
+        untouched.motion.positions[led.node] = led.position;
     return untouched;
 }
 
 std::vector<char> Stepper::immovable(const Piece& piece) const {
     std::vector<char> result = m_system.fixed;
-    for (const HeldNode& held : piece.input.held)
-        result[held.node] = 1;
+    for (const PrescribedNode& led : piece.input.prescribed)
+        result[led.node] = 1;
     return result;
 }
 
@@ -185,7 +187,7 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
     if (untouched.half.empty()) solver.matrix.multiplyUpper(untouched.motion.velocities, untouched.half);
     const std::vector<ColliderMove>& colliders = piece.colliders;
     const std::vector<char> stays = immovable(piece);
-    const std::vector<std::uint32_t> led = ledByImpulses(solver.matrix, piece.input.held);
+    const std::vector<std::uint32_t> led = ledByImpulses(solver.matrix, piece.input.prescribed);
     const Motion& free = untouched.motion;
     Motion next = free;
     std::vector<Contact> contacts;

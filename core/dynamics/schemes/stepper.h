@@ -81,11 +81,11 @@ private:
     double m_contactWork = 0; ///< J
 
     /// How a node was led in the last step, on the mean.
-    struct LedNode {
+    struct PrescribedWay {
         std::uint32_t node;
         Eigen::Vector3d velocity; ///< m/s
     };
-    std::vector<LedNode> m_ways;
+    std::vector<PrescribedWay> m_ways;
     std::optional<Loads> m_lastLoads;
     RunSolvers m_solvers;
     std::unique_ptr<StepScheme> m_scheme;

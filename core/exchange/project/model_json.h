@@ -12,7 +12,7 @@ struct VersionNeeds {
     bool stiffening = false;        ///< biphasic springs: version 3
     bool extendedInference = false; ///< norms, weights, OR or NOT in a fuzzy system: version 4
     bool softRims = false;          ///< regions that fade into what lies beneath: version 5
-    bool perspective = false;       ///< photos thrown in perspective or with falloff: version 6
+    bool perspective = false;       ///< photos projected in perspective or with falloff: version 6
     bool preparation = false;       ///< photos that are prepared: version 7
     bool painting = false;          ///< layers painted or blended otherwise than by hiding: version 8
     bool landmarks = false;         ///< photos with landmarks: version 8

@@ -16,7 +16,7 @@ Layers shownOf(const Layers& layers) {
 }
 
 bool sameBesidesStrokes(const TextureLayer& a, const TextureLayer& b) {
-    return throwsTheSame(a, b) && a.opacity == b.opacity && a.blending == b.blending;
+    return projectsTheSame(a, b) && a.opacity == b.opacity && a.blending == b.blending;
 }
 
 /// Longest common subsequence (dynamic programming from the end, as in text books): a layer that was moved,

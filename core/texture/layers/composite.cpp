@@ -82,7 +82,7 @@ LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const Textu
     only.blending = Blending::Normal; // which decides colours, and not what they cover
     CompositionCache cache;
     const LayerStack stack(mesh, atlas.corners, {only}, {}, cache);
-    const PageBand whole{0, 0, atlas.options.size, {}};
+    const PageStrip whole{0, 0, atlas.options.size, {}};
     std::vector<LayerCoverage> covered(mesh.triangles.size());
     tbb::parallel_for(std::size_t{0}, covered.size(), [&](std::size_t i) {
         const auto triangle = static_cast<std::uint32_t>(i);

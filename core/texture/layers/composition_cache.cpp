@@ -68,7 +68,7 @@ std::optional<SampledPicture> CompositionCache::banded(const TextureLayer& layer
                                                        const std::vector<TextureLayer>& beneath,
                                                        std::array<std::uint8_t, 3> baseColour) {
     const auto same = [&](const BandedPicture& item) {
-        return item.baseColour == baseColour && throwsTheSame(item.layer, layer) &&
+        return item.baseColour == baseColour && projectsTheSame(item.layer, layer) &&
                item.layer.strokes == layer.strokes &&
                std::equal(beneath.begin(), beneath.end(), item.beneath.begin(), item.beneath.end(),
                           looksTheSame);

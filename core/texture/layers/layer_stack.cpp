@@ -35,10 +35,10 @@ std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const Li
                                              CompositionCache& cache) {
     auto made = std::make_shared<PreparedLayer>();
     made->layer = layer;
-    if (layer.photo) made->thrown = cache.sampled(pictureOf(layer));
+    if (layer.photo) made->projected = cache.sampled(pictureOf(layer));
     if (layer.photo && layer.projector.occlusion)
         made->lighting =
-            cache.lightingOf(layer.projector, *made->thrown.picture, surface.mesh, surface.tolerance);
+            cache.lightingOf(layer.projector, *made->projected.picture, surface.mesh, surface.tolerance);
     for (const auto& stroke : layer.strokes)
         made->strokeReach.push_back(reachOf(*stroke));
     return made;
@@ -88,13 +88,13 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
                 blended = blendedInBands(*made, cache, progress);
                 cache.keep({layer, shown, baseColour, *blended});
             }
-            made->thrown = std::move(*blended);
+            made->projected = std::move(*blended);
             made->layer.blendPixels = std::min(layer.blendPixels, bandedBorder);
         }
         if (layer.photo)
-            made->photo.emplace(LayerPhoto{
-                made->layer, *made->thrown.sampler,
-                photoMatrix(layer.projector, {made->thrown.picture->width, made->thrown.picture->height})});
+            made->photo.emplace(LayerPhoto{made->layer, *made->projected.sampler,
+                                           photoMatrix(layer.projector, {made->projected.picture->width,
+                                                                         made->projected.picture->height})});
         m_layers.push_back(std::move(made));
         shown.push_back(layer);
     }
@@ -110,7 +110,7 @@ LayerStack::LayerStack(const LayerStack& stack, const std::vector<Patch>& patche
 SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, CompositionCache& cache,
                                           const Progress& progress) const {
     const auto goOn = [&](double) { return !progress || progress(0); };
-    const Image& picture = *made.thrown.picture;
+    const Image& picture = *made.projected.picture;
     const PhotoSize photo{picture.width, picture.height};
     const PhotoPlane plane{made.layer.projector, photo, comparedSize(photo)};
     const std::vector<Patch> patches = patchesIn(plane, m_surface.mesh);
@@ -121,7 +121,7 @@ SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, Composition
             LayerStack(m_surface.mesh, patches, {paintedMask(made.layer.strokes)}, white, cache), *m_query,
             plane, goOn);
     const auto blended = std::make_shared<const Image>(
-        esm::blendedInBands(picture, *made.thrown.sampler, beneath, mask, made.layer.blendPixels));
+        esm::blendedInBands(picture, *made.projected.sampler, beneath, mask, made.layer.blendPixels));
     return {blended, std::make_shared<const PhotoSampler>(*blended)};
 }
 

@@ -16,7 +16,7 @@ using Patch = std::array<Eigen::Vector2d, 3>; ///< a triangle's corners in a pic
 /// A layer with what is made once for all its triangles.
 struct PreparedLayer {
     TextureLayer layer;
-    SampledPicture thrown;           ///< as it is, or blended in bands
+    SampledPicture projected;        ///< as it is, or blended in bands
     std::optional<LayerPhoto> photo; ///< that picture; none in a layer that is only painted
     std::shared_ptr<const std::vector<Lighting>> lighting; ///< null where none is asked for
     std::vector<Eigen::AlignedBox3d> strokeReach;          ///< of each stroke

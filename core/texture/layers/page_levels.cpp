@@ -12,7 +12,7 @@ namespace esm {
 
 namespace {
 
-/// Blocks of texels that become one must not reach across the bands in which pages are scanned, of 2⁵ rows.
+/// Blocks of texels that become one must not reach across the strips in which pages are scanned, of 2⁵ rows.
 constexpr int mostLevels = 5;
 
 /// A square of texels that becomes one.
@@ -24,7 +24,7 @@ struct Block {
 /// all four mixes whatever lies side by side in the page, which is not what lies side by side on the surface:
 /// the grid of triangles would show from afar [R 4.3.2.4]. The middle decides whose block it is. Each level
 /// is made from the page itself and not from the level before, where who owned what is lost.
-void takeMean(const Image& page, const BandOwners& owners, const Block& block, std::uint8_t* texel) {
+void takeMean(const Image& page, const StripOwners& owners, const Block& block, std::uint8_t* texel) {
     const std::uint32_t owner = owners.at(block.x + block.size / 2, block.y + block.size / 2);
     std::array<std::uint32_t, 4> sum{};
     std::uint32_t count = 0;
@@ -41,20 +41,20 @@ void takeMean(const Image& page, const BandOwners& owners, const Block& block, s
         texel[channel] = static_cast<std::uint8_t>((sum[channel] + count / 2) / count);
 }
 
-void reduceBand(const Image& page, const BandOwners& owners, const PageBand& band, int level,
-                Image& smaller) {
+void reduceStrip(const Image& page, const StripOwners& owners, const PageStrip& strip, int level,
+                 Image& smaller) {
     const int size = 1 << level;
-    for (int y = band.firstRow / size; y < band.endRow / size; ++y)
+    for (int y = strip.firstRow / size; y < strip.endRow / size; ++y)
         for (int x = 0; x < smaller.width; ++x)
             takeMean(page, owners, {x * size, y * size, size}, smaller.at(x, y));
 }
 
-/// While somebody paints, most bands of a page stay as they are: to compare one costs a walk through it, to
+/// While somebody paints, most strips of a page stay as they are: to compare one costs a walk through it, to
 /// halve it several.
-bool isSame(const Image& page, const Image& before, const PageBand& band) {
-    const std::uint8_t* first = page.at(0, band.firstRow);
-    return std::equal(first, first + 4 * std::ptrdiff_t{page.width} * (band.endRow - band.firstRow),
-                      before.at(0, band.firstRow));
+bool isSame(const Image& page, const Image& before, const PageStrip& strip) {
+    const std::uint8_t* first = page.at(0, strip.firstRow);
+    return std::equal(first, first + 4 * std::ptrdiff_t{page.width} * (strip.endRow - strip.firstRow),
+                      before.at(0, strip.firstRow));
 }
 
 Image emptyPage(int size) {
@@ -109,14 +109,15 @@ SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages,
     check(atlas, pages);
     const int levels = usableLevels(atlas.options);
     SmallerPages smaller = std::move(smallerBefore);
-    const std::vector<PageBand> bands = pageBands(atlas);
-    tbb::parallel_for(std::size_t{0}, levels > 0 ? bands.size() : 0, [&](std::size_t i) {
-        const PageBand& band = bands[i];
-        const auto page = static_cast<std::size_t>(band.page);
-        if (page < before.size() && isSame(pages[page], before[page], band)) return;
-        const BandOwners owners(atlas, band, fillReach(atlas.options));
+    const std::vector<PageStrip> strips = pageStrips(atlas);
+    tbb::parallel_for(std::size_t{0}, levels > 0 ? strips.size() : 0, [&](std::size_t i) {
+        const PageStrip& strip = strips[i];
+        const auto page = static_cast<std::size_t>(strip.page);
+        if (page < before.size() && isSame(pages[page], before[page], strip)) return;
+        const StripOwners owners(atlas, strip, fillReach(atlas.options));
         for (int level = 1; level <= levels; ++level)
-            reduceBand(pages[page], owners, band, level, smaller[page][static_cast<std::size_t>(level - 1)]);
+            reduceStrip(pages[page], owners, strip, level,
+                        smaller[page][static_cast<std::size_t>(level - 1)]);
     });
     return smaller;
 }

@@ -1,7 +1,7 @@
 #include "core/texture/layers/page_painter.h"
 
-#include "core/texture/layers/band_tasks.h"
 #include "core/texture/layers/patch_scan.h"
+#include "core/texture/layers/strip_tasks.h"
 
 #include <algorithm>
 #include <limits>
@@ -16,12 +16,12 @@ template<typename Channel> Channel stored(float value) {
     return static_cast<Channel>(std::clamp(value * (largest / 255) + 0.5F, 0.0F, largest));
 }
 
-/// Spans come by triangles: the layers that reach one are chosen once for all its texels in the band.
+/// Spans come by triangles: the layers that reach one are chosen once for all its texels in the strip.
 template<typename Channel>
-void paintBand(const LayerStack& stack, const Atlas& atlas, const OwnedBand& band, const TriangleMarks& only,
-               ImageOf<Channel>& page) {
-    const auto end = band.spans.end();
-    for (auto first = band.spans.begin(), next = first; first != end; first = next) {
+void paintStrip(const LayerStack& stack, const Atlas& atlas, const OwnedStrip& strip,
+                const TriangleMarks& only, ImageOf<Channel>& page) {
+    const auto end = strip.spans.end();
+    for (auto first = strip.spans.begin(), next = first; first != end; first = next) {
         const std::uint32_t triangle = first->triangle;
         next = std::find_if(first, end, [&](const TexelSpan& span) { return span.triangle != triangle; });
         if (!only.empty() && !only[triangle]) continue;
@@ -44,9 +44,9 @@ void paintBand(const LayerStack& stack, const Atlas& atlas, const OwnedBand& ban
 template<typename Channel>
 void paintPages(const LayerStack& stack, const Atlas& atlas, const TexelOwners& owners,
                 const TriangleMarks& only, std::vector<ImageOf<Channel>>& pages, const Progress& progress) {
-    const std::vector<OwnedBand>& bands = owners.bands();
-    forEachBand(bands.size(), progress, [&](std::size_t i) {
-        paintBand(stack, atlas, bands[i], only, pages[static_cast<std::size_t>(bands[i].page)]);
+    const std::vector<OwnedStrip>& strips = owners.strips();
+    forEachStrip(strips.size(), progress, [&](std::size_t i) {
+        paintStrip(stack, atlas, strips[i], only, pages[static_cast<std::size_t>(strips[i].page)]);
     });
     reportProgress(progress, 1);
 }

@@ -8,7 +8,7 @@ namespace esm {
 
 namespace {
 
-constexpr int rowsPerBand = 32;
+constexpr int rowsPerStrip = 32;
 
 /// A centre farther out than this is no neighbour in bilinear filtering and takes the patch's border colour.
 constexpr double extension = 1.5;
@@ -22,26 +22,26 @@ double fillReach(const AtlasOptions& options) {
     return std::clamp(static_cast<double>(options.gap), 2.0, 16.0);
 }
 
-/// Bands of whole rows, each with all patches that reach into it. A patch that lies in two bands is scanned
+/// Strips of whole rows, each with all patches that reach into it. A patch that lies in two strips is scanned
 /// twice; for that, no two threads ever write to one texel, and the result does not depend on their number.
-std::vector<PageBand> pageBands(const Atlas& atlas) {
-    const int size = atlas.options.size, perPage = (size + rowsPerBand - 1) / rowsPerBand;
+std::vector<PageStrip> pageStrips(const Atlas& atlas) {
+    const int size = atlas.options.size, perPage = (size + rowsPerStrip - 1) / rowsPerStrip;
     const double reach = fillReach(atlas.options);
-    std::vector<PageBand> bands;
+    std::vector<PageStrip> strips;
     for (int page = 0; page < atlas.options.pages; ++page)
-        for (int row = 0; row < size; row += rowsPerBand)
-            bands.push_back({page, row, std::min(row + rowsPerBand, size), {}});
+        for (int row = 0; row < size; row += rowsPerStrip)
+            strips.push_back({page, row, std::min(row + rowsPerStrip, size), {}});
     for (std::size_t i = 0; i < atlas.corners.size(); ++i) {
         const auto& c = atlas.corners[i];
         const double top = std::min({c[0].y(), c[1].y(), c[2].y()}) - reach;
         const double bottom = std::max({c[0].y(), c[1].y(), c[2].y()}) + reach;
-        const int first = std::max(0, static_cast<int>(top) / rowsPerBand);
-        const int last = std::min(perPage - 1, static_cast<int>(bottom) / rowsPerBand);
+        const int first = std::max(0, static_cast<int>(top) / rowsPerStrip);
+        const int last = std::min(perPage - 1, static_cast<int>(bottom) / rowsPerStrip);
         const std::size_t page = static_cast<std::size_t>(atlas.page[i]) * static_cast<std::size_t>(perPage);
-        for (int band = first; band <= last; ++band)
-            bands[page + static_cast<std::size_t>(band)].triangles.push_back(static_cast<std::uint32_t>(i));
+        for (int strip = first; strip <= last; ++strip)
+            strips[page + static_cast<std::size_t>(strip)].triangles.push_back(static_cast<std::uint32_t>(i));
     }
-    return bands;
+    return strips;
 }
 
 PatchScan::PatchScan(const std::array<Eigen::Vector2d, 3>& corners)
@@ -93,16 +93,16 @@ PatchTexel PatchScan::texelAround(int x, int y, const Eigen::Vector3d& inside) c
 
 /// Texels between two patches go to the nearer one, so that each has half of the gap. Patches come in the
 /// mesh's order and only a smaller distance takes a texel over: of equals the first keeps it, whatever thread
-/// scans the band. Squared distances do for comparing and need no root.
-BandOwners::BandOwners(const Atlas& atlas, const PageBand& band, double reach)
-    : m_firstRow(band.firstRow), m_width(atlas.options.size) {
+/// scans the strip. Squared distances do for comparing and need no root.
+StripOwners::StripOwners(const Atlas& atlas, const PageStrip& strip, double reach)
+    : m_firstRow(strip.firstRow), m_width(atlas.options.size) {
     const std::size_t count =
-        static_cast<std::size_t>(band.endRow - band.firstRow) * static_cast<std::size_t>(m_width);
+        static_cast<std::size_t>(strip.endRow - strip.firstRow) * static_cast<std::size_t>(m_width);
     std::vector<double> distance(count, std::numeric_limits<double>::infinity());
     m_owner.assign(count, nobody);
-    for (const std::uint32_t triangle : band.triangles) {
+    for (const std::uint32_t triangle : strip.triangles) {
         const PatchScan patch(atlas.corners[triangle]);
-        patch.forEachPlace(band, m_width, reach, [&](int x, int y) {
+        patch.forEachPlace(strip, m_width, reach, [&](int x, int y) {
             const std::size_t i = index(x, y);
             if (distance[i] == 0) return;
             const double own = patch.squaredDistance(x, y);

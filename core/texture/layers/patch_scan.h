@@ -11,8 +11,8 @@
 namespace esm {
 
 /// Some rows of a page and the patches whose surroundings reach into them. Every texel lies in exactly one
-/// band, so that bands can be filled by any number of threads with the same result.
-struct PageBand {
+/// strip, so that strips can be filled by any number of threads with the same result.
+struct PageStrip {
     int page, firstRow, endRow;
     std::vector<std::uint32_t> triangles; ///< in the mesh's order
 };
@@ -21,8 +21,8 @@ struct PageBand {
 /// free.
 double fillReach(const AtlasOptions& options);
 
-/// All pages in bands, from top to bottom.
-std::vector<PageBand> pageBands(const Atlas& atlas);
+/// All pages in strips, from top to bottom.
+std::vector<PageStrip> pageStrips(const Atlas& atlas);
 
 /// A texel seen from a patch.
 struct PatchTexel {
@@ -39,17 +39,17 @@ class PatchScan {
 public:
     explicit PatchScan(const std::array<Eigen::Vector2d, 3>& corners);
 
-    /// Calls `visit(PatchTexel)` for every texel of the band within `reach` of the patch.
+    /// Calls `visit(PatchTexel)` for every texel of the strip within `reach` of the patch.
     template<class Visit>
-    void forEachTexel(const PageBand& band, int pageSize, double reach, Visit visit) const {
-        forEachPlace(band, pageSize, reach, [&](int x, int y) { visit(texel(x, y)); });
+    void forEachTexel(const PageStrip& strip, int pageSize, double reach, Visit visit) const {
+        forEachPlace(strip, pageSize, reach, [&](int x, int y) { visit(texel(x, y)); });
     }
 
     /// Calls `visit(x, y)` for the same texels.
     template<class Visit>
-    void forEachPlace(const PageBand& band, int pageSize, double reach, Visit visit) const {
-        const int first = std::max(band.firstRow, static_cast<int>(std::floor(m_top - reach)));
-        const int end = std::min(band.endRow, static_cast<int>(std::ceil(m_bottom + reach)) + 1);
+    void forEachPlace(const PageStrip& strip, int pageSize, double reach, Visit visit) const {
+        const int first = std::max(strip.firstRow, static_cast<int>(std::floor(m_top - reach)));
+        const int end = std::min(strip.endRow, static_cast<int>(std::ceil(m_bottom + reach)) + 1);
         for (int y = first; y < end; ++y) {
             const auto [left, right] = span(y + 0.5, reach);
             if (left > right) continue;
@@ -106,12 +106,12 @@ private:
     double m_top, m_bottom;
 };
 
-/// Owners of a band's texels: the nearest patch, the mesh's first among equals.
-class BandOwners {
+/// Owners of a strip's texels: the nearest patch, the mesh's first among equals.
+class StripOwners {
 public:
     static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
-    BandOwners(const Atlas& atlas, const PageBand& band, double reach);
+    StripOwners(const Atlas& atlas, const PageStrip& strip, double reach);
     std::uint32_t at(int x, int y) const { return m_owner[index(x, y)]; }
 
 private:

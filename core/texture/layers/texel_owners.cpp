@@ -1,7 +1,7 @@
 #include "core/texture/layers/texel_owners.h"
 
-#include "core/texture/layers/band_tasks.h"
 #include "core/texture/layers/patch_scan.h"
+#include "core/texture/layers/strip_tasks.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
@@ -15,16 +15,16 @@ static_assert(texture_limits::largestPageSize <= std::numeric_limits<std::uint16
 
 /// Texels of one patch lie side by side in a row, so spans take a small part of the memory that a number for
 /// each texel would (9 MiB for 4096 × 4096 texels and 20 000 triangles). By triangles and not by rows, so
-/// that what is made for a triangle serves all its texels of the band.
-std::vector<TexelSpan> spansOf(const Atlas& atlas, const PageBand& band) {
-    const BandOwners owners(atlas, band, fillReach(atlas.options));
+/// that what is made for a triangle serves all its texels of the strip.
+std::vector<TexelSpan> spansOf(const Atlas& atlas, const PageStrip& strip) {
+    const StripOwners owners(atlas, strip, fillReach(atlas.options));
     std::vector<TexelSpan> spans;
-    for (int y = band.firstRow; y < band.endRow; ++y) {
+    for (int y = strip.firstRow; y < strip.endRow; ++y) {
         for (int x = 0, first = 0; x < atlas.options.size; first = x) {
             const std::uint32_t owner = owners.at(first, y);
             while (x < atlas.options.size && owners.at(x, y) == owner)
                 ++x;
-            if (owner != BandOwners::nobody)
+            if (owner != StripOwners::nobody)
                 spans.push_back({owner, static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(first),
                                  static_cast<std::uint16_t>(x)});
         }
@@ -39,10 +39,10 @@ std::vector<TexelSpan> spansOf(const Atlas& atlas, const PageBand& band) {
 
 TexelOwners::TexelOwners(const Atlas& atlas, const Progress& progress)
     : m_options(atlas.options), m_corners(atlas.corners), m_page(atlas.page) {
-    const std::vector<PageBand> bands = pageBands(atlas);
-    m_bands.resize(bands.size());
-    forEachBand(bands.size(), progress, [&](std::size_t i) {
-        m_bands[i] = {bands[i].page, spansOf(atlas, bands[i])};
+    const std::vector<PageStrip> strips = pageStrips(atlas);
+    m_strips.resize(strips.size());
+    forEachStrip(strips.size(), progress, [&](std::size_t i) {
+        m_strips[i] = {strips[i].page, spansOf(atlas, strips[i])};
     });
 }
 

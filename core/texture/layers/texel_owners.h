@@ -14,9 +14,9 @@ struct TexelSpan {
     std::uint16_t row, first, end;
 };
 
-/// Some rows of a page. Every texel lies in at most one span of one band, so that bands can be filled by any
-/// number of threads with the same result.
-struct OwnedBand {
+/// Some rows of a page. Every texel lies in at most one span of one strip, so that strips can be filled by
+/// any number of threads with the same result.
+struct OwnedStrip {
     int page;
     std::vector<TexelSpan> spans; ///< in the mesh's order, those of a triangle from the top left
 };
@@ -30,13 +30,13 @@ public:
 
     /// Whether another atlas has the same patches.
     bool areOf(const Atlas& atlas) const;
-    const std::vector<OwnedBand>& bands() const { return m_bands; }
+    const std::vector<OwnedStrip>& strips() const { return m_strips; }
 
 private:
     AtlasOptions m_options;
     std::vector<std::array<Eigen::Vector2d, 3>> m_corners;
     std::vector<std::uint16_t> m_page;
-    std::vector<OwnedBand> m_bands;
+    std::vector<OwnedStrip> m_strips;
 };
 
 } // namespace esm

@@ -30,12 +30,12 @@ std::shared_ptr<const Image> pictureOf(const TextureLayer& layer) {
 
 /// Pictures never change once made, so that two are the same where they are one. What the preparation says
 /// and where landmarks lie is not asked: both are in the picture and the projector already.
-bool throwsTheSame(const TextureLayer& a, const TextureLayer& b) {
+bool projectsTheSame(const TextureLayer& a, const TextureLayer& b) {
     return pictureOf(a) == pictureOf(b) && a.projector == b.projector && a.blendPixels == b.blendPixels;
 }
 
 bool looksTheSame(const TextureLayer& a, const TextureLayer& b) {
-    return throwsTheSame(a, b) && a.opacity == b.opacity && a.visible == b.visible &&
+    return projectsTheSame(a, b) && a.opacity == b.opacity && a.visible == b.visible &&
            a.blending == b.blending && a.strokes == b.strokes;
 }
 

@@ -65,7 +65,7 @@ inline constexpr auto fieldsOf<TextureLayer> =
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);
 
 /// Whether two layers project the same picture in the same way.
-bool throwsTheSame(const TextureLayer& a, const TextureLayer& b);
+bool projectsTheSame(const TextureLayer& a, const TextureLayer& b);
 
 /// Whether two layers look the same, whatever their names.
 bool looksTheSame(const TextureLayer& a, const TextureLayer& b);

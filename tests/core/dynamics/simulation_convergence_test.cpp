@@ -88,7 +88,7 @@ Vectors ledAway(Integrator integrator, int steps, LedWay way) {
     Simulation simulation(model, withStep(integrator, ledTime / steps));
     for (int i = 1; i <= steps; ++i) {
         Loads loads;
-        loads.held = {
+        loads.prescribed = {
             {15, model.network->restPositions[15] + way(ledTime * i / steps) * Eigen::Vector3d(1, 1, 1)}};
         EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
     }

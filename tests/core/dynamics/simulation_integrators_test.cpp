@@ -125,7 +125,7 @@ TEST_P(EveryIntegrator, NeverMovesFixedNodes) {
     Simulation simulation(model, withStep(GetParam(), 1e-3));
     Loads loads;
     loads.gravity = {0, 0, -9.81};
-    loads.held = {{6, {1, 1, 1}}};
+    loads.prescribed = {{6, {1, 1, 1}}};
     for (int i = 0; i < 100; ++i)
         ASSERT_TRUE(simulation.step(loads));
     for (const std::uint32_t node : model.fixedNodes)
@@ -142,17 +142,17 @@ TEST_P(EveryIntegrator, LedNodesReachTheirPlaceAndDragTheOthers) {
         Simulation simulation(model, withStep(GetParam(), step));
         Loads loads;
         for (std::uint32_t i = 0; i < ledCount; ++i)
-            loads.held.push_back(
+            loads.prescribed.push_back(
                 {224 - i, model.network->restPositions[224 - i] + Eigen::Vector3d(0, 0, 0.002)});
         ASSERT_TRUE(simulation.step(loads));
-        for (const HeldNode& held : loads.held)
-            EXPECT_EQ(simulation.positions()[held.node], held.position);
+        for (const PrescribedNode& led : loads.prescribed)
+            EXPECT_EQ(simulation.positions()[led.node], led.position);
         if (step == 1e-3) {
             EXPECT_GT(simulation.positions()[224 - ledCount].z(), 0.0002) << ledCount;
         }
         for (int i = 0; i < 3000 && simulation.positions()[112].z() <= 1e-5; ++i)
             ASSERT_TRUE(simulation.step(loads));
-        EXPECT_EQ(simulation.positions()[224], loads.held[0].position);
+        EXPECT_EQ(simulation.positions()[224], loads.prescribed[0].position);
         EXPECT_GT(simulation.positions()[112].z(), 1e-5);
     }
 }
@@ -162,9 +162,10 @@ TEST_P(EveryIntegrator, LeadsFewAndManyNodesAlike) {
     const TissueModel model = tissue::fromMesh(tissue::gridMesh(15, 0.1), {10, 0.01, 0.001});
     Loads few, many;
     for (std::uint32_t i = 0; i < 70; ++i) {
-        const HeldNode held{i, model.network->restPositions[i] + Eigen::Vector3d(0, 0, i < 30 ? 0.001 : 0)};
-        many.held.push_back(held);
-        if (i < 60) few.held.push_back(held);
+        const PrescribedNode led{i,
+                                 model.network->restPositions[i] + Eigen::Vector3d(0, 0, i < 30 ? 0.001 : 0)};
+        many.prescribed.push_back(led);
+        if (i < 60) few.prescribed.push_back(led);
     }
     TissueModel fixedToo = model;
     for (std::uint32_t i = 60; i < 70; ++i)
@@ -242,12 +243,12 @@ TEST_P(EveryIntegrator, LetsLedNodesStretchTissueTenfold) {
     const auto& rest = model.network->restPositions;
     Loads loads;
     for (std::uint32_t i = 0; i < 9; ++i)
-        loads.held.push_back({i, rest[i]});
+        loads.prescribed.push_back({i, rest[i]});
     for (std::uint32_t i = 72; i < 81; ++i)
-        loads.held.push_back({i, rest[i] + Eigen::Vector3d(0, 1, 0)});
+        loads.prescribed.push_back({i, rest[i] + Eigen::Vector3d(0, 1, 0)});
     while (simulation.time() < 1)
         ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
-    loads.held.clear();
+    loads.prescribed.clear();
     while (simulation.time() < 2)
         ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
 }

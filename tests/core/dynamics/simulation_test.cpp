@@ -190,7 +190,7 @@ TEST_P(NewParameters, LetNodesBeLedAndLetGoAsBefore) {
     for (const std::uint32_t first : {0U, 0U, 70U, 0U}) {
         Loads loads;
         for (std::uint32_t i = first; i < first + 70; ++i)
-            loads.held.push_back({i, keeping.positions()[i] + Eigen::Vector3d(0, 0, 1e-4)});
+            loads.prescribed.push_back({i, keeping.positions()[i] + Eigen::Vector3d(0, 0, 1e-4)});
         for (const Loads& taken : {loads, Loads{}}) {
             anew.setModel(model);
             for (int i = 0; i < 3; ++i)

@@ -12,7 +12,7 @@ namespace {
 
 using namespace esm;
 
-/// Photos thrown as a camera sees them, by field of view and by intrinsics, and with falloff.
+/// Photos projected as a camera sees them, by field of view and by intrinsics, and with falloff.
 Project perspectiveProject() {
     Project project = richProject();
     for (TextureLayer& layer : project.layers)

@@ -158,7 +158,7 @@ TEST(Camera, PickRayAgreesWithTheMatrices) {
     EXPECT_FALSE(picturePoint(camera, camera.eye + (camera.eye - camera.target), aspect));
 }
 
-TEST(Camera, SeesWhatAPerspectiveProjectorThrows) {
+TEST(Camera, SeesWhatAPerspectiveProjectorShows) {
     Projector projector;
     projector.kind = ProjectorKind::Perspective;
     projector.pose =
@@ -168,9 +168,9 @@ TEST(Camera, SeesWhatAPerspectiveProjectorThrows) {
     for (const bool isMeasured : {false, true}) {
         if (isMeasured) projector.intrinsics = Intrinsics{500, 540, 300, 200};
         const auto seen = picturePoint(cameraOf(projector, photo), point, photo.aspect());
-        const auto thrown = project(projector, photo, point);
-        EXPECT_NEAR(seen->x() * photo.width, thrown->x(), 1e-9);
-        EXPECT_NEAR(seen->y() * photo.height, thrown->y(), 1e-9);
+        const auto projected = project(projector, photo, point);
+        EXPECT_NEAR(seen->x() * photo.width, projected->x(), 1e-9);
+        EXPECT_NEAR(seen->y() * photo.height, projected->y(), 1e-9);
     }
 }
 

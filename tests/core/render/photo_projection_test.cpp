@@ -69,10 +69,10 @@ protected:
             std::make_shared<const std::vector<Image>>(composite(*mesh, *atlas, layers, scene.baseColour));
         return scene;
     }
-    Image thrown() const {
+    Image projected() const {
         RenderScene scene = sceneOf({});
-        scene.thrown = ThrownPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity,
-                                   layer.blending == Blending::Multiply};
+        scene.projected = ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity,
+                                         layer.blending == Blending::Multiply};
         return renderOffscreen(scene, camera, side, side);
     }
     Image baked() const { return renderOffscreen(sceneOf({layer}), camera, side, side); }
@@ -95,17 +95,17 @@ double difference(const Image& a, const Image& b, std::size_t pixel) {
 
 struct Comparison {
     double covered = 0; ///< pixels that the baked photo changes
-    double mean = 0;    ///< difference there and wherever the thrown one changes the picture, of 255
+    double mean = 0;    ///< difference there and wherever the projected one changes the picture, of 255
     double far = 0;     ///< share of these pixels that differ by more than 24
 };
 
-Comparison compared(const Image& thrown, const Image& baked, const Image& bare) {
+Comparison compared(const Image& projected, const Image& baked, const Image& bare) {
     Comparison found;
     double all = 0;
     for (std::size_t i = 0; i < baked.pixels.size() / 4; ++i) {
         const bool isBaked = difference(baked, bare, i) > 2;
-        if (!isBaked && difference(thrown, bare, i) <= 2) continue;
-        const double off = difference(thrown, baked, i);
+        if (!isBaked && difference(projected, bare, i) <= 2) continue;
+        const double off = difference(projected, baked, i);
         found.covered += isBaked ? 1 : 0;
         found.mean += off;
         found.far += off > 24 ? 1 : 0;
@@ -116,13 +116,13 @@ Comparison compared(const Image& thrown, const Image& baked, const Image& bare) 
     return found;
 }
 
-TEST_F(PhotoInMotion, ThrowsWhatIsBaked) {
+TEST_F(PhotoInMotion, ShowsWhatIsBaked) {
     for (const ProjectorKind kind : {ProjectorKind::Parallel, ProjectorKind::Perspective})
         for (const double degrees : {0.0, 35.0, 70.0})
             for (const bool falloff : {false, true}) {
                 place(kind, degrees);
                 layer.projector.falloff = falloff;
-                const Comparison found = compared(thrown(), baked(), bare());
+                const Comparison found = compared(projected(), baked(), bare());
                 const auto where = testing::Message() << int(kind) << ' ' << degrees << ' ' << falloff;
                 EXPECT_GT(found.covered, 0.05 * side * side) << where;
                 EXPECT_LT(found.mean, 2) << where;
@@ -132,9 +132,9 @@ TEST_F(PhotoInMotion, ThrowsWhatIsBaked) {
 
 TEST_F(PhotoInMotion, GoesThroughTheOrganWhereItIsAskedTo) {
     place(ProjectorKind::Parallel, 180);
-    EXPECT_EQ(thrown().pixels, bare().pixels) << "from behind nothing comes to the front";
+    EXPECT_EQ(projected().pixels, bare().pixels) << "from behind nothing comes to the front";
     layer.projector.occlusion = false;
-    const Comparison found = compared(thrown(), baked(), bare());
+    const Comparison found = compared(projected(), baked(), bare());
     EXPECT_GT(found.covered, 0.05 * side * side);
     EXPECT_LT(found.mean, 2);
 }
@@ -142,10 +142,10 @@ TEST_F(PhotoInMotion, GoesThroughTheOrganWhereItIsAskedTo) {
 TEST_F(PhotoInMotion, MultipliesAsTheLayerDoes) {
     place(ProjectorKind::Perspective, 20);
     layer.blending = Blending::Multiply;
-    EXPECT_LT(compared(thrown(), baked(), bare()).mean, 2);
+    EXPECT_LT(compared(projected(), baked(), bare()).mean, 2);
 }
 
-TEST_F(PhotoInMotion, IsThrownOnTheOrganAtRest) {
+TEST_F(PhotoInMotion, IsProjectedOnTheOrganAtRest) {
     place(ProjectorKind::Perspective, 0);
     const auto moved = [&](RenderScene scene) {
         scene.nodePositions = mesh->vertices;
@@ -155,13 +155,14 @@ TEST_F(PhotoInMotion, IsThrownOnTheOrganAtRest) {
     };
     RenderScene scene = sceneOf({});
     const Image bareMoved = moved(scene), bakedMoved = moved(sceneOf({layer}));
-    scene.thrown = ThrownPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity, false};
+    scene.projected =
+        ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity, false};
     EXPECT_LT(compared(moved(scene), bakedMoved, bareMoved).mean, 2);
 }
 
-TEST_F(PhotoInMotion, WithoutAPhotoThrowsNothing) {
+TEST_F(PhotoInMotion, WithoutAPhotoShowsNothing) {
     RenderScene scene = sceneOf({});
-    scene.thrown = ThrownPhoto{};
+    scene.projected = ProjectedPhoto{};
     EXPECT_EQ(renderOffscreen(scene, camera, side, side).pixels, bare().pixels);
 }
 

@@ -192,7 +192,7 @@ TEST_F(OrganViewTest, TextureIsNotReadBeyondItsPatches) {
     page.pixels.assign(std::size_t{4} * 1024 * 1024, 255);
     for (std::size_t i = 1; i < page.pixels.size(); i += 4)
         page.pixels[i] = 0; // magenta between the patches
-    const PageBand whole{0, 0, 1024, {}};
+    const PageStrip whole{0, 0, 1024, {}};
     for (const auto& corners : atlas->corners)
         PatchScan(corners).forEachTexel(whole, 1024, 1.5, [&](const PatchTexel& texel) {
             std::fill_n(page.at(texel.x, texel.y), 3, std::uint8_t{128});

@@ -40,7 +40,7 @@ AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
     auto* rows = new ValueRows(this);
     rows->addField(tr("Si&ze"), m_size);
     rows->addField(tr("La&yout"), m_layout);
-    rows->addField(tr("Te&xel"), m_texel);
+    rows->addField(tr("Pi&xel"), m_texel);
     auto* results = new ValueRows(this);
     m_pages = results->addText(tr("Pages"), QStringLiteral("atlasPages"));
     m_used = results->addText(tr("Used"), QStringLiteral("atlasUsed"));
@@ -118,7 +118,8 @@ void AtlasPanel::showUse() {
         noSurface);
     const bool isPacked = m_document.project().atlas != nullptr;
     enable(m_fills, hasSurface && isPacked,
-           tr("Fill one page, whatever the texel comes to; otherwise the texel stays and the pages follow"),
+           tr("Fill one page, however small its pixels come to be; otherwise their size stays and the pages "
+              "follow"),
            hasSurface ? tr("The texture is not packed yet") : noSurface);
 }
 

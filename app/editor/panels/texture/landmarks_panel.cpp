@@ -154,7 +154,7 @@ void LandmarksPanel::showUse() {
     const QString notPlaced =
         !m_landmarking.fit() ? tr("The landmarks give no pose") : tr("The photo stands where they place it");
     enable(m_place, hasPhoto && m_landmarking.isElsewhere(),
-           tr("Throw the photo from where the landmarks say it was taken"), hasPhoto ? notPlaced : noPhoto);
+           tr("Project the photo from where the landmarks say it was taken"), hasPhoto ? notPlaced : noPhoto);
     enable(m_load, hasPhoto, tr("Load landmarks from a CSV file: photo_x,photo_y,x,y,z in pixels and metres"),
            noPhoto);
     enable(m_save, !m_landmarking.pairs().empty(), tr("Save the landmarks as CSV, for esmc texture fit"),

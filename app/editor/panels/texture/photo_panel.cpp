@@ -32,7 +32,7 @@ void PhotoPanel::layOut() {
     body()->addWidget(rows);
     body()->addWidget(m_opacity);
     // In the order of `blendings`.
-    m_blending->addItems({tr("normal"), tr("multiply"), tr("multi-band")});
+    m_blending->addItems({tr("normal"), tr("multiply"), tr("seamless")});
     guardFromWheel(*m_blending);
     m_blending->setObjectName(QStringLiteral("blending"));
     auto* blendRow = new ValueRows(this);
@@ -89,10 +89,9 @@ void PhotoPanel::showUse(const TextureLayer* layer) {
            tr("Leave out what faces away from the projector or lies behind other tissue"), noPhoto);
     enable(m_opacity, layer, opacity, why);
     enable(m_opacityField, layer, opacity, why);
-    enable(
-        m_blending, layer,
-        tr("normal hides what lies beneath, multiply darkens it, multi-band passes into it without a seam"),
-        why);
+    enable(m_blending, layer,
+           tr("normal hides what lies beneath, multiply darkens it, seamless passes into it without a seam"),
+           why);
     enable(m_blend, hasPhoto, tr("Photo pixels from the border over which the photo fades in"), noPhoto);
 }
 

@@ -40,7 +40,7 @@ QString noteOf(const TextureLayer& layer) {
     if (!layer.visible) return PhotosPanel::tr("hidden");
     QString opacity = PhotosPanel::tr("%1 %").arg(qRound(layer.opacity * 100));
     if (layer.blending == Blending::Multiply) return PhotosPanel::tr("multiply, %1").arg(opacity);
-    if (layer.blending == Blending::MultiBand) return PhotosPanel::tr("multi-band, %1").arg(opacity);
+    if (layer.blending == Blending::MultiBand) return PhotosPanel::tr("seamless, %1").arg(opacity);
     return opacity;
 }
 

@@ -167,8 +167,8 @@ void ProjectorPanel::show() {
     const TextureLayer* layer = m_selection.selectedLayer();
     const Projector* projector = layer && layer->photo ? &layer->projector : nullptr;
     const QString why = tr("No photo is selected");
-    enable(m_width, projector, tr("Width of the thrown photo"), why);
-    enable(m_height, projector, tr("Height of the thrown photo"), why);
+    enable(m_width, projector, tr("Width of the projected photo"), why);
+    enable(m_height, projector, tr("Height of the projected photo"), why);
     enable(m_position, projector, tr("x, y, z"), why);
     enable(m_turned, projector, turnedToolTip(), why);
     showKind(projector);
@@ -182,10 +182,11 @@ void ProjectorPanel::show() {
 void ProjectorPanel::showKind(const Projector* projector) {
     const Kind kind = projector ? kindOf(*projector) : Kind::Parallel;
     m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(kind)));
-    enable(m_kind, projector,
-           tr("Thrown straight ahead, or from an eye as the camera took it, whose calibration may be known; "
-              "the photo stays where it lies"),
-           tr("No photo is selected"));
+    enable(
+        m_kind, projector,
+        tr("Projected straight ahead, or from an eye as the camera took it, whose calibration may be known; "
+           "the photo stays where it lies"),
+        tr("No photo is selected"));
     m_parallelRows->setVisible(kind == Kind::Parallel);
     m_perspectiveRows->setVisible(kind == Kind::Perspective);
     m_measuredRows->setVisible(kind == Kind::Measured);

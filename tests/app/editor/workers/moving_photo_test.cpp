@@ -47,29 +47,29 @@ TEST(MovingPhoto, IsTheOneThatDiffersInItsProjectorAlone) {
     EXPECT_FALSE(moved([](Layers& now) { now.pop_back(); }));
 }
 
-TEST(MovingPhoto, IsThrownWhileItMovesAndPaintedWhenItRests) {
+TEST(MovingPhoto, IsProjectedWhileItMovesAndPaintedWhenItRests) {
     Project project = withPhotos();
     TextureComposer composer;
     MovingPhoto moving(composer);
     moving.follow(project);
-    EXPECT_FALSE(moving.thrown());
+    EXPECT_FALSE(moving.projected());
     ESM_EVENTUALLY(!composer.isWorking());
     const TextureComposer::Pages before = composer.composition().pages;
     for (int i = 0; i < 3; ++i) {
         shift(project.layers[1]);
         moving.follow(project);
-        ASSERT_TRUE(moving.thrown());
-        EXPECT_TRUE(moving.thrown()->projector == project.layers[1].projector);
-        EXPECT_EQ(moving.thrown()->photo, pictureOf(project.layers[1]));
+        ASSERT_TRUE(moving.projected());
+        EXPECT_TRUE(moving.projected()->projector == project.layers[1].projector);
+        EXPECT_EQ(moving.projected()->photo, pictureOf(project.layers[1]));
         EXPECT_TRUE(moving.isMoving());
     }
     bool rested = false;
     QObject::connect(&moving, &MovingPhoto::rested, [&] { rested = true; });
-    ESM_EVENTUALLY(rested && !moving.thrown());
+    ESM_EVENTUALLY(rested && !moving.projected());
     EXPECT_NE(composer.composition().pages, before);
 }
 
-TEST(MovingPhoto, ThatIsHiddenIsNotThrown) {
+TEST(MovingPhoto, ThatIsHiddenIsNotProjected) {
     Project project = withPhotos();
     project.layers[1].visible = false;
     TextureComposer composer;
@@ -77,7 +77,7 @@ TEST(MovingPhoto, ThatIsHiddenIsNotThrown) {
     moving.follow(project);
     shift(project.layers[1]);
     moving.follow(project);
-    EXPECT_FALSE(moving.thrown());
+    EXPECT_FALSE(moving.projected());
 }
 
 } // namespace

@@ -235,11 +235,11 @@ TEST(Contact, LedTissueIsNotDrawnThroughARestingSphere) {
         loads.instruments = {sphereAt({0.003, 0.002, 0.02}, 0.01)};
         for (std::uint32_t i = 0; i < rest.size(); ++i)
             if (std::max(std::abs(rest[i].x()), std::abs(rest[i].y())) > 0.008)
-                loads.held.push_back({i, rest[i]});
+                loads.prescribed.push_back({i, rest[i]});
         Simulation simulation(tissue.model, tissue.settings, tissue.surface);
         ASSERT_TRUE(simulation.step(loads));
-        for (HeldNode& held : loads.held)
-            held.position.z() += 0.05;
+        for (PrescribedNode& led : loads.prescribed)
+            led.position.z() += 0.05;
         for (int i = 0; i < 5; ++i) {
             ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
             EXPECT_LT(simulation.positions()[220].z(), 0.0101) << i;
@@ -278,11 +278,11 @@ TEST(Contact, ContactDragsTheNeighboursOfLedNodesNotTheLedOnes) {
     const Tissue tissue = membrane(21, soft, Integrator::Split);
     Simulation simulation(tissue.model, tissue.settings, tissue.surface);
     Loads loads;
-    loads.held = {{220, tissue.model.network->restPositions[220] + Vector3d(0, 0, 0.002)}};
+    loads.prescribed = {{220, tissue.model.network->restPositions[220] + Vector3d(0, 0, 0.002)}};
     for (int i = 0; i < 100; ++i) {
         loads.instruments = {sphereAt({0.025, 0, 0.02 - 0.0002 * i}, 0.01)};
         ASSERT_TRUE(simulation.step(loads));
-        EXPECT_EQ(simulation.positions()[220], loads.held[0].position);
+        EXPECT_EQ(simulation.positions()[220], loads.prescribed[0].position);
         EXPECT_LT(penetration(tissue.surface, simulation.positions(), loads.instruments.front()), 1e-6);
     }
 }

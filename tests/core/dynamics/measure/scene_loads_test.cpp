@@ -31,7 +31,7 @@ TEST(SceneLoads, LeadToWhereTheStepEnds) {
     scene.moves = {{0, {{0, {0, 0, 0}}, {1, {0, 4, 0}}}}};
     scene.instruments = {{Sphere{0.5}, {{0, {1, 0, 0}}, {2, {3, 0, 0}}}, {}, {}}};
     const Loads loads = loadsDuring(scene, {{7, 0, 0}}, 0.25, 0.5);
-    EXPECT_EQ(loads.held.front().position, Eigen::Vector3d(7, 2, 0));
+    EXPECT_EQ(loads.prescribed.front().position, Eigen::Vector3d(7, 2, 0));
     EXPECT_EQ(loads.instruments[0].pose.place, Eigen::Vector3d(1.5, 0, 0));
 }
 

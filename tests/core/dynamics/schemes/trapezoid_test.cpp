@@ -89,7 +89,7 @@ TEST(Trapezoid, LedNodesDoNotRingWhenTheyChangeTheirSpeedALittle) {
         const double speed = i < 20 ? 0.1 : 0.07;
         way += speed * 1e-3;
         Loads loads;
-        loads.held = {{15, rest + Eigen::Vector3d(0, 0, way)}};
+        loads.prescribed = {{15, rest + Eigen::Vector3d(0, 0, way)}};
         ASSERT_TRUE(simulation.step(loads));
         EXPECT_NEAR(simulation.velocities()[15].z(), speed, 1e-9);
     }

@@ -234,7 +234,7 @@ TEST(ChooseStep, TakesStepsThatAreSolvedForHoweverStiffTheTissueIs) {
                 tissue::fromMesh(tissue::sphereMesh(3, 0.05), {springConstant, viscosity, 6e-4}), {});
             Loads loads;
             loads.forces = {{7, {0.3, 0.2, -1}}};
-            loads.held = {{100, simulation.positions()[100] + Eigen::Vector3d(0, 0.004, 0.002)}};
+            loads.prescribed = {{100, simulation.positions()[100] + Eigen::Vector3d(0, 0.004, 0.002)}};
             for (int i = 0; i < 10; ++i)
                 EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
         }

@@ -7,7 +7,7 @@
 #include <map>
 
 /// Two frames of an endoscope in a nose, of known cameras, and the points that were reconstructed from the
-/// whole sequence: a photo thrown from the first frame's camera must show what the second frame shows.
+/// whole sequence: a photo projected from the first frame's camera must show what the second frame shows.
 namespace esm::test {
 namespace {
 
@@ -113,7 +113,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return (x * y).sum() / std::sqrt(x.square().sum() * y.square().sum());
 }
 
-TEST(SinusFrames, WhatOneCameraThrowsTheNextOneSees) {
+TEST(SinusFrames, WhatOneCameraProjectsTheNextOneSees) {
     ESM_SKIP_WITHOUT(sinusFile("motion.yaml"));
     const FramePose first = framePose(0), second = framePose(17); // frames 4584 and 4601
     const TriangleMesh mesh = sinusSurface(first);
@@ -125,17 +125,17 @@ TEST(SinusFrames, WhatOneCameraThrowsTheNextOneSees) {
     const Atlas atlas = packAtlas(mesh, {1024, 1, 2});
     const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
     const auto next = loadPhoto(sinusFile("00004601.jpg"));
-    std::vector<double> thrown, seen, seenByTheFirst;
+    std::vector<double> projected, seen, seenByTheFirst;
     forEachTexelInside(mesh, atlas, pages, [&](const Eigen::Vector3d& point, const Colour& colour, auto) {
         const Eigen::Vector2d place = pinhole(second, point), unmoved = pinhole(first, point);
         if (place.minCoeff() < 0 || place.x() >= 1920 || place.y() >= 1080) return;
-        thrown.push_back(colour[1]);
+        projected.push_back(colour[1]);
         seen.push_back(pixelAt(next->image, int(place.x()), int(place.y()))[1]);
         seenByTheFirst.push_back(pixelAt(next->image, int(unmoved.x()), int(unmoved.y()))[1]);
     });
-    EXPECT_GT(thrown.size(), 500000U);
-    EXPECT_GT(correlation(thrown, seen), 0.8);
-    EXPECT_LT(correlation(thrown, seenByTheFirst), 0.5) << "the cameras stand apart";
+    EXPECT_GT(projected.size(), 500000U);
+    EXPECT_GT(correlation(projected, seen), 0.8);
+    EXPECT_LT(correlation(projected, seenByTheFirst), 0.5) << "the cameras stand apart";
 }
 
 } // namespace

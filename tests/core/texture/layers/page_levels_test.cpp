@@ -25,7 +25,7 @@ Image pageInTriangleColours(const Atlas& atlas) {
     page.width = page.height = atlas.options.size;
     page.pixels.assign(4 * std::size_t(page.width) * std::size_t(page.height), 0);
     std::vector<double> nearest(std::size_t(page.width) * std::size_t(page.height), 1e9);
-    const PageBand whole{0, 0, page.height, {}};
+    const PageStrip whole{0, 0, page.height, {}};
     for (std::size_t i = 0; i < atlas.corners.size(); ++i)
         PatchScan(atlas.corners[i]).forEachTexel(whole, page.width, 64, [&](const PatchTexel& texel) {
             double& distance = nearest[std::size_t(texel.y) * std::size_t(page.width) + std::size_t(texel.x)];

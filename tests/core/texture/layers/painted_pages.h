@@ -55,7 +55,7 @@ inline double fromLine(double column, double row) {
     return std::min(std::abs(column - std::round(column)), std::abs(row - std::round(row)));
 }
 
-/// Thrown from z = 1 m straight down onto the origin.
+/// Projected from z = 1 m straight down onto the origin.
 inline TextureLayer layerFromAbove(std::shared_ptr<const Photo> photo, double width) {
     TextureLayer layer;
     layer.photo = std::move(photo);

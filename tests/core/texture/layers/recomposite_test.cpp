@@ -6,7 +6,7 @@ using namespace esm::test;
 
 namespace {
 
-TextureLayer thrown(double x, double width) {
+TextureLayer projected(double x, double width) {
     TextureLayer layer = layerFromAbove(checkerboard(), width);
     layer.projector.pose.translation().x() = x;
     layer.blendPixels = 20;
@@ -50,7 +50,7 @@ const std::vector<std::pair<const char*, std::function<void(Layers&)>>> edits{
     {"paint", [](Layers& l) { l.push_back(painted(BrushKind::Colour)); }},
     {"clone", [](Layers& l) { l.push_back(painted(BrushKind::Clone)); }},
     {"move beneath the clone", [](Layers& l) { l[1].projector.pose.translation().x() -= 0.02; }},
-    {"add", [](Layers& l) { l.insert(l.begin() + 1, thrown(-0.03, 0.07)); }},
+    {"add", [](Layers& l) { l.insert(l.begin() + 1, projected(-0.03, 0.07)); }},
     {"multiply", [](Layers& l) { l[1].blending = Blending::Multiply; }},
     {"bands", [](Layers& l) { l[2].blending = Blending::MultiBand; }},
     {"erase beneath the bands",
@@ -77,7 +77,7 @@ TEST(Recomposite, MakesWhatAWholeCompositionMakesAfterEveryEdit) {
     const TriangleMesh mesh = lumpySurface(24, 30);
     const Atlas atlas = packAtlas(mesh, {512, 2, 2});
     CompositionCache cache;
-    Composition composition{{thrown(0.02, 0.1), thrown(-0.02, 0.08)}, baseColour, nullptr};
+    Composition composition{{projected(0.02, 0.1), projected(-0.02, 0.08)}, baseColour, nullptr};
     const auto compose = [&](const Layers& layers) {
         auto pages = recomposite(mesh, atlas, composition, layers, baseColour, cache);
         composition = {layers, baseColour, std::make_shared<const std::vector<Image>>(std::move(pages))};
@@ -134,7 +134,7 @@ TEST(Recomposite, ComposesAnewWithoutPagesOrOverAnotherColour) {
 
 TEST(Recomposite, UsesNothingOfAnAtlasThatWasPackedAnew) {
     const TriangleMesh mesh = lumpySurface(12, 16);
-    const Layers layers{thrown(0.02, 0.1), thrown(-0.02, 0.08)};
+    const Layers layers{projected(0.02, 0.1), projected(-0.02, 0.08)};
     CompositionCache cache;
     for (const AtlasOptions& options :
          {AtlasOptions{256, 1, 2}, AtlasOptions{256, 2, 2}, AtlasOptions{256, 2, 4}, AtlasOptions{512, 1, 2},

@@ -9,15 +9,15 @@
 
 namespace esm {
 
-/// Calls `work(i)` for all bands on all threads, whichever is free taking the next, and reports progress from
-/// the calling thread.
+/// Calls `work(i)` for all strips on all threads, whichever is free taking the next, and reports progress
+/// from the calling thread.
 /// @throws Cancelled
-template<typename Work> void forEachBand(std::size_t bands, const Progress& progress, const Work& work) {
+template<typename Work> void forEachStrip(std::size_t strips, const Progress& progress, const Work& work) {
     constexpr std::size_t perReport = 32;
-    for (std::size_t first = 0; first < bands; first += perReport) {
-        reportProgress(progress, static_cast<double>(first) / static_cast<double>(bands));
+    for (std::size_t first = 0; first < strips; first += perReport) {
+        reportProgress(progress, static_cast<double>(first) / static_cast<double>(strips));
         tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(first, std::min(first + perReport, bands), 1),
+            tbb::blocked_range<std::size_t>(first, std::min(first + perReport, strips), 1),
             [&](const tbb::blocked_range<std::size_t>& range) {
                 for (std::size_t i = range.begin(); i < range.end(); ++i)
                     work(i);
