@@ -7,9 +7,8 @@
 #include "core/dynamics/measure/scene_stages.h"
 #include "core/exchange/image_file.h"
 #include "core/offscreen/offscreen.h"
-#include "core/render/drawn_shape.h"
+#include "core/render/organ_scene.h"
 #include "core/texture/layers/composite.h"
-#include "core/texture/layers/page_levels.h"
 
 #include <algorithm>
 #include <cctype>
@@ -88,32 +87,9 @@ Camera cameraFor(const RequestedView& view, const Eigen::AlignedBox3d& box, doub
     return standard ? framedCamera(box, *standard, aspect) : std::get<Camera>(view);
 }
 
-/// Springs coloured by their constant, the colours spanning what the organ has.
-void colourSprings(RenderScene& scene, const TissueModel& tissue) {
-    std::vector<double> values;
-    for (const SpringValues& spring : springValues(tissue))
-        values.push_back(spring.springConstant);
-    if (values.empty()) return;
-    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-    if (*lowest == *highest) return;
-    scene.springValueMinimum = *lowest;
-    scene.springValueMaximum = *highest;
-    scene.springValues = std::make_shared<const std::vector<double>>(std::move(values));
-}
-
 void addRegions(RenderScene& scene, const std::vector<Region>& regions) {
     for (const Region& region : regions)
-        if (region.ellipsoid)
-            scene.ellipsoids.push_back({*region.ellipsoid, region.colour, false, region.rim});
-}
-
-void addPhotos(RenderScene& scene, const std::vector<TextureLayer>& photos) {
-    const Eigen::AlignedBox3d organ = boundingBox(scene.mesh->vertices);
-    for (const TextureLayer& layer : photos)
-        if (layer.visible && layer.photo)
-            scene.projectors.push_back({layer.projector, pictureOf(layer), false,
-                                        scene.texturePages && layer.opacity > 0,
-                                        shownDepth(layer.projector, organ)});
+        if (region.ellipsoid) scene.ellipsoids.push_back(drawnEllipsoid(region, false));
 }
 
 using Shown = std::vector<std::string>;
@@ -123,36 +99,28 @@ bool shows(const Shown& shown, const char* part) {
 }
 
 RenderScene projectScene(const Project& project, const Shown& shown, Context& context) {
-    RenderScene scene;
-    scene.mesh = project.mesh;
-    scene.network = project.network;
-    scene.baseColour = project.texture.baseColour;
-    if (project.atlas && !project.layers.empty()) {
-        scene.atlas = project.atlas;
-        scene.texturePages = std::make_shared<const std::vector<Image>>(
-            composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
-                      progressOf(context, "baking")));
-        scene.smallerPages =
-            std::make_shared<const SmallerPages>(smallerPages(*scene.atlas, *scene.texturePages));
-    }
-    if (shows(shown, "springs")) colourSprings(scene, evaluateModel(project));
+    RenderScene scene = organScene(project.mesh, project.network, project.texture.baseColour);
+    if (project.atlas && !project.layers.empty())
+        layTexture(scene, project.atlas,
+                   std::make_shared<const std::vector<Image>>(
+                       composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
+                                 progressOf(context, "baking"))));
+    if (shows(shown, "springs")) colourSprings(scene, springConstants(evaluateModel(project)));
     if (shows(shown, "regions")) addRegions(scene, project.regions);
-    if (shows(shown, "projectors")) addPhotos(scene, project.layers);
+    if (shows(shown, "projectors"))
+        for (const TextureLayer& layer : project.layers)
+            if (layer.visible && layer.photo) scene.projectors.push_back(drawnProjector(scene, layer, false));
     return scene;
 }
 
 RenderScene packageScene(ModelPackage package, const Shown& shown) {
-    RenderScene scene;
-    scene.network = package.tissue.network;
-    scene.baseColour = package.baseColour;
-    if (shows(shown, "springs")) colourSprings(scene, package.tissue);
+    RenderScene scene = organScene(std::make_shared<const TriangleMesh>(std::move(package.mesh)),
+                                   package.tissue.network, package.baseColour);
+    if (shows(shown, "springs")) colourSprings(scene, springConstants(package.tissue));
     if (shows(shown, "regions")) addRegions(scene, package.regions);
-    scene.mesh = std::make_shared<const TriangleMesh>(std::move(package.mesh));
-    if (!package.atlas) return scene;
-    scene.atlas = package.atlas;
-    scene.texturePages = std::make_shared<const std::vector<Image>>(std::move(package.textures));
-    scene.smallerPages =
-        std::make_shared<const SmallerPages>(smallerPages(*scene.atlas, *scene.texturePages));
+    if (package.atlas)
+        layTexture(scene, package.atlas,
+                   std::make_shared<const std::vector<Image>>(std::move(package.textures)));
     return scene;
 }
 
@@ -171,7 +139,7 @@ void showMotion(RenderScene& scene, const std::optional<Project>& project, const
     scene.mesh = stage->organ.topology.surface;
     scene.network = stage->organ.topology.network;
     scene.springValues.reset();
-    if (scene.showSprings) colourSprings(scene, stage->organ.tissue);
+    if (scene.showSprings) colourSprings(scene, springConstants(stage->organ.tissue));
 }
 
 Report runRender(const RenderOptions& options, Context& context) {
@@ -186,8 +154,7 @@ Report runRender(const RenderOptions& options, Context& context) {
     RenderScene scene = isPackage ? packageScene(openedPackage(options.project, context), shown)
                                   : projectScene(*project, shown, context);
     scene.showSurface = shows(shown, "surface");
-    // A pure motion model has nothing but springs to show.
-    scene.showSprings = shows(shown, "springs") || scene.mesh->triangles.empty();
+    scene.showSprings = scene.showSprings || shows(shown, "springs");
     scene.unlit = options.unlit;
     if (!options.motion.empty()) showMotion(scene, project, options);
     const Camera camera =

@@ -1,7 +1,7 @@
 #include "app/editor/window/view_controller.h"
 
 #include "app/editor/window/actions.h"
-#include "core/render/drawn_shape.h"
+#include "core/render/organ_scene.h"
 #include "widgets/inputs/number_text.h"
 
 #include <algorithm>
@@ -11,14 +11,6 @@
 namespace esm {
 
 namespace {
-
-std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& model) {
-    auto values = std::make_shared<std::vector<double>>();
-    values->reserve(model.network->springs.size());
-    for (const SpringValues& spring : springValues(model))
-        values->push_back(spring.springConstant);
-    return values;
-}
 
 QStringList instrumentNames(const Scene& scene) {
     QStringList names;
@@ -123,9 +115,7 @@ void ViewController::endRedrawing(const QString& result) {
 
 void ViewController::rebuildScene() {
     const Project& project = m_document.project();
-    RenderScene scene;
-    scene.mesh = project.mesh;
-    scene.network = project.network;
+    RenderScene scene = organScene(project.mesh, project.network, project.texture.baseColour);
     PreviewFrame frame = m_preview.frame();
     if (frame.network == project.network) {
         scene.nodePositions = std::move(frame.positions);
@@ -165,8 +155,7 @@ void ViewController::showEllipsoids(RenderScene& scene) {
     if (m_textureWorkspace || !m_showRegions) return;
     for (const Region& region : m_document.project().regions)
         if (region.ellipsoid)
-            scene.ellipsoids.push_back(
-                {*region.ellipsoid, region.colour, m_selection.region() == region.id, region.rim});
+            scene.ellipsoids.push_back(drawnEllipsoid(region, m_selection.region() == region.id));
 }
 
 void ViewController::markRegion(RenderScene& scene) {
@@ -185,10 +174,7 @@ void ViewController::showProjector(RenderScene& scene) {
     scene.projectors.clear();
     const TextureLayer* selected = m_selection.selectedLayer();
     if (!m_textureWorkspace || !selected || !selected->photo) return;
-    const TextureLayer& layer = *selected;
-    const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
-    const double depth = shownDepth(layer.projector, boundingBox(m_document.project().mesh->vertices));
-    scene.projectors.push_back({layer.projector, pictureOf(layer), true, isLaid, depth});
+    scene.projectors.push_back(drawnProjector(scene, *selected, true));
 }
 
 void ViewController::showFixedNodes(RenderScene& scene) {
@@ -215,13 +201,9 @@ void ViewController::showSprings(RenderScene& scene) {
     // Until what an edit comes to is evaluated, what was before it stays.
     if (!m_tissue || m_tissue->network != project.network) return;
     if (!m_springConstants) m_springConstants = springConstants(*m_tissue);
-    const auto& values = *m_springConstants;
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    scene.springValueMinimum = *least;
-    // One constant everywhere still needs a range to colour by.
-    scene.springValueMaximum = *most > *least ? *most : *least + std::max(1e-9, *least);
-    m_view.setLegend(ViewLegend{tr("Spring constant"), QStringLiteral("N/m"), *least, *most});
-    scene.springValues = m_springConstants;
+    if (const auto range = colourSprings(scene, m_springConstants))
+        m_view.setLegend(
+            ViewLegend{tr("Spring constant"), QStringLiteral("N/m"), range->first, range->second});
 }
 
 void ViewController::showFrame() {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/model/tissue_model.h"
+#include "core/project/region.h"
+#include "core/render/renderer.h"
+#include "core/texture/layers/texture_layer.h"
+
+/// What every picture of an organ shows alike, in the window and in files.
+namespace esm {
+
+/// The organ at rest, bare. A pure motion model has nothing but springs to show, and shows them.
+RenderScene organScene(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const SpringNetwork> network,
+                       const Colour& baseColour);
+
+/// Lays a texture on it.
+void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas,
+                std::shared_ptr<const std::vector<Image>> pages);
+
+/// N/m, one per spring.
+std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& tissue);
+
+/// Colours springs by their constants, from the least to the largest. One constant everywhere still gets a
+/// range to be coloured by.
+/// @returns the least and the largest; none, and nothing is coloured, without springs
+std::optional<std::pair<double, double>> colourSprings(RenderScene& scene,
+                                                       std::shared_ptr<const std::vector<double>> constants);
+
+/// Precondition: the region has an ellipsoid.
+DrawnEllipsoid drawnEllipsoid(const Region& region, bool isSelected);
+
+/// The projector of a photo, before the organ and its texture as the scene has them.
+DrawnProjector drawnProjector(const RenderScene& scene, const TextureLayer& layer, bool isSelected);
+
+} // namespace esm
