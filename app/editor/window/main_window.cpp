@@ -15,6 +15,7 @@
 #include "app/editor/panels/tissue/tissue_panel.h"
 #include "app/editor/window/help.h"
 #include "app/editor/window/layout.h"
+#include "app/editor/window/scene_note.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/icon.h"
 
@@ -76,7 +77,7 @@ MainWindow::MainWindow(Project project)
     setWindowIcon(icon(QStringLiteral("app")));
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - roomForFrame));
     showTitle();
-    noteTheScene();
+    noteScene();
     m_play->showAlive();
 }
 
@@ -176,7 +177,7 @@ void MainWindow::connectParts() {
     connect(m_document, &Document::changed, this, [this](const Change& change) {
         if (change.name) showTitle();
         if (change.mesh) m_showsGreeting = false;
-        if (change.scene) noteTheScene();
+        if (change.scene) noteScene();
         if (change.mesh) m_play->endGentleMotion(); // an organ of the user's own rests until it is touched
     });
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
@@ -233,29 +234,10 @@ void MainWindow::showTitle() {
     setWindowTitle(m_document->title() + mark + QStringLiteral(" – ") + tr("Elastodynamic Shape Modeler"));
 }
 
-void MainWindow::noteTheScene() {
-    const Project& project = m_document->project();
-    const Scene& scene = project.scene;
-    QStringList parts;
+void MainWindow::noteScene() {
     // Who starts the program asked for no scene.
-    if (m_showsGreeting) return m_status->showNote({}, {});
-    if (!scene.forces.empty()) parts << tr("At set times, forces act on nodes.");
-    if (!scene.moves.empty()) parts << tr("At set times, nodes are moved.");
-    if (scene.instruments.size() == 1) parts << tr("An instrument follows a path.");
-    if (scene.instruments.size() > 1)
-        parts << tr("%1 instruments follow paths.").arg(scene.instruments.size());
-    if (!scene.splits.empty()) {
-        parts << tr("At set times, the organ is split along edges.");
-        parts.prepend(
-            tr("The project holds a scene that “esmc simulate” runs. The window does not play splits "
-               "yet: it shows the whole organ, and what you do yourself."));
-        return m_status->showNote(tr("Has a scene with splits"), parts.join('\n'));
-    }
-    if (parts.isEmpty()) return m_status->showNote({}, {});
-    parts.prepend(
-        tr("The project holds a scene. Simulation → Play scene (Shift+Space) plays it from rest; else the "
-           "window shows what you do yourself. “esmc simulate” writes its motion and forces to files."));
-    m_status->showNote(tr("Has a scene to play"), parts.join('\n'));
+    const SceneNote note = m_showsGreeting ? SceneNote{} : sceneNote(m_document->project().scene);
+    m_status->showNote(note.title, note.explanation);
 }
 
 void MainWindow::setTheme(bool light) {

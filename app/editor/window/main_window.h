@@ -57,7 +57,7 @@ private:
     void showWorkspace();
     void showAgain(const JournalView& view);
     void showTitle();
-    void noteTheScene();
+    void noteScene();
     void setTheme(bool light);
 
     Document* m_document;

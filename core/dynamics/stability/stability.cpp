@@ -43,14 +43,9 @@ Integrator integratorFor(TissueSpectrum& tissue, const SimulationSettings& setti
 }
 
 /// s per spring: roughly the wall time that a simulated second takes. Rough figures are enough: they only
-/// decide whether a choice falls behind real time, and which of two does so less. They are the same on every
-/// machine, so that a project is stepped alike on all.
+/// decide whether a choice falls behind real time, and which of two does so less.
 double costOf(const ChosenStep& chosen) {
-    constexpr double explicitSeconds = 5e-9, solvingSeconds = 8e-8, iteratingSeconds = 4e-7; // a step
-    const double seconds = isExplicit(chosen.integrator)          ? explicitSeconds
-                           : hasConstantMatrix(chosen.integrator) ? solvingSeconds
-                                                                  : iteratingSeconds;
-    return seconds / chosen.timeStep;
+    return traitsOf(chosen.integrator).stepCost / chosen.timeStep;
 }
 
 /// The second-order form is worth a shorter step than the first-order one, but not any; where viscosity is so

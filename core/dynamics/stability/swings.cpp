@@ -25,10 +25,9 @@ SwingBounds boundsOf(const SpringSystem& system, Damping damping) {
 } // namespace
 
 double stepsPerSecond(const SpringSystem& system, Integrator integrator) {
-    constexpr double explicitSeconds = 5e-9, solvingSeconds = 5e-8; // per node or spring
-    constexpr double least = 20;                                    // of them; a step has more to do
-    const double things = static_cast<double>(system.mass.size() + system.springs.size()) + least;
-    return 1 / (things * (isExplicit(integrator) ? explicitSeconds : solvingSeconds));
+    constexpr double least = 20; // springs; a step has more to do
+    const double springs = static_cast<double>(system.springs.size()) + least;
+    return 1 / (springs * traitsOf(integrator).stepCost);
 }
 
 SwingBounds swingBounds(const TissueModel& model, Damping damping) {

@@ -10,6 +10,7 @@ TEST(IntegratorTraits, TellIntegratorsApart) {
         SCOPED_TRACE(traits.name);
         EXPECT_EQ(integratorFromName(traits.name), one);
         EXPECT_EQ(std::string(traits.sentence).rfind(std::string(traits.name) + ", ", 0), 0U);
+        EXPECT_GT(traits.stepCost, 0);
         for (const Integrator other : allIntegrators)
             EXPECT_EQ(traitsOf(other).colour == traits.colour, one == other);
     }

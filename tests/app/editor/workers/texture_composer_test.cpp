@@ -6,12 +6,21 @@
 
 using namespace esm;
 
-TEST(TextureComposer, WorksUntilTheLastRequestIsDone) {
+namespace {
+
+Project photographed(int pageSize) {
     Project project = makeSample("ventricle");
-    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, {1024, 1, 2}));
+    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, {pageSize, 1, 2}));
     TextureLayer layer;
     layer.photo = makeSamplePhoto("serosa");
     project.layers = {layer};
+    return project;
+}
+
+} // namespace
+
+TEST(TextureComposer, WorksUntilTheLastRequestIsDone) {
+    Project project = photographed(1024);
     TextureComposer composer;
     EXPECT_FALSE(composer.isWorking());
     int composed = 0;
@@ -31,12 +40,9 @@ TEST(TextureComposer, WorksUntilTheLastRequestIsDone) {
 }
 
 TEST(TextureComposer, ShowsAfterEveryEditWhatAWholeCompositionShows) {
-    Project project = makeSample("ventricle");
-    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, {512, 1, 2}));
-    TextureLayer layer;
-    layer.photo = makeSamplePhoto("serosa");
-    layer.projector.pose.translation().z() = 1;
-    project.layers = {layer, layer};
+    Project project = photographed(512);
+    project.layers.front().projector.pose.translation().z() = 1;
+    project.layers.push_back(project.layers.front());
     TextureComposer composer;
     const auto expectWhole = [&] {
         composer.compose(project);
@@ -82,11 +88,7 @@ TEST(TextureComposer, GivesPagesThatBelongTogetherWhileItWorks) {
 }
 
 TEST(TextureComposer, HasNothingButTheReasonWhereItFails) {
-    Project project = makeSample("ventricle");
-    project.atlas = std::make_shared<const Atlas>(packAtlas(*project.mesh, {512, 1, 2}));
-    TextureLayer layer;
-    layer.photo = makeSamplePhoto("serosa");
-    project.layers = {layer};
+    Project project = photographed(512);
     TextureComposer composer;
     composer.compose(project);
     ESM_EVENTUALLY(!composer.isWorking());
