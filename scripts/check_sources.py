@@ -39,16 +39,14 @@ MAY_INCLUDE = {
 
 # One word for each thing: what must not be said, and what is said instead.
 WORDS = (
-    (re.compile(r"(?<!@)\bthr(?:own|ows|owing)\b[^.;]*\bphoto|\bphoto[^.;]*(?<!@)\bthr(?:own|ows|owing)\b", re.I),
+    (re.compile(r"(?<!@)\bthr(?:ow|ew)\w*\b(?! (?:[A-Z]|std))[^.;]{0,60}\bphotos?\b|\bphotos?\b[^.;]{0,40}(?<!@)\bthr(?:ow|ew)\w*\b(?! (?:[A-Z]|std))", re.I),
      "a photo is projected: to throw is for exceptions"),
-    (re.compile(r"\b(?:Held|Led)Node\b|\bPageBand\b"),
-     "a node that is led along a path is prescribed, rows of a page are a strip"),
+    (re.compile(r"\b(?:Held|Led)Node\b"), "a node that is led along a path is prescribed"),
+    (re.compile(r"\b(?:Page|Owned)Band\b|\bBandOwners\b|\bforEachBand\b"), "rows of a page are a strip"),
 )
 # The same of what people read in the window.
-SHOWN_WORDS = (
-    (re.compile(r"\b(?:texel|multi-band|boolean|null pointer|iterator|vertex buffer)s?\b", re.I),
-     "a developer's word in a text of the window"),
-)
+SHOWN_WORDS = ((re.compile(r"\b(?:texel|multi-band)s?\b", re.I), "a developer's word in a text of the window"),)
+COMMENT_GOES_ON = re.compile(r"\n\s*///?<?")
 SHOWN_TEXT = re.compile(r'\btr\(\s*((?:"(?:\\.|[^"\\\n])*"\s*)+)')
 
 TOKEN = re.compile(
@@ -231,15 +229,16 @@ def unlisted_sources(paths, lists):
     return problems
 
 
-def word_problems(sources):
-    """Words that say another thing than what is meant, line by line; and those that only developers know."""
+def word_problems(texts):
+    """Words that say another thing than what is meant; and, in the window, those that only developers know."""
     problems = []
-    for path, text in sources.items():
-        for number, line in enumerate(text.splitlines(), 1):
-            problems += [f"{path}:{number}: {instead}" for word, instead in WORDS if word.search(line)]
-        for shown in SHOWN_TEXT.finditer(text):
-            number = text.count("\n", 0, shown.start()) + 1
-            problems += [f"{path}:{number}: {why}" for word, why in SHOWN_WORDS if word.search(shown[1])]
+    for path, text in texts.items():
+        # A sentence in a comment goes on over lines; blanks keep every place where it was.
+        whole = COMMENT_GOES_ON.sub(lambda mark: " " * len(mark[0]), text)
+        found = [(word.start(), instead) for words, instead in WORDS for word in words.finditer(whole)]
+        found += [(shown.start(), why) for shown in SHOWN_TEXT.finditer(text)
+                  for words, why in SHOWN_WORDS if words.search(shown[1])]
+        problems += [f"{path}:{text.count(chr(10), 0, place) + 1}: {what}" for place, what in found]
     return problems
 
 
@@ -258,6 +257,11 @@ def tracked_lists():
     listed = subprocess.run(["git", "ls-files", "CMakeLists.txt", "*/CMakeLists.txt"], cwd=ROOT, check=True,
                             capture_output=True, text=True)
     return {str(Path(path).parent): (ROOT / path).read_text() for path in listed.stdout.split()}
+
+
+def tracked_pages():
+    listed = subprocess.run(["git", "ls-files", "*.md"], cwd=ROOT, check=True, capture_output=True, text=True)
+    return {path: (ROOT / path).read_text() for path in listed.stdout.split() if (ROOT / path).exists()}
 
 
 def function_problems(product):
@@ -321,7 +325,7 @@ def main():
     if ring:
         problems.append("folders build on each other in a ring: " + " -> ".join(ring))
     problems += layering_problems(product) + misplaced_tests(list(sources))
-    problems += unlisted_sources(list(sources), tracked_lists()) + word_problems(product)
+    problems += unlisted_sources(list(sources), tracked_lists()) + word_problems({**sources, **tracked_pages()})
     for problem in problems:
         print(problem, file=sys.stderr)
     return 1 if problems else 0

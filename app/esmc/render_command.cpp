@@ -105,7 +105,8 @@ RenderScene projectScene(const Project& project, const Shown& shown, Context& co
                    std::make_shared<const std::vector<Image>>(
                        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
                                  progressOf(context, "baking"))));
-    if (shows(shown, "springs")) colourSprings(scene, springConstants(evaluateModel(project)));
+    scene.showSprings = scene.showSprings || shows(shown, "springs");
+    if (scene.showSprings) colourSprings(scene, springConstants(evaluateModel(project)));
     if (shows(shown, "regions")) addRegions(scene, project.regions);
     if (shows(shown, "projectors"))
         for (const TextureLayer& layer : project.layers)
@@ -116,7 +117,8 @@ RenderScene projectScene(const Project& project, const Shown& shown, Context& co
 RenderScene packageScene(ModelPackage package, const Shown& shown) {
     RenderScene scene = organScene(std::make_shared<const TriangleMesh>(std::move(package.mesh)),
                                    package.tissue.network, package.baseColour);
-    if (shows(shown, "springs")) colourSprings(scene, springConstants(package.tissue));
+    scene.showSprings = scene.showSprings || shows(shown, "springs");
+    if (scene.showSprings) colourSprings(scene, springConstants(package.tissue));
     if (shows(shown, "regions")) addRegions(scene, package.regions);
     if (package.atlas)
         layTexture(scene, package.atlas,
@@ -138,7 +140,6 @@ void showMotion(RenderScene& scene, const std::optional<Project>& project, const
     if (!stage) return;
     scene.mesh = stage->organ.topology.surface;
     scene.network = stage->organ.topology.network;
-    scene.springValues.reset();
     if (scene.showSprings) colourSprings(scene, springConstants(stage->organ.tissue));
 }
 
@@ -154,7 +155,6 @@ Report runRender(const RenderOptions& options, Context& context) {
     RenderScene scene = isPackage ? packageScene(openedPackage(options.project, context), shown)
                                   : projectScene(*project, shown, context);
     scene.showSurface = shows(shown, "surface");
-    scene.showSprings = scene.showSprings || shows(shown, "springs");
     scene.unlit = options.unlit;
     if (!options.motion.empty()) showMotion(scene, project, options);
     const Camera camera =

@@ -125,7 +125,7 @@ void addSplits(Report& report, const std::vector<SceneStage>& stages) {
         const std::vector<PartedNode>& parted = stage.organ.parted;
         Json nodes = Json::array();
         for (const auto& [node, twin, share] : parted)
-            nodes.push_back({{"node", twin}, {"of", node}});
+            nodes.push_back({{"node", twin}, {"of", node}, {"authored", stage.organ.topology.origin[twin]}});
         report.json["splits"].push_back({{"split", stage.split}, {"time", stage.begin}, {"nodes", nodes}});
         report.text.push_back(sceneEntry("split", stage.split) + " at " + inText(stage.begin) +
                               " s: " + counted(parted.size(), "new node") + ", from " +

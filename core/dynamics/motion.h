@@ -32,4 +32,10 @@ inline void leadPrescribedNodes(const StepInput& input, const Vectors& positions
         velocities[led.node] = (led.position - positions[led.node]) / input.duration;
 }
 
+/// Puts the led nodes exactly where they are led, which rounding alone would miss.
+inline void placePrescribedNodes(const StepInput& input, Vectors& positions) {
+    for (const PrescribedNode& led : input.prescribed)
+        positions[led.node] = led.position;
+}
+
 } // namespace esm

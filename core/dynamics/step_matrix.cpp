@@ -10,11 +10,11 @@ namespace esm {
 
 namespace {
 
-std::vector<int> freeIndices(const std::vector<char>& prescribed) {
-    std::vector<int> index(prescribed.size(), -1);
+std::vector<int> freeIndices(const std::vector<char>& given) {
+    std::vector<int> index(given.size(), -1);
     int next = 0;
-    for (std::size_t i = 0; i < prescribed.size(); ++i)
-        if (!prescribed[i]) index[i] = next++;
+    for (std::size_t i = 0; i < given.size(); ++i)
+        if (!given[i]) index[i] = next++;
     return index;
 }
 
@@ -60,8 +60,8 @@ Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFac
 } // namespace
 
 Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const MatrixFactors& factors,
-                                            const std::vector<char>& prescribed) {
-    return assemble(system, factors, freeIndices(prescribed));
+                                            const std::vector<char>& given) {
+    return assemble(system, factors, freeIndices(given));
 }
 
 // Analysing, which finds an order of elimination with little fill-in and the places of the factor's entries,
@@ -87,8 +87,8 @@ bool MatrixFactoriser::isAnalysed(const Matrix& matrix) const {
 }
 
 StepMatrix::StepMatrix(const SpringSystem& system, const MatrixFactors& factors,
-                       const std::vector<char>& prescribed, MatrixFactoriser& factoriser)
-    : m_row(freeIndices(prescribed)) {
+                       const std::vector<char>& given, MatrixFactoriser& factoriser)
+    : m_row(freeIndices(given)) {
     const Matrix matrix = assemble(system, factors, m_row);
     if (matrix.rows() > 0) {
         const auto* const factorisation = factoriser.factorise(matrix);
@@ -184,7 +184,7 @@ HalfColumn StepMatrix::halfColumn(std::uint32_t node) const {
     return result;
 }
 
-// The mode that rounding spoils first is all nodes moving as one: only mass, tethers and prescribed nodes
+// The mode that rounding spoils first is all nodes moving as one: only mass, tethers and given nodes
 // resist it, and on the diagonal their part is lost in that of springs where these are 10¹⁶ times as large.
 // Cholesky's method need not fail there, but gives wrong velocities. So the matrix is applied to that mode by
 // hand, where springs cancel exactly, and solved for again. A thousandth is far more than rounding does to a

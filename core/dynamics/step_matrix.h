@@ -7,11 +7,11 @@
 
 namespace esm {
 
-/// massFactor·M + dampingFactor·D + stiffnessFactor·K over the nodes that are not prescribed, in the order of
+/// massFactor·M + dampingFactor·D + stiffnessFactor·K over the nodes that are not given, in the order of
 /// the nodes; lower half. D and K are the graph Laplacians of viscosities and largest spring constants, with
 /// the tethers' on the diagonal: the same for x, y and z.
 Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const MatrixFactors& factors,
-                                            const std::vector<char>& prescribed);
+                                            const std::vector<char>& given);
 
 /// Factorises matrices one after the other. Where their entries lie in the same places, all but the first
 /// find the order of elimination and the places of the factor's entries known.
@@ -41,7 +41,7 @@ struct HalfColumn {
 };
 
 /// A = massFactor·M + dampingFactor·D + stiffnessFactor·K, factorised as L·Lᵀ once and solved for three
-/// right-hand sides at a time. Velocities of prescribed nodes are given, not solved for. With masses alone
+/// right-hand sides at a time. Velocities of given nodes are given, not solved for. With masses alone
 /// both are diagonal.
 ///
 /// A solve is two halves so that impulses can be laid on single nodes between them: A⁻¹ between two nodes is
@@ -49,19 +49,19 @@ struct HalfColumn {
 class StepMatrix {
 public:
     /// @throws InvalidModel when masses are too small beside damping or stiffness for the arithmetic
-    StepMatrix(const SpringSystem& system, const MatrixFactors& factors, const std::vector<char>& prescribed,
+    StepMatrix(const SpringSystem& system, const MatrixFactors& factors, const std::vector<char>& given,
                MatrixFactoriser& factoriser);
 
-    bool isPrescribed(std::uint32_t node) const { return m_row[node] < 0; }
+    bool isGiven(std::uint32_t node) const { return m_row[node] < 0; }
 
-    /// L⁻¹·(momentum − what the prescribed nodes' velocities take from it), in the factor's own order.
+    /// L⁻¹·(momentum − what the given nodes' velocities take from it), in the factor's own order.
     void solveLower(const Vectors& momentum, const Vectors& velocities, Vectors& half) const;
     /// Lᵀ·velocities: what solveUpper() makes velocities of.
     void multiplyUpper(const Vectors& velocities, Vectors& half) const;
-    /// Velocities of all that are not prescribed.
+    /// Velocities of all that are not given.
     void solveUpper(Vectors half, Vectors& velocities) const;
 
-    /// Precondition: the node is not prescribed.
+    /// Precondition: the node is not given.
     HalfColumn halfColumn(std::uint32_t node) const;
 
 private:
@@ -75,8 +75,8 @@ private:
 
     using Matrix = Eigen::SparseMatrix<double>;
     Matrix m_lower;                    ///< L: each column starts with its diagonal, rows increasing
-    std::vector<int> m_row;            ///< per node, in the factor's order; −1: prescribed
-    std::vector<Coupling> m_couplings; ///< between free and prescribed nodes
+    std::vector<int> m_row;            ///< per node, in the factor's order; −1: given
+    std::vector<Coupling> m_couplings; ///< between free and given nodes
 };
 
 } // namespace esm

@@ -9,6 +9,7 @@ namespace {
 /// say, and the compiler finds a row that is missing.
 ///
 /// Costs were measured on sks-liver-H07 (11 012 nodes) with two threads, and rounded up for slower machines.
+///
 /// The order of each stands above its equations in core/dynamics/schemes, where its energy is kept in
 /// core/dynamics/measure/energy_watch.
 ///
@@ -21,6 +22,7 @@ constexpr std::array rows{
                      .kind = StepKind::Open,
                      .order = 1,
                      .startsAs = Integrator::Auto,
+                     .stepCost = 0,
                      .colour = {0, 0, 0},
                      .sentence = ""},
     IntegratorTraits{.integrator = Integrator::Euler,

@@ -53,8 +53,9 @@ struct IntegratorTraits {
     /// measured.
     bool lagsWhereTissueTurns = false;
     KeptEnergy keptEnergy = KeptEnergy::AtEnd;
-    /// s, wall time of a step per spring, roughly. The same on every machine, so that all choose alike.
-    double stepCost = 0;
+    /// s, roughly, of a step per spring. A fixed figure, not measured where it runs, so that all machines
+    /// choose alike.
+    double stepCost;
     std::array<std::uint8_t, 3> colour; ///< in charts, told apart by people who see few colours as well
     const char* sentence;               ///< for people, begins with the name; empty for `Auto`
 };

@@ -12,7 +12,8 @@ namespace esm {
 struct Topology {
     std::shared_ptr<const TriangleMesh> surface;
     std::shared_ptr<const SpringNetwork> network;
-    std::vector<std::uint32_t> origin; ///< per node, the authored one that it came from
+    /// Per node, the authored one that it came from. The surface's triangles keep their places.
+    std::vector<std::uint32_t> origin;
 };
 
 /// What was authored: every node comes from itself.

@@ -8,6 +8,7 @@ namespace esm {
 Image previewPicture(const Project& project, const std::shared_ptr<const std::vector<Image>>& pages) {
     constexpr int size = 512; // pixels
     RenderScene scene = organScene(project.mesh, project.network, project.texture.baseColour);
+    if (scene.showSprings) colourSprings(scene, springConstants(evaluateModel(project)));
     if (pages) layTexture(scene, project.atlas, pages);
     const Camera camera = framedCamera(organBox(*project.mesh, *project.network), StandardView::Front, 1);
     return renderOffscreen(scene, camera, size, size);

@@ -12,7 +12,7 @@ namespace esm {
 RenderScene organScene(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const SpringNetwork> network,
                        const Colour& baseColour);
 
-/// Lays a texture on it.
+/// Lays a texture on it, neither of whose parts is null.
 void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas,
                 std::shared_ptr<const std::vector<Image>> pages);
 

@@ -78,7 +78,7 @@ void GlDepthMap::bind(int unit) const {
 }
 
 PhotoProjection::PhotoProjection(const GlFunctions& gl)
-    : m_gl(gl), m_depthProgram(gl, shaders::projectedDepthVertex(), shaders::projectedDepthFragment()),
+    : m_gl(gl), m_depthProgram(gl, shaders::photoDepthVertex(), shaders::photoDepthFragment()),
       m_vertexBuffer(gl), m_indexBuffer(gl), m_vertexTexture(gl), m_array(gl), m_seen(gl) {
     m_array.bind();
     m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
@@ -108,7 +108,7 @@ void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_pt
     drawDepth();
 }
 
-/// At rest: photos are projected on the organ as it was when they were placed, and go along with the tissue
+/// At rest: photos are projected onto the organ as it was when they were placed, and go along with the tissue
 /// as it moves.
 void PhotoProjection::takeMesh(const std::shared_ptr<const TriangleMesh>& mesh, const Frame& frame) {
     if (mesh == m_mesh) return;
@@ -136,7 +136,7 @@ void PhotoProjection::takePhoto(const std::shared_ptr<const Image>& photo) {
                            static_cast<int>(std::log2(std::max(photo->width, photo->height))));
 }
 
-/// A parallel projector shines on nothing that faces away. Before an eye outside a closed surface that is
+/// A parallel projector projects onto nothing that faces away. Before an eye outside a closed surface that is
 /// hidden anyway, but by surface so near at the outline that the depth map cannot tell.
 bool PhotoProjection::seesOnlyFronts() const {
     return !isPerspective(*m_projected) ||
@@ -178,7 +178,7 @@ void PhotoProjection::drawDepth() {
 }
 
 void PhotoProjection::bind(const GlProgram& program) const {
-    program.set("projecting", Eigen::Matrix4f(m_matrix.cast<float>()));
+    program.set("intoPhoto", Eigen::Matrix4f(m_matrix.cast<float>()));
     program.set("photoPixels", Eigen::Vector2f(float(m_photo->width), float(m_photo->height)));
     program.set("depths", Eigen::Vector2f(float(m_near), float(m_far)));
     program.set("isPerspective", isPerspective(*m_projected));

@@ -36,7 +36,7 @@ private:
     int m_width = 0, m_height = 0;
 };
 
-/// Projects a photo on the surface while it is drawn, as composing would paint it: the same weights of
+/// Projects a photo onto the surface while it is drawn, as composing would paint it: the same weights of
 /// border, alpha and angle, and, where the projector asks for it, only what it sees, by a depth map from
 /// there. On the organ at rest, however it is drawn, so that what is projected lies where it will be painted.
 class PhotoProjection {
@@ -47,7 +47,7 @@ public:
     /// Precondition: the photo is not empty.
     void take(const ProjectedPhoto& projected, const std::shared_ptr<const TriangleMesh>& mesh,
               const Frame& frame);
-    /// Tells the program in use, made with `shaders::Projecting::Yes`.
+    /// Tells the program in use, made with `shaders::WithPhoto::Yes`.
     void bind(const GlProgram& program) const;
 
 private:

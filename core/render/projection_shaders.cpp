@@ -2,18 +2,18 @@
 
 namespace esm::shaders {
 
-std::string projectedPlace() {
+std::string photoPlaceSource() {
     return R"(
 uniform samplerBuffer restVertices;
-uniform mat4 projecting;
-vec4 projectedFrom(int vertex) { return projecting * vec4(texelFetch(restVertices, vertex).xyz, 1.0); }
+uniform mat4 intoPhoto;
+vec4 photoPlaceOf(int vertex) { return intoPhoto * vec4(texelFetch(restVertices, vertex).xyz, 1.0); }
 )";
 }
 
-std::string projectedColour() {
+std::string photoColourSource() {
     return R"(
-in vec4 projected; // the place in the photo (x w, y w, w), pixels, and the depth before the projector
-in vec3 rest;   // on the organ at rest
+in vec4 photoPlace; // the place in the photo (x w, y w, w), pixels, and the depth before the projector
+in vec3 rest;       // on the organ at rest
 uniform sampler2D photo;
 uniform sampler2DShadow seen;
 uniform vec2 photoPixels, depths;
@@ -43,16 +43,16 @@ float lightWeight(vec2 place, vec3 outward) {
     float weight = falloff ? angleWeight(cosine) : 1.0;
     if (!occlusion || weight <= 0.0) return weight;
     if (onlyFronts && cosine <= 0.0) return 0.0;
-    return weight * texture(seen, vec3(place, clamp(mapDepth(projected.w - tolerance), 0.0, 1.0)));
+    return weight * texture(seen, vec3(place, clamp(mapDepth(photoPlace.w - tolerance), 0.0, 1.0)));
 }
 
 vec3 withPhoto(vec3 beneath) {
     vec3 across = cross(dFdx(rest), dFdy(rest));
     vec3 outward = normalize(gl_FrontFacing ? across : -across);
-    vec2 pixel = projected.xy / max(projected.z, 1e-12);
+    vec2 pixel = photoPlace.xy / max(photoPlace.z, 1e-12);
     vec2 place = pixel / photoPixels;
     vec4 photoColour = texture(photo, place);
-    if (projected.z <= 0.0 || projected.w < -tolerance) return beneath;
+    if (photoPlace.z <= 0.0 || photoPlace.w < -tolerance) return beneath;
     float weight = opacity * photoColour.a * borderWeight(pixel);
     if (weight <= 0.0) return beneath;
     weight *= lightWeight(place, outward);
@@ -62,12 +62,12 @@ vec3 withPhoto(vec3 beneath) {
 )";
 }
 
-std::string projectedDepthVertex() {
-    return version() + projectedPlace() + R"(
+std::string photoDepthVertex() {
+    return version() + photoPlaceSource() + R"(
 uniform vec2 photoPixels, depths;
 uniform bool isPerspective;
 void main() {
-    vec4 seen = projectedFrom(gl_VertexID);
+    vec4 seen = photoPlaceOf(gl_VertexID);
     float near = depths.x, far = depths.y, depth = seen.w;
     vec2 place = 2.0 * seen.xy / photoPixels - seen.z;
     float z = isPerspective ? ((far + near) * depth - 2.0 * far * near) / (far - near)
@@ -77,7 +77,7 @@ void main() {
 )";
 }
 
-std::string projectedDepthFragment() {
+std::string photoDepthFragment() {
     return version() + "void main() {}\n";
 }
 

@@ -39,9 +39,10 @@ Eigen::AlignedBox3d wholeBox(const RenderScene& scene, const Eigen::AlignedBox3d
     return box;
 }
 
-bool projectsPhoto(const RenderScene& scene) {
-    return scene.projected && scene.projected->photo && !scene.projected->photo->empty() &&
-           scene.projected->opacity > 0 && scene.showSurface && scene.mesh && !scene.mesh->triangles.empty();
+bool hasProjectedPhoto(const RenderScene& scene) {
+    return scene.projectedPhoto && scene.projectedPhoto->photo && !scene.projectedPhoto->photo->empty() &&
+           scene.projectedPhoto->opacity > 0 && scene.showSurface && scene.mesh &&
+           !scene.mesh->triangles.empty();
 }
 
 } // namespace
@@ -81,12 +82,12 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, const Pictur
     const std::vector<Eigen::Vector3d> vertices = drawnVertices(scene, nodes);
     const Eigen::AlignedBox3d organ = boundingBox(vertices).merged(boundingBox(nodes));
     const Frame frame = parts.frameFor(scene, camera, size, wholeBox(scene, organ));
-    const bool projects = projectsPhoto(scene);
-    if (projects) parts.projection.take(*scene.projected, scene.mesh, frame);
+    const bool hasPhoto = hasProjectedPhoto(scene);
+    if (hasPhoto) parts.projection.take(*scene.projectedPhoto, scene.mesh, frame);
     parts.prepare(size);
     parts.drawBackground(scene, frame);
     parts.gl.Enable(GL_DEPTH_TEST);
-    if (scene.showSurface) parts.surface.draw(scene, vertices, frame, projects ? &parts.projection : nullptr);
+    if (scene.showSurface) parts.surface.draw(scene, vertices, frame, hasPhoto ? &parts.projection : nullptr);
     for (const PlacedCollider& instrument : instrumentsOf(scene))
         parts.markers.drawInstrument(instrument, frame);
     parts.gl.Enable(GL_BLEND);

@@ -46,7 +46,7 @@ struct DrawnProjector {
     }
 };
 
-/// A photo that is projected on the surface without being painted, as while its projector moves.
+/// A photo that is projected onto the surface without being painted, as while its projector moves.
 struct ProjectedPhoto {
     Projector projector;
     std::shared_ptr<const Image> photo; ///< may be null: nothing is projected
@@ -77,7 +77,7 @@ struct RenderScene {
     std::optional<MarkedNodes> marked;     ///< over the surface, whether or not all springs are shown
     std::vector<DrawnEllipsoid> ellipsoids;
     std::vector<DrawnProjector> projectors;
-    std::optional<ProjectedPhoto> projected; ///< over the texture
+    std::optional<ProjectedPhoto> projectedPhoto; ///< over the texture
     std::vector<PlacedCollider> instruments;
     std::optional<PlacedCollider> heldInstrument; ///< by the hand
     Colour backgroundTop{57, 64, 71}, backgroundBottom{29, 32, 37};

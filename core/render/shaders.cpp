@@ -69,14 +69,14 @@ void main() {
 )";
 }
 
-std::string surfaceVertex(Projecting projecting) {
-    const std::string projected =
-        projecting == Projecting::No ? "#define NOTE_PROJECTED(vertex)\n" : projectedPlace() + R"(
-out vec4 projected;
+std::string surfaceVertex(WithPhoto photo) {
+    const std::string ofPhoto =
+        photo == WithPhoto::No ? "#define NOTE_PHOTO_PLACE(vertex)\n" : photoPlaceSource() + R"(
+out vec4 photoPlace;
 out vec3 rest;
-#define NOTE_PROJECTED(vertex) projected = projectedFrom(vertex); rest = texelFetch(restVertices, vertex).xyz
+#define NOTE_PHOTO_PLACE(vertex) photoPlace = photoPlaceOf(vertex); rest = texelFetch(restVertices, vertex).xyz
 )";
-    return version() + projected + R"(
+    return version() + ofPhoto + R"(
 layout(location = 0) in uint cornerVertex;
 layout(location = 1) in vec2 firstPlace;
 layout(location = 2) in vec2 secondPlace;
@@ -99,7 +99,7 @@ void main() {
     first = firstPlace;
     second = secondPlace;
     third = thirdPlace;
-    NOTE_PROJECTED(vertex);
+    NOTE_PHOTO_PLACE(vertex);
     vec2 along = secondPlace - firstPlace, beside = thirdPlace - firstPlace;
     float area = abs(along.x * beside.y - along.y * beside.x) * pageSize;
     perTexel = vec3(distance(second, third), distance(third, first), distance(first, second)) / max(area, 1e-12);
@@ -108,11 +108,10 @@ void main() {
 )";
 }
 
-std::string surfaceFragment(Projecting projecting) {
-    const std::string projected = projecting == Projecting::No
-                                      ? "vec3 withPhoto(vec3 beneath) { return beneath; }\n"
-                                      : projectedColour();
-    return version() + lighting + projected + R"(
+std::string surfaceFragment(WithPhoto photo) {
+    const std::string ofPhoto =
+        photo == WithPhoto::No ? "vec3 withPhoto(vec3 beneath) { return beneath; }\n" : photoColourSource();
+    return version() + lighting + ofPhoto + R"(
 in vec3 position, normal;
 in vec3 shares;
 flat in vec2 first, second, third; // where the triangle's corners lie in the page

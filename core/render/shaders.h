@@ -7,14 +7,14 @@ namespace esm::shaders {
 /// The line that every shader begins with.
 std::string version();
 
-/// Whether the surface's shaders project a photo on it.
-enum class Projecting { No, Yes };
+/// Whether the surface's shaders project a photo onto it.
+enum class WithPhoto { No, Yes };
 
 /// GLSL 3.30, each complete with its version line.
 std::string backgroundVertex();
 std::string backgroundFragment();
-std::string surfaceVertex(Projecting projecting = Projecting::No);
-std::string surfaceFragment(Projecting projecting = Projecting::No);
+std::string surfaceVertex(WithPhoto photo = WithPhoto::No);
+std::string surfaceFragment(WithPhoto photo = WithPhoto::No);
 std::string ballVertex();
 std::string steelFragment();
 std::string shellFragment();
@@ -24,11 +24,11 @@ std::string lineVertex();
 std::string lineFragment();
 std::string pointVertex();
 std::string pointFragment();
-std::string projectedDepthVertex();
-std::string projectedDepthFragment();
+std::string photoDepthVertex();
+std::string photoDepthFragment();
 
-/// Parts of the surface's shaders: `vec4 projectedFrom(int vertex)`, and `vec3 withPhoto(vec3 beneath)`.
-std::string projectedPlace();
-std::string projectedColour();
+/// Parts of the surface's shaders: `vec4 photoPlaceOf(int vertex)`, and `vec3 withPhoto(vec3 beneath)`.
+std::string photoPlaceSource();
+std::string photoColourSource();
 
 } // namespace esm::shaders

@@ -29,8 +29,8 @@ int levelsOf(const std::shared_ptr<const SmallerPages>& smallerPages) {
 
 SurfaceDrawer::SurfaceDrawer(const GlFunctions& gl)
     : m_gl(gl), m_program(gl, shaders::surfaceVertex(), shaders::surfaceFragment()),
-      m_projecting(gl, shaders::surfaceVertex(shaders::Projecting::Yes),
-                   shaders::surfaceFragment(shaders::Projecting::Yes)),
+      m_photoProgram(gl, shaders::surfaceVertex(shaders::WithPhoto::Yes),
+                     shaders::surfaceFragment(shaders::WithPhoto::Yes)),
       m_vertexBuffer(gl), m_indexBuffer(gl), m_cornerBuffer(gl), m_vertexTexture(gl), m_plainArray(gl),
       m_texturedArray(gl) {
     m_plainArray.bind();
@@ -45,14 +45,14 @@ SurfaceDrawer::SurfaceDrawer(const GlFunctions& gl)
 }
 
 void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices,
-                         const Frame& frame, const PhotoProjection* projected) {
+                         const Frame& frame, const PhotoProjection* photo) {
     if (!scene.mesh || scene.mesh->triangles.empty()) return;
     const bool textured = isTextured(scene);
     takeTriangles(scene.mesh);
     takeVertices(vertices, frame);
-    const GlProgram& program = projected ? m_projecting : m_program;
+    const GlProgram& program = photo ? m_photoProgram : m_program;
     program.use();
-    if (projected) projected->bind(program);
+    if (photo) photo->bind(program);
     program.set("view", frame.view);
     program.set("projection", frame.projection);
     program.set("baseColour", toFloat(scene.baseColour));

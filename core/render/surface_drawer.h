@@ -14,9 +14,9 @@ class SurfaceDrawer {
 public:
     explicit SurfaceDrawer(const GlFunctions& gl);
 
-    /// @param projected what is projected on the surface over its texture; may be null
+    /// @param photo what is projected onto the surface over its texture; may be null
     void draw(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices, const Frame& frame,
-              const PhotoProjection* projected);
+              const PhotoProjection* photo);
 
 private:
     struct PageRange {
@@ -34,7 +34,7 @@ private:
     void drawPages(const GlProgram& program) const;
 
     const GlFunctions& m_gl;
-    GlProgram m_program, m_projecting;
+    GlProgram m_program, m_photoProgram;
     GlBuffer m_vertexBuffer, m_indexBuffer, m_cornerBuffer;
     GlTexture m_vertexTexture;
     GlVertexArray m_plainArray, m_texturedArray;

@@ -374,7 +374,7 @@ class SimulateTest(Case):
         surface = self.file("surface.csv")
         report, rows = self.simulated(project, scene, "--integrator", "verlet", "--surface", surface)
         self.assertEqual(report["splits"], [{"split": 0, "time": 0.045, "nodes": [
-            {"node": 6 + i, "of": 1 + i} for i in range(4)]}])
+            {"node": 6 + i, "of": 1 + i, "authored": 1 + i} for i in range(4)]}])
         counts = {}
         for row in rows:
             counts[float(row["time"])] = counts.get(float(row["time"]), 0) + 1

@@ -134,7 +134,7 @@ class Sizes(unittest.TestCase):
 
 class Words(unittest.TestCase):
     def test_finds_words_that_mean_another_thing(self):
-        for text in ("/// The photo is thrown on the organ.\n", "struct HeldNode {\n", "PageBand band;\n",
+        for text in ("/// The photo is\n    /// thrown on the organ.\n", "What throws a photo\n", "struct HeldNode {\n", "PageBand band;\n",
                      'f(tr("one "\n   "Texel"));\n'):
             self.assertEqual(len(check.word_problems({"core/a.h": text})), 1, text)
 

@@ -147,7 +147,7 @@ void ViewController::dressOrgan(RenderScene& scene) {
     scene.atlas = composed.atlas;
     scene.texturePages = composed.pages;
     scene.smallerPages = composed.smallerPages;
-    scene.projected = m_moving.projected();
+    scene.projectedPhoto = m_moving.projected();
 }
 
 void ViewController::showEllipsoids(RenderScene& scene) {

@@ -7,7 +7,7 @@
 
 namespace esm {
 
-/// While a projector moves, its photo is projected on the organ by the renderer, over a texture that is
+/// While a projector moves, its photo is projected onto the organ by the renderer, over a texture that is
 /// composed without it; once it rests, it is painted like all others.
 class MovingPhoto : public QObject {
     Q_OBJECT
@@ -17,7 +17,7 @@ public:
 
     /// Looks at what became of the photos, and has composed what is to be seen.
     void follow(const Project& project);
-    /// What the renderer is to throw; nothing while all lies in the texture.
+    /// What the renderer is to project; nothing while all lies in the texture.
     std::optional<ProjectedPhoto> projected() const;
     /// Whether what is composed now is only what lies around the moving photo.
     bool isMoving() const { return m_layer && !m_isResting; }

@@ -15,7 +15,7 @@ public:
     explicit NodeImpulses(const StepMatrix& matrix) : m_matrix(&matrix) {}
 
     /// A⁻¹ between the nodes, 1/kg: the velocity of one per impulse on the other.
-    /// Precondition: none is prescribed, each is listed once.
+    /// Precondition: none is given, each is listed once.
     Eigen::MatrixXd response(const std::vector<std::uint32_t>& nodes);
 
     /// The node's velocity in a half-solved step. Precondition: the node went through response().
@@ -25,7 +25,7 @@ public:
     void add(std::uint32_t node, const Eigen::Vector3d& impulse, Vectors& half) const;
 
     /// Gives the nodes their velocities, m/s, in a half-solved step, dragging the others along.
-    /// Precondition: none is prescribed, each is listed once.
+    /// Precondition: none is given, each is listed once.
     void lead(const std::vector<std::uint32_t>& nodes, const Vectors& velocities, Vectors& half);
 
 private:

@@ -55,14 +55,15 @@ template<class Real> void ExplicitScheme<Real>::restart() {
 
 template<class Real>
 UntouchedStep ExplicitScheme<Real>::step(const SpringSystem& /*system*/, const StepInput& input,
-                                         const Motion& before, RunSolvers& /*solvers*/) {
+                                         const Motion& before, StepperSolvers& /*solvers*/) {
     UntouchedStep step;
     run(input, 1, before, step.motion);
     return step;
 }
 
 template<class Real>
-void ExplicitScheme<Real>::steps(const StepInput& input, std::size_t count, Motion& motion) {
+void ExplicitScheme<Real>::steps(const SpringSystem& /*system*/, const StepInput& input, std::size_t count,
+                                 Motion& motion, StepperSolvers& /*solvers*/) {
     run(input, count, motion, motion);
 }
 

@@ -19,8 +19,9 @@ public:
     /// Led nodes move evenly. Precondition: since the last step nothing changed the motion, or restart() was
     /// called.
     UntouchedStep step(const SpringSystem& system, const StepInput& input, const Motion& before,
-                       RunSolvers& solvers) override;
-    void steps(const StepInput& input, std::size_t count, Motion& motion) override;
+                       StepperSolvers& solvers) override;
+    void steps(const SpringSystem& system, const StepInput& input, std::size_t count, Motion& motion,
+               StepperSolvers& solvers) override;
     void restart() override;
     double activeFraction() const override { return m_activeFraction; }
     /// Precondition: nodes and springs join as before.

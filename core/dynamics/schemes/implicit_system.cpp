@@ -29,11 +29,11 @@ void addMultiple(Vectors& target, double factor, const Vectors& vectors) {
 /// The nodes whose velocities are sought.
 class UnknownNodes {
 public:
-    UnknownNodes(const StepMatrix& matrix, const std::vector<PrescribedNode>& led, std::size_t count)
+    UnknownNodes(const StepMatrix& matrix, const std::vector<PrescribedNode>& prescribed, std::size_t count)
         : m_matrix(matrix), m_given(count) {
         for (std::uint32_t i = 0; i < count; ++i)
-            m_given[i] = matrix.isPrescribed(i);
-        for (const PrescribedNode& led : led)
+            m_given[i] = matrix.isGiven(i);
+        for (const PrescribedNode& led : prescribed)
             m_given[led.node] = 1;
     }
 
@@ -145,15 +145,15 @@ void TangentMatrix::addSprings(const MatrixFactors& factors, const Vectors& velo
 // mostly their neighbours and their mass hold them, and forms whose order needs all of the tangent would lose
 // it. The second try starts from the same place, since the first may have gone anywhere.
 void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner,
-                   const std::vector<PrescribedNode>& led, const Vectors& momentum, Vectors& velocities,
-                   double tolerance) {
+                   const std::vector<PrescribedNode>& prescribed, const Vectors& momentum,
+                   Vectors& velocities, double tolerance) {
     Vectors half;
     preconditioner.solveLower(momentum, velocities, half);
     Vectors start = velocities;
     preconditioner.solveUpper(std::move(half), start);
-    for (const PrescribedNode& led : led)
+    for (const PrescribedNode& led : prescribed)
         start[led.node] = velocities[led.node];
-    const UnknownNodes unknown(preconditioner, led, velocities.size());
+    const UnknownNodes unknown(preconditioner, prescribed, velocities.size());
     velocities = start;
     Solved solved = conjugateGradients(matrix, unknown, momentum, tolerance, velocities);
     if (solved == Solved::Indefinite) {

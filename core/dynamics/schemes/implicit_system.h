@@ -30,13 +30,13 @@ private:
     std::vector<SpringTangent> m_tangents; ///< by spring
 };
 
-/// Solves A·v = momentum for the nodes that are neither prescribed nor led, whose velocities are given, by
+/// Solves A·v = momentum for the nodes whose velocities neither the matrix nor `prescribed` gives, by
 /// conjugate gradients preconditioned with the factorised matrix, in which the weighted Laplacian stands for
 /// K. Starts from that matrix's own solution, which has the momentum of the whole already.
 /// @param tolerance of the preconditioned residual's norm
 /// @throws InvalidModel when it does not converge
 void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner,
-                   const std::vector<PrescribedNode>& led, const Vectors& momentum, Vectors& velocities,
-                   double tolerance = 1e-10);
+                   const std::vector<PrescribedNode>& prescribed, const Vectors& momentum,
+                   Vectors& velocities, double tolerance = 1e-10);
 
 } // namespace esm

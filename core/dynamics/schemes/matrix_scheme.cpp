@@ -11,6 +11,8 @@ namespace esm {
 
 namespace {
 
+constexpr int mostBranchRounds = 4; ///< after which all springs are taken for strained
+
 constexpr double roundingShare = 1e-9; ///< of potentials; differences below it say nothing
 constexpr int mostHalfWays = 4; ///< from a step that overshoots to the safe one: to a sixteenth of the way
 constexpr double gainedShare = 1e-4; ///< of the energy that moves in a step; in 1000 steps a tenth
@@ -20,7 +22,6 @@ constexpr int mostNewtonSteps = 4;
 constexpr double newtonTolerance = 1e-3; ///< of the velocities, in the mean square over masses
 constexpr double solverTolerance = 1e-3; ///< of a step's equation
 constexpr int mostNewtonHalvings = 9;    ///< of a step that would go uphill
-constexpr int mostBranchRounds = 4;      ///< after which all springs are taken for strained
 
 double kineticEnergy(const SpringSystem& system, const Vectors& velocities) {
     double sum = 0;
@@ -65,15 +66,17 @@ void MatrixScheme::remember(Motion before) {
 }
 
 UntouchedStep MatrixScheme::step(const SpringSystem& system, const StepInput& input, const Motion& before,
-                                 RunSolvers& solvers) {
+                                 StepperSolvers& solvers) {
     const Start start{system, input, before};
     if (m_previous)
-        if (auto built = solve(start, solvers.linear(system, input.duration, true), true))
+        if (auto built = solve(start, solvers.linear(system, input.duration, true), true)) {
+            built->buildsOnLast = true;
             return std::move(*built);
+        }
     return firstStep(start, solvers);
 }
 
-UntouchedStep MatrixScheme::firstStep(const Start& start, RunSolvers& solvers) {
+UntouchedStep MatrixScheme::firstStep(const Start& start, StepperSolvers& solvers) {
     const double duration = start.input.duration;
     if (hasConstantMatrix(m_integrator) && solvers.hasBranches(duration)) return branchStep(start, solvers);
     return *solve(start, solvers.linear(start.system, duration, false), false);
@@ -81,11 +84,10 @@ UntouchedStep MatrixScheme::firstStep(const Start& start, RunSolvers& solvers) {
 
 // Where a spring is up to its strain before and after, it is so in between, and the matrix resists it no less
 // than its law does: only then is the step sure not to overshoot.
-UntouchedStep MatrixScheme::branchStep(const Start& start, RunSolvers& solvers) {
+UntouchedStep MatrixScheme::branchStep(const Start& start, StepperSolvers& solvers) {
     for (int round = 0;; ++round) {
         UntouchedStep step = *solve(start, solvers.branch(start.system, start.input.duration), false);
-        for (const PrescribedNode& led : start.input.prescribed)
-            step.motion.positions[led.node] = led.position;
+        placePrescribedNodes(start.input, step.motion.positions);
         if (!solvers.strain(start.system, step.motion.positions)) return step;
         if (round == mostBranchRounds) solvers.strainAll();
     }
@@ -95,7 +97,7 @@ std::optional<UntouchedStep> MatrixScheme::solve(const Start& start, StepSolver&
     const auto& [system, input, before] = start;
     elasticForces(system, before.positions, m_forces);
     const Form form = formOf(input, before, builds);
-    UntouchedStep step{before, {}};
+    UntouchedStep step{before, {}, false};
     lead(input.prescribed, form, before.positions, step.motion.velocities);
     if (hasConstantMatrix(m_integrator))
         solveConstant(start, form, solver, step);

@@ -15,8 +15,7 @@ public:
     MatrixScheme(Integrator integrator, Damping damping) : m_integrator(integrator), m_damping(damping) {}
 
     UntouchedStep step(const SpringSystem& system, const StepInput& input, const Motion& before,
-                       RunSolvers& solvers) override;
-    bool solvesOnLast() const override { return m_previous.has_value(); }
+                       StepperSolvers& solvers) override;
     void remember(Motion before) override;
     void restart() override { m_previous.reset(); }
 
@@ -27,8 +26,8 @@ private:
     /// Empty when a step that builds on the last one would overshoot: it must then be taken without.
     /// @param solver holds the matrix of stepFactors()
     std::optional<UntouchedStep> solve(const Start& start, StepSolver& solver, bool builds);
-    UntouchedStep firstStep(const Start& start, RunSolvers& solvers);
-    UntouchedStep branchStep(const Start& start, RunSolvers& solvers);
+    UntouchedStep firstStep(const Start& start, StepperSolvers& solvers);
+    UntouchedStep branchStep(const Start& start, StepperSolvers& solvers);
     static void lead(const std::vector<PrescribedNode>& prescribed, const Form& form,
                      const Vectors& positions, Vectors& velocities);
     Form formOf(const StepInput& input, const Motion& before, bool builds) const;

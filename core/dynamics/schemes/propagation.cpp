@@ -154,7 +154,7 @@ double PropagationScheme::diagonalOf(std::uint32_t node, const SpringSystem& sys
 }
 
 UntouchedStep PropagationScheme::step(const SpringSystem& system, const StepInput& input,
-                                      const Motion& before, RunSolvers& /*solvers*/) {
+                                      const Motion& before, StepperSolvers& /*solvers*/) {
     UntouchedStep step;
     LocalPropagation propagation(*this, system, input, before, step.motion);
     for (int pass = 1; pass <= mostPasses; ++pass) {

@@ -20,7 +20,7 @@ public:
 
     /// @throws InvalidModel when the forces do not settle; Cancelled when it is not wanted any more
     UntouchedStep step(const SpringSystem& system, const StepInput& input, const Motion& before,
-                       RunSolvers& solvers) override;
+                       StepperSolvers& solvers) override;
 
 private:
     class LocalPropagation;

@@ -6,6 +6,15 @@
 
 namespace esm {
 
+void StepScheme::steps(const SpringSystem& system, const StepInput& input, std::size_t count, Motion& motion,
+                       StepperSolvers& solvers) {
+    for (std::size_t i = 0; i < count; ++i) {
+        Motion next = step(system, input, motion, solvers).motion;
+        std::swap(motion, next);
+        remember(std::move(next));
+    }
+}
+
 std::unique_ptr<StepScheme> makeStepScheme(const SpringSystem& system, Integrator integrator,
                                            const SimulationSettings& settings, ThreadTeam* team) {
     if (traitsOf(integrator).kind == StepKind::Searching)

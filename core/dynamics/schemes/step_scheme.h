@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/dynamics/prepared_model.h"
-#include "core/dynamics/schemes/run_solvers.h"
+#include "core/dynamics/schemes/stepper_solvers.h"
+#include "core/dynamics/settings.h"
 
 #include <memory>
 
@@ -20,14 +20,11 @@ public:
     /// One step. Led nodes are up to rounding where they are led.
     /// @throws InvalidModel when no solution is found, Cancelled
     virtual UntouchedStep step(const SpringSystem& system, const StepInput& input, const Motion& before,
-                               RunSolvers& solvers) = 0;
+                               StepperSolvers& solvers) = 0;
 
-    /// So many steps at once, which lead nothing. Precondition: isExplicit().
-    virtual void steps(const StepInput& /*input*/, std::size_t /*count*/, Motion& /*motion*/) {}
-
-    /// Whether the next step solves with the matrix of those that build on the last one. Impulses of contact
-    /// act through another.
-    virtual bool solvesOnLast() const { return false; }
+    /// So many steps one after the other, which lead nothing.
+    virtual void steps(const SpringSystem& system, const StepInput& input, std::size_t count, Motion& motion,
+                       StepperSolvers& solvers);
 
     /// The next step may build on the one that started here. Precondition: it was the last to be computed.
     virtual void remember(Motion /*before*/) {}

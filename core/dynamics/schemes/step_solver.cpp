@@ -12,7 +12,7 @@ std::vector<std::uint32_t> ledByImpulses(const StepMatrix& matrix,
                                          const std::vector<PrescribedNode>& prescribed) {
     std::vector<std::uint32_t> led;
     for (const PrescribedNode& node : prescribed)
-        if (!matrix.isPrescribed(node.node)) led.push_back(node.node);
+        if (!matrix.isGiven(node.node)) led.push_back(node.node);
     return led;
 }
 

@@ -23,10 +23,11 @@ MatrixFactors stepFactors(Integrator integrator, double duration, bool builds);
 /// A step before anything touched it.
 struct UntouchedStep {
     Motion motion;
-    Vectors half; ///< half-solved velocities, N·s/√kg; empty where none were needed
+    Vectors half;              ///< half-solved velocities, N·s/√kg; empty where none were needed
+    bool buildsOnLast = false; ///< it was solved with the matrix of such steps
 };
 
-/// The led nodes that the matrix does not take for prescribed.
+/// Those of the prescribed nodes that the matrix does not take for given.
 std::vector<std::uint32_t> ledByImpulses(const StepMatrix& matrix,
                                          const std::vector<PrescribedNode>& prescribed);
 

@@ -25,20 +25,20 @@ long lengthOf(double duration) {
     return std::lround(parts * std::log2(duration));
 }
 
-StepSolvers::StepSolvers(std::vector<char> prescribed, std::shared_ptr<MatrixFactoriser> factoriser)
-    : m_prescribed(std::move(prescribed)), m_factoriser(std::move(factoriser)) {}
+StepSolvers::StepSolvers(std::vector<char> given, std::shared_ptr<MatrixFactoriser> factoriser)
+    : m_given(std::move(given)), m_factoriser(std::move(factoriser)) {}
 
 StepSolver& StepSolvers::linear(const SpringSystem& system, Integrator integrator, double duration,
                                 bool builds) {
     return knownOrMade(m_linear, std::pair(lengthOf(duration), builds), [&] {
-        return StepMatrix(system, stepFactors(integrator, duration, builds), m_prescribed, *m_factoriser);
+        return StepMatrix(system, stepFactors(integrator, duration, builds), m_given, *m_factoriser);
     });
 }
 
 StepSolver& StepSolvers::branch(const SpringSystem& system, const StrainedSprings& strained,
                                 Integrator integrator, double duration) {
     return knownOrMade(m_branches, lengthOf(duration), [&] {
-        return StepMatrix(strained.linearised(system), stepFactors(integrator, duration, false), m_prescribed,
+        return StepMatrix(strained.linearised(system), stepFactors(integrator, duration, false), m_given,
                           *m_factoriser);
     });
 }

@@ -12,15 +12,15 @@ namespace esm {
 /// Of steps: the same for durations that differ by rounding alone.
 long lengthOf(double duration);
 
-/// The factorised matrices of one tissue's steps, with some nodes prescribed. Each is made when it is first
+/// The factorised matrices of one tissue's steps, with some nodes given. Each is made when it is first
 /// asked for, and kept.
 class StepSolvers {
 public:
-    /// @param prescribed per node
+    /// @param given per node
     /// @param factoriser may know the order of elimination from tissue with the same network
-    StepSolvers(std::vector<char> prescribed, std::shared_ptr<MatrixFactoriser> factoriser);
+    StepSolvers(std::vector<char> given, std::shared_ptr<MatrixFactoriser> factoriser);
 
-    const std::vector<char>& prescribed() const { return m_prescribed; }
+    const std::vector<char>& given() const { return m_given; }
     const std::shared_ptr<MatrixFactoriser>& factoriser() const { return m_factoriser; }
     /// For what is asked for from now on.
     void setFactoriser(std::shared_ptr<MatrixFactoriser> factoriser) { m_factoriser = std::move(factoriser); }
@@ -37,7 +37,7 @@ public:
     void forgetBranches() { m_branches.clear(); }
 
 private:
-    std::vector<char> m_prescribed;
+    std::vector<char> m_given;
     std::shared_ptr<MatrixFactoriser> m_factoriser;
     std::map<std::pair<long, bool>, std::unique_ptr<StepSolver>> m_linear; ///< by length and form
     std::map<long, std::unique_ptr<StepSolver>> m_branches;                ///< by length

@@ -58,14 +58,14 @@ Stepper::Stepper(PreparedModel model, TouchedSurface surface, ThreadTeam* team, 
 
 bool Stepper::canTakeScheme(const Stepper& former) const {
     const SimulationSettings &settings = m_settings, &others = former.m_settings;
-    return isExplicit(m_integrator) && m_integrator == former.m_integrator &&
-           m_system.network == former.m_system.network && m_team == former.m_team &&
-           settings.damping == others.damping && settings.precision == others.precision &&
-           settings.restTolerance == others.restTolerance;
+    return m_integrator == former.m_integrator && m_system.network == former.m_system.network &&
+           m_team == former.m_team && settings.damping == others.damping &&
+           settings.precision == others.precision && settings.restTolerance == others.restTolerance;
 }
 
 std::unique_ptr<StepScheme> Stepper::makeScheme(const Stepper* former) const {
-    if (former && canTakeScheme(*former)) return former->m_scheme->withParameters(m_system);
+    if (former && canTakeScheme(*former))
+        if (auto taken = former->m_scheme->withParameters(m_system)) return taken;
     return makeStepScheme(m_system, m_integrator, m_settings, m_team);
 }
 
@@ -88,7 +88,7 @@ void Stepper::steps(Motion& motion, const Request& request) {
     m_touches.assign(request.colliders.size(), {});
     m_contactWork = 0;
     if (touchesNothing(loads)) {
-        m_scheme->steps({m_duration, &loads, {}}, request.count, motion);
+        m_scheme->steps(m_system, {m_duration, &loads, {}}, request.count, motion, m_solvers);
     } else {
         for (const Piece& piece : piecesOf(motion, request))
             advance(motion, piece);
@@ -126,7 +126,7 @@ void Stepper::advance(Motion& motion, const Piece& piece) {
     if (jumps(piece.input, motion.positions) || standsAlone) m_scheme->restart();
     UntouchedStep untouched = untouchedStep(motion, piece);
     const bool touched = touches(motion, piece, untouched.motion.positions);
-    if (touched && m_scheme->solvesOnLast()) {
+    if (touched && untouched.buildsOnLast) {
         m_scheme->restart();
         untouched = untouchedStep(motion, piece);
     }
@@ -155,9 +155,7 @@ bool Stepper::jumps(const StepInput& input, const Vectors& positions) {
 
 UntouchedStep Stepper::untouchedStep(const Motion& motion, const Piece& piece) {
     UntouchedStep untouched = m_scheme->step(m_system, piece.input, motion, m_solvers);
-    // To the last bit.
-    for (const PrescribedNode& led : piece.input.prescribed)
-        untouched.motion.positions[led.node] = led.position;
+    placePrescribedNodes(piece.input, untouched.motion.positions);
     return untouched;
 }
 

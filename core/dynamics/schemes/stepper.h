@@ -87,7 +87,7 @@ private:
     };
     std::vector<PrescribedWay> m_ways;
     std::optional<Loads> m_lastLoads;
-    RunSolvers m_solvers;
+    StepperSolvers m_solvers;
     std::unique_ptr<StepScheme> m_scheme;
 };
 

@@ -25,8 +25,8 @@ SwingBounds boundsOf(const SpringSystem& system, Damping damping) {
 } // namespace
 
 double stepsPerSecond(const SpringSystem& system, Integrator integrator) {
-    constexpr double least = 20; // springs; a step has more to do
-    const double springs = static_cast<double>(system.springs.size()) + least;
+    constexpr double other = 20; // springs, that a step's other work is worth
+    const double springs = static_cast<double>(system.springs.size() + system.tethers.size()) + other;
     return 1 / (springs * traitsOf(integrator).stepCost);
 }
 

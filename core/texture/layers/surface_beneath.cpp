@@ -13,7 +13,7 @@ namespace {
 constexpr int rowsPerTask = 8, tasksPerReport = 8;
 
 /// The ray along which a projector casts a pixel of its photo.
-Ray projectedRay(const Projector& projector, PhotoSize photo, const Eigen::Vector2d& pixel) {
+Ray rayThrough(const Projector& projector, PhotoSize photo, const Eigen::Vector2d& pixel) {
     if (projector.kind == ProjectorKind::Perspective) {
         const Intrinsics camera = intrinsicsOf(projector, photo);
         const Eigen::Vector3d direction((pixel.x() - camera.cx) / camera.fx,
@@ -42,7 +42,7 @@ public:
 
 private:
     void show(const Eigen::Vector2d& place, std::uint8_t* pixel) {
-        const auto hit = m_query.firstHit(projectedRay(m_plane.projector, m_plane.photo, place));
+        const auto hit = m_query.firstHit(rayThrough(m_plane.projector, m_plane.photo, place));
         if (!hit || !takesColour(hit->triangle)) return;
         const auto layers = m_known.try_emplace(hit->triangle, m_stack, hit->triangle).first;
         const Eigen::Vector3f colour = layers->second.colour({0, 0, 0, hit->barycentric, hit->barycentric});

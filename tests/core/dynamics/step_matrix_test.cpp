@@ -52,10 +52,10 @@ Vectors someVectors(std::size_t count) {
 
 TEST(StepMatrix, SolvesForTheVelocitiesThatAreNotPrescribed) {
     const SpringSystem system = unevenSystem();
-    std::vector<char> prescribed(system.mass.size(), 0);
-    prescribed[3] = prescribed[14] = prescribed[35] = 1;
+    std::vector<char> given(system.mass.size(), 0);
+    given[3] = given[14] = given[35] = 1;
     MatrixFactoriser factoriser;
-    const StepMatrix matrix(system, {1.5, 0.02, 0}, prescribed, factoriser);
+    const StepMatrix matrix(system, {1.5, 0.02, 0}, given, factoriser);
     const Vectors momentum = someVectors(system.mass.size());
     Vectors velocities(momentum.size(), Eigen::Vector3d(1, -2, 3)), half;
     matrix.solveLower(momentum, velocities, half);
@@ -63,8 +63,8 @@ TEST(StepMatrix, SolvesForTheVelocitiesThatAreNotPrescribed) {
 
     const Eigen::MatrixXd dense = denseMatrix(system, 1.5, 0.02);
     for (std::size_t i = 0; i < momentum.size(); ++i) {
-        EXPECT_EQ(matrix.isPrescribed(static_cast<std::uint32_t>(i)), prescribed[i] != 0);
-        if (prescribed[i]) {
+        EXPECT_EQ(matrix.isGiven(static_cast<std::uint32_t>(i)), given[i] != 0);
+        if (given[i]) {
             EXPECT_EQ(velocities[i], Eigen::Vector3d(1, -2, 3));
             continue;
         }
@@ -125,29 +125,29 @@ TEST(StepMatrix, RefusesMassesThatViscositySwallows) {
 TEST(MatrixFactoriser, FindsTheSameWithWhatItKnowsAsWithout) {
     SpringSystem system = unevenSystem();
     MatrixFactoriser used;
-    const auto isSame = [&](const std::vector<char>& prescribed) {
-        const Eigen::SparseMatrix<double> matrix = laplacianMatrix(system, {1, 0.02, 0}, prescribed);
+    const auto isSame = [&](const std::vector<char>& given) {
+        const Eigen::SparseMatrix<double> matrix = laplacianMatrix(system, {1, 0.02, 0}, given);
         MatrixFactoriser fresh;
         const auto *known = used.factorise(matrix), *anew = fresh.factorise(matrix);
         return Eigen::MatrixXd(known->matrixL()) == Eigen::MatrixXd(anew->matrixL()) &&
                known->permutationP().indices() == anew->permutationP().indices();
     };
-    std::vector<char> prescribed(system.mass.size(), 0);
-    EXPECT_TRUE(isSame(prescribed));
+    std::vector<char> given(system.mass.size(), 0);
+    EXPECT_TRUE(isSame(given));
     for (SpringSystem::Element& spring : system.springs)
         spring.viscosity *= 1 + spring.first;
-    EXPECT_TRUE(isSame(prescribed)) << "other parameters";
+    EXPECT_TRUE(isSame(given)) << "other parameters";
     system.springs[3].viscosity = 0;
-    EXPECT_TRUE(isSame(prescribed)) << "an entry less";
-    prescribed[7] = 1;
-    EXPECT_TRUE(isSame(prescribed)) << "a node less";
+    EXPECT_TRUE(isSame(given)) << "an entry less";
+    given[7] = 1;
+    EXPECT_TRUE(isSame(given)) << "a node less";
 }
 
 TEST(LaplacianMatrix, LeavesPrescribedNodesOut) {
     const SpringSystem system = unevenSystem();
-    std::vector<char> prescribed(system.mass.size(), 0);
-    prescribed[0] = 1;
-    const auto sparse = laplacianMatrix(system, {2, 3, 0}, prescribed);
+    std::vector<char> given(system.mass.size(), 0);
+    given[0] = 1;
+    const auto sparse = laplacianMatrix(system, {2, 3, 0}, given);
     const Eigen::MatrixXd lower = Eigen::MatrixXd(sparse);
     const Eigen::MatrixXd dense = denseMatrix(system, 2, 3);
     const Eigen::Index size = dense.rows() - 1;

@@ -77,6 +77,16 @@ TEST(SurfaceSplit, FromBorderToBorderMakesTwoParts) {
     }
 }
 
+TEST(SurfaceSplit, TellsWhereNodesAndTrianglesCameFrom) {
+    const TriangleMesh authored = tissue::gridMesh(5, 0.1);
+    const SplitTissue split = splitSheet(grid(), pathAlong({2, 7, 12, 17, 22}));
+    std::vector<Triangle> triangles = split.topology.surface->triangles;
+    for (Triangle& triangle : triangles)
+        for (std::uint32_t& node : triangle)
+            node = split.topology.origin[node];
+    EXPECT_EQ(triangles, authored.triangles);
+}
+
 TEST(SurfaceSplit, TheOtherWayTheOtherSideKeepsItsNumbers) {
     const SplitTissue split = splitSheet(grid(), pathAlong({22, 17, 12, 7, 2}));
     expectSound(split);

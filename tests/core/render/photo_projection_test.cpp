@@ -71,8 +71,8 @@ protected:
     }
     Image projected() const {
         RenderScene scene = sceneOf({});
-        scene.projected = ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity,
-                                         layer.blending == Blending::Multiply};
+        scene.projectedPhoto = ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels,
+                                              layer.opacity, layer.blending == Blending::Multiply};
         return renderOffscreen(scene, camera, side, side);
     }
     Image baked() const { return renderOffscreen(sceneOf({layer}), camera, side, side); }
@@ -155,14 +155,14 @@ TEST_F(PhotoInMotion, IsProjectedOnTheOrganAtRest) {
     };
     RenderScene scene = sceneOf({});
     const Image bareMoved = moved(scene), bakedMoved = moved(sceneOf({layer}));
-    scene.projected =
+    scene.projectedPhoto =
         ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity, false};
     EXPECT_LT(compared(moved(scene), bakedMoved, bareMoved).mean, 2);
 }
 
-TEST_F(PhotoInMotion, WithoutAPhotoShowsNothing) {
+TEST_F(PhotoInMotion, WithoutAPhotoProjectsNothing) {
     RenderScene scene = sceneOf({});
-    scene.projected = ProjectedPhoto{};
+    scene.projectedPhoto = ProjectedPhoto{};
     EXPECT_EQ(renderOffscreen(scene, camera, side, side).pixels, bare().pixels);
 }
 

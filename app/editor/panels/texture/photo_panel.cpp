@@ -90,7 +90,8 @@ void PhotoPanel::showUse(const TextureLayer* layer) {
     enable(m_opacity, layer, opacity, why);
     enable(m_opacityField, layer, opacity, why);
     enable(m_blending, layer,
-           tr("normal hides what lies beneath, multiply darkens it, seamless passes into it without a seam"),
+           tr("normal hides what lies beneath, multiply darkens it, seamless lets colours pass gradually "
+              "into it"),
            why);
     enable(m_blend, hasPhoto, tr("Photo pixels from the border over which the photo fades in"), noPhoto);
 }

@@ -278,9 +278,9 @@ TEST(PhotoEdits, APerspectivePhotoFromTheCameraShowsWhatIsSeen) {
     for (std::size_t i = 0; i < project.mesh->vertices.size(); i += 97) {
         const Eigen::Vector3d& vertex = project.mesh->vertices[i];
         const auto seen = picturePoint(camera, vertex, aspect);
-        const auto thrown = esm::project(projector, {160, 90}, vertex);
-        EXPECT_NEAR(160 * seen->x(), thrown->x(), 1e-6);
-        EXPECT_NEAR(90 * seen->y(), thrown->y(), 1e-6);
+        const auto projected = esm::project(projector, {160, 90}, vertex);
+        EXPECT_NEAR(160 * seen->x(), projected->x(), 1e-6);
+        EXPECT_NEAR(90 * seen->y(), projected->y(), 1e-6);
     }
 }
 

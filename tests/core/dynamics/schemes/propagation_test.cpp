@@ -26,11 +26,11 @@ struct Pulled {
     }
 };
 
-/// It solves for nothing.
+/// Propagation needs no matrices: none are made.
 Motion stepped(PropagationScheme scheme, const SpringSystem& system, const StepInput& input,
                const Motion& before) {
-    RunSolvers none(system, Integrator::Propagation,
-                    StepSolvers(system.fixed, std::make_shared<MatrixFactoriser>()));
+    StepperSolvers none(system, Integrator::Propagation,
+                        StepSolvers(system.fixed, std::make_shared<MatrixFactoriser>()));
     return scheme.step(system, input, before, none).motion;
 }
 

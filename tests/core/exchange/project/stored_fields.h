@@ -18,7 +18,7 @@ struct StoredField {
 /// Of every kind of thing that a project can hold, see `docs/project-file.md`.
 std::vector<StoredField> storedFields();
 
-/// The project whose fields are set: layers that throw photos in every way and one that is painted, regions
+/// The project whose fields are set: layers that project photos in every way and one that is painted, regions
 /// with and without an ellipsoid, and all else that can be there.
 Project fullProject();
 

@@ -12,7 +12,7 @@ template<class Part> auto layerPart(std::size_t layer, const Part& part) {
     };
 }
 
-/// What every layer stores that throws a photo.
+/// What every layer stores that projects a photo.
 void addLayer(Fields& fields, std::size_t i) {
     fields.push_back(field<std::vector<LandmarkPair>>(
         "landmarks",

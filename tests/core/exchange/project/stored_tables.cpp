@@ -136,7 +136,7 @@ void addSceneTables(Fields& fields) {
     addTable<Recording>(fields, "record", [](Project& p, const auto& change) { change(p.scene.record); });
 }
 
-/// What a layer throws, and how, is bound to its kind; stored_photo_fields.cpp has that.
+/// What a layer projects, and how, is bound to its kind; stored_photo_fields.cpp has that.
 void addLayerTables(Fields& fields, std::size_t i) {
     const auto inLayer = [i](Project& p, const auto& change) {
         if (p.layers.size() > i) change(p.layers[i]);

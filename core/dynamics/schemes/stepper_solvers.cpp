@@ -1,4 +1,4 @@
-#include "core/dynamics/schemes/run_solvers.h"
+#include "core/dynamics/schemes/stepper_solvers.h"
 
 namespace esm {
 
@@ -10,11 +10,11 @@ constexpr std::size_t mostLedByImpulses = 64;
 
 } // namespace
 
-RunSolvers::RunSolvers(const SpringSystem& system, Integrator integrator, StepSolvers free)
+StepperSolvers::StepperSolvers(const SpringSystem& system, Integrator integrator, StepSolvers free)
     : m_integrator(integrator), m_free(std::move(free)),
       m_led(system.fixed, std::make_shared<MatrixFactoriser>()), m_strained(system) {}
 
-void RunSolvers::takeOver(const RunSolvers& former) {
+void StepperSolvers::takeOver(const StepperSolvers& former) {
     m_formerSeconds = former.m_formerSeconds;
     m_led.setFactoriser(former.m_led.factoriser());
     if (former.factoriser() == factoriser()) return;
@@ -23,54 +23,54 @@ void RunSolvers::takeOver(const RunSolvers& former) {
     m_free.setFactoriser(former.factoriser());
 }
 
-double RunSolvers::factorisationSeconds() const {
+double StepperSolvers::factorisationSeconds() const {
     return m_formerSeconds + factoriser()->seconds() + m_led.factoriser()->seconds();
 }
 
-void RunSolvers::prepare(const SpringSystem& system, const StepInput& input, const Vectors& positions) {
+void StepperSolvers::prepare(const SpringSystem& system, const StepInput& input, const Vectors& positions) {
     prescribe(input.prescribed, system.fixed);
     if (hasBranches(input.duration) && m_strained.follow(system, positions)) forgetBranches();
 }
 
 // The matrices without the led nodes stay, for when they are let go.
-void RunSolvers::prescribe(const std::vector<PrescribedNode>& led, const std::vector<char>& fixed) {
+void StepperSolvers::prescribe(const std::vector<PrescribedNode>& led, const std::vector<char>& fixed) {
     m_leadsMany = led.size() > mostLedByImpulses;
     if (!m_leadsMany) return;
-    std::vector<char> prescribed = fixed;
+    std::vector<char> given = fixed;
     for (const PrescribedNode& node : led)
-        prescribed[node.node] = 1;
-    if (prescribed == m_led.prescribed()) return;
-    m_led = StepSolvers(std::move(prescribed), m_led.factoriser());
+        given[node.node] = 1;
+    if (given == m_led.given()) return;
+    m_led = StepSolvers(std::move(given), m_led.factoriser());
 }
 
-bool RunSolvers::hasBranches(double duration) const {
+bool StepperSolvers::hasBranches(double duration) const {
     return m_strained.canChange() && stepFactors(m_integrator, duration, false).stiffness > 0;
 }
 
-StepSolver& RunSolvers::linear(const SpringSystem& system, double duration, bool builds) {
+StepSolver& StepperSolvers::linear(const SpringSystem& system, double duration, bool builds) {
     return solvers().linear(system, m_integrator, duration, builds);
 }
 
-StepSolver& RunSolvers::branch(const SpringSystem& system, double duration) {
+StepSolver& StepperSolvers::branch(const SpringSystem& system, double duration) {
     return solvers().branch(system, m_strained, m_integrator, duration);
 }
 
-StepSolver& RunSolvers::forImpulses(const SpringSystem& system, double duration) {
+StepSolver& StepperSolvers::forImpulses(const SpringSystem& system, double duration) {
     return hasBranches(duration) ? branch(system, duration) : linear(system, duration, false);
 }
 
-bool RunSolvers::strain(const SpringSystem& system, const Vectors& positions) {
+bool StepperSolvers::strain(const SpringSystem& system, const Vectors& positions) {
     const bool changed = m_strained.add(system, positions);
     if (changed) forgetBranches();
     return changed;
 }
 
-void RunSolvers::strainAll() {
+void StepperSolvers::strainAll() {
     m_strained.addAll();
     forgetBranches();
 }
 
-void RunSolvers::forgetBranches() {
+void StepperSolvers::forgetBranches() {
     m_free.forgetBranches();
     m_led.forgetBranches();
 }
