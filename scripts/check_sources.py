@@ -39,7 +39,7 @@ MAY_INCLUDE = {
 
 # One word for each thing: what must not be said, and what is said instead.
 WORDS = (
-    (re.compile(r"(?<!@)\bthr(?:ow|ew)\w*\b(?! (?:[A-Z]|std))[^.;]{0,60}\bphotos?\b|\bphotos?\b[^.;]{0,40}(?<!@)\bthr(?:ow|ew)\w*\b(?! (?:[A-Z]|std))", re.I),
+    (re.compile(r"(?<!@)\bthr(?:ow|ew)\w*\b(?! (?-i:[A-Z]|std))[^.;]{0,60}\bphotos?\b|\bphotos?\b[^.;]{0,40}(?<!@)\bthr(?:ow|ew)\w*\b(?! (?-i:[A-Z]|std))", re.I),
      "a photo is projected: to throw is for exceptions"),
     (re.compile(r"\b(?:Held|Led)Node\b"), "a node that is led along a path is prescribed"),
     (re.compile(r"\b(?:Page|Owned)Band\b|\bBandOwners\b|\bforEachBand\b"), "rows of a page are a strip"),

@@ -21,7 +21,7 @@ struct CarriedPlace {
 Eigen::Vector3d pointOf(const CarriedPlace& place, const std::vector<Eigen::Vector3d>& positions);
 
 struct PickedPoint {
-    std::uint32_t node;           ///< nearest to the point
+    std::uint32_t node;           ///< that carries most of the nearest corner
     Eigen::Vector3d point;        ///< m
     Eigen::Vector3d nodePosition; ///< m
     SurfaceSpot spot;             ///< the same on the organ at rest, the viewer being outside

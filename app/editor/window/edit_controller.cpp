@@ -38,6 +38,7 @@ void EditController::connectActions(const Actions& actions) {
     const auto update = [this, actions] { enable(actions); };
     connect(&m_document, &Document::changed, this, update);
     connect(&m_selection, &Selection::changed, this, update);
+    connect(actions.texture, &QAction::toggled, this, update);
     update();
 }
 
@@ -56,9 +57,12 @@ void EditController::enable(const Actions& actions) {
     esm::enable(actions.removePhoto, layer, tr("Remove the selected photo"), tr("No photo is selected"));
     esm::enable(actions.freeNodes, !project.scene.fixed.empty(), tr("Let every fixed node go"),
                 tr("No node is fixed"));
-    esm::enable(actions.fromCamera, layer && layer->photo,
+    const bool texture = actions.texture->isChecked();
+    esm::enable(actions.fromCamera, texture && layer && layer->photo,
                 withShortcut(tr("Project the selected photo from where you look"), actions.fromCamera),
-                layer ? tr("The selected layer has no photo, it is painted") : tr("No photo is selected"));
+                !texture ? tr("Photos are placed in the workspace Texture (Ctrl+2)")
+                : layer  ? tr("The selected layer has no photo, it is painted")
+                         : tr("No photo is selected"));
     esm::enable(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
                 tr("Simulate fewer nodes under the full surface, or every vertex"),
                 tr("This model has no surface that fewer nodes could carry"));

@@ -71,15 +71,15 @@ QString actionRows(std::initializer_list<const QAction*> actions) {
 QString keysText(const Actions& a) {
     const QString mouse = title(QObject::tr("View")) + viewRows(a) + title(QObject::tr("Tools")) +
                           toolRows(a) + title(QObject::tr("Fields and lists")) + fieldRows();
-    const QString keys =
-        title(QObject::tr("Project")) +
-        actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit, a.undo, a.redo}) +
-        title(QObject::tr("Tissue and photos")) +
-        actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera, a.play, a.playScene,
-                    a.reset}) +
-        title(QObject::tr("Window")) +
-        actionRows({a.tissue, a.texture, a.showSprings, a.showRegions, a.showLeft, a.showRight, a.fuzzyWindow,
-                    a.keys});
+    const QString keys = title(QObject::tr("Project")) +
+                         actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit}) +
+                         row(keysOf(a.undo), QObject::tr("Undo")) + row(keysOf(a.redo), QObject::tr("Redo")) +
+                         title(QObject::tr("Tissue and photos")) +
+                         actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera,
+                                     a.play, a.playScene, a.reset}) +
+                         title(QObject::tr("Window")) +
+                         actionRows({a.tissue, a.texture, a.showSprings, a.showRegions, a.showLeft,
+                                     a.showRight, a.fuzzyWindow, a.keys});
     return QStringLiteral("<table><tr><td><table>%1</table></td><td><table>%2</table></td></tr></table>")
         .arg(mouse, keys);
 }

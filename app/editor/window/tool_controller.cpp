@@ -57,9 +57,9 @@ std::vector<QWidget*> ToolController::makeOptions(ToolOptions place, ToolWorkspa
 QString ToolController::whyNot(const Tool& tool) const {
     const bool texture = m_actions.texture->isChecked();
     if (texture && tool.row.workspace == ToolWorkspace::Tissue)
-        return tr("Regions are shaped in the workspace Tissue (Ctrl+1)");
+        return tr("This tool belongs to the workspace Tissue (Ctrl+1)");
     if (!texture && tool.row.workspace == ToolWorkspace::Texture)
-        return tr("Photos are placed in the workspace Texture (Ctrl+2)");
+        return tr("This tool belongs to the workspace Texture (Ctrl+2)");
     return tool.tool->whyNot();
 }
 

@@ -11,7 +11,8 @@ namespace esm {
 /// as if nothing touched the tissue, then with the impulses that its contacts ask for. Integrators that build
 /// on earlier steps begin anew after every jump, of loads, of parameters or of a led node's velocity, and
 /// while the tissue is touched; such a first step is one of the integrator that IntegratorTraits names.
-/// Explicit ones begin anew in each step that leads nodes, which go evenly through it.
+/// Explicit ones begin anew in each step that leads nodes, which go evenly through it, and step as symplectic
+/// Euler while the tissue is touched.
 class Stepper {
 public:
     /// @param team outlives the stepper; null is one thread
@@ -62,10 +63,15 @@ private:
         std::vector<ColliderMove> colliders;
     };
     std::vector<Piece> piecesOf(const Motion& motion, const Request& request) const;
+    /// In so many parts of the same length, from these positions on.
+    static std::vector<Piece> cut(const Piece& whole, int parts, const Vectors& positions);
     void advance(Motion& motion, const Piece& piece);
+    /// @param untouched the scheme's step, which something touches
+    void advanceTouched(Motion& motion, const Piece& piece, UntouchedStep untouched);
+    void makeWay(Motion& motion, const Piece& piece, UntouchedStep untouched);
     /// Whether led nodes change their velocities by more than smooth ways do. Takes note of them.
     bool jumps(const StepInput& input, const Vectors& positions);
-    UntouchedStep untouchedStep(const Motion& motion, const Piece& piece);
+    UntouchedStep untouchedStep(StepScheme& scheme, const Motion& motion, const Piece& piece);
     /// Pushes the surface out of the instruments. Precondition: `untouched` did not build on the step before.
     Motion madeWay(const Motion& motion, const Piece& piece, UntouchedStep untouched);
     std::vector<char> immovable(const Piece& piece) const;
@@ -89,6 +95,7 @@ private:
     std::optional<Loads> m_lastLoads;
     StepperSolvers m_solvers;
     std::unique_ptr<StepScheme> m_scheme;
+    std::unique_ptr<StepScheme> m_touchedScheme; ///< of explicit steps of a higher order; null until touched
 };
 
 } // namespace esm
