@@ -11,7 +11,7 @@ namespace esm {
 namespace {
 
 // Pixels; so much has room beside undo and redo in the smallest window.
-constexpr int kindWidth = 70, fieldWidth = 78, gap = 6;
+constexpr int kindWidth = 70, fieldWidth = 84, gap = 6;
 
 } // namespace
 
