@@ -134,6 +134,7 @@ void NumberField::setRefusal(const QString& reason) {
     setProperty("refused", !reason.isEmpty());
     style()->polish(this);
     if (reason.isEmpty()) QToolTip::hideText();
+    emit refusalChanged();
 }
 
 void NumberField::showValue() {

@@ -50,6 +50,8 @@ signals:
     void valueEdited(double value);
     /// What was typed is taken, or the arrow keys rest: what follows is another edit.
     void gestureFinished();
+    /// See refusal().
+    void refusalChanged();
 
 protected:
     bool event(QEvent* event) override;

@@ -25,6 +25,7 @@ DistancePanel::DistancePanel(DistanceTool& tool, QWidget* parent)
       m_remark(new QLabel(this)) {
     layOut();
     connect(m_trueLength, &NumberField::valueEdited, &tool, &DistanceTool::setTrueLength);
+    connect(m_trueLength, &NumberField::refusalChanged, this, &DistancePanel::showScaling);
     connect(m_kept, qOverload<int>(&QComboBox::activated), this,
             [this] { m_tool.setKept(static_cast<KeptByScaling>(m_kept->currentData().toInt())); });
     connect(m_scale, &QPushButton::clicked, &tool, &DistanceTool::scaleOrgan);
@@ -63,10 +64,16 @@ void DistancePanel::show() {
     m_measured->setText(length ? withUnit(1000 * *length, QStringLiteral("mm")) : QString(QChar(0x2013)));
     m_trueLength->setValue(m_tool.trueLength());
     m_kept->setCurrentIndex(m_kept->findData(static_cast<int>(m_tool.kept())));
-    enable(m_scale, m_tool.obstacle().isEmpty(),
-           tr("Make the organ, and all that lies on it, as large as the true length says"),
-           m_tool.obstacle());
-    m_remark->setText(m_tool.obstacle());
+    showScaling();
+}
+
+/// What was typed and not taken comes first: the length of before it is not what is seen.
+void DistancePanel::showScaling() {
+    const QString refusal = m_trueLength->refusal();
+    const QString obstacle = refusal.isEmpty() ? m_tool.obstacle() : refusal;
+    enable(m_scale, obstacle.isEmpty(),
+           tr("Make the organ, and all that lies on it, as large as the true length says"), obstacle);
+    m_remark->setText(obstacle);
 }
 
 } // namespace esm

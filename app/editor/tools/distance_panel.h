@@ -20,6 +20,7 @@ public:
 private:
     void layOut();
     void show();
+    void showScaling();
 
     DistanceTool& m_tool;
     QLabel* m_measured;

@@ -246,6 +246,22 @@ TEST_F(DistanceInTheWindow, KeepsTheDensityWhereAskedTo) {
     expectScaled(KeptByScaling::Density);
 }
 
+TEST_F(DistanceInTheWindow, ScalesToNothingButTheLengthThatIsSeen) {
+    pickTwoPoints();
+    auto* field = shown<NumberField>("trueLength");
+    typeInto(field, "200");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_TRUE(shown<QPushButton>("scaleOrgan")->isEnabled());
+    typeInto(field, "0");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_NE(field->refusal(), "");
+    EXPECT_FALSE(shown<QPushButton>("scaleOrgan")->isEnabled());
+    EXPECT_EQ(shown<QLabel>("scaleRemark")->text(), field->refusal());
+    typeInto(field, "150");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_TRUE(shown<QPushButton>("scaleOrgan")->isEnabled());
+}
+
 TEST_F(DistanceInTheWindow, IsThereInBothWorkspacesWhileItIsInHand) {
     EXPECT_TRUE(shown<QPushButton>("scaleOrgan"));
     press(Qt::Key_2, Qt::ControlModifier);
