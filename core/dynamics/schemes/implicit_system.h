@@ -3,6 +3,7 @@
 #include "core/dynamics/motion.h"
 #include "core/dynamics/settings.h"
 #include "core/dynamics/spring_force.h"
+#include "core/dynamics/step_matrix.h"
 
 namespace esm {
 
