@@ -323,7 +323,7 @@ class SimulateTest(Case):
 
     def test_says_that_all_are_of_the_first_order_under_an_instrument(self):
         touched = {"duration": 0.02, "instrument": {"shape": "sphere", "radius": 0.02, "path": [[0, 0, 0, 0.01], [1, 0, 0, 0]]}}
-        for integrator, dt, is_warned in (("rk4", "4e-6", True), ("split", "auto", False), ("auto", "auto", False)):
+        for integrator, dt, is_warned in (("rk4", "2e-6", True), ("split", "auto", False), ("auto", "auto", False)):
             report, _ = self.simulated(self.sample("tube"), touched, "--integrator", integrator, "--dt", dt)
             said = "\n".join(report["warnings"])
             self.assertNotIn("never touches", said)

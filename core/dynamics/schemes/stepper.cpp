@@ -2,6 +2,7 @@
 
 #include "core/dynamics/contact/contact_impulses.h"
 #include "core/dynamics/forces.h"
+#include "core/dynamics/schemes/schemes.h"
 #include "core/dynamics/schemes/told_impulses.h"
 
 #include <algorithm>
@@ -47,18 +48,24 @@ double impulseToleranceOf(const std::vector<Contact>& contacts, const std::vecto
     return impulseTolerance * least;
 }
 
-/// In so many of its steps symplectic Euler is stable where a step of the integrator is: it is up to 2/ω, rk4
-/// up to 2.83/ω, the others up to less.
-int eulerSteps(Integrator integrator) {
-    return integrator == Integrator::Rk4 ? 2 : 1;
+/// s, the longest stable step of symplectic Euler: at any deformation, where the integrator's own step is
+/// stable at any; else close to rest, since the step was given and is taken as it is.
+double longestEulerStep(const SpringSystem& system, Damping damping, Integrator integrator, double timeStep) {
+    constexpr double tolerance = 0.05;
+    TissueSpectrum strained(system, damping, {tolerance, Deformation::Any, {}});
+    if (schemeOf(integrator).largestStable(strained, timeStep).value_or(0) >= timeStep)
+        return *schemeOf(Integrator::Euler).largestStable(strained, noStepLimit);
+    TissueSpectrum resting(system, damping, {tolerance, Deformation::AtRest, {}});
+    return *schemeOf(Integrator::Euler).largestStable(resting, noStepLimit);
 }
 
 } // namespace
 
 Stepper::Stepper(PreparedModel model, TouchedSurface surface, ThreadTeam* team, const Stepper* former)
     : m_system(std::move(model.system)), m_surface(std::move(surface)), m_settings(std::move(model.settings)),
-      m_team(team), m_integrator(model.chosen.integrator), m_duration(model.chosen.timeStep),
-      m_solvers(m_system, m_integrator, std::move(model.solvers)), m_scheme(makeScheme(former)) {
+      m_team(team), m_integrator(model.chosen.integrator), m_timeStep(model.chosen.timeStep),
+      m_duration(model.chosen.timeStep), m_solvers(m_system, m_integrator, std::move(model.solvers)),
+      m_scheme(makeScheme(former)) {
     if (former) m_solvers.takeOver(former->m_solvers);
 }
 
@@ -144,10 +151,16 @@ void Stepper::advance(Motion& motion, const Piece& piece) {
         m_scheme->remember(std::move(untouched.motion));
 }
 
+void Stepper::prepareTouchedScheme() {
+    m_touchedScheme = makeStepScheme(m_system, Integrator::Euler, m_settings, m_team);
+    m_longestTouchedStep = longestEulerStep(m_system, m_settings.damping, m_integrator, m_timeStep);
+}
+
 // Explicit steps of a higher order move nodes by half of their acceleration as well. Kept outside by that
 // way, tissue would end each step with as much speed into the instrument, of which viscosity takes a share of
 // the force: up to a third of it in their longest steps. As contact is of the first order anyhow, touched
-// steps are those of symplectic Euler, whose velocities are what moves the nodes.
+// steps are those of symplectic Euler, whose velocities are what moves the nodes; as many as are stable where
+// a step is longer than that, as rk4's can be.
 void Stepper::advanceTouched(Motion& motion, const Piece& piece, UntouchedStep untouched) {
     m_scheme->restart();
     if (!isExplicit(m_integrator) || orderOf(m_integrator) == 1) {
@@ -155,8 +168,9 @@ void Stepper::advanceTouched(Motion& motion, const Piece& piece, UntouchedStep u
         makeWay(motion, piece, std::move(untouched));
         return m_scheme->restart();
     }
-    if (!m_touchedScheme) m_touchedScheme = makeStepScheme(m_system, Integrator::Euler, m_settings, m_team);
-    for (const Piece& part : cut(piece, eulerSteps(m_integrator), motion.positions)) {
+    if (!m_touchedScheme) prepareTouchedScheme();
+    const double parts = std::ceil(piece.input.duration / m_longestTouchedStep);
+    for (const Piece& part : cut(piece, static_cast<int>(std::max(1.0, parts)), motion.positions)) {
         m_touchedScheme->restart();
         UntouchedStep step = untouchedStep(*m_touchedScheme, motion, part);
         if (touches(motion, part, step.motion.positions))

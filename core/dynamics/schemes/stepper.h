@@ -68,6 +68,7 @@ private:
     void advance(Motion& motion, const Piece& piece);
     /// @param untouched the scheme's step, which something touches
     void advanceTouched(Motion& motion, const Piece& piece, UntouchedStep untouched);
+    void prepareTouchedScheme();
     void makeWay(Motion& motion, const Piece& piece, UntouchedStep untouched);
     /// Whether led nodes change their velocities by more than smooth ways do. Takes note of them.
     bool jumps(const StepInput& input, const Vectors& positions);
@@ -82,6 +83,7 @@ private:
     SimulationSettings m_settings;
     ThreadTeam* m_team;
     Integrator m_integrator;
+    double m_timeStep; ///< s, that was chosen
     double m_duration; ///< s, of the last step
     std::vector<InstrumentTouch> m_touches;
     double m_contactWork = 0; ///< J
@@ -96,6 +98,7 @@ private:
     StepperSolvers m_solvers;
     std::unique_ptr<StepScheme> m_scheme;
     std::unique_ptr<StepScheme> m_touchedScheme; ///< of explicit steps of a higher order; null until touched
+    double m_longestTouchedStep = 0;             ///< s, of it that is stable
 };
 
 } // namespace esm

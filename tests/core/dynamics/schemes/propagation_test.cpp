@@ -84,3 +84,19 @@ TEST(Propagation, CanBeCancelledWithinAStep) {
                  Cancelled);
     EXPECT_EQ(asked, 3);
 }
+
+// What every scheme does that has no quicker way to step many times.
+TEST(Propagation, TakesManyStepsOneAfterTheOther) {
+    const Pulled pulled;
+    PropagationScheme scheme(pulled.system, Damping::Isotropic);
+    StepperSolvers none(pulled.system, Integrator::Propagation,
+                        StepSolvers(pulled.system.fixed, std::make_shared<MatrixFactoriser>()));
+    Motion together = pulled.before, single = pulled.before;
+    const StepInput input{0.02, &pulled.loads, {}};
+    scheme.steps(pulled.system, input, 3, together, none);
+    for (int i = 0; i < 3; ++i)
+        single = scheme.step(pulled.system, input, single, none).motion;
+    EXPECT_EQ(together.positions, single.positions);
+    EXPECT_EQ(together.velocities, single.velocities);
+    EXPECT_NE(together.positions, pulled.before.positions);
+}
