@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and starts the editor with a sample organ; without a display does the main
+# Installs what is missing, builds, and starts the editor; without a display does the main
 # job on the command line and leaves the results under out/.
-#   ./run.sh [FILE…]   opens projects, surfaces and photos, one after the other, instead of the sample
+#   ./run.sh [FILE…]   opens projects, surfaces and photos, one after the other
 set -euo pipefail
 arguments=()
 for argument in "$@"; do

@@ -2,6 +2,8 @@
 
 #include "core/dynamics/spring_force.h"
 
+#include <utility>
+
 namespace esm {
 
 // What one end gets is taken from the other, the same number: springs add nothing to the momentum of the
@@ -30,6 +32,30 @@ void addDampingForces(const SpringSystem& system, Damping damping, const Vectors
     }
     for (const Tether& tether : system.tethers)
         forces[tether.node] -= tether.viscosity * velocities[tether.node];
+}
+
+Eigen::Vector3d forceOn(const std::vector<std::uint32_t>& nodes, const SpringSystem& system, Damping damping,
+                        const Motion& motion) {
+    const auto& [positions, velocities] = motion;
+    std::vector<char> isMeant(positions.size());
+    for (const std::uint32_t node : nodes)
+        isMeant[node] = 1;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    // What springs between two of them do cancels.
+    for (const auto& spring : system.springs) {
+        const auto [first, second] = std::pair(spring.first, spring.second);
+        if (isMeant[first] == isMeant[second]) continue;
+        const Eigen::Vector3d between = positions[first] - positions[second];
+        const Eigen::Vector3d onFirst =
+            elasticForce(spring, between) +
+            dampingForce(spring, damping, between, velocities[first] - velocities[second]);
+        force += isMeant[first] ? onFirst : -onFirst;
+    }
+    const Vectors& rest = system.network->restPositions;
+    for (const auto& [node, springConstant, viscosity] : system.tethers)
+        if (isMeant[node])
+            force -= springConstant * (positions[node] - rest[node]) + viscosity * velocities[node];
+    return force;
 }
 
 Energy energy(const SpringSystem& system, const Vectors& positions, const Vectors& velocities) {

@@ -17,6 +17,10 @@ void elasticForces(const SpringSystem& system, const Vectors& positions, Vectors
 void addDampingForces(const SpringSystem& system, Damping damping, const Vectors& positions,
                       const Vectors& velocities, Vectors& forces);
 
+/// N, what springs and tethers do to some nodes together: who holds them still bears it.
+Eigen::Vector3d forceOn(const std::vector<std::uint32_t>& nodes, const SpringSystem& system, Damping damping,
+                        const Motion& motion);
+
 Energy energy(const SpringSystem& system, const Vectors& positions, const Vectors& velocities);
 inline Energy energy(const SpringSystem& system, const Motion& motion) {
     return energy(system, motion.positions, motion.velocities);

@@ -42,7 +42,8 @@ enum class KeptEnergy { AtEnd, InStepBefore, InStepAfter };
 /// All that the program knows of an integrator without stepping it.
 struct IntegratorTraits {
     Integrator integrator;
-    const char* name; ///< on the command line and in files
+    const char* name;  ///< on the command line and in files
+    const char* title; ///< for people, in a word or a few
     StepKind kind;
     int order;           ///< to which power of the step the error of smooth motion falls
     Integrator startsAs; ///< whose steps it takes while there is none to build on; itself: it builds on none

@@ -14,6 +14,12 @@ namespace esm {
 
 namespace {
 
+std::vector<std::uint32_t> eachOnce(std::vector<std::uint32_t> nodes) {
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
 /// "flexible" of SUSILAP-G at consistency 5.5 [R C.1]. The stiffness of a membrane of springs within its
 /// surface does not depend on the springs' length, so one constant suits every size and resolution.
 constexpr double defaultSpringConstant = 16.26; // N/m
@@ -206,17 +212,21 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
     return model;
 }
 
+std::vector<std::uint32_t> nodesOf(const SpringNetwork& network, const NodeSelection& selection) {
+    std::vector<std::uint32_t> nodes = selection.nodes;
+    if (selection.ellipsoid)
+        for (std::uint32_t node = 0; node < network.restPositions.size(); ++node)
+            if (contains(*selection.ellipsoid, network.restPositions[node])) nodes.push_back(node);
+    return eachOnce(std::move(nodes));
+}
+
 std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scene& scene) {
     std::vector<std::uint32_t> fixed;
     for (const NodeSelection& selection : scene.fixed) {
-        fixed.insert(fixed.end(), selection.nodes.begin(), selection.nodes.end());
-        if (!selection.ellipsoid) continue;
-        for (std::uint32_t node = 0; node < network.restPositions.size(); ++node)
-            if (contains(*selection.ellipsoid, network.restPositions[node])) fixed.push_back(node);
+        const std::vector<std::uint32_t> nodes = nodesOf(network, selection);
+        fixed.insert(fixed.end(), nodes.begin(), nodes.end());
     }
-    std::sort(fixed.begin(), fixed.end());
-    fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
-    return fixed;
+    return eachOnce(std::move(fixed));
 }
 
 std::size_t tetherCountOf(const SpringNetwork& network, const Scene& scene) {

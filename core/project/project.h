@@ -5,6 +5,7 @@
 #include "core/model/scene.h"
 #include "core/model/stepping.h"
 #include "core/model/tissue_model.h"
+#include "core/project/editor_state.h"
 #include "core/project/region.h"
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/layers/texture_layer.h"
@@ -58,6 +59,7 @@ struct Project {
     std::vector<TextureLayer> layers;         ///< from the lowest to the topmost
     TextureSettings texture;
     std::shared_ptr<const Atlas> atlas; ///< null until packed
+    std::optional<EditorState> editor;  ///< none until saved by the editor
 
     bool operator==(const Project&) const = default;
 };
@@ -100,6 +102,8 @@ inline TissueModel evaluateModel(const Project& project) {
 
 /// The nodes that a scene fixes, in order, each once.
 std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scene& scene);
+/// All that a selection names, sorted, each once.
+std::vector<std::uint32_t> nodesOf(const SpringNetwork& network, const NodeSelection& selection);
 
 /// How many tethers a scene's rules make.
 std::size_t tetherCountOf(const SpringNetwork& network, const Scene& scene);

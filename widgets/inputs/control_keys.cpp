@@ -1,10 +1,14 @@
 #include "widgets/inputs/control_keys.h"
 
+#include "widgets/inputs/item_list.h"
+#include "widgets/inputs/number_field.h"
+
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QSlider>
+#include <QTimer>
 
 namespace esm {
 
@@ -14,8 +18,10 @@ bool answers(const QWidget* control, int key) {
     const bool choice = qobject_cast<const QComboBox*>(control);
     if (key == Qt::Key_Space) return choice || qobject_cast<const QAbstractButton*>(control);
     if (key != Qt::Key_Home && key != Qt::Key_End) return false;
-    return choice || qobject_cast<const QAbstractSlider*>(control) ||
-           qobject_cast<const QAbstractItemView*>(control);
+    // A list of a few names leaves them to the window.
+    const bool table =
+        qobject_cast<const QAbstractItemView*>(control) && !qobject_cast<const ItemList*>(control);
+    return choice || table || qobject_cast<const QAbstractSlider*>(control);
 }
 
 /// A key goes from the focused control up to the window before its shortcuts are asked.
@@ -31,6 +37,43 @@ public:
         event->accept();
         return true;
     }
+};
+
+bool isEnter(const QEvent& event) {
+    if (event.type() != QEvent::KeyPress) return false;
+    const int key = static_cast<const QKeyEvent&>(event).key();
+    return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+
+/// What Enter leaves: not a field whose text is to be corrected.
+bool isDone(const QWidget* control) {
+    const auto* number = qobject_cast<const NumberField*>(control);
+    return qobject_cast<const QLineEdit*>(control) && (!number || number->refusal().isEmpty());
+}
+
+class KeysHomeFilter : public QObject {
+public:
+    KeysHomeFilter(QWidget& window, QWidget& home) : QObject(&window), m_window(window), m_home(home) {
+        window.installEventFilter(this);
+        for (QComboBox* choice : window.findChildren<QComboBox*>())
+            choice->view()->installEventFilter(this);
+    }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        const bool isLost = event->type() == QEvent::WindowActivate && !m_window.focusWidget();
+        // Enter comes here from a field that has taken its text.
+        if (watched == &m_window && (isLost || (isEnter(*event) && isDone(m_window.focusWidget()))))
+            m_home.setFocus();
+        // The list of a choice closes before the choice is made, which may open a window.
+        if (watched != &m_window && event->type() == QEvent::Hide)
+            QTimer::singleShot(0, this, [this] {
+                if (qobject_cast<QComboBox*>(m_window.focusWidget())) m_home.setFocus();
+            });
+        return false;
+    }
+
+private:
+    QWidget &m_window, &m_home;
 };
 
 class WheelFilter : public QObject {
@@ -52,6 +95,10 @@ private:
 
 void keepControlKeys(QWidget& window) {
     window.installEventFilter(new ControlKeysFilter(&window));
+}
+
+void giveKeysHome(QWidget& window, QWidget& home) {
+    new KeysHomeFilter(window, home);
 }
 
 bool isRedo(const QKeyEvent& key) {

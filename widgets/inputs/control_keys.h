@@ -9,6 +9,11 @@ namespace esm {
 /// key: Space presses buttons and opens choices, Home and End move sliders, choices and lists.
 void keepControlKeys(QWidget& window);
 
+/// Gives the keys to `home` whenever no control of the window needs them: after Enter in a field whose text
+/// was taken, after a choice from a list, and where the window comes to the front with none that has them.
+/// Call it once the window has its controls.
+void giveKeysHome(QWidget& window, QWidget& home);
+
 /// The desktop's key for redoing, and Ctrl+Y on every desktop.
 bool isRedo(const QKeyEvent& key);
 

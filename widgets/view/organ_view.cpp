@@ -11,7 +11,7 @@
 namespace esm {
 
 OrganView::OrganView(QWidget* parent, PictureDrawing drawing) : QWidget(parent), m_maker(std::move(drawing)) {
-    setFocusPolicy(Qt::StrongFocus);
+    setFocusPolicy(Qt::WheelFocus);
     setMouseTracking(true);
     setMinimumSize(240, 180);
     setAttribute(Qt::WA_OpaquePaintEvent);

@@ -48,6 +48,8 @@ public:
     const ViewTool& tool() const { return *m_tool; }
     /// Takes a tool in hand, which outlives the view's use of it.
     void setTool(ViewTool& tool);
+    /// For the moment only.
+    Sight sight();
     /// Ends a drag, as when the button comes up.
     void letGo();
     /// What Esc does.
@@ -77,7 +79,6 @@ protected:
 
 private:
     double aspect() const;
-    Sight sight();
     ToolMouse mouseOf(const QMouseEvent& event);
     Eigen::AlignedBox3d organBox() const;
     void applyCamera(const Camera& camera);

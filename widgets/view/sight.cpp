@@ -1,5 +1,7 @@
 #include "widgets/view/sight.h"
 
+#include <QtMath>
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,6 +57,21 @@ bool Sight::hides(const Eigen::Vector3d& point) const {
 
 double distance(const QPointF& a, const QPointF& b) {
     return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+std::optional<PickedPoint> pickNearMiddle(const Sight& sight) {
+    constexpr double step = 12; // pixels; a finer organ than that is not pointed at
+    const QPointF middle(sight.size.width() / 2.0, sight.size.height() / 2.0);
+    const double farthest = std::hypot(middle.x(), middle.y());
+    for (double radius = 0; radius <= farthest; radius += step) {
+        const int places = std::max(1, qCeil(2 * M_PI * radius / step));
+        for (int i = 0; i < places; ++i) {
+            const double angle = 2 * M_PI * i / places;
+            if (const auto picked = sight.pickAt(middle + radius * QPointF(std::cos(angle), std::sin(angle))))
+                return picked;
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace esm

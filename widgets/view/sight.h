@@ -30,6 +30,9 @@ struct Sight {
     bool hides(const Eigen::Vector3d& point) const;
 };
 
+/// What is seen nearest to the middle of the view; nothing where no organ is in sight.
+std::optional<PickedPoint> pickNearMiddle(const Sight& sight);
+
 /// Between two places, pixels.
 double distance(const QPointF& a, const QPointF& b);
 

@@ -22,6 +22,7 @@ struct Change {
     bool landmarks = false; ///< of any photo
     bool texture = false;   ///< texture settings or the packed atlas
     EditedSystem system{};
+    bool isOfHistory = false; ///< undone or redone, as against edited
 
     bool any() const {
         return name || mesh || tissue || regions || scene || stepping || layers || landmarks || texture;

@@ -126,12 +126,27 @@ void Document::numberParts() {
     m_lastLayer = static_cast<std::uint32_t>(m_project.layers.size());
 }
 
-void Document::take(const Project& project, std::optional<RegionId> systemOf) {
+void Document::goTo(int stepsDone) {
+    const Project before = m_project;
+    {
+        const QScopedValueRollback quiet(m_isBeingReplaced, true);
+        m_undoStack.setIndex(stepsDone);
+    }
+    if (before == m_project) return;
+    Change change = difference(before, m_project);
+    change.isOfHistory = true;
+    emit changed(change);
+    emit stepped();
+}
+
+void Document::take(const Project& project, const Step& step) {
     if (m_isBeingReplaced) {
         m_project = project;
         return;
     }
     Change change = difference(m_project, project);
+    change.isOfHistory = step.isOfHistory;
+    const auto& systemOf = step.systemOf;
     const bool isSystemEdited =
         systemOf && findPart(m_project.regions, *systemOf) && findPart(project.regions, *systemOf);
     if (isSystemEdited)

@@ -88,9 +88,13 @@ public:
     DocumentFile file() const { return {m_path, m_fileVersion, m_former, m_undoStack.cleanIndex()}; }
     /// Takes the place of this one, undo list and identities of parts included.
     void restore(const DocumentState& state);
+    /// How the editor is left, for the file that is about to be written: no edit, and no change.
+    void keepEditorState(const EditorState& state) { m_project.editor = state; }
     /// `written` lies in this file; the document is saved when it still is that project.
     void markSaved(const std::filesystem::path& path, const Project& written);
 
+    /// Undoes or redoes as many steps as it takes until so many are done, as one change.
+    void goTo(int stepsDone);
     /// The drag, slider move or run of arrow keys in progress is over: the next edit starts a step of its
     /// own.
     void finishGesture() { ++m_gesture; }
@@ -111,9 +115,13 @@ signals:
 
 private:
     friend class ProjectCommand;
+    struct Step {
+        std::optional<RegionId> systemOf; ///< as in edit()
+        bool isOfHistory;                 ///< undone or redone
+    };
     void numberParts();
     void announceReplaced();
-    void take(const Project& project, std::optional<RegionId> systemOf);
+    void take(const Project& project, const Step& step);
 
     Project m_project;
     std::optional<std::filesystem::path> m_path;

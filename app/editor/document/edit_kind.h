@@ -10,6 +10,7 @@ enum class EditKind {
     // The whole organ.
     BaseTissue,
     Stiffening,
+    FixedNodes,
     // A region.
     HeldValue,
     Input,

@@ -46,8 +46,8 @@ Journal::~Journal() {
     put(EndTask());
 }
 
-void Journal::setWorkspace(const QString& name) {
-    m_view.workspace = name.toStdString();
+void Journal::setWorkspace(const std::string& name) {
+    m_view.workspace = name;
     if (m_isKept && !m_isBroken) put(m_view);
 }
 

@@ -21,7 +21,7 @@ public:
     ~Journal() override;
 
     /// Which workspace the window shows, to be shown again.
-    void setWorkspace(const QString& name);
+    void setWorkspace(const std::string& name);
     /// Unsaved work of programs that have ended; see leftBehindIn().
     std::vector<LeftBehind> leftBehind() const { return leftBehindIn(m_folder); }
     /// The document is what was left behind: that goes once this journal has all of it.

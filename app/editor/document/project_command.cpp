@@ -2,6 +2,8 @@
 
 #include "app/editor/document/document.h"
 
+#include <utility>
+
 namespace esm {
 
 ProjectCommand::ProjectCommand(Document& document, Value before, Value after, EditStep step)
@@ -9,11 +11,12 @@ ProjectCommand::ProjectCommand(Document& document, Value before, Value after, Ed
       m_step(std::move(step)) {}
 
 void ProjectCommand::undo() {
-    m_document.take(*m_before, m_step.systemOf);
+    m_document.take(*m_before, {m_step.systemOf, true});
 }
 
 void ProjectCommand::redo() {
-    m_document.take(*m_after, m_step.systemOf);
+    // The stack does at once what is pushed.
+    m_document.take(*m_after, {m_step.systemOf, std::exchange(m_wasDone, true)});
 }
 
 bool ProjectCommand::mergeWith(const QUndoCommand* next) {

@@ -40,6 +40,7 @@ private:
     Document& m_document;
     Value m_before, m_after;
     EditStep m_step;
+    bool m_wasDone = false;
 };
 
 } // namespace esm

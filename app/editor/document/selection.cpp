@@ -20,6 +20,21 @@ std::optional<Id<Part>> follow(std::optional<Id<Part>> selected, const std::vect
     return now[std::min(placeOf(before, *selected).value(), now.size() - 1)].id;
 }
 
+/// Of the parts that differ from what they were, the selected one, else the topmost; what is selected where
+/// none does.
+template<typename Part>
+std::optional<Id<Part>> changedOne(std::optional<Id<Part>> selected, const std::vector<Part>& before,
+                                   const std::vector<Part>& now) {
+    const auto differs = [&](const Part& part) {
+        const Part* former = findPart(before, part.id);
+        return former && !(*former == part);
+    };
+    const Part* current = selected ? findPart(now, *selected) : nullptr;
+    if (current && differs(*current)) return selected;
+    const auto changed = std::find_if(now.rbegin(), now.rend(), differs);
+    return changed == now.rend() ? selected : std::optional(changed->id);
+}
+
 } // namespace
 
 Selection::Selection(Document& document) : QObject(&document), m_document(document) {
@@ -63,7 +78,11 @@ void Selection::followDocument(const Change& change) {
     if (whole && project.regions.size() < m_regions.size() && region &&
         partOf(project.regions, *region).ellipsoid)
         region.reset();
-    const auto photo = follow(change.mesh ? std::nullopt : m_photo, m_photos, project.layers);
+    auto photo = follow(change.mesh ? std::nullopt : m_photo, m_photos, project.layers);
+    if (change.isOfHistory) {
+        region = changedOne(region, m_regions, project.regions);
+        photo = changedOne(photo, m_photos, project.layers);
+    }
     m_regions = project.regions;
     m_photos = project.layers;
     if (region == m_region && photo == m_photo) return;

@@ -12,7 +12,7 @@ namespace esm {
 class Document;
 
 /// Which region and which photo the window speaks of. Not part of the project, and no edit. What is added, by
-/// an edit, its undoing or its redoing, is selected.
+/// an edit, its undoing or its redoing, is selected; and so is what undoing or redoing changes.
 class Selection : public QObject {
     Q_OBJECT
 

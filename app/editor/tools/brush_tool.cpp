@@ -1,9 +1,22 @@
 #include "app/editor/tools/brush_tool.h"
 
 #include "app/editor/tools/brush_panel.h"
+#include "app/editor/tools/brush_path.h"
 #include "widgets/view/brush_outline.h"
 
 namespace esm {
+
+namespace {
+
+/// Share of the radius from one point of a stroke to the next.
+constexpr double strokeSpacing = 0.25;
+
+std::optional<PickedPoint> surfaceUnder(const ToolMouse& mouse) {
+    const auto& mesh = mouse.sight.scene.mesh;
+    return mesh && !mesh->triangles.empty() ? mouse.picked() : std::nullopt;
+}
+
+} // namespace
 
 BrushTool::BrushTool(const ToolContext& context)
     : m_selection(context.selection), m_painting(context.document, context.selection, this) {
@@ -16,42 +29,39 @@ QWidget* BrushTool::makeOptions() {
 }
 
 Hold BrushTool::press(const ToolMouse& mouse) {
-    const auto point = pointAt(mouse);
+    lookAt(surfaceUnder(mouse));
+    const auto point = brushPointAt(mouse.sight, mouse.place);
     if (mouse.keys.testFlag(Qt::ControlModifier)) {
         if (point) m_painting.setSource(*point);
         return Hold::Stroke;
     }
     if (!point) return Hold::Nothing;
-    m_isDown = true;
+    m_down = mouse.place;
     m_painting.begin(*point);
     return Hold::Stroke;
 }
 
 void BrushTool::move(const ToolMouse& mouse) {
-    const auto point = pointAt(mouse);
-    if (m_isDown && point) m_painting.goOn(*point);
+    lookAt(surfaceUnder(mouse));
+    if (!m_down) return;
+    const double spacing = strokeSpacing * m_painting.brush().radius;
+    m_painting.goOn(brushPointsAlong(mouse.sight, *m_down, mouse.place, spacing));
+    m_down = mouse.place;
 }
 
 void BrushTool::release() {
-    if (m_isDown) m_painting.finish();
-    m_isDown = false;
+    if (m_down) m_painting.finish();
+    m_down.reset();
 }
 
 void BrushTool::cancel() {
-    if (m_isDown) m_painting.drop();
-    m_isDown = false;
+    if (m_down) m_painting.drop();
+    m_down.reset();
     lookAt(std::nullopt);
 }
 
 void BrushTool::leave() {
     lookAt(std::nullopt);
-}
-
-std::optional<BrushPoint> BrushTool::pointAt(const ToolMouse& mouse) {
-    const auto& mesh = mouse.sight.scene.mesh;
-    lookAt(mesh && !mesh->triangles.empty() ? mouse.picked() : std::nullopt);
-    if (!m_at || m_at->normal.isZero()) return std::nullopt;
-    return BrushPoint{m_at->spot.point, m_at->normal};
 }
 
 void BrushTool::lookAt(const std::optional<PickedPoint>& point) {

@@ -26,14 +26,12 @@ public:
     QWidget* makeOptions() override;
 
 private:
-    /// The place under the mouse that the brush is led over; nothing beside the surface.
-    std::optional<BrushPoint> pointAt(const ToolMouse& mouse);
     void lookAt(const std::optional<PickedPoint>& point);
 
     Selection& m_selection;
     Painting m_painting;
     std::optional<PickedPoint> m_at; ///< under the mouse, as it was last moved
-    bool m_isDown = false;
+    std::optional<QPointF> m_down;   ///< where the mouse was last, while the brush is down; pixels
 };
 
 } // namespace esm

@@ -165,14 +165,13 @@ void InstrumentTool::dress(RenderScene& scene) const {
     if (m_tip) scene.heldInstrument = shown();
 }
 
-/// The force beside the tip, above a ball.
+/// What is felt beside the tip, above a ball.
 void InstrumentTool::draw(QPainter& painter, const Sight& sight, const QPalette& palette) const {
-    const std::optional<double> force = m_tip ? m_preview.status().instrumentForce : std::nullopt;
-    if (!force) return;
+    const std::optional<FeltTissue> felt = m_tip ? m_preview.status().instrument : std::nullopt;
+    if (!felt) return;
     const ColliderAxis axis = axisOf(shown());
     const Eigen::Vector3d above = axis.at(-axis.half) + radiusOf(m_shape) * cameraAxes(sight.camera).col(1);
-    if (const auto place = sight.placeOf(above))
-        paintLabel(painter, *place, withUnit(*force, QStringLiteral("N"), 2), palette);
+    if (const auto place = sight.placeOf(above)) paintLabel(painter, *place, feltText(*felt), palette);
 }
 
 QWidget* InstrumentTool::makeOptions() {

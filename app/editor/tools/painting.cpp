@@ -4,6 +4,7 @@
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace esm {
 
@@ -51,7 +52,7 @@ void Painting::follow(const Change& change) {
         m_source.reset();
     }
     // To grow what was undone in the middle of it would take the place of the stroke before.
-    if (m_stroke && (change.mesh || !isLaid())) finish();
+    if (m_movement && (change.mesh || !isLaid())) finish();
     if (change.mesh || change.layers) emit changed();
 }
 
@@ -109,65 +110,99 @@ void Painting::begin(const BrushPoint& point) {
     if (!why.isEmpty()) return emit message(why);
     if (!warning().isEmpty()) emit message(warning());
     ++m_gesture;
-    m_layer = *m_selection.photo();
-    m_stroke = brush();
-    if (m_stroke->kind == BrushKind::Clone) m_stroke->shift = *m_source - point.place;
-    m_stroke->path = {point};
+    BrushStroke stroke = brush();
+    if (stroke.kind == BrushKind::Clone) stroke.shift = *m_source - point.place;
+    stroke.path = {point};
+    m_movement = Movement{*m_selection.photo(), {stroke}, {}};
     edit();
 }
 
-void Painting::goOn(const BrushPoint& point) {
-    if (!m_stroke) return;
-    const double way = (point.place - m_stroke->path.back().place).norm();
-    if (way < pointSpacing * m_stroke->radius || m_stroke->path.size() >= texture_limits::mostBrushPoints / 2)
-        return;
-    m_stroke->path.push_back(point);
-    edit();
+void Painting::goOn(const std::vector<std::optional<BrushPoint>>& points) {
+    if (!m_movement) return;
+    bool grows = false;
+    for (const auto& point : points)
+        grows = extend(point) || grows;
+    if (grows) edit();
+}
+
+/// False when nothing is added.
+bool Painting::extend(const std::optional<BrushPoint>& point) {
+    if (!point) m_movement->isOff = true;
+    if (!point || isFull()) return false;
+    std::vector<BrushStroke>& strokes = m_movement->strokes;
+    if (std::exchange(m_movement->isOff, false)) {
+        strokes.push_back(strokes.back());
+        strokes.back().path.clear();
+    } else if ((point->place - strokes.back().path.back().place).norm() <
+               pointSpacing * strokes.back().radius)
+        return false;
+    strokes.back().path.push_back(*point);
+    return true;
+}
+
+/// Whether the layer takes no more of this movement.
+bool Painting::isFull() const {
+    const auto& [layer, strokes, laid, isOff] = *m_movement;
+    std::size_t points = 0;
+    for (const BrushStroke& stroke : strokes)
+        points += stroke.path.size();
+    const std::size_t before = partOf(m_document.project().layers, layer).strokes.size() - laid.size();
+    return points >= texture_limits::mostBrushPoints / 2 ||
+           (isOff && before + strokes.size() >= texture_limits::mostStrokes);
 }
 
 void Painting::finish() {
-    if (m_stroke) m_document.finishGesture();
-    m_stroke.reset();
-    m_laid.reset();
+    if (m_movement) m_document.finishGesture();
+    m_movement.reset();
 }
 
-/// Other edits may have come since the stroke began, as of a photo that is prepared now: they stay.
+/// Other edits may have come since the movement began, as of a photo that is prepared now: they stay.
 void Painting::drop() {
-    if (!m_stroke) return;
+    if (!m_movement) return;
     const bool isAlone = isLastStep();
+    const LayerId layer = m_movement->layer;
+    const std::size_t laid = m_movement->laid.size();
     finish();
     if (isAlone) return m_document.undoStack()->undo();
-    m_document.edit(tr("Drop the stroke"),
-                    [&](Project& project) { partOf(project.layers, m_layer).strokes.pop_back(); });
+    m_document.edit(tr("Drop the stroke"), [&](Project& project) {
+        BrushStrokes& strokes = partOf(project.layers, layer).strokes;
+        strokes.resize(strokes.size() - laid);
+    });
 }
 
-/// Whether the stroke is the topmost of its layer. Two may be equal: it is this one.
+/// Whether the movement's last stroke is the topmost of its layer. Two may be equal: it is this one.
 bool Painting::isLaid() const {
-    const TextureLayer* painted = findPart(m_document.project().layers, m_layer);
-    return painted && !painted->strokes.empty() && painted->strokes.back().get() == m_laid.get();
+    const TextureLayer* painted = findPart(m_document.project().layers, m_movement->layer);
+    return painted && !painted->strokes.empty() &&
+           painted->strokes.back().get() == m_movement->laid.back().get();
 }
 
-/// Whether the last step is to lay the stroke, all of it.
+/// Whether the last step is to paint this movement, all of it.
 bool Painting::isLastStep() const {
     const QUndoStack& steps = *m_document.undoStack();
     if (steps.index() == 0) return false;
     const auto& last = static_cast<const ProjectCommand&>(*steps.command(steps.index() - 1));
-    const TextureLayer* before = findPart(last.before()->layers, m_layer);
-    return before && before->strokes.size() < partOf(m_document.project().layers, m_layer).strokes.size();
+    const TextureLayer* before = findPart(last.before()->layers, m_movement->layer);
+    const std::size_t strokes = partOf(m_document.project().layers, m_movement->layer).strokes.size();
+    return before && before->strokes.size() + m_movement->laid.size() == strokes;
 }
 
-/// The first edit of a stroke adds it, the others replace it by what it has grown to.
+/// The last stroke that was laid has grown, those before it stay, those after it are new.
 void Painting::edit() {
-    const auto stroke = std::make_shared<const BrushStroke>(*m_stroke);
-    const bool isNew = stroke->path.size() == 1;
-    m_laid = stroke;
-    m_document.edit(stepName(stroke->kind),
+    auto& [layer, strokes, laid, isOff] = *m_movement;
+    const std::size_t before = laid.size();
+    if (!laid.empty()) laid.pop_back();
+    while (laid.size() < strokes.size())
+        laid.push_back(std::make_shared<const BrushStroke>(strokes[laid.size()]));
+    // Who hears of the edit may end the movement.
+    const Movement now = *m_movement;
+    m_document.edit(stepName(now.strokes.front().kind),
                     [&](Project& project) {
-                        BrushStrokes& strokes = partOf(project.layers, m_layer).strokes;
-                        if (!isNew) strokes.pop_back();
-                        strokes.push_back(stroke);
+                        BrushStrokes& held = partOf(project.layers, now.layer).strokes;
+                        held.resize(held.size() - before);
+                        held.insert(held.end(), now.laid.begin(), now.laid.end());
                     },
-                    {EditKind::BrushStroke, m_layer, static_cast<std::uint64_t>(m_gesture)});
+                    {EditKind::BrushStroke, now.layer, static_cast<std::uint64_t>(m_gesture)});
 }
 
 } // namespace esm

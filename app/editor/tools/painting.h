@@ -5,8 +5,8 @@
 
 namespace esm {
 
-/// The brush that is led over the selected layer, and the stroke that it makes: one undoable step, seen while
-/// it grows.
+/// The brush that is led over the selected layer, and what it paints while it is down: one undoable step,
+/// seen while it grows. Where the brush leaves the surface and comes back, a stroke of its own goes on.
 class Painting : public QObject {
     Q_OBJECT
 
@@ -27,10 +27,10 @@ public:
     void setSource(const BrushPoint& point);
 
     void begin(const BrushPoint& point);
-    /// Points close to the one before are left out.
-    void goOn(const BrushPoint& point);
+    /// Nothing stands where the brush left the surface. Points close to the one before are left out.
+    void goOn(const std::vector<std::optional<BrushPoint>>& points);
     void finish();
-    /// Takes back the stroke that is being painted, and nothing else.
+    /// Takes back what is being painted, and nothing else.
     void drop();
 
 signals:
@@ -39,9 +39,19 @@ signals:
     void message(const QString& text);
 
 private:
+    /// Of the brush, while it is down.
+    struct Movement {
+        LayerId layer; ///< that it paints on
+        std::vector<BrushStroke> strokes;
+        std::vector<std::shared_ptr<const BrushStroke>> laid; ///< the same, as the layer holds them
+        bool isOff = false;                                   ///< the brush is beside the surface
+    };
+
     void follow(const Change& change);
     QString refusal() const;
     QString warning() const;
+    bool extend(const std::optional<BrushPoint>& point);
+    bool isFull() const;
     void edit();
     bool isLaid() const;
     bool isLastStep() const;
@@ -51,9 +61,7 @@ private:
     Brush m_brush;                             ///< its kind is that of a photo's layer
     BrushKind m_paintKind = BrushKind::Colour; ///< of a layer without photo
     std::optional<Eigen::Vector3d> m_source;
-    std::optional<BrushStroke> m_stroke;       ///< while the brush is down
-    std::shared_ptr<const BrushStroke> m_laid; ///< the same, as the layer holds it
-    LayerId m_layer;                           ///< that it is painted on
+    std::optional<Movement> m_movement;
     int m_gesture = 0;
 };
 

@@ -62,9 +62,18 @@ void ProjectorTool::move(const ToolMouse& mouse) {
         dragged = scaled(m_drag->start, *handle, mouse.ray(), isFree ? Proportions::Free : Proportions::Kept);
     else
         dragged.pose.pretranslate(shift(std::get<DragPlane>(m_drag->held), mouse.ray()));
+    place(photo, dragged);
+}
+
+void ProjectorTool::place(LayerId photo, const Projector& projector) {
     m_document.edit(tr("Place photo"),
-                    [&](Project& project) { partOf(project.layers, photo).projector = dragged; },
+                    [&](Project& project) { partOf(project.layers, photo).projector = projector; },
                     {EditKind::ProjectorDrag, photo});
+}
+
+void ProjectorTool::cancel() {
+    if (m_drag) place(m_drag->photo, m_drag->start.projector);
+    release();
 }
 
 void ProjectorTool::release() {

@@ -19,10 +19,14 @@ public:
     bool takesShift(const ToolMouse& mouse) const override;
     void move(const ToolMouse& mouse) override;
     void release() override;
+    /// Puts back what is dragged.
+    void cancel() override;
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     QString whyNot() const override { return missingPhoto(m_selection); }
 
 private:
+    void place(LayerId photo, const Projector& projector);
+
     struct Drag {
         LayerId photo;
         PhotoFace start;

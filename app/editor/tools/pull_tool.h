@@ -16,6 +16,8 @@ public:
     Hold press(const ToolMouse& mouse) override;
     void move(const ToolMouse& mouse) override;
     void release() override;
+    /// What is felt, beside the node that is held.
+    void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     QString hint() const override { return stillnessHint(m_preview); }
 
 private:

@@ -6,6 +6,7 @@
 #include <QAction>
 
 #include <algorithm>
+#include <utility>
 
 namespace esm {
 
@@ -73,7 +74,9 @@ std::optional<RegionTool::Drag> RegionTool::dragAt(const ToolMouse& mouse) const
         case RegionHandle::Kind::Turn:
             return Drag{*region, selected->shape, Turn{{handle->place, ray}}};
         case RegionHandle::Kind::Rim:
-            return Drag{*region, selected->shape, Rim{picturePlane(camera, handle->place)}};
+            return Drag{
+                *region, selected->shape,
+                Rim{picturePlane(camera, handle->place), partOf(m_document.project().regions, *region).rim}};
         }
     }
     const int under = ellipsoidUnder(scene, ray);
@@ -124,6 +127,16 @@ void RegionTool::widenRim(RegionId region, double metres) {
 void RegionTool::release() {
     if (m_drag) m_document.finishGesture();
     m_drag.reset();
+}
+
+void RegionTool::cancel() {
+    if (const auto drag = std::exchange(m_drag, std::nullopt)) {
+        if (const auto* rim = std::get_if<Rim>(&drag->what))
+            widenRim(drag->region, rim->start);
+        else
+            shape(drag->region, drag->start);
+        m_document.finishGesture();
+    }
 }
 
 void RegionTool::click(const ToolMouse& mouse) {

@@ -19,6 +19,8 @@ public:
     Hold press(const ToolMouse& mouse) override;
     void move(const ToolMouse& mouse) override;
     void release() override;
+    /// Puts back what is dragged.
+    void cancel() override;
     void click(const ToolMouse& mouse) override;
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     Qt::CursorShape cursor() const override;
@@ -36,6 +38,7 @@ private:
     };
     struct Rim {
         DragPlane plane;
+        double start; ///< m
     };
     struct Drag {
         RegionId region;

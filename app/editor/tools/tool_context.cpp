@@ -1,5 +1,7 @@
 #include "app/editor/tools/tool_context.h"
 
+#include "widgets/inputs/number_text.h"
+
 namespace esm {
 
 QString stillnessHint(const Preview& preview) {
@@ -7,6 +9,11 @@ QString stillnessHint(const Preview& preview) {
     if (status.playing) return {};
     return status.failure.empty() ? QObject::tr("Paused: Space lets the tissue move again")
                                   : QObject::tr("The tissue does not move: the line at the bottom says why");
+}
+
+QString feltText(const FeltTissue& felt) {
+    return QObject::tr("%1 · %2 mm")
+        .arg(withUnit(felt.force, QStringLiteral("N"), 2), decimalText(1000 * felt.displacement, 1));
 }
 
 QString missingLayer(const Selection& selection) {

@@ -20,6 +20,8 @@ struct ToolContext {
 
 /// What a tool that moves tissue says while none moves; empty while it does.
 QString stillnessHint(const Preview& preview);
+/// "0.35 N · 12.4 mm".
+QString feltText(const FeltTissue& felt);
 /// Why nothing can be done to the selected layer, or to its photo; empty where it can.
 QString missingLayer(const Selection& selection);
 QString missingPhoto(const Selection& selection);

@@ -2,6 +2,7 @@
 
 #include "app/editor/tools/brush_tool.h"
 #include "app/editor/tools/distance_tool.h"
+#include "app/editor/tools/fix_tool.h"
 #include "app/editor/tools/instrument_tool.h"
 #include "app/editor/tools/landmark_tool.h"
 #include "app/editor/tools/look_tool.h"
@@ -53,6 +54,10 @@ std::vector<ToolRow> toolTable() {
          translated("Lay a region on the surface with a click"),
          translated("Click the surface: the selected region lies there · with Ctrl a new one"),
          translated("drag to turn the view"), Workspace::Tissue, Options::None, made<PlaceTool>},
+        {"fix", "fix", translated("Fi&x nodes"), Qt::Key_X, translated("Hold nodes in space, or let them go"),
+         translated("Drag over the organ to fix nodes, with Ctrl to free them"),
+         translated("[ and ] size the brush · Alt to turn the view"), Workspace::Tissue, Options::Column,
+         made<FixTool>},
         {"projector", "photo", translated("P&hoto"), Qt::Key_J,
          translated("Move and size the photo's projector"),
          translated("Drag the photo to place it · corners scale it, with Shift width and height apart"),

@@ -91,6 +91,8 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
     explain();
     a.undo->setIcon(icon(QStringLiteral("undo")));
     a.redo->setIcon(icon(QStringLiteral("redo")));
+    a.history =
+        make(tr("Undo &history…"), QKeySequence("Ctrl+H"), tr("Every step, to go back to or forward to"));
     a.rename = make(tr("Rename &organ…"), {}, tr("Give the organ another name"));
     a.duplicateRegion =
         make(tr("&Duplicate region"), QKeySequence("Ctrl+D"), tr("Add a copy of the selected region"));
@@ -100,7 +102,8 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
 
 void ActionMaker::makeModelActions() {
     Actions& a = m_actions;
-    a.addRegion = make(tr("Add &region"), QKeySequence("Ctrl+R"), tr("Add an ellipsoid region"));
+    a.addRegion = make(tr("Add &region"), QKeySequence("Ctrl+R"),
+                       tr("Add a region where the organ is seen in the middle of the view"));
     a.fixRegion =
         make(tr("&Fix nodes in region"), {}, tr("Hold the nodes inside the selected region in space"));
     a.freeNodes = make(tr("Free &all fixed nodes"), {}, tr("Let every fixed node go"));
@@ -169,6 +172,7 @@ void ActionMaker::makePlayActions() {
                        tr("Play the scene's forces, led nodes and instruments from rest"));
     a.reset = make(tr("&Reset"), QKeySequence("Ctrl+0"), tr("Back to the shape at rest"));
     a.keys = make(tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), tr("What mouse and keys do"));
+    a.firstSteps = make(tr("&First steps"), {}, tr("Five hints on the sample of a liver"));
     a.about = make(tr("&About"), {}, tr("About this program"));
 }
 

@@ -17,13 +17,13 @@ struct Actions {
     QAction *open, *save, *saveAs, *import, *exportPackage, *quit;
     QMenu* recent;                                         ///< filled by who knows the files
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
-    QAction *undo, *redo, *rename, *duplicateRegion, *removeRegion, *removePhoto;
+    QAction *undo, *redo, *history, *rename, *duplicateRegion, *removeRegion, *removePhoto;
     QAction *showSprings, *showRegions, *showLeft, *showRight, *fuzzyWindow, *frame, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;
     QAction *addPhoto, *addPaint, *fromCamera;
     QAction *play, *playScene, *reset, *letGo;
-    QAction *about, *keys;
+    QAction *about, *keys, *firstSteps;
     QActionGroup* tools; ///< in the order of the table
     QActionGroup* workspaces;
     QAction *tissue, *texture;

@@ -16,14 +16,10 @@
 
 #include <QInputDialog>
 
-#include <algorithm>
-
 namespace esm {
 
-EditController::EditController(QWidget& window, Document& document, Selection& selection,
-                               std::function<Camera()> camera)
-    : QObject(&window), m_window(window), m_document(document), m_selection(selection),
-      m_camera(std::move(camera)) {}
+EditController::EditController(QWidget& window, Document& document, Selection& selection, OrganView& view)
+    : QObject(&window), m_window(window), m_document(document), m_selection(selection), m_view(view) {}
 
 void EditController::connectActions(const Actions& actions) {
     connect(actions.rename, &QAction::triggered, this, &EditController::renameOrgan);
@@ -92,16 +88,11 @@ void EditController::renameOrgan() {
 }
 
 void EditController::addRegion() {
+    const auto seen = pickNearMiddle(m_view.sight());
     const RegionId added = m_document.newRegionId();
     m_document.edit(tr("Add region"), [&](Project& project) {
-        // Around a node, since the middle of a bent organ is empty.
-        const auto& nodes = project.network->restPositions;
-        const Eigen::Vector3d middle = boundingBox(nodes).center();
-        const auto nearest = std::min_element(
-            nodes.begin(), nodes.end(), [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-                return (a - middle).squaredNorm() < (b - middle).squaredNorm();
-            });
-        esm::addRegion(project, added, *nearest, startingSystem());
+        if (seen) return placeRegion(project, added, added, seen->spot, startingSystem());
+        esm::addRegion(project, added, project.network->restPositions.front(), startingSystem());
     });
     emit regionAdded();
 }
@@ -153,10 +144,12 @@ std::optional<std::size_t> EditController::askForNodes() {
 }
 
 void EditController::chooseDetail() {
-    const auto nodes = askForNodes();
-    if (!nodes) return;
+    if (const auto nodes = askForNodes()) simulateNodes(*nodes);
+}
+
+void EditController::simulateNodes(std::size_t nodes) {
     attempt(&m_window, tr("The surface cannot be simulated so"), [&] {
-        const Detail detail{Detail::Kind::Nodes, *nodes};
+        const Detail detail{Detail::Kind::Nodes, nodes};
         const Project project = m_document.project();
         const Project changed = computeLong(&m_window, tr("Binding the surface to its nodes"),
                                             [&](const Progress&) { return withDetail(project, detail); });
@@ -171,7 +164,7 @@ void EditController::projectFromCamera() {
     m_document.edit(tr("Photo from camera"), [&](Project& project) {
         TextureLayer& layer = partOf(project.layers, *selected);
         if (!layer.photo) return;
-        layer.projector = aimedByCamera(layer.projector, m_camera(), layer.photo->image, *project.mesh);
+        layer.projector = aimedByCamera(layer.projector, m_view.camera(), layer.photo->image, *project.mesh);
     });
 }
 

@@ -2,7 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
-#include "core/render/camera.h"
+#include "widgets/view/organ_view.h"
 
 #include <QWidget>
 
@@ -15,9 +15,11 @@ class EditController : public QObject {
     Q_OBJECT
 
 public:
-    EditController(QWidget& window, Document& document, Selection& selection, std::function<Camera()> camera);
+    EditController(QWidget& window, Document& document, Selection& selection, OrganView& view);
 
     void connectActions(const Actions& actions);
+    /// Lets so many nodes carry the surface.
+    void simulateNodes(std::size_t nodes);
     /// Projects the selected photo from where the user looks; keeps its size.
     void projectFromCamera();
 
@@ -40,7 +42,7 @@ private:
     QWidget& m_window;
     Document& m_document;
     Selection& m_selection;
-    std::function<Camera()> m_camera;
+    OrganView& m_view;
 };
 
 } // namespace esm

@@ -59,8 +59,8 @@ QString fileName(const std::filesystem::path& file) {
 
 } // namespace
 
-FileController::FileController(QWidget& window, Document& document, std::function<Camera()> camera)
-    : QObject(&window), m_window(window), m_document(document), m_camera(std::move(camera)) {}
+FileController::FileController(QWidget& window, Document& document, Asked asked)
+    : QObject(&window), m_window(window), m_document(document), m_asked(std::move(asked)) {}
 
 void FileController::connectActions(const Actions& actions) {
     connect(actions.open, &QAction::triggered, this, &FileController::chooseProject);
@@ -181,13 +181,12 @@ void FileController::importMesh(const std::filesystem::path& file) {
     });
 }
 
-void FileController::openSample(const std::string& name) {
-    if (!mayLeaveProject()) return;
-    attempt(&m_window, tr("The sample cannot be made"), [&] {
-        m_document.replace(computeLong(&m_window, tr("Making the sample"),
-                                       [&](const Progress&) { return makeSample(name); }),
-                           std::nullopt);
-    });
+bool FileController::openSample(const std::string& name) {
+    return mayLeaveProject() && attempt(&m_window, tr("The sample cannot be made"), [&] {
+               m_document.replace(computeLong(&m_window, tr("Making the sample"),
+                                              [&](const Progress&) { return makeSample(name); }),
+                                  std::nullopt);
+           });
 }
 
 std::shared_ptr<const Atlas> FileController::atlasForPhotos() {
@@ -206,7 +205,8 @@ void FileController::addPhoto(const std::filesystem::path& file) {
             &m_window, tr("Reading %1").arg(fileName(file)),
             [&](const Progress& progress) { return loadPhoto(file, progress); }, Cancelling::Offered);
         const auto atlas = atlasForPhotos();
-        const Projector projector = projectorFromCamera(m_camera(), photo->image, *m_document.project().mesh);
+        const Projector projector =
+            projectorFromCamera(m_asked.camera(), photo->image, *m_document.project().mesh);
         const LayerId added = m_document.newLayerId();
         m_document.edit(tr("Add photo"),
                         [&](Project& project) { esm::addPhoto(project, added, photo, projector, atlas); });
@@ -247,6 +247,7 @@ bool FileController::mayReplaceChanged(const std::filesystem::path& file) {
 
 /// @param replaced the file that the user knows will go
 void FileController::write(const std::filesystem::path& file, const std::optional<FileVersion>& replaced) {
+    m_document.keepEditorState(m_asked.editorState());
     const Project project = m_document.project();
     std::optional<FileVersion> written;
     runLongWork(&m_window, tr("Saving %1").arg(fileName(file)), [&](const Progress&) {
@@ -273,7 +274,7 @@ void FileController::exportTo(const std::filesystem::path& file) {
                 exportProject(project, exporter, file, {progress, previewPicture});
             },
             Cancelling::Offered);
-        emit message(tr("Exported %1").arg(fileName(file)));
+        emit exported(QString::fromStdString(file.string()));
     });
 }
 

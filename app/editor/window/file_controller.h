@@ -18,8 +18,12 @@ class FileController : public QObject {
     Q_OBJECT
 
 public:
-    /// @param camera where the user looks from, for new photos
-    FileController(QWidget& window, Document& document, std::function<Camera()> camera);
+    /// What is asked of the window.
+    struct Asked {
+        std::function<Camera()> camera;           ///< where the user looks from, for new photos
+        std::function<EditorState()> editorState; ///< to be saved
+    };
+    FileController(QWidget& window, Document& document, Asked asked);
 
     void connectActions(const Actions& actions);
 
@@ -29,7 +33,10 @@ public:
     void openAll(const std::vector<std::filesystem::path>& files);
     void openProject(const std::filesystem::path& file);
     void importMesh(const std::filesystem::path& file);
-    void openSample(const std::string& name);
+    /// Whether it was opened.
+    bool openSample(const std::string& name);
+    /// One that was opened before, and may be gone.
+    void openRecent(const QString& file);
     void addPhoto(const std::filesystem::path& file);
     void addPaint();
     bool saveTo(const std::filesystem::path& file);
@@ -43,6 +50,8 @@ public:
 
 signals:
     void message(const QString& text);
+    /// A simulator can read this file now.
+    void exported(const QString& file);
     void photoAdded();
     void paintAdded();
     /// Unsaved work came back; what the window showed of it.
@@ -57,7 +66,6 @@ private:
     void chooseExport();
     void commitTyping();
     bool mayLoseUnfinished();
-    void openRecent(const QString& file);
     void noteOpened(const std::filesystem::path& file);
     bool mayReplaceChanged(const std::filesystem::path& file);
     void write(const std::filesystem::path& file, const std::optional<FileVersion>& replaced);
@@ -68,7 +76,7 @@ private:
 
     QWidget& m_window;
     Document& m_document;
-    std::function<Camera()> m_camera;
+    Asked m_asked;
     RecentMenu* m_recent = nullptr;
 };
 

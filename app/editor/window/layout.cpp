@@ -115,7 +115,7 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     QMenuBar* bar = window.menuBar();
     fillFileMenu(bar->addMenu(QObject::tr("&File")), a);
     QMenu* edit = bar->addMenu(QObject::tr("&Edit"));
-    edit->addActions({a.undo, a.redo});
+    edit->addActions({a.undo, a.redo, a.history});
     edit->addSeparator();
     edit->addActions({a.duplicateRegion, a.removeRegion, a.removePhoto, a.rename});
     fillViewMenu(bar->addMenu(QObject::tr("&View")), a);
@@ -131,7 +131,7 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     tools->addActions(a.tools->actions());
     tools->addSeparator();
     tools->addAction(a.letGo);
-    bar->addMenu(QObject::tr("&Help"))->addActions({a.keys, a.about});
+    bar->addMenu(QObject::tr("&Help"))->addActions({a.firstSteps, a.keys, a.about});
 }
 
 void buildToolStrip(QMainWindow& window, const Actions& a) {

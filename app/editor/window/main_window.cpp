@@ -13,7 +13,9 @@
 #include "app/editor/panels/tissue/ellipsoid_panel.h"
 #include "app/editor/panels/tissue/regions_panel.h"
 #include "app/editor/panels/tissue/tissue_panel.h"
+#include "app/editor/window/export_notice.h"
 #include "app/editor/window/help.h"
+#include "app/editor/window/history_window.h"
 #include "app/editor/window/layout.h"
 #include "app/editor/window/scene_note.h"
 #include "widgets/inputs/control_keys.h"
@@ -24,6 +26,7 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QTimer>
 
 namespace esm {
@@ -31,7 +34,6 @@ namespace esm {
 namespace {
 
 constexpr QSize roomForFrame(0, 40);
-constexpr int leftWidth = 276, rightWidth = 340;
 constexpr int widestTitle = 300;
 
 std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
@@ -51,28 +53,36 @@ MainWindow::MainWindow(Project project)
       m_tools(new ToolController(
           *m_view, {*m_document, *m_selection, *m_preview, *m_landmarking, *m_actions.showRegions})),
       m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)) {
-    const auto camera = [this] { return m_view->camera(); };
-    m_files = new FileController(*this, *m_document, camera);
-    m_edits = new EditController(*this, *m_document, *m_selection, camera);
+    m_workspaces = new Workspaces(*this, m_actions);
+    const auto editorState = [this] {
+        return EditorState{m_workspaces->chosen(), m_preview->status().playing};
+    };
+    m_files = new FileController(*this, *m_document, {[this] { return m_view->camera(); }, editorState});
+    m_edits = new EditController(*this, *m_document, *m_selection, *m_view);
     m_device = new DeviceController(*m_view, *m_document, *m_selection,
                                     *new MotionDevice(MotionDevice::serviceSocket(), this));
     m_journal = new Journal(*m_document, *m_selection, recoveryFolder(), this);
     m_play = new PlayController(*this, *m_preview);
     m_status = new StatusLine(*statusBar());
+    m_slowMotion = new SlowMotion(*m_view, *m_document);
     m_title = new QLabel(menuBar());
     m_title->setObjectName(QStringLiteral("documentName"));
     menuBar()->setCornerWidget(m_title, Qt::TopRightCorner);
 
     auto views = m_tools->makeOptions(ToolOptions::Above);
     views.push_back(m_view);
-    setCentralWidget(stacked(views));
+    m_pages = new QStackedWidget(this);
+    m_pages->addWidget(stacked(views));
+    setCentralWidget(m_pages);
     buildMenus(*this, m_actions);
     buildTopBar(*this, m_actions, m_tools->makeOptions(ToolOptions::Bar));
     buildToolStrip(*this, m_actions);
     buildPanels();
     connectParts();
-    connectWorkspaces();
+    connectStart();
+    m_workspaces->show();
     keepControlKeys(*this);
+    giveKeysHome(*this, *m_view);
     setAcceptDrops(true);
     setWindowIcon(icon(QStringLiteral("app")));
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - roomForFrame));
@@ -113,27 +123,20 @@ void MainWindow::buildPanels() {
     auto* workbench = new FuzzyWorkbench(*m_document, *m_selection);
     workbench->setWindowAction(m_actions.fuzzyWindow);
 
-    m_tissueLeft = buildColumn(
-        *this, Qt::LeftDockWidgetArea, tr("Organ"),
-        {new ModelPanel(*m_document, *m_preview), regions, new EllipsoidPanel(*m_document, *m_selection)});
-    m_textureLeft =
-        buildColumn(*this, Qt::LeftDockWidgetArea, tr("Photos"), {photos, new AtlasPanel(*m_document)});
     const auto underOptions = [this](ToolWorkspace workspace, std::initializer_list<QWidget*> panels) {
         auto column = m_tools->makeOptions(ToolOptions::Column, workspace);
         column.insert(column.end(), panels);
         return column;
     };
-    m_tissueRight = buildColumn(
-        *this, Qt::RightDockWidgetArea, tr("Tissue"),
+    m_workspaces->add(
+        Workspace::Tissue,
+        {new ModelPanel(*m_document, *m_preview), regions, new EllipsoidPanel(*m_document, *m_selection)},
         underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection), workbench,
                                              new AccuracyPanel(*m_document, *m_preview)}));
-    m_textureRight = buildColumn(
-        *this, Qt::RightDockWidgetArea, tr("Photo"),
+    m_workspaces->add(
+        Workspace::Texture, {photos, new AtlasPanel(*m_document)},
         underOptions(ToolWorkspace::Texture,
                      {preparation, new PhotoPanel(*m_document, *m_selection), projector, landmarks}));
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    resizeDocks({m_tissueLeft, m_tissueRight}, {leftWidth, rightWidth}, Qt::Horizontal);
 }
 
 void MainWindow::showLargePhoto() {
@@ -168,7 +171,12 @@ void MainWindow::connectParts() {
     connect(m_edits, &EditController::regionAdded, m_actions.tissue, &QAction::trigger);
     connect(m_edits, &EditController::regionAdded, m_actions.tool(QStringLiteral("region")),
             &QAction::trigger);
-    const auto showStatus = [this] { m_status->showStatus(m_preview->status()); };
+    const auto showStatus = [this] {
+        const PreviewStatus status = m_preview->status();
+        m_status->showStatus(status);
+        m_slowMotion->showStatus(status);
+    };
+    connect(m_slowMotion, &SlowMotion::fewerNodesAsked, m_edits, &EditController::simulateNodes);
     connect(m_preview, &Preview::statusChanged, m_status, showStatus);
     auto* slow = new QTimer(this);
     connect(slow, &QTimer::timeout, m_status, showStatus);
@@ -180,44 +188,46 @@ void MainWindow::connectParts() {
         if (change.scene) noteScene();
         if (change.mesh) m_play->endGentleMotion(); // an organ of the user's own rests until it is touched
     });
+    connect(m_actions.history, &QAction::triggered, this, &MainWindow::showHistory);
+    connect(m_workspaces, &Workspaces::shown, m_journal,
+            [this](Workspace workspace) { m_journal->setWorkspace(wordOf(workspace)); });
+    auto* exported = new ExportNotice(*m_view, *m_document);
+    connect(m_files, &FileController::exported, exported, &ExportNotice::show);
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions.lightTheme, &QAction::toggled, this, &MainWindow::setTheme);
     connect(m_actions.keys, &QAction::triggered, this, [this] { showKeys(this, m_actions); });
     connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(this); });
 }
 
-void MainWindow::connectWorkspaces() {
-    for (QAction* action : {m_actions.tissue, m_actions.texture, m_actions.showLeft, m_actions.showRight})
-        connect(action, &QAction::toggled, this, &MainWindow::showWorkspace);
-    connect(m_actions.tissue, &QAction::triggered, m_actions.tool(QStringLiteral("pull")), &QAction::trigger);
-    // An action that cannot be used can still be triggered from here.
-    connect(m_actions.texture, &QAction::triggered, this, [this] {
-        QAction* projector = m_actions.tool(QStringLiteral("projector"));
-        (projector->isEnabled() ? projector : m_actions.tool(QStringLiteral("look")))->trigger();
-    });
-    showWorkspace();
-}
-
-void MainWindow::showWorkspace() {
-    const bool tissue = m_actions.tissue->isChecked();
-    const bool left = m_actions.showLeft->isChecked(), right = m_actions.showRight->isChecked();
-    // The columns of both workspaces keep one width.
-    const QList<int> widths{leftWidth, rightWidth};
-    for (QDockWidget* gone : {tissue ? m_textureLeft : m_tissueLeft, tissue ? m_textureRight : m_tissueRight})
-        gone->hide();
-    QDockWidget* leftDock = tissue ? m_tissueLeft : m_textureLeft;
-    QDockWidget* rightDock = tissue ? m_tissueRight : m_textureRight;
-    leftDock->setVisible(left);
-    rightDock->setVisible(right);
-    resizeDocks({leftDock, rightDock}, widths, Qt::Horizontal);
-    m_journal->setWorkspace(tissue ? QStringLiteral("tissue") : QStringLiteral("texture"));
-}
-
 void MainWindow::showAgain(const JournalView& view) {
     if (view.workspace.empty()) return;
-    (view.workspace == "texture" ? m_actions.texture : m_actions.tissue)->trigger();
+    m_workspaces->choose(fromWord<Workspace>(view.workspace).value_or(Workspace::Tissue));
     m_selection->setRegion(view.region);
     m_selection->setPhoto(view.photo);
+}
+
+void MainWindow::connectStart() {
+    m_start = new StartController(*this, *m_pages, m_actions, *m_workspaces, *m_files);
+    m_firstSteps = new FirstSteps(*m_view, *m_document, *m_preview);
+    m_start->connectSteps(*m_firstSteps);
+    connect(m_start, &StartController::left, this, &MainWindow::showTitle);
+    connect(m_files, &FileController::exported, m_firstSteps, &FirstSteps::noteHandover);
+    connect(m_document, &Document::replaced, this, &MainWindow::showAsLeft);
+    connect(m_document, &Document::changed, m_start, &StartController::leave);
+}
+
+void MainWindow::showAsLeft() {
+    m_firstSteps->end();
+    const auto& left = m_document->project().editor;
+    m_preview->setPlaying(!left || left->plays);
+    if (left) m_workspaces->choose(left->workspace);
+}
+
+void MainWindow::showHistory() {
+    if (!m_history) m_history = new HistoryWindow(*m_document, this);
+    m_history->show();
+    m_history->raise();
+    m_history->activateWindow();
 }
 
 void MainWindow::showTitle() {
@@ -259,6 +269,8 @@ void MainWindow::restore() {
 }
 
 void MainWindow::start(const std::vector<std::filesystem::path>& files) {
+    m_start->show();
+    m_preview->setPlaying(false);
     QTimer::singleShot(0, this, [this, files] {
         m_files->offerLeftBehind(*m_journal);
         openFiles(files);

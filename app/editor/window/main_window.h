@@ -8,19 +8,21 @@
 #include "app/editor/window/edit_controller.h"
 #include "app/editor/window/file_controller.h"
 #include "app/editor/window/play_controller.h"
+#include "app/editor/window/slow_motion.h"
+#include "app/editor/window/start_controller.h"
 #include "app/editor/window/status_line.h"
 #include "app/editor/window/tool_controller.h"
 #include "app/editor/window/view_controller.h"
 #include "app/editor/workers/preview.h"
 
 #include <QDialog>
-#include <QDockWidget>
 #include <QMainWindow>
 #include <QPointer>
 
 namespace esm {
 
 /// The editor's window: puts document, view, panels and controllers together.
+/// Begins with an organ that is there to be replaced; start() shows the start page before it.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -30,8 +32,8 @@ public:
 
     /// As the user left the window.
     void restore();
-    /// Offers what an unexpected end of the program left unsaved, then opens the files: once the window is
-    /// shown, and one after the other, since both ask the user.
+    /// Shows the start page. Offers what an unexpected end of the program left unsaved, then opens the files:
+    /// once the window is shown, and one after the other, since both ask the user.
     void start(const std::vector<std::filesystem::path>& files);
 
     Document& document() { return *m_document; }
@@ -53,8 +55,9 @@ private:
     void buildPanels();
     void showLargePhoto();
     void connectParts();
-    void connectWorkspaces();
-    void showWorkspace();
+    void connectStart();
+    void showAsLeft();
+    void showHistory();
     void showAgain(const JournalView& view);
     void showTitle();
     void noteScene();
@@ -76,9 +79,13 @@ private:
     PlayController* m_play;
     DeviceController* m_device;
     StatusLine* m_status;
+    SlowMotion* m_slowMotion;
     QLabel* m_title;
-    QPointer<QDialog> m_largePhoto;
-    QDockWidget *m_tissueLeft, *m_tissueRight, *m_textureLeft, *m_textureRight;
+    QPointer<QDialog> m_largePhoto, m_history;
+    QStackedWidget* m_pages;
+    Workspaces* m_workspaces;
+    StartController* m_start;
+    FirstSteps* m_firstSteps;
 };
 
 } // namespace esm

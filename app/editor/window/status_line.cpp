@@ -1,7 +1,6 @@
 #include "app/editor/window/status_line.h"
 
 #include "app/editor/panels/organ/stepping_text.h"
-#include "core/dynamics/stability/stability.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QElapsedTimer>
@@ -16,26 +15,12 @@ namespace esm {
 
 namespace {
 
-/// Below this share of real time the tissue seems to stand still, and so long it may: a moment is no harm.
-constexpr double slowestMotion = 0.1;
-constexpr qint64 slowPatience = 2000; // ms
-
-/// Why the motion is slow and what helps. Where the longest step would not help, it is for the number of
-/// nodes.
-QString slownessText(const PreviewStatus& status) {
-    const QString speed = status.realTimeFactor < 0.01
-                              ? QObject::tr("less than 0.01× real time")
-                              : QObject::tr("%1× real time").arg(numberText(status.realTimeFactor, 1));
-    return status.realTimeFactor * longestStep / status.timeStep < slowestMotion
-               ? QObject::tr("%1: too many nodes").arg(speed)
-               : QObject::tr("%1: the tissue is too stiff or too light; lower the spring constant, or raise "
-                             "viscosity or mass")
-                     .arg(speed);
-}
-
-/// That the motion ran wild, and how it goes on.
+/// Why the motion is not computed as was chosen, and how it goes on.
 QString recoveryText(const PreviewStatus& status) {
-    if (status.isReplaced)
+    if (status.replaced == Replaced::BeyondSafe)
+        return QObject::tr("The chosen step is far beyond the longest that is safe with its method: the "
+                           "program chooses both now");
+    if (status.replaced == Replaced::RanWild)
         return QObject::tr(
             "The motion ran wild with the chosen method and step: the program chooses them now");
     if (status.halvings == 0) return QString();
@@ -98,10 +83,10 @@ StatusLine::Clock StatusLine::sinceStart() {
 StatusLine::StatusLine(QStatusBar& bar, Clock clock)
     : QObject(&bar), m_bar(bar), m_clock(std::move(clock)), m_since(m_clock()) {
     bar.setSizeGripEnabled(false);
-    m_rate = addLabel(QStringLiteral("frameRate"), tr("000 fps"), tr("Pictures drawn per second"));
-    m_realTime = addLabel(QStringLiteral("realTime"), tr("0000× real time"),
-                          tr("How much faster than real time the tissue can be computed"));
-    m_step = addLabel(QStringLiteral("stepping"), tr("step 00.00 ms"), {});
+    m_rate = addLabel(QStringLiteral("frameRate"), tr("00 pictures/s"),
+                      tr("How often the view is drawn. The tissue moves as fast however seldom that is."));
+    m_realTime = addLabel(QStringLiteral("realTime"), tr("real speed, up to 0000×"), {});
+    m_step = addLabel(QStringLiteral("stepping"), wayText(Integrator::Split, 0.0099), {});
     m_message = new QLabel(&bar);
     m_message->setObjectName(QStringLiteral("message"));
     m_message->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -130,18 +115,16 @@ QLabel* StatusLine::addLabel(const QString& name, const QString& widestText, con
 void StatusLine::showRate() {
     const qint64 now = m_clock();
     const double seconds = double(now - std::exchange(m_since, now)) / 1000;
-    m_rate->setText(tr("%1 fps").arg(qRound(m_pictures / seconds)));
+    m_rate->setText(tr("%1 pictures/s").arg(qRound(m_pictures / seconds)));
     m_pictures = 0;
 }
 
 void StatusLine::showStatus(const PreviewStatus& status) {
-    const bool moves = status.playing && status.realTimeFactor > 0;
-    m_realTime->setText(moves ? tr("%1× real time").arg(numberText(status.realTimeFactor, 2)) : tr("paused"));
-    m_step->setText(status.integrator ? tr("step %1").arg(durationText(status.timeStep)) : QString());
+    showSpeed(status);
+    m_step->setText(status.integrator ? wayText(*status.integrator, status.timeStep) : QString());
     m_stability->setText(safeText(status));
     explainStep(status);
     m_gauge->setShare(status.safeStep ? status.timeStep / *status.safeStep : -1);
-    watchSpeed(status);
     const QString failure = QString::fromStdString(status.failure).replace('\n', QStringLiteral("; "));
     const QString recovery = recoveryText(status);
     const QString shortening = shorteningText(status);
@@ -152,17 +135,21 @@ void StatusLine::showStatus(const PreviewStatus& status) {
     showLasting();
 }
 
-void StatusLine::watchSpeed(const PreviewStatus& status) {
-    const bool isSlow = status.playing && status.realTimeFactor > 0 && status.realTimeFactor < slowestMotion;
-    if (!isSlow)
-        m_slowSince.reset();
-    else if (!m_slowSince)
-        m_slowSince = m_clock();
-    const bool lasts = isSlow && m_clock() - *m_slowSince > slowPatience;
-    const QString slowness = lasts ? slownessText(status) : QString();
-    if (slowness == m_slowness) return;
-    m_slowness = slowness;
-    if (!m_messageTimer.isActive()) showLasting();
+void StatusLine::showSpeed(const PreviewStatus& status) {
+    const double factor = status.realTimeFactor;
+    const bool moves = status.playing && factor > 0;
+    const bool isSlow = moves && factor < 1;
+    setText(*m_realTime,
+            isSlow  ? tr("%1 of real speed").arg(numberText(factor, 2))
+            : moves ? tr("real speed, up to %1×").arg(numberText(factor, 2))
+                    : tr("paused"),
+            isSlow);
+    m_realTime->setToolTip(
+        isSlow ? tr("A second of the tissue's motion takes this machine %1 seconds to compute, so that it "
+                    "is seen slowed down.")
+                     .arg(numberText(1 / factor, 2))
+               : tr("The tissue is seen to move as fast as it is. The machine could compute it so many "
+                    "times as fast."));
 }
 
 void StatusLine::explainStep(const PreviewStatus& status) {
@@ -207,7 +194,7 @@ void StatusLine::showNote(const QString& note, const QString& explanation) {
 QString StatusLine::problem() const {
     for (const QString& text : {m_failure, m_pictureFailure, m_journalFailure, m_recovery})
         if (!text.isEmpty()) return text;
-    return m_slowness;
+    return {};
 }
 
 void StatusLine::showLasting() {
@@ -228,13 +215,17 @@ void StatusLine::showMessage(const QString& text) {
 }
 
 void StatusLine::showText(const QString& text, const QString& toolTip, bool warning) {
-    if (m_message->property("warning").toBool() != warning) {
-        m_message->setProperty("warning", warning);
-        m_message->style()->unpolish(m_message);
-        m_message->style()->polish(m_message);
-    }
-    m_message->setText(text);
+    setText(*m_message, text, warning);
     m_message->setToolTip(toolTip);
+}
+
+void StatusLine::setText(QLabel& label, const QString& text, bool warning) {
+    if (label.property("warning").toBool() != warning) {
+        label.setProperty("warning", warning);
+        label.style()->unpolish(&label);
+        label.style()->polish(&label);
+    }
+    label.setText(text);
 }
 
 } // namespace esm

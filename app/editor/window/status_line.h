@@ -55,7 +55,8 @@ private:
     void showLasting();
     void showText(const QString& text, const QString& toolTip, bool warning);
     void explainStep(const PreviewStatus& status);
-    void watchSpeed(const PreviewStatus& status);
+    void showSpeed(const PreviewStatus& status);
+    void setText(QLabel& label, const QString& text, bool warning);
     QString problem() const;
 
     QStatusBar& m_bar;
@@ -63,11 +64,9 @@ private:
     StabilityGauge* m_gauge;
     QTimer m_rateTimer, m_messageTimer;
     Clock m_clock;
-    qint64 m_since;                    ///< ms, pictures are counted
-    std::optional<qint64> m_slowSince; ///< ms, while the motion is too slow
+    qint64 m_since; ///< ms, pictures are counted
     int m_pictures = 0;
-    QString m_failure, m_pictureFailure, m_journalFailure, m_recovery, m_shortening, m_slowness, m_note,
-        m_noteExplained;
+    QString m_failure, m_pictureFailure, m_journalFailure, m_recovery, m_shortening, m_note, m_noteExplained;
 };
 
 } // namespace esm

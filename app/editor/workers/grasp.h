@@ -15,6 +15,8 @@ public:
     Grasp(const TissueModel& model, const std::vector<Eigen::Vector3d>& positions, std::uint32_t node);
 
     std::uint32_t node() const { return m_node; }
+    /// All that it holds.
+    const std::vector<std::uint32_t>& nodes() const { return m_nodes; }
     /// Where the grasped node shall go.
     void setTarget(const Eigen::Vector3d& target) { m_target = target - m_start.front(); }
     void setDisplacement(const Eigen::Vector3d& displacement) { m_target = displacement; }

@@ -162,6 +162,7 @@ Preview::Inbox Preview::collect(bool idle, Clock::time_point until) {
         m_changed.wait_until(lock, until, [this] { return m_inbox.stop || m_inbox.prepared; });
     Inbox taken = m_inbox;
     m_inbox.prepared.reset();
+    m_inbox.safeStep.reset();
     m_inbox.isNew = false;
     taken.reset = takeDue(m_inbox.reset, m_inbox.arrived);
     taken.playScene = takeDue(m_inbox.playScene, m_inbox.arrived);
@@ -185,7 +186,10 @@ bool Preview::workOnce(Worker& worker) {
     if (inbox.stop) return false;
     worker.next = Clock::now() + framePeriod;
     PreviewRun& run = worker.run;
-    if (inbox.prepared) take(worker, std::move(*inbox.prepared));
+    if (inbox.prepared)
+        take(worker, std::move(*inbox.prepared));
+    else if (inbox.safeStep)
+        run.keepWithin(*inbox.safeStep);
     if (inbox.reset) run.reset();
     if (inbox.playScene) run.beginScene();
     // An organ that another one is to replace rests.
@@ -240,6 +244,7 @@ void Preview::takeSafeStep(std::optional<double> step) {
         if (m_status.safeStep == step) return;
         m_status.safeStep = step;
     }
+    send([&](Inbox& inbox) { inbox.safeStep = step; });
     emit statusChanged();
 }
 
@@ -259,7 +264,7 @@ void Preview::publish(const Worker& worker, int project) {
         status.playing = m_inbox.playing;
         status.safeStep = m_status.safeStep;
         statusIsNew = m_status.playing != status.playing || m_status.failure != status.failure ||
-                      m_status.halvings != status.halvings || m_status.isReplaced != status.isReplaced ||
+                      m_status.halvings != status.halvings || m_status.replaced != status.replaced ||
                       m_status.isShortened != status.isShortened;
         m_status = std::move(status);
     }

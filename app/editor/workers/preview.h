@@ -71,6 +71,7 @@ private:
         int asked = 0, arrived = 0; ///< numbers of the last project that came and that was prepared
         std::shared_ptr<const SpringNetwork> network; ///< of the last that came
         std::optional<int> reset, playScene;          ///< wait for the project of this number
+        std::optional<double> safeStep;               ///< s, of what runs
         bool isNew = false, playing = false, stop = false;
         PreviewLoads loads;
     };

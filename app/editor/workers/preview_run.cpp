@@ -1,5 +1,6 @@
 #include "app/editor/workers/preview_run.h"
 
+#include "core/dynamics/forces.h"
 #include "core/dynamics/measure/scene_loads.h"
 #include "core/render/drawn_shape.h"
 #include "core/support/errors.h"
@@ -17,7 +18,6 @@ using Clock = std::chrono::steady_clock;
 constexpr int mostHalvings = 4;
 /// Keeping the state costs little, but not nothing.
 constexpr int framesBetweenStates = 15;
-constexpr double forceMemory = 0.15; // s
 /// Of an instrument in the hand: twice what surgeons' reach.
 constexpr double fastestHand = 1; // m/s
 
@@ -71,22 +71,24 @@ void PreviewRun::run(PreparedProject prepared) {
         m_playsScene = false;
     }
     m_halvings = 0;
-    m_isReplaced = false;
+    m_replaced = Replaced::Not;
     m_runFailure.clear();
 }
 
 void PreviewRun::reset() {
     m_playsScene = false;
-    m_instrumentForce.reset();
+    m_instrumentForce.clear();
+    m_pullForce.clear();
     m_pull.reset();
     m_gentleGrasp.reset();
     m_gentleTime = 0;
     m_debt = 0;
     m_runFailure.clear();
     if (!m_simulation) return;
-    if (m_halvings > 0 || m_isReplaced) m_simulation->setModel(*m_model, m_settings);
+    const bool ranWild = m_halvings > 0 || m_replaced == Replaced::RanWild;
+    if (ranWild) m_simulation->setModel(*m_model, m_settings);
+    if (ranWild) m_replaced = Replaced::Not;
     m_halvings = 0;
-    m_isReplaced = false;
     m_simulation->reset();
 }
 
@@ -181,12 +183,10 @@ bool PreviewRun::goBack() {
         ++m_halvings;
         m_simulation->goBack(m_simulation->timeStep() / 2);
         // What the program's own steps do not calm was wild already when it was kept.
-        if (m_isReplaced) m_simulation->reset();
-    } else if (!m_isReplaced && m_settings.integrator != Integrator::Auto) {
-        m_isReplaced = true;
-        m_halvings = 0;
+        if (isReplaced()) m_simulation->reset();
+    } else if (!isReplaced() && m_settings.integrator != Integrator::Auto) {
         m_simulation->goBack(m_simulation->timeStep());
-        m_simulation->setModel(*m_model, {});
+        replaceStepping(Replaced::RanWild);
     } else
         return false;
     // What is held takes hold anew, of the tissue where it is now.
@@ -196,6 +196,19 @@ bool PreviewRun::goBack() {
     return true;
 }
 
+void PreviewRun::replaceStepping(Replaced why) {
+    m_replaced = why;
+    m_halvings = 0;
+    m_simulation->setModel(*m_model, {});
+}
+
+void PreviewRun::keepWithin(double safeStep) {
+    // What is predicted for any deformation is on the safe side, and a step may be chosen close to it.
+    constexpr double far = 2;
+    if (!isReady() || isReplaced() || m_settings.integrator == Integrator::Auto) return;
+    if (m_simulation->timeStep() > far * safeStep) replaceStepping(Replaced::BeyondSafe);
+}
+
 /// N·s, of the tissue on the instrument that is held, since the start.
 Eigen::Vector3d PreviewRun::toldImpulse() const {
     const auto& touches = m_simulation->instrumentTouches();
@@ -203,14 +216,30 @@ Eigen::Vector3d PreviewRun::toldImpulse() const {
     return place < touches.size() ? touches[place].impulse : Eigen::Vector3d::Zero();
 }
 
-/// A mean that forgets, so that the number can be read while tissue trembles against the instrument. Where
-/// they part it goes at once.
-void PreviewRun::measureForce(const Eigen::Vector3d& impulse, double simulated) {
+/// Where instrument and tissue part the force goes at once.
+void PreviewRun::measureForces(const Eigen::Vector3d& impulse, double simulated) {
     if (simulated <= 0) return;
-    if (impulse.isZero(0)) return m_instrumentForce.reset();
-    const Eigen::Vector3d force = impulse / simulated;
-    if (!m_instrumentForce) m_instrumentForce = force;
-    *m_instrumentForce += (1 - std::exp(-simulated / forceMemory)) * (force - *m_instrumentForce);
+    if (impulse.isZero(0))
+        m_instrumentForce.clear();
+    else
+        m_instrumentForce.add(impulse / simulated, simulated);
+    if (!m_pull) return m_pullForce.clear();
+    m_pullForce.add(
+        forceOn(m_pull->nodes(), m_simulation->system(), m_settings.damping, m_simulation->motion()),
+        simulated);
+}
+
+std::optional<FeltTissue> PreviewRun::feltPull() const {
+    const std::optional<double> force = m_pullForce.size();
+    if (!m_pull || !force) return std::nullopt;
+    const std::uint32_t node = m_pull->node();
+    return FeltTissue{*force, (positions()[node] - m_network->restPositions[node]).norm()};
+}
+
+std::optional<FeltTissue> PreviewRun::feltInstrument() const {
+    const std::optional<double> force = m_instrumentForce.size();
+    if (!m_heldInstrument || !force) return std::nullopt;
+    return FeltTissue{*force, displacementAt(*m_heldInstrument, m_network->restPositions, positions())};
 }
 
 bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
@@ -238,7 +267,7 @@ bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
         }
     }
     measure(simulated, secondsSince(start));
-    measureForce(toldImpulse() - impulse, simulated);
+    measureForces(toldImpulse() - impulse, simulated);
     if (!isDrawn()) {
         stop("the tissue moves too far away to be drawn: fix some of its nodes, tether it, or lower gravity");
         return false;
@@ -277,10 +306,11 @@ PreviewStatus PreviewRun::status() const {
         status.timeStep = m_simulation->timeStep();
     }
     status.halvings = m_halvings;
-    status.isReplaced = m_isReplaced;
-    status.isShortened = m_isShortened && !m_isReplaced;
+    status.replaced = m_replaced;
+    status.isShortened = m_isShortened && !isReplaced();
     status.realTimeFactor = m_computing > 0 ? m_simulated / m_computing : 0;
-    if (m_instrumentForce) status.instrumentForce = m_instrumentForce->norm();
+    status.pull = feltPull();
+    status.instrument = feltInstrument();
     status.failure = m_modelFailure.empty() ? m_runFailure : m_modelFailure;
     return status;
 }

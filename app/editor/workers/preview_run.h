@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/workers/felt_tissue.h"
 #include "app/editor/workers/grasp.h"
 #include "app/editor/workers/prepared_project.h"
 
@@ -23,18 +24,25 @@ struct PreviewLoads {
     bool gentleMotion = false; ///< the slow pull of a newly opened organ
 };
 
+/// Why a run steps otherwise than its project says.
+enum class Replaced {
+    Not,
+    RanWild,   ///< ever wilder, however short the steps
+    BeyondSafe ///< its step is far beyond the longest stable one
+};
+
 /// How the run goes.
 struct PreviewStatus {
     bool playing = false;
     std::optional<Integrator> integrator; ///< none without a simulation
     double timeStep = 0;                  ///< s
-    std::optional<double> safeStep; ///< s, largest stable step of the integrator; infinite without a limit
-    double realTimeFactor = 0;      ///< simulated over computing time
-    int halvings = 0;               ///< of the step, each time that the motion ran wild
-    bool isReplaced = false;        ///< the project's way to step, by the program's, where it ran ever wilder
-    bool isShortened = false;       ///< the project's step, which is too long to be watched
-    /// N, of the tissue on the instrument, a mean over a moment; none while they do not touch.
-    std::optional<double> instrumentForce;
+    std::optional<double> safeStep;    ///< s, largest stable step of the integrator; infinite without a limit
+    double realTimeFactor = 0;         ///< simulated over computing time
+    int halvings = 0;                  ///< of the step, each time that the motion ran wild
+    Replaced replaced = Replaced::Not; ///< the project's way to step, by the program's
+    bool isShortened = false;          ///< the project's step, which is too long to be watched
+    /// Forces are means over a moment. None while nothing is pulled, or the instrument touches nothing.
+    std::optional<FeltTissue> pull, instrument;
     std::string failure; ///< why the tissue cannot move; empty when all is well
 };
 
@@ -64,6 +72,10 @@ public:
     /// scene that plays is over; after that it goes on without the scene.
     bool advance(double seconds, const PreviewLoads& loads);
 
+    /// Steps as the program chooses from now on, where the project's step is far beyond the longest stable
+    /// one: what rests looks calm until something touches it.
+    void keepWithin(double safeStep);
+
     bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
     /// What runs. Precondition: a project was taken.
     const TissueModel& model() const { return *m_model; }
@@ -82,10 +94,14 @@ private:
     bool isSceneOver() const;
     void leaveScene();
     bool goBack();
+    bool isReplaced() const { return m_replaced != Replaced::Not; }
+    void replaceStepping(Replaced why);
     bool isDrawn() const;
     void measure(double simulated, double computing);
     Eigen::Vector3d toldImpulse() const;
-    void measureForce(const Eigen::Vector3d& impulse, double simulated);
+    void measureForces(const Eigen::Vector3d& impulse, double simulated);
+    std::optional<FeltTissue> feltPull() const;
+    std::optional<FeltTissue> feltInstrument() const;
 
     std::shared_ptr<const TissueModel> m_model;     ///< what runs; null before the first
     std::shared_ptr<const SpringNetwork> m_network; ///< of what runs, or cannot
@@ -97,15 +113,15 @@ private:
     std::optional<GentlePull> m_gentlePull;
     double m_gentleTime = 0;
     Scene m_scene;
-    bool m_playsScene = false;                        ///< its loads, not gravity alone
-    bool m_isReplaced = false;                        ///< the project's way to step, by the program's
-    int m_halvings = 0;                               ///< of the step, with this way to step
-    int m_framesSinceKept = 0;                        ///< since the state was kept
-    double m_debt = 0;                                ///< s that were asked for and not simulated yet
-    double m_simulated = 0, m_computing = 0;          ///< s, decaying sums for the real-time factor
-    std::optional<Eigen::Vector3d> m_instrumentForce; ///< N
-    std::string m_modelFailure;                       ///< why the latest project cannot be simulated
-    std::string m_runFailure;                         ///< why the motion ended
+    bool m_playsScene = false; ///< its loads, not gravity alone
+    Replaced m_replaced = Replaced::Not;
+    int m_halvings = 0;                      ///< of the step, with this way to step
+    int m_framesSinceKept = 0;               ///< since the state was kept
+    double m_debt = 0;                       ///< s that were asked for and not simulated yet
+    double m_simulated = 0, m_computing = 0; ///< s, decaying sums for the real-time factor
+    ForceMean m_instrumentForce, m_pullForce;
+    std::string m_modelFailure; ///< why the latest project cannot be simulated
+    std::string m_runFailure;   ///< why the motion ended
 };
 
 } // namespace esm

@@ -306,6 +306,15 @@ std::shared_ptr<const RepairReport> readReport(const JsonReader& reader, Source&
     });
 }
 
+/// One that does not know a workspace opens with the usual one: nothing else is lost by it.
+EditorState readEditorState(const JsonReader& reader) {
+    EditorState state;
+    if (!reader.isObject()) return state;
+    state.workspace = fromWord<Workspace>(reader.member("workspace").text()).value_or(state.workspace);
+    state.plays = reader.member("plays").flag();
+    return state;
+}
+
 Project readContent(const JsonReader& manifest, Source& source) {
     Project project;
     const JsonReader arrays = manifest.member("arrays");
@@ -319,6 +328,7 @@ Project readContent(const JsonReader& manifest, Source& source) {
     project.regions = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
     project.scene = readScene(manifest.member("scene"));
     if (manifest.has("stepping")) project.stepping = steppingFromJson(manifest.member("stepping"));
+    if (manifest.has("editor")) project.editor = readEditorState(manifest.member("editor"));
     project.layers = readLayers(manifest.member("photos"), arrays, source);
     project.texture.atlas = readOptions(manifest.member("texture"), fieldsOf<AtlasOptions>);
     readFields(manifest.member("texture"), project.texture);

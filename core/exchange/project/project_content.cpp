@@ -182,6 +182,7 @@ ProjectContent contentOf(const Project& project) {
                         {"photos", addPhotos(project.layers, arrays)},
                         {"texture", std::move(texture)}};
     if (project.stepping) content.manifest["stepping"] = toJson(*project.stepping);
+    if (project.editor) content.manifest["editor"] = writtenFields(*project.editor);
     if (project.atlas) content.manifest["atlas"] = addAtlas(project.atlas, arrays);
     content.manifest["arrays"] = std::move(arrays.counts);
     return content;

@@ -118,3 +118,26 @@ TEST(Energy, OfMotionIsHalfTheMassTimesTheSquaredSpeed) {
     EXPECT_DOUBLE_EQ(result.elastic, 0.5 * 10 * 0.25);
     EXPECT_DOUBLE_EQ(result.total(), result.kinetic + result.elastic);
 }
+
+TEST(ForceOn, IsWhatAHandBearsThatHoldsSomeNodes) {
+    SpringNetwork network;
+    for (const double x : {0, 1, 2, 3})
+        network.restPositions.emplace_back(0.1 * x, 0, 0);
+    for (const std::size_t node : {0U, 1U, 2U})
+        tissue::addSpring(network, node, node + 1);
+    TissueModel model = tissue::model(std::move(network), {20, 3, 0.001});
+    model.tethers = {{1, 5, 2}};
+    const SpringSystem system = makeSpringSystem(model);
+    Motion motion{model.network->restPositions, Vectors(4, Vector3d::Zero())};
+    EXPECT_LT(forceOn({1, 2}, system, Damping::Isotropic, motion).norm(), 1e-12);
+    for (const std::uint32_t node : {1U, 2U})
+        motion.positions[node].y() += 0.3;
+    motion.velocities[1].y() = 0.5;
+    motion.velocities[2].y() = 0.5;
+    Vectors forces;
+    elasticForces(system, motion.positions, forces);
+    addDampingForces(system, Damping::Isotropic, motion.positions, motion.velocities, forces);
+    EXPECT_LT((forceOn({1, 2}, system, Damping::Isotropic, motion) - forces[1] - forces[2]).norm(), 1e-12);
+    EXPECT_LT(forceOn({1, 2}, system, Damping::Isotropic, motion).y(), -1) << "drawn back, and held up";
+    EXPECT_LT((forceOn({3}, system, Damping::Isotropic, motion) - forces[3]).norm(), 1e-12);
+}

@@ -1,10 +1,13 @@
 #include "tests/support/eventually.h"
 #include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/number_field.h"
 
 #include <gtest/gtest.h>
+#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -81,4 +84,79 @@ TEST_F(ControlKeysTest, TheWheelTurnsAChoiceOnlyWithTheFocus) {
     choice->setFocus();
     turn();
     EXPECT_EQ(choice->currentIndex(), 1);
+}
+
+namespace {
+
+/// A window whose keys belong to `plain` where no control needs them.
+class KeysHomeTest : public ControlKeysTest {
+protected:
+    void SetUp() override {
+        ControlKeysTest::SetUp();
+        window.layout()->addWidget(number);
+        window.layout()->addWidget(name);
+        giveKeysHome(window, *plain);
+    }
+    void typeAndEnter(QLineEdit* field, const QString& text) {
+        field->setFocus();
+        field->setText({});
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    void openList() {
+        choice->setFocus();
+        choice->showPopup();
+        ESM_EVENTUALLY(choice->view()->isVisible());
+    }
+
+    NumberField* number = new NumberField(NumberFormat{.unit = "mm", .maximum = 10}, &window);
+    QLineEdit* name = new QLineEdit(&window);
+};
+
+} // namespace
+
+TEST_F(KeysHomeTest, EnterTakesWhatWasTypedAndGivesTheKeysBack) {
+    typeAndEnter(number, "5 mm");
+    EXPECT_EQ(number->value(), 5);
+    EXPECT_TRUE(plain->hasFocus());
+    typeAndEnter(name, "left lobe");
+    EXPECT_TRUE(plain->hasFocus());
+}
+
+TEST_F(KeysHomeTest, WhatIsRefusedKeepsTheKeysToBeMended) {
+    typeAndEnter(number, "11 mm");
+    EXPECT_TRUE(number->hasFocus());
+}
+
+TEST_F(KeysHomeTest, AChoiceGivesTheKeysBackHoweverItsListCloses) {
+    openList();
+    QTest::keyClick(choice->view(), Qt::Key_Down);
+    QTest::keyClick(choice->view(), Qt::Key_Return);
+    ESM_EVENTUALLY(plain->hasFocus());
+    EXPECT_EQ(choice->currentText(), "b");
+    QTest::keyClick(plain, Qt::Key_Home);
+    EXPECT_EQ(choice->currentText(), "b");
+    EXPECT_EQ(wentHome.count(), 1);
+
+    openList();
+    QTest::keyClick(choice->view(), Qt::Key_Escape);
+    ESM_EVENTUALLY(plain->hasFocus());
+    EXPECT_EQ(choice->currentText(), "b");
+}
+
+TEST_F(KeysHomeTest, ArrowKeysGoThroughAChoiceWithoutLeavingIt) {
+    press(choice, Qt::Key_Down);
+    press(choice, Qt::Key_Down);
+    EXPECT_EQ(choice->currentText(), "c");
+    QTest::qWait(0);
+    EXPECT_TRUE(choice->hasFocus());
+}
+
+TEST_F(KeysHomeTest, AWindowThatComesToTheFrontWithoutAnyoneAtTheKeysGivesThemHome) {
+    number->setFocus();
+    number->clearFocus();
+    ASSERT_EQ(window.focusWidget(), nullptr);
+    QEvent activate(QEvent::WindowActivate);
+    QApplication::sendEvent(&window, &activate);
+    EXPECT_TRUE(plain->hasFocus());
 }

@@ -18,6 +18,10 @@ QString steppingText(const Stepping& stepping) {
     return stepping.precision == Precision::Float ? QObject::tr("%1, single precision").arg(text) : text;
 }
 
+QString wayText(Integrator integrator, double timeStep) {
+    return QObject::tr("%1, %2 steps").arg(QObject::tr(traitsOf(integrator).title), durationText(timeStep));
+}
+
 QString methodText(Integrator integrator) {
     return QObject::tr(traitsOf(integrator).sentence);
 }

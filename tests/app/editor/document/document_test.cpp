@@ -54,6 +54,43 @@ TEST(Document, MergesADragIntoOneStep) {
     EXPECT_EQ(document.project().base.mass, 0.04);
 }
 
+TEST(Document, GoesToAnyStepAsOneChange) {
+    Document document(makeSample("tube"));
+    for (const double mass : {0.02, 0.03, 0.04, 0.05})
+        setMass(document, mass);
+    const RegionId region = added(document);
+    std::vector<Change> changes;
+    int steps = 0;
+    QObject::connect(&document, &Document::changed, [&](const Change& change) { changes.push_back(change); });
+    QObject::connect(&document, &Document::stepped, [&] { ++steps; });
+    document.goTo(1);
+    EXPECT_EQ(document.project().base.mass, 0.02);
+    EXPECT_EQ(findPart(document.project().regions, region), nullptr);
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_TRUE(changes[0].isOfHistory);
+    EXPECT_TRUE(changes[0].tissue);
+    EXPECT_TRUE(changes[0].regions);
+    document.goTo(5);
+    EXPECT_EQ(document.project().base.mass, 0.05);
+    EXPECT_NE(findPart(document.project().regions, region), nullptr);
+    document.goTo(5);
+    EXPECT_EQ(changes.size(), 2U);
+    EXPECT_EQ(steps, 2);
+    EXPECT_EQ(document.undoStack()->index(), 5);
+}
+
+TEST(Document, TellsWhatIsUndoneFromWhatIsEdited) {
+    Document document(makeSample("tube"));
+    std::vector<bool> ofHistory;
+    QObject::connect(&document, &Document::changed,
+                     [&](const Change& change) { ofHistory.push_back(change.isOfHistory); });
+    setMass(document, 0.02);
+    document.undoStack()->undo();
+    document.undoStack()->redo();
+    setMass(document, 0.03);
+    EXPECT_EQ(ofHistory, (std::vector<bool>{false, true, true, false}));
+}
+
 TEST(Document, StartsANewStepAfterADrag) {
     Document document(makeSample("tube"));
     setMass(document, 0.02, EditKind::BaseTissue);
@@ -304,4 +341,39 @@ TEST(PhotoEdits, AProjectorOfAnotherKindLiesInTheSamePlace) {
         EXPECT_TRUE(
             esm::project(projector, {160, 80}, corner)->head<2>().isApprox(Eigen::Vector2d(160, 80), 1e-6));
     }
+}
+
+TEST(Selection, FollowsWhatIsUndoneInAnotherRegion) {
+    Document document(tubeWithThreeRegions());
+    Selection selection(document);
+    const auto ids = [&] { return document.project().regions; };
+    const RegionId first = ids()[0].id, second = ids()[1].id, third = ids()[2].id;
+    const auto widen = [&](RegionId region, double rim) {
+        document.edit("rim", [=](Project& project) { partOf(project.regions, region).rim = rim; });
+    };
+    selection.setRegion(first);
+    widen(first, 0.01);
+    selection.setRegion(third);
+    document.undoStack()->undo();
+    EXPECT_EQ(selection.region(), first);
+    selection.setRegion(std::nullopt);
+    document.undoStack()->redo();
+    EXPECT_EQ(selection.region(), first);
+
+    document.edit("both", [=](Project& project) {
+        for (const RegionId region : {first, second})
+            partOf(project.regions, region).rim = 0.03;
+    });
+    EXPECT_EQ(selection.region(), first) << "an edit selects nothing";
+    document.undoStack()->undo();
+    EXPECT_EQ(selection.region(), first) << "it is among those that changed";
+    selection.setRegion(third);
+    document.undoStack()->redo();
+    EXPECT_EQ(selection.region(), second) << "the topmost of those that changed";
+
+    widen(third, 0.02);
+    EXPECT_EQ(selection.region(), second) << "who edits another one has a reason";
+    setMass(document, 0.5);
+    document.undoStack()->undo();
+    EXPECT_EQ(selection.region(), second) << "no region changed";
 }

@@ -92,7 +92,7 @@ void RandomEdits::paint() {
         m_selection.setPhoto(layers.front().id);
         m_painting.begin(point);
     } else {
-        m_painting.goOn(point);
+        m_painting.goOn({point});
     }
     m_isPainting = below(6) != 0;
     if (!m_isPainting) m_painting.finish();

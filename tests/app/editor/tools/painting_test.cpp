@@ -89,6 +89,60 @@ TEST_F(PaintingTest, LiesOnTheSurfaceUnderTheMouse) {
     }
 }
 
+// A fast mouse tells few places: the brush goes over the surface between them, not straight through the
+// organ.
+TEST_F(PaintingTest, AFastStrokeHasNoHoles) {
+    const int y = middle().y();
+    QTest::mousePress(&window->view(), Qt::LeftButton, {}, middle() - QPoint(90, 0));
+    move(middle() + QPoint(95, 0));
+    QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, middle() + QPoint(95, 0));
+    ASSERT_EQ(strokes().size(), 1U);
+    const BrushStroke& fast = *strokes()[0];
+    const TriangleMesh& mesh = *project().mesh;
+    const SurfaceQuery query(mesh.vertices, mesh.triangles);
+    for (std::size_t i = 1; i < fast.path.size(); ++i) {
+        const Eigen::Vector3d from = fast.path[i - 1].place, to = fast.path[i].place;
+        EXPECT_LE((to - from).norm(), fast.radius / 2);
+        EXPECT_LT(query.nearest((from + to) / 2)->distance, fast.radius / 10) << "it does not cut across";
+    }
+    EXPECT_LE(std::abs(placeOf(fast.path.front().place).x() - (middle().x() - 90)), 2);
+    EXPECT_LE(std::abs(placeOf(fast.path.back().place).x() - (middle().x() + 95)), 3);
+    for (const BrushPoint& point : fast.path)
+        EXPECT_LE(std::abs(placeOf(point.place).y() - y), 2) << "it follows the mouse";
+}
+
+TEST_F(PaintingTest, WhereTheBrushLeavesTheOrganItPaintsNothing) {
+    const QPoint outside = placeOf(Eigen::Vector3d(0, 0.2, 0));
+    const int steps = window->document().undoStack()->count();
+    QTest::mousePress(&window->view(), Qt::LeftButton, {}, middle() - QPoint(60, 0));
+    move(outside);
+    move(middle() + QPoint(60, 0));
+    ASSERT_EQ(strokes().size(), 2U) << "one before, one after";
+    QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, middle() + QPoint(60, 0));
+    const TriangleMesh& mesh = *project().mesh;
+    const SurfaceQuery query(mesh.vertices, mesh.triangles);
+    for (const auto& stroke : strokes())
+        for (std::size_t i = 1; i < stroke->path.size(); ++i)
+            EXPECT_LT(query.nearest((stroke->path[i - 1].place + stroke->path[i].place) / 2)->distance,
+                      stroke->radius / 2);
+    EXPECT_EQ(window->document().undoStack()->count(), steps + 1) << "one movement is one step";
+    window->document().undoStack()->undo();
+    EXPECT_TRUE(strokes().empty());
+}
+
+TEST_F(PaintingTest, EscapeDropsAllOfAMovementThatLeftTheOrgan) {
+    stroke();
+    QTest::mousePress(&window->view(), Qt::LeftButton, {}, middle() - QPoint(60, 0));
+    move(placeOf(Eigen::Vector3d(0, 0.2, 0)));
+    move(middle() + QPoint(60, 0));
+    ASSERT_EQ(strokes().size(), 3U);
+    window->document().edit("prepare", [](Project& p) { p.layers[0].opacity = 0.5; });
+    press(Qt::Key_Escape);
+    EXPECT_EQ(strokes().size(), 1U);
+    EXPECT_EQ(project().layers[0].opacity, 0.5);
+    QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, middle());
+}
+
 TEST_F(PaintingTest, EscapeDropsTheStroke) {
     begin();
     ASSERT_EQ(strokes().size(), 1U);

@@ -42,6 +42,14 @@ TEST_F(TwoProjectors, ThePhotoThatWasTakenHoldOfIsMovedWhateverIsSelected) {
     expectSteps(3);
 }
 
+TEST_F(TwoProjectors, EscapePutsBackWhatIsDragged) {
+    view.cancel();
+    EXPECT_EQ(placeOfPhoto(1), Vector3d(0, 0, 0.15));
+    expectSteps(2);
+    moveTo(placeOf({0.05, 0, 0.15}));
+    EXPECT_EQ(placeOfPhoto(1), Vector3d(0, 0, 0.15)) << "the drag is over";
+}
+
 TEST_F(TwoProjectors, WhatGoesIsDraggedNoFurther) {
     document.undoStack()->undo();
     document.undoStack()->undo();

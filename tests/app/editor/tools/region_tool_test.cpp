@@ -127,3 +127,19 @@ TEST_F(RegionToolTest, AClickSelectsSoDoesTheToolLook) {
     EXPECT_EQ(selection.region(), document.project().regions[1].id);
     expectSteps(0);
 }
+
+TEST_F(RegionToolTest, EscapePutsBackWhatIsDragged) {
+    const Vector3d centre(0.05, 0, 0.08);
+    addRegion(centre, {0.03, 0.02, 0.02});
+    const Ellipsoid before = shape();
+    press(placeOf(centre));
+    moveTo(placeOf(centre) + QPoint(0, 40));
+    ASSERT_NE(shape().centre, centre);
+    view.cancel();
+    EXPECT_EQ(shape(), before);
+    expectSteps(0);
+    moveTo(placeOf(centre) + QPoint(0, 60));
+    EXPECT_EQ(shape(), before) << "the drag is over";
+    dragFrom(placeOf(centre), {0, 40});
+    expectSteps(1);
+}

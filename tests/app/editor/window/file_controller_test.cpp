@@ -266,3 +266,20 @@ TEST_F(FileControllerTest, StopsReadingAFileOnEscapeAndLeavesEverythingAsItWas) 
         EXPECT_EQ(window->document().project().layers.size(), before.layers.size()) << file;
     }
 }
+
+TEST_F(FileControllerTest, AProjectOpensAsItWasLeft) {
+    window->windowActions().texture->trigger();
+    window->preview().setPlaying(false);
+    ESM_EVENTUALLY(!window->preview().status().playing);
+    ASSERT_TRUE(window->files().saveTo(folder / "left.esm"));
+    EXPECT_FALSE(window->document().isModified());
+    EXPECT_EQ(loadProject(folder / "left.esm").editor, (EditorState{Workspace::Texture, false}));
+    window->windowActions().tissue->trigger();
+    window->files().openSample("tube");
+    ESM_EVENTUALLY(window->preview().status().playing);
+    EXPECT_TRUE(window->windowActions().tissue->isChecked());
+    window->files().openProject(folder / "left.esm");
+    EXPECT_TRUE(window->windowActions().texture->isChecked());
+    ESM_EVENTUALLY(!window->preview().status().playing);
+    EXPECT_FALSE(window->document().isModified());
+}

@@ -198,3 +198,21 @@ TEST_F(RegionsTest, ACopyLiesAboveItsModel) {
     EXPECT_EQ(list()->currentRow(), 0) << "the copy is selected";
     expectOneStep(before);
 }
+
+// The middle of a bent organ's box may be empty, or behind what one looks at.
+TEST_F(RegionsTest, ANewRegionLiesOnTheSurfaceInTheMiddleOfTheView) {
+    for (QAction* side : window->windowActions().standardViews) {
+        side->trigger();
+        window->windowActions().addRegion->trigger();
+        const Ellipsoid& added = *project().regions.back().ellipsoid;
+        const SurfaceQuery query(project().mesh->vertices, project().mesh->triangles);
+        EXPECT_LT(query.nearest(added.centre)->distance, added.radii.maxCoeff() / 4);
+        const QPoint seen = placeOf(added.centre), middle = window->view().rect().center();
+        EXPECT_LT(std::hypot(seen.x() - middle.x(), seen.y() - middle.y()), 40);
+        const Camera& camera = window->view().camera();
+        const auto hit = query.firstHit({camera.eye, (added.centre - camera.eye).normalized()});
+        ASSERT_TRUE(hit);
+        EXPECT_GT(hit->distance + added.radii.maxCoeff(), (added.centre - camera.eye).norm())
+            << "it is on the side that is seen";
+    }
+}

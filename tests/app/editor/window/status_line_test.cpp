@@ -18,11 +18,6 @@ PreviewStatus playingAt(double realTimeFactor, double timeStep) {
 class StatusLineTest : public testing::Test {
 protected:
     QString message() const { return bar.findChild<QLabel*>("message")->text(); }
-    void showForLong(const PreviewStatus& status) {
-        line->showStatus(status);
-        now += 2200;
-        line->showStatus(status);
-    }
 
     QStatusBar bar;
     qint64 now = 0; ///< ms
@@ -31,22 +26,35 @@ protected:
 
 } // namespace
 
-TEST_F(StatusLineTest, SaysThatTheTissueIsTooStiffWhileItIs) {
-    line->showStatus(playingAt(0.02, 1e-6));
-    EXPECT_EQ(message(), "") << "a moment is no harm";
-    showForLong(playingAt(0.02, 1e-6));
-    EXPECT_TRUE(message().contains("too stiff")) << message().toStdString();
-    EXPECT_TRUE(message().contains("0.02")) << message().toStdString();
-    line->showStatus(playingAt(3, 1e-3));
-    EXPECT_EQ(message(), "");
+TEST_F(StatusLineTest, SaysWhetherTheTissueMovesAtItsRealSpeed) {
+    const auto speed = [this] { return bar.findChild<QLabel*>("realTime"); };
+    line->showStatus(playingAt(29, 0.01));
+    EXPECT_EQ(speed()->text(), "real speed, up to 29×");
+    EXPECT_FALSE(speed()->property("warning").toBool());
+    line->showStatus(playingAt(0.1, 0.01));
+    EXPECT_EQ(speed()->text(), "0.10 of real speed");
+    EXPECT_TRUE(speed()->property("warning").toBool());
+    EXPECT_TRUE(speed()->toolTip().contains("10 seconds")) << speed()->toolTip().toStdString();
+    line->showStatus(PreviewStatus());
+    EXPECT_EQ(speed()->text(), "paused");
+    EXPECT_FALSE(speed()->property("warning").toBool());
 }
 
-TEST_F(StatusLineTest, BlamesNoStiffnessForManyNodes) {
-    showForLong(playingAt(0.02, 0.01));
-    EXPECT_TRUE(message().contains("too many nodes")) << message().toStdString();
-    EXPECT_FALSE(message().contains("stiff"));
-    showForLong(playingAt(0.02, 0.005));
-    EXPECT_TRUE(message().contains("too many nodes")) << "where the longest step would not help either";
+TEST_F(StatusLineTest, NamesMethodAndStepInWords) {
+    line->showStatus(playingAt(29, 0.01));
+    EXPECT_EQ(bar.findChild<QLabel*>("stepping")->text(), "viscous split, 10 ms steps");
+    line->showStatus(PreviewStatus());
+    EXPECT_EQ(bar.findChild<QLabel*>("stepping")->text(), "");
+}
+
+TEST_F(StatusLineTest, SaysWhyTheChosenStepIsNotUsed) {
+    PreviewStatus status = playingAt(3, 1e-3);
+    status.replaced = Replaced::BeyondSafe;
+    line->showStatus(status);
+    EXPECT_TRUE(message().contains("beyond the longest")) << message().toStdString();
+    status.replaced = Replaced::RanWild;
+    line->showStatus(status);
+    EXPECT_TRUE(message().contains("ran wild")) << message().toStdString();
 }
 
 TEST_F(StatusLineTest, SaysThatTheChosenStepIsTooLongToBeWatched) {

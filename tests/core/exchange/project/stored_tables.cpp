@@ -119,6 +119,11 @@ void addTissueTables(Fields& fields) {
                        [=](Project& p, const auto& change) { change(withStepping(p).stepping); });
 }
 
+void addEditorTables(Fields& fields) {
+    addTable<EditorState>(fields, "editor",
+                          [](Project& p, const auto& change) { change(p.editor.emplace()); });
+}
+
 void addSceneTables(Fields& fields) {
     addTable<Scene>(fields, "scene", [](Project& p, const auto& change) { change(p.scene); });
     addTable<NodeSelection>(fields, "fixed", firstOf(&Scene::fixed));
@@ -202,6 +207,7 @@ void addPreparationTables(Fields& fields) {
 void addTables(Fields& fields) {
     addTissueTables(fields);
     addSceneTables(fields);
+    addEditorTables(fields);
     for (std::size_t i = 0; i < 4; ++i)
         addLayerTables(fields, i);
     addPreparationTables(fields);

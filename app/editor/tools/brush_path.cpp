@@ -1,0 +1,64 @@
+#include "app/editor/tools/brush_path.h"
+
+namespace esm {
+
+namespace {
+
+struct Seen {
+    QPointF place;
+    std::optional<BrushPoint> point;
+};
+
+/// Halves the way until two places show points that are close enough, or lie within a pixel: a mouse tells
+/// few places of a fast stroke, and between two of them the surface may bend or end.
+class WayFinder {
+public:
+    WayFinder(const Sight& sight, double spacing) : m_sight(sight), m_spacing(spacing) {}
+
+    std::vector<std::optional<BrushPoint>> along(const QPointF& from, const QPointF& to) {
+        m_points.clear();
+        refine(at(from), at(to));
+        return std::move(m_points);
+    }
+
+private:
+    Seen at(const QPointF& place) const { return {place, brushPointAt(m_sight, place)}; }
+
+    void refine(const Seen& from, const Seen& to) {
+        const bool areSeen = from.point && to.point;
+        const double way = areSeen ? (from.point->place - to.point->place).norm() : 0;
+        const bool areClose = areSeen && way <= m_spacing;
+        if (!areClose && distance(from.place, to.place) > 1) {
+            const Seen between = at((from.place + to.place) / 2);
+            refine(from, between);
+            return refine(between, to);
+        }
+        if (!areClose && isEdge(from, to, way)) m_points.emplace_back();
+        m_points.push_back(to.point);
+    }
+
+    /// Surface that is seen at a slant takes more than the spacing in a pixel too, though not much more.
+    bool isEdge(const Seen& from, const Seen& to, double way) const {
+        constexpr double mostOfOneSurface = 4; // spacings
+        return from.point && to.point && way > mostOfOneSurface * m_spacing;
+    }
+
+    const Sight& m_sight;
+    double m_spacing;
+    std::vector<std::optional<BrushPoint>> m_points;
+};
+
+} // namespace
+
+std::optional<BrushPoint> brushPointAt(const Sight& sight, const QPointF& place) {
+    const auto picked = sight.pickAt(place);
+    if (!picked || picked->normal.isZero()) return std::nullopt;
+    return BrushPoint{picked->spot.point, picked->normal};
+}
+
+std::vector<std::optional<BrushPoint>> brushPointsAlong(const Sight& sight, const QPointF& from,
+                                                        const QPointF& to, double spacing) {
+    return WayFinder(sight, spacing).along(from, to);
+}
+
+} // namespace esm

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/texture/layers/brush_stroke.h"
+#include "widgets/view/sight.h"
+
+#include <optional>
+#include <vector>
+
+namespace esm {
+
+/// The surface in the picture's place, seen from its outside; nothing beside it.
+std::optional<BrushPoint> brushPointAt(const Sight& sight, const QPointF& place);
+
+/// The surface under a straight way of the mouse, without the place where it begins: points at most `spacing`
+/// (m) from one to the next where that is one surface. Nothing stands where the way leaves the surface, or
+/// goes over an edge to one that lies further behind.
+std::vector<std::optional<BrushPoint>> brushPointsAlong(const Sight& sight, const QPointF& from,
+                                                        const QPointF& to, double spacing);
+
+} // namespace esm

@@ -1,0 +1,41 @@
+#include "app/editor/tools/fix_panel.h"
+
+#include "app/editor/tools/fix_tool.h"
+#include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quantity_formats.h"
+
+#include <QShortcut>
+
+#include <algorithm>
+
+namespace esm {
+
+FixPanel::FixPanel(FixTool& tool, Document& document, QWidget* parent)
+    : Section(tr("Fixed nodes"), parent), m_tool(tool), m_document(document),
+      m_radius(new NumberField(lengthFormat(smallestLength), this)) {
+    auto* rows = new ValueRows(this);
+    rows->addField(tr("Radius"), m_radius);
+    m_count = rows->addText(tr("Fixed nodes"), QStringLiteral("fixedCount"));
+    m_radius->setObjectName(QStringLiteral("fixRadius"));
+    m_radius->setToolTip(tr("Around the mouse, on the organ at rest; [ and ] make it smaller and larger"));
+    body()->addWidget(rows);
+    connect(m_radius, &NumberField::valueEdited, &tool, &FixTool::setRadius);
+    for (const auto& [key, factor] : {std::pair(Qt::Key_BracketLeft, 0.8), {Qt::Key_BracketRight, 1.25}})
+        connect(new QShortcut(key, this), &QShortcut::activated, this, [this, factor = factor] {
+            m_tool.setRadius(
+                std::clamp(factor * m_tool.radius(), smallestLength, m_radius->format().maximum));
+        });
+    connect(&tool, &FixTool::changed, this, &FixPanel::show);
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.mesh || change.scene) show();
+    });
+    show();
+}
+
+void FixPanel::show() {
+    const Project& project = m_document.project();
+    m_radius->setValue(m_tool.radius());
+    m_count->setText(countText(fixedNodesOf(*project.network, project.scene).size()));
+}
+
+} // namespace esm

@@ -1,0 +1,114 @@
+#include "app/editor/tools/fix_tool.h"
+
+#include "app/editor/tools/brush_path.h"
+#include "app/editor/tools/fix_panel.h"
+#include "core/authoring/fixed_nodes.h"
+#include "widgets/view/brush_outline.h"
+
+namespace esm {
+
+namespace {
+
+/// Share of the radius from one point of a stroke to the next.
+constexpr double fixSpacing = 0.5;
+
+} // namespace
+
+FixTool::FixTool(const ToolContext& context) : m_document(context.document) {
+    connect(&m_document, &Document::changed, this, &FixTool::followDocument);
+    followDocument(Change::everything());
+}
+
+void FixTool::followDocument(const Change& change) {
+    if (!change.mesh) return;
+    constexpr double shareOfOrgan = 0.03;
+    const Project& project = m_document.project();
+    m_stroke.reset();
+    m_at.reset();
+    setRadius(shareOfOrgan * organBox(*project.mesh, *project.network).diagonal().norm());
+}
+
+void FixTool::setRadius(double metres) {
+    m_radius = metres;
+    emit changed();
+}
+
+QWidget* FixTool::makeOptions() {
+    return new FixPanel(*this, m_document);
+}
+
+Hold FixTool::press(const ToolMouse& mouse) {
+    lookAt(mouse);
+    if (!m_at) return Hold::Nothing;
+    const bool frees = mouse.keys.testFlag(Qt::ControlModifier);
+    m_stroke = Stroke{frees ? Does::Free : Does::Fix, m_document.project().scene.fixed, mouse.place};
+    move(mouse);
+    return Hold::Stroke;
+}
+
+void FixTool::move(const ToolMouse& mouse) {
+    lookAt(mouse);
+    if (!m_stroke) return;
+    const std::vector<std::uint32_t> nodes = nodesTo(mouse);
+    m_stroke->place = mouse.place;
+    const Does does = m_stroke->does;
+    edit([&](Project& project) { does == Does::Fix ? fixNodes(project, nodes) : freeNodes(project, nodes); });
+}
+
+/// From where the mouse was last.
+std::vector<std::uint32_t> FixTool::nodesTo(const ToolMouse& mouse) const {
+    const Project& project = m_document.project();
+    if (project.mesh->triangles.empty()) return m_at ? std::vector{m_at->node} : std::vector<std::uint32_t>();
+    std::vector<std::uint32_t> nodes;
+    std::vector<Eigen::Vector3d> path;
+    const auto take = [&] {
+        for (const std::uint32_t node : nodesAlong(*project.network, path, m_radius))
+            nodes.push_back(node);
+        path.clear();
+    };
+    if (const auto from = brushPointAt(mouse.sight, m_stroke->place)) path.push_back(from->place);
+    for (const auto& point :
+         brushPointsAlong(mouse.sight, m_stroke->place, mouse.place, fixSpacing * m_radius)) {
+        if (point)
+            path.push_back(point->place);
+        else
+            take();
+    }
+    take();
+    return nodes;
+}
+
+void FixTool::edit(const std::function<void(Project&)>& change) {
+    m_document.edit(m_stroke->does == Does::Fix ? tr("Fix nodes") : tr("Free nodes"), change,
+                    MergeKey(EditKind::FixedNodes));
+}
+
+void FixTool::release() {
+    if (!m_stroke) return;
+    m_stroke.reset();
+    m_document.finishGesture();
+}
+
+void FixTool::cancel() {
+    if (m_stroke) edit([&](Project& project) { project.scene.fixed = m_stroke->before; });
+    release();
+    leave();
+}
+
+void FixTool::leave() {
+    m_at.reset();
+    emit changed();
+}
+
+void FixTool::lookAt(const ToolMouse& mouse) {
+    m_at = mouse.picked();
+    emit changed();
+}
+
+void FixTool::draw(QPainter& painter, const Sight& sight, const QPalette&) const {
+    if (!m_at || m_at->normal.isZero()) return;
+    const QPolygonF rim = sight.placesOf(circleAround(m_at->point, m_at->spot.outward, m_radius));
+    paintBrush(painter, rim, rim);
+}
+
+} // namespace esm

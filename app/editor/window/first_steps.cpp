@@ -1,0 +1,72 @@
+#include "app/editor/window/first_steps.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+constexpr int lookEvery = 200; // ms
+
+bool haveOtherWords(const Project& before, const Project& now) {
+    return std::any_of(now.regions.begin(), now.regions.end(), [&](const Region& region) {
+        const Region* former = findPart(before.regions, region.id);
+        return former && (former->inputs != region.inputs || !(former->held == region.held));
+    });
+}
+
+} // namespace
+
+FirstSteps::FirstSteps(QWidget& view, Document& document, Preview& preview)
+    : QObject(&view), m_document(document), m_preview(preview), m_notice(new ViewNotice(view)),
+      m_steps(makeSteps()) {
+    m_notice->setProperty("hint", true);
+    m_timer.setInterval(lookEvery);
+    connect(&m_timer, &QTimer::timeout, this, &FirstSteps::look);
+    connect(m_notice, &ViewNotice::dismissed, this, &FirstSteps::end);
+    connect(m_notice, &ViewNotice::helpAsked, this, [this] { show(m_step + 1); });
+}
+
+std::vector<FirstSteps::Step> FirstSteps::makeSteps() {
+    const auto isPulled = [this] { return m_preview.loads().pull.has_value(); };
+    return {
+        {tr("Pull at the tissue: drag on the organ with the left mouse button. The right button turns the "
+            "view, the wheel comes closer."),
+         isPulled},
+        {tr("Mark a region with tissue of its own: “+ add” at the left lays one on the surface in the middle "
+            "of the view. Drag it where you want it; its handles size and turn it."),
+         [this] { return m_document.project().regions.size() > m_before->regions.size(); }},
+        {tr("Say how the region's tissue is: move the slider “consistency” at the right, from very soft "
+            "to muscular."),
+         [this] { return haveOtherWords(*m_before, m_document.project()); }},
+        {tr("Feel the difference: press P and pull at the region, then beside it."), isPulled},
+        {tr("Hand the organ over: Export writes the model package that simulators load. Ctrl+S keeps the "
+            "project."),
+         [this] { return m_isHandedOver || (m_document.path() && !m_document.isModified()); }}};
+}
+
+void FirstSteps::begin() {
+    m_isHandedOver = false;
+    m_timer.start();
+    show(0);
+}
+
+void FirstSteps::end() {
+    m_timer.stop();
+    m_notice->hide();
+}
+
+void FirstSteps::show(std::size_t step) {
+    if (step >= m_steps.size()) return end();
+    m_step = step;
+    m_before = std::make_shared<const Project>(m_document.project());
+    const bool isLast = step + 1 == m_steps.size();
+    m_notice->say(tr("%1 of %2. %3").arg(step + 1).arg(m_steps.size()).arg(m_steps[step].text),
+                  isLast ? tr("Done") : tr("Next"), tr("Pass this hint over"));
+}
+
+void FirstSteps::look() {
+    if (m_steps[m_step].isDone()) show(m_step + 1);
+}
+
+} // namespace esm

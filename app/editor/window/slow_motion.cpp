@@ -1,0 +1,83 @@
+#include "app/editor/window/slow_motion.h"
+
+#include "widgets/inputs/number_text.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+/// Of real speed. Nearer to it nobody feels the difference.
+constexpr double slowMotion = 0.8;
+constexpr qint64 patience = 2000; // ms; a moment is no harm
+
+/// To two digits, that nobody takes for exact.
+std::size_t rounded(double nodes) {
+    const double digit = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(nodes, 1.0))) - 1));
+    return static_cast<std::size_t>(digit * std::floor(nodes / digit));
+}
+
+} // namespace
+
+std::size_t nodesAtRealSpeed(std::size_t nodes, double realTimeFactor) {
+    constexpr double leftForOthers = 0.8, most = 0.7;
+    constexpr std::size_t fewest = 200; // fewer hardly follow an organ's shape
+    const double wanted = static_cast<double>(nodes) * std::min(most, leftForOthers * realTimeFactor);
+    return std::max(fewest, rounded(wanted));
+}
+
+SlowMotion::SlowMotion(QWidget& view, Document& document, Clock clock)
+    : QObject(&view), m_document(document), m_clock(std::move(clock)), m_notice(new ViewNotice(view)) {
+    connect(m_notice, &ViewNotice::helpAsked, this, [this] { emit fewerNodesAsked(m_offered); });
+    connect(m_notice, &ViewNotice::dismissed, this, [this] { m_isDismissed = true; });
+    connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.mesh) forget();
+    });
+}
+
+SlowMotion::Clock SlowMotion::sinceStart() {
+    QElapsedTimer timer;
+    timer.start();
+    return [timer] { return timer.elapsed(); };
+}
+
+/// What was measured is of another organ, or of other nodes.
+void SlowMotion::forget() {
+    m_slowSince.reset();
+    m_isDismissed = false;
+    m_notice->hide();
+}
+
+void SlowMotion::showStatus(const PreviewStatus& status) {
+    const bool isSlow = status.playing && status.realTimeFactor > 0 && status.realTimeFactor < slowMotion;
+    if (!isSlow) {
+        m_slowSince.reset();
+        // What is paused is slow still.
+        if (status.playing) m_notice->hide();
+        return;
+    }
+    if (!m_slowSince) m_slowSince = m_clock();
+    if (!m_isDismissed && m_clock() - *m_slowSince > patience) tell(status.realTimeFactor);
+}
+
+void SlowMotion::tell(double realTimeFactor) {
+    const Project& project = m_document.project();
+    const std::size_t nodes = project.network->restPositions.size();
+    m_offered = nodesAtRealSpeed(nodes, realTimeFactor);
+    const bool helps = !project.mesh->triangles.empty() && m_offered < nodes;
+    const double times = 1 / realTimeFactor;
+    m_notice->say(
+        tr("The tissue is seen slowed down, at %1 of its real speed: on a faster machine it moves "
+           "%2 times as fast as here.")
+            .arg(numberText(realTimeFactor, 1), numberText(times, times < 10 ? 2 : 1)),
+        helps ? tr("Simulate %1 nodes").arg(countText(m_offered)) : QString(),
+        tr("So many of the %1 nodes move at real speed here, likely; the surface that is seen stays "
+           "the same. Otherwise lower spring constants, more viscosity or more mass help.")
+            .arg(countText(nodes)));
+}
+
+} // namespace esm
