@@ -6,6 +6,9 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QMessageBox>
+#include <QScreen>
+#include <QScrollArea>
+#include <QStyle>
 #include <QVBoxLayout>
 
 namespace esm {
@@ -74,7 +77,7 @@ QString keysText(const Actions& a) {
     const QString keys = title(QObject::tr("Project")) +
                          actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit}) +
                          row(keysOf(a.undo), QObject::tr("Undo")) + row(keysOf(a.redo), QObject::tr("Redo")) +
-                         title(QObject::tr("Tissue and photos")) +
+                         actionRow(a.history) + title(QObject::tr("Tissue and photos")) +
                          actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera,
                                      a.play, a.playScene, a.reset}) +
                          title(QObject::tr("Window")) +
@@ -91,7 +94,14 @@ void showKeys(QWidget* window, const Actions& actions) {
     auto* column = new QVBoxLayout(&dialog);
     column->setContentsMargins(20, 18, 20, 18);
     column->setSpacing(12);
-    column->addWidget(new QLabel(keysText(actions), &dialog));
+    auto* sheet = new QScrollArea(&dialog);
+    sheet->setFrameShape(QFrame::NoFrame);
+    sheet->setWidget(new QLabel(keysText(actions)));
+    column->addWidget(sheet);
+    // As large as the sheet, where the screen has room for it.
+    const QSize frame(2 * 20 + sheet->style()->pixelMetric(QStyle::PM_ScrollBarExtent), 140);
+    dialog.resize(
+        (sheet->widget()->sizeHint() + frame).boundedTo(window->screen()->availableSize() - QSize(40, 80)));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok, &dialog);
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     column->addWidget(buttons);

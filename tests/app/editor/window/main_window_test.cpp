@@ -221,8 +221,9 @@ TEST_F(MainWindowTest, RemovesWhatIsSelectedFromTheMenu) {
 TEST_F(MainWindowTest, ExplainsTheStepInPlainWords) {
     ESM_EVENTUALLY(!child<QLabel>("stepping")->text().isEmpty());
     const QString shown = child<QLabel>("stepping")->text();
-    EXPECT_TRUE(shown.startsWith("step")) << shown.toStdString();
+    EXPECT_TRUE(shown.endsWith("steps")) << shown.toStdString();
     const QString method = integratorName(*window->preview().status().integrator);
+    EXPECT_TRUE(shown.startsWith(traitsOf(*window->preview().status().integrator).title));
     EXPECT_TRUE(child<QLabel>("stepping")->toolTip().contains(method + ", "))
         << "with a word on what it does";
 }
