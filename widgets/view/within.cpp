@@ -1,5 +1,8 @@
 #include "widgets/view/within.h"
 
+#include "core/support/angles.h"
+
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -48,6 +51,30 @@ bool isEnclosed(const Sight& sight, const Vector3d& place) {
     return walls >= 5;
 }
 
+/// Who looks straight at a wall sees nothing else, as across a vessel: where another way is much longer,
+/// along it. Tried are directions spread evenly over a sphere (a spiral by the golden angle). Ways out of an
+/// open end are none: there is nothing to see.
+Vector3d outlook(const Sight& sight, const Vector3d& place, const Vector3d& wanted) {
+    constexpr int tried = 200;
+    constexpr double muchLonger = 2;
+    const auto wayTo = [&](const Vector3d& direction) {
+        const auto met = sight.picker.pick(sight.scene, {place, direction});
+        return met ? (met->point - place).norm() : 0;
+    };
+    Vector3d best = wanted;
+    double longest = muchLonger * wayTo(wanted);
+    for (int i = 0; i < tried; ++i) {
+        const double height = 1 - (2 * i + 1.0) / tried, around = i * pi * (3 - std::sqrt(5.0));
+        const double aside = std::sqrt(1 - height * height);
+        const Vector3d direction(aside * std::cos(around), height, aside * std::sin(around));
+        const double way = wayTo(direction);
+        if (way <= longest) continue;
+        longest = way;
+        best = direction;
+    }
+    return best;
+}
+
 } // namespace
 
 /// Tissue modelled with both its faces has thin rooms within its walls and a wide one, the cavity, between
@@ -66,7 +93,7 @@ std::optional<Camera> cameraWithin(const Sight& sight, const std::optional<Vecto
     camera.orthographicHeight.reset();
     camera.verticalFieldOfView = fieldWithin;
     camera.eye = best->second.middle;
-    camera.target = best->second.middle + best->second.length / 2 * line.direction;
+    camera.target = camera.eye + best->second.length / 2 * outlook(sight, camera.eye, line.direction);
     return camera;
 }
 

@@ -97,6 +97,17 @@ TEST_F(ApproachTest, LooksFromTheMiddleOfTheBall) {
     EXPECT_FALSE(aside) << "one wall alone lies before an eye inside";
 }
 
+TEST_F(ApproachTest, LooksAlongATubeAndNotAtItsWall) {
+    TriangleMesh tube = ball(48, 72);
+    for (Vector3d& vertex : tube.vertices)
+        vertex.x() *= 8;
+    take(std::move(tube));
+    camera.eye = {0.1, 0.2, 30};
+    const auto within = cameraWithin(sight(), std::nullopt);
+    ASSERT_TRUE(within);
+    EXPECT_GT(std::abs(cameraAxes(*within).col(2).x()), 0.9);
+}
+
 TEST_F(ApproachTest, PrefersTheCavityToTheWallsAroundIt) {
     TriangleMesh hollow = ball(48, 72);
     const auto count = static_cast<std::uint32_t>(hollow.vertices.size());
