@@ -3,16 +3,17 @@
 #include "app/editor/window/layout.h"
 #include "widgets/inputs/control_keys.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QMenu>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 namespace esm {
 
 namespace {
 
 constexpr QPoint corner(14, 14);
-constexpr int sliderWidth = 150, percentWidth = 40; // pixels
+constexpr int cutWidth = 150, percentWidth = 38; // pixels
 
 } // namespace
 
@@ -21,9 +22,9 @@ ViewBar::ViewBar(const Actions& actions, QWidget* view)
       m_share(new QSlider(Qt::Horizontal, m_cut)), m_percent(new QLabel(m_cut)) {
     setObjectName(QStringLiteral("viewBar"));
     setCursor(Qt::ArrowCursor);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(4, 4, 4, 4);
-    row->setSpacing(6);
+    auto* column = new QVBoxLayout(this); // a narrow view has its cube beside it
+    column->setContentsMargins(4, 4, 4, 4);
+    column->setSpacing(4);
     auto* show = new QToolButton(this);
     show->setObjectName(QStringLiteral("showButton"));
     show->setText(tr("Show"));
@@ -35,20 +36,17 @@ ViewBar::ViewBar(const Actions& actions, QWidget* view)
     menu->addSeparator();
     menu->addActions({actions.cut, actions.lookFromWithin, actions.orthographic});
     show->setMenu(menu);
-    row->addWidget(show);
-    row->addWidget(m_cut);
+    column->addWidget(show, 0, Qt::AlignLeft);
+    column->addWidget(m_cut);
     buildCut(actions);
     move(corner);
 }
 
 void ViewBar::buildCut(const Actions& actions) {
-    auto* row = new QHBoxLayout(m_cut);
-    row->setContentsMargins(0, 0, 4, 0);
-    row->setSpacing(6);
     m_side->setObjectName(QStringLiteral("cutSide"));
-    m_side->addItems({tr("Cut from the viewer"), tr("Cut from the right, +x"), tr("Cut from the left, −x"),
-                      tr("Cut from the top, +y"), tr("Cut from the bottom, −y"), tr("Cut from the front, +z"),
-                      tr("Cut from the back, −z")});
+    m_side->addItems({tr("From the viewer"), tr("From the right, +x"), tr("From the left, −x"),
+                      tr("From the top, +y"), tr("From the bottom, −y"), tr("From the front, +z"),
+                      tr("From the back, −z")});
     m_side->setAccessibleName(tr("Side of the cut"));
     m_side->setToolTip(tr("The side from which the organ is hidden"));
     guardFromWheel(*m_side);
@@ -57,14 +55,17 @@ void ViewBar::buildCut(const Actions& actions) {
     m_share->setPageStep(50);
     m_share->setSingleStep(5);
     m_share->setValue(500);
-    m_share->setFixedWidth(sliderWidth);
     m_share->setAccessibleName(tr("Part of the organ that is hidden"));
     m_share->setToolTip(tr("How much of the organ's length is hidden, from that side on"));
     m_percent->setFixedWidth(percentWidth);
     m_percent->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    for (QWidget* control :
-         {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_share), static_cast<QWidget*>(m_percent)})
-        row->addWidget(control);
+    m_cut->setFixedWidth(cutWidth);
+    auto* grid = new QGridLayout(m_cut);
+    grid->setContentsMargins(2, 0, 2, 2);
+    grid->setSpacing(4);
+    grid->addWidget(m_side, 0, 0, 1, 2);
+    grid->addWidget(m_share, 1, 0);
+    grid->addWidget(m_percent, 1, 1);
     const auto tell = [this] {
         m_percent->setText(tr("%1 %").arg(m_share->value() / 10));
         emit cutChanged();
