@@ -21,7 +21,7 @@ struct Room {
 };
 
 Ray sightLine(const Sight& sight, const std::optional<Vector3d>& about) {
-    const Ray middle = sight.rayAt(QPointF(sight.size.width(), sight.size.height()) / 2);
+    Ray middle = sight.rayAt(QPointF(sight.size.width(), sight.size.height()) / 2);
     if (!about) return middle;
     const Vector3d direction = -towardsViewer(sight.camera, *about);
     if (!sight.camera.orthographicHeight) return {sight.camera.eye, direction};
