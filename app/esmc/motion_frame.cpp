@@ -11,6 +11,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace esm {
 
@@ -51,9 +52,8 @@ std::string_view nextLine(std::string_view& text) {
 
 } // namespace
 
-std::vector<Eigen::Vector3d> readMotionFrame(const std::filesystem::path& file,
-                                             const std::vector<std::size_t>& nodeCounts,
-                                             std::optional<double> time) {
+MotionFrame readMotionFrame(const std::filesystem::path& file, const std::vector<std::size_t>& nodeCounts,
+                            std::optional<double> time) {
     const Bytes content = readFile(file);
     std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
     if (nextLine(text) != "time,node,x,y,z")
@@ -85,7 +85,22 @@ std::vector<Eigen::Vector3d> readMotionFrame(const std::filesystem::path& file,
         else if (!isDrawable(positions[node]))
             throw FileError(file, "has node " + std::to_string(node) + " at " + roundedText(frame) +
                                       " s too far away to be drawn; ask for an earlier frame with --at");
-    return positions;
+    return {frame, std::move(positions)};
+}
+
+std::vector<double> readSpeeds(const std::filesystem::path& file, const std::vector<std::size_t>& nodeCounts,
+                               const MotionFrame& frame) {
+    std::optional<MotionFrame> before;
+    const double earlier = std::nextafter(frame.time, -HUGE_VAL);
+    if (earlier >= 0) before = readMotionFrame(file, nodeCounts, earlier);
+    if (!before || before->positions.size() != frame.positions.size())
+        throw FileError(file, "has no frame before " + roundedText(frame.time) +
+                                  " s to tell a speed from; ask for a later one with --at");
+    std::vector<double> speeds;
+    for (std::size_t node = 0; node < frame.positions.size(); ++node)
+        speeds.push_back((frame.positions[node] - before->positions[node]).norm() /
+                         (frame.time - before->time));
+    return speeds;
 }
 
 } // namespace esm

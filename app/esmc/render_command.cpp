@@ -8,6 +8,7 @@
 #include "core/exchange/image_file.h"
 #include "core/offscreen/offscreen.h"
 #include "core/render/organ_scene.h"
+#include "core/render/view_state.h"
 #include "core/texture/layers/composite.h"
 
 #include <algorithm>
@@ -20,9 +21,11 @@ namespace esm {
 namespace {
 
 struct RenderOptions {
-    std::string project, output, size = "1024x768", view = "front", camera, show, motion;
+    std::string project, output, size = "1024x768", view = "front", camera, show, motion,
+                                 colourBy = "texture";
+    std::optional<std::string> cut;
     std::optional<double> time; // s
-    bool unlit = false;
+    bool unlit = false, orthographic = false;
 };
 
 void declareRender(CLI::App& command, RenderOptions& options) {
@@ -34,10 +37,19 @@ void declareRender(CLI::App& command, RenderOptions& options) {
     CLI::Option* view = command.add_option(
         "--view", options.view,
         "front, back, left, right, top, bottom, or \"ex ey ez tx ty tz\", eye and target, m");
-    command.add_option("--camera", options.camera, "The camera as a perspective projector file (.json)")
-        ->excludes(view);
-    command.add_option("--show", options.show,
-                       "Any of surface, springs, regions, projectors, separated by commas (surface)");
+    CLI::Option* camera =
+        command.add_option("--camera", options.camera, "The camera as a perspective projector file (.json)")
+            ->excludes(view);
+    command
+        .add_flag("--orthographic", options.orthographic, "Without perspective: sizes alike at all depths")
+        ->excludes(camera);
+    command.add_option(
+        "--show", options.show,
+        "Any of surface, wireframe, springs, nodes, regions, projectors, separated by commas (surface)");
+    command.add_option("--colour-by", options.colourBy,
+                       "texture, spring-constant, viscosity, mass, strain, speed or region (texture)");
+    command.add_option("--cut", options.cut,
+                       "SIDE:SHARE, that share of the organ hidden from viewer, +x, -x, +y, -y, +z or -z on");
     CLI::Option* motion = command.add_option(
         "--motion", options.motion, "The organ as a trajectory of simulate has it (.csv), not at rest");
     command.add_option("--at", options.time, "Time in the trajectory, s (its end)")
@@ -82,9 +94,35 @@ RequestedView requestedView(const RenderOptions& options, const PictureSize& siz
     return freeCamera(options.view);
 }
 
-Camera cameraFor(const RequestedView& view, const Eigen::AlignedBox3d& box, double aspect) {
+Camera cameraFor(const RequestedView& view, bool isOrthographic, const Eigen::AlignedBox3d& box,
+                 double aspect) {
     const auto* standard = std::get_if<StandardView>(&view);
-    return standard ? framedCamera(box, *standard, aspect) : std::get<Camera>(view);
+    Camera camera = standard ? framedCamera(box, *standard, aspect) : std::get<Camera>(view);
+    if (!isOrthographic) return camera;
+    return standard ? reframed(orthographic(camera), box, aspect) : orthographic(camera);
+}
+
+/// "SIDE:SHARE"
+Cut requestedCut(const std::string& text) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const auto side = cutSideFromName(text.substr(0, colon));
+    const std::vector<double> shares = parseNumbers(text.substr(std::min(colon + 1, text.size())), "--cut");
+    if (!side || shares.size() != 1 || shares[0] < 0 || shares[0] > 1)
+        throw UsageError(
+            "--cut: '" + text +
+            "' is not SIDE:SHARE, one of viewer, +x, -x, +y, -y, +z, -z and a number from 0 to 1");
+    return Cut{*side, shares[0]};
+}
+
+ColourBy requestedColouring(const RenderOptions& options) {
+    const auto by = colourByFromName(options.colourBy);
+    if (!by)
+        throw UsageError("--colour-by: '" + options.colourBy +
+                         "' is none of texture, spring-constant, viscosity, mass, strain, speed, region");
+    if (followsMotion(*by) && options.motion.empty())
+        throw UsageError("--colour-by " + options.colourBy +
+                         ": an organ at rest has none; give a trajectory with --motion");
+    return *by;
 }
 
 void addRegions(RenderScene& scene, const std::vector<Region>& regions) {
@@ -98,72 +136,124 @@ bool shows(const Shown& shown, const char* part) {
     return std::find(shown.begin(), shown.end(), part) != shown.end();
 }
 
-RenderScene projectScene(const Project& project, const Shown& shown, Context& context) {
-    RenderScene scene = organScene(project.mesh, project.network, project.texture.baseColour);
+/// What is drawn, and what it is coloured by.
+struct Subject {
+    RenderScene scene;
+    TissueModel tissue;
+    std::vector<Region> regions;
+    std::vector<double> speeds; ///< m/s, of moving tissue
+};
+
+Subject projectSubject(const Project& project, bool showsProjectors, Context& context) {
+    Subject subject{organScene(project.mesh, project.network, project.texture.baseColour),
+                    evaluateModel(project),
+                    project.regions,
+                    {}};
+    RenderScene& scene = subject.scene;
     if (project.atlas && !project.layers.empty())
         layTexture(scene, project.atlas,
                    std::make_shared<const std::vector<Image>>(
                        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
                                  progressOf(context, "baking"))));
-    scene.showSprings = scene.showSprings || shows(shown, "springs");
-    if (scene.showSprings) colourSprings(scene, springConstants(evaluateModel(project)));
-    if (shows(shown, "regions")) addRegions(scene, project.regions);
-    if (shows(shown, "projectors"))
+    if (showsProjectors)
         for (const TextureLayer& layer : project.layers)
             if (layer.visible && layer.photo) scene.projectors.push_back(drawnProjector(scene, layer, false));
-    return scene;
+    return subject;
 }
 
-RenderScene packageScene(ModelPackage package, const Shown& shown) {
+Subject packageSubject(ModelPackage package) {
     RenderScene scene = organScene(std::make_shared<const TriangleMesh>(std::move(package.mesh)),
                                    package.tissue.network, package.baseColour);
-    scene.showSprings = scene.showSprings || shows(shown, "springs");
-    if (scene.showSprings) colourSprings(scene, springConstants(package.tissue));
-    if (shows(shown, "regions")) addRegions(scene, package.regions);
     if (package.atlas)
         layTexture(scene, package.atlas,
                    std::make_shared<const std::vector<Image>>(std::move(package.textures)));
-    return scene;
+    return {std::move(scene), std::move(package.tissue), std::move(package.regions), {}};
 }
 
 /// The organ as a trajectory has it, after as many splits of the scene as made the frame's nodes.
-void showMotion(RenderScene& scene, const std::optional<Project>& project, const RenderOptions& options) {
+void showMotion(Subject& subject, const std::optional<Project>& project, const RenderOptions& options) {
+    RenderScene& scene = subject.scene;
     std::vector<SceneStage> stages;
     if (project)
-        stages = laterStages(authoredTopology(project->mesh, project->network), evaluateModel(*project),
-                             project->scene);
+        stages =
+            laterStages(authoredTopology(project->mesh, project->network), subject.tissue, project->scene);
     std::vector<std::size_t> nodeCounts{scene.network->restPositions.size()};
     for (const SceneStage& stage : stages)
         nodeCounts.push_back(stage.organ.tissue.mass.size());
-    scene.nodePositions = readMotionFrame(options.motion, nodeCounts, options.time);
+    const MotionFrame frame = readMotionFrame(options.motion, nodeCounts, options.time);
+    if (options.colourBy == nameOf(ColourBy::Speed))
+        subject.speeds = readSpeeds(options.motion, nodeCounts, frame);
+    scene.nodePositions = frame.positions;
     const SceneStage* stage = stageOfNodes(stages, scene.nodePositions.size());
     if (!stage) return;
     scene.mesh = stage->organ.topology.surface;
     scene.network = stage->organ.topology.network;
-    if (scene.showSprings) colourSprings(scene, springConstants(stage->organ.tissue));
+    subject.tissue = stage->organ.tissue;
+}
+
+ViewState requestedState(const RenderOptions& options) {
+    const Shown named = parseWords(
+        options.show, {"surface", "wireframe", "springs", "nodes", "regions", "projectors"}, "--show");
+    ViewState state;
+    state.orthographic = options.orthographic;
+    state.surface = named.empty() || shows(named, "surface");
+    state.wireframe = shows(named, "wireframe");
+    state.springs = shows(named, "springs");
+    state.nodes = shows(named, "nodes");
+    state.regions = shows(named, "regions");
+    state.colourBy = requestedColouring(options);
+    if (options.cut) state.cut = requestedCut(*options.cut);
+    return state;
+}
+
+/// What the colours of the picture mean.
+Json legendJson(const ColourLegend& legend) {
+    Json json{{"title", legend.title}};
+    if (legend.unit.empty()) {
+        json["regions"] = Json::array();
+        for (const auto& [name, colour] : legend.entries)
+            json["regions"].push_back({{"name", name}, {"colour", colour}});
+        return json;
+    }
+    json["unit"] = legend.unit;
+    json["minimum"] = legend.range.minimum;
+    json["maximum"] = legend.range.maximum;
+    return json;
+}
+
+/// Colours what asks for it: springs always do.
+std::optional<ColourLegend> colour(Subject& subject, const ViewState& state) {
+    if (state.colourBy == ColourBy::Texture && !subject.scene.showSprings) return std::nullopt;
+    std::optional<ValueRange> range;
+    return colourScene(subject.scene, state.colourBy, {subject.tissue, subject.regions, subject.speeds},
+                       range);
 }
 
 Report runRender(const RenderOptions& options, Context& context) {
     const PictureSize size = parseSize(options.size);
-    const Shown named = parseWords(options.show, {"surface", "springs", "regions", "projectors"}, "--show");
-    const Shown shown = named.empty() ? Shown{"surface"} : named;
+    const ViewState state = requestedState(options);
+    const bool showsProjectors = options.show.find("projectors") != std::string::npos;
     const RequestedView view = requestedView(options, size);
     context.subject = options.project;
     const bool isPackage = isModelPackage(options.project);
     std::optional<Project> project;
     if (!isPackage) project = openedProject(options.project, context);
-    RenderScene scene = isPackage ? packageScene(openedPackage(options.project, context), shown)
-                                  : projectScene(*project, shown, context);
-    scene.showSurface = shows(shown, "surface");
+    Subject subject = isPackage ? packageSubject(openedPackage(options.project, context))
+                                : projectSubject(*project, showsProjectors, context);
+    RenderScene& scene = subject.scene;
     scene.unlit = options.unlit;
-    if (!options.motion.empty()) showMotion(scene, project, options);
-    const Camera camera =
-        cameraFor(view, organBox(*scene.mesh, *scene.network), static_cast<double>(size.width) / size.height);
+    if (!options.motion.empty()) showMotion(subject, project, options);
+    if (state.regions) addRegions(scene, subject.regions);
+    const Camera camera = cameraFor(view, state.orthographic, organBox(*scene.mesh, *scene.network),
+                                    static_cast<double>(size.width) / size.height);
+    showParts(scene, state, camera);
+    const std::optional<ColourLegend> legend = colour(subject, state);
     writePng(renderOffscreen(scene, camera, size.width, size.height), options.output);
     Report report;
     report.json["size"] = {size.width, size.height};
+    if (legend) report.json["legend"] = legendJson(*legend);
     std::vector<std::string> warnings;
-    if (isPackage && shows(shown, "projectors"))
+    if (isPackage && showsProjectors)
         warnings.emplace_back("a package holds no projectors; draw the project to see them");
     addWarnings(report, warnings);
     addWritten(report, options.output);

@@ -1,6 +1,7 @@
 #include "core/offscreen/preview_picture.h"
 
 #include "core/offscreen/offscreen.h"
+#include "core/render/colouring.h"
 #include "core/render/organ_scene.h"
 
 namespace esm {
@@ -8,7 +9,9 @@ namespace esm {
 Image previewPicture(const Project& project, const std::shared_ptr<const std::vector<Image>>& pages) {
     constexpr int size = 512; // pixels
     RenderScene scene = organScene(project.mesh, project.network, project.texture.baseColour);
-    if (scene.showSprings) colourSprings(scene, springConstants(evaluateModel(project)));
+    std::optional<ValueRange> range;
+    if (scene.showSprings)
+        colourScene(scene, ColourBy::SpringConstant, {evaluateModel(project), project.regions, {}}, range);
     if (pages) layTexture(scene, project.atlas, pages);
     const Camera camera = framedCamera(organBox(*project.mesh, *project.network), StandardView::Front, 1);
     return renderOffscreen(scene, camera, size, size);

@@ -46,6 +46,17 @@ std::pair<double, double> depthsOf(const Projector& projector, const Eigen::Alig
     return depths;
 }
 
+Paint mixedPaint(const std::vector<Paint>& nodes, const VertexBinding& vertex) {
+    std::array<double, 4> sum{};
+    for (std::size_t place = 0; place < vertex.nodes.size(); ++place)
+        for (std::size_t channel = 0; channel < 4 && vertex.nodes[place] < nodes.size(); ++channel)
+            sum[channel] += vertex.shares[place] * nodes[vertex.nodes[place]][channel];
+    Paint mixed{};
+    for (std::size_t channel = 0; channel < 4; ++channel)
+        mixed[channel] = static_cast<std::uint8_t>(std::lround(std::clamp(sum[channel], 0.0, 255.0)));
+    return mixed;
+}
+
 } // namespace
 
 bool isDrawable(const Vector3d& point) {
@@ -71,6 +82,22 @@ std::vector<Vector3d> drawnVertices(const RenderScene& scene, const std::vector<
         !std::all_of(vertexNodes.begin(), vertexNodes.end(), isKnown))
         return scene.mesh->vertices;
     return drawnPositions(*scene.mesh, *scene.network, nodes);
+}
+
+std::vector<Paint> vertexPaint(const RenderScene& scene, std::size_t vertexCount) {
+    if (!scene.nodePaint) return {};
+    const std::vector<Paint>& nodes = *scene.nodePaint;
+    const std::vector<std::uint32_t>* vertexNodes = scene.network ? &scene.network->vertexNodes : nullptr;
+    if ((vertexNodes ? vertexNodes->size() : nodes.size()) != vertexCount) return {};
+    const Binding* binding = scene.network && scene.network->binding ? &*scene.network->binding : nullptr;
+    std::vector<Paint> paint(vertexCount);
+    for (std::size_t i = 0; i < vertexCount; ++i) {
+        if (binding && i < binding->vertices.size())
+            paint[i] = mixedPaint(nodes, binding->vertices[i]);
+        else if (const std::size_t node = vertexNodes ? (*vertexNodes)[i] : i; node < nodes.size())
+            paint[i] = nodes[node];
+    }
+    return paint;
 }
 
 /// Closed, manifold, and turned outwards: then what faces away is always hidden by what faces the eye.

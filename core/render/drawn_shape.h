@@ -18,6 +18,10 @@ std::vector<Eigen::Vector3d> drawnNodes(const RenderScene& scene);
 std::vector<Eigen::Vector3d> drawnVertices(const RenderScene& scene,
                                            const std::vector<Eigen::Vector3d>& nodes);
 
+/// The paint of the nodes on the surface's vertices, mixed where several nodes carry one. Empty where nothing
+/// is painted, or another count of nodes.
+std::vector<Paint> vertexPaint(const RenderScene& scene, std::size_t vertexCount);
+
 /// Whether every triangle that faces away is hidden by others, seen from outside.
 bool isSolid(const TriangleMesh& mesh);
 

@@ -9,8 +9,9 @@ namespace esm {
 /// What all parts of one picture share. Positions go to the graphics card as float, relative to `origin`.
 struct Frame {
     Eigen::Vector3d origin; ///< m; the shown organ's middle at rest, so that float suffices anywhere in space
-    Eigen::Vector3d eye;    ///< m
+    Eigen::Vector3d eye;    ///< m; far off without perspective: see `viewpoint`
     Eigen::Matrix4f view, projection; ///< `view` takes positions relative to `origin`
+    Eigen::Vector4f cut{0, 0, 0, 1};  ///< in the view's space: what it gives below 0 is hidden
     Eigen::Vector2f pixels;           ///< of the whole picture
     float pixelRatio;                 ///< pixels per pixel of the design: line widths are multiples of it
     float size;                       ///< m, diagonal of the organ's box

@@ -13,6 +13,7 @@ constexpr float dotLiftShare = 0.004F; // of the organ's size
 void setView(const GlProgram& program, const Frame& frame) {
     program.set("view", frame.view);
     program.set("projection", frame.projection);
+    program.set("cut", frame.cut);
     program.set("pixels", frame.pixels);
     program.set("points", 0);
 }

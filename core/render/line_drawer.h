@@ -10,8 +10,8 @@ namespace esm {
 /// A straight line between two points of a list.
 struct Segment {
     std::uint32_t first, second;
-    std::array<std::uint8_t, 4> paint; ///< red, green, blue, alpha
-    float width;                       ///< pixels of the design
+    Paint paint;
+    float width; ///< pixels of the design
 };
 
 struct LineStyle {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/model/tissue_model.h"
 #include "core/project/region.h"
 #include "core/render/renderer.h"
 #include "core/texture/layers/texture_layer.h"
@@ -15,15 +14,6 @@ RenderScene organScene(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr
 /// Lays a texture on it, neither of whose parts is null.
 void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas,
                 std::shared_ptr<const std::vector<Image>> pages);
-
-/// N/m, one per spring.
-std::shared_ptr<const std::vector<double>> springConstants(const TissueModel& tissue);
-
-/// Colours springs by their constants, from the least to the largest. One constant everywhere still gets a
-/// range to be coloured by.
-/// @returns the least and the largest; none, and nothing is coloured, without springs
-std::optional<std::pair<double, double>> colourSprings(RenderScene& scene,
-                                                       std::shared_ptr<const std::vector<double>> constants);
 
 /// Precondition: the region has an ellipsoid.
 DrawnEllipsoid drawnEllipsoid(const Region& region, bool isSelected);

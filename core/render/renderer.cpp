@@ -6,13 +6,15 @@
 #include "core/render/shaders.h"
 #include "core/render/spring_drawer.h"
 #include "core/render/surface_drawer.h"
+#include "core/render/wireframe_drawer.h"
 
 #include <array>
+#include <utility>
 
 namespace esm {
 namespace {
 
-Eigen::AlignedBox3d restBox(const RenderScene& scene) {
+Eigen::AlignedBox3d restBoxOf(const RenderScene& scene) {
     if (scene.mesh && !scene.mesh->vertices.empty()) return boundingBox(scene.mesh->vertices);
     return scene.network ? boundingBox(scene.network->restPositions) : Eigen::AlignedBox3d();
 }
@@ -39,6 +41,13 @@ Eigen::AlignedBox3d wholeBox(const RenderScene& scene, const Eigen::AlignedBox3d
     return box;
 }
 
+/// In the camera's space.
+Eigen::Vector4f seenCut(const CutPlane& cut, const Camera& camera) {
+    const Eigen::Vector3d hidden = cameraAxes(camera).transpose() * cut.normal;
+    const double left = cut.offset - cut.normal.dot(camera.eye);
+    return Eigen::Vector4d(-hidden.x(), -hidden.y(), -hidden.z(), left).cast<float>();
+}
+
 bool hasProjectedPhoto(const RenderScene& scene) {
     return scene.projectedPhoto && scene.projectedPhoto->photo && !scene.projectedPhoto->photo->empty() &&
            scene.projectedPhoto->opacity > 0 && scene.showSurface && scene.mesh &&
@@ -48,21 +57,42 @@ bool hasProjectedPhoto(const RenderScene& scene) {
 } // namespace
 
 struct Renderer::Implementation {
+    /// The organ as it was drawn last: while it is only turned, its vertices are not carried anew.
+    struct DrawnOrgan {
+        std::shared_ptr<const TriangleMesh> mesh;
+        std::shared_ptr<const SpringNetwork> network;
+        std::vector<Eigen::Vector3d> nodes, vertices; ///< m
+        Eigen::AlignedBox3d box, restBox;
+
+        void take(const RenderScene& scene) {
+            std::vector<Eigen::Vector3d> now = drawnNodes(scene);
+            const bool isSameOrgan = scene.mesh == mesh && scene.network == network;
+            if (isSameOrgan && now == nodes) return;
+            mesh = scene.mesh;
+            network = scene.network;
+            nodes = std::move(now);
+            vertices = drawnVertices(scene, nodes);
+            box = boundingBox(vertices).merged(boundingBox(nodes));
+            if (!isSameOrgan) restBox = restBoxOf(scene);
+        }
+    };
+
     explicit Implementation(const Resolver& resolver)
         : gl(resolver), background(gl, shaders::backgroundVertex(), shaders::backgroundFragment()),
-          emptyArray(gl), surface(gl), projection(gl), springs(gl), lines(gl), markers(gl) {}
+          emptyArray(gl), surface(gl), projection(gl), wireframe(gl), springs(gl), lines(gl), markers(gl) {}
 
     void drawBackground(const RenderScene& scene, const Frame& frame) const;
-    Frame frameFor(const RenderScene& scene, const Camera& camera, const PictureSize& size,
-                   const Eigen::AlignedBox3d& box);
+    Frame frameFor(const RenderScene& scene, const Camera& camera, const PictureSize& size) const;
     void prepare(const PictureSize& size) const;
     void tidy() const;
 
+    DrawnOrgan organ;
     GlFunctions gl;
     GlProgram background;
     GlVertexArray emptyArray;
     SurfaceDrawer surface;
     PhotoProjection projection;
+    WireframeDrawer wireframe;
     SpringDrawer springs;
     LineDrawer lines;
     MarkerDrawer markers;
@@ -78,41 +108,47 @@ Renderer::~Renderer() = default;
 void Renderer::draw(const RenderScene& scene, const Camera& camera, const PictureSize& size) {
     if (size.width <= 0 || size.height <= 0) return;
     Implementation& parts = *m_implementation;
-    const std::vector<Eigen::Vector3d> nodes = drawnNodes(scene);
-    const std::vector<Eigen::Vector3d> vertices = drawnVertices(scene, nodes);
-    const Eigen::AlignedBox3d organ = boundingBox(vertices).merged(boundingBox(nodes));
-    const Frame frame = parts.frameFor(scene, camera, size, wholeBox(scene, organ));
+    parts.organ.take(scene);
+    const Renderer::Implementation::DrawnOrgan& organ = parts.organ;
+    const Frame frame = parts.frameFor(scene, camera, size);
     const bool hasPhoto = hasProjectedPhoto(scene);
     if (hasPhoto) parts.projection.take(*scene.projectedPhoto, scene.mesh, frame);
     parts.prepare(size);
     parts.drawBackground(scene, frame);
     parts.gl.Enable(GL_DEPTH_TEST);
-    if (scene.showSurface) parts.surface.draw(scene, vertices, frame, hasPhoto ? &parts.projection : nullptr);
+    if (scene.cut) parts.gl.Enable(GL_CLIP_DISTANCE0);
+    if (scene.showSurface)
+        parts.surface.draw(scene, organ.vertices, frame, hasPhoto ? &parts.projection : nullptr);
+    parts.gl.Disable(GL_CLIP_DISTANCE0);
     for (const PlacedCollider& instrument : instrumentsOf(scene))
         parts.markers.drawInstrument(instrument, frame);
     parts.gl.Enable(GL_BLEND);
-    parts.springs.draw(scene, nodes, parts.lines, frame);
+    if (scene.cut) parts.gl.Enable(GL_CLIP_DISTANCE0);
+    parts.wireframe.draw(scene, organ.vertices, parts.lines, frame);
+    parts.springs.draw(scene, organ.nodes, parts.lines, frame);
+    parts.gl.Disable(GL_CLIP_DISTANCE0);
     parts.gl.DepthMask(GL_FALSE);
-    parts.markers.drawTransparent(scene, organ, parts.lines, frame);
+    parts.markers.drawTransparent(scene, organ.box, parts.lines, frame);
     parts.tidy();
 }
 
 /// The origin is the middle of the organ at rest, taken out in double precision before anything becomes
 /// float. It stays where it is while tissue moves, so that what was uploaded stays right.
 Frame Renderer::Implementation::frameFor(const RenderScene& scene, const Camera& camera,
-                                         const PictureSize& size, const Eigen::AlignedBox3d& box) {
-    const Eigen::AlignedBox3d rest = restBox(scene);
+                                         const PictureSize& size) const {
+    const Eigen::AlignedBox3d& rest = organ.restBox;
     Frame frame;
     frame.origin = rest.isEmpty() ? camera.target : Eigen::Vector3d(rest.center());
-    frame.eye = camera.eye;
     Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
     shift.topRightCorner<3, 1>() = frame.origin;
     frame.view = (viewMatrix(camera) * shift).cast<float>();
+    if (scene.cut) frame.cut = seenCut(*scene.cut, camera);
     const double aspect = double(size.width) / size.height;
-    frame.projection = projectionMatrix(camera, aspect, box).cast<float>();
+    frame.projection = projectionMatrix(camera, aspect, wholeBox(scene, organ.box)).cast<float>();
     frame.pixels << float(size.width), float(size.height);
     frame.pixelRatio = static_cast<float>(size.pixelRatio);
     frame.size = rest.isEmpty() ? 1.0F : static_cast<float>(rest.diagonal().norm());
+    frame.eye = viewpoint(camera, frame.size);
     return frame;
 }
 
@@ -120,8 +156,8 @@ Frame Renderer::Implementation::frameFor(const RenderScene& scene, const Camera&
 /// is set, none expected.
 void Renderer::Implementation::prepare(const PictureSize& size) const {
     gl.Viewport(-size.left, -size.bottom, size.width, size.height);
-    constexpr std::array<GLenum, 5> unwantedStates{GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_BLEND,
-                                                   GL_DEPTH_TEST};
+    constexpr std::array<GLenum, 6> unwantedStates{GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE,
+                                                   GL_BLEND,        GL_DEPTH_TEST,   GL_CLIP_DISTANCE0};
     for (const GLenum unwanted : unwantedStates)
         gl.Disable(unwanted);
     gl.DepthMask(GL_TRUE);

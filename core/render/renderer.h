@@ -5,6 +5,7 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/model/spring_network.h"
 #include "core/render/camera.h"
+#include "core/render/cut_plane.h"
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/image.h"
 #include "core/texture/layers/page_levels.h"
@@ -20,6 +21,7 @@
 namespace esm {
 
 using Colour = std::array<std::uint8_t, 3>; ///< red, green, blue
+using Paint = std::array<std::uint8_t, 4>;  ///< the same, and how much it covers
 
 struct DrawnEllipsoid {
     Ellipsoid shape;
@@ -67,12 +69,15 @@ struct RenderScene {
     std::shared_ptr<const SmallerPages> smallerPages;
     Colour baseColour{186, 92, 84};
     bool showSurface = true;
-    bool showSprings = false; ///< a network without triangles always shows them, and its nodes
-    bool unlit = false;       ///< the texture's own colours, without light
-    /// Colours springs by a parameter, one per spring; may be null. A spring whose value is NaN is drawn
-    /// quietly.
-    std::shared_ptr<const std::vector<double>> springValues;
-    double springValueMinimum = 0, springValueMaximum = 1;
+    bool showWireframe = false; ///< the triangles' edges, over the surface or in its place
+    bool showSprings = false;   ///< a network without triangles always shows them, and its nodes
+    bool showNodes = false;
+    bool unlit = false; ///< the texture's own colours, without light
+    /// Over the surface's own colours, one per node (without a network per vertex); may be null.
+    std::shared_ptr<const std::vector<Paint>> nodePaint;
+    /// One per spring; may be null. A spring whose paint covers nothing is drawn quietly.
+    std::shared_ptr<const std::vector<Paint>> springPaint;
+    std::optional<CutPlane> cut;           ///< through the organ, of which it hides a part
     std::vector<std::uint32_t> fixedNodes; ///< held in space: white dots with a dark edge
     std::optional<MarkedNodes> marked;     ///< over the surface, whether or not all springs are shown
     std::vector<DrawnEllipsoid> ellipsoids;

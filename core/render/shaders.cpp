@@ -3,6 +3,17 @@
 namespace esm::shaders {
 namespace {
 
+// Where the viewer is, in the camera's space.
+const char* const viewing = R"(
+uniform mat4 projection;
+bool isOrthographic() { return projection[3][3] > 0.5; }
+vec3 towardsEye(vec3 position) { return isOrthographic() ? vec3(0.0, 0.0, 1.0) : normalize(-position); }
+// Towards the eye along the line of sight: over the surface, at the same place of the picture.
+vec3 lifted(vec3 p, float lift) {
+    return isOrthographic() ? p + vec3(0.0, 0.0, lift) : p * (1.0 - min(lift / length(p), 0.5));
+}
+)";
+
 // All in the camera's space and in linear light: x right, y up, z towards the viewer.
 const char* const lighting = R"(
 // Squares stand in for the display's curve of 2.2 and for powers of a highlight: a processor that draws without a
@@ -81,19 +92,25 @@ layout(location = 0) in uint cornerVertex;
 layout(location = 1) in vec2 firstPlace;
 layout(location = 2) in vec2 secondPlace;
 layout(location = 3) in vec2 thirdPlace;
-uniform samplerBuffer vertices; // position, normal, position, normal
-uniform bool perCorner;
+uniform samplerBuffer vertices; // position and colour, normal and how much of the colour, position and …
+uniform bool perCorner, tinted;
 uniform mat4 view, projection;
+uniform vec4 cut;
 out vec3 position, normal;
+out vec4 tint; // multiplied by how much of it
 out vec3 shares;
 flat out vec2 first, second, third;
 flat out vec3 perTexel; // how much of its corner's share a texel's way from the opposite side takes
 uniform float pageSize; // texels
 void main() {
     int vertex = perCorner ? int(cornerVertex) : gl_VertexID;
-    vec4 seen = view * vec4(texelFetch(vertices, 2 * vertex).xyz, 1.0);
+    vec4 place = texelFetch(vertices, 2 * vertex), facing = texelFetch(vertices, 2 * vertex + 1);
+    vec4 seen = view * vec4(place.xyz, 1.0);
     position = seen.xyz;
-    normal = mat3(view) * texelFetch(vertices, 2 * vertex + 1).xyz;
+    normal = mat3(view) * facing.xyz;
+    vec3 colour = tinted ? mod(floor(place.w / vec3(65536.0, 256.0, 1.0)), 256.0) / 255.0 : vec3(0.0);
+    tint = facing.w * vec4(colour, 1.0);
+    gl_ClipDistance[0] = dot(cut, seen);
     int corner = gl_VertexID % 3;
     shares = vec3(corner == 0, corner == 1, corner == 2);
     first = firstPlace;
@@ -111,14 +128,15 @@ void main() {
 std::string surfaceFragment(WithPhoto photo) {
     const std::string ofPhoto =
         photo == WithPhoto::No ? "vec3 withPhoto(vec3 beneath) { return beneath; }\n" : photoColourSource();
-    return version() + lighting + ofPhoto + R"(
+    return version() + viewing + lighting + ofPhoto + R"(
 in vec3 position, normal;
+in vec4 tint;
 in vec3 shares;
 flat in vec2 first, second, third; // where the triangle's corners lie in the page
 flat in vec3 perTexel;
 uniform float pageSize, halfGap; // texels
 uniform int levels;
-uniform bool painted, unlit;
+uniform bool painted, unlit, plainInside;
 uniform vec3 baseColour;
 uniform sampler2D page;
 out vec4 colour;
@@ -142,16 +160,23 @@ vec2 place() {
 
 void main() {
     vec4 paint = painted ? texture(page, place()) : vec4(0.0);
-    vec3 albedo = withPhoto(mix(baseColour, paint.rgb, paint.a));
+    vec3 own = withPhoto(mix(baseColour, paint.rgb, paint.a));
+    if (plainInside && !gl_FrontFacing) own = baseColour;
+    vec3 albedo = own * (1.0 - tint.a) + tint.rgb;
     if (unlit) {
         colour = vec4(albedo, 1.0);
         return;
     }
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 n = normalize(normal) * side;
-    vec3 linear = toLinear(albedo) * (gl_FrontFacing ? vec3(1.0) : vec3(0.62, 0.50, 0.50));
+    // Colours that mean something are not reddened, and shine little.
+    vec3 inside = mix(vec3(0.62, 0.50, 0.50), vec3(0.62), tint.a);
+    vec3 linear = toLinear(albedo) * (gl_FrontFacing ? vec3(1.0) : inside);
     Sheen sheen = gl_FrontFacing ? Sheen(0.085, 0.20, 0.085) : Sheen(0.03, 0.05, 0.02);
-    colour = vec4(toDisplay(lit(linear, n, normalize(-position), sheen)), 1.0);
+    sheen = Sheen(sheen.broad * (1.0 - 0.8 * tint.a), sheen.wet * (1.0 - 0.8 * tint.a), sheen.rim * (1.0 - 0.8 * tint.a));
+    // They are read in the shade as well.
+    vec3 shaded = lit(linear, n, towardsEye(position), sheen) + 0.35 * tint.a * linear;
+    colour = vec4(toDisplay(shaded), 1.0);
 }
 )";
 }
@@ -174,13 +199,13 @@ void main() {
 }
 
 std::string steelFragment() {
-    return version() + lighting + R"(
+    return version() + viewing + lighting + R"(
 in vec3 position, normal;
 uniform vec3 baseColour;
 out vec4 colour;
 void main() {
     vec3 n = normalize(normal);
-    vec3 toEye = normalize(-position);
+    vec3 toEye = towardsEye(position);
     // A bright band where the metal mirrors the horizon of the room.
     float mirrored = reflect(-toEye, n).y;
     float band = smoothstep(-0.15, 0.25, mirrored) * (1.0 - smoothstep(0.35, 0.95, mirrored));
@@ -191,13 +216,13 @@ void main() {
 }
 
 std::string shellFragment() {
-    return version() + R"(
+    return version() + viewing + R"(
 in vec3 position, normal;
 uniform vec3 baseColour;
 uniform float opacity;
 out vec4 colour;
 void main() {
-    float facing = abs(dot(normalize(normal), normalize(-position)));
+    float facing = abs(dot(normalize(normal), towardsEye(position)));
     colour = vec4(baseColour, opacity * (0.45 + 1.6 * pow(1.0 - facing, 2.5)));
 }
 )";
@@ -229,33 +254,33 @@ void main() {
 }
 
 std::string lineVertex() {
-    return version() + R"(
+    return version() + viewing + R"(
 layout(location = 0) in uvec2 ends;
 layout(location = 1) in vec4 paint;
 layout(location = 2) in float width;
 uniform samplerBuffer points;
-uniform mat4 view, projection;
+uniform mat4 view;
 uniform vec2 pixels;
+uniform vec4 cut;
 uniform float pixelRatio, opacity, lift;
 uniform bool thinWhenShort;
 flat out vec4 lineColour;
 flat out float halfWidth;
 noperspective out float across;
 
-// Towards the eye along the line of sight: over the surface, at the same place of the picture.
-vec3 lifted(vec3 p) { return p * (1.0 - min(lift / length(p), 0.5)); }
-
 void main() {
     vec3 a = (view * vec4(texelFetch(points, int(ends.x)).xyz, 1.0)).xyz;
     vec3 b = (view * vec4(texelFetch(points, int(ends.y)).xyz, 1.0)).xyz;
-    float near = projection[3][2] / (projection[2][2] - 1.0);
+    // Without perspective the planes hold all.
+    float near = isOrthographic() ? -1e30 : projection[3][2] / (projection[2][2] - 1.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside: nothing to see
+    gl_ClipDistance[0] = 1.0;
     lineColour = vec4(0.0);
     halfWidth = across = 0.0;
     if (a.z > -near && b.z > -near) return;
     if (a.z > -near) a = mix(b, a, (b.z + near) / (b.z - a.z));
     if (b.z > -near) b = mix(a, b, (a.z + near) / (a.z - b.z));
-    vec4 first = projection * vec4(lifted(a), 1.0), second = projection * vec4(lifted(b), 1.0);
+    vec4 first = projection * vec4(lifted(a, lift), 1.0), second = projection * vec4(lifted(b, lift), 1.0);
     vec2 along = (second.xy / second.w - first.xy / first.w) * 0.5 * pixels;
     float shown = length(along);
     float strength = thinWhenShort ? smoothstep(1.5, 12.0, shown / pixelRatio) : 1.0;
@@ -264,6 +289,7 @@ void main() {
     float end = float(gl_VertexID >> 1), side = float(gl_VertexID & 1) * 2.0 - 1.0;
     halfWidth = 0.5 * width * pixelRatio;
     across = side * (halfWidth + 0.5);
+    gl_ClipDistance[0] = dot(cut, vec4(end > 0.5 ? b : a, 1.0));
     vec4 corner = end > 0.5 ? second : first;
     vec2 offset = vec2(-direction.y, direction.x) * across + direction * (end - 0.5) * halfWidth;
     corner.xy += 2.0 * offset / pixels * corner.w;
@@ -287,10 +313,11 @@ void main() {
 }
 
 std::string pointVertex() {
-    return version() + R"(
+    return version() + viewing + R"(
 uniform samplerBuffer points;
-uniform mat4 view, projection;
+uniform mat4 view;
 uniform vec2 pixels;
+uniform vec4 cut;
 uniform float radius, lift; // pixels, m
 noperspective out vec2 offset;
 flat out float strength;
@@ -298,7 +325,8 @@ void main() {
     vec4 point = texelFetch(points, gl_InstanceID);
     strength = point.w;
     vec3 p = (view * vec4(point.xyz, 1.0)).xyz;
-    vec4 centre = projection * vec4(p * (1.0 - min(lift / length(p), 0.5)), 1.0);
+    gl_ClipDistance[0] = dot(cut, vec4(p, 1.0)); // the whole dot or nothing
+    vec4 centre = projection * vec4(lifted(p, lift), 1.0);
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
     offset = corner * (radius + 0.5);
     centre.xy += 2.0 * offset / pixels * centre.w;

@@ -1,7 +1,5 @@
 #include "core/render/spring_drawer.h"
 
-#include "core/render/colour_ramp.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,9 +13,15 @@ constexpr double markedAlpha = 225;
 constexpr float fixedRadius = 4, fixedEdge = 1.3F; // pixels
 const Eigen::Vector4f dotPaint(0.91F, 0.91F, 0.93F, 1);
 
+constexpr float nodeRadius = 2.2F, nodeEdge = 0.9F, bareNodeRadius = 4; // pixels
+
 /// Over a surface its texture and shape stay to be seen.
-std::array<std::uint8_t, 4> springPaint(const Colour& colour, bool overSurface) {
-    return {colour[0], colour[1], colour[2], overSurface ? std::uint8_t{150} : std::uint8_t{255}};
+Paint paintOver(const Paint& paint, bool overSurface) {
+    return {paint[0], paint[1], paint[2], overSurface ? std::uint8_t{150} : std::uint8_t{255}};
+}
+
+bool isPainted(const std::vector<Paint>* paint, std::size_t spring) {
+    return paint && (*paint)[spring][3] > 0;
 }
 
 /// How far a surface lies from the coarser one that carries it, m, as far as springs can be lifted out of it.
@@ -51,7 +55,7 @@ void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vecto
     if (!scene.network) return;
     const bool bare = !scene.mesh || scene.mesh->triangles.empty();
     const bool showsSprings = scene.showSprings || bare;
-    if (!showsSprings && !scene.marked && scene.fixedNodes.empty()) return;
+    if (!showsSprings && !scene.showNodes && !scene.marked && scene.fixedNodes.empty()) return;
     takeNetwork(scene);
     const Manner manner = mannerOf(scene, frame);
     if (nodes != m_nodes) {
@@ -64,6 +68,7 @@ void SpringDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vecto
     m_gl.DepthMask(manner.overSurface || bare ? GL_FALSE : GL_TRUE);
     if (manner.inside) m_gl.Disable(GL_DEPTH_TEST);
     if (showsSprings) drawSprings(scene, manner, lines, frame);
+    drawNodes(scene, manner, lines, frame);
     if (scene.marked) drawMarked(scene, manner, lines, frame);
     drawFixed(scene.fixedNodes, manner, lines, frame);
     if (manner.inside) m_gl.Enable(GL_DEPTH_TEST);
@@ -76,15 +81,9 @@ void SpringDrawer::takeNetwork(const RenderScene& scene) {
     m_cover = static_cast<float>(coverOver(scene));
 }
 
-std::optional<Colour> SpringDrawer::SpringColours::of(std::size_t spring) const {
-    if (!values || !std::isfinite((*values)[spring])) return std::nullopt;
-    const double range = maximum > minimum ? maximum - minimum : 1;
-    return rampColour(((*values)[spring] - minimum) / range);
-}
-
-SpringDrawer::SpringColours SpringDrawer::coloursOf(const RenderScene& scene) const {
-    if (!scene.springValues || scene.springValues->size() != m_network->springs.size()) return {};
-    return {scene.springValues, scene.springValueMinimum, scene.springValueMaximum};
+SpringDrawer::SpringPaint SpringDrawer::paintOf(const RenderScene& scene) const {
+    const bool fits = scene.springPaint && scene.springPaint->size() == m_network->springs.size();
+    return fits ? scene.springPaint : nullptr;
 }
 
 /// Springs over a surface lie in it, or beneath a finer surface that is drawn: they are lifted towards the
@@ -104,7 +103,15 @@ void SpringDrawer::drawSprings(const RenderScene& scene, const Manner& manner, c
     takeSprings(scene, manner.overSurface && !manner.inside);
     lines.draw(m_points, m_quiet, {1, manner.lift, true}, frame);
     lines.draw(m_points, m_coloured, {1, manner.lift, false}, frame);
-    if (manner.bare || manner.inside) lines.drawDots(m_points, {dotPaint, 4}, frame);
+}
+
+/// Where there is nothing else to see, or little, they are large.
+void SpringDrawer::drawNodes(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
+                             const Frame& frame) const {
+    if (manner.bare || (manner.inside && scene.showSprings))
+        lines.drawDots(m_points, {dotPaint, bareNodeRadius}, frame);
+    else if (scene.showNodes)
+        lines.drawDots(m_points, {dotPaint, nodeRadius, nodeEdge, manner.lift}, frame);
 }
 
 void SpringDrawer::drawMarked(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
@@ -135,13 +142,13 @@ void SpringDrawer::takeMarkedDots(const std::shared_ptr<const std::vector<double
 /// Springs whose both ends are marked, as strongly as the less marked of them.
 void SpringDrawer::takeMarked(const RenderScene& scene) {
     const MarkedNodes& marked = *scene.marked;
-    const SpringColours colours = scene.showSprings ? coloursOf(scene) : SpringColours{};
-    if (m_markedNetwork == m_network && m_weights == marked.weights && m_markedColours == colours &&
+    const SpringPaint paint = scene.showSprings ? paintOf(scene) : nullptr;
+    if (m_markedNetwork == m_network && m_weights == marked.weights && m_markedPaint == paint &&
         m_markedColour == marked.colour)
         return;
     m_markedNetwork = m_network;
     m_weights = marked.weights;
-    m_markedColours = colours;
+    m_markedPaint = paint;
     m_markedColour = marked.colour;
     const auto& springs = m_network->springs;
     std::vector<Segment> segments;
@@ -149,13 +156,12 @@ void SpringDrawer::takeMarked(const RenderScene& scene) {
         const auto [first, second, length] = springs[i];
         const double weight = std::min((*m_weights)[first], (*m_weights)[second]);
         if (!(weight > 0)) continue;
-        const std::optional<Colour> ofValue = colours.of(i);
-        const Colour colour = ofValue.value_or(marked.colour);
+        const bool hasPaint = isPainted(paint.get(), i);
+        const auto& [red, green, blue, cover] =
+            hasPaint ? (*paint)[i] : Paint{marked.colour[0], marked.colour[1], marked.colour[2], 255};
         const auto alpha = static_cast<std::uint8_t>(std::lround(markedAlpha * weight));
-        segments.push_back({first,
-                            second,
-                            {colour[0], colour[1], colour[2], alpha},
-                            ofValue ? markedValuedWidth : markedWidth});
+        segments.push_back(
+            {first, second, {red, green, blue, alpha}, hasPaint ? markedValuedWidth : markedWidth});
     }
     m_markedSprings.upload(segments);
 }
@@ -178,23 +184,21 @@ void SpringDrawer::drawFixed(const std::vector<std::uint32_t>& fixed, const Mann
 /// Which springs there are and how they are coloured is uploaded only when it changes: in a running
 /// simulation positions alone do, which are points that all segments share.
 void SpringDrawer::takeSprings(const RenderScene& scene, bool overSurface) {
-    const SpringColours colours = coloursOf(scene);
-    if (m_springsNetwork == m_network && m_colours == colours && overSurface == m_overSurface) return;
+    const SpringPaint paint = paintOf(scene);
+    if (m_springsNetwork == m_network && m_paint == paint && overSurface == m_overSurface) return;
     m_springsNetwork = m_network;
-    m_colours = colours;
+    m_paint = paint;
     m_overSurface = overSurface;
     const auto& springs = m_network->springs;
-    const std::array<std::uint8_t, 4> quiet = overSurface ? std::array<std::uint8_t, 4>{44, 40, 46, 105}
-                                                          : std::array<std::uint8_t, 4>{152, 161, 171, 190};
+    const Paint quiet = overSurface ? Paint{44, 40, 46, 105} : Paint{152, 161, 171, 190};
     std::vector<Segment> quietSegments, coloured;
     for (std::size_t i = 0; i < springs.size(); ++i) {
         const Spring& spring = springs[i];
-        if (const std::optional<Colour> colour = colours.of(i)) {
+        if (isPainted(paint.get(), i))
             coloured.push_back(
-                {spring.first, spring.second, springPaint(*colour, overSurface), colouredWidth});
-        } else {
+                {spring.first, spring.second, paintOver((*paint)[i], overSurface), colouredWidth});
+        else
             quietSegments.push_back({spring.first, spring.second, quiet, quietWidth});
-        }
     }
     m_quiet.upload(quietSegments);
     m_coloured.upload(coloured);

@@ -7,7 +7,7 @@
 
 namespace esm {
 
-/// Draws a network's springs as lines, coloured by value where the scene gives values, and its nodes as dots;
+/// Draws a network's springs as lines, painted as the scene says, and its nodes as dots;
 /// and over them what is marked and which nodes are fixed.
 class SpringDrawer {
 public:
@@ -25,23 +25,15 @@ private:
         float lift;       ///< m, out of it
     };
 
-    /// What springs are coloured by.
-    struct SpringColours {
-        std::shared_ptr<const std::vector<double>> values; ///< null, or one per spring
-        double minimum = 0, maximum = 0;
-
-        bool operator==(const SpringColours&) const = default;
-        /// None for a spring without a value.
-        std::optional<Colour> of(std::size_t spring) const;
-    };
-
     /// What the marked dots, or the fixed ones, were uploaded for.
     template<typename Choice> struct Dots {
         Choice choice;
         int pose = 0;
     };
 
-    SpringColours coloursOf(const RenderScene& scene) const;
+    using SpringPaint = std::shared_ptr<const std::vector<Paint>>;
+
+    SpringPaint paintOf(const RenderScene& scene) const;
     Manner mannerOf(const RenderScene& scene, const Frame& frame) const;
     void takeNetwork(const RenderScene& scene);
     void takeSprings(const RenderScene& scene, bool overSurface);
@@ -51,6 +43,8 @@ private:
     void takeMarkedDots(const std::shared_ptr<const std::vector<double>>& weights, const Frame& frame);
     void drawMarked(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
                     const Frame& frame);
+    void drawNodes(const RenderScene& scene, const Manner& manner, const LineDrawer& lines,
+                   const Frame& frame) const;
     void drawFixed(const std::vector<std::uint32_t>& fixed, const Manner& manner, const LineDrawer& lines,
                    const Frame& frame);
 
@@ -60,7 +54,7 @@ private:
     std::shared_ptr<const SpringNetwork> m_network;
     std::shared_ptr<const SpringNetwork> m_springsNetwork, m_markedNetwork; ///< of the segments as uploaded
     std::shared_ptr<const std::vector<double>> m_weights; ///< of the marked springs as uploaded
-    SpringColours m_colours, m_markedColours;             ///< as uploaded
+    SpringPaint m_paint, m_markedPaint;                   ///< as uploaded
     std::optional<Colour> m_markedColour;
     bool m_overSurface = false;
     float m_cover = 0;                    ///< m, between the springs and the surface over them

@@ -49,7 +49,7 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
     if (!scene.mesh || scene.mesh->triangles.empty()) return;
     const bool textured = isTextured(scene);
     takeTriangles(scene.mesh);
-    takeVertices(vertices, frame);
+    takeVertices(scene, vertices, frame);
     const GlProgram& program = photo ? m_photoProgram : m_program;
     program.use();
     if (photo) photo->bind(program);
@@ -57,11 +57,14 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
     program.set("projection", frame.projection);
     program.set("baseColour", toFloat(scene.baseColour));
     program.set("unlit", scene.unlit);
+    program.set("cut", frame.cut);
+    program.set("plainInside", scene.cut.has_value());
+    program.set("tinted", scene.nodePaint != nullptr);
     program.set("perCorner", textured);
     program.set("vertices", 0);
     program.set("page", 1);
     m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
-    if (hidesItsInside(frame)) m_gl.Enable(GL_CULL_FACE);
+    if (hidesItsInside(scene, frame)) m_gl.Enable(GL_CULL_FACE);
     if (textured) {
         takeAtlas(scene.atlas);
         takePages(scene);
@@ -78,7 +81,8 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
 
 /// From outside, every line of sight through a closed surface meets a front before a back, so half the
 /// triangles need no drawing.
-bool SurfaceDrawer::hidesItsInside(const Frame& frame) const {
+bool SurfaceDrawer::hidesItsInside(const RenderScene& scene, const Frame& frame) const {
+    if (scene.cut) return false;
     constexpr double margin = 0.02; // of the organ's size, for what the near plane may cut
     const Eigen::AlignedBox3d box = boundingBox(m_vertices);
     const Eigen::Vector3d grown = Eigen::Vector3d::Constant(margin * box.diagonal().norm());
@@ -115,18 +119,28 @@ void SurfaceDrawer::takeTriangles(const std::shared_ptr<const TriangleMesh>& mes
 
 /// Positions and normals lie in a texture that shaders read by number: what moves is uploaded once per vertex
 /// and not six times, once for each triangle around it.
-void SurfaceDrawer::takeVertices(const std::vector<Eigen::Vector3d>& vertices, const Frame& frame) {
-    if (vertices == m_vertices) return;
-    const std::vector<Eigen::Vector3d> normals = vertexNormals(vertices, m_mesh->triangles);
-    m_texels.resize(vertices.size());
+void SurfaceDrawer::takeVertices(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices,
+                                 const Frame& frame) {
+    if (vertices == m_vertices && scene.nodePaint == m_nodePaint) return;
+    const std::vector<Paint> paint = vertexPaint(scene, vertices.size());
+    if (vertices != m_vertices) {
+        const std::vector<Eigen::Vector3d> normals = vertexNormals(vertices, m_mesh->triangles);
+        m_texels.resize(vertices.size());
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const Eigen::Vector3f place = frame.local(vertices[i]), normal = normals[i].cast<float>();
+            m_texels[i] = {place.x(), place.y(), place.z(), 0, normal.x(), normal.y(), normal.z(), 0};
+        }
+    }
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const Eigen::Vector3f place = frame.local(vertices[i]), normal = normals[i].cast<float>();
-        m_texels[i] = {place.x(), place.y(), place.z(), 0, normal.x(), normal.y(), normal.z(), 0};
+        const auto& [red, green, blue, cover] = paint.empty() ? Paint{} : paint[i];
+        m_texels[i][3] = static_cast<float>((red << 16) | (green << 8) | blue); // 24 bits are exact
+        m_texels[i][7] = static_cast<float>(cover) / 255;
     }
     m_vertexBuffer.upload(GL_TEXTURE_BUFFER, m_texels.data(), m_texels.size() * sizeof(m_texels[0]),
                           GL_STREAM_DRAW);
     m_vertexTexture.attach(m_vertexBuffer);
     m_vertices = vertices;
+    m_nodePaint = scene.nodePaint;
 }
 
 /// Triangles sorted by their pages, so that each page is bound once; stably, so that within a page the mesh's

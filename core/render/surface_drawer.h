@@ -25,11 +25,12 @@ private:
         GLsizei count;
     };
 
-    void takeVertices(const std::vector<Eigen::Vector3d>& vertices, const Frame& frame);
+    void takeVertices(const RenderScene& scene, const std::vector<Eigen::Vector3d>& vertices,
+                      const Frame& frame);
     void takeTriangles(const std::shared_ptr<const TriangleMesh>& mesh);
     void takeAtlas(const std::shared_ptr<const Atlas>& atlas);
     void takePages(const RenderScene& scene);
-    bool hidesItsInside(const Frame& frame) const;
+    bool hidesItsInside(const RenderScene& scene, const Frame& frame) const;
     void drawPlain(const GlProgram& program) const;
     void drawPages(const GlProgram& program) const;
 
@@ -44,9 +45,11 @@ private:
     std::shared_ptr<const SmallerPages> m_smallerPages;
     std::vector<std::unique_ptr<GlTexture>> m_pageTextures;
     std::vector<PageRange> m_ranges;
-    bool m_closed = false;                      ///< the surface has no border and agrees in orientation
-    std::vector<Eigen::Vector3d> m_vertices;    ///< as last uploaded
-    std::vector<std::array<float, 8>> m_texels; ///< per vertex: position, 0, normal, 0
+    bool m_closed = false;                   ///< the surface has no border and agrees in orientation
+    std::vector<Eigen::Vector3d> m_vertices; ///< as last uploaded
+    std::shared_ptr<const std::vector<Paint>> m_nodePaint; ///< as last uploaded
+    /// Per vertex: position, colour as a number, normal, how much of the colour.
+    std::vector<std::array<float, 8>> m_texels;
 };
 
 } // namespace esm

@@ -64,6 +64,8 @@ COMMANDS = {
     "render organ.esm": {
         "project": FILE, "-o": ["-", "out.jpg", ""], "--size": ["x", "10", "10x", "0x10", "10x99999", "1e2x9", ""],
         "--view": ["behind", "FRONT", "1 2 3", "0 0 0 0 0 0", "nan 0 0 0 0 0", "1e31 0 0 0 0 0", ""], "--camera": FILE,
+        "--orthographic": None, "--colour-by": ["beauty", "Mass", "strain", "speed", ""],
+        "--cut": ["x", "viewer", "viewer:", "x:0.5", "+x:1.1", "+x:-0.1", "+x:nan", "+x:0.5 0.5", ""],
         "--show": ["bones", "surface,", ",", ""], "--motion": FILE, "--at": ["1"], "--unlit": None},
 }
 OUTPUTS = {"simulate": "out.csv", "texture fit": "out.json", "texture bake": "pages", "export": "out.glb",

@@ -1,6 +1,8 @@
 // Measures how a window keeps up while its tissue plays and is edited: how soon it answers, how far frames
-// lie apart, and how long a slider's move takes to be seen. In a virtual display it draws by software.
+// lie apart, and how long a slider's move takes to be seen; and how many pictures a second a large organ is
+// turned by. In a virtual display it draws by software.
 //   responsiveness [NODES…]   10000 and 16000 unless given
+//   responsiveness turn       the turning alone
 
 #include "app/editor/window/application.h"
 #include "tests/responsiveness/organ.h"
@@ -12,8 +14,11 @@
 #include <QStandardPaths>
 #include <QTimer>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <string_view>
 
 using namespace responsiveness;
 
@@ -114,6 +119,59 @@ void measure(std::size_t nodes, Tissue tissue) {
     }
 }
 
+/// Coloured by strain while it plays: every frame has colours of its own.
+void measureColours(std::size_t nodes) {
+    esm::MainWindow window(ballOf(nodes, Tissue::Published));
+    window.show();
+    window.preview().setGentleMotion(true);
+    window.preview().setPlaying(true);
+    waitFor("motion", [&] { return window.preview().status().realTimeFactor > 0; });
+    std::printf("%zu nodes, playing\n", window.document().project().network->restPositions.size());
+    for (QAction* colouring : window.windowActions().colourings->actions()) {
+        colouring->trigger();
+        wait(1000);
+        const WindowWatch watch(window);
+        wait(3000);
+        printAll(("coloured by " + colouring->objectName()).toUtf8().constData(), watch);
+    }
+}
+
+/// About the vertical, a picture asked for as often as a mouse moves. What the processors did for each
+/// picture says more than its time where other programs are at work.
+void turn(esm::MainWindow& window, const char* phase) {
+    wait(1500);
+    const WindowWatch watch(window);
+    const std::clock_t start = std::clock();
+    for (int tick = 0; tick < ticks; ++tick) {
+        window.view().setCamera(esm::orbited(window.view().camera(), 0.02, 0));
+        wait(betweenTicks);
+    }
+    const double computed = 1000.0 * double(std::clock() - start) / CLOCKS_PER_SEC;
+    printAll(phase, watch);
+    std::printf("  %.1f pictures a second by the median; %.1f ms of all processors for each\n",
+                1000 / std::max(share(watch.pictureGaps(), 0.5), 1e-3),
+                computed / double(std::max<std::size_t>(watch.pictureGaps().size(), 1)));
+}
+
+/// In a view of 1280 x 800 pixels, without panels.
+void measureTurning(std::size_t triangles, std::size_t nodes) {
+    esm::MainWindow window(drawnBallOf(triangles, nodes));
+    window.windowActions().showLeft->setChecked(false);
+    window.windowActions().showRight->setChecked(false);
+    window.show();
+    window.resize(window.size() + QSize(1280, 800) - window.view().size());
+    window.preview().setPlaying(false);
+    wait(500);
+    const esm::Project& project = window.document().project();
+    std::printf("%zu triangles, %zu nodes, a view of %d x %d pixels\n", project.mesh->triangles.size(),
+                project.network->restPositions.size(), window.view().width(), window.view().height());
+    turn(window, "turned");
+    window.preview().setGentleMotion(true);
+    window.preview().setPlaying(true);
+    waitFor("motion", [&] { return window.preview().status().realTimeFactor > 0; });
+    turn(window, "turned while it plays");
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -122,11 +180,15 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("esm"));
     QCoreApplication::setApplicationName(QStringLiteral("esm-responsiveness"));
     std::vector<std::size_t> sizes{10000, 16000};
+    const bool isTurning = argc > 1 && std::string_view(argv[1]) == "turn";
+    if (argc == 1 || isTurning) measureTurning(200000, 10000);
+    if (isTurning) return 0;
     if (argc > 1) sizes.clear();
     for (int i = 1; i < argc; ++i)
         sizes.push_back(std::strtoull(argv[i], nullptr, 10));
     for (const std::size_t nodes : sizes)
         for (const Tissue tissue : {Tissue::Published, Tissue::WeaklyDamped})
             measure(nodes, tissue);
+    measureColours(sizes.back());
     return 0;
 }

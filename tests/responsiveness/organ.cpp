@@ -56,4 +56,10 @@ esm::Project ballOf(std::size_t nodes, Tissue tissue) {
     return project;
 }
 
+esm::Project drawnBallOf(std::size_t triangles, std::size_t nodes) {
+    const esm::Detail detail{esm::Detail::Kind::Nodes, nodes};
+    return esm::makeProject("ball", esm::repair(ball(triangles / 2), {.weldDistance = 1e-9}), std::nullopt,
+                            detail);
+}
+
 } // namespace responsiveness

@@ -11,5 +11,7 @@ enum class Tissue { Published, WeaklyDamped };
 /// A ball of about so many nodes, one half of which a region has: `auto` steps it by `split2` where it is as
 /// viscous as was published, and by an explicit method where it is weakly damped.
 esm::Project ballOf(std::size_t nodes, Tissue tissue);
+/// A ball drawn with about so many triangles, of which so many nodes are simulated.
+esm::Project drawnBallOf(std::size_t triangles, std::size_t nodes);
 
 } // namespace responsiveness

@@ -7,13 +7,18 @@ namespace esm {
 namespace {
 
 constexpr double radiansPerHeight = 3.2; // a drag over the view's height turns about half round
-constexpr double zoomPerNotch = 0.87;
 
 } // namespace
 
 double wheelNotches(const QWheelEvent& event) {
     constexpr double anglePerNotch = 120; // in eighths of a degree, as Qt counts
     return event.angleDelta().y() / anglePerNotch;
+}
+
+/// A power, so that parts of notches, as touchpads send them, add up the same way.
+double zoomFactor(double notches) {
+    constexpr double factorPerNotch = 0.87;
+    return std::pow(factorPerNotch, notches);
 }
 
 bool CameraController::press(const QMouseEvent& event) {
@@ -39,7 +44,10 @@ bool CameraController::move(const QMouseEvent& event, const QSize& viewSize) {
     const QPointF by = (event.localPos() - m_last) / std::max(1, viewSize.height());
     m_last = event.localPos();
     // The organ follows the mouse, so the eye goes the other way.
-    if (m_drag == Drag::Orbit)
+    if (m_drag == Drag::Orbit && m_looksAround)
+        m_camera = lookingAround(m_camera, -m_camera.verticalFieldOfView * by.x(),
+                                 m_camera.verticalFieldOfView * by.y());
+    else if (m_drag == Drag::Orbit)
         m_camera = orbited(m_camera, -radiansPerHeight * by.x(), radiansPerHeight * by.y());
     else
         m_camera = panned(m_camera, -by.x(), by.y());
@@ -50,15 +58,6 @@ bool CameraController::release(const QMouseEvent& event) {
     if (!isDragging()) return false;
     if (event.button() == m_button) m_drag = Drag::None;
     return true;
-}
-
-/// A power for each notch, so that as many notches back lead to where one was; parts of notches, as touchpads
-/// send them, add up the same way.
-void CameraController::zoom(const QWheelEvent& event, const QSize& viewSize) {
-    const Eigen::Vector2d at(event.position().x() / std::max(1, viewSize.width()),
-                             event.position().y() / std::max(1, viewSize.height()));
-    const double aspect = double(std::max(1, viewSize.width())) / std::max(1, viewSize.height());
-    m_camera = zoomedAbout(m_camera, std::pow(zoomPerNotch, wheelNotches(event)), at, aspect);
 }
 
 } // namespace esm

@@ -10,9 +10,11 @@ namespace esm {
 
 /// How far the wheel was turned: positive away from the user.
 double wheelNotches(const QWheelEvent& event);
+/// How much nearer what is looked at comes by so many notches: as many back lead to where one was.
+double zoomFactor(double notches);
 
-/// Turns mouse and wheel into cameras. The right button, or the left one with Alt, orbits; the middle button,
-/// or either of those with Shift, shifts; the wheel zooms about the mouse.
+/// Turns the mouse into cameras. The right button, or the left one with Alt, orbits; the middle button,
+/// or either of those with Shift, shifts.
 class CameraController {
 public:
     const Camera& camera() const { return m_camera; }
@@ -26,7 +28,8 @@ public:
     bool move(const QMouseEvent& event, const QSize& viewSize);
     /// Ends a drag; false when there was none.
     bool release(const QMouseEvent& event);
-    void zoom(const QWheelEvent& event, const QSize& viewSize);
+    /// Whether what would orbit turns the line of sight where the eye stands.
+    void setLookingAround(bool on) { m_looksAround = on; }
 
     bool isDragging() const { return m_drag != Drag::None; }
 
@@ -36,6 +39,7 @@ private:
     void start(Drag drag, const QMouseEvent& event);
 
     Camera m_camera;
+    bool m_looksAround = false;
     Drag m_drag = Drag::None;
     Qt::MouseButton m_button = Qt::NoButton;
     QPointF m_last;

@@ -9,12 +9,13 @@ using Eigen::Vector3d;
 
 /// The selected shape wins over nearer ones: who drags what is selected must not take hold of what lies
 /// before it.
-template<typename Drawn, typename ShapeOf>
-int shapeUnder(const std::vector<Drawn>& shapes, ShapeOf shapeOf, const Ray& ray) {
+/// @param distanceAlong the ray to a shape; none where it is missed
+template<typename Drawn, typename Distance>
+int shapeUnder(const std::vector<Drawn>& shapes, Distance distanceAlong) {
     int found = -1;
     double nearest = HUGE_VAL;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        const std::optional<double> distance = distanceTo(shapeOf(shapes[i]), ray);
+        const std::optional<double> distance = distanceAlong(shapes[i]);
         if (!distance) continue;
         if (shapes[i].selected) return static_cast<int>(i);
         if (*distance >= nearest) continue;
@@ -36,8 +37,10 @@ Vector3d shift(const DragPlane& plane, const Ray& ray) {
 }
 
 int ellipsoidUnder(const RenderScene& scene, const Ray& ray) {
-    return shapeUnder(
-        scene.ellipsoids, [](const DrawnEllipsoid& drawn) { return drawn.shape; }, ray);
+    return shapeUnder(scene.ellipsoids, [&](const DrawnEllipsoid& drawn) {
+        const bool isCutAway = scene.cut && scene.cut->hides(drawn.shape.centre);
+        return isCutAway ? std::nullopt : distanceTo(drawn.shape, ray);
+    });
 }
 
 PhotoFace faceOf(const DrawnProjector& drawn) {
@@ -45,7 +48,8 @@ PhotoFace faceOf(const DrawnProjector& drawn) {
 }
 
 int projectorUnder(const RenderScene& scene, const Ray& ray) {
-    return shapeUnder(scene.projectors, faceOf, ray);
+    return shapeUnder(scene.projectors,
+                      [&](const DrawnProjector& drawn) { return distanceTo(faceOf(drawn), ray); });
 }
 
 } // namespace esm

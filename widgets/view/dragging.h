@@ -14,7 +14,8 @@ DragPlane picturePlane(const Camera& camera, const Eigen::Vector3d& point);
 /// misses it.
 Eigen::Vector3d shift(const DragPlane& plane, const Ray& ray);
 
-/// The ellipsoid under a ray, the selected one first, else the nearest; −1 for none.
+/// The ellipsoid under a ray, the selected one first, else the nearest; −1 for none. One whose middle is cut
+/// away is none.
 int ellipsoidUnder(const RenderScene& scene, const Ray& ray);
 PhotoFace faceOf(const DrawnProjector& drawn);
 /// The same for the projectors' photos.

@@ -1,7 +1,9 @@
 #include "widgets/view/organ_view.h"
 
 #include "core/render/drawn_shape.h"
+#include "widgets/view/approach.h"
 #include "widgets/view/axis_cube.h"
+#include "widgets/view/within.h"
 
 #include <QPainter>
 
@@ -87,20 +89,61 @@ void OrganView::cancel() {
 }
 
 void OrganView::setCamera(const Camera& camera) {
+    putCamera(camera, std::nullopt);
+}
+
+void OrganView::putCamera(const Camera& camera, const std::optional<Camera>& outside) {
     m_framed = true;
+    m_outside = outside;
+    m_cameraController.setLookingAround(isWithin());
     applyCamera(camera);
 }
 
+/// As wide as from outside, and of its projection.
+Camera OrganView::outsideCamera() const {
+    Camera result = camera();
+    if (!m_outside) return result;
+    result.verticalFieldOfView = m_outside->verticalFieldOfView;
+    result.orthographicHeight = m_outside->orthographicHeight;
+    return result;
+}
+
 void OrganView::showView(StandardView view) {
-    setCamera(framedCamera(organBox(), view, aspect()));
+    const Camera framed = framedCamera(organBox(), view, aspect());
+    setCamera(isOrthographic() ? reframed(orthographic(framed), organBox(), aspect()) : framed);
 }
 
 void OrganView::frameOrgan() {
-    setCamera(reframed(camera(), organBox(), aspect()));
+    setCamera(reframed(outsideCamera(), organBox(), aspect()));
+}
+
+void OrganView::frame(const Eigen::AlignedBox3d& box) {
+    const Camera framed = reframed(outsideCamera(), box, aspect());
+    setCamera(outOfSurface({m_scene, framed, size(), m_picker}));
+}
+
+void OrganView::setOrthographic(bool on) {
+    if (on == isOrthographic()) return;
+    const Camera outside = m_outside.value_or(camera());
+    setCamera(on ? orthographic(outside) : perspective(outside));
+}
+
+bool OrganView::lookFromWithin(const std::optional<Eigen::Vector3d>& about) {
+    std::optional<Camera> within = cameraWithin(sight(), about);
+    if (!within && underMouse())
+        if (const auto picked = sight().pickAt(mapFromGlobal(QCursor::pos())))
+            within = cameraWithin(sight(), picked->point);
+    if (within) putCamera(*within, m_outside.value_or(camera()));
+    return within.has_value();
+}
+
+void OrganView::leaveWithin() {
+    if (m_outside) setCamera(Camera(*m_outside));
 }
 
 void OrganView::applyCamera(const Camera& camera) {
-    m_cameraController.setCamera(camera);
+    const bool isFlat = camera.orthographicHeight.has_value();
+    m_cameraController.setCamera(isFlat ? standingBefore(camera, organBox()) : camera);
     redraw();
     emit cameraChanged();
 }

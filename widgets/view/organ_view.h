@@ -56,10 +56,23 @@ public:
     void cancel();
 
     const Camera& camera() const { return m_cameraController.camera(); }
+    /// From outside; so do all that follow but lookFromWithin().
     void setCamera(const Camera& camera);
     void showView(StandardView view);
     /// Keeps the line of sight and shows the whole organ.
     void frameOrgan();
+    /// The same with a box, from outside the surface.
+    void frame(const Eigen::AlignedBox3d& box);
+    /// With the same framing.
+    void setOrthographic(bool on);
+    bool isOrthographic() const { return outsideCamera().orthographicHeight.has_value(); }
+
+    /// Puts the eye inside the organ, where the mouse looks around: see cameraWithin(). Where there is no
+    /// room as asked for, it is sought under the mouse. False where there is none.
+    bool lookFromWithin(const std::optional<Eigen::Vector3d>& about);
+    /// To where lookFromWithin() found the camera.
+    void leaveWithin();
+    bool isWithin() const { return m_outside.has_value(); }
 
 signals:
     void toolChanged();
@@ -82,6 +95,8 @@ private:
     ToolMouse mouseOf(const QMouseEvent& event);
     Eigen::AlignedBox3d organBox() const;
     void applyCamera(const Camera& camera);
+    void putCamera(const Camera& camera, const std::optional<Camera>& outside);
+    Camera outsideCamera() const;
     void moveTool(const ToolMouse& mouse);
     void followTool();
 
@@ -98,6 +113,7 @@ private:
     double m_askedRatio = 0; ///< its pixels per pixel of the design
     bool m_isStale = true;   ///< what was asked for last is no longer what is to be shown
     CameraController m_cameraController;
+    std::optional<Camera> m_outside; ///< where the camera was before it looked from within
     Picker m_picker;
     ViewTool m_noTool;
     ViewTool* m_tool = &m_noTool;

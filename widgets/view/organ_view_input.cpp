@@ -1,3 +1,4 @@
+#include "widgets/view/approach.h"
 #include "widgets/view/axis_cube.h"
 #include "widgets/view/organ_view.h"
 
@@ -47,8 +48,7 @@ void OrganView::mouseReleaseEvent(QMouseEvent* event) {
 
 void OrganView::wheelEvent(QWheelEvent* event) {
     if (m_tool->wheel({sight(), event->position(), event->modifiers()}, wheelNotches(*event))) return;
-    m_cameraController.zoom(*event, size());
-    applyCamera(camera());
+    applyCamera(approached(sight(), event->position(), zoomFactor(wheelNotches(*event))));
 }
 
 void OrganView::keyPressEvent(QKeyEvent* event) {

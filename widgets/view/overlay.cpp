@@ -2,6 +2,7 @@
 
 #include "core/render/colour_ramp.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace esm {
 namespace {
 
 constexpr int margin = 14, padding = 11, legendWidth = 230, legendHeight = 66; // pixels
+constexpr int titleHeight = 30, entryHeight = 19, mostEntries = 10;
 constexpr int cubeSize = 78, handleSize = 9, hintPadding = 5;
 constexpr int backgroundAlpha = 225;
 constexpr QPointF labelOffset(0, -9); // pixels, from a place to its label's lower edge
@@ -40,6 +42,44 @@ QLinearGradient rampGradient(const QRectF& bar) {
     return gradient;
 }
 
+/// The ramp, its two ends and the unit between them.
+void paintScale(QPainter& painter, const QRectF& inner, const ViewLegend& legend) {
+    const QRectF bar(inner.left(), inner.top() + 24, inner.width(), 8);
+    const QRectF range(bar.left(), bar.bottom() + 3, bar.width(), 18);
+    painter.drawText(range, Qt::AlignLeft | Qt::AlignVCenter, shortNumber(legend.minimum));
+    painter.drawText(range, Qt::AlignHCenter | Qt::AlignVCenter, legend.unit);
+    painter.drawText(range, Qt::AlignRight | Qt::AlignVCenter, shortNumber(legend.maximum));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(rampGradient(bar));
+    painter.drawRoundedRect(bar, 3, 3);
+}
+
+/// A long list says how many of it are left out.
+int shownEntries(const ViewLegend& legend) {
+    return std::clamp(static_cast<int>(legend.entries.size()), 1, mostEntries);
+}
+
+void paintEntries(QPainter& painter, const QRectF& inner, const ViewLegend& legend) {
+    const int shown = shownEntries(legend), count = static_cast<int>(legend.entries.size());
+    const QPen text = painter.pen();
+    for (int i = 0; i < shown; ++i) {
+        const QRectF line(inner.left(), inner.top() + titleHeight - 7 + i * entryHeight, inner.width(),
+                          entryHeight);
+        const bool isRest = count == 0 || (i == shown - 1 && count > shown);
+        const QString name = count == 0 ? QCoreApplication::translate("esm::Legend", "none yet")
+                             : isRest
+                                 ? QCoreApplication::translate("esm::Legend", "and %1 more").arg(count - i)
+                                 : legend.entries[std::size_t(i)].name;
+        painter.setPen(text);
+        painter.drawText(line.adjusted(isRest ? 0 : 22, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(name, Qt::ElideRight, int(line.width()) - 22));
+        if (isRest) continue;
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(legend.entries[std::size_t(i)].colour);
+        painter.drawRoundedRect(QRectF(line.left(), line.center().y() - 6, 14, 12), 3, 3);
+    }
+}
+
 QPolygonF diamondIn(const QRectF& box) {
     const QPointF middle = box.center();
     return QPolygonF(QVector<QPointF>{{middle.x(), box.top()},
@@ -51,25 +91,24 @@ QPolygonF diamondIn(const QRectF& box) {
 } // namespace
 
 void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend) {
-    const QRectF box(margin, style.view.height() - margin - legendHeight, legendWidth, legendHeight);
-    const QRectF bar(box.left() + padding, box.top() + 31, box.width() - 2 * padding, 8);
-    const QRectF title(bar.left(), box.top() + 7, bar.width(), 20);
-    const QRectF range(bar.left(), bar.bottom() + 3, bar.width(), 18);
+    const bool isList = legend.unit.isEmpty();
+    const double height = isList ? titleHeight + entryHeight * shownEntries(legend) + padding : legendHeight;
+    const QRectF box(margin, style.view.height() - margin - height, legendWidth, height);
+    const QRectF inner = box.adjusted(padding, 7, -padding, -padding);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(style.palette.color(QPalette::Mid), 1));
     painter.setBrush(background(style.palette));
     painter.drawRoundedRect(box, 6, 6);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(rampGradient(bar));
-    painter.drawRoundedRect(bar, 3, 3);
     painter.setPen(style.palette.color(QPalette::WindowText));
     painter.setFont(sized(painter.font(), 13));
-    painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, legend.title);
+    painter.drawText(QRectF(inner.topLeft(), QSizeF(inner.width(), 20)), Qt::AlignLeft | Qt::AlignVCenter,
+                     legend.title);
     painter.setFont(sized(painter.font(), 12));
-    painter.drawText(range, Qt::AlignLeft | Qt::AlignVCenter, shortNumber(legend.minimum));
-    painter.drawText(range, Qt::AlignHCenter | Qt::AlignVCenter, legend.unit);
-    painter.drawText(range, Qt::AlignRight | Qt::AlignVCenter, shortNumber(legend.maximum));
+    if (isList)
+        paintEntries(painter, inner, legend);
+    else
+        paintScale(painter, inner, legend);
     painter.restore();
 }
 

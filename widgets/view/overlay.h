@@ -10,11 +10,16 @@
 
 namespace esm {
 
-/// What the colours of the springs mean.
+/// What colours mean: values along the ramp, or names.
 struct ViewLegend {
+    struct Entry {
+        QString name;
+        QColor colour;
+    };
     QString title; ///< "Spring constant"
     QString unit;  ///< "N/m"
     double minimum = 0, maximum = 1;
+    std::vector<Entry> entries; ///< in place of values where the unit is empty
 };
 
 /// How large the picture is that something is painted over, and in which colours.
@@ -23,7 +28,7 @@ struct OverlayStyle {
     QPalette palette;
 };
 
-/// A box at the bottom left with the ramp of colours and its range.
+/// A box at the bottom left with the ramp of colours and its range, or a line for each entry.
 void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend);
 /// A pill with a text at the bottom, in the middle of what the legend leaves; in lines where one is too long.
 void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint, bool besideLegend);

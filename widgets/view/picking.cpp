@@ -10,9 +10,18 @@ Eigen::Vector3d pointOf(const CarriedPlace& place, const std::vector<Eigen::Vect
            place.weights[2] * positions[c];
 }
 
-std::optional<PickedPoint> Picker::pick(const RenderScene& scene, const Ray& ray, double tolerance) {
+std::optional<PickedPoint> Picker::pick(const RenderScene& scene, const Ray& ray, const PickReach& reach) {
     if (m_changed) refresh(scene);
-    return m_query ? pickSurface(ray) : pickNode(ray, tolerance);
+    return m_query ? pickSurface(scene, ray) : pickNode(scene, ray, reach);
+}
+
+std::optional<double> Picker::clearance(const RenderScene& scene, const Eigen::Vector3d& point) {
+    if (m_changed) refresh(scene);
+    const std::optional<RayHit> nearest = m_query ? m_query->nearest(point) : std::nullopt;
+    if (!nearest) return std::nullopt;
+    const Eigen::Vector3d place =
+        pointOf({m_mesh->triangles[nearest->triangle], nearest->barycentric}, m_vertices);
+    return scene.cut && scene.cut->hides(place) ? std::nullopt : std::optional(nearest->distance);
 }
 
 Eigen::Vector3d Picker::carried(const RenderScene& scene, const CarriedPlace& place) {
@@ -37,9 +46,12 @@ void Picker::refresh(const RenderScene& scene) {
         m_query->refit(m_vertices);
 }
 
-std::optional<PickedPoint> Picker::pickSurface(const Ray& ray) {
+std::optional<PickedPoint> Picker::pickSurface(const RenderScene& scene, const Ray& whole) {
+    const std::optional<RayPart> left = leftBy(scene.cut, whole);
+    if (!left) return std::nullopt;
+    const Ray& ray = left->ray;
     const std::optional<RayHit> hit = m_query->firstHit(ray);
-    if (!hit) return std::nullopt;
+    if (!hit || hit->distance > left->length) return std::nullopt;
     Eigen::Index nearest = 0;
     hit->barycentric.maxCoeff(&nearest);
     const std::uint32_t vertex = m_mesh->triangles[hit->triangle][static_cast<std::size_t>(nearest)];
@@ -68,18 +80,20 @@ SurfaceSpot Picker::spotOf(const RayHit& hit, const Ray& ray) const {
     return {point, side * normalOf(hit, m_mesh->vertices).stableNormalized()};
 }
 
-/// Bare springs have no surface. The node is taken whose direction is nearest to the ray's, by the tangent of
-/// the angle between them; a node behind the eye has one below 0.
-std::optional<PickedPoint> Picker::pickNode(const Ray& ray, double tolerance) const {
+/// Bare springs have no surface. The node is taken that lies nearest to the ray for its reach there; what
+/// lies behind the ray's origin is out of reach.
+std::optional<PickedPoint> Picker::pickNode(const RenderScene& scene, const Ray& ray,
+                                            const PickReach& reach) const {
     const Eigen::Vector3d direction = ray.direction.normalized();
-    double smallest = std::tan(tolerance);
+    double smallest = 1;
     const auto& rest = m_network ? m_network->restPositions : m_mesh->vertices;
     std::optional<PickedPoint> picked;
     for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
         const Eigen::Vector3d offset = m_nodes[node] - ray.origin;
-        const double slope = offset.cross(direction).norm() / offset.dot(direction);
-        if (slope < 0 || slope > smallest) continue;
-        smallest = slope;
+        const double depth = offset.dot(direction);
+        const double aside = offset.cross(direction).norm() / (reach.width + reach.slope * depth);
+        if (depth < 0 || !(aside <= smallest) || (scene.cut && scene.cut->hides(m_nodes[node]))) continue;
+        smallest = aside;
         picked = PickedPoint{node,
                              m_nodes[node],
                              m_nodes[node],

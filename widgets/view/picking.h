@@ -29,25 +29,33 @@ struct PickedPoint {
     CarriedPlace carried;
 };
 
+/// How far beside a ray a node may lie that is picked without a surface.
+struct PickReach {
+    double width = 0; ///< m
+    double slope = 0; ///< m more for each m from the ray's origin
+};
+
 /// Finds what lies under the mouse on the organ as it is drawn now.
 class Picker {
 public:
     /// What is drawn is another, or moved: looked at when something is picked.
     void sceneChanged() { m_changed = true; }
 
-    /// The surface's first point on a ray. A model without triangles is picked by its nodes: the one nearest
-    /// to the ray, seen from the ray's origin under at most `tolerance` (rad). The scene's mesh and network
-    /// may be null.
-    std::optional<PickedPoint> pick(const RenderScene& scene, const Ray& ray, double tolerance);
+    /// The surface's first point on a ray that is not cut away. A model without triangles is picked by its
+    /// nodes: the one nearest to the ray for its reach. The scene's mesh and network may be null.
+    std::optional<PickedPoint> pick(const RenderScene& scene, const Ray& ray, const PickReach& reach = {});
+    /// How far the surface is from a point, m; none without a surface, and where what is nearest is cut away.
+    std::optional<double> clearance(const RenderScene& scene, const Eigen::Vector3d& point);
     /// Where the organ as it is drawn now carries a place of its own, m.
     Eigen::Vector3d carried(const RenderScene& scene, const CarriedPlace& place);
 
 private:
     void refresh(const RenderScene& scene);
-    std::optional<PickedPoint> pickSurface(const Ray& ray);
+    std::optional<PickedPoint> pickSurface(const RenderScene& scene, const Ray& ray);
     SurfaceSpot spotOf(const RayHit& hit, const Ray& ray) const;
     Eigen::Vector3d normalOf(const RayHit& hit, const std::vector<Eigen::Vector3d>& vertices) const;
-    std::optional<PickedPoint> pickNode(const Ray& ray, double tolerance) const;
+    std::optional<PickedPoint> pickNode(const RenderScene& scene, const Ray& ray,
+                                        const PickReach& reach) const;
 
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::shared_ptr<const SpringNetwork> m_network;

@@ -15,7 +15,7 @@ constexpr double shortAxis =
     0.35; // sine of an axis' angle to the line of sight below which it has no handles
 
 bool pointsAtViewer(const Vector3d& end, const Vector3d& centre, const Camera& camera) {
-    const Vector3d axis = (end - centre).normalized(), sight = (camera.eye - centre).normalized();
+    const Vector3d axis = (end - centre).normalized(), sight = towardsViewer(camera, centre);
     return axis.cross(sight).norm() < shortAxis;
 }
 
@@ -31,8 +31,9 @@ double distanceToNearest(const std::vector<RegionHandle>& handles, const Vector3
 std::optional<Vector3d> rimPlace(const DrawnEllipsoid& region, const Camera& camera,
                                  const std::vector<RegionHandle>& others) {
     const Eigen::Matrix3d axes = cameraAxes(camera);
+    const Vector3d eye = viewpoint(camera, region.shape.radii.maxCoeff());
     std::optional<Vector3d> best;
-    for (const Vector3d& point : rimSilhouette(region.shape, region.rim, camera.eye)) {
+    for (const Vector3d& point : rimSilhouette(region.shape, region.rim, eye)) {
         const Vector3d offset = point - region.shape.centre;
         if (offset.dot(axes.col(0)) < 0 || offset.dot(axes.col(1)) < 0) continue;
         if (!best || distanceToNearest(others, point) > distanceToNearest(others, *best)) best = point;

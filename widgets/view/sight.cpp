@@ -18,8 +18,12 @@ double Sight::aspect() const {
 }
 
 Ray Sight::rayAt(const QPointF& place) const {
-    return pickRay(camera, place.x() / std::max(1, size.width()), place.y() / std::max(1, size.height()),
-                   aspect());
+    const Eigen::Vector2d share = shareOf(place);
+    return pickRay(camera, share.x(), share.y(), aspect());
+}
+
+Eigen::Vector2d Sight::shareOf(const QPointF& place) const {
+    return {place.x() / std::max(1, size.width()), place.y() / std::max(1, size.height())};
 }
 
 std::optional<QPointF> Sight::placeOf(const Eigen::Vector3d& point) const {
@@ -36,23 +40,32 @@ QPolygonF Sight::placesOf(const std::vector<Eigen::Vector3d>& points) const {
 }
 
 std::optional<PickedPoint> Sight::pickAt(const QPointF& place) const {
-    return picker.pick(scene, rayAt(place), nodeReach / size.height() * camera.verticalFieldOfView);
+    const Ray ray = rayAt(place);
+    const double share = nodeReach / std::max(1, size.height());
+    const PickReach reach =
+        camera.orthographicHeight
+            ? PickReach{share * *camera.orthographicHeight, 0}
+            : PickReach{0, share * pictureHeightAt(camera, ray.origin - cameraAxes(camera).col(2))};
+    return picker.pick(scene, ray, reach);
 }
 
-/// Depth along the line of sight, not the distance from the eye: in a flat picture all at one depth have one
-/// scale.
+/// By depth along the line of sight, not the distance from the eye: in a flat picture all at one depth have
+/// one scale.
 double Sight::pixelAt(const Eigen::Vector3d& point) const {
-    const double depth = (camera.eye - point).dot(cameraAxes(camera).col(2));
-    return 2 * std::tan(camera.verticalFieldOfView / 2) * depth / std::max(1, size.height());
+    return pictureHeightAt(camera, point) / std::max(1, size.height());
 }
 
 /// A point on the surface lies a rounding error before or behind it: a thousandth of the way is what counts
 /// as before.
 bool Sight::hides(const Eigen::Vector3d& point) const {
-    constexpr double share = 1e-3; // of the way to the eye, by which the surface must lie nearer
-    const double depth = (point - camera.eye).norm();
-    const auto first = picker.pick(scene, {camera.eye, point - camera.eye}, 0);
-    return first && (first->point - camera.eye).norm() < (1 - share) * depth;
+    constexpr double share = 1e-3; // of the way to the viewer, by which the surface must lie nearer
+    const Eigen::Vector3d backwards = cameraAxes(camera).col(2);
+    const Eigen::Vector3d viewer =
+        camera.orthographicHeight ? Eigen::Vector3d(point + (camera.eye - point).dot(backwards) * backwards)
+                                  : camera.eye;
+    const double way = (point - viewer).norm();
+    const auto first = picker.pick(scene, {viewer, point - viewer});
+    return first && (first->point - viewer).norm() < (1 - share) * way;
 }
 
 double distance(const QPointF& a, const QPointF& b) {

@@ -24,6 +24,8 @@ struct Sight {
     /// Without what lies behind the eye.
     QPolygonF placesOf(const std::vector<Eigen::Vector3d>& points) const;
     std::optional<PickedPoint> pickAt(const QPointF& place) const;
+    /// Where the mouse is in the picture, as in `pickRay`.
+    Eigen::Vector2d shareOf(const QPointF& place) const;
     /// The size of a pixel at a point, m.
     double pixelAt(const Eigen::Vector3d& point) const;
     /// Whether surface lies before a point.

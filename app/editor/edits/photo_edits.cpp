@@ -51,10 +51,11 @@ Projector aimedByCamera(const Projector& before, const Camera& camera, const Ima
         projector.pose = projectorFromCamera(camera, photo, mesh).pose;
         return projector;
     }
-    projector.pose.linear() = cameraAxes(camera);
-    projector.pose.translation() = camera.eye;
+    const Camera seeing = perspective(camera);
+    projector.pose.linear() = cameraAxes(seeing);
+    projector.pose.translation() = seeing.eye;
     projector.intrinsics.reset();
-    projector.fieldOfView = toDegrees(camera.verticalFieldOfView);
+    projector.fieldOfView = toDegrees(seeing.verticalFieldOfView);
     return projector;
 }
 

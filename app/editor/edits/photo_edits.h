@@ -10,7 +10,8 @@ namespace esm {
 Projector projectorFromCamera(const Camera& camera, const Image& photo, const TriangleMesh& mesh);
 
 /// The selected photo projected from where the camera looks, as its kind does it: a perspective one shows
-/// exactly what is seen, its height filling the picture's; a parallel one keeps its size.
+/// exactly what is seen, its height filling the picture's, of an orthographic view what lies at the target's
+/// depth; a parallel one keeps its size.
 Projector aimedByCamera(const Projector& before, const Camera& camera, const Image& photo,
                         const TriangleMesh& mesh);
 

@@ -107,7 +107,7 @@ void InstrumentTool::lead(const ToolMouse& mouse, const std::optional<Eigen::Vec
 void InstrumentTool::hover(const ToolMouse& mouse) {
     const Ray ray = mouse.ray();
     if (m_isPushed && m_tip) return lead(mouse, meet(ray, picturePlane(mouse.sight.camera, *m_tip)));
-    if (const auto hit = mouse.sight.picker.pick(mouse.sight.scene, ray, 0))
+    if (const auto hit = mouse.sight.picker.pick(mouse.sight.scene, ray))
         return lead(mouse, hit->point - radiusOf(m_shape) * ray.direction.normalized());
     const Eigen::Vector3d depth = m_tip.value_or(mouse.sight.camera.target);
     lead(mouse, meet(ray, picturePlane(mouse.sight.camera, depth)));

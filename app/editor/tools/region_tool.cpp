@@ -15,11 +15,15 @@ namespace {
 constexpr double handleReach = 9; // pixels around a handle's middle
 constexpr double turnReach = 26;  // pixels from an axis' end to its turning handle
 
-/// Those of the selected region.
+/// Those of the selected region that are not cut away.
 std::vector<RegionHandle> shownHandles(const Sight& sight) {
     const DrawnEllipsoid* region = selectedOf(sight.scene.ellipsoids);
     if (!region) return {};
-    return regionHandles(*region, sight.camera, turnReach * sight.pixelAt(region->shape.centre));
+    std::vector<RegionHandle> shown =
+        regionHandles(*region, sight.camera, turnReach * sight.pixelAt(region->shape.centre));
+    if (const auto& cut = sight.scene.cut)
+        std::erase_if(shown, [&](const RegionHandle& handle) { return cut->hides(handle.place); });
+    return shown;
 }
 
 std::optional<RegionHandle> handleAt(const ToolMouse& mouse) {

@@ -54,7 +54,7 @@ std::vector<ToolRow> toolTable() {
          translated("Lay a region on the surface with a click"),
          translated("Click the surface: the selected region lies there · with Ctrl a new one"),
          translated("drag to turn the view"), Workspace::Tissue, Options::None, made<PlaceTool>},
-        {"fix", "fix", translated("Fi&x nodes"), Qt::Key_X, translated("Hold nodes in space, or let them go"),
+        {"fix", "fix", translated("Fi&x nodes"), Qt::Key_K, translated("Hold nodes in space, or let them go"),
          translated("Drag over the organ to fix nodes, with Ctrl to free them"),
          translated("[ and ] size the brush · Alt to turn the view"), Workspace::Tissue, Options::Column,
          made<FixTool>},

@@ -1,6 +1,7 @@
 #include "app/editor/window/actions.h"
 
 #include "app/editor/tools/tool_table.h"
+#include "core/render/colouring.h"
 #include "core/samples/samples.h"
 #include "widgets/inputs/icon.h"
 
@@ -30,6 +31,9 @@ private:
     void makeFileActions();
     void makeEditActions(QUndoStack* undoStack);
     void makeModelActions();
+    void makeShownParts();
+    void makeColourings();
+    void makeCameraActions();
     void makeViewActions();
     void makeTools();
     void makeWorkspaces();
@@ -43,6 +47,7 @@ QAction* ActionMaker::make(const QString& text, const QKeySequence& key, const Q
     auto* action = new QAction(text, m_window);
     action->setShortcut(key);
     action->setToolTip(withShortcut(toolTip, action));
+    action->setWhatsThis(action->toolTip()); // also where the tool tip says why it cannot be used
     m_window->addAction(action);
     return action;
 }
@@ -116,13 +121,69 @@ void ActionMaker::makeModelActions() {
                         tr("Project the selected photo from where you look"));
 }
 
+void ActionMaker::makeShownParts() {
+    Actions& a = m_actions;
+    a.showSurface =
+        makeSwitch(make(tr("Surf&ace"), QKeySequence(Qt::Key_U), tr("Draw the organ's surface")), true);
+    a.showWireframe = makeSwitch(
+        make(tr("&Wireframe"), QKeySequence(Qt::Key_L), tr("Draw the edges of the surface's triangles")),
+        false);
+    a.showSprings = makeSwitch(make(tr("&Springs"), QKeySequence(Qt::Key_S),
+                                    tr("Draw all springs, coloured by their constant or as chosen")),
+                               false);
+    a.showNodes =
+        makeSwitch(make(tr("&Nodes"), QKeySequence(Qt::Key_N), tr("Draw the simulated nodes")), false);
+    a.showRegions =
+        makeSwitch(make(tr("&Regions"), QKeySequence(Qt::Key_H), tr("Draw the regions' ellipsoids")), true);
+}
+
+void ActionMaker::makeColourings() {
+    Actions& a = m_actions;
+    a.colourings = new QActionGroup(m_window);
+    const QString grows =
+        tr("The scale begins at 0 and ends at a round value, which grows with the motion until "
+           "Reset");
+    const std::array<std::pair<QString, QString>, everyColouring.size()> texts{
+        {{tr("&Texture"), tr("The surface's own colours; springs by their constant")},
+         {tr("&Spring constant"), tr("N/m, of springs and of the tissue at each node")},
+         {tr("&Viscosity"), tr("N·s/m, of springs and of the tissue at each node")},
+         {tr("&Mass"), tr("g, of each node")},
+         {tr("St&rain"), tr("How much springs are longer or shorter than at rest, %. %1").arg(grows)},
+         {tr("S&peed"), tr("mm/s, of each node. %1").arg(grows)},
+         {tr("R&egion"), tr("The region that each node belongs to, in its colour")}}};
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        QAction* colouring = make(texts[i].first, {}, texts[i].second);
+        colouring->setObjectName(QString::fromStdString(nameOf(everyColouring[i])));
+        colouring->setCheckable(true);
+        a.colourings->addAction(colouring);
+    }
+    a.colourings->actions().front()->setChecked(true);
+}
+
+void ActionMaker::makeCameraActions() {
+    Actions& a = m_actions;
+    a.frame = make(tr("Wh&ole organ"), QKeySequence(Qt::Key_Home), tr("Bring the whole organ into view"));
+    a.frame->setShortcuts({QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_0)});
+    a.frameSelection = make(tr("&Frame selection"), QKeySequence(Qt::Key_F),
+                            tr("Bring the selected region, or the selected photo, into view"));
+    a.orthographic = makeSwitch(make(tr("Ort&hographic"), QKeySequence(Qt::Key_T),
+                                     tr("Look without perspective: what is as large is seen as large")),
+                                false);
+    a.cut = makeSwitch(
+        make(tr("&Cut open"), QKeySequence(Qt::Key_X), tr("Hide what lies before a plane, to look inside")),
+        false);
+    a.lookFromWithin =
+        makeSwitch(make(tr("Look from w&ithin"), QKeySequence(Qt::Key_W),
+                        tr("Put the eye inside the organ, at the selected region or the middle of the view")),
+                   false);
+    int key = Qt::Key_1;
+    for (const QString& name :
+         {tr("&Front"), tr("&Back"), tr("&Left"), tr("&Right"), tr("&Top"), tr("B&ottom")})
+        a.standardViews.push_back(make(name, QKeySequence(key++), tr("Look from this side")));
+}
+
 void ActionMaker::makeViewActions() {
     Actions& a = m_actions;
-    a.showSprings = makeSwitch(make(tr("Show &springs"), QKeySequence(Qt::Key_S),
-                                    tr("Draw all springs, coloured by their constant")),
-                               false);
-    a.showRegions = makeSwitch(
-        make(tr("Show &regions"), QKeySequence(Qt::Key_H), tr("Draw the regions' ellipsoids")), true);
     a.showLeft =
         makeSwitch(make(tr("&Left panels"), QKeySequence(Qt::Key_F9), tr("Show the left panels")), true);
     a.showRight =
@@ -130,16 +191,7 @@ void ActionMaker::makeViewActions() {
     a.fuzzyWindow = makeSwitch(make(tr("F&uzzy system in a window"), QKeySequence(Qt::Key_F8),
                                     tr("Rules and terms in a window of their own, beside the organ")),
                                false);
-    a.frame = make(tr("&Whole organ"), QKeySequence(Qt::Key_Home), tr("Bring the whole organ into view"));
-    a.frame->setShortcuts({QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_0)});
     a.lightTheme = makeSwitch(make(tr("Li&ght theme"), {}, tr("Light colours")), false);
-    int key = Qt::Key_1;
-    for (const QString& name :
-         {tr("&Front"), tr("&Back"), tr("&Left"), tr("&Right"), tr("&Top"), tr("B&ottom")})
-        a.standardViews.push_back(make(name, QKeySequence(key++), tr("Look from this side")));
-    const std::array<Qt::Key, 5> initials{Qt::Key_F, Qt::Key_B, Qt::Key_L, Qt::Key_R, Qt::Key_T};
-    for (std::size_t i = 0; i < initials.size(); ++i)
-        a.standardViews[i]->setShortcuts({a.standardViews[i]->shortcut(), QKeySequence(initials[i])});
 }
 
 void ActionMaker::makeTools() {
@@ -180,6 +232,9 @@ Actions ActionMaker::makeAll(QUndoStack* undoStack) {
     makeFileActions();
     makeEditActions(undoStack);
     makeModelActions();
+    makeShownParts();
+    makeColourings();
+    makeCameraActions();
     makeViewActions();
     makeTools();
     makeWorkspaces();

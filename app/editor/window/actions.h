@@ -18,7 +18,10 @@ struct Actions {
     QMenu* recent;                                         ///< filled by who knows the files
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
     QAction *undo, *redo, *history, *rename, *duplicateRegion, *removeRegion, *removePhoto;
-    QAction *showSprings, *showRegions, *showLeft, *showRight, *fuzzyWindow, *frame, *lightTheme;
+    QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions;
+    QActionGroup* colourings; ///< one per ColourBy, in their order
+    QAction *frame, *frameSelection, *orthographic, *cut, *lookFromWithin;
+    QAction *showLeft, *showRight, *fuzzyWindow, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;
     QAction *addPhoto, *addPaint, *fromCamera;

@@ -38,7 +38,9 @@ QString actionRow(const QAction* action) {
 QString viewRows(const Actions& a) {
     QString rows = row(QObject::tr("Right drag, Alt + left drag"), QObject::tr("Turn the view")) +
                    row(QObject::tr("Middle drag, Shift + either"), QObject::tr("Shift the view")) +
-                   row(QObject::tr("Wheel"), QObject::tr("Come closer, go away")) + actionRow(a.frame);
+                   row(QObject::tr("Wheel"), QObject::tr("Come closer, up to the surface, and go away")) +
+                   actionRow(a.frame) + actionRow(a.frameSelection) + actionRow(a.lookFromWithin) +
+                   actionRow(a.orthographic) + actionRow(a.cut);
     const QStringList sides{QObject::tr("Look from the front"), QObject::tr("Look from the back"),
                             QObject::tr("Look from the left"),  QObject::tr("Look from the right"),
                             QObject::tr("Look from the top"),   QObject::tr("Look from the bottom")};
@@ -74,15 +76,16 @@ QString actionRows(std::initializer_list<const QAction*> actions) {
 QString keysText(const Actions& a) {
     const QString mouse = title(QObject::tr("View")) + viewRows(a) + title(QObject::tr("Tools")) +
                           toolRows(a) + title(QObject::tr("Fields and lists")) + fieldRows();
-    const QString keys = title(QObject::tr("Project")) +
-                         actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit}) +
-                         row(keysOf(a.undo), QObject::tr("Undo")) + row(keysOf(a.redo), QObject::tr("Redo")) +
-                         actionRow(a.history) + title(QObject::tr("Tissue and photos")) +
-                         actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera,
-                                     a.play, a.playScene, a.reset}) +
-                         title(QObject::tr("Window")) +
-                         actionRows({a.tissue, a.texture, a.showSprings, a.showRegions, a.showLeft,
-                                     a.showRight, a.fuzzyWindow, a.keys});
+    const QString keys =
+        title(QObject::tr("Project")) +
+        actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit}) +
+        row(keysOf(a.undo), QObject::tr("Undo")) + row(keysOf(a.redo), QObject::tr("Redo")) +
+        actionRow(a.history) + title(QObject::tr("Tissue and photos")) +
+        actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera, a.play, a.playScene,
+                    a.reset}) +
+        title(QObject::tr("Window and what it shows")) +
+        actionRows({a.tissue, a.texture, a.showSurface, a.showWireframe, a.showSprings, a.showNodes,
+                    a.showRegions, a.showLeft, a.showRight, a.fuzzyWindow, a.keys});
     return QStringLiteral("<table><tr><td><table>%1</table></td><td><table>%2</table></td></tr></table>")
         .arg(mouse, keys);
 }

@@ -80,12 +80,14 @@ void fillFileMenu(QMenu* file, const Actions& a) {
 void fillViewMenu(QMenu* view, const Actions& a) {
     view->addActions({a.tissue, a.texture});
     view->addSeparator();
-    view->addActions({a.showSprings, a.showRegions});
+    fillShownMenu(view, a);
+    view->addAction(a.cut);
     view->addSeparator();
-    view->addAction(a.frame);
-    QMenu* sides = view->addMenu(QObject::tr("L&ook from"));
+    view->addActions({a.frame, a.frameSelection});
+    QMenu* sides = view->addMenu(QObject::tr("Loo&k from"));
     for (QAction* side : a.standardViews)
         sides->addAction(side);
+    view->addActions({a.lookFromWithin, a.orthographic});
     view->addSeparator();
     view->addActions({a.showLeft, a.showRight, a.fuzzyWindow, a.lightTheme});
 }
@@ -110,6 +112,14 @@ QPushButton* playButton(const Actions& actions, QWidget* parent) {
 }
 
 } // namespace
+
+void fillShownMenu(QMenu* menu, const Actions& a) {
+    menu->setToolTipsVisible(true);
+    menu->addActions({a.showSurface, a.showWireframe, a.showSprings, a.showNodes, a.showRegions});
+    QMenu* colours = menu->addMenu(QObject::tr("Colour &by"));
+    colours->setToolTipsVisible(true);
+    colours->addActions(a.colourings->actions());
+}
 
 void buildMenus(QMainWindow& window, const Actions& a) {
     QMenuBar* bar = window.menuBar();

@@ -12,6 +12,8 @@ namespace esm {
 
 /// What stands around the view: menus, the bar on top, the strip of tools, and the columns of panels.
 void buildMenus(QMainWindow& window, const Actions& actions);
+/// What of the organ is shown, and its colours.
+void fillShownMenu(QMenu* menu, const Actions& actions);
 void buildToolStrip(QMainWindow& window, const Actions& actions);
 
 /// Undo, redo and the options of the tool in hand at the left, workspaces in the middle, playing and handing

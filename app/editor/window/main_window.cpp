@@ -18,6 +18,8 @@
 #include "app/editor/window/history_window.h"
 #include "app/editor/window/layout.h"
 #include "app/editor/window/scene_note.h"
+#include "app/editor/window/view_bar.h"
+#include "app/editor/window/view_settings.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/icon.h"
 
@@ -52,7 +54,8 @@ MainWindow::MainWindow(Project project)
       m_landmarking(new Landmarking(*m_document, *m_selection, this)),
       m_tools(new ToolController(
           *m_view, {*m_document, *m_selection, *m_preview, *m_landmarking, *m_actions.showRegions})),
-      m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)) {
+      m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
+      m_cameraControls(new CameraControls(*m_view, *m_document, *m_selection)) {
     m_workspaces = new Workspaces(*this, m_actions);
     const auto editorState = [this] {
         return EditorState{m_workspaces->chosen(), m_preview->status().playing};
@@ -151,6 +154,10 @@ void MainWindow::showLargePhoto() {
 
 void MainWindow::connectParts() {
     m_viewController->connectActions(m_actions);
+    m_cameraControls->connectActions(m_actions);
+    auto* bar = new ViewBar(m_actions, m_view);
+    connect(bar, &ViewBar::cutChanged, m_viewController,
+            [this, bar] { m_viewController->setCut(bar->cut()); });
     m_tools->connectActions(m_actions);
     m_files->connectActions(m_actions);
     m_edits->connectActions(m_actions);
@@ -158,6 +165,7 @@ void MainWindow::connectParts() {
     m_device->connectActions(m_actions);
     connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);
     connect(m_view, &OrganView::drawn, m_status, &StatusLine::countPicture);
+    connect(m_cameraControls, &CameraControls::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
@@ -266,6 +274,7 @@ void MainWindow::restore() {
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
     m_actions.lightTheme->setChecked(settings.value(QStringLiteral("lightTheme")).toBool());
+    restoreView(settings, m_actions);
 }
 
 void MainWindow::start(const std::vector<std::filesystem::path>& files) {
@@ -284,6 +293,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QSettings settings;
     settings.setValue(QStringLiteral("geometry"), saveGeometry());
     settings.setValue(QStringLiteral("lightTheme"), m_actions.lightTheme->isChecked());
+    saveView(settings, m_actions);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

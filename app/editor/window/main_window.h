@@ -4,6 +4,7 @@
 #include "app/editor/document/selection.h"
 #include "app/editor/edits/preparation_edits.h"
 #include "app/editor/window/actions.h"
+#include "app/editor/window/camera_controls.h"
 #include "app/editor/window/device_controller.h"
 #include "app/editor/window/edit_controller.h"
 #include "app/editor/window/file_controller.h"
@@ -73,6 +74,7 @@ private:
     Landmarking* m_landmarking;
     ToolController* m_tools;
     ViewController* m_viewController;
+    CameraControls* m_cameraControls;
     FileController* m_files;
     Journal* m_journal;
     EditController* m_edits;

@@ -2,6 +2,7 @@
 
 #include "app/editor/window/actions.h"
 #include "core/render/organ_scene.h"
+#include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 
 #include <algorithm>
@@ -19,8 +20,27 @@ QStringList instrumentNames(const Scene& scene) {
     return names;
 }
 
+ViewLegend viewLegend(const ColourLegend& legend) {
+    ViewLegend shown;
+    shown.title = QString::fromStdString(legend.title);
+    shown.unit = QString::fromStdString(legend.unit);
+    shown.minimum = legend.range.minimum;
+    shown.maximum = legend.range.maximum;
+    for (const auto& [name, colour] : legend.entries)
+        shown.entries.push_back({QString::fromStdString(name), QColor(colour[0], colour[1], colour[2])});
+    return shown;
+}
+
 /// Quick work needs no announcement; long work is announced again before the line forgets it.
 constexpr std::chrono::milliseconds redrawingPatience{400}, redrawingReminder{5000};
+
+/// Photos are seen without what tells of tissue.
+void enableTissueParts(const Actions& actions, bool on) {
+    QList<QAction*> parts = actions.colourings->actions();
+    parts << actions.showSprings << actions.showNodes << actions.showRegions;
+    for (QAction* part : parts)
+        enable(part, on, part->whatsThis(), QObject::tr("This belongs to the workspace Tissue (Ctrl+1)"));
+}
 
 } // namespace
 
@@ -41,22 +61,51 @@ ViewController::ViewController(OrganView& view, Document& document, Selection& s
 }
 
 void ViewController::connectActions(const Actions& actions) {
-    for (int i = 0; i < static_cast<int>(actions.standardViews.size()); ++i)
-        connect(actions.standardViews[static_cast<std::size_t>(i)], &QAction::triggered, this,
-                [this, i] { m_view.showView(static_cast<StandardView>(i)); });
-    connect(actions.frame, &QAction::triggered, &m_view, &OrganView::frameOrgan);
-    connect(actions.showSprings, &QAction::toggled, this, [this](bool on) {
-        m_showSprings = on;
-        rebuild({&ViewController::showSprings});
-    });
-    connect(actions.showRegions, &QAction::toggled, this, [this](bool on) {
-        m_showRegions = on;
-        rebuild({&ViewController::showEllipsoids, &ViewController::markRegion});
-    });
-    connect(actions.texture, &QAction::toggled, this, [this](bool on) {
+    connectShownParts(actions);
+    connect(actions.texture, &QAction::toggled, this, [this, actions](bool on) {
         m_textureWorkspace = on;
+        enableTissueParts(actions, !on);
         rebuildScene();
     });
+    connect(actions.reset, &QAction::triggered, this, [this] { m_colourRange.reset(); });
+}
+
+void ViewController::connectShownParts(const Actions& actions) {
+    const std::pair<QAction*, bool ViewState::*> parts[] = {{actions.showSurface, &ViewState::surface},
+                                                            {actions.showWireframe, &ViewState::wireframe},
+                                                            {actions.showSprings, &ViewState::springs},
+                                                            {actions.showNodes, &ViewState::nodes},
+                                                            {actions.showRegions, &ViewState::regions}};
+    for (const auto& [action, part] : parts)
+        connect(action, &QAction::toggled, this, [this, part = part](bool on) {
+            m_state.*part = on;
+            rebuild({&ViewController::showShownParts, &ViewController::colourTissue,
+                     &ViewController::showEllipsoids, &ViewController::markRegion});
+        });
+    const QList<QAction*> colourings = actions.colourings->actions();
+    for (std::size_t i = 0; i < everyColouring.size(); ++i)
+        connect(colourings[int(i)], &QAction::toggled, this, [this, i](bool on) {
+            if (!on) return;
+            m_state.colourBy = everyColouring[i];
+            m_colourRange.reset();
+            rebuild({&ViewController::colourTissue});
+        });
+    connect(actions.cut, &QAction::toggled, this, [this](bool on) {
+        m_state.cut = on ? std::optional(m_cut) : std::nullopt;
+        rebuild({&ViewController::showShownParts});
+    });
+    connect(&m_view, &OrganView::cameraChanged, this, &ViewController::followCamera);
+}
+
+void ViewController::setCut(const Cut& cut) {
+    m_cut = cut;
+    if (!m_state.cut) return;
+    m_state.cut = cut;
+    rebuild({&ViewController::showShownParts});
+}
+
+void ViewController::followCamera() {
+    if (m_state.cut && m_state.cut->side == CutSide::Viewer) rebuild({&ViewController::showShownParts});
 }
 
 void ViewController::setTheme(Theme theme) {
@@ -73,11 +122,13 @@ void ViewController::followDocument(const Change& change) {
     if (change.mesh || change.scene) m_view.setInstrumentNames(instrumentNames(project.scene));
     if (change.picture()) composePhotos();
     if (change.mesh) {
+        m_colourRange.reset();
         rebuildScene();
         return m_view.frameOrgan();
     }
     if (change.picture()) rebuild({&ViewController::dressOrgan, &ViewController::showProjector});
     if (change.regions) rebuild({&ViewController::showEllipsoids, &ViewController::markRegion});
+    if (change.regions && m_state.colourBy == ColourBy::Region) rebuild({&ViewController::colourTissue});
     if (change.scene) rebuild({&ViewController::showFixedNodes});
 }
 
@@ -85,8 +136,7 @@ void ViewController::takeTissue() {
     const std::shared_ptr<const TissueModel> tissue = m_preview.tissue();
     if (!tissue) return;
     m_tissue = tissue;
-    m_springConstants.reset();
-    if (showsSprings()) rebuild({&ViewController::showSprings});
+    rebuild({&ViewController::colourTissue});
 }
 
 void ViewController::composePhotos() {
@@ -120,12 +170,14 @@ void ViewController::rebuildScene() {
     if (frame.network == project.network) {
         scene.nodePositions = std::move(frame.positions);
         scene.instruments = std::move(frame.instruments);
+        m_speeds = std::move(frame.speeds);
     }
     dressOrgan(scene);
     showEllipsoids(scene);
     markRegion(scene);
     showProjector(scene);
-    showSprings(scene);
+    showShownParts(scene);
+    colourTissue(scene);
     showFixedNodes(scene);
     paintBackground(scene);
     m_view.setScene(std::move(scene));
@@ -152,7 +204,7 @@ void ViewController::dressOrgan(RenderScene& scene) {
 
 void ViewController::showEllipsoids(RenderScene& scene) {
     scene.ellipsoids.clear();
-    if (m_textureWorkspace || !m_showRegions) return;
+    if (m_textureWorkspace || !m_state.regions) return;
     for (const Region& region : m_document.project().regions)
         if (region.ellipsoid)
             scene.ellipsoids.push_back(drawnEllipsoid(region, m_selection.region() == region.id));
@@ -161,7 +213,7 @@ void ViewController::showEllipsoids(RenderScene& scene) {
 void ViewController::markRegion(RenderScene& scene) {
     scene.marked.reset();
     const Region* selected = m_selection.selectedRegion();
-    if (m_textureWorkspace || !m_showRegions || !selected || !selected->ellipsoid) return;
+    if (m_textureWorkspace || !m_state.regions || !selected || !selected->ellipsoid) return;
     const Project& project = m_document.project();
     const Region& region = *selected;
     if (m_mark.network != project.network || !sameReach(m_mark.region, region))
@@ -188,22 +240,23 @@ void ViewController::paintBackground(RenderScene& scene) {
     std::tie(scene.backgroundTop, scene.backgroundBottom) = viewBackground(m_theme);
 }
 
-bool ViewController::showsSprings() const {
-    return (m_showSprings && !m_textureWorkspace) || m_document.project().mesh->triangles.empty();
+/// The one place where the picture is made to show what the user wants to see.
+void ViewController::showShownParts(RenderScene& scene) {
+    ViewState state = m_state;
+    if (m_textureWorkspace) state.springs = state.nodes = false;
+    showParts(scene, state, m_view.camera());
 }
 
-void ViewController::showSprings(RenderScene& scene) {
+/// Until what an edit comes to is evaluated, what was before it stays.
+void ViewController::colourTissue(RenderScene& scene) {
     const Project& project = m_document.project();
-    scene.showSprings = showsSprings();
-    scene.springValues.reset();
-    m_view.setLegend(std::nullopt);
-    if (!scene.showSprings || project.network->springs.empty()) return;
-    // Until what an edit comes to is evaluated, what was before it stays.
-    if (!m_tissue || m_tissue->network != project.network) return;
-    if (!m_springConstants) m_springConstants = springConstants(*m_tissue);
-    if (const auto range = colourSprings(scene, m_springConstants))
-        m_view.setLegend(
-            ViewLegend{tr("Spring constant"), QStringLiteral("N/m"), range->first, range->second});
+    const bool isAsked = !m_textureWorkspace && (m_state.colourBy != ColourBy::Texture || scene.showSprings);
+    std::optional<ColourLegend> legend;
+    scene.nodePaint.reset();
+    scene.springPaint.reset();
+    if (isAsked && m_tissue && m_tissue->network == project.network)
+        legend = colourScene(scene, m_state.colourBy, {*m_tissue, project.regions, m_speeds}, m_colourRange);
+    m_view.setLegend(legend ? std::optional(viewLegend(*legend)) : std::nullopt);
 }
 
 void ViewController::showFrame() {
@@ -211,6 +264,8 @@ void ViewController::showFrame() {
     if (frame.network != m_document.project().network) return;
     m_view.setNodePositions(std::move(frame.positions));
     m_view.setInstruments(std::move(frame.instruments));
+    m_speeds = std::move(frame.speeds);
+    if (followsMotion(m_state.colourBy)) rebuild({&ViewController::colourTissue});
 }
 
 void ViewController::showTexture() {

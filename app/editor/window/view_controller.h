@@ -6,6 +6,7 @@
 #include "app/editor/workers/moving_photo.h"
 #include "app/editor/workers/preview.h"
 #include "app/editor/workers/texture_composer.h"
+#include "core/render/view_state.h"
 #include "widgets/view/organ_view.h"
 
 #include <QTimer>
@@ -25,6 +26,8 @@ public:
 
     void connectActions(const Actions& actions);
     void setTheme(Theme theme);
+    /// Where it is cut while it is cut open.
+    void setCut(const Cut& cut);
 
 signals:
     void message(const QString& text);
@@ -41,7 +44,8 @@ private:
 
     void followDocument(const Change& change);
     void takeTissue();
-    bool showsSprings() const;
+    void connectShownParts(const Actions& actions);
+    void followCamera();
     void composePhotos();
     void expectPhotos();
     void announceRedrawing();
@@ -56,7 +60,8 @@ private:
     void showEllipsoids(RenderScene& scene);
     void markRegion(RenderScene& scene);
     void showProjector(RenderScene& scene);
-    void showSprings(RenderScene& scene);
+    void showShownParts(RenderScene& scene);
+    void colourTissue(RenderScene& scene);
     void showFixedNodes(RenderScene& scene);
     void paintBackground(RenderScene& scene);
     void showFrame();
@@ -71,9 +76,12 @@ private:
     Theme m_theme = Theme::Dark;
     QTimer m_redrawing; ///< runs while the photos are redrawn
     bool m_redrawingAnnounced = false;
-    bool m_textureWorkspace = false, m_showSprings = false, m_showRegions = true;
-    std::shared_ptr<const TissueModel> m_tissue;                  ///< as it was evaluated last
-    std::shared_ptr<const std::vector<double>> m_springConstants; ///< its, N/m per spring; null until shown
+    bool m_textureWorkspace = false;
+    ViewState m_state;                           ///< as the user wants it
+    Cut m_cut;                                   ///< while it is cut open
+    std::shared_ptr<const TissueModel> m_tissue; ///< as it was evaluated last
+    std::vector<double> m_speeds;                ///< m/s, one per node, of the latest frame
+    std::optional<ValueRange> m_colourRange;     ///< of what is coloured
     std::vector<std::uint32_t> m_fixedNodes;
     Mark m_mark;
 };

@@ -258,6 +258,7 @@ void Preview::publish(const Worker& worker, int project) {
         if (isFormerOrgan && m_inbox.arrived != m_inbox.asked) return;
         m_frame.network = run.network();
         m_frame.positions = run.positions();
+        m_frame.speeds = run.speeds();
         m_frame.instruments = run.sceneInstruments();
         m_frame.heldInstrument = run.heldInstrument();
         m_frame.project = project;

@@ -17,6 +17,7 @@ namespace esm {
 struct PreviewFrame {
     std::shared_ptr<const SpringNetwork> network; ///< the one the positions belong to
     std::vector<Eigen::Vector3d> positions;       ///< m, one per node
+    std::vector<double> speeds;                   ///< m/s, one per node; empty where nothing can move
     std::vector<PlacedCollider> instruments;      ///< of the scene that plays
     std::optional<PlacedCollider> heldInstrument; ///< where the tissue meets it
     int project = 0; ///< the number of the project that it is computed by, from 1

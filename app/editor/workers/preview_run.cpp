@@ -135,6 +135,15 @@ const std::vector<Eigen::Vector3d>& PreviewRun::positions() const {
     return m_network ? m_network->restPositions : none;
 }
 
+std::vector<double> PreviewRun::speeds() const {
+    std::vector<double> speeds;
+    if (!m_simulation) return speeds;
+    speeds.reserve(m_simulation->velocities().size());
+    for (const Eigen::Vector3d& velocity : m_simulation->velocities())
+        speeds.push_back(velocity.norm());
+    return speeds;
+}
+
 void PreviewRun::followLoads(const PreviewLoads& loads) {
     if (!loads.pull)
         m_pull.reset();

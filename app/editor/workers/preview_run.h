@@ -82,6 +82,7 @@ public:
     /// Precondition: a project was taken.
     Integrator integrator() const { return m_simulation->integrator(); }
     const std::vector<Eigen::Vector3d>& positions() const;
+    std::vector<double> speeds() const; ///< m/s, one per node; empty without a simulation
     const std::shared_ptr<const SpringNetwork>& network() const { return m_network; }
     PreviewStatus status() const;
 

@@ -186,3 +186,105 @@ TEST(Camera, AxesAreARotationHoweverUpIsGiven) {
             EXPECT_NEAR(axes.determinant(), 1, 1e-12);
         }
 }
+
+namespace {
+
+Camera flat(StandardView view, double aspect) {
+    return reframed(orthographic(orbited(framedCamera(organBox, view, aspect), 0.4, -0.2)), organBox, aspect);
+}
+
+} // namespace
+
+TEST(OrthographicCamera, FramedBoxIsWhollyVisibleAndNotLost) {
+    for (const StandardView view : views)
+        for (const double aspect : {0.3, 1.0, 4.0}) {
+            double widest = 0;
+            for (int i = 0; i < 8; ++i) {
+                const Vector3d corner = organBox.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+                const Vector3d clip = clipped(flat(view, aspect), aspect, corner);
+                EXPECT_LE(clip.cwiseAbs().maxCoeff(), 1) << "aspect " << aspect;
+                widest = std::max(widest, clip.head<2>().cwiseAbs().maxCoeff());
+            }
+            EXPECT_GT(widest, 0.8) << "the organ should fill the picture";
+        }
+}
+
+TEST(OrthographicCamera, KeepsParallelLinesParallelAndSizesAtAllDepths) {
+    const Camera camera = flat(StandardView::Front, 1.5);
+    const Vector3d way(0.02, 0.05, -0.03), backwards = cameraAxes(camera).col(2);
+    const auto seenWay = [&](const Vector3d& from) {
+        return Eigen::Vector2d(*picturePoint(camera, from + way, 1.5) - *picturePoint(camera, from, 1.5));
+    };
+    const Eigen::Vector2d first = seenWay({0, 0.2, 0});
+    EXPECT_GT(first.norm(), 0.01);
+    for (const Vector3d& from : {Vector3d(0.1, 0.3, 0.05), Vector3d(-0.1, 0.2, -0.02), Vector3d(5, -8, 3)})
+        EXPECT_TRUE(seenWay(from).isApprox(first, 1e-9));
+    EXPECT_TRUE(seenWay(100 * backwards).isApprox(first, 1e-9)) << "behind the eye as well";
+}
+
+TEST(OrthographicCamera, RaysAgreeWithTheMatrices) {
+    const double aspect = 1.7;
+    Camera camera = flat(StandardView::Back, aspect);
+    camera.stretch = 0.9;
+    camera.centre = {0.45, 0.62};
+    for (const Eigen::Vector2d& at : {Eigen::Vector2d(0.1, 0.2), {0.9, 0.4}, {0.33, 0.95}})
+        for (const double depth : {0.05, 0.4}) {
+            const Ray ray = pickRay(camera, at.x(), at.y(), aspect);
+            const Vector3d clip = clipped(camera, aspect, ray.origin + depth * ray.direction);
+            EXPECT_NEAR(0.5 + clip.x() / 2, at.x(), 1e-12);
+            EXPECT_NEAR(0.5 - clip.y() / 2, at.y(), 1e-12);
+            EXPECT_TRUE(
+                picturePoint(camera, ray.origin + depth * ray.direction, aspect)->isApprox(at, 1e-12));
+        }
+}
+
+TEST(OrthographicCamera, SwitchingKeepsWhatLiesAtTheTargetsDepth) {
+    const Camera before = panned(orbited(framedCamera(organBox, StandardView::Top, 1), 0.3, -0.5), 0.1, 0.2);
+    const Vector3d beside =
+        before.target + 0.03 * cameraAxes(before).col(0) - 0.02 * cameraAxes(before).col(1);
+    const Camera without = orthographic(before), again = perspective(without);
+    EXPECT_TRUE(picturePoint(without, beside, 1)->isApprox(*picturePoint(before, beside, 1), 1e-9));
+    EXPECT_TRUE(again.eye.isApprox(before.eye, 1e-9));
+    EXPECT_FALSE(again.orthographicHeight);
+}
+
+TEST(OrthographicCamera, StandsBeforeTheBoxHoweverItTurns) {
+    Camera camera = panned(flat(StandardView::Front, 1), 3, -2);
+    for (int i = 0; i < 50; ++i) {
+        camera = standingBefore(orbited(camera, 0.37, i % 3 ? 0.11 : -0.31), organBox);
+        for (int corner = 0; corner < 8; ++corner)
+            EXPECT_GT((camera.eye - organBox.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)))
+                          .dot(cameraAxes(camera).col(2)),
+                      0);
+    }
+}
+
+TEST(Camera, ScalingAboutAPointKeepsItInThePictureAndLeadsBack) {
+    const Vector3d point(0.12, 0.22, 0.05);
+    for (const Camera& camera :
+         {framedCamera(organBox, StandardView::Right, 1.6), flat(StandardView::Left, 1.6)}) {
+        const Camera closer = scaledAbout(camera, 0.3, point);
+        EXPECT_TRUE(picturePoint(closer, point, 1.6)->isApprox(*picturePoint(camera, point, 1.6), 1e-9));
+        EXPECT_NEAR(pictureHeightAt(closer, point), 0.3 * pictureHeightAt(camera, point), 1e-12);
+        const Camera back = scaledAbout(closer, 1 / 0.3, point);
+        EXPECT_TRUE(back.eye.isApprox(camera.eye, 1e-9));
+        EXPECT_TRUE(back.target.isApprox(camera.target, 1e-9));
+    }
+}
+
+TEST(Camera, LooksAroundWhereItStands) {
+    const Camera camera = framedCamera(organBox, StandardView::Front, 1);
+    const Camera right = lookingAround(camera, std::acos(0.0), 0);
+    EXPECT_EQ(right.eye, camera.eye);
+    EXPECT_TRUE(cameraAxes(right).col(2).isApprox(-Vector3d::UnitX(), 1e-9)) << "towards +x";
+    EXPECT_GT(lookingAround(camera, 0, 0.3).target.y(), camera.target.y() + 0.01);
+    EXPECT_NEAR(distance(lookingAround(camera, 1, 10)), distance(camera), 1e-12);
+}
+
+TEST(Camera, NearPlaneFollowsTheEyeAmongWhatIsShown) {
+    Camera camera = framedCamera(organBox, StandardView::Front, 1);
+    camera.eye = organBox.center();
+    camera.target = camera.eye - Vector3d::UnitZ();
+    const double size = organBox.diagonal().norm();
+    EXPECT_GT(clipped(camera, 1, camera.eye - 0.002 * size * Vector3d::UnitZ()).z(), -1) << "is not cut";
+}

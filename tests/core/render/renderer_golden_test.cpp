@@ -1,12 +1,10 @@
 #include "tests/core/render/golden.h"
 
 #include "core/offscreen/offscreen.h"
+#include "core/render/colour_ramp.h"
 #include "tests/core/render/subjects.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 
 using namespace esm;
 
@@ -45,19 +43,40 @@ TEST(Golden, OrganWithASheen) {
 
 TEST(Golden, SpringsInColour) {
     RenderScene scene = organ(0.25);
-    auto values = std::make_shared<std::vector<double>>();
+    auto paint = std::make_shared<std::vector<Paint>>();
     for (const Spring& spring : scene.network->springs) {
         const Eigen::Vector3d middle =
             (scene.network->restPositions[spring.first] + scene.network->restPositions[spring.second]) / 2;
-        values->push_back(middle.x() < 0 ? std::numeric_limits<double>::quiet_NaN() : middle.y());
+        const Colour colour = rampColour((middle.y() + 0.09) / 0.18);
+        paint->push_back(middle.x() < 0 ? Paint{} : Paint{colour[0], colour[1], colour[2], 255});
     }
-    scene.springValues = values;
-    scene.springValueMinimum = -0.09;
-    scene.springValueMaximum = 0.09;
+    scene.springPaint = paint;
     scene.showSprings = true;
     EXPECT_TRUE(matchesGolden(drawn(scene, 0.4, 0.3), "springs"));
     scene.showSurface = false;
     EXPECT_TRUE(matchesGolden(drawn(scene, 0.4, 0.3), "springs-alone"));
+}
+
+TEST(Golden, NodesInColourAndEdges) {
+    RenderScene scene = organ(0.25);
+    auto paint = std::make_shared<std::vector<Paint>>();
+    for (const Eigen::Vector3d& node : scene.network->restPositions) {
+        const Colour colour = rampColour((node.y() + 0.09) / 0.18);
+        paint->push_back({colour[0], colour[1], colour[2], std::uint8_t(node.x() < 0 ? 0 : 255)});
+    }
+    scene.nodePaint = paint;
+    scene.showWireframe = true;
+    EXPECT_TRUE(matchesGolden(drawn(scene, 0.4, 0.3), "painted-edges"));
+    scene.showSurface = false;
+    scene.showNodes = true;
+    EXPECT_TRUE(matchesGolden(drawn(scene, 0.4, 0.3), "edges-nodes"));
+}
+
+TEST(Golden, CutOpen) {
+    RenderScene scene = organ(0.25);
+    scene.showSprings = true;
+    scene.cut = CutPlane{Eigen::Vector3d(1, 0.4, 2).normalized(), 0.02};
+    EXPECT_TRUE(matchesGolden(drawn(scene, 0.4, 0.3), "cut"));
 }
 
 TEST(Golden, RegionsProjectorAndInstrument) {

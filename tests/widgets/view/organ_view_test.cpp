@@ -212,10 +212,13 @@ TEST_F(OrganViewTest, TextureIsNotReadBeyondItsPatches) {
     EXPECT_EQ(strays, 0);
 }
 
-TEST_F(OrganViewTest, MarksFollowTheNodesAndTheScaleOfValues) {
+TEST_F(OrganViewTest, MarksFollowTheNodesAndTheSpringsPaint) {
     const std::size_t nodes = scene.network->restPositions.size(), springs = scene.network->springs.size();
+    const auto painted = [&](const Paint& paint) {
+        return std::make_shared<const std::vector<Paint>>(springs, paint);
+    };
     scene.showSprings = true;
-    scene.springValues = std::make_shared<const std::vector<double>>(springs, 1.0);
+    scene.springPaint = painted({250, 230, 40, 255});
     scene.marked = MarkedNodes{std::make_shared<const std::vector<double>>(nodes, 1.0)};
     scene.fixedNodes = {0, std::uint32_t(nodes / 2)};
     view.setScene(scene);
@@ -229,7 +232,7 @@ TEST_F(OrganViewTest, MarksFollowTheNodesAndTheScaleOfValues) {
         other.setCamera(view.camera());
         return pictureOf(other);
     };
-    scene.springValueMaximum = 5;
+    scene.springPaint = painted({30, 160, 140, 255});
     view.setScene(scene);
     EXPECT_EQ(pictureOf(view), afresh());
     scene.nodePositions = scene.network->restPositions;
@@ -273,13 +276,13 @@ TEST_F(OrganViewTest, AnswersWhileItsPictureIsDrawn) {
 
 TEST_F(OrganViewTest, OverlaysArePainted) {
     const QImage plain = pictureOf(view);
-    view.setLegend(ViewLegend{"Spring constant", "N/m", 2.4, 81});
+    view.setLegend(ViewLegend{"Spring constant", "N/m", 2.4, 81, {}});
     view.setHint("Drag to pull the tissue");
     const QImage painted = pictureOf(view);
     const QRect legend(20, view.height() - 45, 200, 12);
     EXPECT_NE(plain.copy(legend), painted.copy(legend));
     const QColor right = painted.pixelColor(14 + 230 - 14, view.height() - 14 - 66 + 35);
-    EXPECT_GT(right.red(), right.blue() + 80) << "the ramp ends in red";
+    EXPECT_GT(right.red(), right.blue() + 80) << "the ramp ends in yellow";
     view.setHint("Something else");
     const QRect hint(14 + 230 + 14, view.height() - 14 - 26, view.width() - 14 - 230 - 28, 26);
     EXPECT_NE(pictureOf(view).copy(hint), painted.copy(hint));
@@ -298,7 +301,7 @@ TEST_F(OrganViewTest, NamesStandBesideInstruments) {
 }
 
 TEST_F(OrganViewTest, OverlaysTakeTheColoursOfTheTheme) {
-    view.setLegend(ViewLegend{"Spring constant", "N/m", 2.4, 81});
+    view.setLegend(ViewLegend{"Spring constant", "N/m", 2.4, 81, {}});
     const auto legendBackground = [&](const QColor& colour) {
         QPalette palette = view.palette();
         palette.setColor(QPalette::Window, colour);

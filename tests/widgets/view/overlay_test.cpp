@@ -30,3 +30,30 @@ TEST(Overlay, ALongHintIsWrapped) {
     EXPECT_GT(hintHeight(400, hint), line + 10);
     EXPECT_GT(hintHeight(220, hint), hintHeight(400, hint));
 }
+
+TEST(Overlay, ALegendOfRegionsShowsTheirColoursAndSaysHowManyAreLeftOut) {
+    const auto painted = [](int regions) {
+        ViewLegend legend{"Region", "", 0, 0, {}};
+        for (int i = 0; i < regions; ++i)
+            legend.entries.push_back({QString("region %1").arg(i), QColor(200, 10 * i, 0)});
+        QImage picture(600, 400, QImage::Format_ARGB32_Premultiplied);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        paintLegend(painter, {picture.size(), QPalette(Qt::black)}, legend);
+        return picture;
+    };
+    const auto colours = [](const QImage& picture) {
+        int swatches = 0;
+        QRgb last = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            const QRgb pixel = picture.pixel(14 + 11 + 7, y);
+            swatches += qRed(pixel) == 200 && pixel != last ? 1 : 0;
+            last = pixel;
+        }
+        return swatches;
+    };
+    EXPECT_EQ(colours(painted(3)), 3);
+    EXPECT_EQ(colours(painted(10)), 10);
+    EXPECT_EQ(colours(painted(25)), 9) << "and a line for the rest";
+    EXPECT_EQ(colours(painted(0)), 0);
+}

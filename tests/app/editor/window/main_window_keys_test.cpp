@@ -125,7 +125,7 @@ TEST_F(KeysTest, TypedValuesAreAStepEach) {
 TEST_F(KeysTest, TakeViewsAndTools) {
     press(Qt::Key_4);
     EXPECT_TRUE(viewDirection().isApprox(Eigen::Vector3d::UnitX(), 1e-9));
-    press(Qt::Key_T);
+    press(Qt::Key_5);
     EXPECT_TRUE(viewDirection().isApprox(Eigen::Vector3d::UnitY(), 1e-9));
     press(Qt::Key_E);
     EXPECT_EQ(toolInHand(), "region");

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/editor/window/actions.h"
+#include "core/render/cut_plane.h"
+
+#include <QComboBox>
+#include <QFrame>
+#include <QLabel>
+#include <QSlider>
+
+namespace esm {
+
+/// A small bar in the view's upper left corner: a button with what is shown, and while the organ is cut open
+/// the plane's side and place.
+class ViewBar : public QFrame {
+    Q_OBJECT
+
+public:
+    ViewBar(const Actions& actions, QWidget* view);
+
+    Cut cut() const;
+
+signals:
+    void cutChanged();
+
+private:
+    void buildCut(const Actions& actions);
+    void showCut(bool on);
+
+    QWidget* m_cut;
+    QComboBox* m_side;
+    QSlider* m_share;
+    QLabel* m_percent;
+};
+
+} // namespace esm

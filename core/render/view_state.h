@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/render/colouring.h"
+#include "core/render/cut_plane.h"
+
+namespace esm {
+
+/// How an organ is looked at, wherever from.
+struct ViewState {
+    bool orthographic = false;
+    bool surface = true, wireframe = false, springs = false, nodes = false, regions = true;
+    ColourBy colourBy = ColourBy::Texture;
+    std::optional<Cut> cut;
+
+    bool operator==(const ViewState&) const = default;
+};
+
+/// Shows and hides the organ's parts, and cuts it as it is drawn now. A pure motion model keeps its springs.
+void showParts(RenderScene& scene, const ViewState& view, const Camera& camera);
+
+} // namespace esm
