@@ -1,6 +1,6 @@
 #include "core/fuzzy/system_warnings.h"
 
-#include "core/fuzzy/rule_facts.h"
+#include "core/fuzzy/empty_outputs.h"
 #include "core/support/joined.h"
 
 #include <algorithm>
@@ -55,6 +55,7 @@ public:
         findDuplicates();
         for (std::size_t input = 0; input < m_system.inputs.size(); ++input)
             findUncovered(input);
+        findEmptyOutputs();
         findUnused(m_system.inputs, askedTerms(), "No rule asks for ", "No rule asks whether ");
         findUnused(m_system.outputs, concludedTerms(), "No rule concludes ", "No rule says that ");
         if (m_hasMoreContradictions)
@@ -159,8 +160,9 @@ private:
     std::string example(const ValueBox& box) const {
         std::vector<std::string> parts;
         for (const auto& [input, cells] : box)
-            parts.push_back(m_system.inputs[input].name + " is " +
-                            inWords(rangesOf(m_reach.cells(input), cells).front()));
+            parts.push_back(
+                m_system.inputs[input].name + " is " +
+                inWords(rangesOf(m_reach.cells(input), cells).front(), m_system.inputs[input].unit));
         return parts.empty() ? "both hold" : joined(parts, " and ");
     }
 
@@ -218,7 +220,7 @@ private:
             });
             const bool isUncovered = same != uncovered.end();
             if (isUncovered) uncovered.erase(same);
-            add(WarningKind::PartitionGap, "Where " + variable.name + " is " + inWords(gap) +
+            add(WarningKind::PartitionGap, "Where " + variable.name + " is " + inWords(gap, variable.unit) +
                                                " it belongs to no term" +
                                                (!isUncovered ? "."
                                                 : othersFire ? ", and no rule that asks for it fires."
@@ -229,7 +231,74 @@ private:
                 "No rule " +
                     (othersFire ? "that asks for " + variable.name + " fires where it"
                                 : "fires where " + variable.name) +
-                    " is " + inWords(range) + ".");
+                    " is " + inWords(range, variable.unit) + ".");
+    }
+
+    /// What is empty of several outputs at once is told once; where no rule fires at all because of one
+    /// input, findUncovered() has told it.
+    void findEmptyOutputs() {
+        const auto concluded = concludedTerms();
+        std::vector<std::pair<std::size_t, EmptyCases>> found;
+        std::size_t work = 0;
+        bool isAll = true;
+        for (std::size_t output = 0; output < m_system.outputs.size(); ++output) {
+            if (concluded[output].empty()) continue;
+            auto cases = emptyCases(m_facts, output, m_reach, work);
+            isAll = isAll && cases;
+            if (cases) found.emplace_back(output, std::move(*cases));
+        }
+        m_isIncomplete = m_isIncomplete || !isAll;
+        const std::vector<CellSet> told = isAll ? decidedForAll(found) : std::vector<CellSet>();
+        std::vector<std::pair<std::string, std::vector<std::string>>> places; // and the outputs
+        for (const auto& [output, cases] : found)
+            for (const std::string& place : placesOf(cases, told)) {
+                auto same = std::find_if(places.begin(), places.end(),
+                                         [&](const auto& other) { return other.first == place; });
+                if (same == places.end()) same = places.insert(same, {place, {}});
+                same->second.push_back(m_system.outputs[output].name);
+            }
+        for (const auto& [place, outputs] : places)
+            add(WarningKind::EmptyOutput, "No rule fires for " + joined(outputs, " and ") + place + ".");
+    }
+
+    /// By input, what leaves each of the outputs empty whatever the other inputs are.
+    std::vector<CellSet> decidedForAll(const std::vector<std::pair<std::size_t, EmptyCases>>& outputs) const {
+        std::vector<CellSet> cells;
+        if (!outputs.empty()) cells = outputs.front().second.decided;
+        for (std::size_t input = 0; input < cells.size(); ++input)
+            for (const auto& [output, cases] : outputs)
+                cells[input].intersect(cases.decided[input]);
+        return cells;
+    }
+
+    /// " where age is from 3 to 4 and zeal is above 0.5, up to 1", for each of the cases.
+    std::vector<std::string> placesOf(const EmptyCases& cases, const std::vector<CellSet>& told) const {
+        std::vector<std::string> places;
+        for (std::size_t input = 0; input < cases.decided.size(); ++input) {
+            CellSet cells = cases.decided[input];
+            if (!told.empty()) cells.intersect(complementOf(told[input], m_reach.cells(input).size()));
+            if (!cells.isEmpty()) places.push_back(" where " + rangesInWords({{input, cells}}));
+        }
+        const std::size_t named = std::min(cases.combined.size(), mostEmptyCombinations);
+        for (std::size_t i = 0; i < named; ++i)
+            places.push_back(cases.combined[i].empty() ? ", whatever the inputs are"
+                                                       : " where " + rangesInWords(cases.combined[i]));
+        if (const std::size_t more = cases.combined.size() - named)
+            places.push_back(" in " + std::to_string(more) + " more combination" + (more > 1 ? "s" : "") +
+                             " of inputs");
+        return places;
+    }
+
+    std::string rangesInWords(const ValueBox& box) const {
+        std::vector<std::string> inputs;
+        for (const auto& [input, cells] : box) {
+            const FuzzyVariable& variable = m_system.inputs[input];
+            std::vector<std::string> ranges;
+            for (const ValueRange& range : rangesOf(m_reach.cells(input), cells))
+                ranges.push_back(inWords(range, variable.unit));
+            inputs.push_back(variable.name + " is " + joined(ranges, " or "));
+        }
+        return joined(inputs, " and ");
     }
 
     template<class Holds> bool anyRule(const Holds& holds) const {
