@@ -42,13 +42,6 @@ NumberFormat sliderFormat(const FuzzyVariable& variable) {
     return format;
 }
 
-std::vector<FuzzyChoice::System> systemsOf(const Project& project) {
-    std::vector<FuzzyChoice::System> systems;
-    for (const Region& region : project.regions)
-        if (region.system) systems.push_back(region.system);
-    return systems;
-}
-
 } // namespace
 
 TissuePanel::TissuePanel(Document& document, Selection& selection, QWidget* parent)
@@ -82,7 +75,7 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, QWidget* pare
     connect(m_choice, &FuzzyChoice::systemChosen, this, &TissuePanel::chooseSystem);
     connect(&selection, &Selection::changed, this, &TissuePanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.mesh || change.regions || change.tissue) show();
+        if (change.mesh || change.regions || change.spareSystems || change.tissue) show();
     });
     show();
 }
