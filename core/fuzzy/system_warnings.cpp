@@ -53,9 +53,10 @@ public:
         findContradictions();
         findRulesThatNeverFire();
         findDuplicates();
+        findEmptyOutputs();
         for (std::size_t input = 0; input < m_system.inputs.size(); ++input)
             findUncovered(input);
-        findEmptyOutputs();
+        tellEmptyOutputs();
         findUnused(m_system.inputs, askedTerms(), "No rule asks for ", "No rule asks whether ");
         findUnused(m_system.outputs, concludedTerms(), "No rule concludes ", "No rule says that ");
         if (m_hasMoreContradictions)
@@ -226,39 +227,65 @@ private:
                                                 : othersFire ? ", and no rule that asks for it fires."
                                                              : ", and no rule fires."));
         }
-        for (const ValueRange& range : uncovered)
-            add(WarningKind::UncoveredRange,
-                "No rule " +
-                    (othersFire ? "that asks for " + variable.name + " fires where it"
-                                : "fires where " + variable.name) +
-                    " is " + inWords(range, variable.unit) + ".");
+        for (const ValueRange& range : uncovered) {
+            const std::string is = " is " + inWords(range, variable.unit);
+            if (!othersFire)
+                add(WarningKind::UncoveredRange, "No rule fires where " + variable.name + is + ".");
+            else if (!isEmptyPlace(" where " + variable.name + is)) // else told by what it leaves empty
+                add(WarningKind::UncoveredRange,
+                    "No rule that asks for " + variable.name + " fires where it" + is + ".");
+        }
     }
 
     /// What is empty of several outputs at once is told once; where no rule fires at all because of one
-    /// input, findUncovered() has told it.
+    /// input, findUncovered() tells it.
     void findEmptyOutputs() {
         const auto concluded = concludedTerms();
-        std::vector<std::pair<std::size_t, EmptyCases>> found;
+        const auto wanted = std::count_if(concluded.begin(), concluded.end(),
+                                          [](const TermSet& terms) { return !terms.empty(); });
+        const std::vector<OutputCases> found = casesOfOutputs(concluded);
+        const bool isAll = static_cast<std::ptrdiff_t>(found.size()) == wanted;
+        const std::vector<CellSet> told = isAll ? decidedForAll(found) : std::vector<CellSet>();
+        for (const auto& [output, cases] : found)
+            for (const std::string& place : placesOf(cases, told))
+                placeOf(place).outputs.push_back(m_system.outputs[output].name);
+    }
+
+    void tellEmptyOutputs() {
+        for (const auto& [place, outputs] : m_emptyPlaces)
+            add(WarningKind::EmptyOutput, "No rule fires for " + joined(outputs, " and ") + place + ".");
+    }
+
+    using OutputCases = std::pair<std::size_t, EmptyCases>;
+
+    /// Of each output that some rule concludes.
+    std::vector<OutputCases> casesOfOutputs(const std::vector<TermSet>& concluded) {
+        std::vector<OutputCases> found;
         std::size_t work = 0;
-        bool isAll = true;
         for (std::size_t output = 0; output < m_system.outputs.size(); ++output) {
             if (concluded[output].empty()) continue;
-            auto cases = emptyCases(m_facts, output, m_reach, work);
-            isAll = isAll && cases;
-            if (cases) found.emplace_back(output, std::move(*cases));
+            if (auto cases = emptyCases(m_facts, output, m_reach, work))
+                found.emplace_back(output, std::move(*cases));
+            else
+                m_isIncomplete = true;
         }
-        m_isIncomplete = m_isIncomplete || !isAll;
-        const std::vector<CellSet> told = isAll ? decidedForAll(found) : std::vector<CellSet>();
-        std::vector<std::pair<std::string, std::vector<std::string>>> places; // and the outputs
-        for (const auto& [output, cases] : found)
-            for (const std::string& place : placesOf(cases, told)) {
-                auto same = std::find_if(places.begin(), places.end(),
-                                         [&](const auto& other) { return other.first == place; });
-                if (same == places.end()) same = places.insert(same, {place, {}});
-                same->second.push_back(m_system.outputs[output].name);
-            }
-        for (const auto& [place, outputs] : places)
-            add(WarningKind::EmptyOutput, "No rule fires for " + joined(outputs, " and ") + place + ".");
+        return found;
+    }
+
+    struct EmptyPlace {
+        std::string where;
+        std::vector<std::string> outputs;
+    };
+
+    EmptyPlace& placeOf(const std::string& where) {
+        const auto same = std::find_if(m_emptyPlaces.begin(), m_emptyPlaces.end(),
+                                       [&](const EmptyPlace& place) { return place.where == where; });
+        return same != m_emptyPlaces.end() ? *same : m_emptyPlaces.emplace_back(EmptyPlace{where, {}});
+    }
+
+    bool isEmptyPlace(const std::string& where) const {
+        return std::any_of(m_emptyPlaces.begin(), m_emptyPlaces.end(),
+                           [&](const EmptyPlace& place) { return place.where == where; });
     }
 
     /// By input, what leaves each of the outputs empty whatever the other inputs are.
@@ -348,6 +375,7 @@ private:
     RuleReach m_reach;
     std::vector<RuleFacts> m_facts;
     std::vector<SystemWarning> m_warnings;
+    std::vector<EmptyPlace> m_emptyPlaces; ///< values of inputs, and the outputs that they leave empty
     std::size_t m_work = 0;
     bool m_isIncomplete = false, m_hasMoreContradictions = false;
 };

@@ -190,6 +190,13 @@ TEST(UncoveredRanges, AreExact) {
                 ElementsAre("No rule fires where age is from 4 to 9.",
                             "No rule that asks for zeal fires where it is from 0 to 0.2."));
     system.rules.push_back(parseRule(system, "IF zeal IS little THEN mass IS small"));
+    EXPECT_THAT(warningsOf(system, WarningKind::UncoveredRange), IsEmpty());
+    EXPECT_THAT(warningsOf(system, WarningKind::EmptyOutput),
+                ElementsAre("No rule fires for viscosity where age is from 4 to 9.",
+                            "No rule fires for viscosity where age is from 0 to 2 and zeal is from 0 to 0.2.",
+                            "No rule fires for mass where zeal is from 0.8 to 1."))
+        << "the range is told once, with what it leaves empty";
+    system.rules.push_back(parseRule(system, "IF zeal IS much THEN viscosity IS thick AND mass IS small"));
     EXPECT_THAT(warningsOf(system, WarningKind::UncoveredRange),
                 ElementsAre("No rule that asks for age fires where it is from 4 to 9."));
 }
