@@ -110,7 +110,8 @@ void MainWindow::buildPanels() {
     };
     connect(m_selection, &Selection::changed, this, showPhotoPanels);
     connect(m_document, &Document::changed, this, showPhotoPanels);
-    auto* workbench = new FuzzyWorkbench(*m_document, *m_selection);
+    auto* reach = new SystemReach(*m_document, *m_selection, this);
+    auto* workbench = new FuzzyWorkbench(*m_document, *m_selection, *reach);
     workbench->setWindowAction(m_actions.fuzzyWindow);
 
     m_tissueLeft = buildColumn(
@@ -125,7 +126,7 @@ void MainWindow::buildPanels() {
     };
     m_tissueRight = buildColumn(
         *this, Qt::RightDockWidgetArea, tr("Tissue"),
-        underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection), workbench,
+        underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection, *reach), workbench,
                                              new AccuracyPanel(*m_document, *m_preview)}));
     m_textureRight = buildColumn(
         *this, Qt::RightDockWidgetArea, tr("Photo"),
