@@ -52,6 +52,19 @@ void addRegions(Report& report, const std::vector<Region>& regions) {
     report.json["fuzzy_systems"] = systems;
 }
 
+std::vector<std::string> spareNames(const Project& project) {
+    std::vector<std::string> names;
+    for (const auto& system : project.spareSystems)
+        names.push_back(system->name);
+    return names;
+}
+
+void addSpareSystems(Report& report, const Project& project) {
+    const std::string names = joined(spareNames(project));
+    report.json["spare_fuzzy_systems"] = spareNames(project);
+    if (!names.empty()) report.text.push_back("fuzzy systems that no region uses: " + names);
+}
+
 void addCriticalSteps(Report& report, const TissueModel& tissue) {
     const CriticalSteps steps = criticalSteps(tissue);
     report.json["critical_dt"] = stepsInJson(steps);
@@ -147,6 +160,7 @@ Report describeProject(const std::filesystem::path& file, Context& context) {
     Report report = modelReport(project);
     report.json["kind"] = "project";
     addRegions(report, project.regions);
+    addSpareSystems(report, project);
     Json photos = Json::array();
     for (const TextureLayer& layer : project.layers) {
         photos.push_back(layerInJson(layer));

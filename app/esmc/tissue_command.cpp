@@ -7,9 +7,11 @@
 #include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/exchange/project/project_file.h"
 #include "core/exchange/project/tissue_preset_file.h"
+#include "core/project/tissue_beneath.h"
 #include "core/support/numbers.h"
 
 #include <algorithm>
+#include <array>
 
 namespace esm {
 
@@ -128,14 +130,20 @@ Region requestedRegion(const TissueOptions& options, const ChosenPreset& preset)
     return region;
 }
 
-void addValue(Report& report, const char* key, const std::string& label, const std::optional<double>& value) {
+/// What is not set keeps what lies beneath.
+void addValue(Report& report, const char* key, Parameter parameter, const RegionResult& result,
+              const std::optional<TissueBeneath>& beneath) {
+    static constexpr std::array<const char*, 3> labels{
+        "spring constant, N/m: ", "viscosity, N·s/m: ", "mass, kg: "};
+    const std::optional<double> value = valueOf(result.tissue.values, parameter);
     report.json[key] = inJson(value);
-    report.text.push_back(label + (value ? inText(*value) : "as it was"));
+    const std::string kept = beneath ? "as it was, " + inWords(*beneath, parameter) : "as it was";
+    report.text.push_back(labels[static_cast<std::size_t>(parameter)] + (value ? inText(*value) : kept));
 }
 
 /// @param region its name; empty: the whole organ, to which none was added
-Report describe(const std::optional<std::string>& region, bool hasRim, const RegionResult& result) {
-    const TissueValues& values = result.tissue.values;
+Report describe(const std::optional<std::string>& region, bool hasRim, const RegionResult& result,
+                const std::optional<TissueBeneath>& beneath) {
     Report report;
     report.json["region"] = region ? Json(*region) : Json();
     report.json["nodes"] = result.nodes;
@@ -147,9 +155,9 @@ Report describe(const std::optional<std::string>& region, bool hasRim, const Reg
     if (hasRim)
         report.text.push_back("in its soft rim: " + counted(result.rimNodes, "node") + ", " +
                               counted(result.rimSprings, "spring"));
-    addValue(report, "spring_constant", "spring constant, N/m: ", values.springConstant);
-    addValue(report, "viscosity", "viscosity, N·s/m: ", values.viscosity);
-    addValue(report, "mass", "mass, kg: ", values.mass);
+    addValue(report, "spring_constant", Parameter::SpringConstant, result, beneath);
+    addValue(report, "viscosity", Parameter::Viscosity, result, beneath);
+    addValue(report, "mass", Parameter::Mass, result, beneath);
     addWarnings(report, result.tissue.warnings);
     return report;
 }
@@ -204,9 +212,11 @@ Report runTissue(const TissueOptions& options, Context& context) {
     RegionResult result = evaluateRegion(project, region);
     std::vector<std::string>& tissueWarnings = result.tissue.warnings;
     tissueWarnings.insert(tissueWarnings.begin(), warnings.begin(), warnings.end());
+    const auto beneath = tissueBeneath(project, region);
     if (addsRegion) project.regions.push_back(region);
     output.save(project);
-    Report report = describe(addsRegion ? std::optional(region.name) : std::nullopt, region.rim > 0, result);
+    Report report =
+        describe(addsRegion ? std::optional(region.name) : std::nullopt, region.rim > 0, result, beneath);
     addPreset(report, preset, tetherCountOf(*project.network, project.scene));
     addSpringLaw(report, project.base.stiffening);
     addWritten(report, options.output);

@@ -94,12 +94,12 @@ const Region* wholeOrganRegion(const Project& project) {
 void setSystem(Project& project, RegionId region, SharedSystem system) {
     const auto place = placeOf(project.regions, region);
     Region& target = place ? project.regions[*place] : layWholeOrgan(project, region);
-    const auto before = std::exchange(target.system, std::move(system));
-    if (before && target.system && before->inputs == target.system->inputs) return;
-    target.inputs.clear();
-    if (!target.system) return;
-    for (const auto& input : target.system->inputs)
-        target.inputs.emplace_back(input.name, (input.minimum + input.maximum) / 2);
+    const SharedSystem before = std::exchange(target.system, std::move(system));
+    if (target.system)
+        target.inputs = inputsUnder(*target.system, before ? *before : FuzzySystem{}, target.inputs);
+    else
+        target.inputs.clear();
+    keepSystem(project, before);
 }
 
 std::optional<RegionId> applyPreset(Project& project, RegionId region, const TissuePreset& preset) {
@@ -113,8 +113,10 @@ std::optional<RegionId> applyPreset(Project& project, RegionId region, const Tis
     const RegionId chosen = !selected && whole ? whole->id : region;
     const auto place = placeOf(project.regions, chosen);
     Region& target = place ? project.regions[*place] : layWholeOrgan(project, chosen);
+    const SharedSystem before = target.system;
     layPreset(target, preset);
     if (!isPart && mass) target.held.mass.reset();
+    keepSystem(project, before);
     return chosen;
 }
 
@@ -129,7 +131,10 @@ void moveRegion(Project& project, RegionId region, int above) {
 }
 
 void removeRegion(Project& project, RegionId region) {
+    const Region* removed = findPart(project.regions, region);
+    const SharedSystem before = removed ? SharedSystem(removed->system) : nullptr;
     std::erase_if(project.regions, [&](const Region& other) { return other.id == region; });
+    keepSystem(project, before);
 }
 
 void duplicateRegion(Project& project, RegionId region, RegionId copy) {

@@ -1,16 +1,13 @@
 #pragma once
 
+#include "core/authoring/systems.h"
 #include "core/geometry/surface_spot.h"
-#include "core/project/project.h"
 #include "core/project/tissue_preset.h"
 
 #include <optional>
 #include <string>
 
 namespace esm {
-
-/// Shared by regions that speak the same language.
-using SharedSystem = std::shared_ptr<const FuzzySystem>;
 
 /// The colour that is told apart best from those in use.
 std::array<std::uint8_t, 3> unusedColour(const std::vector<Region>& regions);
@@ -23,9 +20,9 @@ void addRegion(Project& project, RegionId id, const Eigen::Vector3d& centre, Sha
 /// there is none.
 const Region* wholeOrganRegion(const Project& project);
 
-/// A fuzzy system for a region; its inputs start in the middle of their ranges, unless the one before had the
-/// same. Null takes the system away. Where no region is this one, it is made: of the whole organ, beneath the
-/// others.
+/// A fuzzy system for a region; inputs keep what they are set to as inputsUnder() has it. Null takes the
+/// system away. The one before stays in the project. Where no region is this one, it is made: of the whole
+/// organ, beneath the others.
 void setSystem(Project& project, RegionId region, SharedSystem system);
 
 /// Gives a region's tissue the preset's words. What is no part of an organ, a region without an ellipsoid or
@@ -39,7 +36,7 @@ std::optional<RegionId> applyPreset(Project& project, RegionId region, const Tis
 bool canMoveRegion(const Project& project, RegionId region, int above);
 void moveRegion(Project& project, RegionId region, int above);
 
-/// Nothing where it is not there.
+/// Nothing where it is not there. Its fuzzy system stays in the project.
 void removeRegion(Project& project, RegionId region);
 
 /// A copy beside a region with an ellipsoid, just above it in the list: the same tissue, a name and a colour

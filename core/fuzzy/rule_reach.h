@@ -22,6 +22,7 @@ public:
     /// Keeps a reference to the system. Precondition: it is valid.
     explicit RuleReach(const FuzzySystem& system);
 
+    std::size_t inputs() const { return m_cells.size(); }
     const std::vector<ValueCell>& cells(std::size_t input) const { return m_cells[input]; }
 
     /// The condition reaches the degree where the values lie in any of the boxes. Empty where they would be

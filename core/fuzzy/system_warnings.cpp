@@ -1,6 +1,6 @@
 #include "core/fuzzy/system_warnings.h"
 
-#include "core/fuzzy/rule_facts.h"
+#include "core/fuzzy/empty_outputs.h"
 #include "core/support/joined.h"
 
 #include <algorithm>
@@ -53,8 +53,10 @@ public:
         findContradictions();
         findRulesThatNeverFire();
         findDuplicates();
+        findEmptyOutputs();
         for (std::size_t input = 0; input < m_system.inputs.size(); ++input)
             findUncovered(input);
+        tellEmptyOutputs();
         findUnused(m_system.inputs, askedTerms(), "No rule asks for ", "No rule asks whether ");
         findUnused(m_system.outputs, concludedTerms(), "No rule concludes ", "No rule says that ");
         if (m_hasMoreContradictions)
@@ -159,8 +161,9 @@ private:
     std::string example(const ValueBox& box) const {
         std::vector<std::string> parts;
         for (const auto& [input, cells] : box)
-            parts.push_back(m_system.inputs[input].name + " is " +
-                            inWords(rangesOf(m_reach.cells(input), cells).front()));
+            parts.push_back(
+                m_system.inputs[input].name + " is " +
+                inWords(rangesOf(m_reach.cells(input), cells).front(), m_system.inputs[input].unit));
         return parts.empty() ? "both hold" : joined(parts, " and ");
     }
 
@@ -218,18 +221,111 @@ private:
             });
             const bool isUncovered = same != uncovered.end();
             if (isUncovered) uncovered.erase(same);
-            add(WarningKind::PartitionGap, "Where " + variable.name + " is " + inWords(gap) +
+            add(WarningKind::PartitionGap, "Where " + variable.name + " is " + inWords(gap, variable.unit) +
                                                " it belongs to no term" +
                                                (!isUncovered ? "."
                                                 : othersFire ? ", and no rule that asks for it fires."
                                                              : ", and no rule fires."));
         }
-        for (const ValueRange& range : uncovered)
-            add(WarningKind::UncoveredRange,
-                "No rule " +
-                    (othersFire ? "that asks for " + variable.name + " fires where it"
-                                : "fires where " + variable.name) +
-                    " is " + inWords(range) + ".");
+        for (const ValueRange& range : uncovered) {
+            const std::string is = " is " + inWords(range, variable.unit);
+            if (!othersFire)
+                add(WarningKind::UncoveredRange, "No rule fires where " + variable.name + is + ".");
+            else if (!isEmptyPlace(" where " + variable.name + is)) // else told by what it leaves empty
+                add(WarningKind::UncoveredRange,
+                    "No rule that asks for " + variable.name + " fires where it" + is + ".");
+        }
+    }
+
+    /// What is empty of several outputs at once is told once; where no rule fires at all because of one
+    /// input, findUncovered() tells it.
+    void findEmptyOutputs() {
+        const auto concluded = concludedTerms();
+        const auto wanted = std::count_if(concluded.begin(), concluded.end(),
+                                          [](const TermSet& terms) { return !terms.empty(); });
+        const std::vector<OutputCases> found = casesOfOutputs(concluded);
+        const bool isAll = static_cast<std::ptrdiff_t>(found.size()) == wanted;
+        const std::vector<CellSet> told = isAll ? decidedForAll(found) : std::vector<CellSet>();
+        for (const auto& [output, cases] : found)
+            for (const std::string& place : placesOf(cases, told))
+                placeOf(place).outputs.push_back(m_system.outputs[output].name);
+    }
+
+    void tellEmptyOutputs() {
+        for (const auto& [place, outputs] : m_emptyPlaces)
+            add(WarningKind::EmptyOutput, "No rule fires for " + joined(outputs, " and ") + place + ".");
+    }
+
+    using OutputCases = std::pair<std::size_t, EmptyCases>;
+
+    /// Of each output that some rule concludes.
+    std::vector<OutputCases> casesOfOutputs(const std::vector<TermSet>& concluded) {
+        std::vector<OutputCases> found;
+        std::size_t work = 0;
+        for (std::size_t output = 0; output < m_system.outputs.size(); ++output) {
+            if (concluded[output].empty()) continue;
+            if (auto cases = emptyCases(m_facts, output, m_reach, work))
+                found.emplace_back(output, std::move(*cases));
+            else
+                m_isIncomplete = true;
+        }
+        return found;
+    }
+
+    struct EmptyPlace {
+        std::string where;
+        std::vector<std::string> outputs;
+    };
+
+    EmptyPlace& placeOf(const std::string& where) {
+        const auto same = std::find_if(m_emptyPlaces.begin(), m_emptyPlaces.end(),
+                                       [&](const EmptyPlace& place) { return place.where == where; });
+        return same != m_emptyPlaces.end() ? *same : m_emptyPlaces.emplace_back(EmptyPlace{where, {}});
+    }
+
+    bool isEmptyPlace(const std::string& where) const {
+        return std::any_of(m_emptyPlaces.begin(), m_emptyPlaces.end(),
+                           [&](const EmptyPlace& place) { return place.where == where; });
+    }
+
+    /// By input, what leaves each of the outputs empty whatever the other inputs are.
+    std::vector<CellSet> decidedForAll(const std::vector<std::pair<std::size_t, EmptyCases>>& outputs) const {
+        std::vector<CellSet> cells;
+        if (!outputs.empty()) cells = outputs.front().second.decided;
+        for (std::size_t input = 0; input < cells.size(); ++input)
+            for (const auto& [output, cases] : outputs)
+                cells[input].intersect(cases.decided[input]);
+        return cells;
+    }
+
+    /// " where age is from 3 to 4 and zeal is above 0.5, up to 1", for each of the cases.
+    std::vector<std::string> placesOf(const EmptyCases& cases, const std::vector<CellSet>& told) const {
+        std::vector<std::string> places;
+        for (std::size_t input = 0; input < cases.decided.size(); ++input) {
+            CellSet cells = cases.decided[input];
+            if (!told.empty()) cells.intersect(complementOf(told[input], m_reach.cells(input).size()));
+            if (!cells.isEmpty()) places.push_back(" where " + rangesInWords({{input, cells}}));
+        }
+        const std::size_t named = std::min(cases.combined.size(), mostEmptyCombinations);
+        for (std::size_t i = 0; i < named; ++i)
+            places.push_back(cases.combined[i].empty() ? ", whatever the inputs are"
+                                                       : " where " + rangesInWords(cases.combined[i]));
+        if (const std::size_t more = cases.combined.size() - named)
+            places.push_back(" in " + std::to_string(more) + " more combination" + (more > 1 ? "s" : "") +
+                             " of inputs");
+        return places;
+    }
+
+    std::string rangesInWords(const ValueBox& box) const {
+        std::vector<std::string> inputs;
+        for (const auto& [input, cells] : box) {
+            const FuzzyVariable& variable = m_system.inputs[input];
+            std::vector<std::string> ranges;
+            for (const ValueRange& range : rangesOf(m_reach.cells(input), cells))
+                ranges.push_back(inWords(range, variable.unit));
+            inputs.push_back(variable.name + " is " + joined(ranges, " or "));
+        }
+        return joined(inputs, " and ");
     }
 
     template<class Holds> bool anyRule(const Holds& holds) const {
@@ -279,6 +375,7 @@ private:
     RuleReach m_reach;
     std::vector<RuleFacts> m_facts;
     std::vector<SystemWarning> m_warnings;
+    std::vector<EmptyPlace> m_emptyPlaces; ///< values of inputs, and the outputs that they leave empty
     std::size_t m_work = 0;
     bool m_isIncomplete = false, m_hasMoreContradictions = false;
 };

@@ -16,6 +16,7 @@ struct SystemWarning {
         Duplicate,      ///< rules that say the same
         UncoveredRange, ///< values of an input for which no rule that asks for it can fire
         PartitionGap,   ///< values of an input that belong to no term
+        EmptyOutput,    ///< values of inputs for which no rule that concludes an output fires
         UnusedTerm,
         UnusedVariable, ///< an input that no rule asks for, an output that no rule concludes
         NotChecked      ///< rules too intricate or too many to be compared, contradictions to be listed
@@ -28,6 +29,8 @@ struct SystemWarning {
 
 /// The most that are told of contradictions, which grow with the square of the rules.
 inline constexpr std::size_t mostContradictions = 50;
+/// Of combinations of inputs that leave an output empty, the most that are told; the widest are.
+inline constexpr std::size_t mostEmptyCombinations = 5;
 
 /// All of them, the gravest kinds first. Two rules contradict each other when they conclude different terms
 /// of an output and their conditions are the same, or can hold fully at once and either ask for the same

@@ -30,9 +30,10 @@ template<class Holds> CellSet cellsWhere(const std::vector<ValueCell>& cells, co
 
 } // namespace
 
-std::string inWords(const ValueRange& range) {
-    const std::string from = roundedText(range.from), to = roundedText(range.to);
-    if (range.from == range.to) return "exactly " + from;
+std::string inWords(const ValueRange& range, const std::string& unit) {
+    const std::string from = roundedText(range.from);
+    const std::string to = roundedText(range.to) + (unit.empty() ? "" : " " + unit);
+    if (range.from == range.to) return "exactly " + to;
     if (range.includesFrom) return "from " + from + (range.includesTo ? " to " : " to below ") + to;
     return range.includesTo ? "above " + from + ", up to " + to : "between " + from + " and " + to;
 }

@@ -14,8 +14,8 @@ struct ValueRange {
     bool includesFrom, includesTo;
 };
 
-/// "from 3 to 4", "above 3, up to 4", "exactly 3".
-std::string inWords(const ValueRange& range);
+/// "from 3 to 4 kPa", "above 3, up to 4 kPa", "exactly 3 kPa".
+std::string inWords(const ValueRange& range, const std::string& unit = {});
 
 /// Part of a variable's range in which every term holds fully, partly or not at all throughout: a corner
 /// (`from` is `to`), or what lies between two neighbouring corners, without them.

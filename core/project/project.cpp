@@ -3,6 +3,7 @@
 #include "core/geometry/disjoint_sets.h"
 #include "core/model/motion_model.h"
 #include "core/project/simulated_network.h"
+#include "core/project/tissue_beneath.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
@@ -141,6 +142,16 @@ void lay(TissueModel& model, const Region& region) {
     }
 }
 
+void warnOfOutputsNotReached(RegionTissue& tissue, const Project& project, const Region& region) {
+    if (tissue.unreached.empty()) return;
+    const auto beneath = tissueBeneath(project, region);
+    for (const std::size_t output : tissue.unreached) {
+        const auto parameter = parameterOf(*region.system, output);
+        const std::string kept = beneath && parameter ? ": it keeps " + inWords(*beneath, *parameter) : "";
+        tissue.warnings.push_back("no rule reaches " + region.system->outputs[output].name + kept);
+    }
+}
+
 void tie(TissueModel& model, const TetherRule& rule) {
     for (std::size_t node = 0; node < model.network->restPositions.size(); node += rule.every)
         model.tethers.push_back({static_cast<std::uint32_t>(node), rule.springConstant, rule.viscosity});
@@ -272,6 +283,7 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& mo
 
 RegionResult evaluateRegion(const Project& project, const Region& region) {
     RegionResult result{countOf(*project.network, region), evaluate(region)};
+    warnOfOutputsNotReached(result.tissue, project, region);
     if (result.nodes > 0) return result;
     result.tissue.warnings.emplace_back(
         result.rimNodes > 0

@@ -54,6 +54,9 @@ struct Project {
     std::shared_ptr<const SpringNetwork> network;     ///< never null
     BaseTissue base;
     std::vector<Region> regions; ///< from the first to the last; a later one lies over an earlier one
+    /// Fuzzy systems that no region uses, each once: kept until they are removed. Those that ship with the
+    /// program are always at hand, and not stored.
+    std::vector<ByValue<FuzzySystem>> spareSystems;
     Scene scene;
     std::optional<MeasuredStepping> stepping; ///< that is recommended; none until measured
     std::vector<TextureLayer> layers;         ///< from the lowest to the topmost
@@ -112,7 +115,7 @@ std::size_t tetherCountOf(const SpringNetwork& network, const Scene& scene);
 /// paths of fixed nodes. Precondition: the scene is valid for the network.
 std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& model);
 
-/// Counts and values of one region for reports and panels.
+/// Counts and values of one region for reports. Its warnings also say what outputs keep that no rule reaches.
 /// @throws InvalidModel when the region sets inputs that its fuzzy system does not have
 RegionResult evaluateRegion(const Project& project, const Region& region);
 

@@ -87,6 +87,8 @@ Problems partProblems(const Project& project) {
     for (std::size_t i = 0; i < project.regions.size(); ++i)
         addUnder(problems, "region " + std::to_string(i + 1) + " (" + project.regions[i].name + ")",
                  regionProblems(project.regions[i]));
+    for (const auto& system : project.spareSystems)
+        addUnder(problems, "fuzzy system " + system->name, validate(*system));
     for (std::size_t i = 0; i < project.layers.size(); ++i)
         addUnder(problems, "photo " + std::to_string(i + 1) + " (" + project.layers[i].name + ")",
                  photoProblems(project.layers[i]));

@@ -30,15 +30,14 @@ void warnOfInputsOutOfRange(RegionTissue& tissue, const FuzzySystem& system,
 }
 
 /// Outputs without a value, unless one is held in its place.
-void warnOfOutputsNotReached(RegionTissue& tissue, const Region& region) {
+void noteOutputsNotReached(RegionTissue& tissue, const Region& region) {
     for (std::size_t i = 0; i < region.system->outputs.size(); ++i) {
         const std::string& name = region.system->outputs[i].name;
         const bool isHeld =
             std::any_of(everyParameter.begin(), everyParameter.end(), [&](Parameter parameter) {
                 return setsParameter(name, parameter) && valueOf(region.held, parameter);
             });
-        if (!tissue.inference.outputs[i] && !isHeld)
-            tissue.warnings.push_back("no rule reaches " + name + ", which stays as it was");
+        if (!tissue.inference.outputs[i] && !isHeld) tissue.unreached.push_back(i);
     }
 }
 
@@ -66,7 +65,7 @@ void takeInferred(RegionTissue& tissue, const Region& region) {
     const auto inputs = orderedInputs(system, region.inputs);
     warnOfInputsOutOfRange(tissue, system, inputs);
     tissue.inference = infer(system, inputs);
-    warnOfOutputsNotReached(tissue, region);
+    noteOutputsNotReached(tissue, region);
     warnOfUselessOutputs(tissue, system);
     for (const Parameter parameter : everyParameter)
         if (const auto output = outputFor(system, parameter))

@@ -79,8 +79,9 @@ double weightAt(const Region& region, const Eigen::Vector3d& point);
 /// What a region's fuzzy system and held values give together.
 struct RegionTissue {
     TissueValues values;
-    InferenceResult inference;         ///< empty lists without a system
-    std::vector<std::string> warnings; ///< inputs out of range, outputs that come to nothing
+    InferenceResult inference;          ///< empty lists without a system
+    std::vector<std::size_t> unreached; ///< outputs that no rule reaches and nothing holds, as indices
+    std::vector<std::string> warnings;  ///< inputs out of range, outputs that set nothing
 };
 
 /// @throws InvalidModel when an input is unknown to the fuzzy system or not finite

@@ -17,6 +17,16 @@ void tiePreset(Scene& scene, const TissuePreset& preset) {
     if (!preset.tethers.empty()) scene.tethers = preset.tethers;
 }
 
+bool isAsPublished(const Project& project, const Region* region, const TissuePreset& preset) {
+    const bool isTied = preset.tethers.empty() || project.scene.tethers == preset.tethers;
+    const bool isWhole = !region || !region->ellipsoid;
+    if (!preset.system) return isWhole && isTied;
+    if (!region || region->system != preset.system || region->inputs != preset.inputs) return false;
+    if (region->held.springConstant || region->held.viscosity) return false;
+    const bool weighsAlike = !preset.mass || (project.base.mass == *preset.mass && !region->held.mass);
+    return !isWhole || (isTied && weighsAlike);
+}
+
 std::string publishedText(const TissuePreset& preset) {
     std::vector<std::string> parts;
     const auto& [springConstant, viscosity] = preset.published;

@@ -54,6 +54,10 @@ void layPreset(Region& region, const TissuePreset& preset);
 /// Ties the whole organ to its surroundings as the preset does.
 void tiePreset(Scene& scene, const TissuePreset& preset);
 
+/// Whether the tissue still is what the preset made of it: of a region, with the base mass and the tethers
+/// where it is the whole organ's; without a region the tethers of a preset that has nothing else.
+bool isAsPublished(const Project& project, const Region* region, const TissuePreset& preset);
+
 /// "81.3091 N/m, 6 N·s/m, 0.5 kg", and the tethers.
 std::string publishedText(const TissuePreset& preset);
 

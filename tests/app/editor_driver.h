@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/edits/system_reach.h"
 #include "app/editor/window/main_window.h"
 #include "tests/support/eventually.h"
 #include "widgets/inputs/number_field.h"
@@ -100,6 +101,11 @@ protected:
         field->selectAll();
         QTest::keyClicks(field, text);
         ASSERT_TRUE(field->isModified());
+    }
+    /// Whoever edits a fuzzy system that several regions use means all of them, and is not asked.
+    void meanEveryRegion() const {
+        window->findChild<esm::SystemReach*>()->setQuestion(
+            [](const auto&, const auto&) { return esm::Reach::EveryRegion; });
     }
     esm::NumberField* massField() const {
         for (auto* field : window->findChildren<esm::NumberField*>())

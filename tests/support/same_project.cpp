@@ -186,6 +186,7 @@ void expectSameProject(const Project& a, const Project& b) {
     expectSameStiffening(a.base.stiffening, b.base.stiffening);
     expectSameMesh(a, b);
     expectSameRegions(a.regions, b.regions);
+    EXPECT_EQ(a.spareSystems, b.spareSystems);
     expectSameScene(a.scene, b.scene);
     expectSameStepping(a.stepping, b.stepping);
     expectSamePhotos(a, b);

@@ -1,6 +1,7 @@
 #include "widgets/fuzzy/linguistic_slider.h"
 
 #include "widgets/fuzzy/small_font.h"
+#include "widgets/inputs/elided_label.h"
 
 #include <QSignalBlocker>
 #include <QStyle>
@@ -14,6 +15,7 @@ namespace esm {
 namespace {
 
 constexpr int sliderSteps = 1000;
+constexpr int widestField = 150; // pixels; beyond it the name would have no room
 
 NumberFormat withStep(NumberFormat format, const FuzzyVariable& variable) {
     if (format.step <= 0) format.step = (variable.maximum - variable.minimum) / 100;
@@ -27,12 +29,16 @@ LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString&
     : QWidget(parent), m_variable(variable), m_words(new QLabel(this)),
       m_field(new NumberField(withStep(std::move(format), variable), this)), m_slider(new ValueSlider(this)),
       m_terms(new TermScale(this)), m_header(new QHBoxLayout) {
-    auto* name = new QLabel(caption, this);
+    auto* name = new ElidedLabel(this);
+    name->setText(caption);
     name->setProperty("strong", true);
     name->setBuddy(m_slider);
-    m_header->setSpacing(6);
+    m_header->setSpacing(4);
     m_header->addWidget(name, 1);
-    m_field->setFixedWidth(m_field->format().unit.isEmpty() ? 84 : 124);
+    const QString& unit = m_field->format().unit;
+    // Those with a unit are of one width, so that they line up in a column.
+    const int width = m_field->widthFor(unit), usual = m_field->widthFor(QStringLiteral("N·s/m"));
+    m_field->setFixedWidth(unit.isEmpty() ? width : std::clamp(width, usual, std::max(usual, widestField)));
     m_header->addWidget(m_field);
     m_slider->setRange(0, sliderSteps);
     m_slider->setPageStep(sliderSteps / 10);

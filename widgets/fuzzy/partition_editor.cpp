@@ -169,13 +169,19 @@ void PartitionEditor::dragTo(const QPoint& place, bool snaps) {
     if (m_hold->corner) {
         const double wanted = drawn.valueAt(place.x()) - m_hold->grabbedAt;
         const double value = snaps ? snapped(m_scene.variable, m_scene.term, wanted, snapping) : wanted;
-        emit setEdited(m_scene.term, withCorner(m_scene.variable, m_scene.term, *m_hold->corner, value));
-        return;
+        return shape(withCorner(m_scene.variable, m_scene.term, *m_hold->corner, value));
     }
     double by = (place.x() - m_hold->pressed.x()) * pixel;
     const double from = m_hold->before.b;
     if (snaps) by = snapped(m_hold->pressedOn, m_scene.term, from + by, snapping) - from;
-    emit setEdited(m_scene.term, shifted(m_hold->pressedOn, m_scene.term, by));
+    shape(shifted(m_hold->pressedOn, m_scene.term, by));
+}
+
+void PartitionEditor::shape(const Trapezoid& set) {
+    m_hold->waits = m_waits;
+    if (!m_waits) return emit setEdited(m_scene.term, set);
+    m_scene.variable.terms[m_scene.term].set = set;
+    update();
 }
 
 void PartitionEditor::mouseReleaseEvent(QMouseEvent* event) {
@@ -184,14 +190,15 @@ void PartitionEditor::mouseReleaseEvent(QMouseEvent* event) {
 
 void PartitionEditor::letGo() {
     if (!m_hold) return;
-    const bool wasMoving = m_hold->isMoving;
+    const Hold held = *m_hold;
     m_hold.reset();
-    if (wasMoving) emit gestureFinished();
+    if (held.waits && hasTerm()) emit setEdited(m_scene.term, m_scene.variable.terms[m_scene.term].set);
+    if (held.isMoving) emit gestureFinished();
 }
 
 void PartitionEditor::takeBack() {
-    const Trapezoid before = m_hold->before;
-    if (m_hold->isMoving) emit setEdited(m_scene.term, before);
+    if (m_hold->isMoving) shape(m_hold->before);
+    m_hold->waits = false;
     letGo();
 }
 

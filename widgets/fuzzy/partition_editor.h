@@ -24,6 +24,9 @@ public:
     void setValue(std::optional<double> value);
     /// Takes a term in hand without announcing it.
     void setTerm(std::size_t term);
+    /// While it waits, a drag is shown here alone and told when the mouse lets go: whoever asks before an
+    /// edit asks then, and shows the variable again where there is to be none.
+    void setWaits(bool waits) { m_waits = waits; }
     std::size_t term() const { return m_scene.term; }
     const FuzzyVariable& variable() const { return m_scene.variable; }
 
@@ -64,6 +67,7 @@ private:
         Trapezoid before;          ///< to go back to
         FuzzyVariable pressedOn{}; ///< as it was pressed on: a whole term is shifted from there
         bool isMoving = false;
+        bool waits = false; ///< what was dragged is not told yet
     };
 
     /// A corner that the mouse can take hold of.
@@ -79,6 +83,7 @@ private:
     void take(std::size_t term);
     void hold(Corner corner, const QPoint& place);
     void dragTo(const QPoint& place, bool snaps);
+    void shape(const Trapezoid& set);
     void letGo();
     void takeBack();
     void step(int direction, bool far);
@@ -89,6 +94,7 @@ private:
 
     PartitionScene m_scene;
     std::optional<Hold> m_hold;
+    bool m_waits = false;
     KeyRun m_keys{[this] { emit gestureFinished(); }};
 };
 

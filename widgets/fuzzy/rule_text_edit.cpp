@@ -14,6 +14,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <utility>
 
 namespace esm {
 
@@ -170,8 +171,12 @@ void RuleTextEdit::takeChange() {
     if (m_isQuiet) return;
     const QString text = toPlainText();
     if (text == m_text) return;
-    m_text = text;
+    m_before = std::exchange(m_text, text);
     emit edited();
+}
+
+void RuleTextEdit::takeBack() {
+    showText(m_before);
 }
 
 bool RuleTextEdit::event(QEvent* event) {

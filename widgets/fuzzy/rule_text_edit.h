@@ -31,6 +31,8 @@ public:
     /// Puts the cursor to a letter, counted from 1, of a line, counted from 0.
     void goTo(std::size_t line, std::size_t column);
 
+    /// Takes the change that is being announced back, without announcing it.
+    void takeBack();
     /// Takes a change of the text back, or makes it again; false where there is none.
     bool undoText();
     bool redoText();
@@ -83,7 +85,8 @@ private:
     QCompleter* m_completer;
     QStringListModel* m_words;
     QWidget* m_gutter;
-    QString m_text; ///< as it was announced last
+    QString m_text;   ///< as it was announced last
+    QString m_before; ///< the change that was announced last
     bool m_isQuiet = false;
     std::vector<UnreadRule> m_unread;
 };

@@ -31,6 +31,7 @@ public:
     void setInset(int pixels);
     /// Shown in place of the terms, when there is no value; empty shows the terms.
     void setNote(const QString& note);
+    const QString& note() const { return m_note; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

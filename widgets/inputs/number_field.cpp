@@ -48,9 +48,29 @@ QSize NumberField::sizeHint() const {
     return {width, QLineEdit::sizeHint().height()};
 }
 
+int NumberField::widthFor(const QString& unit) const {
+    const QString minus(QChar(0x2212)), sign = m_format.minimum < 0 ? minus : QString();
+    const QString longest = sign + QStringLiteral("0.000e") + minus + QStringLiteral("00");
+    return fontMetrics().horizontalAdvance(unit.isEmpty() ? longest : longest + ' ' + unit) + textMargin();
+}
+
+/// What the frame and the space within it take of the width: QLineEdit's own hint has room for seventeen x.
+int NumberField::textMargin() const {
+    return QLineEdit::sizeHint().width() - 17 * fontMetrics().horizontalAdvance('x') + 2;
+}
+
+bool NumberField::isCut() const {
+    return fontMetrics().horizontalAdvance(text()) + textMargin() > width() + 2;
+}
+
 bool NumberField::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip && !m_refusal.isEmpty()) {
         QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), m_refusal, this);
+        return true;
+    }
+    if (event->type() == QEvent::ToolTip && isCut()) {
+        const QString whole = toolTip().isEmpty() ? text() : text() + '\n' + toolTip();
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), whole, this);
         return true;
     }
     const bool handled = QLineEdit::event(event);

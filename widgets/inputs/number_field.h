@@ -45,6 +45,8 @@ public:
     void setPause(std::chrono::milliseconds pause) { m_keys.setPause(pause); }
 
     QSize sizeHint() const override;
+    /// Wide enough for every number with this unit, however large or small; pixels.
+    int widthFor(const QString& unit) const;
 
 signals:
     void valueEdited(double value);
@@ -67,6 +69,9 @@ private:
     void setRefusal(const QString& reason);
     void showValue();
     QString rangeText() const;
+    int textMargin() const;
+    /// Whether the field has no room for all of its text: the tool tip then says it.
+    bool isCut() const;
 
     NumberFormat m_format;
     std::optional<double> m_value;

@@ -1,6 +1,7 @@
 #include "app/editor/dialogs/system_questions.h"
 
 #include "app/editor/dialogs/ask.h"
+#include "app/editor/dialogs/shipped_systems.h"
 #include "core/fuzzy/rule_text.h"
 #include "widgets/fuzzy/term_scale.h"
 #include "widgets/inputs/number_text.h"
@@ -17,6 +18,13 @@ namespace esm {
 namespace {
 
 constexpr std::size_t mostRulesShown = 5;
+
+QStringList namesOf(const std::vector<const Region*>& regions) {
+    QStringList names;
+    for (const Region* region : regions)
+        names << QString::fromStdString(region->name);
+    return names;
+}
 
 } // namespace
 
@@ -51,6 +59,33 @@ bool mayTakeRulesAlong(QWidget& window, const FuzzySystem& system, const QString
         box.setDefaultButton(remove);
         box.exec();
         return box.clickedButton() == remove;
+    });
+}
+
+// Keys that were meant for what is edited must not answer: letters choose no button, Enter and the space bar
+// cancel.
+std::optional<Reach> askReach(QWidget& window, const FuzzySystem& system, const QString& selected,
+                              const std::vector<const Region*>& users) {
+    const QStringList names = namesOf(users);
+    return ask(window, [&]() -> std::optional<Reach> {
+        QMessageBox box(QMessageBox::Question, QObject::tr("Edit fuzzy system"),
+                        QObject::tr("%1 regions use the fuzzy system “%2”. For whom is the change?")
+                            .arg(countText(users.size()), shownName(system)),
+                        QMessageBox::Cancel, &window);
+        box.setObjectName(QStringLiteral("reachBox"));
+        box.setInformativeText(
+            QObject::tr("They are: %1.\n\nA copy gets a name of its own and is for “%2” alone; the others "
+                        "keep theirs. The answer holds until another region is selected.")
+                .arg(names.join(QStringLiteral(", ")), selected));
+        QPushButton* all =
+            box.addButton(QObject::tr("For all %1 regions").arg(users.size()), QMessageBox::AcceptRole);
+        QPushButton* copy = box.addButton(QObject::tr("A copy for this one"), QMessageBox::AcceptRole);
+        all->setObjectName(QStringLiteral("everyRegion"));
+        copy->setObjectName(QStringLiteral("copyForOne"));
+        box.setDefaultButton(QMessageBox::Cancel);
+        box.exec();
+        if (box.clickedButton() == all) return Reach::EveryRegion;
+        return box.clickedButton() == copy ? std::optional(Reach::CopyForOne) : std::nullopt;
     });
 }
 

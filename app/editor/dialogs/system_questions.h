@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/edits/system_reach.h"
 #include "core/fuzzy/system_edits.h"
 
 #include <QString>
@@ -17,5 +18,10 @@ std::optional<std::string> askVariableName(QWidget& window, const QString& title
 /// Asks whether the rules that speak of something may go with it, where there are any.
 bool mayTakeRulesAlong(QWidget& window, const FuzzySystem& system, const QString& what,
                        const std::vector<std::size_t>& rules);
+
+/// Asks whether an edit of a system that several regions use is for all of them, or for a copy that the
+/// selected one gets. None where the user would rather not edit.
+std::optional<Reach> askReach(QWidget& window, const FuzzySystem& system, const QString& selected,
+                              const std::vector<const Region*>& users);
 
 } // namespace esm

@@ -44,6 +44,7 @@ Change difference(const Project& before, const Project& after) {
     change.regions = before.regions != after.regions;
     change.regionTissue = !std::equal(before.regions.begin(), before.regions.end(), after.regions.begin(),
                                       after.regions.end(), sameTissue);
+    change.spareSystems = before.spareSystems != after.spareSystems;
     change.scene = before.scene != after.scene;
     change.stepping = before.stepping != after.stepping;
     change.layers = !sameLayers(before.layers, after.layers, sameButForLandmarks);

@@ -16,6 +16,7 @@ struct Change {
     bool tissue = false; ///< the whole organ's base tissue
     bool regions = false;
     bool regionTissue = false; ///< of the regions more than names and colours
+    bool spareSystems = false; ///< fuzzy systems that no region uses
     bool scene = false;
     bool stepping = false;  ///< how the motion is computed
     bool layers = false;    ///< what lies on the organ
@@ -25,14 +26,17 @@ struct Change {
     bool isOfHistory = false; ///< undone or redone, as against edited
 
     bool any() const {
-        return name || mesh || tissue || regions || scene || stepping || layers || landmarks || texture;
+        return name || mesh || tissue || regions || spareSystems || scene || stepping || layers ||
+               landmarks || texture;
     }
     /// What the simulation runs on.
     bool model() const { return mesh || tissue || regionTissue || scene; }
     /// What the composed texture is made of.
     bool picture() const { return mesh || layers || texture; }
 
-    static Change everything() { return {true, true, true, true, true, true, true, true, true, true, {}}; }
+    static Change everything() {
+        return {true, true, true, true, true, true, true, true, true, true, true, {}};
+    }
 };
 
 /// Whether both reach the same places: their ellipsoids and soft rims.

@@ -1,6 +1,7 @@
 #include "app/editor/document/document.h"
 
 #include "app/editor/document/project_command.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 
 #include <QScopedValueRollback>
 
@@ -14,6 +15,11 @@ using Value = std::shared_ptr<const Project>;
 
 template<typename Part> std::uint32_t highest(const std::vector<Part>& parts) {
     return nextId(parts).number - 1;
+}
+
+/// They are always at hand, and no file holds them for nobody.
+void dropShippedSystems(Project& project) {
+    std::erase_if(project.spareSystems, [](const auto& system) { return isFuzzyPreset(*system); });
 }
 
 } // namespace
@@ -43,6 +49,7 @@ void Document::edit(const QString& text, const std::function<void(Project&)>& ch
                     const MergeKey& mergeKey, std::optional<RegionId> systemOf) {
     Project after = m_project;
     change(after);
+    if (after.spareSystems != m_project.spareSystems) dropShippedSystems(after);
     if (after == m_project) return;
     m_undoStack.push(new ProjectCommand(*this, std::make_shared<const Project>(m_project),
                                         std::make_shared<const Project>(std::move(after)),

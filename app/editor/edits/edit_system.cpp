@@ -1,6 +1,7 @@
 #include "app/editor/edits/edit_system.h"
 
 #include "core/authoring/regions.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -44,24 +45,55 @@ NamedValues laterValues(const NamedValues& values, const Variables& before, cons
     return later;
 }
 
-} // namespace
-
-void editSystem(Project& project, RegionId region, const FuzzySystem& system) {
-    if (const auto problems = validate(system); !problems.empty()) throw InvalidModel(problems);
-    const auto before = partOf(project.regions, region).system;
-    const auto after = std::make_shared<const FuzzySystem>(system);
-    for (Region& other : project.regions) {
-        if (!other.system || other.system != before) continue;
-        other.inputs = laterValues(other.inputs, before->inputs, after->inputs);
-        other.system = after;
-    }
+/// "susilap-g, own", or with the next number that is free.
+std::string nameOfCopy(const Project& project, const std::string& name) {
+    const std::string stem = name.substr(0, name.find(", own")) + ", own";
+    const auto isTaken = [systems = systemsOf(project),
+                          shipped = fuzzyPresetNames()](const std::string& own) {
+        return std::find(shipped.begin(), shipped.end(), own) != shipped.end() ||
+               std::any_of(systems.begin(), systems.end(),
+                           [&](const SharedSystem& system) { return system->name == own; });
+    };
+    std::string own = stem;
+    for (int number = 2; isTaken(own); ++number)
+        own = stem + ' ' + std::to_string(number);
+    return own;
 }
 
-void setRange(Project& project, RegionId region, const VariablePlace& place, const NewRange& range) {
+/// Where it is the only user, there is nothing to copy.
+bool makesCopy(const Project& project, const FuzzySystem& before, Reach reach) {
+    return reach == Reach::CopyForOne && usersOf(project, before).size() > 1;
+}
+
+void exchange(Region& region, const SharedSystem& before, const SharedSystem& after) {
+    region.inputs = laterValues(region.inputs, before->inputs, after->inputs);
+    region.system = after;
+}
+
+} // namespace
+
+void editSystem(Project& project, RegionId region, const FuzzySystem& system, Reach reach) {
+    if (const auto problems = validate(system); !problems.empty()) throw InvalidModel(problems);
+    Region& edited = partOf(project.regions, region);
+    const SharedSystem before = edited.system;
+    if (*before == system) return;
+    if (makesCopy(project, *before, reach)) {
+        FuzzySystem copy = system;
+        copy.name = nameOfCopy(project, system.name);
+        return exchange(edited, before, std::make_shared<const FuzzySystem>(std::move(copy)));
+    }
+    const auto after = std::make_shared<const FuzzySystem>(system);
+    for (Region& other : project.regions)
+        if (other.system == before) exchange(other, before, after);
+}
+
+void setRange(Project& project, RegionId region, const VariablePlace& place, const NewRange& range,
+              Reach reach) {
     const FuzzySystem& system = *partOf(project.regions, region).system;
     const FuzzyVariable before = variableAt(system, place);
     editSystem(project, region,
-               withVariable(system, place, withRange(before, range.minimum, range.maximum, range.terms)));
+               withVariable(system, place, withRange(before, range.minimum, range.maximum, range.terms)),
+               reach);
     if (place.side == FuzzySide::Outputs || range.terms == TermsInRange::Stay) return;
     const double scale = (range.maximum - range.minimum) / (before.maximum - before.minimum);
     for (Region& other : project.regions) {
@@ -76,11 +108,12 @@ std::shared_ptr<const FuzzySystem> selectedSystem(const Selection& selection) {
     return region ? region->system : nullptr;
 }
 
-void editSelectedSystem(Document& document, const Selection& selection, const QString& text,
-                        const FuzzySystem& system, EditKind kind) {
+void editSelectedSystem(Document& document, const Selection& selection, const FuzzySystem& system,
+                        const SystemStep& step) {
     const RegionId region = *selection.region();
     document.edit(
-        text, [&](Project& project) { editSystem(project, region, system); }, {kind, region}, region);
+        step.text, [&](Project& project) { editSystem(project, region, system, step.reach); },
+        {step.kind, region}, region);
 }
 
 } // namespace esm

@@ -1,8 +1,12 @@
 #include "app/editor/panels/parameter_row.h"
 
+#include "widgets/fuzzy/small_font.h"
+#include "widgets/inputs/elided_label.h"
 #include "widgets/inputs/quantity_formats.h"
 
-#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace esm {
 
@@ -29,14 +33,18 @@ NumberFormat parameterFormat(Parameter parameter) {
 ParameterRow::ParameterRow(Parameter parameter, Extent extent, QWidget* parent)
     : QWidget(parent), m_field(new NumberField(parameterFormat(parameter), this)) {
     const QString caption = parameterName(parameter, extent);
-    auto* name = new QLabel(caption, this);
+    auto* name = new ElidedLabel(this);
+    name->setText(caption);
     name->setProperty("strong", true);
     name->setBuddy(m_field);
     m_field->setAccessibleName(caption);
-    m_field->setFixedWidth(124);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
+    m_field->setFixedWidth(m_field->widthFor(QStringLiteral("N·s/m"))); // the longest unit of tissue
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(3);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    column->addLayout(row);
     row->addWidget(name, 1);
     connect(m_field, &NumberField::valueEdited, this, &ParameterRow::valueEdited);
     connect(m_field, &NumberField::gestureFinished, this, &ParameterRow::gestureFinished);
@@ -47,6 +55,11 @@ ParameterRow::ParameterRow(Parameter parameter, Extent extent, QWidget* parent)
         m_hold->setCheckable(true);
         m_hold->setObjectName(QStringLiteral("holdButton"));
         row->addWidget(m_hold);
+        m_beneath = new QLabel(this);
+        m_beneath->setObjectName(QStringLiteral("beneath"));
+        m_beneath->setProperty("quiet", true);
+        m_beneath->setFont(smallFont(font()));
+        column->addWidget(m_beneath);
         connect(m_hold, &QToolButton::clicked, this, [this](bool held) {
             if (!held) return emit released();
             // Nothing to hold yet: the number is asked for.
@@ -63,6 +76,13 @@ void ParameterRow::setValue(std::optional<double> value) {
     m_hold->setChecked(value.has_value());
     m_hold->setToolTip(value ? tr("Let go: keep the value of the tissue beneath")
                              : tr("Type a value to hold it"));
+}
+
+void ParameterRow::setBeneath(const QString& beneath) {
+    if (!m_beneath) return;
+    const QString kept =
+        m_field->value() ? tr("in place of %1").arg(beneath) : tr("it keeps %1").arg(beneath);
+    m_beneath->setText(beneath.isEmpty() ? tr("the region reaches no node") : kept);
 }
 
 } // namespace esm

@@ -25,6 +25,8 @@ public:
 
     /// A value that is set by hand; none shows that the tissue beneath keeps its own.
     void setValue(std::optional<double> value);
+    /// Of a region: what the tissue beneath has, with its unit; empty where the region reaches none.
+    void setBeneath(const QString& beneath);
     NumberField* field() const { return m_field; }
 
 signals:
@@ -36,6 +38,7 @@ signals:
 private:
     NumberField* m_field;
     QToolButton* m_hold = nullptr;
+    QLabel* m_beneath = nullptr;
 };
 
 } // namespace esm

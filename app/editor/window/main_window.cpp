@@ -123,7 +123,8 @@ void MainWindow::buildPanels() {
     };
     connect(m_selection, &Selection::changed, this, showPhotoPanels);
     connect(m_document, &Document::changed, this, showPhotoPanels);
-    auto* workbench = new FuzzyWorkbench(*m_document, *m_selection);
+    auto* reach = new SystemReach(*m_document, *m_selection, this);
+    auto* workbench = new FuzzyWorkbench(*m_document, *m_selection, *reach);
     workbench->setWindowAction(m_actions.fuzzyWindow);
 
     const auto underOptions = [this](ToolWorkspace workspace, std::initializer_list<QWidget*> panels) {
@@ -134,7 +135,7 @@ void MainWindow::buildPanels() {
     m_workspaces->add(
         Workspace::Tissue,
         {new ModelPanel(*m_document, *m_preview), regions, new EllipsoidPanel(*m_document, *m_selection)},
-        underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection), workbench,
+        underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection, *reach), workbench,
                                              new AccuracyPanel(*m_document, *m_preview)}));
     m_workspaces->add(
         Workspace::Texture, {photos, new AtlasPanel(*m_document)},

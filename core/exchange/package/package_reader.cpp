@@ -43,7 +43,7 @@ ModelPackage readContent(const Glb& glb, std::vector<std::string>& problems) {
     ModelPackage package{readTissue(extension, arrays)};
     package.base = valueFrom<BaseTissue>(extension.member("base"));
     checkStiffening(extension, package);
-    package.regions = regionsFromJson(extension.member("fuzzySystems"), extension.member("regions"));
+    package.regions = regionsFromJson(extension.member("fuzzySystems"), extension.member("regions")).regions;
     checkVersion(extension, package);
     readValue(extension.member("baseColour"), package.baseColour, PlainForms());
     if (problems.empty()) readDrawn(extension, arrays, problems, package);

@@ -325,7 +325,9 @@ Project readContent(const JsonReader& manifest, Source& source) {
         source.shared<SpringNetwork>("network", networkEntries, [&] { return readNetwork(arrays, source); });
     project.importReport = readReport(manifest.member("importReport"), source);
     project.base = valueFrom<BaseTissue>(manifest.member("base"));
-    project.regions = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
+    ReadRegions read = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
+    project.regions = std::move(read.regions);
+    project.spareSystems = std::move(read.spare);
     project.scene = readScene(manifest.member("scene"));
     if (manifest.has("stepping")) project.stepping = steppingFromJson(manifest.member("stepping"));
     if (manifest.has("editor")) project.editor = readEditorState(manifest.member("editor"));

@@ -14,19 +14,19 @@ bool joinsByAndAlone(const FuzzyCondition& condition) {
                         [](const FuzzyCondition& part) { return part.kind == Kind::Is; }));
 }
 
-bool isExtended(const FuzzySystem& system) {
+} // namespace
+
+bool needsExtendedInference(const FuzzySystem& system) {
     return !(system.norms == FuzzyNorms{}) ||
            std::any_of(system.rules.begin(), system.rules.end(), [](const FuzzyRule& rule) {
                return rule.weight != 1 || !joinsByAndAlone(rule.condition);
            });
 }
 
-} // namespace
-
 VersionNeeds needsOf(const std::vector<Region>& regions, bool binding, bool stiffening) {
     const auto any = [&](auto&& is) { return std::any_of(regions.begin(), regions.end(), is); };
     return {binding, stiffening,
-            any([](const Region& region) { return region.system && isExtended(*region.system); }),
+            any([](const Region& region) { return region.system && needsExtendedInference(*region.system); }),
             any([](const Region& region) { return region.rim != 0; })};
 }
 

@@ -22,6 +22,9 @@ struct VersionNeeds {
     bool wideBinding = false;       ///< more than three nodes that carry one vertex: version 9
 };
 
+/// Whether older programs would misread a system: version 4.
+bool needsExtendedInference(const FuzzySystem& system);
+
 /// What the regions and their fuzzy systems need, with what else does.
 VersionNeeds needsOf(const std::vector<Region>& regions, bool binding, bool stiffening);
 

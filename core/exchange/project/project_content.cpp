@@ -167,7 +167,7 @@ ProjectContent contentOf(const Project& project) {
     addMesh(project.mesh, arrays);
     addNetwork(project.network, arrays);
     if (project.network->binding) addBinding(project.network, arrays);
-    RegionsJson regions = toJson(project.regions);
+    RegionsJson regions = toJson(project.regions, project.spareSystems);
     Json texture = writtenFields(project.texture.atlas);
     texture.update(writtenFields(project.texture));
     content.manifest = {{"format", layout::format},

@@ -33,6 +33,8 @@ bool needsLandmarks(const TextureLayer& layer) {
 int projectVersionOf(const Project& project) {
     VersionNeeds needs =
         needsOf(project.regions, project.network->binding.has_value(), project.base.stiffening.has_value());
+    for (const auto& spare : project.spareSystems)
+        needs.extendedInference = needs.extendedInference || needsExtendedInference(*spare);
     const auto any = [&](auto&& needed) {
         return std::any_of(project.layers.begin(), project.layers.end(), needed);
     };

@@ -49,7 +49,7 @@ struct RegionWriting {
 };
 
 struct RegionReading {
-    const std::vector<std::shared_ptr<const FuzzySystem>>& systems;
+    const Systems& systems;
 
     void read(const JsonReader& reader, ByValue<FuzzySystem>& system) const {
         if (systems.empty())
@@ -76,20 +76,37 @@ std::shared_ptr<const FuzzySystem> systemFromJson(const JsonReader& reader) {
     }
 }
 
+/// A file of others may hold the same system twice.
+Systems spareOf(const Systems& systems, const std::vector<Region>& regions) {
+    Systems spare;
+    for (const auto& system : systems) {
+        const auto isIt = [&](const Region& region) { return region.system == system; };
+        const bool isKnown = !system || isFuzzyPreset(*system) ||
+                             std::any_of(regions.begin(), regions.end(), isIt) ||
+                             std::find(spare.begin(), spare.end(), system) != spare.end();
+        if (!isKnown) spare.push_back(system);
+    }
+    return spare;
+}
+
 } // namespace
 
-RegionsJson toJson(const std::vector<Region>& regions) {
+RegionsJson toJson(const std::vector<Region>& regions, const Systems& spare) {
     RegionsJson result;
     for (const Region& region : regions)
         result.regions.push_back(writtenFields(region, RegionWriting{result.systems}));
+    for (const auto& system : spare)
+        if (!isFuzzyPreset(*system)) placeOf(*system, result.systems);
     return result;
 }
 
-std::vector<Region> regionsFromJson(const JsonReader& systems, const JsonReader& regions) {
-    std::vector<std::shared_ptr<const FuzzySystem>> shared;
+ReadRegions regionsFromJson(const JsonReader& systems, const JsonReader& regions) {
+    Systems shared;
     for (const JsonReader& system : systems.elements())
-        shared.push_back(systemFromJson(system));
-    return valueFrom<std::vector<Region>>(regions, RegionReading{shared});
+        shared.emplace_back(systemFromJson(system));
+    ReadRegions read{valueFrom<std::vector<Region>>(regions, RegionReading{shared}), {}};
+    read.spare = spareOf(shared, read.regions);
+    return read;
 }
 
 } // namespace esm

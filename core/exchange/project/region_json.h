@@ -15,9 +15,16 @@ struct RegionsJson {
     nlohmann::ordered_json regions = nlohmann::ordered_json::array();
 };
 
-RegionsJson toJson(const std::vector<Region>& regions);
+using Systems = std::vector<ByValue<FuzzySystem>>;
 
-/// Regions that name the same system share it.
-std::vector<Region> regionsFromJson(const JsonReader& systems, const JsonReader& regions);
+/// @param spare systems that no region names; those that ship with the program are left out
+RegionsJson toJson(const std::vector<Region>& regions, const Systems& spare = {});
+
+struct ReadRegions {
+    std::vector<Region> regions; ///< those that name the same system share it
+    Systems spare;               ///< each once; none of what ships with the program
+};
+
+ReadRegions regionsFromJson(const JsonReader& systems, const JsonReader& regions);
 
 } // namespace esm

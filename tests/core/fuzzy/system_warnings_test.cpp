@@ -1,8 +1,8 @@
 #include "core/fuzzy/system_warnings.h"
 
 #include "core/exchange/fuzzy/fuzzy_file.h"
+#include "core/fuzzy/empty_outputs.h"
 #include "core/fuzzy/inference.h"
-#include "core/fuzzy/rule_facts.h"
 #include "core/support/joined.h"
 #include "tests/core/fuzzy/age_and_zeal.h"
 
@@ -114,6 +114,27 @@ std::vector<std::vector<bool>> firingBySampling(const FuzzySystem& system) {
     return fires;
 }
 
+bool holdsValue(const RuleReach& reach, std::size_t input, const CellSet& cells, double value) {
+    return holdValue(rangesOf(reach.cells(input), cells), value);
+}
+
+/// How many of the cases hold these values.
+int casesOf(const EmptyCases& cases, const RuleReach& reach, const std::vector<double>& values) {
+    int count = 0;
+    for (std::size_t input = 0; input < values.size(); ++input)
+        count += holdsValue(reach, input, cases.decided[input], values[input]);
+    if (count > 0) return 1;
+    for (const ValueBox& box : cases.combined)
+        count += std::all_of(box.begin(), box.end(), [&](const auto& entry) {
+            return holdsValue(reach, entry.first, entry.second, values[entry.first]);
+        });
+    return count;
+}
+
+std::vector<std::string> emptyOutputs(const std::vector<std::string>& rules) {
+    return warnings(rules, WarningKind::EmptyOutput);
+}
+
 constexpr const char* notAllChecked =
     "There are too many rules, or too intricate ones, to check all of them.";
 
@@ -169,8 +190,85 @@ TEST(UncoveredRanges, AreExact) {
                 ElementsAre("No rule fires where age is from 4 to 9.",
                             "No rule that asks for zeal fires where it is from 0 to 0.2."));
     system.rules.push_back(parseRule(system, "IF zeal IS little THEN mass IS small"));
+    EXPECT_THAT(warningsOf(system, WarningKind::UncoveredRange), IsEmpty());
+    EXPECT_THAT(warningsOf(system, WarningKind::EmptyOutput),
+                ElementsAre("No rule fires for viscosity where age is from 4 to 9.",
+                            "No rule fires for viscosity where age is from 0 to 2 and zeal is from 0 to 0.2.",
+                            "No rule fires for mass where zeal is from 0.8 to 1."))
+        << "the range is told once, with what it leaves empty";
+    system.rules.push_back(parseRule(system, "IF zeal IS much THEN viscosity IS thick AND mass IS small"));
     EXPECT_THAT(warningsOf(system, WarningKind::UncoveredRange),
                 ElementsAre("No rule that asks for age fires where it is from 4 to 9."));
+}
+
+TEST(EmptyCases, AreWhereSamplingFindsNoValue) {
+    UnevenSystems systems;
+    int empty = 0, combined = 0;
+    for (int i = 0; i < 60; ++i) {
+        const FuzzySystem system = systems.next();
+        RuleReach reach(system);
+        std::size_t work = 0;
+        const auto cases = emptyCases(factsOfRules(system, reach), 0, reach, work);
+        ASSERT_TRUE(cases);
+        combined += !cases->combined.empty() && !cases->combined[0].empty();
+        for (double x = 0; x <= UnevenSystems::most; x += 0.5)
+            for (double y = 0; y <= UnevenSystems::most; y += 0.5)
+                for (double z = 0; z <= UnevenSystems::most; z += 0.5) {
+                    const bool isEmpty = !infer(system, {x, y, z}).outputs[0];
+                    ASSERT_EQ(casesOf(*cases, reach, {x, y, z}), int(isEmpty))
+                        << "system " << i << " at " << x << ", " << y << ", " << z << "\n"
+                        << ruleText(system, system.rules[0]);
+                    empty += isEmpty;
+                }
+    }
+    EXPECT_GT(empty, 1000) << "there is something to find";
+    EXPECT_GT(combined, 10) << "some of it takes several inputs";
+}
+
+TEST(SystemWarnings, TellWhichValuesOfOneInputLeaveAnOutputEmpty) {
+    FuzzySystem system = ageAndZealSystem(
+        {"IF age IS young THEN viscosity IS thin AND mass IS small", "IF age IS old THEN mass IS small"});
+    system.inputs[0].unit = "a";
+    EXPECT_THAT(warningsOf(system, WarningKind::EmptyOutput),
+                ElementsAre("No rule fires for viscosity where age is from 4 to 9 a."));
+    EXPECT_THAT(warningsOf(system, WarningKind::UncoveredRange), IsEmpty());
+    EXPECT_THAT(emptyOutputs({"IF age IS young THEN viscosity IS thin AND mass IS small",
+                              "IF age IS young THEN mass IS small"}),
+                IsEmpty())
+        << "that no rule fires at all is told once";
+}
+
+TEST(SystemWarnings, TellWhichValuesOfSeveralInputsLeaveOutputsEmpty) {
+    EXPECT_THAT(emptyOutputs({"IF age IS young OR zeal IS much THEN viscosity IS thin AND mass IS small"}),
+                ElementsAre("No rule fires for viscosity and mass where age is from 4 to 9 and zeal is from "
+                            "0 to 0.2."));
+    EXPECT_THAT(
+        emptyOutputs({"IF age IS young AND zeal IS much THEN viscosity IS thin",
+                      "IF age IS old AND zeal IS little THEN viscosity IS thick"}),
+        ElementsAre("No rule fires for viscosity where age is from 4 to 9 and zeal is from 0.8 to 1.",
+                    "No rule fires for viscosity where age is from 0 to 2 and zeal is from 0 to 0.2."));
+    EXPECT_THAT(emptyOutputs({"IF age IS old THEN viscosity IS thin WITH 0"}),
+                ElementsAre("No rule fires for viscosity, whatever the inputs are."));
+    EXPECT_THAT(emptyOutputs({"IF age IS young OR age IS old THEN viscosity IS thin"}), IsEmpty());
+}
+
+TEST(SystemWarnings, TellTheWidestOfManyCombinationsThatLeaveAnOutputEmpty) {
+    FuzzySystem system = ageAndZealSystem();
+    system.inputs[0].terms.clear();
+    system.inputs[1].terms.clear();
+    for (int i = 0; i < 9; ++i) { // each of its own width, so that no two cases are told together
+        const double from = i, to = i + 1, most = 0.1 * (i + 1);
+        system.inputs[0].terms.push_back({"a" + std::to_string(i), {from, from, to, to}});
+        system.inputs[1].terms.push_back({"z" + std::to_string(i), {0, 0, most, most}});
+        const std::string number = std::to_string(i);
+        system.rules.push_back(
+            parseRule(system, "IF age IS a" + number + " AND zeal IS z" + number + " THEN mass IS small"));
+    }
+    const auto told = warningsOf(system, WarningKind::EmptyOutput);
+    ASSERT_THAT(told, SizeIs(mostEmptyCombinations + 1));
+    EXPECT_EQ(told[0],
+              "No rule fires for mass where age is from 0 to below 1 and zeal is above 0.1, up to 0.9.");
+    EXPECT_EQ(told.back(), "No rule fires for mass in 3 more combinations of inputs.");
 }
 
 TEST(SystemWarnings, TellContradictionsOnTheSameCondition) {

@@ -156,3 +156,25 @@ TEST_F(PartitionEditorTest, KeysThatRestEndTheGesture) {
     press(Qt::Key_Right);
     EXPECT_TRUE(finished.wait());
 }
+
+TEST_F(PartitionEditorTest, TellsADragAtItsEndWhileItWaits) {
+    QSignalSpy edited(&editor, &PartitionEditor::setEdited);
+    const Trapezoid before = set(1);
+    editor.setWaits(true);
+    const QPoint from = editor.placeOf(1, Corner::D);
+    QTest::mousePress(&editor, Qt::LeftButton, {}, from);
+    moveTo(from + QPoint(20, 0));
+    moveTo(from + QPoint(40, 0));
+    EXPECT_EQ(edited.count(), 0);
+    EXPECT_DOUBLE_EQ(set(1).d, 7) << "it is seen all the same";
+    QTest::mouseRelease(&editor, Qt::LeftButton, {}, from + QPoint(40, 0));
+    EXPECT_EQ(edited.count(), 1);
+    EXPECT_EQ(finished.count(), 1);
+    EXPECT_DOUBLE_EQ(set(1).d, 7);
+    QTest::mousePress(&editor, Qt::LeftButton, {}, editor.placeOf(1, Corner::D));
+    moveTo(from);
+    press(Qt::Key_Escape);
+    EXPECT_DOUBLE_EQ(set(1).d, 7) << "taken back";
+    EXPECT_EQ(edited.count(), 1);
+    EXPECT_NE(set(1), before);
+}

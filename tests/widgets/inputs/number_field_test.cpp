@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <QAction>
 #include <QApplication>
+#include <QHelpEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 using namespace esm;
@@ -130,4 +132,30 @@ TEST_F(NumberFieldTest, LeavesUndoToTheWindowUntilSomethingIsTyped) {
     QTest::keyClicks(number, "25");
     QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(undone.count(), 1) << "typing is undone in the field";
+}
+
+TEST_F(NumberFieldTest, IsWideEnoughForEveryNumberWhereItIsAskedTo) {
+    NumberFormat format;
+    format.unit = QStringLiteral("N·s/m");
+    NumberField narrow(format);
+    narrow.setFixedWidth(narrow.widthFor(format.unit));
+    for (const double value : {1e-7, 8.888e8, -8.888e-8, 888888888.0}) {
+        narrow.setValue(value);
+        EXPECT_LT(narrow.fontMetrics().horizontalAdvance(narrow.text()) + 4, narrow.width()) << value;
+    }
+}
+
+TEST_F(NumberFieldTest, SaysANumberThatHasNoRoomInItsToolTip) {
+    field.setToolTip(QStringLiteral("How long it is"));
+    const auto toolTip = [&] {
+        QToolTip::hideText();
+        QHelpEvent event(QEvent::ToolTip, {2, 2}, field.mapToGlobal({2, 2}));
+        QApplication::sendEvent(&field, &event);
+        return QToolTip::text();
+    };
+    field.show();
+    field.resize(200, field.sizeHint().height());
+    EXPECT_EQ(toolTip(), "How long it is");
+    field.resize(30, field.sizeHint().height());
+    EXPECT_EQ(toolTip(), field.text() + "\nHow long it is");
 }

@@ -40,8 +40,9 @@ QString valueInWords(const FuzzyVariable& variable, std::optional<double> value)
 
 } // namespace
 
-DomainsPanel::DomainsPanel(Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection), m_content(new QWidget(this)) {
+DomainsPanel::DomainsPanel(Document& document, Selection& selection, SystemReach& reach, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_reach(reach),
+      m_content(new QWidget(this)) {
     QVBoxLayout* column = plainColumn(this);
     column->addWidget(m_content, 1);
     buildContent();
@@ -50,8 +51,9 @@ DomainsPanel::DomainsPanel(Document& document, Selection& selection, QWidget* pa
     connectVariables();
     connect(&selection, &Selection::changed, this, &DomainsPanel::showSystem);
     connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.mesh || change.regions) showSystem();
+        if (change.mesh || change.regions) follow(change.system);
     });
+    connect(&reach, &SystemReach::changed, this, [this] { m_partition->setWaits(m_reach.wouldAsk()); });
 }
 
 void DomainsPanel::buildContent() {
@@ -153,6 +155,16 @@ const FuzzyVariable* DomainsPanel::variable() const {
     return shown ? &variableAt(*shown, m_place) : nullptr;
 }
 
+/// What is edited stays in hand, also where it became a copy of another name.
+void DomainsPanel::follow(const EditedSystem& edited) {
+    const bool goesOn = sameValue(edited.before, m_shown) && sameValue(edited.after, system());
+    if (goesOn && m_shown && m_selection.region() == m_shownRegion) {
+        m_shown = system();
+        m_terms->setProblems({});
+    }
+    showSystem();
+}
+
 void DomainsPanel::showSystem() {
     const auto shown = system();
     // What nobody looks at waits.
@@ -172,6 +184,7 @@ void DomainsPanel::showSystem() {
 
 void DomainsPanel::showVariable(const FuzzySystem& system) {
     const FuzzyVariable& variable = variableAt(system, m_place);
+    m_partition->setWaits(m_reach.wouldAsk());
     m_partition->setVariable(variable);
     m_partition->setTerm(m_term);
     const auto value = presentValue();
@@ -213,12 +226,17 @@ void DomainsPanel::takeTerm(std::size_t term) {
     showSystem();
 }
 
-bool DomainsPanel::take(const QString& text, const std::function<void(Project&)>& change, EditKind kind,
-                        std::uint64_t place) {
+bool DomainsPanel::take(const QString& text, const SystemChange& change, EditKind kind, std::uint64_t place) {
     if (!system()) return false;
+    const std::optional<Reach> reach = m_reach.ask();
+    if (!reach) {
+        showSystem();
+        return false;
+    }
     const RegionId region = *m_selection.region();
     try {
-        m_document.edit(text, change, {kind, region, place}, region);
+        m_document.edit(
+            text, [&](Project& project) { change(project, *reach); }, {kind, region, place}, region);
         m_terms->setProblems({});
         return true;
     } catch (const InvalidModel& error) {
@@ -231,9 +249,9 @@ bool DomainsPanel::take(const QString& text, const std::function<void(Project&)>
 bool DomainsPanel::edit(const QString& text, const SystemEdit& change, EditKind kind, std::uint64_t place) {
     return take(
         text,
-        [&](Project& project) {
+        [&](Project& project, Reach reach) {
             const RegionId region = *m_selection.region();
-            editSystem(project, region, change(*partOf(project.regions, region).system));
+            editSystem(project, region, change(*partOf(project.regions, region).system), reach);
         },
         kind, place);
 }
@@ -253,8 +271,8 @@ bool DomainsPanel::editVariable(const QString& text, const std::function<void(Fu
 void DomainsPanel::setRange(double minimum, double maximum, TermsInRange terms) {
     take(
         tr("Set range"),
-        [&](Project& project) {
-            esm::setRange(project, *m_selection.region(), m_place, {minimum, maximum, terms});
+        [&](Project& project, Reach reach) {
+            esm::setRange(project, *m_selection.region(), m_place, {minimum, maximum, terms}, reach);
         },
         EditKind::VariableRange);
 }
@@ -293,8 +311,10 @@ void DomainsPanel::moveTerm(int by) {
     if (!shown || to < 0 || to >= static_cast<std::ptrdiff_t>(shown->terms.size())) return;
     const std::size_t from = m_term;
     m_term = static_cast<std::size_t>(to);
-    edit(tr("Reorder terms"),
-         [&](const FuzzySystem& before) { return withTermMoved(before, m_place, from, m_term); });
+    const auto move = [&](const FuzzySystem& before) { return withTermMoved(before, m_place, from, m_term); };
+    if (edit(tr("Reorder terms"), move)) return;
+    m_term = from;
+    showSystem();
 }
 
 void DomainsPanel::renameTerm(std::size_t term, const QString& typed) {
@@ -355,8 +375,12 @@ void DomainsPanel::moveVariable(int by) {
         return;
     const VariablePlace from = m_place;
     m_place.index = static_cast<std::size_t>(to);
-    edit(tr("Reorder variables"),
-         [&](const FuzzySystem& before) { return withVariableMoved(before, from, m_place.index); });
+    const auto move = [&](const FuzzySystem& before) {
+        return withVariableMoved(before, from, m_place.index);
+    };
+    if (edit(tr("Reorder variables"), move)) return;
+    m_place = from;
+    showSystem();
 }
 
 } // namespace esm

@@ -2,6 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/edits/system_reach.h"
 #include "app/editor/panels/fuzzy/range_row.h"
 #include "app/editor/panels/fuzzy/term_list.h"
 #include "app/editor/panels/fuzzy/variable_choice.h"
@@ -21,7 +22,7 @@ class DomainsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    DomainsPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
+    DomainsPanel(Document& document, Selection& selection, SystemReach& reach, QWidget* parent = nullptr);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -36,6 +37,7 @@ private:
     void connectTerms();
     void connectVariables();
 
+    void follow(const EditedSystem& edited);
     void showSystem();
     void showVariable(const FuzzySystem& system);
     std::optional<double> presentValue() const;
@@ -47,9 +49,10 @@ private:
     /// Takes the term in hand that the present value belongs to most.
     void takeSpokenTerm();
 
-    /// An undoable edit; what cannot be done is said in the panel, and the system then stays as it was.
-    bool take(const QString& text, const std::function<void(Project&)>& change, EditKind kind,
-              std::uint64_t place = 0);
+    using SystemChange = std::function<void(Project&, Reach)>;
+    /// An undoable edit; what cannot be done is said in the panel, and the system then stays as it was. So it
+    /// does where the user, who is asked when other regions use the system too, would rather not.
+    bool take(const QString& text, const SystemChange& change, EditKind kind, std::uint64_t place = 0);
     bool edit(const QString& text, const SystemEdit& change, EditKind kind = EditKind::Alone,
               std::uint64_t place = 0);
     bool editVariable(const QString& text, const std::function<void(FuzzyVariable&)>& change,
@@ -66,6 +69,7 @@ private:
 
     Document& m_document;
     Selection& m_selection;
+    SystemReach& m_reach;
     VariablePlace m_place;
     std::size_t m_term = 0;
     std::optional<std::size_t> m_added; ///< the term that awaits its first name

@@ -1,6 +1,7 @@
 #include "app/editor/panels/fuzzy/fuzzy_workbench.h"
 
 #include "app/editor/dialogs/shipped_systems.h"
+#include "app/editor/dialogs/system_questions.h"
 #include "app/editor/edits/edit_system.h"
 #include "app/editor/panels/fuzzy/domains_panel.h"
 #include "app/editor/panels/fuzzy/rules_panel.h"
@@ -44,7 +45,7 @@ const QString geometryKey = QStringLiteral("fuzzyWindow");
 
 } // namespace
 
-FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, QWidget* parent)
+FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, SystemReach& reach, QWidget* parent)
     : Section({}, parent), m_document(document), m_selection(selection), m_content(new QWidget(this)),
       m_pages(new QStackedWidget(m_content)), m_tabs(new QTabBar), m_panels(new QStackedWidget),
       m_elsewhere(new QWidget(this)) {
@@ -70,10 +71,14 @@ FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, QWidget
     body()->addWidget(m_elsewhere);
     m_elsewhere->hide();
 
-    addTab(tr("Rules"), new RulesPanel(document, selection));
-    addTab(tr("Domains"), new DomainsPanel(document, selection));
+    addTab(tr("Rules"), new RulesPanel(document, selection, reach));
+    addTab(tr("Domains"), new DomainsPanel(document, selection, reach));
     addTab(tr("Why"), new WhyPanel(document, selection));
 
+    reach.setQuestion([this](const FuzzySystem& system, const std::vector<const Region*>& users) {
+        const QString selected = QString::fromStdString(m_selection.selectedRegion()->name);
+        return askReach(*m_content->window(), system, selected, users);
+    });
     connect(&selection, &Selection::changed, this, &FuzzyWorkbench::showSystem);
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.regions || change.mesh) showSystem();

@@ -2,6 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/edits/system_reach.h"
 #include "widgets/inputs/section.h"
 
 #include <QAction>
@@ -16,7 +17,7 @@ class FuzzyWorkbench : public Section {
     Q_OBJECT
 
 public:
-    FuzzyWorkbench(Document& document, Selection& selection, QWidget* parent = nullptr);
+    FuzzyWorkbench(Document& document, Selection& selection, SystemReach& reach, QWidget* parent = nullptr);
 
     /// The checkable action that moves the tabs into the window and back.
     void setWindowAction(QAction* action);

@@ -41,10 +41,10 @@ QPushButton* quietButton(const QString& text) {
 
 } // namespace
 
-RulesPanel::RulesPanel(Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection), m_views(new QStackedWidget),
-      m_text(new RuleTextEdit), m_table(new RuleTable), m_state(new QLabel), m_notes(new RuleNotes),
-      m_rest(new QTimer(this)), m_check(new QTimer(this)) {
+RulesPanel::RulesPanel(Document& document, Selection& selection, SystemReach& reach, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_reach(reach),
+      m_views(new QStackedWidget), m_text(new RuleTextEdit), m_table(new RuleTable), m_state(new QLabel),
+      m_notes(new RuleNotes), m_rest(new QTimer(this)), m_check(new QTimer(this)) {
     m_text->setObjectName(QStringLiteral("ruleText"));
     m_table->setObjectName(QStringLiteral("ruleTable"));
     m_views->addWidget(m_text);
@@ -53,15 +53,15 @@ RulesPanel::RulesPanel(Document& document, Selection& selection, QWidget* parent
     m_state->setObjectName(QStringLiteral("ruleState"));
     m_state->setWordWrap(true);
     m_state->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_state->setFixedHeight(2 * m_state->fontMetrics().lineSpacing() + 2);
-    m_notes->setFixedHeight(6 * m_notes->fontMetrics().lineSpacing());
+    m_state->setFixedHeight(4 * m_state->fontMetrics().lineSpacing() + 2);
+    m_notes->setFixedHeight(5 * m_notes->fontMetrics().lineSpacing());
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
     column->addWidget(buildTop());
-    column->addWidget(m_views, 1);
     column->addWidget(m_state);
+    column->addWidget(m_views, 1);
     column->addWidget(m_notes);
 
     connectParts();
@@ -192,7 +192,9 @@ void RulesPanel::read() {
     m_isInForce = m_reading.unread.empty() && m_obstacle.isEmpty() && m_reading.rules == m_system->rules;
 }
 
+/// Whom the change is for is asked at its first letter, which then goes again where it is for nobody.
 void RulesPanel::takeText() {
+    if (!m_reach.ask()) return m_text->takeBack();
     m_refusal.clear();
     read();
     apply();
@@ -202,8 +204,10 @@ void RulesPanel::takeText() {
 
 void RulesPanel::apply() {
     if (m_isInForce || !m_reading.unread.empty() || !m_obstacle.isEmpty()) return;
+    const std::optional<Reach> reach = m_reach.ask();
+    if (!reach) return;
     m_isRunning = true;
-    editSelectedSystem(m_document, m_selection, tr("Edit rules"), written(), EditKind::Rules);
+    editSelectedSystem(m_document, m_selection, written(), {tr("Edit rules"), EditKind::Rules, *reach});
 }
 
 void RulesPanel::takeTable(const QStringList& lines) {
@@ -260,11 +264,16 @@ QString RulesPanel::stateText() const {
     const QString before = m_system->rules.empty()
                                ? tr("Before there was none.")
                                : tr("The %1 before still hold.").arg(rulesCounted(m_system->rules.size()));
-    const std::size_t unread = m_reading.unread.size();
-    if (unread == 1)
-        return tr("Not in force: rule %1 cannot be read. %2").arg(m_reading.unread[0].number).arg(before);
-    if (unread > 1) return tr("Not in force: %1 cannot be read. %2").arg(rulesCounted(unread), before);
-    return tr("Not in force. %1").arg(before);
+    return tr("Not in force%1 %2").arg(firstMistake(), before);
+}
+
+/// What keeps the text from being in force, as far as one sentence goes; all of it stands in the notes.
+QString RulesPanel::firstMistake() const {
+    if (m_reading.unread.empty()) return m_obstacle.isEmpty() ? tr(".") : tr(": %1").arg(m_obstacle);
+    const UnreadRule& rule = m_reading.unread.front();
+    const std::size_t more = m_reading.unread.size() - 1;
+    const QString message = tr(": rule %1, %2").arg(rule.number).arg(QString::fromStdString(rule.message));
+    return more > 0 ? message + tr(" (and %1 more).").arg(rulesCounted(more)) : message + '.';
 }
 
 void RulesPanel::tellUnfinished() {
@@ -278,6 +287,7 @@ void RulesPanel::showState() {
     if (!m_system) return;
     m_text->showMistakes(m_reading.unread);
     m_state->setText(stateText());
+    m_state->setToolTip(m_state->text());
     m_state->setProperty("quiet", m_isInForce);
     m_state->setProperty("warning", !m_isInForce);
     m_state->style()->polish(m_state);

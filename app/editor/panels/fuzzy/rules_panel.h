@@ -2,6 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/edits/system_reach.h"
 #include "app/editor/panels/fuzzy/rule_drafts.h"
 #include "core/fuzzy/system_warnings.h"
 #include "widgets/fuzzy/rule_notes.h"
@@ -23,7 +24,7 @@ class RulesPanel : public QWidget {
     Q_OBJECT
 
 public:
-    RulesPanel(Document& document, Selection& selection, QWidget* parent = nullptr);
+    RulesPanel(Document& document, Selection& selection, SystemReach& reach, QWidget* parent = nullptr);
 
     RuleTextEdit* text() const { return m_text; }
     RuleTable* table() const { return m_table; }
@@ -58,10 +59,12 @@ private:
     void showNotes();
     void goTo(int line, int column);
     QString stateText() const;
+    QString firstMistake() const;
     FuzzySystem written() const;
 
     Document& m_document;
     Selection& m_selection;
+    SystemReach& m_reach;
     QStackedWidget* m_views; ///< text, table
     RuleTextEdit* m_text;
     RuleTable* m_table;

@@ -1,7 +1,11 @@
 #include "app/editor/panels/tissue/tissue_panel.h"
 
 #include "app/editor/edits/input_edits.h"
+#include "app/editor/panels/fuzzy/spare_systems_button.h"
 #include "app/editor/panels/tissue/tissue_preset_button.h"
+#include "core/exchange/project/tissue_preset_file.h"
+#include "widgets/fuzzy/small_font.h"
+#include "widgets/inputs/elided_label.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/tab_order.h"
 
@@ -42,20 +46,58 @@ NumberFormat sliderFormat(const FuzzyVariable& variable) {
     return format;
 }
 
-std::vector<FuzzyChoice::System> systemsOf(const Project& project) {
-    std::vector<FuzzyChoice::System> systems;
-    for (const Region& region : project.regions)
-        if (region.system) systems.push_back(region.system);
-    return systems;
+/// The choice, and beside it what can be done with the project's own systems.
+QWidget* choiceWithRemoval(FuzzyChoice* choice, Document& document) {
+    auto* both = new QWidget;
+    auto* row = new QHBoxLayout(both);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    row->addWidget(choice, 1);
+    row->addWidget(new SpareSystemsButton(document, both));
+    both->setFocusProxy(choice);
+    return both;
+}
+
+ElidedLabel* quietLine(const QString& name, QWidget* parent) {
+    auto* line = new ElidedLabel(parent);
+    line->setObjectName(name);
+    line->setProperty("quiet", true);
+    line->setFont(smallFont(line->font()));
+    return line;
+}
+
+/// The preset that the tissue was taken from, and that it still is; one with words before one without.
+std::optional<TissuePreset> presetInForce(const Project& project, const Region* region) {
+    static const std::vector<TissuePreset> presets = [] {
+        std::vector<TissuePreset> all;
+        for (const std::string& name : tissuePresetNames())
+            all.push_back(tissuePreset(name));
+        std::stable_partition(all.begin(), all.end(),
+                              [](const TissuePreset& p) { return p.system != nullptr; });
+        return all;
+    }();
+    const auto found = std::find_if(presets.begin(), presets.end(), [&](const TissuePreset& preset) {
+        return isAsPublished(project, region, preset);
+    });
+    return found == presets.end() ? std::nullopt : std::optional(*found);
+}
+
+QStringList namesOf(const std::vector<const Region*>& regions) {
+    QStringList names;
+    for (const Region* region : regions)
+        names << QString::fromStdString(region->name);
+    return names;
 }
 
 } // namespace
 
-TissuePanel::TissuePanel(Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection),
+TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& reach, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_reach(reach),
       m_tissue(new Section(tr("Tissue"), this)), m_results(new Section(tr("Results"), this)),
       m_choice(new FuzzyChoice(this)), m_stiffening(new StiffeningRow(document, this)),
-      m_system(new QLabel(this)), m_hint(new QLabel(this)), m_warnings(new QLabel(this)) {
+      m_system(new QLabel(this)), m_users(quietLine(QStringLiteral("systemUsers"), this)),
+      m_source(quietLine(QStringLiteral("tissueSource"), this)), m_hint(new QLabel(this)),
+      m_warnings(new QLabel(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -63,12 +105,14 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, QWidget* pare
     column->addWidget(m_results);
     m_tissue->addToHeader(new TissuePresetButton(document, selection, this));
     auto* choiceRow = new ValueRows(this);
-    choiceRow->addField(tr("Fuzzy system"), m_choice);
+    choiceRow->addField(tr("Fuzzy system"), choiceWithRemoval(m_choice, document));
     m_tissue->body()->addWidget(choiceRow);
     m_system->setObjectName(QStringLiteral("systemDescription"));
     m_system->setProperty("quiet", true);
     m_system->setWordWrap(true);
     m_tissue->body()->addWidget(m_system);
+    m_tissue->body()->addWidget(m_users);
+    m_tissue->body()->addWidget(m_source);
     m_hint->setObjectName(QStringLiteral("words"));
     m_hint->setWordWrap(true);
     m_tissue->body()->addWidget(m_hint);
@@ -82,8 +126,9 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, QWidget* pare
     connect(m_choice, &FuzzyChoice::systemChosen, this, &TissuePanel::chooseSystem);
     connect(&selection, &Selection::changed, this, &TissuePanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.mesh || change.regions || change.tissue) show();
+        if (change.mesh || change.regions || change.spareSystems || change.tissue || change.scene) show();
     });
+    connect(&reach, &SystemReach::changed, this, &TissuePanel::showUsers);
     show();
 }
 
@@ -98,6 +143,8 @@ void TissuePanel::show() {
     m_tissue->setTitle(
         tr("Tissue · %1").arg(shown ? QString::fromStdString(shown->name) : tr("Whole organ")));
     m_choice->setSystem(system, systemsOf(m_document.project()));
+    showUsers();
+    showSource();
     m_system->setText(m_choice->description());
     m_system->setToolTip(FuzzyChoice::whatItIs());
     m_system->setVisible(!m_system->text().isEmpty());
@@ -112,6 +159,31 @@ void TissuePanel::show() {
         warnings << QString::fromStdString(warning);
     m_warnings->setText(warnings.join('\n'));
     m_warnings->setVisible(!warnings.isEmpty());
+}
+
+void TissuePanel::showUsers() {
+    const QStringList names = namesOf(m_reach.users());
+    m_users->setVisible(!names.isEmpty());
+    QString text =
+        names.size() == 1 ? tr("used by this region alone") : tr("used by %1 regions").arg(names.size());
+    if (m_reach.decided() == Reach::EveryRegion) text += tr(" · changes are for all of them");
+    if (m_reach.decided() == Reach::CopyForOne) text += tr(" · the next change makes a copy for this one");
+    m_users->setText(text);
+    m_users->setToolTip(tr("Used by %1").arg(names.join(QStringLiteral(", "))));
+}
+
+void TissuePanel::showSource() {
+    const auto preset = presetInForce(m_document.project(), region());
+    const QString source = preset ? QString::fromStdString(preset->source) : QString();
+    const QString whatFor = !preset || preset->system ? tr("source: %1") : tr("source of the tethers: %1");
+    m_source->setText(whatFor.arg(preset ? source : tr("values set here, not published")));
+    m_source->setToolTip(preset ? QString::fromStdString(preset->title + ": ") + source
+                                : tr("The tissue is not, or no longer, as a preset has it"));
+}
+
+QString TissuePanel::keptNote(const Region& shown, Parameter parameter) {
+    const QString kept = m_kept.text(m_document.project(), shown, parameter);
+    return kept.isEmpty() ? tr("no rule reaches it") : tr("no rule reaches it: it keeps %1").arg(kept);
 }
 
 QString TissuePanel::hint() const {
@@ -208,11 +280,11 @@ void TissuePanel::connectOutput(LinguisticSlider* row, Parameter parameter, std:
         hold->setChecked(false);
         row->field()->setFocus();
     });
-    m_refreshers.emplace_back([row, hold, parameter, index](const Region* shown, const RegionTissue& tissue) {
+    m_refreshers.emplace_back([=, this](const Region* shown, const RegionTissue& tissue) {
         const auto held = valueOf(shown->held, parameter);
         const auto inferred = tissue.inference.outputs[index];
         row->setValue(held ? held : inferred);
-        row->setNote(!held && !inferred ? tr("no rule reaches it: it keeps its value") : QString());
+        row->setNote(!held && !inferred ? keptNote(*shown, parameter) : QString());
         const QString says =
             inferred ? tr("the system says %1").arg(withUnit(*inferred, row->field()->format().unit))
                      : tr("no rule reaches it");
@@ -231,8 +303,9 @@ void TissuePanel::addPlainParameter(Parameter parameter) {
             [this, parameter](double value) { setHeld(parameter, value, Merging::WhileMoved); });
     connect(row, &ParameterRow::gestureFinished, &m_document, &Document::finishGesture);
     connect(row, &ParameterRow::released, this, [this, parameter] { setHeld(parameter, std::nullopt); });
-    m_refreshers.emplace_back([row, parameter](const Region* shown, const RegionTissue&) {
+    m_refreshers.emplace_back([this, row, parameter](const Region* shown, const RegionTissue&) {
         row->setValue(valueOf(shown->held, parameter));
+        row->setBeneath(m_kept.text(m_document.project(), *shown, parameter));
     });
 }
 

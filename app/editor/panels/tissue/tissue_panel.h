@@ -2,8 +2,10 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/edits/system_reach.h"
 #include "app/editor/panels/fuzzy/fuzzy_choice.h"
 #include "app/editor/panels/parameter_row.h"
+#include "app/editor/panels/tissue/kept_values.h"
 #include "app/editor/panels/tissue/stiffening_row.h"
 #include "widgets/fuzzy/linguistic_slider.h"
 #include "widgets/inputs/section.h"
@@ -19,7 +21,7 @@ class TissuePanel : public QWidget {
     Q_OBJECT
 
 public:
-    TissuePanel(Document& document, Selection& selection, QWidget* parent = nullptr);
+    TissuePanel(Document& document, Selection& selection, SystemReach& reach, QWidget* parent = nullptr);
 
 private:
     const Region* region() const;
@@ -35,13 +37,19 @@ private:
     void setHeld(Parameter parameter, std::optional<double> value, Merging merging = Merging::Never);
     void chooseSystem(const std::shared_ptr<const FuzzySystem>& system);
     QString hint() const;
+    void showUsers();
+    void showSource();
+    /// What is said of an output that no rule reaches.
+    QString keptNote(const Region& shown, Parameter parameter);
 
     Document& m_document;
     Selection& m_selection;
+    SystemReach& m_reach;
     Section *m_tissue, *m_results;
     FuzzyChoice* m_choice;
     StiffeningRow* m_stiffening;
-    QLabel *m_system, *m_hint, *m_warnings;
+    QLabel *m_system, *m_users, *m_source, *m_hint, *m_warnings;
+    KeptValues m_kept;
     QWidget *m_inputs, *m_outputs;
     std::shared_ptr<const FuzzySystem> m_builtFor;
     bool m_builtForRegion = false, m_built = false;

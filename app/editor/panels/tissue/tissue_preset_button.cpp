@@ -1,6 +1,6 @@
 #include "app/editor/panels/tissue/tissue_preset_button.h"
 
-#include "core/authoring/regions.h"
+#include "app/editor/dialogs/preset_question.h"
 #include "core/exchange/project/tissue_preset_file.h"
 
 #include <QCursor>
@@ -56,16 +56,20 @@ void TissuePresetButton::fill() {
     menu()->clear();
     for (const std::string& name : tissuePresetNames()) {
         const TissuePreset preset = tissuePreset(name);
-        QAction* action = menu()->addAction(QString::fromStdString(preset.title));
+        QAction* action = menu()->addAction(QString::fromStdString(preset.title) + QStringLiteral("…"));
         action->setObjectName(QString::fromStdString(name));
         action->setToolTip(presetToolTip(preset, isPartSelected()));
         connect(action, &QAction::triggered, this, [this, name] { apply(name); });
     }
 }
 
-void TissuePresetButton::apply(const std::string& name) {
-    const TissuePreset preset = tissuePreset(name);
+void TissuePresetButton::apply(const std::string& presetName) {
+    const TissuePreset preset = tissuePreset(presetName);
     const RegionId region = m_selection.region().value_or(m_document.newRegionId());
+    const Region* selected = m_selection.selectedRegion();
+    const bool isForPart = selected && (preset.system || selected->ellipsoid == std::nullopt);
+    const QString name = isForPart ? QString::fromStdString(selected->name) : tr("Whole organ");
+    if (!mayApplyPreset(*window(), preset, name, presetChanges(m_document.project(), region, preset))) return;
     std::optional<RegionId> target;
     m_document.edit(tr("Tissue of preset “%1”").arg(QString::fromStdString(preset.title)),
                     [&](Project& project) { target = applyPreset(project, region, preset); });

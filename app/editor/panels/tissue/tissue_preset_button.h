@@ -18,7 +18,7 @@ public:
 private:
     bool isPartSelected() const;
     void fill();
-    void apply(const std::string& name);
+    void apply(const std::string& presetName);
 
     Document& m_document;
     Selection& m_selection;

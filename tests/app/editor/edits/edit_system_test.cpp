@@ -41,6 +41,36 @@ TEST(EditSystem, GoesToEveryRegionOfTheSameLanguage) {
     EXPECT_THAT(project.regions[1].inputs, ElementsAre(Pair("firmness", 6)));
 }
 
+TEST(EditSystem, MakesACopyForOneWhereAsked) {
+    Project project = threeRegions();
+    const Project before = project;
+    FuzzySystem system = *project.regions[0].system;
+    system.inputs[0].name = "firmness";
+    editSystem(project, project.regions[0].id, system, Reach::CopyForOne);
+    EXPECT_EQ(project.regions[0].system->name, "susilap-g, own");
+    EXPECT_EQ(project.regions[0].system->inputs[0].name, "firmness");
+    EXPECT_THAT(project.regions[0].inputs, ElementsAre(Pair("firmness", 6)));
+    EXPECT_EQ(project.regions[1], before.regions[1]);
+    EXPECT_EQ(project.regions[2], before.regions[2]);
+    system.inputs[0].name = "hardness";
+    editSystem(project, project.regions[1].id, system, Reach::CopyForOne);
+    EXPECT_EQ(project.regions[1].system->name, "susilap-g") << "nobody else has it: nothing to copy";
+    project.regions[2].system = project.regions[0].system;
+    system = *project.regions[0].system;
+    system.rules.clear();
+    editSystem(project, project.regions[2].id, system, Reach::CopyForOne);
+    EXPECT_EQ(project.regions[2].system->name, "susilap-g, own 2");
+}
+
+TEST(EditSystem, ARangeForACopyLeavesTheOtherRegionsAsTheyAre) {
+    Project project = threeRegions();
+    const Region other = project.regions[1];
+    setRange(project, project.regions[0].id, {FuzzySide::Inputs, 0}, {0, 24, TermsInRange::Stretch},
+             Reach::CopyForOne);
+    EXPECT_EQ(project.regions[1], other);
+    EXPECT_THAT(project.regions[0].inputs, ElementsAre(Pair("consistency", 12)));
+}
+
 TEST(EditSystem, ValuesGoWithTheirInputs) {
     Project project = threeRegions();
     Region& region = project.regions[2];
@@ -74,7 +104,7 @@ TEST(EditSystem, IsOneStepForADragAndNoneWhereNothingChanges) {
     const auto moveTo = [&](double corner) {
         FuzzySystem system = *selectedSystem(selection);
         system.inputs[0].terms[1].set.b = corner;
-        editSelectedSystem(document, selection, "Move corner", system, EditKind::TermShape);
+        editSelectedSystem(document, selection, system, {"Move corner", EditKind::TermShape});
     };
     moveTo(before.inputs[0].terms[1].set.b);
     EXPECT_EQ(document.undoStack()->count(), 0);

@@ -1,6 +1,7 @@
 #include "tests/core/exchange/project/project_file_fixture.h"
 
 #include "core/exchange/fuzzy/fuzzy_file.h"
+#include "core/samples/samples.h"
 #include "core/texture/texture_limits.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/same_project.h"
@@ -295,6 +296,40 @@ TEST_F(ProjectFile, HoldsAPresetWithoutTheDescriptionThatProgramsKnow) {
     EXPECT_FALSE(systems[0].contains("description"));
     EXPECT_EQ(systems[1]["description"], own.description);
     expectSameProject(project, loadProject(m_file));
+}
+
+TEST_F(ProjectFile, HoldsSystemsThatNoRegionUses) {
+    Project project = richProject();
+    saveProject(project, m_file);
+    const Bytes without = readFile(m_file);
+    FuzzySystem own = fuzzyPreset("susilap-g");
+    own.name = "spare";
+    project.spareSystems = {std::make_shared<const FuzzySystem>(own)};
+    saveProject(project, m_file);
+    const Project loaded = loadProject(m_file);
+    expectSameProject(project, loaded);
+    ASSERT_EQ(loaded.spareSystems, project.spareSystems);
+    EXPECT_TRUE(validateProjectFile(m_file).empty());
+    project.spareSystems = {std::make_shared<const FuzzySystem>(fuzzyPreset("robo-sim"))};
+    saveProject(project, m_file);
+    EXPECT_EQ(readFile(m_file), without) << "what ships is not stored for nobody";
+}
+
+TEST_F(ProjectFile, AsksForAVersionThatKnowsWhatASpareSystemHas) {
+    Project project = makeSample("tube");
+    saveProject(project, m_file);
+    const auto version = [&] {
+        const Bytes bytes = readFile(m_file), text = ZipReader(bytes).read(project_layout::manifest, 1 << 20);
+        return Json::parse(text.begin(), text.end())["version"].get<int>();
+    };
+    const int before = version();
+    FuzzySystem own = fuzzyPreset("susilap-g");
+    own.name = "spare";
+    own.rules[0].weight = 0.5;
+    project.spareSystems = {std::make_shared<const FuzzySystem>(own)};
+    saveProject(project, m_file);
+    EXPECT_LT(before, 4);
+    EXPECT_EQ(version(), 4);
 }
 
 TEST_F(ProjectFile, TheSameProjectGivesTheSameBytes) {

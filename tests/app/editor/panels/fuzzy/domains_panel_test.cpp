@@ -20,6 +20,7 @@ protected:
     void SetUp() override {
         open(makeSample("tube"));
         press(Qt::Key_R, Qt::ControlModifier);
+        meanEveryRegion();
         chooseTab("Domains");
         QTest::qWait(0); // the section gets its place
     }

@@ -20,6 +20,7 @@ protected:
     void SetUp() override {
         open(makeSample("tube"));
         press(Qt::Key_R, Qt::ControlModifier);
+        meanEveryRegion();
     }
     QWidget* ownWindow() const { return child<QWidget>("workbenchWindow"); }
     bool isInColumn() const { return window->findChild<FuzzyWorkbench*>()->isAncestorOf(tabs()); }

@@ -2,8 +2,8 @@
 
 #include "core/exchange/project/tissue_preset_file.h"
 #include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
 
-#include <gtest/gtest.h>
 #include <QAction>
 #include <QMenu>
 
@@ -17,12 +17,22 @@ protected:
         emit button.menu()->aboutToShow();
         return button.menu()->findChild<QAction*>(name);
     }
-    void choose(const char* name) const { action(name)->trigger(); }
+    void choose(const char* name) {
+        dialogs.expectNamed("presetBox", [this](QDialog* box) {
+            preview = qobject_cast<QMessageBox*>(box)->informativeText();
+            auto* apply = box->findChild<QPushButton*>("applyPreset");
+            apply->isEnabled() && mayApply ? apply->click() : box->reject();
+        });
+        action(name)->trigger();
+    }
     const Project& project() const { return document.project(); }
 
     Document document{makeSample("liver")};
     Selection selection{document};
     TissuePresetButton button{document, selection};
+    DialogScript dialogs;
+    QString preview;
+    bool mayApply = true;
 };
 
 } // namespace
@@ -44,6 +54,22 @@ TEST_F(TissuePresetTest, SetsTheWholeOrganInOneStep) {
     EXPECT_EQ(project().regions.size(), before.regions.size());
     EXPECT_EQ(project().base.mass, before.base.mass);
     EXPECT_EQ(project().scene.tethers.at(0).springConstant, before.scene.tethers.at(0).springConstant);
+}
+
+TEST_F(TissuePresetTest, ListsWhatItWillChangeAndChangesNothingUnasked) {
+    selection.setRegion(project().regions[0].id);
+    const Project before = project();
+    mayApply = false;
+    choose("uterus");
+    EXPECT_EQ(project(), before);
+    for (const char* part :
+         {"base mass", "0.5 kg", "spring constant", "16.26 N/m", "81.31 N/m", "Radetzky 2003"})
+        EXPECT_TRUE(preview.contains(part)) << part;
+    EXPECT_FALSE(preview.contains("tethers")) << "they stay as they are";
+    mayApply = true;
+    choose("uterus");
+    choose("uterus");
+    EXPECT_TRUE(preview.contains("Nothing would change"));
 }
 
 TEST_F(TissuePresetTest, GivesAPartItsWordsOnly) {

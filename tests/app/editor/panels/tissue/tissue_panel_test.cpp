@@ -1,0 +1,99 @@
+#include "app/editor/panels/tissue/tissue_panel.h"
+
+#include "core/authoring/regions.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
+#include "core/exchange/project/tissue_preset_file.h"
+#include "core/samples/samples.h"
+#include "widgets/fuzzy/term_scale.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+namespace {
+
+/// Over the whole organ of 20 N/m and 3 N·s/m a region of which no rule concludes the viscosity.
+Project silentProject() {
+    Project project = makeSample("tube");
+    project.regions.clear();
+    project.base = {20, 3, 0.5};
+    FuzzySystem system = fuzzyPreset("susilap-g");
+    for (FuzzyRule& rule : system.rules)
+        std::erase_if(rule.conclusions, [](const FuzzyProposition& said) { return said.variable == 1; });
+    setSystem(project, RegionId{1}, std::make_shared<const FuzzySystem>(system));
+    return project;
+}
+
+class TissuePanelTest : public testing::Test {
+protected:
+    void show(Project project) {
+        document.replace(std::move(project), std::nullopt);
+        selection.setRegion(document.project().regions.front().id);
+    }
+    QString text(const char* name) const { return panel.findChild<QLabel*>(name)->text(); }
+    /// All labels that hold these words.
+    int labelsWith(const QString& words) const {
+        int count = 0;
+        for (const auto* label : panel.findChildren<QLabel*>())
+            count += label->isVisibleTo(&panel) && label->text().contains(words);
+        return count;
+    }
+
+    Document document{makeSample("tube")};
+    Selection selection{document};
+    SystemReach reach{document, selection};
+    TissuePanel panel{document, selection, reach};
+};
+
+} // namespace
+
+TEST_F(TissuePanelTest, SaysOnceWhatAnOutputKeepsThatNoRuleReaches) {
+    show(silentProject());
+    const auto* row = panel.findChild<LinguisticSlider*>("output-viscosity");
+    ASSERT_TRUE(row);
+    EXPECT_EQ(row->findChild<TermScale*>()->note(), "no rule reaches it: it keeps 3 N·s/m");
+    EXPECT_EQ(labelsWith("no rule reaches"), 0) << "not in the warnings as well";
+    EXPECT_EQ(text("beneath"), "it keeps 0.5 kg");
+    document.edit("Base", [](Project& project) { project.base.viscosity = 4; });
+    EXPECT_EQ(row->findChild<TermScale*>()->note(), "no rule reaches it: it keeps 4 N·s/m");
+}
+
+TEST_F(TissuePanelTest, SaysWhatAHeldValueReplaces) {
+    Project project = silentProject();
+    project.regions[0].held.mass = 0.2;
+    show(project);
+    EXPECT_EQ(text("beneath"), "in place of 0.5 kg");
+}
+
+TEST_F(TissuePanelTest, NamesTheSourceUntilTheTissueIsChangedOtherwise) {
+    show(makeSample("liver"));
+    const TissuePreset preset = tissuePreset("uterus");
+    const RegionId region = *selection.region();
+    EXPECT_EQ(text("tissueSource"), "source: values set here, not published");
+    document.edit("Preset", [&](Project& project) { applyPreset(project, region, preset); });
+    EXPECT_EQ(text("tissueSource"), "source: " + QString::fromStdString(preset.source));
+    document.edit("Name", [](Project& project) { project.regions[0].name = "womb"; });
+    EXPECT_EQ(text("tissueSource"), "source: " + QString::fromStdString(preset.source));
+    document.edit("Slider", [](Project& project) { setInput(project.regions[0], "consistency", 10); });
+    EXPECT_EQ(text("tissueSource"), "source: values set here, not published");
+    document.undoStack()->undo();
+    document.edit("Mass", [](Project& project) { project.base.mass = 0.4; });
+    EXPECT_EQ(text("tissueSource"), "source: values set here, not published");
+    const TissuePreset tethers = tissuePreset("tube-tethers");
+    document.edit("Tethers", [&](Project& project) { applyPreset(project, region, tethers); });
+    EXPECT_EQ(text("tissueSource"), "source of the tethers: " + QString::fromStdString(tethers.source));
+}
+
+TEST_F(TissuePanelTest, HasRoomForTheLongestNumber) {
+    Project project = makeSample("tube");
+    project.regions[0].held = {1.234e-7, 1.234e-7, 1.234e-7};
+    show(project);
+    panel.resize(308, 700);
+    static_cast<QWidget&>(panel).show();
+    for (const auto* field : panel.findChildren<NumberField*>()) {
+        if (!field->isVisible()) continue;
+        const int text = field->fontMetrics().horizontalAdvance(field->text());
+        EXPECT_LT(text + 6, field->width()) << qPrintable(field->text());
+        EXPECT_EQ(field->width(), field->maximumWidth()) << "it is not squeezed";
+    }
+}
