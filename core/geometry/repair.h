@@ -23,6 +23,8 @@ struct RepairOptions {
     /// Open borders of at most so many edges are filled (`fillHoles()`); 0 fills none, else 3 to
     /// `mostHoleEdges`.
     std::size_t holeEdges = 0;
+
+    bool operator==(const RepairOptions&) const = default;
 };
 
 /// What repair found and did. Counts named "before" are taken after welding and before duplicates are
