@@ -1,12 +1,16 @@
 // Measures how a window keeps up while its tissue plays and is edited: how soon it answers, how far frames
-// lie apart, and how long a slider's move takes to be seen. In a virtual display it draws by software.
-//   responsiveness [NODES…]   10000 and 16000 unless given
+// lie apart, and how long a slider's move takes to be seen; of mesh files, how it answers while they are
+// imported. In a virtual display it draws by software.
+//   responsiveness [NODES|MESH…]   10000 and 16000 nodes unless given
 
 #include "app/editor/window/application.h"
 #include "tests/responsiveness/organ.h"
 #include "tests/responsiveness/window_watch.h"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QDeadlineTimer>
+#include <QDialog>
 #include <QEventLoop>
 #include <QSettings>
 #include <QStandardPaths>
@@ -14,6 +18,8 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <vector>
 
 using namespace responsiveness;
 
@@ -114,6 +120,37 @@ void measure(std::size_t nodes, Tissue tissue) {
     }
 }
 
+/// Takes what the import's dialog proposes, once it was seen for a while, with both repairs.
+void acceptImport() {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (!dialog || dialog->objectName() != QLatin1String("importDialog")) return;
+    static int ticks = 0;
+    const auto choose = [dialog](const char* name) {
+        auto* box = dialog->findChild<QAbstractButton*>(QLatin1String(name));
+        if (box->isEnabled()) box->click();
+    };
+    ++ticks;
+    if (ticks == 10) choose("closesSlits");
+    if (ticks == 20) choose("fillsHoles");
+    if (ticks == 40) dialog->accept();
+    if (ticks == 40) ticks = 0;
+}
+
+void measureImport(const char* file) {
+    esm::MainWindow window(ballOf(1000, Tissue::Published));
+    window.show();
+    wait(2000);
+    QTimer accepts;
+    QObject::connect(&accepts, &QTimer::timeout, acceptImport);
+    accepts.start(100);
+    std::printf("%s\n", file);
+    const WindowWatch watch(window);
+    window.openFiles({std::filesystem::absolute(file)});
+    wait(2000);
+    print("an answer of the window", watch.answers());
+    print("processor time before an answer", watch.busy());
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -121,12 +158,17 @@ int main(int argc, char** argv) {
     esm::Application application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("esm"));
     QCoreApplication::setApplicationName(QStringLiteral("esm-responsiveness"));
-    std::vector<std::size_t> sizes{10000, 16000};
-    if (argc > 1) sizes.clear();
-    for (int i = 1; i < argc; ++i)
-        sizes.push_back(std::strtoull(argv[i], nullptr, 10));
-    for (const std::size_t nodes : sizes)
+    std::vector<const char*> subjects{"10000", "16000"};
+    if (argc > 1) subjects.assign(argv + 1, argv + argc);
+    for (const char* subject : subjects) {
+        char* end = nullptr;
+        const std::size_t nodes = std::strtoull(subject, &end, 10);
+        if (*end != '\0') {
+            measureImport(subject);
+            continue;
+        }
         for (const Tissue tissue : {Tissue::Published, Tissue::WeaklyDamped})
             measure(nodes, tissue);
+    }
     return 0;
 }
