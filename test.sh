@@ -3,7 +3,8 @@
 #   ./test.sh [PRESET]   release (default), debug or asan
 #   ./test.sh --bench    measures instead, in the release build, and prints ratios: on a machine that does nothing else
 #   ./test.sh --bench --against FILE | --record FILE   compares with an earlier program: see scripts/compare_benchmarks.py
-#   ./test.sh --window [turn|NODES…]   measures how soon the window answers, what an edit takes to be seen, and how a large organ turns
+#   ./test.sh --window [turn|colours|NODES|MESH…]   measures how soon the window answers, also while a mesh is imported,
+#                                      what an edit takes to be seen, and how a large organ turns
 #   ./test.sh --growth [REPETITIONS]   measures how cost grows with the surface, and fails where it grows too fast
 set -euo pipefail
 cd "$(dirname "$0")"

@@ -5,6 +5,7 @@
 #include <QCommandLineParser>
 
 #include <csignal>
+#include <future>
 
 namespace {
 
@@ -33,6 +34,8 @@ int main(int argc, char** argv) {
     // A limit on file sizes then shows as a write that fails, which is told.
     std::signal(SIGXFSZ, SIG_IGN);
     const QStringList files = readCommandLine(argc, argv);
+    // Made while Qt finds its display, fonts and theme, which takes as long.
+    auto sample = std::async(std::launch::async, [] { return esm::makeSample("liver"); });
 
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
@@ -40,7 +43,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("esm"));
     QCoreApplication::setApplicationName(QStringLiteral("esm"));
     esm::applyTheme(application, esm::Theme::Dark);
-    esm::MainWindow window(esm::makeSample("liver"));
+    esm::MainWindow window(sample.get());
     window.restore();
     window.show();
     std::vector<std::filesystem::path> paths;

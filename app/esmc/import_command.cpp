@@ -3,6 +3,7 @@
 #include "app/esmc/model_report.h"
 #include "core/authoring/import_unit.h"
 #include "core/exchange/meshes/mesh_file.h"
+#include "core/geometry/hole_filling.h"
 #include "core/support/numbers.h"
 
 namespace esm {
@@ -12,7 +13,9 @@ namespace {
 struct ImportOptions {
     std::string mesh, output;
     LengthUnit unit = LengthUnit::Metre;
-    double weld = 0; // m
+    double weld = 0;   // m
+    double close = 0;  // mm
+    int fillHoles = 0; // edges
     KeepParts keep = KeepParts::All;
     std::optional<double> mass; // kg; from the surface without
     UpAxis up = UpAxis::Y;
@@ -34,6 +37,31 @@ Detail requestedDetail(const std::string& given) {
     return {Detail::Kind::Nodes, static_cast<std::size_t>(*nodes)};
 }
 
+int requestedHoleEdges(const std::string& given) {
+    const auto edges = parseWholeNumber(given, 0, static_cast<int>(mostHoleEdges));
+    if (!edges || *edges == 1 || *edges == 2)
+        throw UsageError("--fill-holes: '" + given + "' is neither 0 nor a whole number from 3 to " +
+                         std::to_string(mostHoleEdges));
+    return *edges;
+}
+
+/// Slits are given as people measure them, whatever the file's unit.
+void declareRepairs(CLI::App& command, ImportOptions& options) {
+    command
+        .add_option("--close", options.close,
+                    "Stitch open borders no farther apart than MM millimetres of the organ's final size, at "
+                    "most a tenth of it (0: none)")
+        ->check(nonNegativeNumber())
+        ->option_text("MM");
+    command
+        .add_option_function<std::string>(
+            "--fill-holes",
+            [&options](const std::string& given) { options.fillHoles = requestedHoleEdges(given); },
+            "Fill open borders of at most N edges, 3 to " + std::to_string(mostHoleEdges) +
+                " (0: none), once slits are closed")
+        ->option_text("N");
+}
+
 void declareImport(CLI::App& command, ImportOptions& options) {
     command.add_option("mesh", options.mesh, "Surface: " + joined(meshFileEndings()))->required();
     command.add_option("-o,--output", options.output, "Project to write (.esm)")
@@ -44,6 +72,7 @@ void declareImport(CLI::App& command, ImportOptions& options) {
     command
         .add_option("--weld", options.weld, "Vertices closer than this become one, m (0: only equal ones)")
         ->check(nonNegativeNumber());
+    declareRepairs(command, options);
     addChoice(command, "--keep", options.keep,
               Words<KeepParts>{{"all", KeepParts::All}, {"largest", KeepParts::Largest}},
               "Parts to keep: all (the default), or the largest");
@@ -75,12 +104,21 @@ std::string doubtfulSize(double size, const ImportOptions& options) {
            (advice.empty() ? ", and no unit makes it an organ's size" : advice);
 }
 
+/// @throws InvalidModel in the words of the option
+RepairOptions repairOptions(const ImportOptions& options, const PolygonSoup& soup) {
+    const double widest = 1000 * widestSlit(boundingBox(soup.vertices).sizes().maxCoeff()); // mm
+    if (options.close > widest)
+        throw InvalidModel("--close: " + inText(options.close) +
+                           " mm is more than a tenth of the surface's size, " + inText(widest) + " mm");
+    return {options.weld, options.keep, options.close / 1000, static_cast<std::size_t>(options.fillHoles)};
+}
+
 Report runImport(const ImportOptions& options, Context& context) {
     context.subject = options.mesh;
     const ProjectOutput output(options.output);
     PolygonSoup soup = readMeshFile(options.mesh, progressOf(context, "reading"));
     convertToMetres(soup, options.unit, options.up);
-    RepairedMesh surface = repair(soup, {options.weld, options.keep});
+    RepairedMesh surface = repair(soup, repairOptions(options, soup), progressOf(context, "repairing"));
     const double size = boundingBox(surface.mesh.vertices).sizes().maxCoeff();
     const std::string doubt = doubtfulSize(size, options);
     if (!doubt.empty()) surface.report.warnings.push_back(doubt);

@@ -1,7 +1,9 @@
 #include "app/esmc/model_report.h"
 
+#include "core/geometry/open_borders.h"
 #include "core/model/detail.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace esm {
@@ -17,7 +19,9 @@ std::string repairsInText(const RepairReport& repairs) {
            counted(repairs.splitPolygons, "polygon") + " split, " +
            counted(repairs.removedTriangles(), "triangle") + " removed, " +
            counted(repairs.flippedTriangles, "triangle") + " turned, " +
-           counted(repairs.unusedVertices, "unused vertex", "unused vertices") + " dropped";
+           counted(repairs.unusedVertices, "unused vertex", "unused vertices") + " dropped, " +
+           counted(repairs.closedSlitEdges, "border edge") + " of slits closed, " +
+           counted(repairs.filledHoles, "hole") + " filled";
 }
 
 void addSurface(Report& report, const RepairReport& repairs) {
@@ -35,6 +39,26 @@ void addSurface(Report& report, const RepairReport& repairs) {
                           counted(repairs.nonManifoldEdges, "edge") + " of more than two triangles");
 }
 
+/// More are told of by their number alone.
+constexpr std::size_t mostBordersListed = 20;
+
+void addOpenBorders(Report& report, const TriangleMesh& mesh) {
+    const std::vector<OpenBorder> borders = openBordersOf(mesh);
+    Json& list = report.json["open_borders"] = Json::array();
+    for (std::size_t i = 0; i < std::min(borders.size(), mostBordersListed); ++i) {
+        const double gap = borders[i].gap;
+        list.push_back({{"edges", borders[i].loop.size()},
+                        {"length", borders[i].length},
+                        {"gap", std::isfinite(gap) ? Json(gap) : Json()}});
+    }
+    if (borders.empty()) return;
+    const OpenBorder& largest = borders.front();
+    report.text.push_back(
+        counted(borders.size(), "open border") + ", the largest of " + counted(largest.loop.size(), "edge") +
+        ", " + inText(largest.length) + " m long" +
+        (std::isfinite(largest.gap) ? ", its sides " + inText(largest.gap) + " m apart" : ""));
+}
+
 void addRepairs(Report& report, const RepairReport& repairs) {
     Json& json = report.json;
     json["degenerate_triangles"] = repairs.degenerateTriangles;
@@ -43,6 +67,8 @@ void addRepairs(Report& report, const RepairReport& repairs) {
     json["flipped_triangles"] = repairs.flippedTriangles;
     json["unused_vertices"] = repairs.unusedVertices;
     json["dropped_parts"] = repairs.droppedParts;
+    json["closed_slit_edges"] = repairs.closedSlitEdges;
+    json["filled_holes"] = repairs.filledHoles;
     report.text.push_back(repairsInText(repairs));
 }
 
@@ -82,6 +108,7 @@ Report reportOf(const TriangleMesh& mesh, const TissueModel& tissue, const Repai
                           counted(mesh.triangles.size(), "triangle"));
     addDetail(report, mesh, network);
     addSurface(report, repairs);
+    addOpenBorders(report, mesh);
     if (telling == Repairs::Told) addRepairs(report, repairs);
     report.json["size"] = inJson(size);
     report.json["centre"] = inJson(centre);

@@ -1,8 +1,10 @@
 #include "core/geometry/repair.h"
 
 #include "core/geometry/adjacency.h"
+#include "core/geometry/hole_filling.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon_split.h"
+#include "core/geometry/slit_closing.h"
 #include "core/geometry/sorted_by_vertex.h"
 #include "core/geometry/weld.h"
 #include "core/support/errors.h"
@@ -21,16 +23,34 @@ constexpr std::size_t mostCorners = 10'000; // cutting ears takes the square of 
 /// The triangles of a soup under repair; indices are those of the soup's vertices.
 struct Workpiece {
     const PolygonSoup& soup;
-    std::vector<std::uint32_t> order; ///< welded vertices in the order of their first use
+    std::vector<Eigen::Vector3d> vertices; ///< the soup's, but where slits were closed
+    std::vector<std::uint32_t> order;      ///< welded vertices in the order of their first use
     std::vector<Triangle> triangles;
     RepairReport report;
+    std::size_t refusedHoles = 0; ///< small enough, but left open
 };
+
+double extentOf(const PolygonSoup& soup) {
+    return soup.vertices.empty() ? 0 : boundingBox(soup.vertices).sizes().maxCoeff();
+}
+
+void checkOpenings(std::vector<std::string>& problems, const PolygonSoup& soup,
+                   const RepairOptions& options) {
+    if (!(options.slitWidth >= 0))
+        problems.emplace_back("the width of slits to close must be zero or more");
+    else if (options.slitWidth > 0 && options.slitWidth > widestSlit(extentOf(soup)))
+        problems.emplace_back("the width of slits to close must be at most a tenth of the surface's size");
+    if (options.holeEdges > mostHoleEdges || (options.holeEdges > 0 && options.holeEdges < 3))
+        problems.emplace_back("holes to fill must have from 3 to " + std::to_string(mostHoleEdges) +
+                              " edges");
+}
 
 void check(const PolygonSoup& soup, const RepairOptions& options) {
     std::vector<std::string> problems;
     const std::size_t vertices = soup.vertices.size(), faces = soup.polygons.size();
     if (!(options.weldDistance >= 0) || !std::isfinite(options.weldDistance))
         problems.emplace_back("the weld distance must be zero or more");
+    checkOpenings(problems, soup, options);
     if (vertices >= noIndex) problems.emplace_back("the mesh has more vertices than can be numbered");
     reportOffenders(problems, "mesh point", "with a coordinate that is not a number or is too large",
                     placesWhere(vertices, [&](std::size_t i) {
@@ -151,6 +171,32 @@ void selectParts(Workpiece& piece, KeepParts keep) {
     piece.report.components = 1;
 }
 
+void orient(Workpiece& piece) {
+    piece.report.flippedTriangles += orientTriangles(piece.vertices, piece.triangles);
+}
+
+void fillSmallHoles(Workpiece& piece, std::size_t mostEdges, const Progress& progress) {
+    std::vector<BorderLoop> holes = bordersOf(piece.triangles).loops;
+    std::erase_if(holes, [&](const BorderLoop& loop) { return loop.size() > mostEdges; });
+    const std::vector<bool> isFilled = fillHoles(piece.vertices, piece.triangles, holes, progress);
+    piece.report.filledHoles = static_cast<std::size_t>(std::count(isFilled.begin(), isFilled.end(), true));
+    piece.refusedHoles = holes.size() - piece.report.filledHoles;
+    orient(piece); // what was open may enclose a volume now, which has an outside
+}
+
+/// Slits first: where one is closed no hole is left, and two parts may be one.
+void closeOpenings(Workpiece& piece, const RepairOptions& options, const Progress& progress) {
+    if (options.slitWidth > 0) {
+        orient(piece);
+        piece.report.closedSlitEdges =
+            closeSlits(piece.vertices, piece.triangles, options.slitWidth, progress);
+    }
+    selectParts(piece, options.keep);
+    reportProgress(progress, -1);
+    orient(piece);
+    if (options.holeEdges > 0) fillSmallHoles(piece, options.holeEdges, progress);
+}
+
 std::size_t usedVertexCount(const Workpiece& piece) {
     std::vector<bool> used(piece.soup.vertices.size(), false);
     for (const Triangle& triangle : piece.triangles)
@@ -172,7 +218,7 @@ TriangleMesh numbered(const Workpiece& piece) {
     for (const std::uint32_t vertex : piece.order) {
         if (!used[vertex]) continue;
         numbers[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.push_back(piece.soup.vertices[vertex]);
+        mesh.vertices.push_back(piece.vertices[vertex]);
     }
     mesh.triangles = piece.triangles;
     for (Triangle& triangle : mesh.triangles)
@@ -185,7 +231,7 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
     return std::to_string(count) + " " + (count == 1 ? singular : plural);
 }
 
-std::vector<std::string> warningsOf(const RepairReport& report) {
+std::vector<std::string> warningsOf(const RepairReport& report, std::size_t refusedHoles) {
     std::vector<std::string> warnings;
     const auto warn = [&warnings](std::size_t count, const std::string& singular, const std::string& plural,
                                   const std::string& fate) {
@@ -195,6 +241,10 @@ std::vector<std::string> warningsOf(const RepairReport& report) {
     warn(report.duplicateTriangles, "duplicate triangle", "duplicate triangles", " dropped");
     warn(report.unusedVertices, "vertex", "vertices", " of no triangle dropped");
     warn(report.flippedTriangles, "triangle", "triangles", " turned to face the same way as the rest");
+    warn(report.closedSlitEdges, "border edge", "border edges", " of slits closed");
+    warn(report.filledHoles, "hole", "holes", " filled");
+    warn(refusedHoles, "hole", "holes",
+         " left open: no filling would go on with the surface around without folding back onto it");
     warn(report.droppedParts, "smaller part", "smaller parts", " dropped");
     if (report.components > 1)
         warnings.push_back("the surface has " + std::to_string(report.components) +
@@ -211,12 +261,13 @@ std::vector<std::string> warningsOf(const RepairReport& report) {
 // The order matters. Welding comes first, since without it no two triangles share an edge. Polygons are split
 // after it, when corners that fell together are gone. Duplicates go before orientation: a triangle that is
 // there twice makes each of its edges one of three or more, across which nothing can be oriented. Parts are
-// chosen once no degenerate triangle joins two of them any more.
-RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options) {
+// chosen once no degenerate triangle joins two of them any more, and slits no longer part what is one.
+RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options, const Progress& progress) {
     check(soup, options);
-    Workpiece piece{soup, {}, {}, {}};
+    Workpiece piece{soup, soup.vertices, {}, {}, {}};
     RepairReport& report = piece.report;
     weldAndSplit(piece, options.weldDistance);
+    reportProgress(progress, -1);
 
     const EdgeCounts before = countEdges(sidesByEdge(piece.triangles));
     report.boundaryEdgesBefore = before.boundary;
@@ -224,15 +275,19 @@ RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options) {
 
     dropDegenerateAndDuplicate(piece);
     report.unusedVertices = soup.vertices.size() - report.mergedVertices - usedVertexCount(piece);
-    selectParts(piece, options.keep);
-    report.flippedTriangles = orientTriangles(soup.vertices, piece.triangles);
+    reportProgress(progress, -1);
+    closeOpenings(piece, options, progress);
 
     const EdgeCounts after = countEdges(sidesByEdge(piece.triangles));
     report.boundaryEdges = after.boundary;
     report.nonManifoldEdges = after.nonManifold;
     report.inconsistentEdges = after.inconsistent;
-    report.warnings = warningsOf(report);
+    report.warnings = warningsOf(report, piece.refusedHoles);
     return {numbered(piece), report};
+}
+
+double widestSlit(double extent) {
+    return extent / 10;
 }
 
 } // namespace esm

@@ -5,7 +5,19 @@ from esmc import CUBE, Case, command
 IMPORT_KEYS = {"nodes": int, "springs": int, "triangles": int, "components": int, "boundary_edges": int,
                "non_manifold_edges": int, "merged_vertices": int, "removed_triangles": int, "size": list,
                "centre": list, "mass": float, "warnings": list, "boundary_edges_final": int,
-               "non_manifold_edges_final": int}
+               "non_manifold_edges_final": int, "closed_slit_edges": int, "filled_holes": int, "open_borders": list}
+
+
+def slit_box(gap):
+    """Both halves of a box of 4 x 2 x 2 as they come to lie when the box is sawn in two, `gap` apart."""
+    lines, faces = [], []
+    for shift, flipped in ((0, False), (2 + gap, True)):
+        first = len(lines) + 1
+        lines += [f"v {x + shift} {y} {z}" for x in (0, 2) for y in (0, 2) for z in (0, 2)]
+        sides = [(1, 2, 4, 3), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4), (5, 7, 8, 6)]
+        faces += ["f " + " ".join(str(first - 1 + corner) for corner in side)
+                  for number, side in enumerate(sides) if number != (0 if flipped else 5)]
+    return "\n".join(lines + faces) + "\n"
 
 
 class ImportTest(Case):
@@ -55,6 +67,30 @@ class ImportTest(Case):
         self.assertEqual(self.imported("--keep", "largest", mesh=parts)["triangles"], 12)
         self.assertEqual(self.imported("--keep", "all", mesh=parts)["components"], 2)
 
+    def test_closes_slits_in_millimetres_of_the_final_size(self):
+        for unit, gap in {"mm": 0.1, "cm": 0.01, "m": 0.0001}.items():
+            mesh = slit_box(gap)
+            report = self.imported("--unit", unit, mesh=mesh)
+            self.assertEqual([report[key] for key in ("components", "boundary_edges_final", "closed_slit_edges")], [2, 8, 0])
+            self.assertEqual(self.imported("--unit", unit, "--close", "0.09", mesh=mesh)["boundary_edges_final"], 8)
+            closed = self.imported("--unit", unit, "--close", "0.1", mesh=mesh)
+            self.assertEqual([closed[key] for key in ("components", "boundary_edges_final", "closed_slit_edges")], [1, 0, 8])
+            self.assertEqual(closed["open_borders"], [])
+            self.assertIn("8 border edges of slits closed", closed["warnings"])
+
+    def test_fills_holes_and_tells_of_open_borders(self):
+        lidless = CUBE.replace("f 2 6 8 4\n", "")
+        open_border, = self.imported(mesh=lidless)["open_borders"]
+        self.assertEqual(open_border, {"edges": 4, "length": 4, "gap": 1})
+        filled = self.imported("--fill-holes", "4", mesh=lidless)
+        self.assertEqual((filled["filled_holes"], filled["boundary_edges_final"], filled["mass"]), (1, 0, 1000))
+        self.assertEqual(self.imported("--fill-holes", "3", mesh=lidless)["filled_holes"], 0)
+
+    def test_refuses_slits_wider_than_a_tenth_of_the_surface_in_one_line(self):
+        message = self.fails(1, "import", self.file("cube.obj", CUBE), "--unit", "cm", "--close", "1.5", "-o",
+                             self.file("cube.esm"))
+        self.assertIn("--close: 1.5 mm is more than a tenth of the surface's size, 1 mm", message)
+
     def test_nodes_are_numbered_by_the_first_use_of_the_faces(self):
         mesh = "v 9 9 9\nv 0 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nf 5 3 2\nf 5 2 4\n"
         self.imported(mesh=mesh)
@@ -77,7 +113,7 @@ class ImportTest(Case):
 
     def test_text_names_every_repair(self):
         text = command("import", self.file("cube.obj", CUBE), "-o", self.file("cube.esm")).stdout
-        for word in ("8 nodes", "merged", "split", "removed", "turned", "kg"):
+        for word in ("8 nodes", "merged", "split", "removed", "turned", "slits closed", "filled", "kg"):
             self.assertIn(word, text)
 
 

@@ -17,6 +17,7 @@ FILE, TO_PROJECT = [""], ["-", "out.png", ""]
 COMMANDS = {
     "import cube.obj": {"mesh": FILE, "-o": TO_PROJECT, "--unit": ["inch", "0", "MM", ""], "--weld": AMOUNT,
                         "--keep": ["some", "1", ""], "--mass": POSITIVE + ["1e-31"], "--up": ["x", "1", ""],
+                        "--close": AMOUNT, "--fill-holes": WHOLE + ["1", "2", "-3", "501"],
                         "--detail": ["3", "-5", "half", "2.5", "99999999999", ""]},
     "sample tube": {"name": ["spleen", ""], "-o": TO_PROJECT},
     "sample vessels": {"name": ["spleen", ""], "-o": ["-", "out.esm", ""]},

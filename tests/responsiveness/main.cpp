@@ -1,24 +1,31 @@
 // Measures how a window keeps up while its tissue plays and is edited: how soon it answers, how far frames
-// lie apart, and how long a slider's move takes to be seen; and how many pictures a second a large organ is
-// turned by. In a virtual display it draws by software.
-//   responsiveness [NODES…]   10000 and 16000 unless given
-//   responsiveness turn       the turning alone
+// lie apart, and how long a slider's move takes to be seen; how many pictures a second a large organ is
+// turned by; and of mesh files, how it answers while they are imported. In a virtual display it draws by
+// software.
+//   responsiveness [turn|colours|NODES|MESH…]   turn, 10000 and 16000 nodes and colours unless given
 
 #include "app/editor/window/application.h"
 #include "tests/responsiveness/organ.h"
 #include "tests/responsiveness/window_watch.h"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QDeadlineTimer>
+#include <QDialog>
 #include <QEventLoop>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 using namespace responsiveness;
 
@@ -172,6 +179,47 @@ void measureTurning(std::size_t triangles, std::size_t nodes) {
     turn(window, "turned while it plays");
 }
 
+/// Takes what the import's dialog proposes, once it was seen for a while, with both repairs.
+void acceptImport() {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (!dialog || dialog->objectName() != QLatin1String("importDialog")) return;
+    static int ticks = 0;
+    const auto choose = [dialog](const char* name) {
+        auto* box = dialog->findChild<QAbstractButton*>(QLatin1String(name));
+        if (box->isEnabled()) box->click();
+    };
+    ++ticks;
+    if (ticks == 10) choose("closesSlits");
+    if (ticks == 20) choose("fillsHoles");
+    if (ticks == 40) dialog->accept();
+    if (ticks == 40) ticks = 0;
+}
+
+void measureImport(const std::string& file) {
+    esm::MainWindow window(ballOf(1000, Tissue::Published));
+    window.show();
+    wait(2000);
+    QTimer accepts;
+    QObject::connect(&accepts, &QTimer::timeout, acceptImport);
+    accepts.start(100);
+    std::printf("%s\n", file.c_str());
+    const WindowWatch watch(window);
+    window.openFiles({std::filesystem::absolute(file)});
+    wait(2000);
+    print("an answer of the window", watch.answers());
+    print("processor time before an answer", watch.busy());
+}
+
+void measureSubject(std::string_view subject) {
+    if (subject == "turn") return measureTurning(200000, 10000);
+    if (subject == "colours") return measureColours(16000);
+    std::size_t nodes = 0;
+    const char* end = subject.data() + subject.size();
+    if (std::from_chars(subject.data(), end, nodes).ptr != end) return measureImport(std::string(subject));
+    for (const Tissue tissue : {Tissue::Published, Tissue::WeaklyDamped})
+        measure(nodes, tissue);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -179,16 +227,9 @@ int main(int argc, char** argv) {
     esm::Application application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("esm"));
     QCoreApplication::setApplicationName(QStringLiteral("esm-responsiveness"));
-    std::vector<std::size_t> sizes{10000, 16000};
-    const bool isTurning = argc > 1 && std::string_view(argv[1]) == "turn";
-    if (argc == 1 || isTurning) measureTurning(200000, 10000);
-    if (isTurning) return 0;
-    if (argc > 1) sizes.clear();
-    for (int i = 1; i < argc; ++i)
-        sizes.push_back(std::strtoull(argv[i], nullptr, 10));
-    for (const std::size_t nodes : sizes)
-        for (const Tissue tissue : {Tissue::Published, Tissue::WeaklyDamped})
-            measure(nodes, tissue);
-    measureColours(sizes.back());
+    std::vector<std::string_view> subjects{"turn", "10000", "16000", "colours"};
+    if (argc > 1) subjects.assign(argv + 1, argv + argc);
+    for (const std::string_view subject : subjects)
+        measureSubject(subject);
     return 0;
 }

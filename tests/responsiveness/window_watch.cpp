@@ -1,6 +1,7 @@
 #include "tests/responsiveness/window_watch.h"
 
 #include <algorithm>
+#include <ctime>
 
 namespace responsiveness {
 
@@ -12,6 +13,12 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+double processorTime() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
 } // namespace
 
 double share(Times times, double below) {
@@ -21,7 +28,7 @@ double share(Times times, double below) {
 }
 
 WindowWatch::WindowWatch(esm::MainWindow& window)
-    : m_window(window), m_lastFrame(Clock::now()), m_lastPicture(Clock::now()) {
+    : m_window(window), m_lastBusy(processorTime()), m_lastFrame(Clock::now()), m_lastPicture(Clock::now()) {
     connect(&window.preview(), &esm::Preview::frameReady, this, [this] {
         m_project = m_window.preview().frame().project;
         noteGap(m_lastFrame, m_frameGaps);
@@ -40,9 +47,16 @@ void WindowWatch::ask() {
     while (!m_stops) {
         const Clock::time_point asked = Clock::now();
         QMetaObject::invokeMethod(
-            this, [this, asked] { m_answers.push_back(millisecondsSince(asked)); }, Qt::QueuedConnection);
+            this, [this, asked] { answer(asked); }, Qt::QueuedConnection);
         std::this_thread::sleep_for(betweenQuestions);
     }
+}
+
+void WindowWatch::answer(Clock::time_point asked) {
+    m_answers.push_back(millisecondsSince(asked));
+    const double now = processorTime();
+    m_busy.push_back(now - m_lastBusy);
+    m_lastBusy = now;
 }
 
 void WindowWatch::noteGap(Clock::time_point& last, Times& gaps) {

@@ -22,6 +22,9 @@ public:
     ~WindowWatch() override;
 
     const Times& answers() const { return m_answers; }
+    /// Processor time of the window's thread from one answer to the next: what an answer would have to wait
+    /// for on a machine that does nothing else.
+    const Times& busy() const { return m_busy; }
     const Times& frameGaps() const { return m_frameGaps; }
     const Times& pictureGaps() const { return m_pictureGaps; }
     /// Of the frame that came last, the number of the project that it was computed by.
@@ -31,10 +34,12 @@ private:
     using Clock = std::chrono::steady_clock;
 
     void ask();
+    void answer(Clock::time_point asked);
     static void noteGap(Clock::time_point& last, Times& gaps);
 
     esm::MainWindow& m_window;
-    Times m_answers, m_frameGaps, m_pictureGaps;
+    Times m_answers, m_busy, m_frameGaps, m_pictureGaps;
+    double m_lastBusy; ///< ms, processor time of the window's thread
     Clock::time_point m_lastFrame, m_lastPicture;
     int m_project = 0;
     std::atomic<bool> m_stops = false;

@@ -9,6 +9,9 @@
 #include <QDialogButtonBox>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 
 #include <algorithm>
 #include <array>
@@ -85,6 +88,9 @@ NumberFormat nodesFormat(std::size_t vertices) {
     return format;
 }
 
+/// Left of the screen around the dialog, for its frame.
+constexpr QSize roomAround(32, 56);
+
 /// More parts than these are crumbs, or no organ.
 constexpr std::size_t mostPartsListed = 12;
 
@@ -103,40 +109,77 @@ QString doubtfulExtent(double largestExtent, LengthUnit unit) {
         .arg(lengthText(metres), fitting.join(QStringLiteral(", ")));
 }
 
-ImportDialog::ImportDialog(const QString& fileName, const ImportedSurface& all,
-                           const std::optional<ImportedSurface>& largest, QWidget* parent)
-    : QDialog(parent), m_all(all), m_largest(largest), m_units(new QButtonGroup(this)),
-      m_up(new QComboBox(this)), m_keep(new QComboBox(this)), m_detail(new QComboBox(this)),
-      m_nodes(new NumberField(nodesFormat(all.vertices), this)),
-      m_fewerNodes(static_cast<double>(std::min(suggestedNodes, all.vertices))), m_size(new QLabel(this)),
-      m_doubt(new QLabel(this)), m_report(new QPlainTextEdit(this)) {
+RepairOptions repairOptions(const ImportChoice& choice) {
+    return {0, choice.keep, choice.slitWidth, choice.holeEdges};
+}
+
+ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const PolygonSoup> soup,
+                           std::shared_ptr<const ImportedSurface> found, QWidget* parent)
+    : QDialog(parent), m_found(std::move(found)), m_shown(m_found), m_importer(std::move(soup), m_found),
+      m_view(new OrganView(this)),
+      m_openings(new OpeningOptions(
+          m_found, recommendedUnit(m_found->extent.maxCoeff(), meshFileEnding(fileName.toStdString())),
+          this)),
+      m_units(new QButtonGroup(this)), m_up(new QComboBox(this)), m_keep(new QComboBox(this)),
+      m_detail(new QComboBox(this)),
+      m_nodes(new NumberField(nodesFormat(m_found->mesh->vertices.size()), this)),
+      m_fewerNodes(static_cast<double>(std::min(suggestedNodes, m_found->mesh->vertices.size()))),
+      m_size(new QLabel(this)), m_doubt(new QLabel(this)), m_suggestion(quietLabel({}, this)),
+      m_report(new QPlainTextEdit(this)) {
     setWindowTitle(tr("Import organ surface"));
     setObjectName(QStringLiteral("importDialog"));
-    setMinimumWidth(460);
+    m_view->setAccessibleName(tr("Preview of the surface"));
+    m_view->setHint(tr("Drag to turn, wheel to come nearer; open borders are amber"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 18);
+    column->setSpacing(12);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(16);
+    row->addWidget(m_view, 1);
+    row->addWidget(makeQuestions(fileName));
+    column->addLayout(row, 1);
+    addButtons(column);
+    connect(m_openings, &OpeningOptions::changed, this, &ImportDialog::lookAgain);
+    connect(&m_importer, &SurfaceImporter::answered, this, &ImportDialog::takeAnswer);
+    showKept();
+    lookAgain();
+    resize(QSize(1040, 720).boundedTo(screen()->availableSize() - roomAround));
+}
+
+/// They scroll where the screen is low.
+QWidget* ImportDialog::makeQuestions(const QString& fileName) {
+    auto* questions = new QWidget;
+    questions->setObjectName(QStringLiteral("importQuestions"));
+    auto* column = new QVBoxLayout(questions);
+    column->setContentsMargins(0, 0, 8, 0);
     column->setSpacing(12);
     auto* title = new QLabel(fileName, this);
     title->setProperty("strong", true);
     column->addWidget(title);
-    addUnits(column, recommendedUnit(all.extent.maxCoeff(), meshFileEnding(fileName.toStdString())));
+    addUnits(column, recommendedUnit(m_found->extent.maxCoeff(), meshFileEnding(fileName.toStdString())));
     addParts();
     addOrientation(column);
+    column->addWidget(m_openings);
     addReport(column);
-    addButtons(column);
-    showKept();
+    auto* area = new QScrollArea(this);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(questions);
+    area->setMinimumWidth(questions->sizeHint().width() + area->verticalScrollBar()->sizeHint().width());
+    return area;
 }
 
 void ImportDialog::addParts() {
-    const std::size_t parts = m_all.parts.size();
+    const std::size_t parts = m_found->parts.size();
     m_keep->setObjectName(QStringLiteral("importKeep"));
     m_keep->addItem(parts <= 1 ? tr("the one part") : tr("all %1 parts").arg(parts));
     m_keep->addItem(parts <= 1
                         ? tr("the largest part")
-                        : tr("the largest part: %1").arg(trianglesText(m_all.parts.front().triangles)));
+                        : tr("the largest part: %1").arg(trianglesText(m_found->parts.front().triangles)));
     m_keep->setEnabled(parts > 1);
     if (parts <= 1) m_keep->setToolTip(tr("The surface is one part"));
-    connect(m_keep, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showKept);
+    connect(m_keep, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::lookAgain);
 }
 
 void ImportDialog::addButtons(QVBoxLayout* column) {
@@ -163,13 +206,20 @@ void ImportDialog::addUnits(QVBoxLayout* column, LengthUnit likely) {
     }
     row->addStretch();
     column->addLayout(row);
-    connect(m_units, &QButtonGroup::idClicked, this, &ImportDialog::showKept);
+    connect(m_units, &QButtonGroup::idClicked, this, [this] {
+        m_openings->setUnit(choice().unit);
+        showKept();
+        lookAgain();
+    });
 }
 
 void ImportDialog::addOrientation(QVBoxLayout* column) {
     m_up->addItem(tr("y axis"));
     m_up->addItem(tr("z axis"));
-    connect(m_up, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showKept);
+    connect(m_up, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+        showKept();
+        lookAgain();
+    });
     m_size->setObjectName(QStringLiteral("importSize"));
     m_size->setProperty("strong", true);
     auto* form = new QFormLayout;
@@ -197,6 +247,10 @@ void ImportDialog::addDetail(QFormLayout* form) {
     QLabel* caption = quietLabel(tr("&Nodes"), this);
     caption->setBuddy(m_nodes);
     form->addRow(caption, m_nodes);
+    m_suggestion->setObjectName(QStringLiteral("importSuggestion"));
+    m_suggestion->setWordWrap(true);
+    m_suggestion->setMinimumHeight(2 * m_suggestion->fontMetrics().lineSpacing());
+    form->addRow(m_suggestion);
     connect(m_detail, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showDetail);
     connect(m_nodes, &NumberField::valueEdited, this, [this](double nodes) { m_fewerNodes = nodes; });
 }
@@ -205,7 +259,7 @@ void ImportDialog::showDetail() {
     const Detail::Kind kind = detailKind();
     enable(m_nodes, kind == Detail::Kind::Nodes, tr("More nodes follow a deformation closer and take longer"),
            tr("Choose fewer nodes to say how many"));
-    const double all = static_cast<double>(kept().vertices);
+    const double all = static_cast<double>(m_shown->mesh->vertices.size());
     m_nodes->setValue(kind == Detail::Kind::Nodes   ? std::min(m_fewerNodes, all)
                       : kind == Detail::Kind::Rigid ? double(motionModelNodes)
                                                     : all);
@@ -218,12 +272,61 @@ void ImportDialog::addReport(QVBoxLayout* column) {
     m_report->setObjectName(QStringLiteral("importReport"));
     m_report->setReadOnly(true);
     m_report->setTabChangesFocus(true);
-    m_report->setFixedHeight(170);
-    column->addWidget(m_report);
+    m_report->setMinimumHeight(90);
+    m_report->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    column->addWidget(m_report, 1);
 }
 
-const ImportedSurface& ImportDialog::kept() const {
-    return m_largest && keptParts() == KeepParts::Largest ? *m_largest : m_all;
+void ImportDialog::lookAgain() {
+    const ImportChoice chosen = choice();
+    ImportQuestion question{repairOptions(chosen), chosen.unit, chosen.up};
+    question.options.slitWidth /= metresPer(chosen.unit);
+    m_importer.look(question);
+    m_openings->showDone(nullptr);
+}
+
+void ImportDialog::takeAnswer() {
+    const auto outcome = m_importer.outcome();
+    if (m_importer.isWorking() || outcome.number == m_answer) return;
+    m_answer = outcome.number;
+    if (!outcome.failure.empty()) return m_report->setPlainText(QString::fromStdString(outcome.failure));
+    m_shown = outcome.answer->surface;
+    showKept();
+    m_openings->showDone(&m_shown->report);
+    showPreview(outcome.answer->preview);
+}
+
+void ImportDialog::done(int result) {
+    m_importer.disconnect(this); // what it still tells is for nobody
+    QDialog::done(result);
+}
+
+/// Where the surface has another size or stands another way than before, the camera does not fit any more.
+void ImportDialog::showPreview(const RenderScene& preview) {
+    const auto boxOf = [](const RenderScene& scene) {
+        return scene.mesh ? boundingBox(scene.mesh->vertices) : Eigen::AlignedBox3d();
+    };
+    const bool isElsewhere = !boxOf(preview).isApprox(boxOf(m_view->scene()), 0.05);
+    RenderScene scene = preview;
+    const QColor background = palette().color(QPalette::Base);
+    for (std::size_t i = 0; i < 3; ++i)
+        scene.backgroundTop[i] = scene.backgroundBottom[i] =
+            static_cast<std::uint8_t>(i == 0   ? background.red()
+                                      : i == 1 ? background.green()
+                                               : background.blue());
+    m_view->setScene(std::move(scene));
+    if (isElsewhere) m_view->frameOrgan();
+}
+
+/// How many nodes are worth to be chosen, and why.
+void ImportDialog::showSuggestion() {
+    const std::size_t vertices = m_shown->mesh->vertices.size();
+    m_suggestion->setText(
+        vertices <= suggestedNodes
+            ? tr("Recommended: every vertex. So few move in real time on any machine.")
+            : tr("Recommended: %1 nodes under the full surface. So many move in real time on any machine; "
+                 "%2 may not.")
+                  .arg(countText(suggestedNodes), countText(vertices)));
 }
 
 QString ImportDialog::sizeText(const Eigen::Vector3d& extent) const {
@@ -240,7 +343,7 @@ QString ImportDialog::sizeText(const Eigen::Vector3d& extent) const {
 }
 
 QStringList ImportDialog::partLines() const {
-    const auto& parts = m_all.parts;
+    const auto& parts = m_found->parts;
     if (parts.size() <= 1) return {};
     QStringList lines{tr("Parts in the file:")};
     const std::size_t listed = std::min(parts.size(), mostPartsListed);
@@ -252,10 +355,11 @@ QStringList ImportDialog::partLines() const {
 }
 
 void ImportDialog::showKept() {
-    m_report->setPlainText((reportLines(kept().report) + partLines()).join('\n'));
-    m_size->setText(sizeText(kept().extent));
-    m_doubt->setText(doubtfulExtent(kept().extent.maxCoeff(), choice().unit));
+    m_report->setPlainText((reportLines(m_shown->report) + partLines()).join('\n'));
+    m_size->setText(sizeText(m_shown->extent));
+    m_doubt->setText(doubtfulExtent(m_shown->extent.maxCoeff(), choice().unit));
     showDetail();
+    showSuggestion();
 }
 
 ImportChoice ImportDialog::choice() const {
@@ -263,8 +367,10 @@ ImportChoice ImportDialog::choice() const {
     choice.unit = units[static_cast<std::size_t>(qMax(0, m_units->checkedId()))];
     choice.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
     choice.keep = keptParts();
+    choice.slitWidth = m_openings->slitWidth();
+    choice.holeEdges = m_openings->holeEdges();
     choice.detail = {detailKind(), static_cast<std::size_t>(m_nodes->value().value_or(0))};
-    if (choice.detail.nodes >= kept().vertices && choice.detail.kind == Detail::Kind::Nodes)
+    if (choice.detail.nodes >= m_shown->mesh->vertices.size() && choice.detail.kind == Detail::Kind::Nodes)
         choice.detail.kind = Detail::Kind::EveryVertex;
     return choice;
 }

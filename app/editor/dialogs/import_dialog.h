@@ -1,9 +1,11 @@
 #pragma once
 
-#include "app/editor/dialogs/imported_surface.h"
+#include "app/editor/dialogs/opening_options.h"
+#include "app/editor/workers/surface_importer.h"
 #include "core/exchange/meshes/mesh_file.h"
 #include "core/model/detail.h"
 #include "widgets/inputs/number_field.h"
+#include "widgets/view/organ_view.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -13,8 +15,6 @@
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
 
-#include <optional>
-
 namespace esm {
 
 /// What a mesh file means.
@@ -22,24 +22,34 @@ struct ImportChoice {
     LengthUnit unit = LengthUnit::Millimetre;
     UpAxis up = UpAxis::Y;
     KeepParts keep = KeepParts::All;
+    double slitWidth = 0;      ///< m, up to which slits are closed
+    std::size_t holeEdges = 0; ///< up to which holes are filled
     Detail detail;
 };
+
+/// In metres.
+RepairOptions repairOptions(const ImportChoice& choice);
 
 /// Says that no organ has this extent, in a file's unit, and which unit would fit; empty where it may be.
 QString doubtfulExtent(double largestExtent, LengthUnit unit);
 
-/// Asks what a mesh file means, showing the size that follows and what was repaired.
+/// Asks what a mesh file means and shows what follows: the surface in space with its open borders, its size,
+/// what was repaired. Another choice is worked out beside the window.
 class ImportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param largest the largest part alone; needed where the surface has more than one
-    ImportDialog(const QString& fileName, const ImportedSurface& all,
-                 const std::optional<ImportedSurface>& largest, QWidget* parent = nullptr);
+    /// @param found what the soup is without more repairs than are always made
+    ImportDialog(const QString& fileName, std::shared_ptr<const PolygonSoup> soup,
+                 std::shared_ptr<const ImportedSurface> found, QWidget* parent = nullptr);
 
     ImportChoice choice() const;
+    /// Ends what is still worked out, which may take a moment; on any thread, once the dialog was answered.
+    void stopWork() { m_importer.stop(); }
+    void done(int result) override;
 
 private:
+    QWidget* makeQuestions(const QString& fileName);
     void addUnits(QVBoxLayout* column, LengthUnit likely);
     void addOrientation(QVBoxLayout* column);
     void addParts();
@@ -49,18 +59,24 @@ private:
     void addReport(QVBoxLayout* column);
     void addButtons(QVBoxLayout* column);
     KeepParts keptParts() const { return m_keep->currentIndex() == 1 ? KeepParts::Largest : KeepParts::All; }
-    const ImportedSurface& kept() const;
+    void lookAgain();
+    void takeAnswer();
+    void showPreview(const RenderScene& preview);
     QString sizeText(const Eigen::Vector3d& extent) const;
     QStringList partLines() const;
     void showKept();
+    void showSuggestion();
 
-    ImportedSurface m_all;
-    std::optional<ImportedSurface> m_largest;
+    std::shared_ptr<const ImportedSurface> m_found, m_shown;
+    SurfaceImporter m_importer;
+    int m_answer = 0; ///< number of the latest that was looked at
+    OrganView* m_view;
+    OpeningOptions* m_openings;
     QButtonGroup* m_units;
     QComboBox *m_up, *m_keep, *m_detail;
     NumberField* m_nodes;
     double m_fewerNodes; ///< as last asked for
-    QLabel *m_size, *m_doubt;
+    QLabel *m_size, *m_doubt, *m_suggestion;
     QPlainTextEdit* m_report;
 };
 

@@ -1,6 +1,8 @@
 #include "app/editor/dialogs/long_work.h"
 
 #include <QApplication>
+#include <QDeadlineTimer>
+#include <QEventLoop>
 #include <QProgressDialog>
 #include <QTimer>
 
@@ -14,6 +16,33 @@ namespace {
 
 /// Short work ends within it, so that no dialog flashes up.
 constexpr std::chrono::milliseconds patience{200};
+/// Most work is done sooner than events are worth looking at.
+constexpr std::chrono::milliseconds blink{10};
+constexpr std::chrono::milliseconds betweenLooks{5};
+
+/// Keeps windows from being closed under the work's feet while no dialog stands before them.
+class KeepsOpen : public QObject {
+public:
+    KeepsOpen() { qApp->installEventFilter(this); }
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() != QEvent::Close) return false;
+        event->ignore();
+        return true;
+    }
+};
+
+/// The window draws and answers, but what the user does in it waits.
+void waitBriefly(const std::function<bool()>& isDone) {
+    const QDeadlineTimer deadline(patience);
+    const KeepsOpen keepsOpen;
+    QTimer poll;
+    QEventLoop loop;
+    QObject::connect(&poll, &QTimer::timeout, &loop, [&] {
+        if (isDone() || deadline.hasExpired()) loop.quit();
+    });
+    poll.start(betweenLooks);
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+}
 
 } // namespace
 
@@ -28,7 +57,8 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
         });
     });
     const auto isDone = [&] { return done.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
-    if (done.wait_for(patience) != std::future_status::ready) {
+    if (done.wait_for(blink) != std::future_status::ready) waitBriefly(isDone);
+    if (!isDone()) {
         QProgressDialog dialog(title, cancelling == Cancelling::Offered ? QObject::tr("Cancel") : QString(),
                                0, 0, window);
         dialog.setWindowTitle(title);

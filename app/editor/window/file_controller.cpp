@@ -160,21 +160,29 @@ void FileController::openProject(const std::filesystem::path& file) {
 void FileController::importMesh(const std::filesystem::path& file) {
     attempt(&m_window, tr("The surface cannot be imported"), [&] {
         const QString title = tr("Importing %1").arg(fileName(file));
-        auto soup = computeLong(
-            &m_window, title, [&](const Progress& progress) { return readMeshFile(file, progress); },
+        std::shared_ptr<const PolygonSoup> soup;
+        std::shared_ptr<const ImportedSurface> found;
+        runLongWork(
+            &m_window, title,
+            [&](const Progress& progress) {
+                soup = std::make_shared<const PolygonSoup>(readMeshFile(file, progress));
+                found = std::make_shared<const ImportedSurface>(importedSurface(*soup, {}, progress));
+            },
             Cancelling::Offered);
-        const auto surfaces =
-            computeLong(&m_window, title, [&](const Progress&) { return waysToImport(soup); });
-        ImportDialog dialog(fileName(file), surfaces.first, surfaces.second, &m_window);
+        ImportDialog dialog(fileName(file), soup, found, &m_window);
         const int answer = ask(m_window, [&] { return dialog.exec(); });
+        runLongWork(&m_window, title, [&](const Progress&) { dialog.stopWork(); });
         if (answer != QDialog::Accepted || !mayLeaveProject()) return;
         const ImportChoice choice = dialog.choice();
-        Project project = computeLong(&m_window, title, [&](const Progress&) {
-            convertToMetres(soup, choice.unit, choice.up);
-            RepairOptions options;
-            options.keep = choice.keep;
-            return makeProject(file.stem().string(), repair(soup, options), std::nullopt, choice.detail);
-        });
+        Project project = computeLong(
+            &m_window, title,
+            [&](const Progress& progress) {
+                PolygonSoup metres = *soup;
+                convertToMetres(metres, choice.unit, choice.up);
+                return makeProject(file.stem().string(), repair(metres, repairOptions(choice), progress),
+                                   std::nullopt, choice.detail);
+            },
+            Cancelling::Offered);
         m_document.replace(std::move(project), std::nullopt, Origin::Unsaved);
         noteOpened(file);
         emit message(tr("Imported %1").arg(fileName(file)));

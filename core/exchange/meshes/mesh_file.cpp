@@ -29,12 +29,16 @@ PolygonSoup readMeshFile(const fs::path& file, const Progress& progress) {
     return readSoup(stream);
 }
 
-void convertToMetres(PolygonSoup& soup, LengthUnit unit, UpAxis up) {
+void convertToMetres(std::vector<Eigen::Vector3d>& points, LengthUnit unit, UpAxis up) {
     const double factor = metresPer(unit);
-    for (Eigen::Vector3d& v : soup.vertices) {
+    for (Eigen::Vector3d& v : points) {
         if (up == UpAxis::Z) v = Eigen::Vector3d(v.x(), v.z(), -v.y());
         v *= factor;
     }
+}
+
+void convertToMetres(PolygonSoup& soup, LengthUnit unit, UpAxis up) {
+    convertToMetres(soup.vertices, unit, up);
 }
 
 } // namespace esm

@@ -20,6 +20,7 @@ enum class UpAxis { Y, Z };
 PolygonSoup readMeshFile(const std::filesystem::path& file, const Progress& progress = {});
 
 /// Converts to metres and to Y up.
+void convertToMetres(std::vector<Eigen::Vector3d>& points, LengthUnit unit, UpAxis up);
 void convertToMetres(PolygonSoup& soup, LengthUnit unit, UpAxis up);
 
 /// File name endings that readMeshFile() takes, without the dot.

@@ -1,98 +1,190 @@
 #include "app/editor/dialogs/import_dialog.h"
 
-#include "widgets/inputs/number_field.h"
+#include "tests/support/cut_ball.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_meshes.h"
+#include "widgets/inputs/number_text.h"
 
 #include <gtest/gtest.h>
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QScreen>
 
 using namespace esm;
 
 namespace {
 
-ImportedSurface threeParts() {
-    ImportedSurface surface;
-    surface.extent = {200, 100, 100};
-    surface.vertices = 6000;
-    surface.parts = {{900, {50, 40, 30}}, {20, {10, 10, 5}}, {1, {1, 1, 0}}};
-    surface.report.warnings = {"three parts"};
-    return surface;
+/// A box of three unequal sides, a smaller one, and a triangle; mm, say.
+PolygonSoup threeParts() {
+    PolygonSoup soup = test::soupOf(test::ball({.rings = 60, .segments = 60, .radius = 100}));
+    for (Eigen::Vector3d& vertex : soup.vertices)
+        vertex.array() *= Eigen::Array3d(1, 0.5, 0.5);
+    test::append(soup, test::cubeSoup(10, {300, 0, 0}));
+    test::append(soup, {{{400, 0, 0}, {401, 0, 0}, {400, 1, 0}}, {{0, 1, 2}}});
+    return soup;
 }
 
-ImportedSurface largestOf(const ImportedSurface& surface) {
-    ImportedSurface largest;
-    largest.parts = {surface.parts.front()};
-    largest.extent = largest.parts.front().extent;
-    largest.vertices = 900;
-    return largest;
+/// A ball of 120 mm that is cut open, in millimetres.
+PolygonSoup openBall() {
+    PolygonSoup soup = test::soupOf(test::cutBall().mesh);
+    for (Eigen::Vector3d& vertex : soup.vertices)
+        vertex *= 1000;
+    return soup;
 }
 
-class ImportDialogTest : public testing::Test {
-protected:
-    QString reported() const { return dialog.findChild<QPlainTextEdit*>("importReport")->toPlainText(); }
+struct Shown {
+    explicit Shown(const PolygonSoup& soup)
+        : dialog("organ.obj", std::make_shared<const PolygonSoup>(soup),
+                 std::make_shared<const ImportedSurface>(importedSurface(soup, {}))) {
+        // The preview comes a moment later.
+        while (!preview().mesh)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
 
-    ImportDialog dialog{"organ.obj", threeParts(), largestOf(threeParts())};
-    QComboBox* keep = dialog.findChild<QComboBox*>("importKeep");
+    template<typename Widget> Widget* child(const char* name) const {
+        return dialog.findChild<Widget*>(name);
+    }
+    QString text(const char* label) const { return child<QLabel>(label)->text(); }
+    QString reported() const { return child<QPlainTextEdit>("importReport")->toPlainText(); }
+    const RenderScene& preview() const { return dialog.findChild<OrganView*>()->scene(); }
+    std::size_t markedEdges() const { return preview().network ? preview().network->springs.size() : 0; }
+
+    ImportDialog dialog;
 };
 
 } // namespace
 
-TEST_F(ImportDialogTest, ShowsTheSizeOfWhatIsKept) {
-    const auto* size = dialog.findChild<QLabel*>("importSize");
-    EXPECT_EQ(size->text(), "200 × 100 × 100 mm");
-    keep->setCurrentIndex(1);
-    EXPECT_EQ(size->text(), "50 × 40 × 30 mm");
-    EXPECT_FALSE(reported().contains("three parts"));
-    for (const auto* choice : dialog.findChildren<QComboBox*>())
+TEST(ImportDialog, ShowsTheSizeOfWhatIsKept) {
+    Shown shown(threeParts());
+    EXPECT_EQ(shown.text("importSize"), "501 × 100 × 100 mm");
+    EXPECT_TRUE(shown.reported().contains("3 parts"));
+    shown.child<QComboBox>("importKeep")->setCurrentIndex(1);
+    ESM_EVENTUALLY(shown.text("importSize") == "200 × 100 × 100 mm");
+    EXPECT_FALSE(shown.reported().contains("3 parts"));
+    EXPECT_EQ(shown.preview().mesh->vertices.size(), 59U * 60 + 2); // the other parts are not shown
+    for (const auto* choice : shown.dialog.findChildren<QComboBox*>())
         EXPECT_FALSE(choice->accessibleName().isEmpty());
+    for (const auto* field : shown.dialog.findChildren<NumberField*>())
+        EXPECT_FALSE(field->accessibleName().isEmpty());
 }
 
-TEST_F(ImportDialogTest, DoubtsASizeNoOrganHasWithoutAJump) {
-    const auto* doubt = dialog.findChild<QLabel*>("importDoubt");
-    EXPECT_EQ(doubt->text(), "");
-    const int height = dialog.sizeHint().height();
-    dialog.findChild<QAbstractButton*>("unit2")->click();
-    EXPECT_TRUE(doubt->text().contains("200 mm in millimetres")) << doubt->text().toStdString();
-    EXPECT_EQ(dialog.sizeHint().height(), height);
+TEST(ImportDialog, DoubtsASizeNoOrganHasWithoutAJump) {
+    Shown shown(openBall());
+    EXPECT_EQ(shown.text("importDoubt"), "");
+    const int height = shown.dialog.sizeHint().height();
+    shown.child<QAbstractButton>("unit2")->click();
+    EXPECT_TRUE(shown.text("importDoubt").contains("120 mm in millimetres"));
+    EXPECT_EQ(shown.dialog.sizeHint().height(), height);
     EXPECT_TRUE(doubtfulExtent(1e-9, LengthUnit::Metre).contains("no unit"));
 }
 
-TEST_F(ImportDialogTest, SaysWhatAnOpenBorderMeans) {
-    EXPECT_FALSE(reported().contains("3 mm"));
-    ImportedSurface open = largestOf(threeParts());
-    open.report.boundaryEdges = 240;
-    ImportDialog other("open.obj", open, std::nullopt);
-    EXPECT_TRUE(other.findChild<QPlainTextEdit*>("importReport")->toPlainText().contains("3 mm"));
+TEST(ImportDialog, SaysWhatAnOpenBorderMeans) {
+    EXPECT_FALSE(Shown(test::cubeSoup(100)).reported().contains("3 mm"));
+    EXPECT_TRUE(Shown(openBall()).reported().contains("3 mm"));
 }
 
-TEST_F(ImportDialogTest, ListsThePartsWithTheirSizes) {
+TEST(ImportDialog, ListsThePartsWithTheirSizes) {
+    Shown shown(threeParts());
+    const auto* keep = shown.child<QComboBox>("importKeep");
     EXPECT_EQ(keep->itemText(0), "all 3 parts");
-    EXPECT_EQ(keep->itemText(1), "the largest part: 900 triangles");
-    EXPECT_TRUE(reported().contains("1: 900 triangles, 50 × 40 × 30 mm"));
-    EXPECT_TRUE(reported().contains("2: 20 triangles, 10 × 10 × 5.0 mm"));
-    EXPECT_TRUE(reported().contains("3: 1 triangle,"));
-    dialog.findChild<QAbstractButton*>("unit1")->click();
-    EXPECT_TRUE(reported().contains("1: 900 triangles, 500 × 400 × 300 mm"));
+    EXPECT_TRUE(keep->itemText(1).contains("triangles"));
+    EXPECT_TRUE(shown.reported().contains("200 × 100 × 100 mm"));
+    EXPECT_TRUE(shown.reported().contains("2: 12 triangles, 10 × 10 × 10 mm"))
+        << shown.reported().toStdString();
+    EXPECT_TRUE(shown.reported().contains("3: 1 triangle,"));
 }
 
-TEST_F(ImportDialogTest, AsksHowMuchIsSimulated) {
-    auto* detail = dialog.findChild<QComboBox*>("importDetail");
-    auto* nodes = dialog.findChild<NumberField*>("numberField");
-    EXPECT_EQ(dialog.choice().detail.kind, Detail::Kind::EveryVertex);
-    EXPECT_EQ(nodes->value(), 6000);
+TEST(ImportDialog, TurnsThePreviewAsTheAxisSays) {
+    Shown shown(threeParts());
+    const auto sizes = [&] { return Eigen::Vector3d(boundingBox(shown.preview().mesh->vertices).sizes()); };
+    EXPECT_NEAR(sizes().x(), 0.501, 1e-9); // m
+    Shown tall(test::soupOf(test::ball()));
+    const std::vector<Eigen::Vector3d> before = tall.preview().mesh->vertices;
+    for (auto* choice : tall.dialog.findChildren<QComboBox*>())
+        if (choice->itemText(1) == "z axis") choice->setCurrentIndex(1);
+    EXPECT_EQ(tall.dialog.choice().up, UpAxis::Z);
+    ESM_EVENTUALLY(tall.preview().mesh->vertices != before);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_EQ(tall.preview().mesh->vertices[i],
+                  Eigen::Vector3d(before[i].x(), before[i].z(), -before[i].y()));
+}
+
+TEST(ImportDialog, MarksOpenBordersAndClosesThemWhenAsked) {
+    Shown shown(openBall());
+    EXPECT_TRUE(shown.text("openBorders").contains("1 open border: 162 edges, its sides 0.60 mm apart"))
+        << shown.text("openBorders").toStdString();
+    EXPECT_EQ(shown.markedEdges(), 162U);
+    EXPECT_EQ(shown.dialog.choice().slitWidth, 0);
+    EXPECT_FALSE(shown.child<NumberField>("slitWidth")->isEnabled());
+    shown.child<QCheckBox>("closesSlits")->click();
+    EXPECT_NEAR(shown.dialog.choice().slitWidth, 6.6e-4, 1e-5); // m
+    ESM_EVENTUALLY(shown.text("closedSlits") == "162 edges closed");
+    EXPECT_EQ(shown.markedEdges(), 0U);
+    EXPECT_TRUE(shown.reported().contains("162 border edges of slits closed"));
+    shown.child<QCheckBox>("closesSlits")->click();
+    ESM_EVENTUALLY(shown.markedEdges() == 162);
+    EXPECT_EQ(shown.text("closedSlits"), "");
+}
+
+TEST(ImportDialog, FillsHolesWhenAsked) {
+    PolygonSoup soup = test::soupOf(test::ball({.rings = 20, .segments = 30, .radius = 100}));
+    soup.polygons.erase(soup.polygons.begin() + 100, soup.polygons.begin() + 102);
+    Shown shown(soup);
+    EXPECT_EQ(shown.markedEdges(), 4U);
+    shown.child<QCheckBox>("fillsHoles")->click();
+    EXPECT_EQ(shown.dialog.choice().holeEdges, 30U);
+    ESM_EVENTUALLY(shown.text("filledHoles") == "1 filled");
+    EXPECT_EQ(shown.markedEdges(), 0U);
+}
+
+TEST(ImportDialog, OffersNoRepairOfAClosedSurface) {
+    Shown shown(test::cubeSoup(100));
+    EXPECT_EQ(shown.text("openBorders"), "No open border");
+    for (const char* name : {"closesSlits", "fillsHoles"}) {
+        EXPECT_FALSE(shown.child<QCheckBox>(name)->isEnabled());
+        EXPECT_TRUE(shown.child<QCheckBox>(name)->toolTip().contains("no open border"));
+    }
+}
+
+TEST(ImportDialog, LimitsTheWidthByTheOrgansSize) {
+    Shown shown(openBall());
+    const auto most = [&] { return shown.child<NumberField>("slitWidth")->format().maximum; };
+    EXPECT_NEAR(most(), 0.012, 1e-9); // m
+    shown.child<QAbstractButton>("unit1")->click();
+    EXPECT_NEAR(most(), 0.12, 1e-9);
+}
+
+TEST(ImportDialog, MayBeClosedWhileItWorks) {
+    Shown shown(openBall());
+    shown.child<QCheckBox>("closesSlits")->click();
+    shown.dialog.reject();
+    shown.dialog.stopWork();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(shown.markedEdges(), 162U);
+}
+
+TEST(ImportDialog, AsksHowMuchIsSimulated) {
+    Shown shown(threeParts());
+    const auto vertices = static_cast<double>(shown.preview().mesh->vertices.size());
+    auto* detail = shown.child<QComboBox>("importDetail");
+    NumberField* nodes = nullptr;
+    for (auto* field : shown.dialog.findChildren<NumberField*>())
+        if (field->accessibleName() == "Nodes") nodes = field;
+    ASSERT_NE(nodes, nullptr);
+    EXPECT_TRUE(shown.text("importSuggestion").contains(countText(2000) + " nodes"))
+        << shown.text("importSuggestion").toStdString();
+    EXPECT_EQ(shown.dialog.choice().detail.kind, Detail::Kind::EveryVertex);
+    EXPECT_EQ(nodes->value(), vertices);
     EXPECT_FALSE(nodes->isEnabled());
     detail->setCurrentIndex(1);
     EXPECT_TRUE(nodes->isEnabled());
-    EXPECT_EQ(dialog.choice().detail.kind, Detail::Kind::Nodes);
-    EXPECT_EQ(dialog.choice().detail.nodes, 2000U);
-    keep->setCurrentIndex(1); // there are not as many vertices
-    EXPECT_EQ(dialog.choice().detail.nodes, 900U);
-    keep->setCurrentIndex(0);
-    EXPECT_EQ(dialog.choice().detail.nodes, 2000U);
+    EXPECT_EQ(shown.dialog.choice().detail.kind, Detail::Kind::Nodes);
+    EXPECT_EQ(shown.dialog.choice().detail.nodes, 2000U);
     detail->setCurrentIndex(2);
-    EXPECT_EQ(dialog.choice().detail.kind, Detail::Kind::Rigid);
+    EXPECT_EQ(shown.dialog.choice().detail.kind, Detail::Kind::Rigid);
     EXPECT_EQ(nodes->value(), 8);
     EXPECT_FALSE(nodes->isEnabled());
+    EXPECT_TRUE(Shown(test::cubeSoup(100)).text("importSuggestion").contains("every vertex"));
 }

@@ -3,6 +3,7 @@
 #include "core/samples/samples.h"
 
 #include <gtest/gtest.h>
+#include <QVariant>
 #include <QToolButton>
 
 using namespace esm;

@@ -1,6 +1,7 @@
 #include "app/editor/window/status_line.h"
 
 #include <gtest/gtest.h>
+#include <QVariant>
 
 using namespace esm;
 

@@ -1,4 +1,4 @@
-#include "app/editor/dialogs/imported_surface.h"
+#include "app/editor/workers/imported_surface.h"
 
 #include "core/geometry/adjacency.h"
 
@@ -25,20 +25,15 @@ std::vector<SurfacePart> partsOf(const TriangleMesh& mesh) {
     return found;
 }
 
-ImportedSurface importedSurface(const PolygonSoup& soup, KeepParts keep) {
-    RepairOptions options;
-    options.keep = keep;
-    const RepairedMesh repaired = repair(soup, options);
-    return {boundingBox(repaired.mesh.vertices).sizes(), repaired.mesh.vertices.size(), repaired.report,
-            partsOf(repaired.mesh)};
-}
-
 } // namespace
 
-std::pair<ImportedSurface, std::optional<ImportedSurface>> waysToImport(const PolygonSoup& soup) {
-    const ImportedSurface all = importedSurface(soup, KeepParts::All);
-    if (all.parts.size() <= 1) return {all, std::nullopt};
-    return {all, importedSurface(soup, KeepParts::Largest)};
+ImportedSurface importedSurface(const PolygonSoup& soup, const RepairOptions& options,
+                                const Progress& progress) {
+    RepairedMesh repaired = repair(soup, options, progress);
+    auto mesh = std::make_shared<const TriangleMesh>(std::move(repaired.mesh));
+    reportProgress(progress, -1);
+    return {mesh, boundingBox(mesh->vertices).sizes(), std::move(repaired.report), partsOf(*mesh),
+            openBordersOf(*mesh)};
 }
 
 } // namespace esm

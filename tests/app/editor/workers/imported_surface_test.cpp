@@ -1,4 +1,4 @@
-#include "app/editor/dialogs/imported_surface.h"
+#include "app/editor/workers/imported_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -17,21 +17,24 @@ PolygonSoup tetrahedronAndTriangle(double size) {
 } // namespace
 
 TEST(ImportedSurface, KnowsThePartsLargestFirst) {
-    const auto [all, largest] = waysToImport(tetrahedronAndTriangle(3));
+    const ImportedSurface all = importedSurface(tetrahedronAndTriangle(3), {});
     ASSERT_EQ(all.parts.size(), 2U);
     EXPECT_EQ(all.parts[0].triangles, 4U);
     EXPECT_EQ(all.parts[0].extent, Eigen::Vector3d(3, 3, 3));
     EXPECT_EQ(all.parts[1].triangles, 1U);
     EXPECT_EQ(all.parts[1].extent, Eigen::Vector3d(2, 1, 0));
     EXPECT_EQ(all.extent, Eigen::Vector3d(11, 10, 9));
-    ASSERT_TRUE(largest);
-    EXPECT_EQ(largest->extent, Eigen::Vector3d(3, 3, 3));
+    RepairOptions largest;
+    largest.keep = KeepParts::Largest;
+    EXPECT_EQ(importedSurface(tetrahedronAndTriangle(3), largest).extent, Eigen::Vector3d(3, 3, 3));
 }
 
-TEST(ImportedSurface, HasOneWayWhereThereIsOnePart) {
+TEST(ImportedSurface, KnowsTheOpenBorders) {
     PolygonSoup soup = tetrahedronAndTriangle(3);
+    const ImportedSurface all = importedSurface(soup, {});
+    ASSERT_EQ(all.borders.size(), 1U);
+    EXPECT_EQ(all.borders[0].loop.size(), 3U);
+    EXPECT_EQ(all.report.boundaryEdges, 3U);
     soup.polygons.erase(soup.polygons.begin());
-    const auto [all, largest] = waysToImport(soup);
-    EXPECT_EQ(all.parts.size(), 1U);
-    EXPECT_FALSE(largest);
+    EXPECT_TRUE(importedSurface(soup, {}).borders.empty());
 }
