@@ -98,7 +98,9 @@ OpeningOptions::OpeningOptions(std::shared_ptr<const ImportedSurface> found, Len
         grid->addWidget(limits, row, 2);
         grid->addWidget(done, row + 1, 1, 1, 3);
         number->setFixedWidth(numberWidth);
-        done->setMinimumHeight(done->fontMetrics().lineSpacing());
+        done->ensurePolished();
+        done->setText(QStringLiteral("0"));
+        done->setMinimumHeight(done->sizeHint().height());
     };
     addRow(1, m_closes, m_width, m_widthLimits, m_closed);
     addRow(3, m_fills, m_edges, edgesLimits, m_filled);
