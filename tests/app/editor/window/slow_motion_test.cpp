@@ -3,8 +3,8 @@
 #include "core/samples/samples.h"
 
 #include <gtest/gtest.h>
-#include <QVariant>
 #include <QToolButton>
+#include <QVariant>
 
 using namespace esm;
 

@@ -271,15 +271,6 @@ TEST_F(ProjectFile, AWayToStepThatOnlyOtherProgramsKnowIsLeftOut) {
     expectSameProject(expected, loadProject(m_file));
 }
 
-TEST_F(ProjectFile, OpensInTheUsualWorkspaceWhereItDoesNotKnowTheOneItWasLeftIn) {
-    changeManifest("", [](Json& manifest) {
-        manifest["editor"] = {{"workspace", "theatre"}, {"plays", false}};
-    });
-    EXPECT_EQ(loadProject(m_file).editor, (EditorState{Workspace::Tissue, false}));
-    changeManifest("", [](Json& manifest) { manifest["editor"] = {{"workspace", 7}, {"plays", false}}; });
-    EXPECT_NE(loadingError().find("editor.workspace"), std::string::npos);
-}
-
 TEST_F(ProjectFile, HoldsAPresetWithoutTheDescriptionThatProgramsKnow) {
     Project project = richProject();
     const auto preset = std::make_shared<const FuzzySystem>(fuzzyPreset("susilap-g"));
