@@ -17,6 +17,7 @@ std::string amountText(double value, const char* unit) {
 
 std::string tetherText(const std::vector<TetherRule>& tethers) {
     std::vector<std::string> rules;
+    rules.reserve(tethers.size());
     for (const TetherRule& rule : tethers)
         rules.push_back((rule.every == 1 ? "each node" : "one node in " + std::to_string(rule.every)) + ", " +
                         roundedText(rule.springConstant, 4) + " N/m, " + roundedText(rule.viscosity, 4) +

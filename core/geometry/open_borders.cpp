@@ -27,6 +27,7 @@ std::vector<double> gapsOf(const std::vector<BorderLoop>& loops,
         distances[corners.loop[i]].push_back(opposite ? opposite->distance : infinite);
     }
     std::vector<double> gaps;
+    gaps.reserve(distances.size());
     for (std::vector<double>& ofLoop : distances)
         gaps.push_back(middleOf(std::move(ofLoop)));
     return gaps;

@@ -1,13 +1,13 @@
 #include "app/editor/tools/brush_panel.h"
 
 #include "app/editor/dialogs/ask.h"
+#include "app/editor/tools/size_keys.h"
 #include "core/texture/texture_limits.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
 
 #include <QColorDialog>
-#include <QShortcut>
 
 #include <algorithm>
 
@@ -78,9 +78,7 @@ void BrushPanel::connectFields() {
     connect(m_strength, &NumberField::valueEdited, this,
             [this](double share) { change([share](Painting::Brush& brush) { brush.strength = share; }); });
     connect(m_colour, &QPushButton::clicked, this, &BrushPanel::chooseColour);
-    for (const auto& [key, factor] : {std::pair(Qt::Key_BracketLeft, 0.8), {Qt::Key_BracketRight, 1.25}})
-        connect(new QShortcut(key, this), &QShortcut::activated, this,
-                [this, factor = factor] { resizeBrush(factor); });
+    sizeByBrackets(*this, [this](double factor) { resizeBrush(factor); });
 }
 
 void BrushPanel::change(const std::function<void(Painting::Brush&)>& change) {

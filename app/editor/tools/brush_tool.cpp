@@ -8,7 +8,8 @@ namespace esm {
 
 namespace {
 
-/// Share of the radius from one point of a stroke to the next.
+/// Share of the radius between the places where the surface is looked for. The painting leaves out half of
+/// them: those that are kept lie half a radius apart at most.
 constexpr double strokeSpacing = 0.25;
 
 std::optional<PickedPoint> surfaceUnder(const ToolMouse& mouse) {

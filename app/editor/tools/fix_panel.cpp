@@ -1,10 +1,9 @@
 #include "app/editor/tools/fix_panel.h"
 
 #include "app/editor/tools/fix_tool.h"
+#include "app/editor/tools/size_keys.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quantity_formats.h"
-
-#include <QShortcut>
 
 #include <algorithm>
 
@@ -20,11 +19,9 @@ FixPanel::FixPanel(FixTool& tool, Document& document, QWidget* parent)
     m_radius->setToolTip(tr("Around the mouse, on the organ at rest; [ and ] make it smaller and larger"));
     body()->addWidget(rows);
     connect(m_radius, &NumberField::valueEdited, &tool, &FixTool::setRadius);
-    for (const auto& [key, factor] : {std::pair(Qt::Key_BracketLeft, 0.8), {Qt::Key_BracketRight, 1.25}})
-        connect(new QShortcut(key, this), &QShortcut::activated, this, [this, factor = factor] {
-            m_tool.setRadius(
-                std::clamp(factor * m_tool.radius(), smallestLength, m_radius->format().maximum));
-        });
+    sizeByBrackets(*this, [this](double factor) {
+        m_tool.setRadius(std::clamp(factor * m_tool.radius(), smallestLength, m_radius->format().maximum));
+    });
     connect(&tool, &FixTool::changed, this, &FixPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.mesh || change.scene) show();

@@ -134,13 +134,15 @@ void MainWindow::buildPanels() {
     };
     m_workspaces->add(
         Workspace::Tissue,
-        {new ModelPanel(*m_document, *m_preview), regions, new EllipsoidPanel(*m_document, *m_selection)},
-        underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection, *reach), workbench,
-                                             new AccuracyPanel(*m_document, *m_preview)}));
-    m_workspaces->add(
-        Workspace::Texture, {photos, new AtlasPanel(*m_document)},
-        underOptions(ToolWorkspace::Texture,
-                     {preparation, new PhotoPanel(*m_document, *m_selection), projector, landmarks}));
+        {tr("Organ"),
+         {new ModelPanel(*m_document, *m_preview), regions, new EllipsoidPanel(*m_document, *m_selection)}},
+        {tr("Tissue"),
+         underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection, *reach), workbench,
+                                              new AccuracyPanel(*m_document, *m_preview)})});
+    m_workspaces->add(Workspace::Texture, {tr("Photos"), {photos, new AtlasPanel(*m_document)}},
+                      {tr("Photo"), underOptions(ToolWorkspace::Texture,
+                                                 {preparation, new PhotoPanel(*m_document, *m_selection),
+                                                  projector, landmarks})});
 }
 
 void MainWindow::showLargePhoto() {

@@ -2,8 +2,6 @@
 
 #include "widgets/inputs/number_text.h"
 
-#include <QElapsedTimer>
-
 #include <algorithm>
 #include <cmath>
 
@@ -30,19 +28,13 @@ std::size_t nodesAtRealSpeed(std::size_t nodes, double realTimeFactor) {
     return std::max(fewest, rounded(wanted));
 }
 
-SlowMotion::SlowMotion(QWidget& view, Document& document, Clock clock)
+SlowMotion::SlowMotion(QWidget& view, Document& document, PassingTime clock)
     : QObject(&view), m_document(document), m_clock(std::move(clock)), m_notice(new ViewNotice(view)) {
     connect(m_notice, &ViewNotice::helpAsked, this, [this] { emit fewerNodesAsked(m_offered); });
     connect(m_notice, &ViewNotice::dismissed, this, [this] { m_isDismissed = true; });
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.mesh) forget();
     });
-}
-
-SlowMotion::Clock SlowMotion::sinceStart() {
-    QElapsedTimer timer;
-    timer.start();
-    return [timer] { return timer.elapsed(); };
 }
 
 /// What was measured is of another organ, or of other nodes.

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/editor/document/document.h"
+#include "app/editor/window/passing_time.h"
 #include "app/editor/workers/preview_run.h"
 #include "widgets/view/view_notice.h"
 
-#include <functional>
 #include <optional>
 
 namespace esm {
@@ -20,10 +20,7 @@ class SlowMotion : public QObject {
     Q_OBJECT
 
 public:
-    /// Time that passes, ms.
-    using Clock = std::function<qint64()>;
-
-    SlowMotion(QWidget& view, Document& document, Clock clock = sinceStart());
+    SlowMotion(QWidget& view, Document& document, PassingTime clock = sinceStart());
 
     void showStatus(const PreviewStatus& status);
 
@@ -31,12 +28,11 @@ signals:
     void fewerNodesAsked(std::size_t nodes);
 
 private:
-    static Clock sinceStart();
     void forget();
     void tell(double realTimeFactor);
 
     Document& m_document;
-    Clock m_clock;
+    PassingTime m_clock;
     ViewNotice* m_notice;
     std::optional<qint64> m_slowSince; ///< ms, while the motion is too slow
     std::size_t m_offered = 0;         ///< nodes

@@ -11,7 +11,7 @@ namespace esm {
 
 namespace {
 
-constexpr int columnWidth = 340; // pixels
+constexpr int columnWidth = 340; // pixels, at most
 constexpr int mostRecent = 8;
 
 QLabel* heading(const QString& text) {
@@ -51,7 +51,8 @@ QPushButton* entry(QAction* action) {
 }
 
 QVBoxLayout* columnIn(QWidget* widget) {
-    widget->setFixedWidth(columnWidth);
+    widget->setMaximumWidth(columnWidth);
+    widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     auto* column = new QVBoxLayout(widget);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
@@ -60,8 +61,12 @@ QVBoxLayout* columnIn(QWidget* widget) {
 
 } // namespace
 
-StartPage::StartPage(const Actions& actions, QWidget* parent) : QWidget(parent) {
+StartPage::StartPage(const Actions& actions, QWidget* parent) : QScrollArea(parent) {
     setObjectName(QStringLiteral("startPage"));
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    auto* body = new QWidget;
+    body->setObjectName(QStringLiteral("startBody"));
     auto* title = new QLabel(tr("Elastodynamic Shape Modeler"));
     title->setObjectName(QStringLiteral("startTitle"));
     auto* subtitle = new QLabel(tr("Deformable organs for surgical simulators"));
@@ -72,16 +77,17 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QWidget(parent) 
     auto* columns = new QHBoxLayout;
     columns->setSpacing(40);
     columns->addStretch();
-    columns->addWidget(waysToBegin(actions), 0, Qt::AlignTop);
-    columns->addWidget(recent, 0, Qt::AlignTop);
+    columns->addWidget(waysToBegin(actions), 1, Qt::AlignTop);
+    columns->addWidget(recent, 1, Qt::AlignTop);
     columns->addStretch();
-    auto* page = new QVBoxLayout(this);
+    auto* page = new QVBoxLayout(body);
     page->addStretch(1);
     page->addWidget(title, 0, Qt::AlignHCenter);
     page->addWidget(subtitle, 0, Qt::AlignHCenter);
     page->addSpacing(24);
     page->addLayout(columns);
     page->addStretch(2);
+    setWidget(body);
 }
 
 QWidget* StartPage::waysToBegin(const Actions& actions) {
@@ -110,7 +116,7 @@ QWidget* StartPage::waysToBegin(const Actions& actions) {
 }
 
 void StartPage::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
+    QScrollArea::showEvent(event);
     fillRecent();
 }
 

@@ -1,16 +1,16 @@
 #pragma once
 
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
-#include <QWidget>
 
 namespace esm {
 
 struct Actions;
 
 /// What the window shows before there is an organ: ways to begin, samples, and the files that were opened
-/// last.
-class StartPage : public QWidget {
+/// last. Scrolls where it has no room.
+class StartPage : public QScrollArea {
     Q_OBJECT
 
 public:

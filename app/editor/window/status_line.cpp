@@ -3,7 +3,6 @@
 #include "app/editor/panels/organ/stepping_text.h"
 #include "widgets/inputs/number_text.h"
 
-#include <QElapsedTimer>
 #include <QPainter>
 #include <QStyle>
 #include <QVariant>
@@ -15,14 +14,14 @@ namespace esm {
 
 namespace {
 
+constexpr int widestBarWithoutMethod = 1000; // pixels
+
 /// Why the motion is not computed as was chosen, and how it goes on.
 QString recoveryText(const PreviewStatus& status) {
     if (status.replaced == Replaced::BeyondSafe)
-        return QObject::tr("The chosen step is far beyond the longest that is safe with its method: the "
-                           "program chooses both now");
+        return QObject::tr("The chosen step is not safe: the program chooses method and step now");
     if (status.replaced == Replaced::RanWild)
-        return QObject::tr(
-            "The motion ran wild with the chosen method and step: the program chooses them now");
+        return QObject::tr("The motion ran wild: the program chooses method and step now");
     if (status.halvings == 0) return QString();
     return QObject::tr(
                "The motion ran wild: it went back to where it was calm and on in shorter steps, of %1")
@@ -74,22 +73,15 @@ void StabilityGauge::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(QRectF(qBound(0.0, m_share * 0.83, 1.0) * (width() - 3), 0, 3, 12), 1, 1);
 }
 
-StatusLine::Clock StatusLine::sinceStart() {
-    QElapsedTimer timer;
-    timer.start();
-    return [timer] { return timer.elapsed(); };
-}
-
-StatusLine::StatusLine(QStatusBar& bar, Clock clock)
+StatusLine::StatusLine(QStatusBar& bar, PassingTime clock)
     : QObject(&bar), m_bar(bar), m_clock(std::move(clock)), m_since(m_clock()) {
     bar.setSizeGripEnabled(false);
     m_rate = addLabel(QStringLiteral("frameRate"), tr("00 pictures/s"),
                       tr("How often the view is drawn. The tissue moves as fast however seldom that is."));
     m_realTime = addLabel(QStringLiteral("realTime"), tr("real speed, up to 0000×"), {});
-    m_step = addLabel(QStringLiteral("stepping"), wayText(Integrator::Split, 0.0099), {});
-    m_message = new QLabel(&bar);
+    m_step = addLabel(QStringLiteral("stepping"), tr("00 ms steps"), {});
+    m_message = new ElidedLabel(&bar);
     m_message->setObjectName(QStringLiteral("message"));
-    m_message->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     bar.addWidget(m_message, 1);
     m_stabilityCaption = new QLabel(tr("Stability"), &bar);
     m_gauge = new StabilityGauge(&bar);
@@ -121,7 +113,11 @@ void StatusLine::showRate() {
 
 void StatusLine::showStatus(const PreviewStatus& status) {
     showSpeed(status);
-    m_step->setText(status.integrator ? wayText(*status.integrator, status.timeStep) : QString());
+    // In a narrow window the method is in the tool tip alone.
+    const bool isNarrow = m_bar.width() < widestBarWithoutMethod;
+    m_step->setText(!status.integrator ? QString()
+                    : isNarrow         ? tr("%1 steps").arg(durationText(status.timeStep))
+                                       : wayText(*status.integrator, status.timeStep));
     m_stability->setText(safeText(status));
     explainStep(status);
     m_gauge->setShare(status.safeStep ? status.timeStep / *status.safeStep : -1);

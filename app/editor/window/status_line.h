@@ -1,12 +1,13 @@
 #pragma once
 
+#include "app/editor/window/passing_time.h"
 #include "app/editor/workers/preview_run.h"
 
-#include <QLabel>
+#include "widgets/inputs/elided_label.h"
+
 #include <QStatusBar>
 #include <QTimer>
 
-#include <functional>
 #include <optional>
 
 namespace esm {
@@ -32,10 +33,7 @@ class StatusLine : public QObject {
     Q_OBJECT
 
 public:
-    /// Time that passes, ms.
-    using Clock = std::function<qint64()>;
-
-    explicit StatusLine(QStatusBar& bar, Clock clock = sinceStart());
+    explicit StatusLine(QStatusBar& bar, PassingTime clock = sinceStart());
 
     void countPicture() { ++m_pictures; }
     void showStatus(const PreviewStatus& status);
@@ -49,7 +47,6 @@ public:
     void showNote(const QString& note, const QString& explanation);
 
 private:
-    static Clock sinceStart();
     QLabel* addLabel(const QString& name, const QString& widestText, const QString& toolTip);
     void showRate();
     void showLasting();
@@ -60,10 +57,11 @@ private:
     QString problem() const;
 
     QStatusBar& m_bar;
-    QLabel *m_rate, *m_realTime, *m_step, *m_message, *m_stabilityCaption, *m_stability;
+    QLabel *m_rate, *m_realTime, *m_step, *m_stabilityCaption, *m_stability;
+    ElidedLabel* m_message;
     StabilityGauge* m_gauge;
     QTimer m_rateTimer, m_messageTimer;
-    Clock m_clock;
+    PassingTime m_clock;
     qint64 m_since; ///< ms, pictures are counted
     int m_pictures = 0;
     QString m_failure, m_pictureFailure, m_journalFailure, m_recovery, m_shortening, m_note, m_noteExplained;

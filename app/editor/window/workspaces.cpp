@@ -7,6 +7,7 @@ namespace esm {
 namespace {
 
 constexpr int leftWidth = 276, rightWidth = 340; // pixels
+constexpr int narrowestMiddle = 400;             // pixels, for the tools and a view that can be worked in
 
 } // namespace
 
@@ -14,6 +15,8 @@ Workspaces::Workspaces(QMainWindow& window, const Actions& actions)
     : QObject(&window), m_window(window), m_actions(actions) {
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    window.installEventFilter(this);
     const auto follow = [this] {
         if (!m_isHidden) show();
     };
@@ -27,11 +30,31 @@ Workspaces::Workspaces(QMainWindow& window, const Actions& actions)
     });
 }
 
-void Workspaces::add(Workspace workspace, const std::vector<QWidget*>& left,
-                     const std::vector<QWidget*>& right) {
-    const QString name = actionOf(workspace)->text().remove('&');
-    m_columns[workspace] = {buildColumn(m_window, Qt::LeftDockWidgetArea, tr("%1, left").arg(name), left),
-                            buildColumn(m_window, Qt::RightDockWidgetArea, tr("%1, right").arg(name), right)};
+void Workspaces::add(Workspace workspace, const Column& left, const Column& right) {
+    m_columns[workspace] = {buildColumn(m_window, Qt::LeftDockWidgetArea, left.name, left.panels),
+                            buildColumn(m_window, Qt::RightDockWidgetArea, right.name, right.panels)};
+}
+
+bool Workspaces::eventFilter(QObject*, QEvent* event) {
+    if (event->type() == QEvent::Resize) fitWindow();
+    return false;
+}
+
+void Workspaces::fitWindow() {
+    const bool isNarrow = m_window.width() < leftWidth + rightWidth + narrowestMiddle;
+    if (isNarrow == m_isNarrow) return;
+    m_isNarrow = isNarrow;
+    for (const auto& [workspace, columns] : m_columns)
+        place(columns);
+    if (!m_isHidden) show();
+}
+
+void Workspaces::place(const Columns& columns) {
+    m_window.removeDockWidget(columns.left);
+    if (m_isNarrow)
+        m_window.tabifyDockWidget(columns.right, columns.left);
+    else
+        m_window.addDockWidget(Qt::LeftDockWidgetArea, columns.left);
 }
 
 void Workspaces::show() {
@@ -45,7 +68,11 @@ void Workspaces::show() {
     columns.left->setVisible(m_actions.showLeft->isChecked());
     columns.right->setVisible(m_actions.showRight->isChecked());
     // The columns of all workspaces keep one width.
-    m_window.resizeDocks({columns.left, columns.right}, {leftWidth, rightWidth}, Qt::Horizontal);
+    if (m_isNarrow)
+        m_window.resizeDocks({columns.right}, {rightWidth}, Qt::Horizontal);
+    else
+        m_window.resizeDocks({columns.left, columns.right}, {leftWidth, rightWidth}, Qt::Horizontal);
+    columns.right->raise();
     emit shown(chosen());
 }
 

@@ -12,15 +12,20 @@
 namespace esm {
 
 /// The columns of panels beside the view, two for each workspace: those of one are shown, as far as the user
-/// wants to see them.
+/// wants to see them. Where the window is too narrow for both, as on a small screen or one with a display
+/// scale of 2, they share one place as tabs.
 class Workspaces : public QObject {
     Q_OBJECT
 
 public:
     Workspaces(QMainWindow& window, const Actions& actions);
 
-    /// Builds its columns of these panels, from the top.
-    void add(Workspace workspace, const std::vector<QWidget*>& left, const std::vector<QWidget*>& right);
+    /// What a column is called, and its panels from the top.
+    struct Column {
+        QString name;
+        std::vector<QWidget*> panels;
+    };
+    void add(Workspace workspace, const Column& left, const Column& right);
     /// Shows the one that is chosen, once all are added.
     void show();
     /// No column is to be seen until show().
@@ -29,6 +34,9 @@ public:
     Workspace chosen() const;
     /// As the user does by its button.
     void choose(Workspace workspace);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
     void shown(esm::Workspace workspace);
@@ -39,11 +47,13 @@ private:
     };
 
     QAction* actionOf(Workspace workspace) const;
+    void place(const Columns& columns);
+    void fitWindow();
 
     QMainWindow& m_window;
     Actions m_actions;
     std::map<Workspace, Columns> m_columns;
-    bool m_isHidden = true;
+    bool m_isHidden = true, m_isNarrow = false;
 };
 
 } // namespace esm

@@ -118,6 +118,9 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& 
     m_tissue->body()->addWidget(m_hint);
     m_inputs = emptyColumn(m_tissue->body());
     m_outputs = emptyColumn(m_results->body());
+    auto* results = new ValueRows(this);
+    m_relaxation = results->addText(tr("relaxation time"), QStringLiteral("relaxationTime"));
+    m_results->body()->addWidget(results);
     m_results->body()->addWidget(m_stiffening);
     m_warnings->setProperty("warning", true);
     m_warnings->setWordWrap(true);
@@ -154,6 +157,7 @@ void TissuePanel::show() {
     const RegionTissue tissue = shown ? evaluate(*shown) : RegionTissue{};
     for (const auto& refresh : m_refreshers)
         refresh(shown, tissue);
+    showRelaxation(tissue);
     QStringList warnings;
     for (const auto& warning : tissue.warnings)
         warnings << QString::fromStdString(warning);
@@ -179,6 +183,21 @@ void TissuePanel::showSource() {
     m_source->setText(whatFor.arg(preset ? source : tr("values set here, not published")));
     m_source->setToolTip(preset ? QString::fromStdString(preset->title + ": ") + source
                                 : tr("The tissue is not, or no longer, as a preset has it"));
+}
+
+/// Of what the tissue here is set to; nothing where the region leaves one of both to what lies beneath.
+void TissuePanel::showRelaxation(const RegionTissue& tissue) {
+    const BaseTissue& base = m_document.project().base;
+    const auto springConstant = region() ? tissue.values.springConstant : std::optional(base.springConstant);
+    const auto viscosity = region() ? tissue.values.viscosity : std::optional(base.viscosity);
+    const bool isKnown = springConstant && viscosity && *springConstant > 0;
+    const double seconds = isKnown ? *viscosity / *springConstant : 0;
+    m_relaxation->setText(!isKnown      ? QString(QChar(0x2013))
+                          : seconds < 1 ? withUnit(1000 * seconds, QStringLiteral("ms"), 2)
+                                        : withUnit(seconds, QStringLiteral("s"), 2));
+    m_relaxation->setToolTip(tr(
+        "Viscosity over spring constant: stretched tissue that is let go has a third of its way left after "
+        "this time. A dent takes several times as long: it bends the surface and hardly stretches it."));
 }
 
 QString TissuePanel::keptNote(const Region& shown, Parameter parameter) {

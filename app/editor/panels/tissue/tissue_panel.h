@@ -38,6 +38,7 @@ private:
     void chooseSystem(const std::shared_ptr<const FuzzySystem>& system);
     QString hint() const;
     void showUsers();
+    void showRelaxation(const RegionTissue& tissue);
     void showSource();
     /// What is said of an output that no rule reaches.
     QString keptNote(const Region& shown, Parameter parameter);
@@ -49,6 +50,7 @@ private:
     FuzzyChoice* m_choice;
     StiffeningRow* m_stiffening;
     QLabel *m_system, *m_users, *m_source, *m_hint, *m_warnings;
+    QLabel* m_relaxation;
     KeptValues m_kept;
     QWidget *m_inputs, *m_outputs;
     std::shared_ptr<const FuzzySystem> m_builtFor;

@@ -243,6 +243,31 @@ TEST_F(PanelsTest, FitTheirColumns) {
     expectFit("photos");
 }
 
+// A screen of 1600 × 1000 pixels with a display scale of 2.
+TEST_F(PanelsTest, ColumnsOfANarrowWindowShareOnePlaceAndNothingIsCut) {
+    window->resize(800, 460);
+    ESM_EVENTUALLY(window->width() == 800);
+    QTest::qWait(0);
+    const auto columns = [this] {
+        std::vector<QScrollArea*> seen;
+        for (auto* column : window->findChildren<QScrollArea*>("column"))
+            if (!column->visibleRegion().isEmpty()) seen.push_back(column);
+        return seen;
+    };
+    for (const int workspace : {Qt::Key_1, Qt::Key_2}) {
+        press(workspace, Qt::ControlModifier);
+        QTest::qWait(0);
+        ASSERT_EQ(columns().size(), 1U) << "the other is a tab";
+        const QScrollArea& column = *columns().front();
+        EXPECT_LE(column.widget()->minimumSizeHint().width(), column.viewport()->width());
+        EXPECT_LE(column.mapTo(window.get(), column.rect().bottomRight()).x(), 800);
+        EXPECT_GE(window->view().width(), 240);
+    }
+    window->resize(1440, 900);
+    ESM_EVENTUALLY(columns().size() == 2);
+    EXPECT_LT(columns()[0]->mapTo(window.get(), QPoint()).x(), window->view().x() + 100);
+}
+
 TEST_F(PanelsTest, PlacesAreShownWithAllTheirDigits) {
     press(Qt::Key_R, Qt::ControlModifier);
     QTest::qWait(0);

@@ -18,6 +18,7 @@ PreviewStatus playingAt(double realTimeFactor, double timeStep) {
 
 class StatusLineTest : public testing::Test {
 protected:
+    void SetUp() override { bar.resize(1440, 24); }
     QString message() const { return bar.findChild<QLabel*>("message")->text(); }
 
     QStatusBar bar;
@@ -46,13 +47,17 @@ TEST_F(StatusLineTest, NamesMethodAndStepInWords) {
     EXPECT_EQ(bar.findChild<QLabel*>("stepping")->text(), "viscous split, 10 ms steps");
     line->showStatus(PreviewStatus());
     EXPECT_EQ(bar.findChild<QLabel*>("stepping")->text(), "");
+    bar.resize(800, 24);
+    line->showStatus(playingAt(29, 0.01));
+    EXPECT_EQ(bar.findChild<QLabel*>("stepping")->text(), "10 ms steps") << "the method is in the tool tip";
+    EXPECT_LE(bar.minimumSizeHint().width(), 800);
 }
 
 TEST_F(StatusLineTest, SaysWhyTheChosenStepIsNotUsed) {
     PreviewStatus status = playingAt(3, 1e-3);
     status.replaced = Replaced::BeyondSafe;
     line->showStatus(status);
-    EXPECT_TRUE(message().contains("beyond the longest")) << message().toStdString();
+    EXPECT_TRUE(message().contains("not safe")) << message().toStdString();
     status.replaced = Replaced::RanWild;
     line->showStatus(status);
     EXPECT_TRUE(message().contains("ran wild")) << message().toStdString();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <future>
 
 using namespace esm;
@@ -19,6 +20,17 @@ namespace {
 bool hasTakenAll(Preview& preview, const Project& last, int number) {
     preview.setProject(last);
     return QTest::qWaitFor([&] { return preview.frame().project == number; }, patience);
+}
+
+/// As it is once that holds; else the test fails.
+PreviewStatus statusWhen(const Preview& preview, const std::function<bool(const PreviewStatus&)>& holds) {
+    PreviewStatus status;
+    const auto look = [&] {
+        status = preview.status();
+        return holds(status);
+    };
+    EXPECT_TRUE(QTest::qWaitFor(look, patience));
+    return status;
 }
 
 } // namespace
@@ -113,14 +125,9 @@ TEST(Preview, LearnsItAnewOfTheIntegratorThatTookOver) {
     preview.setGentleMotion(true);
     preview.setProject(steppedTooLong(1000));
     preview.setPlaying(true);
-    PreviewStatus status;
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-            status = preview.status();
-            return status.replaced != Replaced::Not && status.safeStep;
-        },
-        patience));
-    EXPECT_GT(*status.safeStep, status.timeStep);
+    const PreviewStatus status = statusWhen(
+        preview, [&](const PreviewStatus& now) { return now.replaced != Replaced::Not && now.safeStep; });
+    EXPECT_GT(status.safeStep.value_or(0), status.timeStep);
 }
 
 // Nothing touches the tissue, which would look calm.
@@ -128,14 +135,9 @@ TEST(Preview, AStepFarBeyondTheSafeOneIsReplacedBeforeTheTissueRunsWild) {
     Preview preview;
     preview.setProject(steppedTooLong(1000));
     preview.setPlaying(true);
-    PreviewStatus status;
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-            status = preview.status();
-            return status.replaced == Replaced::BeyondSafe && status.safeStep &&
-                   status.timeStep <= *status.safeStep;
-        },
-        patience));
+    const PreviewStatus status = statusWhen(preview, [&](const PreviewStatus& now) {
+        return now.replaced == Replaced::BeyondSafe && now.safeStep && now.timeStep <= *now.safeStep;
+    });
     EXPECT_TRUE(status.playing);
 }
 
@@ -148,13 +150,8 @@ TEST(Preview, NeverSetsTheStepBesideTheLimitOfOtherParameters) {
     const PreviewStatus before = preview.status();
     project.base.springConstant *= 1e4;
     preview.setProject(project);
-    PreviewStatus after;
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-            after = preview.status();
-            return after.timeStep != before.timeStep;
-        },
-        patience));
+    const PreviewStatus after =
+        statusWhen(preview, [&](const PreviewStatus& now) { return now.timeStep != before.timeStep; });
     EXPECT_NE(after.safeStep, before.safeStep);
     EXPECT_TRUE(QTest::qWaitFor([&] { return preview.status().safeStep.has_value(); }, patience));
 }

@@ -97,3 +97,22 @@ TEST_F(TissuePanelTest, HasRoomForTheLongestNumber) {
         EXPECT_EQ(field->width(), field->maximumWidth()) << "it is not squeezed";
     }
 }
+
+TEST_F(TissuePanelTest, SaysHowSoonStretchedTissueComesBack) {
+    Project project = makeSample("liver");
+    project.regions.resize(1);
+    project.regions[0].held.springConstant = 2.5;
+    project.regions[0].held.viscosity = 11;
+    show(project);
+    EXPECT_EQ(text("relaxationTime"), "4.4 s");
+    document.edit("thin", [](Project& p) { p.regions[0].held.viscosity = 0.5; });
+    EXPECT_EQ(text("relaxationTime"), "200 ms");
+    document.edit("limp", [](Project& p) { p.regions[0].held.springConstant = 0; });
+    EXPECT_EQ(text("relaxationTime"), QString(QChar(0x2013))) << "nothing draws it back";
+    selection.setRegion(std::nullopt);
+    document.edit("base", [](Project& p) {
+        p.base.springConstant = 16;
+        p.base.viscosity = 2.88;
+    });
+    EXPECT_EQ(text("relaxationTime"), "180 ms");
+}
