@@ -48,7 +48,7 @@ Camera approached(const Sight& sight, const QPointF& place, double factor) {
         return picked ? scaledAbout(sight.camera, by, picked->point)
                       : zoomedAbout(sight.camera, by, sight.shareOf(place), sight.aspect());
     };
-    const Camera wanted = scaled(factor);
+    Camera wanted = scaled(factor);
     if (sight.camera.orthographicHeight || !hasSurface(sight.scene)) return wanted;
     const double open = openShare(sight, wanted.eye);
     return open < 1 ? scaled(1 - open * (1 - factor)) : wanted;

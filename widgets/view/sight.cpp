@@ -76,11 +76,12 @@ std::optional<PickedPoint> pickNearMiddle(const Sight& sight) {
     constexpr double step = 12; // pixels; a finer organ than that is not pointed at
     const QPointF middle(sight.size.width() / 2.0, sight.size.height() / 2.0);
     const double farthest = std::hypot(middle.x(), middle.y());
-    for (double radius = 0; radius <= farthest; radius += step) {
+    for (int ring = 0; ring * step <= farthest; ++ring) {
+        const double radius = ring * step;
         const int places = std::max(1, qCeil(2 * M_PI * radius / step));
         for (int i = 0; i < places; ++i) {
             const double angle = 2 * M_PI * i / places;
-            if (const auto picked = sight.pickAt(middle + radius * QPointF(std::cos(angle), std::sin(angle))))
+            if (auto picked = sight.pickAt(middle + radius * QPointF(std::cos(angle), std::sin(angle))))
                 return picked;
         }
     }

@@ -157,7 +157,7 @@ QString OpeningOptions::foundText(LengthUnit unit) const {
     if (borders.empty()) return tr("%1 on open borders that are no loops").arg(edgesText(edges));
     const OpenBorder& largest = borders.front();
     const QString size = edgesText(largest.loop.size());
-    const QString text =
+    QString text =
         borders.size() == 1
             ? tr("1 open border: %1").arg(size)
             : tr("%1 open borders, %2; the largest: %3").arg(borders.size()).arg(edgesText(edges), size);
