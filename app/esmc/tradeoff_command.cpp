@@ -3,12 +3,15 @@
 #include "app/esmc/integrator_warnings.h"
 #include "app/esmc/project_output.h"
 #include "app/esmc/runnable_model.h"
-#include "app/esmc/tradeoff_chart.h"
+#include "core/authoring/accuracy.h"
 #include "core/authoring/coarser_runs.h"
+#include "core/exchange/charts/measured_runs_csv.h"
+#include "core/exchange/charts/tradeoff_chart.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/project/project_file.h"
 #include "core/model/gentle_pull.h"
+#include "core/model/tissue_digest.h"
 #include "core/support/atomic_file.h"
 
 #include <algorithm>
@@ -22,7 +25,7 @@ namespace {
 enum class Wish { MaxError, RealTime };
 
 struct TradeoffCommandOptions {
-    std::string model, scene, plot, output;
+    std::string model, scene, plot, table, output;
     double mostError = 0.01, realTimeFactor = 1, mostSeconds = 10;
     Damping damping = Damping::Isotropic;
     Wish saved = Wish::MaxError;
@@ -48,6 +51,7 @@ void declareTradeoff(CLI::App& command, TradeoffCommandOptions& options) {
         .add_option("--max-seconds", options.mostSeconds, "What would compute for longer is left out, s (10)")
         ->check(positiveNumber());
     command.add_option("--plot", options.plot, "Chart to draw (.svg or .png)")->check(chartEnding());
+    command.add_option("--csv", options.table, "Table of all runs to write (.csv)")->check(writtenAs(".csv"));
     addDampingOption(command, options.damping);
     command
         .add_option("-o,--output", options.output,
@@ -146,7 +150,15 @@ void drawChart(const Drawing& chart, const std::string& file, Report& report) {
     addWritten(report, file);
 }
 
-/// Writes the project with the run that is recommended, on the run's nodes.
+/// The project with what was measured of it in a scene.
+Project withAccuracy(const Project& project, const Scene& scene, const Tradeoff& tradeoff) {
+    Project measured = project;
+    measured.accuracy = std::make_shared<const MeasuredAccuracy>(measuredAccuracy(
+        {tissueDigest(evaluateModel(project, scene)), scene}, detailOf(*project.network), tradeoff));
+    return measured;
+}
+
+/// Writes the project with the run that is recommended, on the run's nodes, and with all others.
 void saveRecommended(const Tradeoff& tradeoff, const TradeoffCommandOptions& options, const Project& project,
                      const ProjectOutput& output, std::vector<std::string>& warnings, Report& report) {
     const auto& chosen = options.saved == Wish::RealTime ? tradeoff.bestInRealTime : tradeoff.fastestToError;
@@ -156,7 +168,7 @@ void saveRecommended(const Tradeoff& tradeoff, const TradeoffCommandOptions& opt
         return;
     }
     const TradeoffRun& run = tradeoff.runs[*chosen];
-    output.save(withRun(project, run));
+    output.save(withMeasuredRun(project, *chosen));
     report.json["saved"] = runInJson(run);
     report.text.push_back("recommended from now on: " + runInText(run));
     if (run.coarser)
@@ -193,10 +205,11 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     if (!options.output.empty()) requireSavable(options);
     std::optional<ProjectOutput> output;
     if (!options.output.empty()) output.emplace(options.output);
-    for (const std::string& file : {options.plot, options.output})
+    for (const std::string& file : {options.plot, options.table, options.output})
         if (!file.empty()) AtomicFile{file}; // refused now rather than after the work
     RunnableModel model = loadRunnableModel(options.model, options.scene, context);
     requireRecording(model.scene);
+    const Scene scene = model.scene;
     std::vector<std::string> warnings;
     if (!movesTissue(model.scene)) {
         model.scene = withGentlePull(model.tissue, model.scene);
@@ -222,7 +235,13 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);
     if (!options.plot.empty()) drawChart(tradeoffChart(tradeoff, wanted.wishes), options.plot, report);
-    if (output) saveRecommended(tradeoff, options, *model.project, *output, warnings, report);
+    if (!options.table.empty()) {
+        writeFileAtomically(options.table, measuredRunsCsv(tradeoff));
+        addWritten(report, options.table);
+    }
+    if (output)
+        saveRecommended(tradeoff, options, withAccuracy(*model.project, scene, tradeoff), *output, warnings,
+                        report);
     addWarnings(report, warnings);
     return report;
 }

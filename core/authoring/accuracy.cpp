@@ -2,6 +2,10 @@
 
 #include "core/authoring/coarser_runs.h"
 #include "core/model/gentle_pull.h"
+#include "core/model/tissue_digest.h"
+#include "core/project/detail_change.h"
+#include "core/support/errors.h"
+#include "core/support/offenders.h"
 
 namespace esm {
 
@@ -16,6 +20,45 @@ Tradeoff measureAccuracy(const Project& project, const TradeoffOptions& options,
     TradeoffOptions all = options;
     all.coarser = coarserRuns(project, scene, progress);
     return measureTradeoff({model, surface, scene}, all, progress);
+}
+
+MeasuredOrgan measuredOrgan(const Project& project) {
+    return {tissueDigest(evaluateModel(project)), project.scene};
+}
+
+bool isMeasuredOn(const Project& project, const MeasuredOrgan& organ) {
+    return organ == project.accuracy->organ || organ == project.accuracy->onFewerNodes;
+}
+
+namespace {
+
+/// What a scene says of nodes goes to others where these become fewer, and does not come back the same: the
+/// scene that was measured takes its place. What was edited since has no other scene than its own.
+Project onMeasuredNodes(const Project& project, const MeasuredOrgan& organ) {
+    const MeasuredAccuracy& accuracy = *project.accuracy;
+    if (detailOf(*project.network) == accuracy.detail) return project;
+    Project measured = withDetail(project, accuracy.detail);
+    if (organ != accuracy.onFewerNodes) return measured;
+    measured.scene = accuracy.organ.scene;
+    std::vector<std::string> problems;
+    addUnder(problems, "the scene that was measured",
+             validate(measured.scene, measured.network->restPositions.size()));
+    if (!problems.empty()) throw InvalidModel(std::move(problems));
+    return measured;
+}
+
+} // namespace
+
+Project withMeasuredRun(const Project& project, std::size_t run) {
+    const MeasuredAccuracy& accuracy = *project.accuracy;
+    const MeasuredOrgan organ = measuredOrgan(project);
+    Project changed = withRun(onMeasuredNodes(project, organ), accuracy.runs[run]);
+    if (!isMeasuredOn(project, organ)) return changed;
+    auto holding = std::make_shared<MeasuredAccuracy>(accuracy);
+    holding->onFewerNodes.reset();
+    if (accuracy.runs[run].coarser) holding->onFewerNodes = measuredOrgan(changed);
+    changed.accuracy = std::shared_ptr<const MeasuredAccuracy>(std::move(holding));
+    return changed;
 }
 
 } // namespace esm

@@ -15,4 +15,17 @@ Scene measuredScene(const Project& project);
 /// @throws InvalidModel; Cancelled
 Tradeoff measureAccuracy(const Project& project, const TradeoffOptions& options, const Progress& progress);
 
+/// The organ that measurements of the project hold for, as it is now.
+MeasuredOrgan measuredOrgan(const Project& project);
+
+/// Whether what was measured still holds for the organ, on all its nodes or on those of the run in use.
+/// Precondition: speed and accuracy of the project were measured.
+bool isMeasuredOn(const Project& project, const MeasuredOrgan& organ);
+
+/// The project with a run of its measurement as the way to step it that is recommended, on the nodes of that
+/// run. What was measured still holds for it where it did for the project. @param run its place among the
+/// runs
+/// @throws InvalidModel when the surface has no such level of detail
+Project withMeasuredRun(const Project& project, std::size_t run);
+
 } // namespace esm

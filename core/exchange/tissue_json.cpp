@@ -8,14 +8,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-struct SteppingForms {
-    Json write(Integrator integrator) const { return integratorName(integrator); }
-    /// One that only other programs know stays as it was: steppingFromJson() sees to that.
-    void read(const JsonReader& reader, Integrator& integrator) const {
-        integrator = integratorFromName(reader.text()).value_or(integrator);
-    }
-};
-
 constexpr std::size_t nodesWithoutStarts = 3; ///< per vertex
 
 /// With the last node again where there are fewer.
@@ -39,6 +31,14 @@ BindingRows rowsOfThree(const std::vector<std::uint32_t>& nodes, const std::vect
 }
 
 } // namespace
+
+Json SteppingForms::write(Integrator integrator) const {
+    return integratorName(integrator);
+}
+
+void SteppingForms::read(const JsonReader& reader, Integrator& integrator) const {
+    integrator = integratorFromName(reader.text()).value_or(integrator);
+}
 
 Json toJson(const MeasuredStepping& measured) {
     return writtenFields(measured, SteppingForms());

@@ -9,6 +9,12 @@
 /// What of tissue the project file and the model package hold alike.
 namespace esm {
 
+/// Integrators by name. One that only other programs know stays as it was: who reads sees to that.
+struct SteppingForms {
+    nlohmann::ordered_json write(Integrator integrator) const;
+    void read(const JsonReader& reader, Integrator& integrator) const;
+};
+
 nlohmann::ordered_json toJson(const MeasuredStepping& measured);
 /// Nothing where the integrator is one that only other programs know.
 std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader);

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "core/model/spring_network.h"
+#include "core/support/fields.h"
+
+#include <array>
 
 namespace esm {
 
@@ -13,7 +16,16 @@ struct Detail {
     };
     Kind kind = Kind::EveryVertex;
     std::size_t nodes = 0; ///< wanted, where the kind is Nodes
+
+    bool operator==(const Detail&) const = default;
 };
+template<>
+inline constexpr auto wordsOf<Detail::Kind> =
+    std::array{Word{Detail::Kind::EveryVertex, "everyVertex"}, Word{Detail::Kind::Nodes, "nodes"},
+               Word{Detail::Kind::Rigid, "rigid"}};
+template<>
+inline constexpr auto fieldsOf<Detail> =
+    std::tuple{field("kind", &Detail::kind), field("nodes", &Detail::nodes)};
 
 /// The level of detail that a network has, with the number of its nodes.
 Detail detailOf(const SpringNetwork& network);

@@ -28,10 +28,13 @@ std::vector<std::string> validate(const MeasuredStepping& measured) {
         problems.emplace_back("auto is not a measured integrator: name the one it became");
     for (std::string& problem : fieldProblems(measured))
         problems.push_back(std::move(problem));
-    if (!measured.tissue.empty() && (measured.tissue.size() != tissueDigits ||
-                                     measured.tissue.find_first_not_of(hexadecimal) != std::string::npos))
+    if (!measured.tissue.empty() && !isTissueDigest(measured.tissue))
         problems.emplace_back("the tissue it was measured on must be 16 hexadecimal digits");
     return problems;
+}
+
+bool isTissueDigest(const std::string& digits) {
+    return digits.size() == tissueDigits && digits.find_first_not_of(hexadecimal) == std::string::npos;
 }
 
 } // namespace esm

@@ -30,6 +30,9 @@ inline constexpr auto fieldsOf<Stepping> =
                field("timeStep", &Stepping::timeStep, positiveLimits("the time step", "s")),
                field("precision", &Stepping::precision)};
 
+inline constexpr Limits<double> errorLimits{"the error", 0, std::numeric_limits<double>::max()};
+inline constexpr Limits<double> wallTimeLimits = positiveLimits("the wall time per simulated second", "s");
+
 /// A way to step that was measured on a scene, with isotropic damping.
 struct MeasuredStepping {
     Stepping stepping;
@@ -42,14 +45,15 @@ struct MeasuredStepping {
 template<>
 inline constexpr auto fieldsOf<MeasuredStepping> =
     std::tuple{fieldsOfMember(&MeasuredStepping::stepping),
-               field("error", &MeasuredStepping::error,
-                     Limits<double>{"the error", 0, std::numeric_limits<double>::max()}),
-               field("wallPerSimulatedSecond", &MeasuredStepping::wallPerSimulatedSecond,
-                     positiveLimits("the wall time per simulated second", "s")),
+               field("error", &MeasuredStepping::error, errorLimits),
+               field("wallPerSimulatedSecond", &MeasuredStepping::wallPerSimulatedSecond, wallTimeLimits),
                field("tissue", &MeasuredStepping::tissue).whenSet()};
 
 /// Every problem. Empty when tissue can be stepped so.
 std::vector<std::string> validate(const Stepping& stepping);
 std::vector<std::string> validate(const MeasuredStepping& measured);
+
+/// Whether it may be tissueDigest()'s.
+bool isTissueDigest(const std::string& digits);
 
 } // namespace esm

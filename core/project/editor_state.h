@@ -7,10 +7,11 @@
 namespace esm {
 
 /// What the editor's window is arranged for.
-enum class Workspace { Tissue, Texture };
+enum class Workspace { Tissue, Texture, Measure };
 template<>
 inline constexpr auto wordsOf<Workspace> =
-    std::array{Word{Workspace::Tissue, "tissue"}, Word{Workspace::Texture, "texture"}};
+    std::array{Word{Workspace::Tissue, "tissue"}, Word{Workspace::Texture, "texture"},
+               Word{Workspace::Measure, "measure"}};
 
 /// How the editor was left when the project was saved, so that it opens as it was. No edit changes it, and
 /// nothing is computed by it.

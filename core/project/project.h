@@ -6,6 +6,7 @@
 #include "core/model/stepping.h"
 #include "core/model/tissue_model.h"
 #include "core/project/editor_state.h"
+#include "core/project/measured_accuracy.h"
 #include "core/project/region.h"
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/layers/texture_layer.h"
@@ -59,6 +60,7 @@ struct Project {
     std::vector<ByValue<FuzzySystem>> spareSystems;
     Scene scene;
     std::optional<MeasuredStepping> stepping; ///< that is recommended; none until measured
+    ByValue<MeasuredAccuracy> accuracy;       ///< null until measured
     std::vector<TextureLayer> layers;         ///< from the lowest to the topmost
     TextureSettings texture;
     std::shared_ptr<const Atlas> atlas; ///< null until packed

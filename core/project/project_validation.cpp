@@ -84,6 +84,7 @@ Problems partProblems(const Project& project) {
     addUnder(problems, "model", networkProblems(project));
     addUnder(problems, "scene", validate(project.scene, project.network->restPositions.size()));
     if (project.stepping) addUnder(problems, "stepping", validate(*project.stepping));
+    if (project.accuracy) addUnder(problems, "speed and accuracy", validate(*project.accuracy));
     for (std::size_t i = 0; i < project.regions.size(); ++i)
         addUnder(problems, "region " + std::to_string(i + 1) + " (" + project.regions[i].name + ")",
                  regionProblems(project.regions[i]));

@@ -45,7 +45,8 @@ COMMANDS = {
     "stability organ.esm": {"model": FILE, "--scene": FILE, "--damping": ["none", ""]},
     "tradeoff organ.esm": {"model": FILE, "--scene": FILE, "--max-error": POSITIVE + ["1e-300"],
                            "--real-time": POSITIVE + ["1e-300"], "--max-seconds": POSITIVE,
-                           "--plot": ["-", "chart.gif", "chart", ""], "--damping": ["none", ""], "-o": TO_PROJECT,
+                           "--plot": ["-", "chart.gif", "chart", ""], "--csv": ["-", "out.esm", ""],
+                           "--damping": ["none", ""], "-o": TO_PROJECT,
                            "--save": ["best", ""]},
     "extremes": {"-o": ["-", "out.esm", ""]},
     "texture pack organ.esm": {

@@ -150,10 +150,20 @@ class SimulateTest(Case):
         scene = self.file("scene.json", {**TUBE_POKE, "duration": 0.05, "record": {"every": 0.025}})
         chart = self.file("chart.png")
         self.done("tradeoff", self.sample("tube"), "--scene", scene, "--max-seconds", "0.02", "--plot", chart)
-        for option, name in (("--plot", "chart.svg"), ("-o", "organ.esm")):
+        for option, name in (("--plot", "chart.svg"), ("--csv", "runs.csv"), ("-o", "organ.esm")):
             self.fails(1, "tradeoff", self.sample("tube"), "--max-seconds", "1000", option, self.file("missing") / name,
                        naming="make it first")
         self.assertEqual(chart.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_writes_every_run_as_a_row_of_a_table(self):
+        scene = self.file("scene.json", {**TUBE_POKE, "duration": 0.05, "record": {"every": 0.025}})
+        report = self.done("tradeoff", self.sample("tube"), "--scene", scene, "--max-seconds", "0.02", "--csv",
+                           self.file("runs.csv"))
+        with open(self.file("runs.csv"), newline="", encoding="ascii") as table:
+            rows = list(csv.DictReader(table))
+        self.assertEqual([(run["integrator"], run["dt"], run["detail"]) for run in report["runs"]],
+                         [(row["integrator"], float(row["step_s"]), int(row["nodes"])) for row in rows])
+        self.assertEqual(len(report["pareto"]), sum(row["unbeaten"] == "yes" for row in rows))
 
     def test_steps_as_was_measured_and_saved(self):
         scene = {**TUBE_POKE, "record": {"every": 0.05}}

@@ -94,6 +94,25 @@ std::vector<TextureLayer> someLayers() {
     return {below, above, again};
 }
 
+/// With a run of each kind: exact enough, on fewer nodes, and one that did not end.
+std::shared_ptr<const MeasuredAccuracy> someAccuracy(const Scene& scene) {
+    MeasuredAccuracy accuracy;
+    accuracy.organ = {"fedcba9876543210", scene};
+    accuracy.detail = {Detail::Kind::EveryVertex, 48};
+    accuracy.onFewerNodes = MeasuredOrgan{"00112233445566ff", Scene{}};
+    accuracy.reference = {{Integrator::Split2, 1e-5 / 3, Precision::Double}, 1e-9 / 7, true};
+    accuracy.runs = {{{Integrator::Euler, 1e-4 / 3, Precision::Float}, 48, true, 0.1 / 3, true, 1.0 / 7, {}},
+                     {{Integrator::Bdf2, 0.01 / 3, Precision::Double},
+                      12,
+                      true,
+                      0.7,
+                      false,
+                      1e-3 / 7,
+                      Detail{Detail::Kind::Nodes, 12}},
+                     {{Integrator::Verlet, 1.0 / 3, Precision::Double}, 48, false, 0, false, 0, {}}};
+    return std::make_shared<const MeasuredAccuracy>(accuracy);
+}
+
 } // namespace
 
 Project richProject(std::uint32_t rings) {
@@ -113,6 +132,7 @@ Project richProject(std::uint32_t rings) {
     project.scene = fullScene();
     project.stepping = MeasuredStepping{
         {Integrator::Rk4, 0.1 / 3, Precision::Float}, 1.0 / 7, 1e-300 / 3, "0123456789abcdef"};
+    project.accuracy = someAccuracy(project.scene);
     project.layers = someLayers();
     project.texture.atlas = {128, 1, 1};
     project.texture.baseColour = {9, 200, 31};

@@ -189,6 +189,7 @@ void expectSameProject(const Project& a, const Project& b) {
     EXPECT_EQ(a.spareSystems, b.spareSystems);
     expectSameScene(a.scene, b.scene);
     expectSameStepping(a.stepping, b.stepping);
+    EXPECT_EQ(a.accuracy, b.accuracy);
     expectSamePhotos(a, b);
     expectSameTexture(a, b);
 }

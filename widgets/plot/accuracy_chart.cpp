@@ -22,7 +22,7 @@ namespace esm {
 namespace {
 
 constexpr int reach = 12;     ///< pixels, of the mouse
-constexpr int mostLabels = 5; ///< of a scale; "100000" must not run into "10000"
+constexpr int mostLabels = 8; ///< of a scale; "100000" must not run into "10000"
 
 /// "1000" rather than "1e+03", and no more digits than a power of ten needs.
 class PlainScale : public QwtScaleDraw {
@@ -57,7 +57,7 @@ std::pair<double, double> decadesAround(double lowest, double highest) {
 
 AccuracyChart::AccuracyChart(QWidget* parent)
     : QwtPlot(parent), m_others(addCurve(*this, 2)), m_front(addCurve(*this, 3)),
-      m_chosenMark(addCurve(*this, 5)), m_pointedMark(addCurve(*this, 4)),
+      m_chosenMark(addCurve(*this, 6)), m_markedMark(addCurve(*this, 5)), m_pointedMark(addCurve(*this, 4)),
       m_realTime(addLine(*this, QwtPlotMarker::VLine)), m_mostError(addLine(*this, QwtPlotMarker::HLine)) {
     auto* grid = new QwtPlotGrid;
     grid->attach(this);
@@ -84,7 +84,6 @@ AccuracyChart::AccuracyChart(QWidget* parent)
 
 void AccuracyChart::setPoints(std::vector<AccuracyPoint> points, const std::vector<std::size_t>& front) {
     m_points = std::move(points);
-    m_chosen = m_pointed = std::nullopt;
     m_bySpeed.clear();
     QVector<QPointF> others, best;
     for (std::size_t i = 0; i < m_points.size(); ++i) {
@@ -99,6 +98,7 @@ void AccuracyChart::setPoints(std::vector<AccuracyPoint> points, const std::vect
     m_others->setSamples(others);
     m_front->setSamples(best);
     setChosen(std::nullopt);
+    mark(std::nullopt);
     point(std::nullopt);
     drawScales();
 }
@@ -125,9 +125,23 @@ void AccuracyChart::drawScales() {
 
 void AccuracyChart::setChosen(std::optional<std::size_t> point) {
     m_chosen = point && isDrawn(*point) ? point : std::nullopt;
-    QVector<QPointF> marked;
-    if (m_chosen) marked.push_back({m_points[*m_chosen].speed, 100 * m_points[*m_chosen].error});
-    m_chosenMark->setSamples(marked);
+    ring(m_chosenMark, m_chosen);
+}
+
+void AccuracyChart::mark(std::optional<std::size_t> point) {
+    m_marked = point && *point < m_points.size() && isDrawn(*point) ? point : std::nullopt;
+    ring(m_markedMark, m_marked);
+}
+
+void AccuracyChart::ring(QwtPlotCurve* mark, std::optional<std::size_t> point) {
+    QVector<QPointF> places;
+    if (point) places.push_back({m_points[*point].speed, 100 * m_points[*point].error});
+    mark->setSamples(places);
+    replot();
+}
+
+void AccuracyChart::setEmptyText(const QString& text) {
+    m_emptyText = text;
     replot();
 }
 
@@ -156,55 +170,72 @@ std::optional<std::size_t> AccuracyChart::pointAt(const QPoint& place) const {
 
 void AccuracyChart::point(std::optional<std::size_t> point) {
     m_pointed = point;
-    QVector<QPointF> marked;
-    if (point) marked.push_back({m_points[*point].speed, 100 * m_points[*point].error});
-    m_pointedMark->setSamples(marked);
+    ring(m_pointedMark, point);
     canvas()->setCursor(point ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    replot();
     if (point)
-        QToolTip::showText(canvas()->mapToGlobal(placeOf(*point) + QPoint(8, 8)), m_points[*point].text,
-                           canvas());
+        explain(*point);
     else
         QToolTip::hideText();
 }
 
+void AccuracyChart::explain(std::size_t point) {
+    QToolTip::showText(canvas()->mapToGlobal(placeOf(point) + QPoint(8, 8)), m_points[point].text, canvas());
+}
+
+void AccuracyChart::followMouse(QEvent* event) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    const auto under = pointAt(mouse->pos());
+    if (event->type() == QEvent::MouseMove) {
+        if (under != m_pointed) point(under);
+    } else if (under && mouse->button() == Qt::LeftButton) {
+        mark(under);
+        emit marked(*under);
+        if (event->type() == QEvent::MouseButtonDblClick) emit chosen(*under);
+    }
+}
+
 bool AccuracyChart::eventFilter(QObject* watched, QEvent* event) {
     if (watched != canvas()) return QwtPlot::eventFilter(watched, event);
-    if (event->type() == QEvent::MouseMove) {
-        const auto under = pointAt(static_cast<QMouseEvent*>(event)->pos());
-        if (under != m_pointed) point(under);
-    } else if (event->type() == QEvent::Leave)
+    switch (event->type()) {
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+        followMouse(event);
+        break;
+    case QEvent::Leave:
         point(std::nullopt);
-    else if (event->type() == QEvent::MouseButtonRelease) {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        const auto clicked = pointAt(mouse->pos());
-        if (mouse->button() == Qt::LeftButton && clicked) emit chosen(*clicked);
+        break;
+    default:
+        break;
     }
     return QwtPlot::eventFilter(watched, event);
 }
 
 void AccuracyChart::stepThrough(int direction) {
     if (m_bySpeed.empty()) return;
-    const auto from = m_pointed ? m_pointed : m_chosen;
+    const auto from = m_marked ? m_marked : m_chosen;
     const auto at = from ? std::find(m_bySpeed.begin(), m_bySpeed.end(), *from) : m_bySpeed.end();
-    if (at == m_bySpeed.end()) return point(direction > 0 ? m_bySpeed.front() : m_bySpeed.back());
-    const auto place = (at - m_bySpeed.begin()) + direction;
-    if (place >= 0 && place < static_cast<std::ptrdiff_t>(m_bySpeed.size()))
-        point(m_bySpeed[static_cast<std::size_t>(place)]);
+    const auto last = static_cast<std::ptrdiff_t>(m_bySpeed.size()) - 1;
+    const auto place =
+        at == m_bySpeed.end() ? (direction > 0 ? 0 : last) : (at - m_bySpeed.begin()) + direction;
+    if (place < 0 || place > last) return;
+    mark(m_bySpeed[static_cast<std::size_t>(place)]);
+    explain(*m_marked);
+    emit marked(*m_marked);
 }
 
 void AccuracyChart::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)
         stepThrough(event->key() == Qt::Key_Right ? 1 : -1);
-    else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && m_pointed)
-        emit chosen(*m_pointed);
+    else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && m_marked)
+        emit chosen(*m_marked);
     else
         QwtPlot::keyPressEvent(event);
 }
 
 void AccuracyChart::focusInEvent(QFocusEvent* event) {
     QwtPlot::focusInEvent(event);
-    if (event->reason() != Qt::MouseFocusReason && !m_pointed) stepThrough(1);
+    if (event->reason() != Qt::MouseFocusReason && !m_marked) stepThrough(1);
 }
 
 void AccuracyChart::focusOutEvent(QFocusEvent* event) {
@@ -222,6 +253,10 @@ bool AccuracyChart::event(QEvent* event) {
 void AccuracyChart::drawCanvas(QPainter* painter) {
     painter->fillRect(canvas()->contentsRect(), palette().color(QPalette::Base));
     QwtPlot::drawCanvas(painter);
+    if (!m_bySpeed.empty()) return;
+    painter->setPen(palette().color(QPalette::PlaceholderText));
+    painter->drawText(canvas()->contentsRect().adjusted(24, 12, -24, -12), Qt::AlignCenter | Qt::TextWordWrap,
+                      m_emptyText);
 }
 
 void AccuracyChart::followTheme() {
@@ -236,6 +271,7 @@ void AccuracyChart::followTheme() {
     m_front->setSymbol(dot(QwtSymbol::Ellipse, bright, Qt::NoPen, 7));
     m_front->setPen(bright, 1.2);
     m_chosenMark->setSymbol(dot(QwtSymbol::Ellipse, Qt::NoBrush, QPen(text, 2), 13));
+    m_markedMark->setSymbol(dot(QwtSymbol::Ellipse, Qt::NoBrush, QPen(bright, 2.5), 17));
     m_pointedMark->setSymbol(dot(QwtSymbol::Ellipse, Qt::NoBrush, QPen(bright, 1.5), 17));
     m_realTime->setLinePen(wish, 1, Qt::DashLine);
     m_mostError->setLinePen(wish, 1, Qt::DashLine);

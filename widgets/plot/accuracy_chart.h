@@ -18,7 +18,8 @@ struct AccuracyPoint {
 };
 
 /// Error over speed of many ways to compute the same motion, both logarithmic: the better, the further to the
-/// right and the lower. A click chooses a point; so do the arrow keys, from one speed to the next, and Enter.
+/// right and the lower. A click marks a point, as the arrow keys do from one speed to the next; a double
+/// click or Enter chooses it.
 class AccuracyChart : public QwtPlot {
     Q_OBJECT
 
@@ -30,6 +31,9 @@ public:
     void setPoints(std::vector<AccuracyPoint> points, const std::vector<std::size_t>& front);
     /// The point that is marked as the one in use.
     void setChosen(std::optional<std::size_t> point);
+    void mark(std::optional<std::size_t> point);
+    /// What is said while there is no point.
+    void setEmptyText(const QString& text);
     /// The largest error that is wanted, a line; that of real time always stands.
     void setMostError(double error);
 
@@ -42,6 +46,7 @@ public:
     QSize minimumSizeHint() const override { return {200, 150}; } ///< whatever its scales say
 
 signals:
+    void marked(std::size_t point);
     void chosen(std::size_t point);
 
 protected:
@@ -56,13 +61,17 @@ private:
     bool isDrawn(std::size_t point) const;
     void drawScales();
     void followTheme();
+    void followMouse(QEvent* event);
     void point(std::optional<std::size_t> point);
+    void explain(std::size_t point);
     void stepThrough(int direction);
+    void ring(QwtPlotCurve* mark, std::optional<std::size_t> point);
 
     std::vector<AccuracyPoint> m_points;
     std::vector<std::size_t> m_bySpeed; ///< those that are drawn
-    std::optional<std::size_t> m_chosen, m_pointed;
-    QwtPlotCurve *m_others, *m_front, *m_chosenMark, *m_pointedMark;
+    std::optional<std::size_t> m_chosen, m_marked, m_pointed;
+    QString m_emptyText;
+    QwtPlotCurve *m_others, *m_front, *m_chosenMark, *m_markedMark, *m_pointedMark;
     QwtPlotMarker *m_realTime, *m_mostError;
 };
 

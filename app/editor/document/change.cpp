@@ -47,6 +47,7 @@ Change difference(const Project& before, const Project& after) {
     change.spareSystems = before.spareSystems != after.spareSystems;
     change.scene = before.scene != after.scene;
     change.stepping = before.stepping != after.stepping;
+    change.accuracy = before.accuracy != after.accuracy;
     change.layers = !sameLayers(before.layers, after.layers, sameButForLandmarks);
     change.landmarks = !sameLayers(before.layers, after.layers, sameLandmarks);
     change.texture = before.texture != after.texture || before.atlas != after.atlas;

@@ -19,6 +19,7 @@ struct Change {
     bool spareSystems = false; ///< fuzzy systems that no region uses
     bool scene = false;
     bool stepping = false;  ///< how the motion is computed
+    bool accuracy = false;  ///< what was measured of it
     bool layers = false;    ///< what lies on the organ
     bool landmarks = false; ///< of any photo
     bool texture = false;   ///< texture settings or the packed atlas
@@ -26,7 +27,7 @@ struct Change {
     bool isOfHistory = false; ///< undone or redone, as against edited
 
     bool any() const {
-        return name || mesh || tissue || regions || spareSystems || scene || stepping || layers ||
+        return name || mesh || tissue || regions || spareSystems || scene || stepping || accuracy || layers ||
                landmarks || texture;
     }
     /// What the simulation runs on.
@@ -35,7 +36,7 @@ struct Change {
     bool picture() const { return mesh || layers || texture; }
 
     static Change everything() {
-        return {true, true, true, true, true, true, true, true, true, true, true, {}};
+        return {true, true, true, true, true, true, true, true, true, true, true, true, {}};
     }
 };
 

@@ -214,6 +214,8 @@ void ActionMaker::makeWorkspaces() {
     a.tissue =
         makeWorkspace(make(tr("&Tissue"), QKeySequence("Ctrl+1"), tr("How the organ's tissue behaves")));
     a.texture = makeWorkspace(make(tr("Te&xture"), QKeySequence("Ctrl+2"), tr("Photos on the organ")));
+    a.measure = makeWorkspace(
+        make(tr("M&easure"), QKeySequence("Ctrl+3"), tr("How fast and how exactly the motion is computed")));
     a.tissue->setChecked(true);
 }
 

@@ -29,7 +29,7 @@ struct Actions {
     QAction *about, *keys, *firstSteps;
     QActionGroup* tools; ///< in the order of the table
     QActionGroup* workspaces;
-    QAction *tissue, *texture;
+    QAction *tissue, *texture, *measure;
 
     /// That takes the tool of this name. @throws std::out_of_range where the table has none
     QAction* tool(const QString& name) const;

@@ -57,7 +57,7 @@ QWidget* workspaceSwitch(const Actions& actions, QWidget* parent) {
     auto* row = new QHBoxLayout(frame);
     row->setContentsMargins(3, 3, 3, 3);
     row->setSpacing(2);
-    for (QAction* workspace : {actions.tissue, actions.texture})
+    for (QAction* workspace : {actions.tissue, actions.texture, actions.measure})
         row->addWidget(pushButton(workspace, frame));
     return frame;
 }
@@ -78,7 +78,7 @@ void fillFileMenu(QMenu* file, const Actions& a) {
 }
 
 void fillViewMenu(QMenu* view, const Actions& a) {
-    view->addActions({a.tissue, a.texture});
+    view->addActions({a.tissue, a.texture, a.measure});
     view->addSeparator();
     fillShownMenu(view, a);
     view->addAction(a.cut);
@@ -228,10 +228,13 @@ QWidget* stacked(const std::vector<QWidget*>& views) {
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->setChildrenCollapsible(false);
     splitter->setHandleWidth(3);
+    QList<int> sizes; // in proportion, of those that are hidden too
     for (QWidget* view : views) {
         splitter->addWidget(view);
         splitter->setStretchFactor(splitter->indexOf(view), 1);
+        sizes.append(1000);
     }
+    splitter->setSizes(sizes);
     return splitter;
 }
 

@@ -1,7 +1,8 @@
 #include "app/editor/window/main_window.h"
 
 #include "app/editor/panels/fuzzy/fuzzy_workbench.h"
-#include "app/editor/panels/organ/accuracy_panel.h"
+#include "app/editor/panels/measure/accuracy_panel.h"
+#include "app/editor/panels/measure/accuracy_view.h"
 #include "app/editor/panels/organ/model_panel.h"
 #include "app/editor/panels/texture/atlas_panel.h"
 #include "app/editor/panels/texture/landmarks_panel.h"
@@ -72,10 +73,9 @@ MainWindow::MainWindow(Project project)
     m_title->setObjectName(QStringLiteral("documentName"));
     menuBar()->setCornerWidget(m_title, Qt::TopRightCorner);
 
-    auto views = m_tools->makeOptions(ToolOptions::Above);
-    views.push_back(m_view);
+    m_accuracy = new SpeedAndAccuracy(*m_document, *m_preview, this);
     m_pages = new QStackedWidget(this);
-    m_pages->addWidget(stacked(views));
+    m_pages->addWidget(stacked(buildViews()));
     setCentralWidget(m_pages);
     buildMenus(*this, m_actions);
     buildTopBar(*this, m_actions, m_tools->makeOptions(ToolOptions::Bar));
@@ -99,6 +99,18 @@ MainWindow::~MainWindow() {
     m_actions.fuzzyWindow->setChecked(false);
     delete m_largePhoto;
     if (QWidget* focus = focusWidget()) focus->clearFocus();
+}
+
+std::vector<QWidget*> MainWindow::buildViews() {
+    auto views = m_tools->makeOptions(ToolOptions::Above);
+    views.push_back(m_view);
+    auto* accuracy = new AccuracyView(*m_document, *m_accuracy);
+    accuracy->hide();
+    connect(m_workspaces, &Workspaces::shown, accuracy,
+            [accuracy](Workspace shown) { accuracy->setVisible(shown == Workspace::Measure); });
+    connect(accuracy, &AccuracyView::message, m_status, &StatusLine::showMessage);
+    views.push_back(accuracy);
+    return views;
 }
 
 void MainWindow::buildPanels() {
@@ -136,13 +148,14 @@ void MainWindow::buildPanels() {
         Workspace::Tissue,
         {tr("Organ"),
          {new ModelPanel(*m_document, *m_preview), regions, new EllipsoidPanel(*m_document, *m_selection)}},
-        {tr("Tissue"),
-         underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection, *reach), workbench,
-                                              new AccuracyPanel(*m_document, *m_preview)})});
+        {{tr("Tissue"),
+          underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection, *reach)})},
+         {tr("Fuzzy system"), {workbench}}});
+    m_workspaces->add(Workspace::Measure, {tr("Measure"), {new AccuracyPanel(*m_document, *m_accuracy)}}, {});
     m_workspaces->add(Workspace::Texture, {tr("Photos"), {photos, new AtlasPanel(*m_document)}},
-                      {tr("Photo"), underOptions(ToolWorkspace::Texture,
-                                                 {preparation, new PhotoPanel(*m_document, *m_selection),
-                                                  projector, landmarks})});
+                      {{tr("Photo"), underOptions(ToolWorkspace::Texture,
+                                                  {preparation, new PhotoPanel(*m_document, *m_selection),
+                                                   projector, landmarks})}});
 }
 
 void MainWindow::showLargePhoto() {

@@ -3,6 +3,7 @@
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
 #include "app/editor/edits/preparation_edits.h"
+#include "app/editor/panels/measure/speed_and_accuracy.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/camera_controls.h"
 #include "app/editor/window/device_controller.h"
@@ -53,6 +54,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    std::vector<QWidget*> buildViews();
     void buildPanels();
     void showLargePhoto();
     void connectParts();
@@ -85,6 +87,7 @@ private:
     QLabel* m_title;
     QPointer<QDialog> m_largePhoto, m_history;
     QStackedWidget* m_pages;
+    SpeedAndAccuracy* m_accuracy;
     Workspaces* m_workspaces;
     StartController* m_start;
     FirstSteps* m_firstSteps;

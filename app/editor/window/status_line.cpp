@@ -1,6 +1,6 @@
 #include "app/editor/window/status_line.h"
 
-#include "app/editor/panels/organ/stepping_text.h"
+#include "app/editor/panels/measure/stepping_text.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QPainter>

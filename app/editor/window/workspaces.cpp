@@ -20,7 +20,8 @@ Workspaces::Workspaces(QMainWindow& window, const Actions& actions)
     const auto follow = [this] {
         if (!m_isHidden) show();
     };
-    for (QAction* action : {actions.tissue, actions.texture, actions.showLeft, actions.showRight})
+    for (QAction* action :
+         {actions.tissue, actions.texture, actions.measure, actions.showLeft, actions.showRight})
         connect(action, &QAction::toggled, this, follow);
     connect(actions.tissue, &QAction::triggered, actions.tool(QStringLiteral("pull")), &QAction::trigger);
     // An action that cannot be used can still be triggered from here.
@@ -30,9 +31,13 @@ Workspaces::Workspaces(QMainWindow& window, const Actions& actions)
     });
 }
 
-void Workspaces::add(Workspace workspace, const Column& left, const Column& right) {
-    m_columns[workspace] = {buildColumn(m_window, Qt::LeftDockWidgetArea, left.name, left.panels),
-                            buildColumn(m_window, Qt::RightDockWidgetArea, right.name, right.panels)};
+void Workspaces::add(Workspace workspace, const Column& left, const std::vector<Column>& right) {
+    Columns columns{buildColumn(m_window, Qt::LeftDockWidgetArea, left.name, left.panels), {}};
+    for (const Column& column : right) {
+        columns.right.push_back(buildColumn(m_window, Qt::RightDockWidgetArea, column.name, column.panels));
+        if (columns.right.size() > 1) m_window.tabifyDockWidget(columns.right.front(), columns.right.back());
+    }
+    m_columns[workspace] = std::move(columns);
 }
 
 bool Workspaces::eventFilter(QObject*, QEvent* event) {
@@ -50,9 +55,10 @@ void Workspaces::fitWindow() {
 }
 
 void Workspaces::place(const Columns& columns) {
+    if (columns.right.empty()) return;
     m_window.removeDockWidget(columns.left);
     if (m_isNarrow)
-        m_window.tabifyDockWidget(columns.right, columns.left);
+        m_window.tabifyDockWidget(columns.right.front(), columns.left);
     else
         m_window.addDockWidget(Qt::LeftDockWidgetArea, columns.left);
 }
@@ -60,31 +66,35 @@ void Workspaces::place(const Columns& columns) {
 void Workspaces::show() {
     m_isHidden = false;
     for (const auto& [workspace, columns] : m_columns)
-        if (workspace != chosen()) {
-            columns.left->hide();
-            columns.right->hide();
-        }
+        if (workspace != chosen()) hide(columns);
     const Columns& columns = m_columns.at(chosen());
     columns.left->setVisible(m_actions.showLeft->isChecked());
-    columns.right->setVisible(m_actions.showRight->isChecked());
+    for (QDockWidget* column : columns.right)
+        column->setVisible(m_actions.showRight->isChecked());
     // The columns of all workspaces keep one width.
-    if (m_isNarrow)
-        m_window.resizeDocks({columns.right}, {rightWidth}, Qt::Horizontal);
-    else
-        m_window.resizeDocks({columns.left, columns.right}, {leftWidth, rightWidth}, Qt::Horizontal);
-    columns.right->raise();
+    if (!m_isNarrow || columns.right.empty())
+        m_window.resizeDocks({columns.left}, {leftWidth}, Qt::Horizontal);
+    if (!columns.right.empty()) {
+        m_window.resizeDocks({columns.right.front()}, {rightWidth}, Qt::Horizontal);
+        columns.right.front()->raise();
+    }
     emit shown(chosen());
+}
+
+void Workspaces::hide(const Columns& columns) {
+    columns.left->hide();
+    for (QDockWidget* column : columns.right)
+        column->hide();
 }
 
 void Workspaces::hide() {
     m_isHidden = true;
-    for (const auto& [workspace, columns] : m_columns) {
-        columns.left->hide();
-        columns.right->hide();
-    }
+    for (const auto& [workspace, columns] : m_columns)
+        hide(columns);
 }
 
 Workspace Workspaces::chosen() const {
+    if (m_actions.measure->isChecked()) return Workspace::Measure;
     return m_actions.texture->isChecked() ? Workspace::Texture : Workspace::Tissue;
 }
 
@@ -93,7 +103,14 @@ void Workspaces::choose(Workspace workspace) {
 }
 
 QAction* Workspaces::actionOf(Workspace workspace) const {
-    return workspace == Workspace::Texture ? m_actions.texture : m_actions.tissue;
+    switch (workspace) {
+    case Workspace::Texture:
+        return m_actions.texture;
+    case Workspace::Measure:
+        return m_actions.measure;
+    default:
+        return m_actions.tissue;
+    }
 }
 
 } // namespace esm

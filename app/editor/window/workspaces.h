@@ -11,9 +11,9 @@
 
 namespace esm {
 
-/// The columns of panels beside the view, two for each workspace: those of one are shown, as far as the user
-/// wants to see them. Where the window is too narrow for both, as on a small screen or one with a display
-/// scale of 2, they share one place as tabs.
+/// The columns of panels beside the view: those of one workspace are shown, as far as the user wants to see
+/// them. Columns at the right share their place as tabs. Where the window is too narrow for both sides, as on
+/// a small screen or one with a display scale of 2, the left one joins them.
 class Workspaces : public QObject {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
         QString name;
         std::vector<QWidget*> panels;
     };
-    void add(Workspace workspace, const Column& left, const Column& right);
+    void add(Workspace workspace, const Column& left, const std::vector<Column>& right);
     /// Shows the one that is chosen, once all are added.
     void show();
     /// No column is to be seen until show().
@@ -43,11 +43,13 @@ signals:
 
 private:
     struct Columns {
-        QDockWidget *left, *right;
+        QDockWidget* left;
+        std::vector<QDockWidget*> right; ///< may be empty; the first lies in front
     };
 
     QAction* actionOf(Workspace workspace) const;
     void place(const Columns& columns);
+    static void hide(const Columns& columns);
     void fitWindow();
 
     QMainWindow& m_window;

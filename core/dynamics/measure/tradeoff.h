@@ -1,8 +1,7 @@
 #pragma once
 
+#include "core/dynamics/measure/measured_runs.h"
 #include "core/dynamics/measure/scene_run.h"
-#include "core/model/detail.h"
-#include "core/model/stepping.h"
 
 namespace esm {
 
@@ -14,47 +13,6 @@ struct CoarserRun {
     Scene scene; ///< records all nodes
     /// Where its nodes carry the nodes that the full run records, m.
     std::function<std::vector<Eigen::Vector3d>(const std::vector<Eigen::Vector3d>&)> recorded;
-};
-
-/// What one way to step came to on a scene.
-struct TradeoffRun {
-    Stepping stepping;
-    std::size_t nodes = 0; ///< simulated
-    bool stable = false;
-    double error = 0;          ///< relative to the motion itself; without meaning when not stable
-    bool isErrorBound = false; ///< the error is that or less: too small to be told from the reference's own
-    double wallPerSimulatedSecond = 0;  ///< on this machine
-    std::optional<Detail> coarser = {}; ///< the level of detail, where it is not the scene's own
-
-    double realTimeFactor() const { return 1 / wallPerSimulatedSecond; }
-};
-
-/// A way to step that was not measured, and why.
-struct LeftOutRun {
-    Stepping stepping;
-    std::size_t nodes = 0; ///< simulated
-    std::string reason;
-};
-
-struct TradeoffReference {
-    Stepping stepping;
-    double estimatedError = 0; ///< relative to the motion
-    /// Its steps damp away swings of the tissue that go on in truth: no error contains anything of them.
-    bool hidesSwings = false;
-};
-
-struct Tradeoff {
-    TradeoffReference reference;
-    std::vector<TradeoffRun> runs;
-    std::vector<std::size_t> pareto;           ///< runs that none beats in error and cost, the fastest first
-    std::optional<std::size_t> bestInRealTime; ///< least error
-    std::optional<std::size_t> fastestToError; ///< least cost
-    std::vector<LeftOutRun> leftOut;
-};
-
-struct TradeoffWishes {
-    double realTimeFactor = 1; ///< at least: simulated over wall time
-    double mostError = 0.01;   ///< relative to the motion
 };
 
 struct TradeoffOptions {
@@ -82,8 +40,5 @@ struct TradeoffSink {
 /// Cancelled
 Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, const Progress& progress = {},
                          const TradeoffSink& sink = {});
-
-/// Works out anew what is best of the runs there are, as when other wishes come up.
-void recommend(Tradeoff& tradeoff, const TradeoffWishes& wishes);
 
 } // namespace esm

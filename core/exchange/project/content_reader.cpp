@@ -1,3 +1,4 @@
+#include "core/exchange/project/accuracy_json.h"
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/painting_json.h"
 #include "core/exchange/project/preparation_json.h"
@@ -232,17 +233,6 @@ std::shared_ptr<const Atlas> readAtlas(const JsonReader& reader, const JsonReade
     return atlas;
 }
 
-Scene readScene(const JsonReader& reader) {
-    if (reader.json().is_null()) return {};
-    try {
-        return sceneFromJson(reader.json());
-    } catch (const InvalidModel& error) {
-        for (const std::string& problem : error.problems())
-            reader.addProblem("is not usable: " + problem);
-        return {};
-    }
-}
-
 std::shared_ptr<const Photo> readPhotoFile(const JsonReader& reader, Source& source) {
     const std::string entry = reader.member("entry").text(), name = reader.member("fileName").text();
     const std::uint64_t size = reader.member("bytes").integer(1, layout::largestProject);
@@ -330,6 +320,9 @@ Project readContent(const JsonReader& manifest, Source& source) {
     project.spareSystems = std::move(read.spare);
     project.scene = readScene(manifest.member("scene"));
     if (manifest.has("stepping")) project.stepping = steppingFromJson(manifest.member("stepping"));
+    if (manifest.has("accuracy"))
+        project.accuracy =
+            std::make_shared<const MeasuredAccuracy>(accuracyFromJson(manifest.member("accuracy")));
     if (manifest.has("editor")) project.editor = readEditorState(manifest.member("editor"));
     project.layers = readLayers(manifest.member("photos"), arrays, source);
     project.texture.atlas = readOptions(manifest.member("texture"), fieldsOf<AtlasOptions>);
@@ -372,6 +365,9 @@ ReadContent projectFrom(const Json& manifest, const ContentSource& entries, Shar
     std::vector<std::string> warnings = versionWarnings(reader, project);
     for (std::string& warning : steppingWarnings(manifest))
         warnings.push_back(std::move(warning));
+    if (project.accuracy)
+        for (std::string& warning : accuracyWarnings(manifest["accuracy"], *project.accuracy))
+            warnings.push_back(std::move(warning));
     for (std::string& warning : projectWarnings(project))
         warnings.push_back(std::move(warning));
     return {std::move(project), {}, std::move(warnings)};

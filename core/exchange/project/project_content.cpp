@@ -1,4 +1,6 @@
 #include "core/exchange/project/project_content.h"
+
+#include "core/exchange/project/accuracy_json.h"
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/painting_json.h"
 #include "core/exchange/project/preparation_json.h"
@@ -182,6 +184,7 @@ ProjectContent contentOf(const Project& project) {
                         {"photos", addPhotos(project.layers, arrays)},
                         {"texture", std::move(texture)}};
     if (project.stepping) content.manifest["stepping"] = toJson(*project.stepping);
+    if (project.accuracy) content.manifest["accuracy"] = toJson(*project.accuracy);
     if (project.editor) content.manifest["editor"] = writtenFields(*project.editor);
     if (project.atlas) content.manifest["atlas"] = addAtlas(project.atlas, arrays);
     content.manifest["arrays"] = std::move(arrays.counts);

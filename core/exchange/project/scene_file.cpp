@@ -184,6 +184,17 @@ Json toJson(const Scene& scene) {
     return json;
 }
 
+Scene readScene(const JsonReader& reader) {
+    if (reader.json().is_null()) return {};
+    try {
+        return sceneFromJson(reader.json());
+    } catch (const InvalidModel& error) {
+        for (const std::string& problem : error.problems())
+            reader.addProblem("is not usable: " + problem);
+        return {};
+    }
+}
+
 Scene readSceneFile(const std::filesystem::path& file) {
     const Json json = readJsonFile(file);
     try {

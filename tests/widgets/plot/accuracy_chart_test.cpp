@@ -38,16 +38,20 @@ TEST_F(AccuracyChartTest, FasterLiesFurtherRightAndLessErrorLower) {
         EXPECT_TRUE(canvas()->rect().contains(m_chart.placeOf(i))) << i;
 }
 
-TEST_F(AccuracyChartTest, AClickChoosesThePointBeneath) {
-    std::vector<std::size_t> chosen;
+TEST_F(AccuracyChartTest, AClickMarksThePointBeneathAndADoubleClickChoosesIt) {
+    std::vector<std::size_t> marked, chosen;
+    QObject::connect(&m_chart, &AccuracyChart::marked, [&](std::size_t point) { marked.push_back(point); });
     QObject::connect(&m_chart, &AccuracyChart::chosen, [&](std::size_t point) { chosen.push_back(point); });
     for (const std::size_t point : {0U, 1U, 2U, 3U})
         QTest::mouseClick(canvas(), Qt::LeftButton, {}, m_chart.placeOf(point) + QPoint(2, -2));
-    EXPECT_THAT(chosen, testing::ElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(marked, testing::ElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(chosen, testing::IsEmpty());
+    QTest::mouseDClick(canvas(), Qt::LeftButton, {}, m_chart.placeOf(1));
+    EXPECT_THAT(chosen, testing::ElementsAre(1));
     const QPoint empty(5, 5);
     ASSERT_FALSE(m_chart.pointAt(empty));
-    QTest::mouseClick(canvas(), Qt::LeftButton, {}, empty);
-    EXPECT_EQ(chosen.size(), 4U);
+    QTest::mouseDClick(canvas(), Qt::LeftButton, {}, empty);
+    EXPECT_EQ(chosen.size(), 1U);
 }
 
 TEST_F(AccuracyChartTest, SaysWhatLiesUnderTheMouse) {

@@ -20,7 +20,7 @@ namespace {
 
 QLabel* whatToDo() {
     auto* text = new QLabel(
-        QObject::tr("No fuzzy system yet. Choose one under Tissue above, or begin a new one there: "
+        QObject::tr("No fuzzy system yet. Choose one in the tab Tissue, or begin a new one there: "
                     "its rules, the terms of its variables, and why it says what it says, are then "
                     "shown and edited here."));
     text->setObjectName(QStringLiteral("noSystem"));

@@ -119,6 +119,25 @@ void addTissueTables(Fields& fields) {
                        [=](Project& p, const auto& change) { change(withStepping(p).stepping); });
 }
 
+void addAccuracyTables(Fields& fields) {
+    const auto inAccuracy = [](Project& p, const Change<MeasuredAccuracy>& change) {
+        if (p.accuracy) replace(p.accuracy, change);
+    };
+    const auto inRun = [=](Project& p, const Change<TradeoffRun>& change) {
+        inAccuracy(p, [&](MeasuredAccuracy& accuracy) { change(accuracy.runs.front()); });
+    };
+    addTable<TradeoffRun>(fields, "accuracy.run", inRun, {"stable"});
+    addTable<Stepping>(fields, "accuracy.run.stepping", [=](Project& p, const auto& change) {
+        inRun(p, [&](TradeoffRun& run) { change(run.stepping); });
+    });
+    addTable<TradeoffReference>(fields, "accuracy.reference", [=](Project& p, const auto& change) {
+        inAccuracy(p, [&](MeasuredAccuracy& accuracy) { change(accuracy.reference); });
+    });
+    addTable<Detail>(fields, "accuracy.detail", [=](Project& p, const auto& change) {
+        inAccuracy(p, [&](MeasuredAccuracy& accuracy) { change(accuracy.detail); });
+    });
+}
+
 void addEditorTables(Fields& fields) {
     addTable<EditorState>(fields, "editor",
                           [](Project& p, const auto& change) { change(p.editor.emplace()); });
@@ -207,6 +226,7 @@ void addPreparationTables(Fields& fields) {
 void addTables(Fields& fields) {
     addTissueTables(fields);
     addSceneTables(fields);
+    addAccuracyTables(fields);
     addEditorTables(fields);
     for (std::size_t i = 0; i < 4; ++i)
         addLayerTables(fields, i);

@@ -1,4 +1,4 @@
-#include "app/editor/panels/organ/accuracy_panel.h"
+#include "app/editor/panels/measure/accuracy_panel.h"
 #include "core/model/tissue_digest.h"
 #include "core/project/simulated_network.h"
 #include "core/samples/samples.h"
@@ -19,10 +19,12 @@ namespace {
 
 class AccuracyPanelTest : public testing::Test {
 protected:
-    AccuracyPanelTest() : m_document(briefTube()), m_panel(m_document, m_preview) {
+    AccuracyPanelTest()
+        : m_document(briefTube()), m_accuracy(m_document, m_preview), m_panel(m_document, m_accuracy) {
         QObject::connect(&m_document, &Document::changed, &m_preview,
                          [this] { m_preview.setProject(m_document.project()); });
-        m_panel.resize(340, 700);
+        m_preview.setProject(m_document.project());
+        m_panel.resize(276, 700);
         m_panel.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&m_panel, patience));
     }
@@ -57,6 +59,7 @@ protected:
         ADD_FAILURE() << "no button " << text.toStdString();
         return nullptr;
     }
+    QPushButton* measure() { return m_panel.findChild<QPushButton*>(QStringLiteral("measureButton")); }
     QString inUse() { return m_panel.findChild<QLabel*>(QStringLiteral("steppingInUse"))->text(); }
     QPushButton* recommendation(const char* name) {
         return m_panel.findChild<QPushButton*>(QString::fromLatin1(name));
@@ -70,16 +73,16 @@ protected:
 
     Document m_document;
     Preview m_preview;
+    SpeedAndAccuracy m_accuracy;
     AccuracyPanel m_panel;
 };
 
 TEST_F(AccuracyPanelTest, MeasuresRecommendsAndLetsOneBeChosenAndTakenBack) {
     EXPECT_FALSE(recommendation("toError")->isVisible());
     EXPECT_FALSE(button("automatic")->isEnabled());
-    button("measure")->click();
+    measure()->click();
     ASSERT_TRUE(recommendation("toError")->isVisible());
-    EXPECT_FALSE(m_document.isModified()) << "to measure changes nothing";
-    constexpr int columnWidth = 320; // with room for a scroll bar
+    constexpr int columnWidth = 256; // with room for a scroll bar
     EXPECT_LE(m_panel.minimumSizeHint().width(), columnWidth);
 
     ASSERT_TRUE(recommendation("toError")->isEnabled());
@@ -96,6 +99,7 @@ TEST_F(AccuracyPanelTest, MeasuresRecommendsAndLetsOneBeChosenAndTakenBack) {
     EXPECT_TRUE(stepping());
     m_document.undoStack()->undo();
     EXPECT_FALSE(stepping());
+    EXPECT_TRUE(recommendation("toError")->isVisible());
 
     auto* mostError = m_panel.findChild<NumberField*>(QStringLiteral("mostError"));
     type(*mostError, "0.000001");
@@ -105,13 +109,23 @@ TEST_F(AccuracyPanelTest, MeasuresRecommendsAndLetsOneBeChosenAndTakenBack) {
 
     auto* hint = m_panel.findChild<QLabel*>(QStringLiteral("accuracyHint"));
     EXPECT_FALSE(hint->isVisible());
-    m_document.edit("softer", [](Project& project) { project.base.viscosity *= 2; });
-    EXPECT_TRUE(hint->isVisible());
+    m_document.edit("softer", [](Project& project) { project.regions.back().held.viscosity = 99; });
+    ESM_EVENTUALLY(hint->isVisible());
+    EXPECT_TRUE(recommendation("toError")->isVisible());
+}
+
+TEST_F(AccuracyPanelTest, WhatWasMeasuredIsAStepThatCanBeTakenBack) {
+    measure()->click();
+    ASSERT_TRUE(m_document.project().accuracy);
+    EXPECT_TRUE(m_document.isModified());
+    m_document.undoStack()->undo();
+    EXPECT_FALSE(recommendation("toError")->isVisible());
+    m_document.undoStack()->redo();
     EXPECT_TRUE(recommendation("toError")->isVisible());
 }
 
 TEST_F(AccuracyPanelTest, LeavesWhatCameWhileAStepWasChosen) {
-    button("measure")->click();
+    measure()->click();
     ASSERT_TRUE(recommendation("toError")->isEnabled());
     m_document.edit("slow", [](Project& project) { project = slow(project); });
     QTimer::singleShot(0, &m_panel,
@@ -128,7 +142,7 @@ TEST_F(AccuracyPanelTest, SaysOfAnOpenedProjectThatItsTissueHasChanged) {
     tube.stepping = {{Integrator::Split2, 0.01, Precision::Double}, 0.01, 0.1, ""};
     tube.stepping->tissue = tissueDigest(evaluateModel(tube));
     m_document.replace(tube, std::nullopt);
-    ESM_EVENTUALLY(!m_panel.isComparing());
+    ESM_EVENTUALLY(!m_accuracy.isComparing());
     EXPECT_FALSE(warns());
     m_document.edit("stiffer", [](Project& project) { project.regions.back().held.springConstant = 99; });
     EXPECT_TRUE(QTest::qWaitFor(warns, patience));
@@ -144,25 +158,30 @@ TEST_F(AccuracyPanelTest, KeepsTheMeasurementWhenARunOnFewerNodesIsChosen) {
     const auto network = m_document.project().network;
     const std::size_t fewer = networkOf(*sheet.mesh, {Detail::Kind::Nodes, 64}).restPositions.size();
     ASSERT_LT(fewer, 256U);
-    button("measure")->click();
+    measure()->click();
     ASSERT_TRUE(recommendation("toError")->isVisible());
 
-    auto* chart = m_panel.findChild<AccuracyChart*>(QStringLiteral("accuracyChart"));
     const auto nodes = [this] { return m_document.project().network->restPositions.size(); };
-    const auto choose = [&](Qt::Key direction, std::size_t wanted) {
-        for (int tries = 0; tries < 300 && (!stepping() || nodes() != wanted); ++tries) {
-            QTest::keyClick(chart, direction);
-            QTest::keyClick(chart, Qt::Key_Return);
-        }
-        EXPECT_EQ(nodes(), wanted);
+    const auto choose = [&](std::size_t wanted) {
+        const auto runs = m_accuracy.tradeoff()->runs;
+        const auto run = std::find_if(runs.begin(), runs.end(), [&](const TradeoffRun& each) {
+            return each.stable && each.nodes == wanted;
+        });
+        ASSERT_NE(run, runs.end());
+        m_accuracy.use(static_cast<std::size_t>(run - runs.begin()), &m_panel);
+        ASSERT_EQ(nodes(), wanted);
+        EXPECT_EQ(m_accuracy.runInUse(), static_cast<std::size_t>(run - runs.begin()));
+        m_preview.setProject(m_document.project());
+        ESM_EVENTUALLY(m_preview.tissue() && m_preview.tissue()->mass.size() == wanted);
+        ESM_EVENTUALLY(!m_accuracy.isComparing());
+        EXPECT_FALSE(m_accuracy.isOutdated());
     };
-    auto* hint = m_panel.findChild<QLabel*>(QStringLiteral("accuracyHint"));
-    choose(Qt::Key_Right, fewer);
+    choose(fewer);
     EXPECT_TRUE(recommendation("toError")->isVisible());
-    EXPECT_FALSE(hint->isVisible());
-    choose(Qt::Key_Left, 256);
-    EXPECT_EQ(m_document.project().network, network);
-    EXPECT_FALSE(hint->isVisible());
+    choose(256);
+    EXPECT_EQ(m_document.project().network->restPositions, network->restPositions);
+    EXPECT_EQ(tissueDigest(evaluateModel(m_document.project())), tissueDigest(evaluateModel(sheet)));
+    EXPECT_EQ(m_document.project().scene, sheet.scene);
 }
 
 TEST_F(AccuracyPanelTest, CancelledItLeavesAllAsItWas) {
@@ -176,7 +195,7 @@ TEST_F(AccuracyPanelTest, CancelledItLeavesAllAsItWas) {
     cancel.start(20);
     Project large = makeSample("liver");
     m_document.replace(large, std::nullopt);
-    button("measure")->click();
+    measure()->click();
     EXPECT_FALSE(recommendation("toError")->isVisible());
     EXPECT_FALSE(stepping());
     EXPECT_FALSE(m_document.isModified());

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/esmc/drawing.h"
 #include "core/dynamics/measure/tradeoff.h"
+#include "core/exchange/charts/drawing.h"
 
 namespace esm {
 

@@ -1,4 +1,4 @@
-#include "app/esmc/tradeoff_chart.h"
+#include "core/exchange/charts/tradeoff_chart.h"
 
 #include "core/support/numbers.h"
 

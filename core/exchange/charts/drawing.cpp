@@ -1,4 +1,4 @@
-#include "app/esmc/drawing.h"
+#include "core/exchange/charts/drawing.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,0 +1,159 @@
+#include "app/editor/panels/measure/accuracy_view.h"
+
+#include "app/editor/dialogs/ask.h"
+#include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/save_dialog.h"
+#include "app/editor/document/file_memory.h"
+#include "app/editor/panels/measure/stepping_text.h"
+#include "core/exchange/charts/measured_runs_csv.h"
+#include "core/exchange/charts/tradeoff_chart.h"
+#include "core/exchange/image_file.h"
+#include "core/support/atomic_file.h"
+#include "widgets/inputs/enabling.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+namespace esm {
+
+namespace {
+
+/// With what the method does.
+QString explainedText(const TradeoffRun& run) {
+    return runText(run) + '\n' + methodText(run.stepping.integrator);
+}
+
+std::vector<AccuracyPoint> pointsOf(const Tradeoff& tradeoff) {
+    std::vector<AccuracyPoint> points;
+    points.reserve(tradeoff.runs.size());
+    for (const TradeoffRun& run : tradeoff.runs)
+        points.push_back({run.stable ? run.realTimeFactor() : 0, run.error, explainedText(run)});
+    return points;
+}
+
+void writeChart(const Drawing& chart, const std::filesystem::path& file) {
+    if (file.extension() == ".svg")
+        writeFileAtomically(file, toSvg(chart));
+    else
+        writePng(toImage(chart), file);
+}
+
+/// Where the user last wrote what others take over, under the document's name.
+NewFile newFile(const Document& document, const QString& title, const QString& filter,
+                const QStringList& endings) {
+    const QString name = QFileInfo(document.title()).completeBaseName() + endings.front();
+    return {title, QDir(startFolder(FileKind::Package, document.path())).filePath(name), filter, endings};
+}
+
+} // namespace
+
+AccuracyView::AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidget* parent)
+    : QWidget(parent), m_document(document), m_accuracy(accuracy), m_chart(new AccuracyChart),
+      m_table(new RunsTable), m_onlyUnbeaten(new QCheckBox(tr("only the best"), this)),
+      m_use(new QPushButton(tr("Use"), this)), m_exportTable(new QPushButton(tr("Save table…"), this)),
+      m_exportChart(new QPushButton(tr("Save chart…"), this)) {
+    setObjectName(QStringLiteral("accuracyView"));
+    setAttribute(Qt::WA_StyledBackground);
+    m_chart->setObjectName(QStringLiteral("accuracyChart"));
+    auto* both = new QSplitter(Qt::Horizontal, this);
+    both->setChildrenCollapsible(false);
+    both->setHandleWidth(9);
+    both->addWidget(m_chart);
+    both->addWidget(m_table);
+    both->setSizes({500, 500});
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 8, 12, 12);
+    column->setSpacing(8);
+    column->addLayout(buildHeader());
+    column->addWidget(both, 1);
+
+    connect(m_chart, &AccuracyChart::chosen, this, [this](std::size_t run) { use(run); });
+    connect(m_chart, &AccuracyChart::marked, m_table, &RunsTable::mark);
+    connect(m_table, &RunsTable::chosen, this, [this](std::size_t run) { use(run); });
+    connect(m_table, &RunsTable::markChanged, this, [this] {
+        m_chart->mark(m_table->marked());
+        refresh();
+    });
+    connect(m_onlyUnbeaten, &QCheckBox::toggled, m_table, &RunsTable::setOnlyUnbeaten);
+    connect(&m_accuracy, &SpeedAndAccuracy::changed, this, &AccuracyView::refresh);
+    refresh();
+}
+
+QLayout* AccuracyView::buildHeader() {
+    auto* header = new QHBoxLayout;
+    header->setSpacing(8);
+    auto* title = new QLabel(tr("Every method and step"), this);
+    title->setProperty("quiet", true);
+    header->addWidget(title, 1);
+    m_onlyUnbeaten->setToolTip(tr("List those alone that no other beats in both speed and accuracy"));
+    header->addWidget(m_onlyUnbeaten);
+    for (QPushButton* button : {m_use, m_exportTable, m_exportChart}) {
+        button->setFocusPolicy(Qt::TabFocus);
+        header->addWidget(button);
+    }
+    connect(m_use, &QPushButton::clicked, this, [this] { use(m_table->marked()); });
+    connect(m_exportTable, &QPushButton::clicked, this, &AccuracyView::exportTable);
+    connect(m_exportChart, &QPushButton::clicked, this, &AccuracyView::exportChart);
+    return header;
+}
+
+void AccuracyView::showRuns() {
+    const Tradeoff* tradeoff = m_accuracy.tradeoff();
+    const std::vector<TradeoffRun> runs = tradeoff ? tradeoff->runs : std::vector<TradeoffRun>();
+    if (runs == m_shown) return;
+    m_shown = runs;
+    m_table->setTradeoff(tradeoff);
+    m_chart->setPoints(tradeoff ? pointsOf(*tradeoff) : std::vector<AccuracyPoint>(),
+                       tradeoff ? tradeoff->pareto : std::vector<std::size_t>());
+}
+
+void AccuracyView::refresh() {
+    showRuns();
+    m_chart->setMostError(m_accuracy.wishes().mostError);
+    m_chart->setChosen(m_accuracy.runInUse());
+    m_chart->setEmptyText(tr("Nothing is measured yet. Once it is, every method has a point here: "
+                             "the faster, the further right; the more exact, the lower."));
+    m_table->setInUse(m_accuracy.runInUse());
+    const QString none = tr("Nothing is measured yet");
+    enable(m_exportTable, !m_shown.empty(), tr("Write every run as a table (.csv)"), none);
+    enable(m_exportChart, !m_shown.empty(), tr("Write the chart as a picture (.png or .svg)"), none);
+    const auto marked = m_table->marked();
+    const bool isUsable = marked && *marked < m_shown.size() && m_shown[*marked].stable;
+    enable(m_use, isUsable, tr("Let the tissue move by the method and step of the marked row"),
+           m_shown.empty() ? none
+           : marked        ? tr("With this step the motion ran wild")
+                           : tr("Mark a row first"));
+}
+
+void AccuracyView::use(std::optional<std::size_t> run) {
+    if (run && m_shown[*run].stable) m_accuracy.use(*run, window());
+}
+
+void AccuracyView::write(const NewFile& asked, const QString& failure,
+                         const std::function<void(const std::filesystem::path&)>& writing) {
+    const auto file = ask(*window(), [&] { return chooseNewFile(window(), asked); });
+    if (!file || !attempt(window(), failure, [&] { writing(*file); })) return;
+    rememberFolder(FileKind::Package, *file);
+    emit message(tr("%1 is written").arg(QString::fromStdString(file->filename().string())));
+}
+
+void AccuracyView::exportTable() {
+    write(newFile(m_document, tr("Save table"), tr("Tables (*.csv)"), {QStringLiteral(".csv")}),
+          tr("The table was not written"), [this](const std::filesystem::path& file) {
+              writeFileAtomically(file, measuredRunsCsv(*m_accuracy.tradeoff()));
+          });
+}
+
+void AccuracyView::exportChart() {
+    write(newFile(m_document, tr("Save chart"), tr("Pictures (*.png);;Drawings (*.svg)"),
+                  {QStringLiteral(".png"), QStringLiteral(".svg")}),
+          tr("The chart was not written"), [this](const std::filesystem::path& file) {
+              writeChart(tradeoffChart(*m_accuracy.tradeoff(), m_accuracy.wishes()), file);
+          });
+}
+
+} // namespace esm

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/editor/dialogs/save_dialog.h"
+#include "app/editor/panels/measure/runs_table.h"
+#include "app/editor/panels/measure/speed_and_accuracy.h"
+#include "widgets/plot/accuracy_chart.h"
+
+#include <QCheckBox>
+#include <QPushButton>
+
+#include <functional>
+
+namespace esm {
+
+/// Below the organ: every run that was measured, as a point of a chart and as a row of a table. What is
+/// marked in one is marked in the other; chosen in either, the tissue moves by it.
+class AccuracyView : public QWidget {
+    Q_OBJECT
+
+public:
+    AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidget* parent = nullptr);
+
+    QSize minimumSizeHint() const override { return {300, 200}; }
+
+signals:
+    void message(const QString& text);
+
+private:
+    QLayout* buildHeader();
+    void refresh();
+    void showRuns();
+    void use(std::optional<std::size_t> run);
+    /// Asks where, and says what became of it.
+    void write(const NewFile& asked, const QString& failure,
+               const std::function<void(const std::filesystem::path&)>& writing);
+    void exportTable();
+    void exportChart();
+
+    Document& m_document;
+    SpeedAndAccuracy& m_accuracy;
+    AccuracyChart* m_chart;
+    RunsTable* m_table;
+    QCheckBox* m_onlyUnbeaten;
+    QPushButton *m_use, *m_exportTable, *m_exportChart;
+    std::vector<TradeoffRun> m_shown; ///< runs in chart and table
+};
+
+} // namespace esm

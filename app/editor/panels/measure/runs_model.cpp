@@ -1,0 +1,122 @@
+#include "app/editor/panels/measure/runs_model.h"
+
+#include "app/editor/panels/measure/stepping_text.h"
+#include "widgets/inputs/number_text.h"
+
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <algorithm>
+#include <limits>
+
+namespace esm {
+
+namespace {
+
+QString cellText(const TradeoffRun& run, int column) {
+    const QString missing(QChar(0x2013));
+    switch (column) {
+    case RunsModel::Method:
+        return methodName(run.stepping);
+    case RunsModel::Step:
+        return durationText(run.stepping.timeStep);
+    case RunsModel::Nodes:
+        return countText(run.nodes);
+    case RunsModel::Speed:
+        return run.stable ? QStringLiteral("%1×").arg(numberText(run.realTimeFactor(), 2)) : missing;
+    default:
+        if (!run.stable) return RunsModel::tr("ran wild");
+        return (run.isErrorBound ? QStringLiteral("≤ %1 %") : QStringLiteral("%1 %"))
+            .arg(numberText(100 * run.error, 2));
+    }
+}
+
+/// What did not end comes last, whichever way it is sorted by what it lacks.
+QVariant sortKey(const TradeoffRun& run, int column) {
+    switch (column) {
+    case RunsModel::Method:
+        return cellText(run, column);
+    case RunsModel::Step:
+        return run.stepping.timeStep;
+    case RunsModel::Nodes:
+        return static_cast<qulonglong>(run.nodes);
+    case RunsModel::Speed:
+        return run.stable ? run.realTimeFactor() : 0;
+    default:
+        return run.stable ? run.error : std::numeric_limits<double>::max();
+    }
+}
+
+} // namespace
+
+void RunsModel::setTradeoff(const Tradeoff* tradeoff) {
+    beginResetModel();
+    m_tradeoff = tradeoff ? std::optional(*tradeoff) : std::nullopt;
+    endResetModel();
+}
+
+void RunsModel::setInUse(std::optional<std::size_t> run) {
+    if (run == m_inUse) return;
+    m_inUse = run;
+    if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1), {Qt::FontRole});
+}
+
+bool RunsModel::isUnbeaten(int row) const {
+    const auto& front = m_tradeoff->pareto;
+    return std::find(front.begin(), front.end(), static_cast<std::size_t>(row)) != front.end();
+}
+
+int RunsModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() || !m_tradeoff ? 0 : static_cast<int>(m_tradeoff->runs.size());
+}
+
+int RunsModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : int(columns);
+}
+
+QVariant RunsModel::toolTip(const TradeoffRun& run, int row) const {
+    QString text = methodText(run.stepping.integrator);
+    if (!run.stable) return text + '\n' + tr("With this step the motion ran wild.");
+    if (isUnbeaten(row)) text += '\n' + tr("No other is both as fast and as exact.");
+    return text + '\n' + tr("Enter or a double click: use this method and step");
+}
+
+QVariant RunsModel::data(const QModelIndex& index, int role) const {
+    const auto row = static_cast<std::size_t>(index.row());
+    const TradeoffRun& run = m_tradeoff->runs[row];
+    switch (role) {
+    case Qt::DisplayRole:
+        return cellText(run, index.column());
+    case sortRole:
+        return sortKey(run, index.column());
+    case Qt::ToolTipRole:
+        return toolTip(run, index.row());
+    case Qt::TextAlignmentRole:
+        return int(Qt::AlignVCenter | (index.column() == Method ? Qt::AlignLeft : Qt::AlignRight));
+    case Qt::ForegroundRole:
+        return isUnbeaten(index.row()) ? QVariant(QGuiApplication::palette().link()) : QVariant();
+    case Qt::FontRole: {
+        QFont font;
+        font.setBold(m_inUse == row);
+        return font;
+    }
+    default:
+        return {};
+    }
+}
+
+QVariant RunsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical) return {};
+    const QStringList names{tr("method"), tr("step"), tr("nodes"), tr("speed"), tr("error")};
+    const QStringList tips{tr("How the motion is computed"), tr("Length of a step, in ms or µs"),
+                           tr("Nodes that were simulated"), tr("Times real time, on this machine"),
+                           tr("How far the motion was off, in % of the motion")};
+    if (role == Qt::DisplayRole) return names.value(section);
+    if (role == Qt::ToolTipRole) return tr("%1. A click sorts by it").arg(tips.value(section));
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignVCenter | (section == Method ? Qt::AlignLeft : Qt::AlignRight));
+    return {};
+}
+
+} // namespace esm

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/dynamics/measure/measured_runs.h"
+
+#include <QAbstractTableModel>
+
+namespace esm {
+
+/// The runs of a measurement as rows, in the measurement's order: method, step, nodes, times real time,
+/// error.
+class RunsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Method, Step, Nodes, Speed, Error, columns };
+    static constexpr int sortRole = Qt::UserRole; ///< what a column is sorted by
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setTradeoff(const Tradeoff* tradeoff); ///< null: no row
+    /// The one in use stands out.
+    void setInUse(std::optional<std::size_t> run);
+    bool isUnbeaten(int row) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    QVariant toolTip(const TradeoffRun& run, int row) const;
+
+    std::optional<Tradeoff> m_tradeoff;
+    std::optional<std::size_t> m_inUse;
+};
+
+} // namespace esm
