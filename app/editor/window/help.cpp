@@ -84,8 +84,8 @@ QString keysText(const Actions& a) {
         actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera, a.play, a.playScene,
                     a.reset}) +
         title(QObject::tr("Window and what it shows")) +
-        actionRows({a.tissue, a.texture, a.showSurface, a.showWireframe, a.showSprings, a.showNodes,
-                    a.showRegions, a.showLeft, a.showRight, a.fuzzyWindow, a.keys});
+        actionRows({a.tissue, a.texture, a.measure, a.showSurface, a.showWireframe, a.showSprings,
+                    a.showNodes, a.showRegions, a.showLeft, a.showRight, a.fuzzyWindow, a.keys});
     return QStringLiteral("<table><tr><td><table>%1</table></td><td><table>%2</table></td></tr></table>")
         .arg(mouse, keys);
 }

@@ -20,7 +20,7 @@ class AccuracyView : public QWidget {
 public:
     AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidget* parent = nullptr);
 
-    QSize minimumSizeHint() const override { return {300, 200}; }
+    QSize minimumSizeHint() const override { return {300, 150}; }
 
 signals:
     void message(const QString& text);
