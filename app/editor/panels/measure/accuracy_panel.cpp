@@ -10,20 +10,15 @@ namespace esm {
 
 AccuracyPanel::AccuracyPanel(Document& document, SpeedAndAccuracy& accuracy, QWidget* parent)
     : Section(tr("Speed and accuracy"), parent), m_document(document), m_accuracy(accuracy),
-      m_measure(new QPushButton(this)), m_inUse(new QLabel(this)), m_automatic(new QToolButton(this)),
-      m_hint(new QLabel(this)), m_measured(buildMeasured()) {
+      m_measure(new QPushButton(this)), m_inUse(new QLabel(this)),
+      m_automatic(addHeaderButton(tr("automatic"), {})), m_hint(new QLabel(this)),
+      m_measured(buildMeasured()) {
     m_inUse->setObjectName(QStringLiteral("steppingInUse"));
     m_inUse->setWordWrap(true);
     m_hint->setObjectName(QStringLiteral("accuracyHint"));
     m_hint->setProperty("quiet", true);
     m_hint->setWordWrap(true);
-    m_automatic->setText(tr("automatic"));
-    m_automatic->setObjectName(QStringLiteral("quietButton"));
-    m_automatic->setFocusPolicy(Qt::TabFocus);
-    auto* inUse = new QHBoxLayout;
-    inUse->addWidget(m_inUse, 1);
-    inUse->addWidget(m_automatic, 0, Qt::AlignTop);
-    body()->addLayout(inUse);
+    body()->addWidget(m_inUse);
     auto* measuredOn = new ValueRows(this);
     m_scene = measuredOn->addText(tr("motion compared"), QStringLiteral("measuredScene"));
     body()->addWidget(measuredOn);

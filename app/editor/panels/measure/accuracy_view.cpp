@@ -9,12 +9,12 @@
 #include "core/exchange/charts/tradeoff_chart.h"
 #include "core/exchange/image_file.h"
 #include "core/support/atomic_file.h"
+#include "widgets/inputs/elided_label.h"
 #include "widgets/inputs/enabling.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -86,7 +86,8 @@ AccuracyView::AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidg
 QLayout* AccuracyView::buildHeader() {
     auto* header = new QHBoxLayout;
     header->setSpacing(8);
-    auto* title = new QLabel(tr("Every method and step"), this);
+    auto* title = new ElidedLabel(this);
+    title->setText(tr("Every method and step"));
     title->setProperty("quiet", true);
     header->addWidget(title, 1);
     m_onlyUnbeaten->setToolTip(tr("List those alone that no other beats in both speed and accuracy"));

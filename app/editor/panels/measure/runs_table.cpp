@@ -93,7 +93,7 @@ void RunsTable::shareWidth() {
         setColumnWidth(column, width);
         left -= width;
     }
-    constexpr int narrowestMethod = 150; // pixels
+    constexpr int narrowestMethod = 110; // pixels
     setColumnWidth(RunsModel::Method, std::max(left, narrowestMethod));
 }
 
