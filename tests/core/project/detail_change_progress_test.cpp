@@ -1,7 +1,5 @@
 #include "core/project/detail_change.h"
-#include "tests/support/cut_ball.h"
 #include "tests/support/steady_progress.h"
-#include "tests/support/test_meshes.h"
 #include "tests/support/test_surfaces.h"
 
 namespace esm {
@@ -23,15 +21,6 @@ TEST(DetailProgress, OfChangingTheDetailIsSteady) {
     project.scene.fixed = {fixed};
     for (const Detail& detail : {fewNodes, Detail{Detail::Kind::Rigid, 0}, Detail{}})
         test::expectGoodProgress([&](const Progress& progress) { withDetail(project, detail, progress); });
-}
-
-TEST(DetailProgress, OfRepairingIsSteady) {
-    const PolygonSoup soup = test::soupOf(test::cutBall().mesh);
-    test::expectGoodProgress([&](const Progress& progress) { repair(soup, {}, progress); });
-    RepairOptions options;
-    options.slitWidth = 1e-3;
-    options.holeEdges = 200;
-    test::expectGoodProgress([&](const Progress& progress) { repair(soup, options, progress); });
 }
 
 } // namespace

@@ -29,35 +29,7 @@ Layers twoPhotos() {
     return layers;
 }
 
-TEST(TextureProgress, OfPackingIsSteadyInEveryLayout) {
-    const TriangleMesh mesh = lumpySurface(40, 60);
-    for (const AtlasLayout layout : atlasLayouts) {
-        test::expectGoodProgress([&](const Progress& progress) {
-            packAtlas(mesh, {512, 1, 2, layout}, progress);
-        });
-        const double scale = packAtlas(mesh, {512, 1, 2, layout}).texelsPerMetre;
-        test::expectGoodProgress([&](const Progress& progress) {
-            packAtlas(mesh, {256, 1, 2, layout, scale}, progress);
-        });
-    }
-}
-
-TEST(TextureProgress, OfPackingIsSteadyUpToARefusal) {
-    const TriangleMesh mesh = lumpySurface(40, 60);
-    for (const AtlasLayout layout : atlasLayouts) {
-        double last = 0;
-        EXPECT_THROW(packAtlas(mesh, {32, 1, 8, layout},
-                               [&](double fraction) {
-                                   EXPECT_GE(fraction, last);
-                                   last = fraction;
-                                   return true;
-                               }),
-                     InvalidModel);
-        EXPECT_GT(last, 0.5);
-    }
-}
-
-TEST(TextureProgress, OfComposingIsSteady) {
+TEST(CompositeProgress, OfComposingIsSteady) {
     const TriangleMesh mesh = lumpySurface(24, 30);
     const Atlas atlas = packAtlas(mesh, {512, 2, 2});
     test::expectGoodProgress(
@@ -65,7 +37,7 @@ TEST(TextureProgress, OfComposingIsSteady) {
     test::expectGoodProgress([&](const Progress& progress) { composite(mesh, atlas, {}, red, progress); });
 }
 
-TEST(TextureProgress, OfComposingAnewIsSteady) {
+TEST(CompositeProgress, OfComposingAnewIsSteady) {
     const TriangleMesh mesh = lumpySurface(24, 30);
     const Atlas atlas = packAtlas(mesh, {512, 2, 2});
     CompositionCache cache;
@@ -78,14 +50,14 @@ TEST(TextureProgress, OfComposingAnewIsSteady) {
         [&](const Progress& progress) { recomposite(mesh, atlas, before, changed, red, cache, progress); });
 }
 
-TEST(TextureProgress, OfSmallerPagesIsSteady) {
+TEST(CompositeProgress, OfSmallerPagesIsSteady) {
     const TriangleMesh mesh = lumpySurface(24, 30);
     const Atlas atlas = packAtlas(mesh, {512, 2, 8});
     const std::vector<Image> pages = composite(mesh, atlas, {}, red);
     test::expectGoodProgress([&](const Progress& progress) { smallerPages(atlas, pages, progress); });
 }
 
-TEST(TextureProgress, OfPreparingAPhotoIsSteady) {
+TEST(CompositeProgress, OfPreparingAPhotoIsSteady) {
     PhotoPreparation preparation;
     preparation.highlightThreshold = 200;
     preparation.evenLight = 0.5;
@@ -94,7 +66,7 @@ TEST(TextureProgress, OfPreparingAPhotoIsSteady) {
     test::expectGoodProgress([&](const Progress& progress) { prepared(photo, preparation, progress); });
 }
 
-TEST(TextureProgress, OfMatchingColoursIsSteady) {
+TEST(CompositeProgress, OfMatchingColoursIsSteady) {
     const TriangleMesh mesh = lumpySurface(24, 30);
     const Layers layers = twoPhotos();
     test::expectGoodProgress(
