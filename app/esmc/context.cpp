@@ -8,7 +8,7 @@ namespace esm {
 
 namespace {
 
-/// A percentage, where it is known, on one line that goes away with the last copy of the progress.
+/// A percentage on one line that goes away with the last copy of the progress.
 class ProgressLine {
 public:
     explicit ProgressLine(std::string label) : m_label(std::move(label)) {}
@@ -19,8 +19,7 @@ public:
     }
 
     void show(double fraction) {
-        const std::string shown =
-            fraction < 0 ? "…" : ' ' + std::to_string(std::lround(100 * fraction)) + " %";
+        const std::string shown = ' ' + std::to_string(std::lround(100 * fraction)) + " %";
         if (shown == m_shown) return;
         m_shown = shown;
         std::cerr << '\r' << m_label << m_shown << std::flush;

@@ -18,8 +18,9 @@ Tradeoff measureAccuracy(const Project& project, const TradeoffOptions& options,
     const TissueModel model = evaluateModel(project, scene);
     const TouchedSurface surface = touchedSurface(*project.mesh, *project.network);
     TradeoffOptions all = options;
-    all.coarser = coarserRuns(project, scene, progress);
-    return measureTradeoff({model, surface, scene}, all, progress);
+    ProgressParts parts(progress);
+    all.coarser = coarserRuns(project, scene, parts.next(0.05));
+    return measureTradeoff({model, surface, scene}, all, parts.rest());
 }
 
 MeasuredOrgan measuredOrgan(const Project& project) {

@@ -67,12 +67,12 @@ std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, 
     if (!vertices) return {};
     Project full = project;
     full.scene = scene;
+    ProgressParts parts(progress);
     std::vector<CoarserRun> runs;
     std::size_t last = full.network->restPositions.size();
     for (std::size_t nodes = last / 4; nodes >= fewestWorthMeasuring; nodes /= 4) {
-        reportProgress(progress, 0);
         const Detail detail{Detail::Kind::Nodes, nodes};
-        const Project fewer = withDetail(full, detail);
+        const Project fewer = withDetail(full, detail, parts.nextOfRest(0.75));
         // A surface of many parts may have no fewer.
         if (fewer.network->restPositions.size() >= last) break;
         last = fewer.network->restPositions.size();

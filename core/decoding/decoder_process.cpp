@@ -168,16 +168,21 @@ private:
                     "it comes from");
 }
 
+/// Of the time that a decoder may take, the part within which it is half done as a rule. How far it is nobody
+/// knows: what is reported comes ever nearer to the end.
+constexpr double usualPart = 50;
+
 /// Processor time is bounded by the system; a process that sleeps uses none, so the clock is looked at too,
 /// at four times as much for machines that do other work.
 void waitFor(Process& process, const DecodingTask& task, const Progress& progress) {
     constexpr std::chrono::milliseconds moment{20};
-    constexpr double unknown = -1;
-    const double latest = task.clock() + 4 * static_cast<double>(task.limits.seconds);
+    const double start = task.clock(), most = static_cast<double>(task.limits.seconds);
     while (!process.endsWithin(moment)) {
-        reportProgress(progress, unknown);
-        if (task.clock() > latest) failFromTime(task);
+        const double taken = task.clock() - start;
+        reportProgress(progress, taken / (taken + most / usualPart));
+        if (taken > 4 * most) failFromTime(task);
     }
+    reportProgress(progress, 1);
 }
 
 /// The limits on time and size end the process by signals of their own, which tell what was too large; that

@@ -64,21 +64,25 @@ void writeHeader(const PngWriter& writer, const ImageOf<Channel>& image, double 
 }
 
 template<typename Channel>
-bool write(const PngWriter& writer, const ImageOf<Channel>& image, double texelsPerMetre, bool opaque) {
+bool write(const PngWriter& writer, const ImageOf<Channel>& image, double texelsPerMetre, bool opaque,
+           const Progress& progress) {
     if (setjmp(png_jmpbuf(writer.png))) return false;
     writeHeader(writer, image, texelsPerMetre, opaque);
-    for (int y = 0; y < image.height; ++y)
+    for (int y = 0; y < image.height; ++y) {
+        reportProgress(progress, static_cast<double>(y) / image.height);
         png_write_row(writer.png, reinterpret_cast<png_const_bytep>(image.at(0, y)));
+    }
     png_write_end(writer.png, writer.info);
     return true;
 }
 
-template<typename Channel> Bytes encoded(const ImageOf<Channel>& image, double texelsPerMetre) {
+template<typename Channel>
+Bytes encoded(const ImageOf<Channel>& image, double texelsPerMetre, const Progress& progress) {
     if (image.empty()) throw InvalidModel("a picture without pixels cannot be stored");
     Bytes bytes;
     PngWriter writer;
     png_set_write_fn(writer.png, &bytes, append, nullptr);
-    if (!write(writer, image, texelsPerMetre, isOpaque(image)))
+    if (!write(writer, image, texelsPerMetre, isOpaque(image), progress))
         throw InvalidModel("a picture of " + std::to_string(image.width) + " × " +
                            std::to_string(image.height) +
                            " pixels cannot be stored; there is too little memory, or it is too large");
@@ -87,12 +91,12 @@ template<typename Channel> Bytes encoded(const ImageOf<Channel>& image, double t
 
 } // namespace
 
-Bytes encodePng(const Image& image, double texelsPerMetre) {
-    return encoded(image, texelsPerMetre);
+Bytes encodePng(const Image& image, double texelsPerMetre, const Progress& progress) {
+    return encoded(image, texelsPerMetre, progress);
 }
 
 Bytes encodePng(const DeepImage& image, double texelsPerMetre) {
-    return encoded(image, texelsPerMetre);
+    return encoded(image, texelsPerMetre, {});
 }
 
 void writePng(const Image& image, const std::filesystem::path& file, double texelsPerMetre) {

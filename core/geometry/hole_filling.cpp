@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -51,7 +52,7 @@ public:
     /// Empty where there is none.
     std::vector<Triangle> fill(const Progress& progress) {
         for (std::size_t span = 2; span < m_count; ++span) {
-            reportProgress(progress, -1);
+            reportProgress(progress, static_cast<double>(span) / static_cast<double>(m_count));
             for (std::size_t i = 0; i + span < m_count; ++i)
                 choose(i, i + span);
         }
@@ -176,6 +177,11 @@ private:
     std::set<Edge> m_added; ///< by fillings
 };
 
+/// To fill a hole, in proportion.
+double costOf(const BorderLoop& loop) {
+    return std::pow(static_cast<double>(loop.size()), 3);
+}
+
 } // namespace
 
 std::vector<bool> fillHoles(const std::vector<Eigen::Vector3d>& vertices, std::vector<Triangle>& triangles,
@@ -183,10 +189,14 @@ std::vector<bool> fillHoles(const std::vector<Eigen::Vector3d>& vertices, std::v
     HoleSurroundings surroundings(vertices, triangles);
     std::vector<Triangle> added;
     std::vector<bool> isFilled;
+    ProgressParts parts(progress);
+    const double allCosts =
+        std::accumulate(loops.begin(), loops.end(), 0.0,
+                        [](double sum, const BorderLoop& loop) { return sum + costOf(loop); });
     for (const BorderLoop& loop : loops) {
         const std::vector<Triangle> filling =
             HoleFiller(vertices, loop, surroundings.normalsAround(loop), surroundings.takenChords(loop))
-                .fill(progress);
+                .fill(parts.next(costOf(loop) / allCosts));
         surroundings.add(filling);
         added.insert(added.end(), filling.begin(), filling.end());
         isFilled.push_back(!filling.empty());

@@ -97,8 +97,9 @@ bool hasNoArea(const std::vector<Eigen::Vector3d>& vertices, const Triangle& t) 
 
 /// A polygon of n corners stands for n − 2 triangles. Each corner that falls onto its neighbour takes one of
 /// them away, which is counted as a triangle without area.
-void weldAndSplit(Workpiece& piece, double weldDistance) {
+void weldAndSplit(Workpiece& piece, double weldDistance, const Progress& progress) {
     const std::vector<std::uint32_t> representatives = weld(piece.soup.vertices, weldDistance);
+    reportProgress(progress, 0.5);
     for (std::uint32_t i = 0; i < representatives.size(); ++i)
         piece.report.mergedVertices += representatives[i] != i;
     std::vector<bool> used(representatives.size(), false);
@@ -186,15 +187,16 @@ void fillSmallHoles(Workpiece& piece, std::size_t mostEdges, const Progress& pro
 
 /// Slits first: where one is closed no hole is left, and two parts may be one.
 void closeOpenings(Workpiece& piece, const RepairOptions& options, const Progress& progress) {
+    ProgressParts parts(progress);
     if (options.slitWidth > 0) {
         orient(piece);
         piece.report.closedSlitEdges =
-            closeSlits(piece.vertices, piece.triangles, options.slitWidth, progress);
+            closeSlits(piece.vertices, piece.triangles, options.slitWidth, parts.next(0.6));
     }
     selectParts(piece, options.keep);
-    reportProgress(progress, -1);
+    reportProgress(parts.next(0.1), 1);
     orient(piece);
-    if (options.holeEdges > 0) fillSmallHoles(piece, options.holeEdges, progress);
+    if (options.holeEdges > 0) fillSmallHoles(piece, options.holeEdges, parts.rest());
 }
 
 std::size_t usedVertexCount(const Workpiece& piece) {
@@ -263,27 +265,31 @@ std::vector<std::string> warningsOf(const RepairReport& report, std::size_t refu
 // there twice makes each of its edges one of three or more, across which nothing can be oriented. Parts are
 // chosen once no degenerate triangle joins two of them any more, and slits no longer part what is one.
 RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options, const Progress& progress) {
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
     check(soup, options);
     Workpiece piece{soup, soup.vertices, {}, {}, {}};
     RepairReport& report = piece.report;
-    weldAndSplit(piece, options.weldDistance);
-    reportProgress(progress, -1);
+    weldAndSplit(piece, options.weldDistance, parts.next(0.3));
 
     const EdgeCounts before = countEdges(sidesByEdge(piece.triangles));
+    reportProgress(parts.next(0.1), 1);
     report.boundaryEdgesBefore = before.boundary;
     report.nonManifoldEdgesBefore = before.nonManifold;
-
     dropDegenerateAndDuplicate(piece);
     report.unusedVertices = soup.vertices.size() - report.mergedVertices - usedVertexCount(piece);
-    reportProgress(progress, -1);
-    closeOpenings(piece, options, progress);
+    reportProgress(parts.next(0.15), 1);
+    closeOpenings(piece, options, parts.next(0.3));
 
     const EdgeCounts after = countEdges(sidesByEdge(piece.triangles));
+    reportProgress(parts.next(0.1), 1);
     report.boundaryEdges = after.boundary;
     report.nonManifoldEdges = after.nonManifold;
     report.inconsistentEdges = after.inconsistent;
     report.warnings = warningsOf(report, piece.refusedHoles);
-    return {numbered(piece), report};
+    RepairedMesh mesh{numbered(piece), report};
+    reportProgress(progress, 1);
+    return mesh;
 }
 
 double widestSlit(double extent) {

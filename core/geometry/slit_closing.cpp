@@ -74,8 +74,9 @@ public:
           m_stretches(slitStretches(vertices, m_corners, width)) {}
 
     std::optional<Stitched> stitch(const Progress& progress) {
+        ProgressParts attempts(progress);
         while (!m_stretches.empty()) {
-            reportProgress(progress, -1);
+            reportProgress(attempts.nextOfRest(0.3), 0);
             Stitched stitched = stitchAll();
             const std::set<std::uint32_t> faulty = faultyVertices(stitched);
             if (faulty.empty()) return stitched;
@@ -215,8 +216,10 @@ std::size_t closeSlits(std::vector<Eigen::Vector3d>& vertices, std::vector<Trian
                        const Progress& progress) {
     const std::size_t before = bordersOf(triangles).edgeCount();
     const std::vector<Eigen::Vector3d> former = vertices;
+    ProgressParts parts(progress);
     for (int pass = 0; pass < mostPasses; ++pass) {
-        std::optional<Stitched> stitched = Stitcher(vertices, triangles, width).stitch(progress);
+        std::optional<Stitched> stitched =
+            Stitcher(vertices, triangles, width).stitch(parts.next(0.8 / mostPasses));
         if (!stitched) break;
         vertices = std::move(stitched->vertices);
         triangles = std::move(stitched->triangles);
@@ -224,7 +227,7 @@ std::size_t closeSlits(std::vector<Eigen::Vector3d>& vertices, std::vector<Trian
     std::vector<bool> isStitched;
     for (std::size_t i = 0; i < vertices.size(); ++i)
         isStitched.push_back(vertices[i] != former[i]);
-    fillBluntEnds(vertices, triangles, isStitched, width, progress);
+    fillBluntEnds(vertices, triangles, isStitched, width, parts.rest());
     return before - bordersOf(triangles).edgeCount();
 }
 

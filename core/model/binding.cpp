@@ -222,19 +222,25 @@ void BindingRows::add(const VertexBinding& vertex) {
 // A vertex that is a node hangs on it alone, so that it shows the node's place to the last bit. Every other
 // one is looked for along the surface first and in space only then: the shortest way over edges says on which
 // part and wall of the organ it lies, the nearest point says where there.
-Binding bindToSurface(const TriangleMesh& drawn, const SimplifiedMesh& simulated) {
+Binding bindToSurface(const TriangleMesh& drawn, const SimplifiedMesh& simulated, const Progress& progress) {
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
     TriangleMesh coarse{{}, simulated.triangles};
     for (const std::uint32_t vertex : simulated.vertices)
         coarse.vertices.push_back(drawn.vertices[vertex]);
     const std::vector<std::uint32_t> nodes = nearestNodes(drawn, simulated.vertices);
+    reportProgress(parts.next(0.15), 1);
     const auto candidates = trianglesAround(coarse.triangles, coarse.vertices.size());
+    reportProgress(parts.next(0.15), 1);
     const Points normals = vertexNormals(drawn.vertices, drawn.triangles);
+    const Progress binds = parts.rest();
     Binding binding;
     binding.surface = simulated.triangles;
     binding.vertices.starts.reserve(drawn.vertices.size() + 1);
     binding.vertices.nodes.reserve(3 * drawn.vertices.size());
     binding.vertices.shares.reserve(3 * drawn.vertices.size());
     for (std::uint32_t vertex = 0; vertex < drawn.vertices.size(); ++vertex) {
+        reportStep(binds, vertex, drawn.vertices.size());
         // A vertex of no triangle belongs to no part.
         const std::uint32_t node = nodes[vertex] == noIndex ? 0 : nodes[vertex];
         const bool isKept = simulated.vertices[node] == vertex;

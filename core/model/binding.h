@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/simplified_mesh.h"
+#include "core/support/progress.h"
 
 #include <span>
 #include <string>
@@ -46,7 +47,9 @@ struct Binding {
 /// Binds every vertex to the triangle of the simulated surface that is nearest among those which face the
 /// same way and lie around the kept vertex it is nearest to along the drawn edges: to its own part, and to
 /// its own side of thin tissue. Node i is `simulated.vertices[i]`.
-Binding bindToSurface(const TriangleMesh& drawn, const SimplifiedMesh& simulated);
+/// @throws Cancelled
+Binding bindToSurface(const TriangleMesh& drawn, const SimplifiedMesh& simulated,
+                      const Progress& progress = {});
 
 /// Binds all vertices to the middle and direction of the line between two nodes: they move as one rigid body
 /// [R 5.1].

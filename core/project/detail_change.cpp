@@ -44,11 +44,13 @@ public:
         return best.second;
     }
 
-    Nodes nearest(const Points& places, const Nodes& nodes) const {
+    Nodes nearest(const Points& places, const Nodes& nodes, const Progress& progress) const {
         Nodes found;
         found.reserve(nodes.size());
-        for (const std::uint32_t node : nodes)
+        for (const std::uint32_t node : nodes) {
+            reportStep(progress, found.size(), nodes.size());
             found.push_back(nearest(places[node]));
+        }
         return found;
     }
 
@@ -60,14 +62,18 @@ private:
 /// The new nodes that lie nearest to a fixed one, and those that a fixed one lies nearest to. The first alone
 /// would leave gaps between where the new nodes are the denser ones; the second alone might fix none where
 /// they are the sparser.
-Nodes stillFixed(const Points& before, const Points& after, const PointSearch& afterwards,
-                 const Nodes& fixed) {
+Nodes stillFixed(const Points& before, const Points& after, const PointSearch& afterwards, const Nodes& fixed,
+                 const Progress& progress) {
     if (fixed.empty()) return {};
-    Nodes result = afterwards.nearest(before, fixed);
+    ProgressParts parts(progress);
+    Nodes result = afterwards.nearest(before, fixed, parts.next(0.5));
     const std::set<std::uint32_t> wasFixed(fixed.begin(), fixed.end());
     const PointSearch formerly(before);
-    for (std::uint32_t node = 0; node < after.size(); ++node)
+    const Progress looking = parts.rest();
+    for (std::uint32_t node = 0; node < after.size(); ++node) {
+        reportStep(looking, node, after.size());
         if (wasFixed.count(formerly.nearest(after[node])) > 0) result.push_back(node);
+    }
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -86,10 +92,12 @@ TetherRule asStrong(TetherRule rule, std::size_t nodesBefore, std::size_t nodesA
     return rule;
 }
 
-Scene overOtherNodes(Scene scene, const Points& before, const Points& after) {
+Scene overOtherNodes(Scene scene, const Points& before, const Points& after, const Progress& progress) {
+    ProgressParts parts(progress);
+    const double share = 1 / static_cast<double>(scene.fixed.size() + 1);
     const PointSearch afterwards(after);
     for (NodeSelection& selection : scene.fixed)
-        selection.nodes = stillFixed(before, after, afterwards, selection.nodes);
+        selection.nodes = stillFixed(before, after, afterwards, selection.nodes, parts.next(share));
     for (TetherRule& rule : scene.tethers)
         rule = asStrong(rule, before.size(), after.size());
     scene.splits.clear();
@@ -108,7 +116,7 @@ Scene overOtherNodes(Scene scene, const Points& before, const Points& after) {
     scene.moves = std::move(moves);
     if (!scene.record.nodes) return scene;
     std::erase_if(*scene.record.nodes, isMadeBySplit);
-    scene.record.nodes = afterwards.nearest(before, *scene.record.nodes);
+    scene.record.nodes = afterwards.nearest(before, *scene.record.nodes, parts.rest());
     return scene;
 }
 
@@ -118,15 +126,16 @@ bool isRigid(const Project& project) {
 
 } // namespace
 
-Project withDetail(const Project& project, const Detail& detail) {
-    const Project fresh =
-        makeProject(project.name, {*project.mesh, *project.importReport}, project.base.mass, detail);
+Project withDetail(const Project& project, const Detail& detail, const Progress& progress) {
+    ProgressParts parts(progress);
+    const Project fresh = makeProject(project.name, {*project.mesh, *project.importReport}, project.base.mass,
+                                      detail, parts.next(0.8));
     Project changed = project;
     changed.network = fresh.network;
     changed.stepping.reset();
     if (!isRigid(project) && !isRigid(fresh)) {
-        changed.scene =
-            overOtherNodes(project.scene, project.network->restPositions, fresh.network->restPositions);
+        changed.scene = overOtherNodes(project.scene, project.network->restPositions,
+                                       fresh.network->restPositions, parts.rest());
     } else if (isRigid(project) != isRigid(fresh)) {
         changed.base = fresh.base;
         changed.base.stiffening = project.base.stiffening;
@@ -137,6 +146,7 @@ Project withDetail(const Project& project, const Detail& detail) {
         changed.scene.splits.clear();
         changed.scene.record.nodes.reset();
     }
+    reportProgress(progress, 1);
     return changed;
 }
 

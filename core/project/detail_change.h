@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/support/progress.h"
 
 namespace esm {
 
@@ -11,7 +12,7 @@ namespace esm {
 /// nodes have other edges. What becomes rigid, or was, takes the default spring constant, viscosity and hold
 /// of its level, and loses its forces, led nodes and the list of recorded nodes. How to step it best has to
 /// be measured again.
-/// @throws InvalidModel when the surface has no such level of detail
-Project withDetail(const Project& project, const Detail& detail);
+/// @throws InvalidModel when the surface has no such level of detail; Cancelled
+Project withDetail(const Project& project, const Detail& detail, const Progress& progress = {});
 
 } // namespace esm

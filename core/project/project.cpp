@@ -165,14 +165,16 @@ void numberParts(Project& project) {
 }
 
 Project makeProject(std::string name, RepairedMesh surface, std::optional<double> massKilograms,
-                    const Detail& detail) {
+                    const Detail& detail, const Progress& progress) {
     if (massKilograms && !isMass(*massKilograms))
         throw InvalidModel("the mass must be from " + roundedText(1 / largestNumber) + " to " +
                            roundedText(largestNumber) + " kg, got " + roundedText(*massKilograms));
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
     Project project;
     project.name = std::move(name);
     const double mass = massKilograms ? *massKilograms : defaultMass(surface.mesh, surface.report.isClosed());
-    project.network = std::make_shared<const SpringNetwork>(networkOf(surface.mesh, detail));
+    project.network = std::make_shared<const SpringNetwork>(networkOf(surface.mesh, detail, parts.next(0.9)));
     project.base = {defaultSpringConstant, defaultViscosity, mass};
     if (detail.kind == Detail::Kind::Rigid)
         hangOnFixedNodes(project);
@@ -181,6 +183,7 @@ Project makeProject(std::string name, RepairedMesh surface, std::optional<double
     noteCoarseness(surface.report, detail, project.network->restPositions.size());
     project.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
     project.importReport = std::make_shared<const RepairReport>(std::move(surface.report));
+    reportProgress(progress, 1);
     return project;
 }
 

@@ -77,9 +77,11 @@ inline constexpr double wallThickness = 0.003; ///< m, that an open surface weig
 /// A project around an imported or made mesh, with default tissue and tethers that are stable and behave like
 /// tissue at any size. Without a mass: closed surface, its volume × 1000 kg/m³; open, area × 3 mm × 1000
 /// kg/m³. What moves rigidly hangs on fixed nodes, with the published parameters of the uterus [R C.1].
-/// @throws InvalidModel when the mass is not above zero, or the surface has no such level of detail
+/// @throws InvalidModel when the mass is not above zero, or the surface has no such level of detail;
+/// Cancelled
 Project makeProject(std::string name, RepairedMesh surface,
-                    std::optional<double> massKilograms = std::nullopt, const Detail& detail = {});
+                    std::optional<double> massKilograms = std::nullopt, const Detail& detail = {},
+                    const Progress& progress = {});
 
 /// What a region reaches. A spring is inside when both its ends are, and in the rim when both are inside or
 /// in the rim, but not both inside.

@@ -10,24 +10,25 @@ namespace {
 // The nodes are vertices of the drawn mesh, with springs along the edges of the coarser one, and those as
 // long as its edges are. A surface that could not be made coarser at all needs no binding: each vertex is its
 // node.
-SpringNetwork coarserNetwork(const TriangleMesh& mesh, std::size_t nodes) {
-    const SimplifiedMesh simulated = simplify(mesh, nodes);
+SpringNetwork coarserNetwork(const TriangleMesh& mesh, std::size_t nodes, const Progress& progress) {
+    ProgressParts parts(progress);
+    const SimplifiedMesh simulated = simplify(mesh, nodes, parts.next(0.4));
     if (simulated.vertices.size() == mesh.vertices.size()) return networkFromMesh(mesh);
     TriangleMesh coarse{{}, simulated.triangles};
     for (const std::uint32_t vertex : simulated.vertices)
         coarse.vertices.push_back(mesh.vertices[vertex]);
     SpringNetwork network = networkFromMesh(coarse);
-    network.binding = bindToSurface(mesh, simulated);
+    network.binding = bindToSurface(mesh, simulated, parts.rest());
     network.vertexNodes = mainNodes(*network.binding);
     return network;
 }
 
 } // namespace
 
-SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail) {
+SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail, const Progress& progress) {
     switch (detail.kind) {
     case Detail::Kind::Nodes:
-        return coarserNetwork(mesh, detail.nodes);
+        return coarserNetwork(mesh, detail.nodes, progress);
     case Detail::Kind::Rigid:
         return motionModelOf(mesh);
     case Detail::Kind::EveryVertex:

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "core/model/detail.h"
+#include "core/support/progress.h"
 
 namespace esm {
 
 /// The network of a surface at a level of detail. A surface that cannot be made as coarse as wanted has more
 /// nodes.
-/// @throws InvalidModel when fewer than 4 nodes or more than there are vertices are wanted
-SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail);
+/// @throws InvalidModel when fewer than 4 nodes or more than there are vertices are wanted; Cancelled
+SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail, const Progress& progress = {});
 
 } // namespace esm

@@ -108,14 +108,15 @@ Indices withoutFolds(const Indices& indices) {
 /// surface anew would give more even triangles, but nodes that no drawn vertex belongs to.
 class Simplification {
 public:
-    Simplification(const TriangleMesh& mesh, std::size_t wanted)
+    Simplification(const TriangleMesh& mesh, std::size_t wanted, const Progress& progress)
         : m_mesh(mesh), m_wanted(wanted), m_coordinates(roughCoordinates(mesh)),
-          m_whole(cornerIndices(mesh.triangles)) {}
+          m_whole(cornerIndices(mesh.triangles)), m_parts(progress) {}
 
     Indices run() { return withEveryPart(trimmed(fromTheWhole())); }
 
 private:
-    Indices reduced(const Indices& from, std::size_t triangles) const {
+    Indices reduced(const Indices& from, std::size_t triangles) {
+        reportProgress(m_parts.nextOfRest(0.25), 0);
         Indices result(from.size());
         result.resize(meshopt_simplify(result.data(), from.data(), from.size(), m_coordinates.data(),
                                        m_mesh.vertices.size(), 3 * sizeof(float), 3 * triangles, anyError, 0,
@@ -136,7 +137,7 @@ private:
     /// Vertices grow nearly in proportion to triangles. A false position, on the line between the last number
     /// of triangles that left too many vertices and the last that left too few, therefore comes near soon;
     /// what is still too many is trimmed.
-    Indices fromTheWhole() const {
+    Indices fromTheWhole() {
         Indices best = m_whole;
         std::size_t bestVertices = verticesOf(best), tooFew = 0, tooFewVertices = 0;
         if (bestVertices <= m_wanted) return best;
@@ -164,7 +165,7 @@ private:
     }
 
     /// Takes away the few that are too many, never more: no vertex takes less than one triangle with it.
-    Indices trimmed(Indices indices) const {
+    Indices trimmed(Indices indices) {
         for (std::size_t step = lessBy(verticesOf(indices), m_wanted); step > 0;) {
             Indices fewer = reduced(indices, lessBy(indices.size() / 3, step));
             const std::size_t vertices = verticesOf(fewer);
@@ -210,6 +211,7 @@ private:
     std::size_t m_wanted;
     std::vector<float> m_coordinates;
     Indices m_whole;
+    ProgressParts m_parts;
 };
 
 /// Numbers the vertices that are used anew, in their order.
@@ -230,13 +232,15 @@ SimplifiedMesh renumbered(const Indices& indices, std::size_t vertexCount) {
 
 } // namespace
 
-SimplifiedMesh simplify(const TriangleMesh& mesh, std::size_t vertexCount) {
+SimplifiedMesh simplify(const TriangleMesh& mesh, std::size_t vertexCount, const Progress& progress) {
     const std::size_t most = mesh.vertices.size();
     if (vertexCount < fewestVertices || vertexCount > most)
         throw InvalidModel("the surface has " + std::to_string(most) + " vertices and can be simulated by " +
                            std::to_string(fewestVertices) + " to " + std::to_string(most) +
                            " nodes, not by " + std::to_string(vertexCount));
-    return renumbered(Simplification(mesh, vertexCount).run(), most);
+    SimplifiedMesh simplified = renumbered(Simplification(mesh, vertexCount, progress).run(), most);
+    reportProgress(progress, 1);
+    return simplified;
 }
 
 } // namespace esm

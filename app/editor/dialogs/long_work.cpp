@@ -59,8 +59,8 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
     const auto isDone = [&] { return done.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
     if (done.wait_for(blink) != std::future_status::ready) waitBriefly(isDone);
     if (!isDone()) {
-        QProgressDialog dialog(title, cancelling == Cancelling::Offered ? QObject::tr("Cancel") : QString(),
-                               0, 0, window);
+        QProgressDialog dialog(
+            title, cancelling == Cancelling::Impossible ? QString() : QObject::tr("Cancel"), 0, 0, window);
         dialog.setWindowTitle(title);
         dialog.setObjectName(QStringLiteral("progressDialog"));
         dialog.setWindowModality(Qt::ApplicationModal);
@@ -73,12 +73,12 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
             isInFront = QApplication::activeWindow() != nullptr;
             if (isDone()) return dialog.done(0);
             if (cancelled) return dialog.setLabelText(QObject::tr("Stopping…"));
-            if (permille < 0) return;
+            if (permille < 0) return; // nothing was told yet
             dialog.setMaximum(1000);
             dialog.setValue(permille);
         });
         const auto cancel = [&] {
-            if (!isDone()) cancelled = cancelling == Cancelling::Offered;
+            if (!isDone()) cancelled = cancelling != Cancelling::Impossible;
         };
         QObject::connect(&dialog, &QProgressDialog::canceled, &dialog, cancel);
         // Escape reaches the cancel button only while the dialog is the active window.
@@ -92,7 +92,7 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
         if (window && isInFront) window->activateWindow();
     }
     done.get();
-    if (cancelled) throw Cancelled();
+    if (cancelled && cancelling == Cancelling::Offered) throw Cancelled();
 }
 
 } // namespace esm

@@ -10,7 +10,11 @@
 
 namespace esm {
 
-enum class Cancelling { Offered, Impossible };
+enum class Cancelling {
+    Offered,   ///< of what is done too soon to be stopped nothing is taken
+    UntilDone, ///< the work leaves a file, which stays where it was done too soon to be stopped
+    Impossible
+};
 
 /// Does long work on another thread while the window stays alive; after a moment a dialog with progress
 /// appears, with a cancel button where it is offered: for work that looks at its Progress often enough to

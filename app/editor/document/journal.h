@@ -23,7 +23,9 @@ public:
     /// Which workspace the window shows, to be shown again.
     void setWorkspace(const std::string& name);
     /// Unsaved work of programs that have ended; see leftBehindIn().
-    std::vector<LeftBehind> leftBehind() const { return leftBehindIn(m_folder); }
+    std::vector<LeftBehind> leftBehind(const Progress& progress = {}) const {
+        return leftBehindIn(m_folder, progress);
+    }
     /// The document is what was left behind: that goes once this journal has all of it.
     void takeOver(LeftBehind left);
     /// Waits until all that was done is on the disk.

@@ -15,12 +15,13 @@ using ProjectValue = std::shared_ptr<const Project>;
 
 namespace {
 
-JournalRecords readRecords(const fs::path& journal) {
+JournalRecords readRecords(const fs::path& journal, const Progress& progress) {
+    ProgressParts parts(progress);
     const fs::path file = recordsOf(journal);
     if (regularFileSize(file) > largestRecords)
         throw FileError(file, "is larger than a journal can be; discard it");
-    const Bytes text = readFile(file);
-    return recordsIn({reinterpret_cast<const char*>(text.data()), text.size()});
+    const Bytes text = readFile(file, largestRecords, parts.next(0.2));
+    return recordsIn({reinterpret_cast<const char*>(text.data()), text.size()}, parts.rest());
 }
 
 bool isHash(const std::string& name) {
@@ -30,19 +31,18 @@ bool isHash(const std::string& name) {
 /// Reads states of a journal, the same parts once.
 class StateReader {
 public:
-    StateReader(const fs::path& journal, const Progress& progress)
-        : m_blobs(journal / "blobs"), m_progress(progress) {}
+    explicit StateReader(const fs::path& journal) : m_blobs(journal / "blobs") {}
 
-    /// @param fraction of all that is to be read
     /// @throws InvalidModel where it cannot be read, Cancelled
-    ProjectValue read(const StoredState& state, double fraction = -1) {
-        reportProgress(m_progress, fraction);
-        const Progress goesOn = [&](double) { return !m_progress || m_progress(fraction); };
+    ProjectValue read(const StoredState& state, const Progress& progress) {
+        reportProgress(progress, 0);
         const EntryBlobs blobs = blobsOf(state);
         const ContentSource source{
-            [&](const std::string& entry, std::uint64_t largest) { return joined(blobs, entry, largest); },
+            [&](const std::string& entry, std::uint64_t largest, const Progress& reading) {
+                return joined(blobs, entry, largest, reading);
+            },
             [&](const std::string& entry) { return names(blobs, entry); }};
-        ReadContent content = projectFrom(manifestOf(state), source, m_shared, goesOn);
+        ReadContent content = projectFrom(manifestOf(state), source, m_shared, progress);
         if (!content.problems.empty()) throw InvalidModel(content.problems);
         giveIdentities(content.project, state);
         share(content.project);
@@ -61,19 +61,22 @@ private:
         return std::accumulate(found->second.begin(), found->second.end(), std::string());
     }
 
-    Bytes joined(const EntryBlobs& blobs, const std::string& entry, std::uint64_t largest) {
+    Bytes joined(const EntryBlobs& blobs, const std::string& entry, std::uint64_t largest,
+                 const Progress& progress) {
         const auto found = blobs.find(entry);
         if (found == blobs.end()) throw InvalidModel("the entry " + entry + " is missing");
         Bytes bytes;
+        double read = 0;
         for (const std::string& name : found->second) {
-            const Bytes blob = read(name, largest - bytes.size());
+            reportProgress(progress, read++ / static_cast<double>(found->second.size()));
+            const Bytes blob = readOnce(name, largest - bytes.size());
             bytes.insert(bytes.end(), blob.begin(), blob.end());
         }
         return bytes;
     }
 
     /// One that is damaged is read once: a state names it in each step.
-    Bytes read(const std::string& name, std::uint64_t largest) {
+    Bytes readOnce(const std::string& name, std::uint64_t largest) {
         if (!isHash(name)) throw InvalidModel("a blob's name is no hash");
         if (m_damaged.contains(name)) throw InvalidModel("the blob " + name + " is damaged");
         try {
@@ -111,7 +114,6 @@ private:
     }
 
     fs::path m_blobs;
-    const Progress& m_progress;
     SharedParts m_shared;
     std::set<std::string> m_damaged; ///< names of blobs
     ProjectValue m_latest;
@@ -125,13 +127,14 @@ struct ReadLatest {
     std::string problem = "its first record is damaged";
 };
 
-ReadLatest readLatest(const std::vector<StoredState>& states, StateReader& reader) {
+ReadLatest readLatest(const std::vector<StoredState>& states, StateReader& reader, const Progress& progress) {
+    ProgressParts attempts(progress);
     ReadLatest latest;
     for (latest.records = states.size(); latest.records > 0; --latest.records) {
         const StoredState& state = states[latest.records - 1];
         if (latest.records < states.size() && state == states[latest.records]) continue;
         try {
-            latest.project = reader.read(state);
+            latest.project = reader.read(state, attempts.nextOfRest(0.8));
             break;
         } catch (const InvalidModel& error) {
             latest.problem = error.what();
@@ -146,14 +149,14 @@ struct ReadSteps {
     std::vector<ProjectValue> projects; ///< of these places
 };
 
-ReadSteps readAround(const Replay& replay, const ProjectValue& now, StateReader& reader) {
+ReadSteps readAround(const Replay& replay, const ProjectValue& now, StateReader& reader,
+                     const Progress& progress) {
     ReadSteps read{replay.index, replay.index, {now}};
-    const auto fractionRead = [&] {
-        return static_cast<double>(read.projects.size()) / static_cast<double>(replay.steps.size() + 1);
-    };
+    ProgressParts steps(progress);
+    const double step = 1 / static_cast<double>(replay.steps.size() + 1);
     const auto tryToRead = [&](std::size_t place) -> ProjectValue {
         try {
-            return reader.read(replay.at(place), fractionRead());
+            return reader.read(replay.at(place), steps.next(step));
         } catch (const InvalidModel&) {
             return nullptr;
         }
@@ -209,10 +212,12 @@ fs::path recordsOf(const fs::path& journal) {
     return journal / "records";
 }
 
-std::optional<Replay> replayOf(const fs::path& journal) {
+std::optional<Replay> replayOf(const fs::path& journal, const Progress& progress) {
     try {
-        const JournalRecords read = readRecords(journal);
+        const JournalRecords read = readRecords(journal, progress);
         return replay(read.records, read.records.size(), Document::mostSteps);
+    } catch (const Cancelled&) {
+        throw;
     } catch (const std::exception&) {
         return std::nullopt;
     }
@@ -225,15 +230,17 @@ QString organNameIn(const StoredState& state) {
 }
 
 BroughtBack readJournal(const fs::path& journal, const Progress& progress) {
-    const JournalRecords read = readRecords(journal);
-    StateReader reader(journal, progress);
-    const ReadLatest latest = readLatest(statesAfter(read.records, Document::mostSteps), reader);
+    ProgressParts parts(progress);
+    const JournalRecords read = readRecords(journal, parts.next(0.2));
+    StateReader reader(journal);
+    const ReadLatest latest =
+        readLatest(statesAfter(read.records, Document::mostSteps), reader, parts.next(0.4));
     if (!latest.project)
         throw FileError(journal, "holds nothing that can be read: " + latest.problem + "; discard it");
     BroughtBack back;
     back.warnings = reader.warnings();
     const Replay replayed = *replay(read.records, latest.records, Document::mostSteps);
-    const ReadSteps steps = readAround(replayed, latest.project, reader);
+    const ReadSteps steps = readAround(replayed, latest.project, reader, parts.rest());
     back.state = stateOf(replayed, steps);
     takeFile(back.state.file, replayed.file);
     back.view = replayed.view;
@@ -241,6 +248,7 @@ BroughtBack readJournal(const fs::path& journal, const Progress& progress) {
         back.warnings.emplace_back("The end of the journal cannot be read: the latest edits are lost");
     if (steps.projects.size() <= replayed.steps.size())
         back.warnings.emplace_back("Some steps cannot be read: they are missing in the undo list");
+    reportProgress(progress, 1);
     return back;
 }
 

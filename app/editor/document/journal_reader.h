@@ -8,7 +8,8 @@ namespace esm {
 std::filesystem::path recordsOf(const std::filesystem::path& journal);
 
 /// What the records of a journal come to; none where not even the first can be read.
-std::optional<Replay> replayOf(const std::filesystem::path& journal);
+/// @throws Cancelled
+std::optional<Replay> replayOf(const std::filesystem::path& journal, const Progress& progress = {});
 
 /// See bringBack().
 BroughtBack readJournal(const std::filesystem::path& journal, const Progress& progress);

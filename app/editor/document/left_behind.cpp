@@ -44,8 +44,17 @@ Former formerOf(const JournalFile& file) {
     return former;
 }
 
+/// Journals, and copies of earlier versions.
+std::vector<fs::path> placesIn(const fs::path& folder) {
+    std::vector<fs::path> places;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none))
+        if (entry.path().extension() == ".esm" || isJournal(entry.path())) places.push_back(entry.path());
+    return places;
+}
+
 /// False where it holds nothing that would be lost. One that cannot be read may hold something.
-bool isWorthKeeping(LeftBehind& left) {
+bool isWorthKeeping(LeftBehind& left, const Progress& progress) {
     if (!isJournal(left.place)) {
         left.former = formerOfCopy(left.place);
         return true;
@@ -54,7 +63,7 @@ bool isWorthKeeping(LeftBehind& left) {
     std::error_code none;
     if (!fs::exists(records, none)) return false;
     left.written = QFileInfo(nameOf(records)).lastModified();
-    const auto replay = replayOf(left.place);
+    const auto replay = replayOf(left.place, progress);
     if (!replay) return true;
     left.former = formerOf(replay->file);
     if (left.former.title.isEmpty()) left.former.title = organNameIn(replay->now());
@@ -63,21 +72,23 @@ bool isWorthKeeping(LeftBehind& left) {
 
 } // namespace
 
-std::vector<LeftBehind> leftBehindIn(const fs::path& folder) {
+std::vector<LeftBehind> leftBehindIn(const fs::path& folder, const Progress& progress) {
+    const std::vector<fs::path> places = placesIn(folder);
+    ProgressParts parts(progress);
     std::vector<LeftBehind> found;
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(folder, none)) {
-        const fs::path& place = entry.path();
-        if (place.extension() != ".esm" && !isJournal(place)) continue;
+    for (const fs::path& place : places) {
+        const Progress reading = parts.next(1 / static_cast<double>(places.size()));
+        reportProgress(reading, 0);
         LeftBehind left{place, {}, QFileInfo(nameOf(place)).lastModified(), lockBeside(place)};
         if (!left.lock->tryLock()) continue;
-        if (isWorthKeeping(left))
+        if (isWorthKeeping(left, reading))
             found.push_back(std::move(left));
         else
             discard(left);
     }
     std::sort(found.begin(), found.end(),
               [](const LeftBehind& a, const LeftBehind& b) { return a.written > b.written; });
+    reportProgress(progress, 1);
     return found;
 }
 

@@ -22,8 +22,8 @@ struct LeftBehind {
     std::shared_ptr<QLockFile> lock;
 };
 
-/// The latest first. Journals whose work was saved are removed.
-std::vector<LeftBehind> leftBehindIn(const std::filesystem::path& folder);
+/// The latest first. Journals whose work was saved are removed. @throws Cancelled
+std::vector<LeftBehind> leftBehindIn(const std::filesystem::path& folder, const Progress& progress = {});
 
 void discard(const LeftBehind& left);
 

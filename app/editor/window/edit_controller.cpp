@@ -151,8 +151,10 @@ void EditController::simulateNodes(std::size_t nodes) {
     attempt(&m_window, tr("The surface cannot be simulated so"), [&] {
         const Detail detail{Detail::Kind::Nodes, nodes};
         const Project project = m_document.project();
-        const Project changed = computeLong(&m_window, tr("Binding the surface to its nodes"),
-                                            [&](const Progress&) { return withDetail(project, detail); });
+        const Project changed = computeLong(
+            &m_window, tr("Binding the surface to its nodes"),
+            [&](const Progress& progress) { return withDetail(project, detail, progress); },
+            Cancelling::Offered);
         m_document.edit(tr("Choose simulated nodes"),
                         [&](Project& edited) { takeSimulated(edited, changed); });
     });

@@ -165,8 +165,9 @@ void FileController::importMesh(const std::filesystem::path& file) {
         runLongWork(
             &m_window, title,
             [&](const Progress& progress) {
-                soup = std::make_shared<const PolygonSoup>(readMeshFile(file, progress));
-                found = std::make_shared<const ImportedSurface>(importedSurface(*soup, {}, progress));
+                ProgressParts parts(progress);
+                soup = std::make_shared<const PolygonSoup>(readMeshFile(file, parts.next(0.5)));
+                found = std::make_shared<const ImportedSurface>(importedSurface(*soup, {}, parts.rest()));
             },
             Cancelling::Offered);
         ImportDialog dialog(fileName(file), soup, found, &m_window);
@@ -177,10 +178,12 @@ void FileController::importMesh(const std::filesystem::path& file) {
         Project project = computeLong(
             &m_window, title,
             [&](const Progress& progress) {
+                ProgressParts parts(progress);
                 PolygonSoup metres = *soup;
                 convertToMetres(metres, choice.unit, choice.up);
-                return makeProject(file.stem().string(), repair(metres, repairOptions(choice), progress),
-                                   std::nullopt, choice.detail);
+                RepairedMesh mesh = repair(metres, repairOptions(choice), parts.next(0.5));
+                return makeProject(file.stem().string(), std::move(mesh), std::nullopt, choice.detail,
+                                   parts.rest());
             },
             Cancelling::Offered);
         m_document.replace(std::move(project), std::nullopt, Origin::Unsaved);
@@ -202,9 +205,10 @@ std::shared_ptr<const Atlas> FileController::atlasForPhotos() {
     if (project.mesh->triangles.empty())
         throw InvalidModel(tr("This model has no surface to lay a photo on.").toStdString());
     if (project.atlas) return project.atlas;
-    return std::make_shared<const Atlas>(
-        computeLong(&m_window, tr("Packing the texture"),
-                    [&](const Progress&) { return packFitting(*project.mesh, project.texture.atlas); }));
+    return std::make_shared<const Atlas>(computeLong(
+        &m_window, tr("Packing the texture"),
+        [&](const Progress& progress) { return packFitting(*project.mesh, project.texture.atlas, progress); },
+        Cancelling::Offered));
 }
 
 void FileController::addPhoto(const std::filesystem::path& file) {
@@ -258,13 +262,16 @@ void FileController::write(const std::filesystem::path& file, const std::optiona
     m_document.keepEditorState(m_asked.editorState());
     const Project project = m_document.project();
     std::optional<FileVersion> written;
-    runLongWork(&m_window, tr("Saving %1").arg(fileName(file)), [&](const Progress&) {
-        const FileLock lock(file);
-        if (versionOf(file) != replaced)
-            throw FileError(file, tr("another program has just changed it; save again").toStdString());
-        saveProject(project, file);
-        written = versionOf(file);
-    });
+    runLongWork(
+        &m_window, tr("Saving %1").arg(fileName(file)),
+        [&](const Progress& progress) {
+            const FileLock lock(file);
+            if (versionOf(file) != replaced)
+                throw FileError(file, tr("another program has just changed it; save again").toStdString());
+            saveProject(project, file, progress);
+            written = versionOf(file);
+        },
+        Cancelling::UntilDone);
     m_document.setFileVersion(written);
     m_document.markSaved(file, project);
     noteOpened(file);
@@ -281,15 +288,19 @@ void FileController::exportTo(const std::filesystem::path& file) {
             [&](const Progress& progress) {
                 exportProject(project, exporter, file, {progress, previewPicture});
             },
-            Cancelling::Offered);
+            Cancelling::UntilDone);
         emit exported(QString::fromStdString(file.string()));
     });
 }
 
 void FileController::offerLeftBehind(Journal& journal) {
-    // Journals may be long.
-    std::vector<LeftBehind> found = computeLong(&m_window, tr("Looking for unsaved work"),
-                                                [&](const Progress&) { return journal.leftBehind(); });
+    std::vector<LeftBehind> found;
+    // Journals may be long. Those that nobody waits for are offered at the next start.
+    attempt(&m_window, tr("Unsaved work cannot be looked for"), [&] {
+        found = computeLong(
+            &m_window, tr("Looking for unsaved work"),
+            [&](const Progress& progress) { return journal.leftBehind(progress); }, Cancelling::Offered);
+    });
     if (found.empty()) return;
     LeftBehind& latest = found.front();
     const QString title = latest.former.title.isEmpty() ? tr("an organ") : latest.former.title;

@@ -183,6 +183,7 @@ void MainWindow::connectParts() {
     connect(m_view, &OrganView::drawn, m_status, &StatusLine::countPicture);
     connect(m_cameraControls, &CameraControls::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
+    connect(m_viewController, &ViewController::redrawing, m_status, &StatusLine::showWork);
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
     connect(m_files, &FileController::broughtBack, this, &MainWindow::showAgain);

@@ -187,6 +187,12 @@ void StatusLine::showNote(const QString& note, const QString& explanation) {
     if (!m_messageTimer.isActive()) showLasting();
 }
 
+void StatusLine::showWork(const QString& work) {
+    if (work == m_work) return;
+    m_work = work;
+    if (!m_messageTimer.isActive()) showLasting();
+}
+
 QString StatusLine::problem() const {
     for (const QString& text : {m_failure, m_pictureFailure, m_journalFailure, m_recovery})
         if (!text.isEmpty()) return text;
@@ -198,6 +204,8 @@ void StatusLine::showLasting() {
     const QString text = problem();
     if (!text.isEmpty())
         showText(text, text, true);
+    else if (!m_work.isEmpty())
+        showText(m_work, m_work, false);
     else if (!m_shortening.isEmpty())
         showText(m_shortening, m_shortening, false);
     else

@@ -43,6 +43,8 @@ public:
     void showPictureFailure(const QString& reason);
     /// Why unsaved work is not written down; stays until it is empty.
     void showJournalFailure(const QString& reason);
+    /// What is computed beside the window; stays until it is empty.
+    void showWork(const QString& work);
     /// What the preview leaves out, and more of it for who asks; stays while nothing else is to be said.
     void showNote(const QString& note, const QString& explanation);
 
@@ -64,7 +66,8 @@ private:
     PassingTime m_clock;
     qint64 m_since; ///< ms, pictures are counted
     int m_pictures = 0;
-    QString m_failure, m_pictureFailure, m_journalFailure, m_recovery, m_shortening, m_note, m_noteExplained;
+    QString m_failure, m_pictureFailure, m_journalFailure, m_recovery, m_shortening, m_work, m_note,
+        m_noteExplained;
 };
 
 } // namespace esm

@@ -31,8 +31,8 @@ ViewLegend viewLegend(const ColourLegend& legend) {
     return shown;
 }
 
-/// Quick work needs no announcement; long work is announced again before the line forgets it.
-constexpr std::chrono::milliseconds redrawingPatience{400}, redrawingReminder{5000};
+/// Quick work needs no announcement; of long work it is told how far it is.
+constexpr std::chrono::milliseconds redrawingPatience{400}, redrawingNews{100};
 
 /// Photos are seen without what tells of tissue.
 void enableTissueParts(const Actions& actions, bool on) {
@@ -142,7 +142,7 @@ void ViewController::takeTissue() {
 void ViewController::composePhotos() {
     const Project& project = m_document.project();
     m_moving.follow(project);
-    if (project.layers.empty() || !project.atlas || m_moving.isMoving()) return endRedrawing({});
+    if (project.layers.empty() || !project.atlas || m_moving.isMoving()) return endRedrawing();
     expectPhotos();
 }
 
@@ -151,16 +151,13 @@ void ViewController::expectPhotos() {
 }
 
 void ViewController::announceRedrawing() {
-    m_redrawingAnnounced = true;
-    m_redrawing.start(redrawingReminder);
-    emit message(tr("Redrawing the photos…"));
+    m_redrawing.start(redrawingNews);
+    emit redrawing(tr("Redrawing the photos… %1 %").arg(static_cast<int>(100 * m_composer.progress())));
 }
 
-void ViewController::endRedrawing(const QString& result) {
+void ViewController::endRedrawing() {
     m_redrawing.stop();
-    const bool wasAnnounced = std::exchange(m_redrawingAnnounced, false);
-    // Without a result the announcement alone is taken back.
-    if (wasAnnounced || !result.isEmpty()) emit message(result);
+    emit redrawing({});
 }
 
 void ViewController::rebuildScene() {
@@ -272,9 +269,9 @@ void ViewController::showTexture() {
     rebuild({&ViewController::dressOrgan, &ViewController::showProjector});
     if (m_moving.isMoving()) return;
     const TextureComposer::Composed composed = m_composer.composition();
-    endRedrawing(composed.pages
-                     ? tr("Photos redrawn in %1 s").arg(numberText(composed.milliseconds / 1000, 2))
-                     : QString());
+    endRedrawing();
+    if (composed.pages)
+        emit message(tr("Photos redrawn in %1 s").arg(numberText(composed.milliseconds / 1000, 2)));
     if (m_composer.isWorking()) m_redrawing.start(redrawingPatience);
     const QString failure = QString::fromStdString(composed.failure);
     emit pictureFailed(failure.isEmpty() ? QString() : tr("The photos cannot be composed: %1").arg(failure));

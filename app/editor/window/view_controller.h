@@ -31,6 +31,8 @@ public:
 
 signals:
     void message(const QString& text);
+    /// How far the photos are redrawn, where that takes long; empty when they are.
+    void redrawing(const QString& text);
     /// Why the photos are not on the organ; empty when they are.
     void pictureFailed(const QString& reason);
 
@@ -49,8 +51,7 @@ private:
     void composePhotos();
     void expectPhotos();
     void announceRedrawing();
-    /// @param result what became of it; empty when nothing is left to redraw
-    void endRedrawing(const QString& result);
+    void endRedrawing();
     /// Makes the picture anew.
     void rebuildScene();
     /// Makes some parts of it anew.
@@ -75,7 +76,6 @@ private:
     MovingPhoto m_moving{m_composer};
     Theme m_theme = Theme::Dark;
     QTimer m_redrawing; ///< runs while the photos are redrawn
-    bool m_redrawingAnnounced = false;
     bool m_textureWorkspace = false;
     ViewState m_state;                           ///< as the user wants it
     Cut m_cut;                                   ///< while it is cut open

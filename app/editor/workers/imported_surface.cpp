@@ -29,11 +29,15 @@ std::vector<SurfacePart> partsOf(const TriangleMesh& mesh) {
 
 ImportedSurface importedSurface(const PolygonSoup& soup, const RepairOptions& options,
                                 const Progress& progress) {
-    RepairedMesh repaired = repair(soup, options, progress);
+    ProgressParts parts(progress);
+    RepairedMesh repaired = repair(soup, options, parts.next(0.8));
     auto mesh = std::make_shared<const TriangleMesh>(std::move(repaired.mesh));
-    reportProgress(progress, -1);
-    return {mesh, boundingBox(mesh->vertices).sizes(), std::move(repaired.report), partsOf(*mesh),
-            openBordersOf(*mesh)};
+    ImportedSurface surface{
+        mesh, boundingBox(mesh->vertices).sizes(), std::move(repaired.report), partsOf(*mesh), {}};
+    reportProgress(parts.next(0.1), 1);
+    surface.borders = openBordersOf(*mesh);
+    reportProgress(progress, 1);
+    return surface;
 }
 
 } // namespace esm

@@ -2,6 +2,7 @@
 
 #include "core/support/errors.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace esm {
@@ -18,6 +19,14 @@ TextureComposer::Composed TextureComposer::composition() const {
     return none;
 }
 
+/// Whether what is kept shows a project's layers.
+bool TextureComposer::lies(const Project& project) const {
+    const Composition& kept = m_kept.composition;
+    return kept.pages && kept.baseColour == project.texture.baseColour &&
+           std::equal(kept.layers.begin(), kept.layers.end(), project.layers.begin(), project.layers.end(),
+                      looksTheSame);
+}
+
 /// Brings what is kept up to date with a project's layers.
 void TextureComposer::keepPages(const Worker::Task& task) {
     const Project& project = task.question;
@@ -27,18 +36,26 @@ void TextureComposer::keepPages(const Worker::Task& task) {
         m_kept.smaller = nullptr;
     }
     m_kept.atlas = project.atlas;
-    const Progress goOn = task.progress([&](const Project& next) { return next.atlas != project.atlas; });
+    const Progress goOn = task.progress(
+        [&](const Project& next) { return next.atlas != project.atlas || (lies(next) && !lies(project)); });
+    ProgressParts parts([&](double fraction) {
+        m_progress = fraction;
+        return goOn(fraction);
+    });
     auto pages = std::make_shared<const std::vector<Image>>(
         recomposite(*project.mesh, *project.atlas, m_kept.composition, project.layers,
-                    project.texture.baseColour, m_kept.cache, goOn));
+                    project.texture.baseColour, m_kept.cache, parts.next(0.95)));
+    const Progress reducing = parts.rest();
     m_kept.smaller = std::make_shared<const SmallerPages>(
-        m_kept.smaller ? esm::smallerPages(*project.atlas, *pages, *m_kept.composition.pages, *m_kept.smaller)
-                       : esm::smallerPages(*project.atlas, *pages));
+        m_kept.smaller
+            ? esm::smallerPages(*project.atlas, *pages, *m_kept.composition.pages, *m_kept.smaller, reducing)
+            : esm::smallerPages(*project.atlas, *pages, reducing));
     m_kept.composition = {project.layers, project.texture.baseColour, pages};
 }
 
 TextureComposer::Composed TextureComposer::compositionOf(const Worker::Task& task) {
     using Milliseconds = std::chrono::duration<double, std::milli>;
+    m_progress = 0;
     const Project& project = task.question;
     if (!project.atlas || project.layers.empty()) {
         m_kept = {};

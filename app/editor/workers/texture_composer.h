@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace esm {
 
 /// Composes the layers into the atlas on a thread of its own, of a surface and atlas that stay only what
 /// changed. A project that comes while it works waits; only the latest is kept. Another mesh or atlas stops
-/// the work at once.
+/// the work at once, and so does an edit that is taken back: what lies there then is what is asked for.
 class TextureComposer : public QObject {
     Q_OBJECT
 
@@ -37,6 +38,8 @@ public:
 
     /// Whether a composition is under way or waits.
     bool isWorking() const { return m_worker.isWorking(); }
+    /// Of the composition under way, how much is done, 0 to 1.
+    double progress() const { return m_progress; }
     /// The last. As one value: what is asked for later may be of the next.
     Composed composition() const;
 
@@ -57,7 +60,10 @@ private:
     Composed compositionOf(const Worker::Task& task);
     void keepPages(const Worker::Task& task);
 
+    bool lies(const Project& project) const;
+
     Kept m_kept;
+    std::atomic<double> m_progress = 0;
     Worker m_worker;
 };
 

@@ -156,9 +156,11 @@ std::string recordLine(const Json& record) {
     return checkSum(json) + ' ' + json + '\n';
 }
 
-JournalRecords recordsIn(std::string_view text) {
+JournalRecords recordsIn(std::string_view text, const Progress& progress) {
+    const auto all = static_cast<double>(text.size());
     JournalRecords found;
     while (!text.empty()) {
+        reportProgress(progress, 1 - static_cast<double>(text.size()) / all);
         const std::size_t end = text.find('\n');
         if (end == std::string_view::npos) return found;
         std::optional<Json> record = recordIn(text.substr(0, end));

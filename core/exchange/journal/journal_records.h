@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/support/progress.h"
 
 #include <nlohmann/json.hpp>
 
@@ -86,6 +87,6 @@ struct JournalRecords {
     std::vector<nlohmann::ordered_json> records;
     bool areWhole = true; ///< else there is more, that cannot be read; a torn last line is no damage
 };
-JournalRecords recordsIn(std::string_view text);
+JournalRecords recordsIn(std::string_view text, const Progress& progress = {}); ///< @throws Cancelled
 
 } // namespace esm

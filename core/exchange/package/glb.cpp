@@ -32,10 +32,18 @@ void pad(Bytes& bytes, std::uint8_t filler) {
         bytes.push_back(filler);
 }
 
-void appendChunk(Bytes& file, std::uint32_t type, const Bytes& content) {
-    appendLittleEndian(file, static_cast<std::uint32_t>(content.size()));
+std::size_t paddedSize(std::size_t size) {
+    return (size + 3) / 4 * 4;
+}
+
+/// @param content bytes or text
+template<typename Content>
+void appendChunk(Bytes& file, std::uint32_t type, const Content& content, std::uint8_t filler) {
+    const std::size_t size = paddedSize(content.size());
+    appendLittleEndian(file, static_cast<std::uint32_t>(size));
     appendLittleEndian(file, type);
     file.insert(file.end(), content.begin(), content.end());
+    file.resize(file.size() + size - content.size(), filler);
 }
 
 std::uint32_t wordAt(const Bytes& file, std::size_t place) {
@@ -60,18 +68,17 @@ std::size_t announcedSize(const Bytes& file) {
 
 Bytes writeGlb(const Glb& glb) {
     const std::string text = glb.json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    Bytes json(text.begin(), text.end()), binary = glb.binary, file;
-    pad(json, ' ');
-    pad(binary, 0);
-    const std::size_t size = headerSize + 2 * chunkHeaderSize + json.size() + binary.size();
+    Bytes file;
+    const std::size_t size =
+        headerSize + 2 * chunkHeaderSize + paddedSize(text.size()) + paddedSize(glb.binary.size());
     if (size > std::numeric_limits<std::uint32_t>::max())
         throw InvalidModel(
             "the package would be larger than the 4 GiB a GLB can hold; use smaller or fewer textures");
     file.reserve(size);
     for (const std::uint32_t word : {magic, std::uint32_t{2}, static_cast<std::uint32_t>(size)})
         appendLittleEndian(file, word);
-    appendChunk(file, jsonChunk, json);
-    appendChunk(file, binaryChunk, binary);
+    appendChunk(file, jsonChunk, text, ' ');
+    appendChunk(file, binaryChunk, glb.binary, 0);
     return file;
 }
 

@@ -25,6 +25,8 @@ struct Ingredients {
     Image preview;                                   ///< empty: none
 };
 
+constexpr double pagesShare = 0.8; ///< of building, that the pictures of pages take
+
 /// Accessors that the drawn mesh and the extension share.
 struct Shared {
     std::size_t nodePositions = 0, springNodes = 0, vertexPositions = 0, vertexNodes = 0, triangles = 0;
@@ -33,7 +35,7 @@ struct Shared {
 class PackageBuilder {
 public:
     PackageBuilder(const Ingredients& from, const Progress& progress)
-        : m_from(from), m_network(*from.tissue.network), m_mesh(*from.project.mesh), m_progress(progress),
+        : m_from(from), m_network(*from.tissue.network), m_mesh(*from.project.mesh), m_parts(progress),
           m_normals(vertexNormals(m_mesh.vertices, m_mesh.triangles)), m_arrays(m_glb) {}
 
     Glb build();
@@ -64,18 +66,19 @@ private:
     bool isBound() const { return m_network.binding && !m_mesh.vertices.empty(); }
     PageVertices pageVertices(const std::vector<std::uint32_t>& triangles) const;
     Json drawnPages(Json& drawn);
-    Json drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, Json& drawn);
+    Json drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, const Progress& progress,
+                   Json& drawn);
     Json drawnSurface(Json& drawn);
     Json drawnNetwork(Json& drawn);
     void addMaterial(const Json& colour);
-    std::size_t addImage(const Image& image, double texelsPerMetre);
-    std::size_t addTexture(const Image& page);
+    std::size_t addImage(const Image& image, double texelsPerMetre, const Progress& progress);
+    std::size_t addTexture(const Image& page, const Progress& progress);
     std::size_t addPreview();
 
     const Ingredients& m_from;
     const SpringNetwork& m_network;
     const TriangleMesh& m_mesh;
-    const Progress& m_progress;
+    ProgressParts m_parts;
     const std::vector<Eigen::Vector3d> m_normals;
     Glb m_glb;
     GltfArrays m_arrays;
@@ -229,21 +232,21 @@ void PackageBuilder::addMaterial(const Json& colour) {
     m_glb.json["materials"].push_back({{"pbrMetallicRoughness", std::move(surface)}, {"doubleSided", true}});
 }
 
-std::size_t PackageBuilder::addImage(const Image& image, double texelsPerMetre) {
+std::size_t PackageBuilder::addImage(const Image& image, double texelsPerMetre, const Progress& progress) {
     Json& images = m_glb.json["images"];
-    const Bytes png = encodePng(image, texelsPerMetre);
+    const Bytes png = encodePng(image, texelsPerMetre, progress);
     images.push_back({{"bufferView", m_arrays.addFile(png)}, {"mimeType", "image/png"}});
     return images.size() - 1;
 }
 
-std::size_t PackageBuilder::addTexture(const Image& page) {
-    const std::size_t image = addImage(page, m_from.project.atlas->texelsPerMetre);
+std::size_t PackageBuilder::addTexture(const Image& page, const Progress& progress) {
+    const std::size_t image = addImage(page, m_from.project.atlas->texelsPerMetre, progress);
     m_glb.json["textures"].push_back({{"sampler", 0}, {"source", image}});
     return m_glb.json["textures"].size() - 1;
 }
 
 std::size_t PackageBuilder::addPreview() {
-    const std::size_t image = addImage(m_from.preview, 0);
+    const std::size_t image = addImage(m_from.preview, 0, {});
     m_glb.json["images"][image]["name"] = "preview";
     return image;
 }
@@ -266,18 +269,25 @@ PackageBuilder::PageVertices PackageBuilder::pageVertices(const std::vector<std:
     return vertices;
 }
 
-Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, Json& drawn) {
+Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles,
+                               const Progress& progress, Json& drawn) {
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
     const PageVertices vertices = pageVertices(triangles);
+    reportProgress(parts.next(0.1), 1);
     std::vector<std::uint32_t> indices(vertices.nodes.size());
     std::iota(indices.begin(), indices.end(), 0U);
-    const Json attributes{
-        {"POSITION", m_arrays.addFloats(coordinates(vertices.positions, "coordinate"), GltfType::Vec3,
-                                        GltfTarget::Vertices)},
-        {"NORMAL",
-         m_arrays.addFloats(coordinates(vertices.normals, "normal"), GltfType::Vec3, GltfTarget::Vertices)},
-        {"TEXCOORD_0", m_arrays.addFloats(vertices.places, GltfType::Vec2, GltfTarget::Vertices)}};
+    Json attributes;
+    attributes["POSITION"] = m_arrays.addFloats(coordinates(vertices.positions, "coordinate"), GltfType::Vec3,
+                                                GltfTarget::Vertices);
+    reportProgress(parts.next(0.1), 1);
+    attributes["NORMAL"] =
+        m_arrays.addFloats(coordinates(vertices.normals, "normal"), GltfType::Vec3, GltfTarget::Vertices);
+    reportProgress(parts.next(0.1), 1);
+    attributes["TEXCOORD_0"] = m_arrays.addFloats(vertices.places, GltfType::Vec2, GltfTarget::Vertices);
     const std::size_t order = m_arrays.addIndices(indices, GltfTarget::Indices);
-    const std::size_t texture = addTexture((*m_from.pages)[page]);
+    const std::size_t texture = addTexture((*m_from.pages)[page], parts.next(0.6));
+    reportProgress(parts.rest(), 0);
     addMaterial({{"baseColorTexture", {{"index", texture}}}});
     drawn.push_back({{"mesh", 0},
                      {"primitive", drawn.size()},
@@ -296,8 +306,8 @@ Json PackageBuilder::drawnPages(Json& drawn) {
         pages[m_from.project.atlas->page[triangle]].push_back(triangle);
     Json primitives = Json::array();
     for (std::size_t page = 0; page < pages.size(); ++page) {
-        reportProgress(m_progress, 0.5 + 0.5 * static_cast<double>(page) / static_cast<double>(pages.size()));
-        if (!pages[page].empty()) primitives.push_back(drawnPage(page, pages[page], drawn));
+        const Progress progress = m_parts.next(pagesShare / static_cast<double>(pages.size()));
+        if (!pages[page].empty()) primitives.push_back(drawnPage(page, pages[page], progress, drawn));
     }
     return primitives;
 }
@@ -348,6 +358,7 @@ Glb PackageBuilder::build() {
                      {"generator", std::string("Elastodynamic Shape Modeler ") + ESM_VERSION}};
     gltf["extensionsUsed"] = Json::array({package_layout::extension});
     Json springMass = extension(), drawn = Json::array();
+    reportProgress(m_parts.next(1 - pagesShare), 1);
     Json primitives = m_mesh.triangles.empty() ? drawnNetwork(drawn)
                       : m_from.pages           ? drawnPages(drawn)
                                                : drawnSurface(drawn);
@@ -367,22 +378,23 @@ Glb PackageBuilder::build() {
 std::shared_ptr<const std::vector<Image>> bakedPages(const Project& project, const Progress& progress) {
     if (!project.atlas) return nullptr;
     return std::make_shared<const std::vector<Image>>(
-        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
-                  [&](double fraction) { return !progress || progress(0.5 * fraction); }));
+        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, progress));
 }
 
 } // namespace
 
 void writePackage(const Handover& handover, const std::filesystem::path& file, const HandoverMeans& means) {
     const auto& [project, tissue] = handover;
-    Ingredients ingredients{project, tissue, bakedPages(project, means.progress), {}};
+    ProgressParts parts(means.progress);
+    Ingredients ingredients{project, tissue, bakedPages(project, parts.next(project.atlas ? 0.6 : 0)), {}};
     if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages);
-    PackageBuilder builder(ingredients, means.progress);
+    reportProgress(parts.next(0.05), 1);
+    PackageBuilder builder(ingredients, parts.next(0.3));
     const Glb glb = builder.build();
     if (!builder.problems().empty()) throw InvalidModel(builder.problems());
+    reportProgress(parts.next(0.01), 1);
     const Bytes content = writeGlb(glb);
-    reportProgress(means.progress, 1);
-    writeFileAtomically(file, content);
+    writeFileAtomically(file, content, parts.rest());
 }
 
 } // namespace esm

@@ -31,9 +31,11 @@ namespace {
 /// The entries while they are read. Problems are collected, so that one pass finds all of them.
 class Source {
 public:
-    Source(const ContentSource& entries, SharedParts& shared, const Progress& progress,
+    /// @param steps entries to read, photos to decode and to prepare
+    Source(const ContentSource& entries, SharedParts& shared, const Progress& progress, std::size_t steps,
            std::vector<std::string>& problems)
-        : m_entries(entries), m_shared(shared), m_progress(progress), m_problems(problems) {}
+        : m_entries(entries), m_shared(shared), m_parts(progress), m_step(1 / static_cast<double>(steps + 1)),
+          m_problems(problems) {}
 
     /// What another project has read from the same entries already, or else what `make` gives.
     /// @param kind with what else it depends on
@@ -63,7 +65,7 @@ public:
                 throw InvalidModel("the entry " + entry +
                                    " would unpack to more than the 2 GiB a project may have");
             m_budget -= size;
-            Bytes content = m_entries.bytes(entry, size);
+            Bytes content = m_entries.bytes(entry, size, nextStep());
             if (content.size() == size) return content;
             m_problems.push_back(entry + " should have " + std::to_string(size) + " bytes, but has " +
                                  std::to_string(content.size()));
@@ -80,7 +82,7 @@ public:
         if (format.width > 0 && format.height > 0 && format.width <= most / format.height) {
             takePixels(format.width * format.height, name);
         }
-        return decodePhoto(name, std::move(encoded), m_progress);
+        return decodePhoto(name, std::move(encoded), nextStep());
     }
 
     /// Prepares a layer's photo, where the picture has room beside the other ones.
@@ -90,7 +92,7 @@ public:
         try {
             takePixels(layer.photo->image.pixels.size() / 4, layer.photo->fileName);
             if (takePrepared(layer, preparation)) return;
-            esm::prepare(layer, preparation);
+            esm::prepare(layer, preparation, nextStep());
             m_shared.preparations.push_back({layer.photo, preparation, layer.prepared});
         } catch (const InvalidModel& error) {
             for (const std::string& problem : error.problems())
@@ -144,6 +146,8 @@ public:
     bool foundProblems() const { return !m_problems.empty(); }
 
 private:
+    Progress nextStep() { return m_parts.next(m_step); }
+
     /// False where no project has such a picture yet.
     bool takePrepared(TextureLayer& layer, const PhotoPreparation& preparation) const {
         const auto found =
@@ -166,7 +170,8 @@ private:
 
     const ContentSource& m_entries;
     SharedParts& m_shared;
-    const Progress& m_progress;
+    ProgressParts m_parts;
+    double m_step; ///< share of all
     std::vector<std::string>& m_problems;
     std::set<std::string> m_named;
     std::uint64_t m_budget = layout::largestProject;
@@ -337,6 +342,12 @@ Project readContent(const JsonReader& manifest, Source& source) {
     return project;
 }
 
+std::size_t stepsOf(const JsonReader& manifest) {
+    const JsonReader photos = manifest.member("photos");
+    const std::size_t files = photos.member("files").elements().size();
+    return manifest.member("arrays").members().size() + 2 * files + photos.member("layers").elements().size();
+}
+
 /// @throws InvalidModel for what no other version of the reader could make sense of
 void requireKnownVersion(const JsonReader& manifest) {
     if (!manifest.has("format") || manifest.json()["format"] != layout::format)
@@ -358,7 +369,7 @@ ReadContent projectFrom(const Json& manifest, const ContentSource& entries, Shar
     std::vector<std::string> problems;
     const JsonReader reader(manifest, "", problems);
     requireKnownVersion(reader);
-    Source source(entries, shared, progress, problems);
+    Source source(entries, shared, progress, stepsOf(reader), problems);
     Project project = readContent(reader, source);
     if (problems.empty()) problems = validate(project);
     if (!problems.empty()) return {{}, eachOnce(problems), {}};
@@ -370,6 +381,7 @@ ReadContent projectFrom(const Json& manifest, const ContentSource& entries, Shar
             warnings.push_back(std::move(warning));
     for (std::string& warning : projectWarnings(project))
         warnings.push_back(std::move(warning));
+    reportProgress(progress, 1);
     return {std::move(project), {}, std::move(warnings)};
 }
 

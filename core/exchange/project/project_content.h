@@ -54,8 +54,8 @@ struct SharedParts {
 
 /// Where the entries of a manifest are. None of it can be trusted.
 struct ContentSource {
-    /// At most `largest` bytes. @throws InvalidModel naming the entry where it cannot be had
-    std::function<Bytes(const std::string& entry, std::uint64_t largest)> bytes;
+    /// At most `largest` bytes. @throws InvalidModel naming the entry where it cannot be had; Cancelled
+    std::function<Bytes(const std::string& entry, std::uint64_t largest, const Progress&)> bytes;
     /// The same text for the same bytes. Without it nothing is shared.
     std::function<std::string(const std::string& entry)> nameOfContent{};
 };

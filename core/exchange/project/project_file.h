@@ -18,7 +18,6 @@ struct OpenedProject {
 };
 
 /// Every number comes back as it was saved, bit by bit.
-/// @param progress asked while photos are decoded whether to go on
 /// @throws FileError: missing, not a project, damaged (which entry), or of a newer version; Cancelled
 OpenedProject openProject(const std::filesystem::path& file, const Progress& progress = {});
 
@@ -27,8 +26,8 @@ Project loadProject(const std::filesystem::path& file, const Progress& progress 
 
 /// Saves atomically. The same project gives the same bytes.
 /// @throws FileError, also for a project with problems, which could not be loaded again; an existing file is
-/// then as it was
-void saveProject(const Project& project, const std::filesystem::path& file);
+/// then as it was, as it is where progress says Cancelled
+void saveProject(const Project& project, const std::filesystem::path& file, const Progress& progress = {});
 
 /// All problems at once, and all that opening warns of; empty when the file is whole. @throws FileError
 /// when there is no file to read

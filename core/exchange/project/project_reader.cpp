@@ -28,17 +28,19 @@ bool beginsAsZip(const Bytes& content) {
 }
 
 ReadContent readProject(const std::filesystem::path& file, const Progress& progress) {
-    const Bytes content = readFile(file);
+    ProgressParts parts(progress);
+    const Bytes content = readFile(file, largestFile, parts.next(0.05));
     try {
         if (content.empty()) throw InvalidModel("is empty; choose another file");
         if (!beginsAsZip(content))
             throw InvalidModel("is not a project of this program, but another kind of file, or damaged");
         const ZipReader archive(content);
         SharedParts none;
-        return projectFrom(readManifest(archive), {[&](const std::string& entry, std::uint64_t largest) {
-                               return archive.read(entry, largest);
+        return projectFrom(readManifest(archive),
+                           {[&](const std::string& entry, std::uint64_t largest, const Progress& reading) {
+                               return archive.read(entry, largest, reading);
                            }},
-                           none, progress);
+                           none, parts.rest());
     } catch (const InvalidModel& error) {
         return {{}, error.problems(), {}};
     }

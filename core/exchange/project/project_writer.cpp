@@ -12,10 +12,13 @@ namespace layout = project_layout;
 namespace {
 
 /// The archive's entries, the manifest the first of them.
-std::vector<ZipEntry> entriesOf(const ProjectContent& content, std::vector<std::string>& problems) {
+std::vector<ZipEntry> entriesOf(const ProjectContent& content, std::vector<std::string>& problems,
+                                const Progress& progress) {
     const std::string manifest = manifestText(content.manifest, 1);
     std::vector<ZipEntry> entries{{layout::manifest, Bytes(manifest.begin(), manifest.end()), true}};
+    double made = 0;
     for (const ContentPiece& piece : content.pieces) {
+        reportProgress(progress, made++ / static_cast<double>(content.pieces.size()));
         if (piece.entry != entries.back().name) entries.push_back({piece.entry, {}, !piece.isPacked});
         try {
             const Bytes bytes = piece.bytes();
@@ -61,16 +64,19 @@ void append(std::vector<std::string>& problems, const std::vector<std::string>& 
 
 } // namespace
 
-void saveProject(const Project& project, const std::filesystem::path& file) {
+void saveProject(const Project& project, const std::filesystem::path& file, const Progress& progress) {
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
     refuse(file, validate(project));
     const ProjectContent content = contentOf(project);
     std::vector<std::string> problems;
-    const std::vector<ZipEntry> entries = entriesOf(content, problems);
+    const std::vector<ZipEntry> entries = entriesOf(content, problems, parts.next(0.2));
     append(problems, manifestProblems(project, content.manifest));
     append(problems, sizeProblems(entries));
     refuse(file, problems);
     requireParsable(file, entries.front().content);
-    writeFileAtomically(file, makeZip(entries));
+    const Bytes archive = makeZip(entries, parts.next(0.6));
+    writeFileAtomically(file, archive, parts.rest());
 }
 
 } // namespace esm

@@ -41,6 +41,32 @@ void addEntry(zip_t* archive, const ZipEntry& entry) {
                                      fastest) == 0);
 }
 
+/// What the archive tells while it packs. Calls through C, which exceptions may not pass.
+class Packing {
+public:
+    Packing(zip_t* archive, const Progress& progress) : m_progress(progress) {
+        constexpr double precision = 0.001;
+        zip_register_progress_callback_with_state(archive, precision, tell, nullptr, this);
+        zip_register_cancel_callback_with_state(archive, shouldStop, nullptr, this);
+    }
+    bool isCancelled() const { return m_isCancelled; }
+
+private:
+    static void tell(zip_t*, double fraction, void* packing) {
+        static_cast<Packing*>(packing)->m_fraction = fraction;
+    }
+    static int shouldStop(zip_t*, void* packing) { return static_cast<Packing*>(packing)->ask() ? 0 : 1; }
+
+    bool ask() {
+        m_isCancelled = m_isCancelled || (m_progress && !m_progress(m_fraction));
+        return !m_isCancelled;
+    }
+
+    const Progress& m_progress;
+    double m_fraction = 0;
+    bool m_isCancelled = false;
+};
+
 Bytes contentOf(zip_source_t* source) {
     zip_stat_t status;
     zip_stat_init(&status);
@@ -54,7 +80,7 @@ Bytes contentOf(zip_source_t* source) {
 
 } // namespace
 
-Bytes makeZip(const std::vector<ZipEntry>& entries) {
+Bytes makeZip(const std::vector<ZipEntry>& entries, const Progress& progress) {
     const ZipSource memory(zip_source_buffer_create(nullptr, 0, 0, nullptr));
     require(memory != nullptr);
     Archive archive(zip_open_from_source(memory.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr), &zip_discard);
@@ -62,7 +88,10 @@ Bytes makeZip(const std::vector<ZipEntry>& entries) {
     zip_source_keep(memory.get()); // the archive's own reference goes with zip_close()
     for (const ZipEntry& entry : entries)
         addEntry(archive.get(), entry);
-    require(zip_close(archive.get()) == 0);
+    const Packing packing(archive.get(), progress);
+    const bool isPacked = zip_close(archive.get()) == 0;
+    if (packing.isCancelled()) throw Cancelled();
+    require(isPacked);
     static_cast<void>(archive.release()); // closed
     return contentOf(memory.get());
 }
@@ -81,7 +110,7 @@ ZipReader::ZipReader(const Bytes& archive) : m_handle(std::make_unique<Handle>()
 
 ZipReader::~ZipReader() = default;
 
-Bytes ZipReader::read(const std::string& entry, std::uint64_t largest) const {
+Bytes ZipReader::read(const std::string& entry, std::uint64_t largest, const Progress& progress) const {
     const zip_int64_t index = zip_name_locate(m_handle->archive.get(), entry.c_str(), 0);
     if (index < 0) throw InvalidModel("the entry " + entry + " is missing");
     const File file(zip_fopen_index(m_handle->archive.get(), static_cast<zip_uint64_t>(index), 0));
@@ -90,6 +119,7 @@ Bytes ZipReader::read(const std::string& entry, std::uint64_t largest) const {
     const auto chunk = static_cast<std::size_t>(std::min<std::uint64_t>(1 << 20, largest + 1));
     while (true) {
         const std::size_t before = content.size();
+        reportProgress(progress, static_cast<double>(before) / static_cast<double>(largest + 1));
         content.resize(before + chunk);
         const zip_int64_t got = zip_fread(file.get(), content.data() + before, chunk);
         if (got < 0) throw InvalidModel("the entry " + entry + " is damaged");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/file_io.h"
+#include "core/support/progress.h"
 
 #include <cstdint>
 #include <memory>
@@ -16,7 +17,8 @@ struct ZipEntry {
 };
 
 /// A zip archive in memory. The same entries give the same bytes: no dates, no names of users.
-Bytes makeZip(const std::vector<ZipEntry>& entries);
+/// @throws Cancelled
+Bytes makeZip(const std::vector<ZipEntry>& entries, const Progress& progress = {});
 
 /// Reads a zip archive that cannot be trusted. Sizes are what really comes out, not what the archive claims.
 class ZipReader {
@@ -29,7 +31,8 @@ public:
     ~ZipReader();
 
     /// @throws InvalidModel naming the entry: missing, damaged or larger than `largest` bytes
-    Bytes read(const std::string& entry, std::uint64_t largest) const;
+    /// Cancelled
+    Bytes read(const std::string& entry, std::uint64_t largest, const Progress& progress = {}) const;
 
 private:
     struct Handle;

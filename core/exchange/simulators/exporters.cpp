@@ -33,7 +33,10 @@ const Exporter& exporterFor(const std::filesystem::path& file) {
 void exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
                    const HandoverMeans& means) {
     try {
-        exporter.write(handoverOf(project), file, means);
+        ProgressParts parts(means.progress);
+        const bool packs = !project.atlas && !project.layers.empty();
+        const Handover handover = handoverOf(project, parts.next(packs ? 0.3 : 0.02));
+        exporter.write(handover, file, {parts.rest(), means.drawPreview});
     } catch (const InvalidModel& error) {
         throw FileError(file, std::string("was not exported: ") + error.what());
     }

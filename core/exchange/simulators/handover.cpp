@@ -3,13 +3,15 @@
 
 namespace esm {
 
-Handover handoverOf(const Project& project) {
+Handover handoverOf(const Project& project, const Progress& progress) {
+    reportProgress(progress, 0);
     Handover handover{project, soundModel(project)};
     const TriangleMesh& mesh = *project.mesh;
     if (mesh.triangles.empty())
         handover.project.atlas = nullptr;
     else if (!project.atlas && !project.layers.empty())
-        pack(handover.project);
+        pack(handover.project, progress);
+    reportProgress(progress, 1);
     return handover;
 }
 

@@ -19,12 +19,12 @@ struct Handover {
 };
 
 /// Photos of a project whose atlas is not packed yet get one packed with the project's settings.
-/// @throws InvalidModel with every problem of the project and of the tissue that it comes to
-Handover handoverOf(const Project& project);
+/// @throws InvalidModel with every problem of the project and of the tissue that it comes to; Cancelled
+Handover handoverOf(const Project& project, const Progress& progress = {});
 
 /// What helps to write a handover, beside the handover itself.
 struct HandoverMeans {
-    Progress progress;       ///< fraction done
+    Progress progress;
     DrawPreview drawPreview; ///< none: without a picture
 };
 

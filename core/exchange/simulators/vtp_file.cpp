@@ -24,6 +24,10 @@ template<typename Number> constexpr const char* vtkType() {
 /// The XML and the bytes behind it while they grow.
 class VtpText {
 public:
+    /// @param arrays there will be
+    VtpText(const Progress& progress, std::size_t arrays)
+        : m_parts(progress), m_array(1 / static_cast<double>(arrays)) {}
+
     void add(const std::string& line) { m_text += line + '\n'; }
 
     /// @param unit empty where it has none
@@ -37,6 +41,7 @@ public:
             add(R"(<InformationKey name="UNITS_LABEL" location="vtkDataArray">)" + unit +
                 "</InformationKey>");
         add("</DataArray>");
+        reportProgress(m_parts.next(m_array), 1);
         appendLittleEndian(m_bytes, std::uint64_t{values.size() * sizeof(Number)});
         for (const Number value : values)
             if constexpr (sizeof(Number) == 1)
@@ -55,6 +60,8 @@ public:
     }
 
 private:
+    ProgressParts m_parts;
+    double m_array; ///< share of the whole
     std::string m_text;
     Bytes m_bytes;
 };
@@ -188,11 +195,15 @@ void addCellColumns(const TissueModel& tissue, Content& content) {
         {"rest_length", "m", ofAllCells(content, restLengths, none)}};
 }
 
-Content contentOf(const Handover& handover) {
+Content contentOf(const Handover& handover, const Progress& progress) {
     Content content{pointsOf(*handover.project.mesh, *handover.tissue.network), {}, {}, {}, {}, {}, {}};
+    reportProgress(progress, 0.25);
     addCells(handover, content);
+    reportProgress(progress, 0.5);
     addPointColumns(handover.tissue, content);
+    reportProgress(progress, 0.75);
     addCellColumns(handover.tissue, content);
+    reportProgress(progress, 1);
     return content;
 }
 
@@ -213,8 +224,9 @@ std::string countsOf(const Content& content) {
            count("NumberOfPolys", content.triangles.ends.size());
 }
 
-Bytes vtpOf(const Content& content) {
-    VtpText text;
+Bytes vtpOf(const Content& content, const Progress& progress) {
+    constexpr std::size_t others = 11; // nodes, what is fixed, places, and two of each kind of cells
+    VtpText text(progress, content.ofPoints.size() + content.ofCells.size() + others);
     text.add(R"(<?xml version="1.0" encoding="UTF-8"?>)");
     text.add(R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">)");
     text.add("<PolyData>\n<Piece" + countsOf(content) + ">");
@@ -240,9 +252,11 @@ Bytes vtpOf(const Content& content) {
 } // namespace
 
 void writeVtp(const Handover& handover, const std::filesystem::path& file, const HandoverMeans& means) {
-    const Bytes bytes = vtpOf(contentOf(handover));
-    reportProgress(means.progress, 1);
-    writeFileAtomically(file, bytes);
+    ProgressParts parts(means.progress);
+    const Content content = contentOf(handover, parts.next(0.2));
+    const Bytes bytes = vtpOf(content, parts.next(0.6));
+    reportProgress(parts.next(0.05), 0);
+    writeFileAtomically(file, bytes, parts.rest());
 }
 
 } // namespace esm

@@ -90,19 +90,17 @@ LayoutAt layoutInRows(const Shapes& shapes) {
     std::vector<PatchShape> sorted = shapes.all;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const PatchShape& a, const PatchShape& b) { return a.height > b.height; });
-    return [sorted = std::move(sorted)](const AtlasOptions& options, double scale) {
-        return inMeshOrder(options.layout == AtlasLayout::Rows
-                               ? layoutRows(sorted, scale, roomOf(options))
-                               : layoutMatchedRows(sorted, scale, roomOf(options)),
-                           sorted);
+    return [sorted = std::move(sorted)](const AtlasOptions& options, double scale, const Progress& progress) {
+        const auto layout = options.layout == AtlasLayout::Rows ? layoutRows : layoutMatchedRows;
+        return inMeshOrder(layout(sorted, scale, roomOf(options), progress), sorted);
     };
 }
 
 LayoutAt layoutInGroups(const TriangleMesh& mesh, const Shapes& shapes) {
     // Shared, because a std::function is copied, and the groups that one scale unfolded serve the next.
     const auto groups = std::make_shared<UnfoldedGroups>(mesh, shapes.all);
-    return [groups](const AtlasOptions& options, double scale) {
-        PatchLayout layout = groups->layoutAt(scale, roomOf(options), options.pages);
+    return [groups](const AtlasOptions& options, double scale, const Progress& progress) {
+        PatchLayout layout = groups->layoutAt(scale, roomOf(options), options.pages, progress);
         return inMeshOrder(std::move(layout), groups->order());
     };
 }
@@ -127,10 +125,12 @@ int largestSizeOf(int pages) {
 
 /// The smallest page that holds the shapes at their smallest scale; 0 when none does. Only for the message of
 /// a refusal: a size that is named can be typed in, "too small" can only be guessed at.
-int smallestSize(const LayoutAt& layoutAt, double smallestScale, AtlasOptions options) {
+int smallestSize(const LayoutAt& layoutAt, double smallestScale, AtlasOptions options,
+                 const Progress& progress) {
+    ProgressParts attempts(progress);
     const auto fitsAt = [&](int size) {
         options.size = size;
-        return fits(layoutAt(options, smallestScale), options);
+        return fits(layoutAt(options, smallestScale, attempts.nextOfRest(shareOfAttempt)), options);
     };
     int failing = 0, fitting = largestSizeOf(options.pages);
     if (!fitsAt(fitting)) return 0;
@@ -141,12 +141,14 @@ int smallestSize(const LayoutAt& layoutAt, double smallestScale, AtlasOptions op
     return fitting;
 }
 
-[[noreturn]] void refuseSize(const TriangleMesh& mesh, const Shapes& shapes, const AtlasOptions& options) {
+[[noreturn]] void refuseSize(const TriangleMesh& mesh, const Shapes& shapes, const AtlasOptions& options,
+                             const Progress& progress) {
     const std::string what = "a texture of " + std::to_string(options.size) + " pixels cannot hold " +
                              std::to_string(shapes.all.size()) + " triangles with a gap of " +
                              std::to_string(options.gap) + " pixels on " + std::to_string(options.pages) +
                              (options.pages == 1 ? " page" : " pages");
-    const int size = smallestSize(layoutOf(mesh, shapes, options.layout), shapes.smallestScale, options);
+    const int size =
+        smallestSize(layoutOf(mesh, shapes, options.layout), shapes.smallestScale, options, progress);
     if (size == 0)
         throw InvalidModel(what + ", nor does the largest of " +
                            std::to_string(largestSizeOf(options.pages)) +
@@ -154,23 +156,27 @@ int smallestSize(const LayoutAt& layoutAt, double smallestScale, AtlasOptions op
     throw InvalidModel(what + "; the smallest size that fits is " + std::to_string(size));
 }
 
-ScaledLayout largest(const TriangleMesh& mesh, const Shapes& shapes, const AtlasOptions& options) {
+ScaledLayout largest(const TriangleMesh& mesh, const Shapes& shapes, const AtlasOptions& options,
+                     const Progress& progress) {
+    ProgressParts parts(progress);
     const auto search = options.layout == AtlasLayout::Rows ? largestBySource : largestByHeight;
-    ScaledLayout found = search(layoutOf(mesh, shapes, options.layout), options, rangeOf(shapes, options));
-    if (found.scale == 0) refuseSize(mesh, shapes, options);
+    ScaledLayout found =
+        search(layoutOf(mesh, shapes, options.layout), options, rangeOf(shapes, options), parts.next(0.9));
+    if (found.scale == 0) refuseSize(mesh, shapes, options, parts.rest());
     return found;
 }
 
 /// A given scale needs no search, but pages as many as it takes. Area and longest side are compared first, so
 /// that far too many texels are refused without laying them out.
-ScaledLayout asDenseAsAsked(const TriangleMesh& mesh, const Shapes& shapes, AtlasOptions options) {
+ScaledLayout asDenseAsAsked(const TriangleMesh& mesh, const Shapes& shapes, AtlasOptions options,
+                            const Progress& progress) {
     const std::int64_t pageTexels = std::int64_t{options.size} * options.size;
     options.pages = static_cast<int>(
         std::min<std::int64_t>(texture_limits::mostPages, texture_limits::mostTexels / pageTexels));
     const double scale = options.texelsPerMetre, room = options.size - options.gap;
     PatchLayout layout;
     if (scale * scale * shapes.area < room * room * options.pages && scale * shapes.longest < room)
-        layout = layoutOf(mesh, shapes, options.layout)(options, scale);
+        layout = layoutOf(mesh, shapes, options.layout)(options, scale, progress);
     if (!fits(layout, options))
         throw InvalidModel("so many texels per metre do not fit on " + std::to_string(options.pages) +
                            (options.pages == 1 ? " page of " : " pages of ") + std::to_string(options.size) +
@@ -187,13 +193,14 @@ void checkOptions(AtlasOptions options) {
 
 } // namespace
 
-Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options) {
+Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options, const Progress& progress) {
     checkOptions(options);
     const Shapes shapes = shapesOf(mesh);
     if (!(shapes.area > 0) || !std::isfinite(shapes.area))
         throw InvalidModel("the model has no surface to lay out; textures need triangles with an area");
-    ScaledLayout best =
-        options.texelsPerMetre > 0 ? asDenseAsAsked(mesh, shapes, options) : largest(mesh, shapes, options);
+    reportProgress(progress, 0);
+    ScaledLayout best = options.texelsPerMetre > 0 ? asDenseAsAsked(mesh, shapes, options, progress)
+                                                   : largest(mesh, shapes, options, progress);
     Atlas atlas;
     atlas.options = options;
     if (options.texelsPerMetre > 0) atlas.options.pages = best.layout.pages;
@@ -202,6 +209,7 @@ Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options) {
     atlas.page = std::move(best.layout.page);
     const double pageArea = static_cast<double>(options.size) * options.size * atlas.options.pages;
     atlas.utilisation = shapes.area * atlas.texelsPerMetre * atlas.texelsPerMetre / pageArea;
+    reportProgress(progress, 1);
     return atlas;
 }
 

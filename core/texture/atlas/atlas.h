@@ -2,6 +2,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 #include "core/support/fields.h"
+#include "core/support/progress.h"
 #include "core/texture/texture_limits.h"
 
 #include <array>
@@ -67,8 +68,8 @@ inline constexpr auto fieldsOf<Atlas> =
     std::tuple{field("texelsPerMetre", &Atlas::texelsPerMetre), field("utilisation", &Atlas::utilisation)};
 
 /// As large as the pages allow, or as large as asked for. @throws InvalidModel when size, pages or gap cannot
-/// hold the mesh, naming the smallest size that can
-Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options);
+/// hold the mesh, naming the smallest size that can; Cancelled
+Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options, const Progress& progress = {});
 
 /// Of the edges that two triangles share, the part that is a seam: the two do not lie at it side by side.
 double seamShare(const TriangleMesh& mesh, const Atlas& atlas);

@@ -2,13 +2,13 @@
 
 #include "core/texture/atlas/planar_hull.h"
 #include "core/texture/atlas/waiting_patches.h"
+#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <tbb/parallel_for.h>
 #include <utility>
 
 namespace esm {
@@ -70,7 +70,9 @@ struct GroupPlace {
 /// until a valley needs them.
 class SkylinePacker {
 public:
-    SkylinePacker(const std::vector<TurnedGroup>& groups, double scale, const PageRoom& page, int mostPages)
+    /// @throws Cancelled
+    SkylinePacker(const std::vector<TurnedGroup>& groups, double scale, const PageRoom& page, int mostPages,
+                  const Progress& progress)
         : m_groups(groups), m_scale(scale), m_margin(page.gap / 2), m_page(page), m_mostPages(mostPages),
           m_columnWidth(columnWidth()), m_skyline(static_cast<std::size_t>(page.size / m_columnWidth), 0),
           m_profiles(groups.size()), m_waiting(groups.size()) {
@@ -82,11 +84,13 @@ public:
         m_layout.page.resize(m_layout.corners.size());
         // A point has no area to set its waste against; without this it would never be worth a place.
         m_smallestArea = 1e-6 * m_area / static_cast<double>(groups.size());
-        makeProfiles();
+        makeProfiles(progress);
     }
 
-    PatchLayout pack() {
+    /// @throws Cancelled
+    PatchLayout pack(const Progress& progress) {
         while (!m_waiting.isEmpty()) {
+            reportProgress(progress, m_area > 0 ? m_laidArea / m_area : 0);
             const Valley valley = lowestValley();
             if (const std::optional<GroupPlace> place = bestPlace(valley))
                 lay(*place);
@@ -115,8 +119,9 @@ private:
         return std::max(std::size_t{1}, static_cast<std::size_t>(std::ceil(columns)));
     }
 
-    void makeProfiles() {
-        tbb::parallel_for(std::size_t{0}, m_groups.size(), [&](std::size_t group) {
+    void makeProfiles(const Progress& progress) {
+        constexpr std::size_t block = 64;
+        forEachInBlocks(m_groups.size(), block, progress, [&](std::size_t group) {
             std::vector<OutlineSide> outline = m_groups[group].outline;
             for (OutlineSide& side : outline)
                 for (Eigen::Vector2d& end : side)
@@ -295,8 +300,11 @@ TurnedGroup turned(const UnfoldedGroup& group) {
 }
 
 PatchLayout layoutGroups(const std::vector<TurnedGroup>& groups, double texelsPerMetre, const PageRoom& page,
-                         int mostPages) {
-    return SkylinePacker(groups, texelsPerMetre, page, mostPages).pack();
+                         int mostPages, const Progress& progress) {
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
+    SkylinePacker packer(groups, texelsPerMetre, page, mostPages, parts.next(0.2));
+    return packer.pack(parts.rest());
 }
 
 } // namespace esm

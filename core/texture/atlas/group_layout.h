@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/progress.h"
 #include "core/texture/atlas/group_profile.h"
 #include "core/texture/atlas/patch_layout.h"
 #include "core/texture/atlas/unfolding.h"
@@ -23,6 +24,6 @@ TurnedGroup turned(const UnfoldedGroup& group);
 /// @param mostPages beyond which the layout is given up; its height is then an estimate, and it has no
 /// corners
 PatchLayout layoutGroups(const std::vector<TurnedGroup>& groups, double texelsPerMetre, const PageRoom& page,
-                         int mostPages);
+                         int mostPages, const Progress& progress = {});
 
 } // namespace esm

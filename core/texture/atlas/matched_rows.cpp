@@ -46,8 +46,10 @@ Outline outlineOf(const PatchShape& shape) {
 /// use at all (docs/performance.md).
 class MatchedRowFiller {
 public:
-    MatchedRowFiller(const std::vector<PatchShape>& shapes, double scale, const PageRoom& page)
-        : m_shapes(shapes), m_scale(scale), m_gap(page.gap), m_stack(page), m_waiting(shapes.size()) {
+    MatchedRowFiller(const std::vector<PatchShape>& shapes, double scale, const PageRoom& page,
+                     const Progress& progress)
+        : m_shapes(shapes), m_progress(progress), m_scale(scale), m_gap(page.gap), m_stack(page),
+          m_waiting(shapes.size()) {
         m_outlines.reserve(shapes.size());
         for (const PatchShape& shape : shapes)
             m_outlines.push_back(outlineOf(shape));
@@ -61,6 +63,7 @@ public:
             while (placeNext()) {
             }
         }
+        reportProgress(m_progress, 1);
         m_layout.pages = m_stack.pages();
         m_layout.height = m_stack.totalHeight();
         return std::move(m_layout);
@@ -158,9 +161,12 @@ private:
         m_slant = m_outlines[choice.shape].slants.right(choice.stance);
         m_pointsUp = !m_pointsUp;
         m_waiting.take(choice.link);
+        reportStep(m_progress, m_placed++, m_shapes.size());
     }
 
     const std::vector<PatchShape>& m_shapes;
+    const Progress& m_progress;
+    std::size_t m_placed = 0;
     std::vector<Outline> m_outlines;
     double m_scale, m_gap; ///< pixels per m, pixels
     RowStack m_stack;
@@ -175,9 +181,9 @@ private:
 } // namespace
 
 PatchLayout layoutMatchedRows(const std::vector<PatchShape>& shapes, double texelsPerMetre,
-                              const PageRoom& page) {
+                              const PageRoom& page, const Progress& progress) {
     if (!fitOnAPage(shapes, texelsPerMetre, page)) return {};
-    return MatchedRowFiller(shapes, texelsPerMetre, page).fill();
+    return MatchedRowFiller(shapes, texelsPerMetre, page, progress).fill();
 }
 
 } // namespace esm

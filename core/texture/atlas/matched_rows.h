@@ -8,6 +8,6 @@ namespace esm {
 /// where that helps, so that its slant runs along that of the patch before it. The shapes come tallest first.
 /// Every patch keeps the gap to all others.
 PatchLayout layoutMatchedRows(const std::vector<PatchShape>& shapes, double texelsPerMetre,
-                              const PageRoom& page);
+                              const PageRoom& page, const Progress& progress = {});
 
 } // namespace esm

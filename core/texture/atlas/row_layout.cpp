@@ -83,11 +83,15 @@ bool fitOnAPage(const std::vector<PatchShape>& shapes, double texelsPerMetre, co
     });
 }
 
-PatchLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const PageRoom& page) {
+PatchLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const PageRoom& page,
+                       const Progress& progress) {
     if (!fitOnAPage(shapes, texelsPerMetre, page)) return {};
     RowFiller filler(page, texelsPerMetre, shapes.size());
-    for (const PatchShape& shape : shapes)
-        filler.place(shape);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        reportStep(progress, i, shapes.size());
+        filler.place(shapes[i]);
+    }
+    reportProgress(progress, 1);
     return filler.finish();
 }
 

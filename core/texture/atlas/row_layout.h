@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/progress.h"
 #include "core/texture/atlas/patch_layout.h"
 
 namespace esm {
@@ -34,6 +35,7 @@ bool fitOnAPage(const std::vector<PatchShape>& shapes, double texelsPerMetre, co
 /// Rows of triangles with the third corner alternately up and down [R 4.3.2.2]. The shapes come tallest
 /// first, so that a row's height is known when it starts. Every patch keeps the gap to all others, not just
 /// to the one before.
-PatchLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const PageRoom& page);
+PatchLayout layoutRows(const std::vector<PatchShape>& shapes, double texelsPerMetre, const PageRoom& page,
+                       const Progress& progress = {});
 
 } // namespace esm

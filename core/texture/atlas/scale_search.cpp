@@ -13,8 +13,10 @@ constexpr double usualPart = 0.8;
 /// Looks between the largest scale that fits and the smallest that does not.
 class Search {
 public:
-    Search(const LayoutAt& layoutAt, const AtlasOptions& options, const ScaleRange& range)
-        : m_layoutAt(layoutAt), m_options(options), m_smallest(range.smallest), m_failing(range.bound),
+    Search(const LayoutAt& layoutAt, const AtlasOptions& options, const ScaleRange& range,
+           const Progress& progress)
+        : m_layoutAt(layoutAt), m_options(options), m_attempts(progress), m_smallest(range.smallest),
+          m_failing(range.bound),
           m_available((options.size - options.gap) * static_cast<double>(options.pages)) {}
 
     /// [R 4.9] begins at the scale at which the patches would fill the pages without any waste, [R 4.10] goes
@@ -51,7 +53,7 @@ public:
 private:
     /// Pixels that the layout takes.
     double attempt(double scale) {
-        PatchLayout layout = m_layoutAt(m_options, scale);
+        PatchLayout layout = m_layoutAt(m_options, scale, m_attempts.nextOfRest(shareOfAttempt));
         const double height = layout.height;
         if (fits(layout, m_options))
             m_best = {scale, std::move(layout)};
@@ -78,6 +80,7 @@ private:
 
     const LayoutAt& m_layoutAt;
     AtlasOptions m_options;
+    ProgressParts m_attempts;
     double m_smallest, m_failing; ///< texels per m
     double m_available;           ///< pixels of height
     ScaledLayout m_best;
@@ -89,12 +92,14 @@ bool fits(const PatchLayout& layout, const AtlasOptions& options) {
     return layout.pages > 0 && layout.pages <= options.pages;
 }
 
-ScaledLayout largestBySource(const LayoutAt& layoutAt, const AtlasOptions& options, const ScaleRange& range) {
-    return Search(layoutAt, options, range).bySource();
+ScaledLayout largestBySource(const LayoutAt& layoutAt, const AtlasOptions& options, const ScaleRange& range,
+                             const Progress& progress) {
+    return Search(layoutAt, options, range, progress).bySource();
 }
 
-ScaledLayout largestByHeight(const LayoutAt& layoutAt, const AtlasOptions& options, const ScaleRange& range) {
-    return Search(layoutAt, options, range).byHeight();
+ScaledLayout largestByHeight(const LayoutAt& layoutAt, const AtlasOptions& options, const ScaleRange& range,
+                             const Progress& progress) {
+    return Search(layoutAt, options, range, progress).byHeight();
 }
 
 } // namespace esm

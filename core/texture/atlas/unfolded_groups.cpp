@@ -13,16 +13,23 @@ constexpr double margin = 0.9;
 
 } // namespace
 
-PatchLayout UnfoldedGroups::layoutAt(double texelsPerMetre, const PageRoom& page, int mostPages) {
-    if (texelsPerMetre < m_smallestScale) unfoldFor(margin * texelsPerMetre, page.gap);
-    return layoutGroups(m_groups, texelsPerMetre, page, mostPages);
+PatchLayout UnfoldedGroups::layoutAt(double texelsPerMetre, const PageRoom& page, int mostPages,
+                                     const Progress& progress) {
+    ProgressParts parts(progress);
+    if (texelsPerMetre < m_smallestScale) unfoldFor(margin * texelsPerMetre, page.gap, parts.next(0.6));
+    return layoutGroups(m_groups, texelsPerMetre, page, mostPages, parts.rest());
 }
 
-void UnfoldedGroups::unfoldFor(double texelsPerMetre, double gap) {
+void UnfoldedGroups::unfoldFor(double texelsPerMetre, double gap, const Progress& progress) {
+    ProgressParts parts(progress);
     m_smallestScale = texelsPerMetre;
     std::vector<std::pair<TurnedGroup, std::vector<std::uint32_t>>> groups;
-    for (UnfoldedGroup& group : unfold(m_mesh, m_shapes, gap / texelsPerMetre))
+    std::vector<UnfoldedGroup> unfolded = unfold(m_mesh, m_shapes, gap / texelsPerMetre, parts.next(0.8));
+    const Progress turning = parts.rest();
+    for (UnfoldedGroup& group : unfolded) {
+        reportStep(turning, groups.size(), unfolded.size());
         groups.emplace_back(turned(group), std::move(group.triangles));
+    }
     std::stable_sort(groups.begin(), groups.end(),
                      [](const auto& a, const auto& b) { return a.first.height > b.first.height; });
     m_groups.clear();

@@ -14,12 +14,13 @@ public:
     UnfoldedGroups(const TriangleMesh& mesh, const std::vector<PatchShape>& shapes)
         : m_mesh(mesh), m_shapes(shapes) {}
 
-    PatchLayout layoutAt(double texelsPerMetre, const PageRoom& page, int mostPages);
+    PatchLayout layoutAt(double texelsPerMetre, const PageRoom& page, int mostPages,
+                         const Progress& progress);
     /// Of the latest layout, in its order: triangles as they were given, whose first corner comes first.
     const std::vector<PatchShape>& order() const { return m_order; }
 
 private:
-    void unfoldFor(double texelsPerMetre, double gap);
+    void unfoldFor(double texelsPerMetre, double gap, const Progress& progress);
 
     const TriangleMesh& m_mesh;
     const std::vector<PatchShape>& m_shapes;

@@ -87,12 +87,14 @@ public:
           m_angles(anglesAround()), m_isTaken(mesh.triangles.size(), false) {}
 
     /// Breadth first over the surface: groups next to groups leave few triangles alone between them.
-    std::vector<UnfoldedGroup> unfoldAll() {
+    std::vector<UnfoldedGroup> unfoldAll(const Progress& progress) {
         std::queue<std::uint32_t> seeds;
         for (std::uint32_t first = 0; first < m_isTaken.size(); ++first) {
             seeds.push(first);
             for (; !seeds.empty(); seeds.pop()) {
                 if (m_isTaken[seeds.front()]) continue;
+                reportProgress(progress,
+                               static_cast<double>(m_taken) / static_cast<double>(m_isTaken.size()));
                 m_groups.push_back(grow(seeds.front()));
                 for (const std::uint32_t triangle : m_groups.back().triangles)
                     for (const std::uint32_t next : m_across[triangle])
@@ -143,6 +145,7 @@ private:
         group.corners.push_back(candidate.corners);
         group.area += areaOf(candidate.corners);
         m_isTaken[candidate.triangle] = true;
+        ++m_taken;
     }
 
     void addNeighbours(const Candidate& of, std::vector<Candidate>& candidates) const {
@@ -272,14 +275,15 @@ private:
     std::vector<Triangle> m_across;
     std::vector<double> m_angles; ///< around each vertex, radian
     std::vector<bool> m_isTaken;
+    std::size_t m_taken = 0; ///< triangles
     std::vector<UnfoldedGroup> m_groups;
 };
 
 } // namespace
 
 std::vector<UnfoldedGroup> unfold(const TriangleMesh& mesh, const std::vector<PatchShape>& shapes,
-                                  double clearance) {
-    return Unfolder(mesh, shapes, clearance).unfoldAll();
+                                  double clearance, const Progress& progress) {
+    return Unfolder(mesh, shapes, clearance).unfoldAll(progress);
 }
 
 } // namespace esm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/support/progress.h"
 #include "core/texture/atlas/patch_row.h"
 
 #include <array>
@@ -21,6 +22,6 @@ struct UnfoldedGroup {
 /// are `clearance` (m) apart. Seen from outside, y is up.
 /// @param shapes of all triangles, in the mesh's order
 std::vector<UnfoldedGroup> unfold(const TriangleMesh& mesh, const std::vector<PatchShape>& shapes,
-                                  double clearance);
+                                  double clearance, const Progress& progress = {});
 
 } // namespace esm

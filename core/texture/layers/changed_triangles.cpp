@@ -1,7 +1,8 @@
 #include "core/texture/layers/changed_triangles.h"
 
+#include "core/texture/parallel_steps.h"
+
 #include <algorithm>
-#include <tbb/parallel_for.h>
 
 namespace esm {
 
@@ -90,10 +91,13 @@ Layers changedLayers(const Layers& before, const Layers& after) {
 } // namespace
 
 TriangleMarks changedTriangles(const TriangleMesh& mesh, const std::vector<Patch>& patches,
-                               const Layers& before, const Layers& after, CompositionCache& cache) {
+                               const Layers& before, const Layers& after, CompositionCache& cache,
+                               const Progress& progress) {
+    ProgressParts parts(progress);
     TriangleMarks marks(mesh.triangles.size(), 0);
-    const LayerStack changed(mesh, patches, changedLayers(shownOf(before), shownOf(after)), {}, cache);
-    tbb::parallel_for(std::size_t{0}, marks.size(), [&](std::size_t triangle) {
+    const LayerStack changed(mesh, patches, changedLayers(shownOf(before), shownOf(after)), {}, cache,
+                             parts.next(0.5));
+    forEachInBlocks(marks.size(), trianglesPerBlock, parts.rest(), [&](std::size_t triangle) {
         const TriangleLayers layers(changed, static_cast<std::uint32_t>(triangle));
         marks[triangle] = layers.layers().empty() ? 0 : 1;
     });

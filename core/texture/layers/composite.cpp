@@ -41,14 +41,21 @@ template<typename Channel>
 std::vector<ImageOf<Channel>>
 composed(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<TextureLayer>& layers,
          std::array<std::uint8_t, 3> baseColour, CompositionCache& cache, const Progress& progress) {
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
     checkAtlas(mesh, atlas);
-    const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, progress);
+    const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, parts.next(stackShare));
     std::vector<ImageOf<Channel>> pages;
     pages.reserve(static_cast<std::size_t>(atlas.options.pages));
-    for (int page = 0; page < atlas.options.pages; ++page)
+    const Progress filling = parts.next(0.05);
+    for (int page = 0; page < atlas.options.pages; ++page) {
+        reportProgress(filling, static_cast<double>(page) / atlas.options.pages);
         pages.push_back(filledPage<Channel>(atlas.options.size, baseColour));
-    if (!stack.isEmpty()) paintPages(stack, atlas, *cache.ownersOf(atlas, progress), {}, pages, progress);
+    }
+    const Progress owning = parts.next(ownersShare), painting = parts.rest();
+    if (!stack.isEmpty()) paintPages(stack, atlas, *cache.ownersOf(atlas, owning), {}, pages, painting);
     cache.finish();
+    reportProgress(progress, 1);
     return pages;
 }
 

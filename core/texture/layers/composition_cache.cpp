@@ -45,19 +45,19 @@ SampledPicture CompositionCache::sampled(const std::shared_ptr<const Image>& pic
 
 /// By projector and size alone: what hides what has nothing to do with the photo's colours, so a photo that
 /// is prepared anew keeps it.
-std::shared_ptr<const std::vector<Lighting>> CompositionCache::lightingOf(const Projector& projector,
-                                                                          const Image& photo,
-                                                                          const TriangleMesh& mesh,
-                                                                          double tolerance) {
+std::shared_ptr<const std::vector<Lighting>>
+CompositionCache::lightingOf(const Projector& projector, const Image& photo, const TriangleMesh& mesh,
+                             double tolerance, const Progress& progress) {
     const auto same = [&](const ProjectorLighting& item) {
         return item.projector == projector && item.photoWidth == photo.width &&
                item.photoHeight == photo.height;
     };
     if (const ProjectorLighting* known = usedAgain(m_lighting.used, m_lighting.before, same))
         return known->lighting;
+    reportProgress(progress, 0);
     if (m_across.empty()) m_across = trianglesAcross(mesh.triangles);
     auto lighting = std::make_shared<const std::vector<Lighting>>(
-        certainLighting({mesh, m_across, tolerance}, projector, {photo.width, photo.height}));
+        certainLighting({mesh, m_across, tolerance}, projector, {photo.width, photo.height}, progress));
     m_lighting.used.push_back({projector, photo.width, photo.height, lighting});
     return lighting;
 }

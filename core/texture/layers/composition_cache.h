@@ -42,8 +42,10 @@ public:
     std::shared_ptr<const TexelOwners> ownersOf(const Atlas& atlas, const Progress& progress);
     SampledPicture sampled(const std::shared_ptr<const Image>& picture);
     /// @param tolerance m, the same as long as the cache lives
+    /// @throws Cancelled
     std::shared_ptr<const std::vector<Lighting>> lightingOf(const Projector& projector, const Image& photo,
-                                                            const TriangleMesh& mesh, double tolerance);
+                                                            const TriangleMesh& mesh, double tolerance,
+                                                            const Progress& progress);
 
     /// Nothing where no photo was blended so.
     std::optional<SampledPicture> banded(const TextureLayer& layer, const std::vector<TextureLayer>& beneath,

@@ -32,13 +32,13 @@ bool needsQuery(const TextureLayer& layer) {
 }
 
 std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const LitSurface& surface,
-                                             CompositionCache& cache) {
+                                             CompositionCache& cache, const Progress& progress) {
     auto made = std::make_shared<PreparedLayer>();
     made->layer = layer;
     if (layer.photo) made->projected = cache.sampled(pictureOf(layer));
     if (layer.photo && layer.projector.occlusion)
-        made->lighting =
-            cache.lightingOf(layer.projector, *made->projected.picture, surface.mesh, surface.tolerance);
+        made->lighting = cache.lightingOf(layer.projector, *made->projected.picture, surface.mesh,
+                                          surface.tolerance, progress);
     for (const auto& stroke : layer.strokes)
         made->strokeReach.push_back(reachOf(*stroke));
     return made;
@@ -76,16 +76,18 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
                        CompositionCache& cache, const Progress& progress)
     : m_surface{mesh, nullptr, hidingTolerance * boundingBox(mesh.vertices).diagonal().norm()},
       m_patches(patches), m_baseColour(baseColour[0], baseColour[1], baseColour[2]) {
+    ProgressParts parts(progress);
     std::vector<TextureLayer> shown;
     for (const TextureLayer& layer : layers) {
+        ProgressParts steps(parts.next(1.0 / static_cast<double>(layers.size())));
         if (!isShown(layer)) continue;
         if (!m_query && needsQuery(layer)) m_query = cache.queryOf(mesh);
         m_surface.query = m_query.get();
-        auto made = preparedLayer(layer, m_surface, cache);
+        auto made = preparedLayer(layer, m_surface, cache, steps.next(0.5));
         if (layer.blending == Blending::MultiBand) {
             auto blended = cache.banded(layer, shown, baseColour);
             if (!blended) {
-                blended = blendedInBands(*made, cache, progress);
+                blended = blendedInBands(*made, cache, steps.rest());
                 cache.keep({layer, shown, baseColour, *blended});
             }
             made->projected = std::move(*blended);
@@ -109,19 +111,19 @@ LayerStack::LayerStack(const LayerStack& stack, const std::vector<Patch>& patche
 /// projector as pictures of that plane.
 SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, CompositionCache& cache,
                                           const Progress& progress) const {
-    const auto goOn = [&](double) { return !progress || progress(0); };
+    ProgressParts parts(progress);
     const Image& picture = *made.projected.picture;
     const PhotoSize photo{picture.width, picture.height};
     const PhotoPlane plane{made.layer.projector, photo, comparedSize(photo)};
     const std::vector<Patch> patches = patchesIn(plane, m_surface.mesh);
-    const Image beneath = surfaceBeneath(LayerStack(*this, patches), *m_query, plane, goOn);
+    const Image beneath = surfaceBeneath(LayerStack(*this, patches), *m_query, plane, parts.next(0.5));
     Image mask;
     if (!made.layer.strokes.empty())
         mask = surfaceBeneath(
             LayerStack(m_surface.mesh, patches, {paintedMask(made.layer.strokes)}, white, cache), *m_query,
-            plane, goOn);
-    const auto blended = std::make_shared<const Image>(
-        esm::blendedInBands(picture, *made.projected.sampler, beneath, mask, made.layer.blendPixels));
+            plane, parts.next(0.3));
+    const auto blended = std::make_shared<const Image>(esm::blendedInBands(
+        picture, *made.projected.sampler, beneath, mask, made.layer.blendPixels, parts.rest()));
     return {blended, std::make_shared<const PhotoSampler>(*blended)};
 }
 

@@ -31,7 +31,7 @@ public:
     /// @param mesh outlives the stack
     /// @param patches outlive the stack; each triangle's place in the picture whose pixels are asked for, by
     /// whose size photos are read
-    /// @throws Cancelled while photos are blended in bands
+    /// @throws Cancelled
     LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
                const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
                CompositionCache& cache, const Progress& progress = {});

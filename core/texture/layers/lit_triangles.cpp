@@ -1,9 +1,10 @@
 #include "core/texture/layers/lit_triangles.h"
 
+#include "core/texture/parallel_steps.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tbb/parallel_for.h>
 
 namespace esm {
 
@@ -250,17 +251,21 @@ private:
 } // namespace
 
 std::vector<Lighting> certainLighting(const ShadowCaster& surface, const Projector& projector,
-                                      PhotoSize photo) {
+                                      PhotoSize photo, const Progress& progress) {
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
     const Eigen::Matrix4d matrix = photoMatrix(projector, photo);
     const std::vector<Triangle>& triangles = surface.mesh.triangles;
     std::vector<View> views(triangles.size());
-    tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t i) {
+    forEachInBlocks(views.size(), trianglesPerBlock, parts.next(0.2), [&](std::size_t i) {
         views[i] = viewOf(surface.mesh, triangles[i], matrix, around(photo));
     });
+    reportProgress(parts.next(0), 1);
     const LightingFinder finder(surface, views, around(photo));
+    reportProgress(parts.next(0.1), 1);
     std::vector<Lighting> lighting(triangles.size());
-    tbb::parallel_for(std::size_t{0}, lighting.size(),
-                      [&](std::size_t i) { lighting[i] = finder.of(static_cast<std::uint32_t>(i)); });
+    forEachInBlocks(lighting.size(), trianglesPerBlock, parts.rest(),
+                    [&](std::size_t i) { lighting[i] = finder.of(static_cast<std::uint32_t>(i)); });
     return lighting;
 }
 

@@ -1,12 +1,16 @@
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/support/progress.h"
 #include "core/texture/projection/projector.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace esm {
+
+/// That a thread looks at before it takes others.
+constexpr std::size_t trianglesPerBlock = 512;
 
 /// What is certain of a triangle without following any ray.
 enum class Lighting : std::uint8_t {
@@ -26,7 +30,8 @@ struct ShadowCaster {
 /// compared: a triangle is lit when all whose views overlap its own lie behind it, and hidden when triangles
 /// before it that hang together cover its view without an end or a fold there. Nothing is said of those that
 /// reach behind a perspective projector's eye, and of those far outside the photo.
+/// @throws Cancelled
 std::vector<Lighting> certainLighting(const ShadowCaster& surface, const Projector& projector,
-                                      PhotoSize photo);
+                                      PhotoSize photo, const Progress& progress = {});
 
 } // namespace esm

@@ -1,5 +1,6 @@
 #include "core/texture/layers/multi_band.h"
 
+#include "core/texture/parallel_steps.h"
 #include "core/texture/photo/bilinear.h"
 
 #include <algorithm>
@@ -156,7 +157,7 @@ PhotoSize comparedSize(PhotoSize photo) {
 }
 
 Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, const Image& mask,
-                     double border) {
+                     double border, const Progress& progress) {
     const cv::Size size(beneath.width, beneath.height);
     cv::Mat small = reduced(sampler, size);
     const cv::Mat difference = differenceFrom(small, beneath); // also of what is erased: filters read beyond
@@ -165,7 +166,8 @@ Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Imag
         std::max(0.25 * std::min(size.width, size.height), border * size.width / photo.width);
     const cv::Mat added = correction(difference, depthInside(small), coarsestLevel(size, widest));
     Image picture{photo.width, photo.height, std::vector<std::uint8_t>(photo.pixels.size())};
-    tbb::parallel_for(0, photo.height, [&](int y) { correctRow(photo, added, y, picture); });
+    forEachInParallel(static_cast<std::size_t>(photo.height), progress,
+                      [&](std::size_t y) { correctRow(photo, added, static_cast<int>(y), picture); });
     return picture;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/progress.h"
 #include "core/texture/image.h"
 #include "core/texture/intrinsics.h"
 #include "core/texture/photo/photo_sampler.h"
@@ -20,7 +21,8 @@ PhotoSize comparedSize(PhotoSize photo);
 /// @param mask the same plane, black where the photo is erased, so that its border is there; empty where
 /// nothing is
 /// @param border photo pixels
+/// @throws Cancelled
 Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, const Image& mask,
-                     double border);
+                     double border, const Progress& progress = {});
 
 } // namespace esm

@@ -2,11 +2,11 @@
 
 #include "core/support/errors.h"
 #include "core/texture/layers/patch_scan.h"
+#include "core/texture/parallel_steps.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tbb/parallel_for.h>
 
 namespace esm {
 
@@ -96,21 +96,22 @@ double levelInset(const AtlasOptions& options, int halvings) {
     return halvings > 0 ? std::max(0.0, reach - filledGap(options) / 2) : 0;
 }
 
-SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages) {
+SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages, const Progress& progress) {
     SmallerPages smaller(pages.size());
     for (std::vector<Image>& page : smaller)
         for (int level = 1; level <= usableLevels(atlas.options); ++level)
             page.push_back(emptyPage(atlas.options.size >> level));
-    return smallerPages(atlas, pages, {}, std::move(smaller));
+    return smallerPages(atlas, pages, {}, std::move(smaller), progress);
 }
 
 SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages,
-                          const std::vector<Image>& before, SmallerPages smallerBefore) {
+                          const std::vector<Image>& before, SmallerPages smallerBefore,
+                          const Progress& progress) {
     check(atlas, pages);
     const int levels = usableLevels(atlas.options);
     SmallerPages smaller = std::move(smallerBefore);
     const std::vector<PageStrip> strips = pageStrips(atlas);
-    tbb::parallel_for(std::size_t{0}, levels > 0 ? strips.size() : 0, [&](std::size_t i) {
+    forEachInParallel(levels > 0 ? strips.size() : 0, progress, [&](std::size_t i) {
         const PageStrip& strip = strips[i];
         const auto page = static_cast<std::size_t>(strip.page);
         if (page < before.size() && isSame(pages[page], before[page], strip)) return;
@@ -119,6 +120,7 @@ SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages,
             reduceStrip(pages[page], owners, strip, level,
                         smaller[page][static_cast<std::size_t>(level - 1)]);
     });
+    reportProgress(progress, 1);
     return smaller;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/progress.h"
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/image.h"
 
@@ -23,12 +24,13 @@ using SmallerPages = std::vector<std::vector<Image>>; ///< of each page, the lar
 /// The pages of a texture, each at half its size, at a quarter and so on as far as the gap allows. A texel
 /// shows the patch nearest to its centre, by the mean of those texels in it that belong to that patch, so
 /// that no patch mixes with another [R 4.3.2.4]. Pure, and the same with any number of threads.
-/// @throws InvalidModel for a layout beyond its pages or pages of another size
-SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages);
+/// @throws InvalidModel for a layout beyond its pages or pages of another size; Cancelled
+SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages, const Progress& progress = {});
 
 /// The same, where `before` and `smallerBefore` are other pages of the same atlas and what was made of them:
 /// only where they differ is anything computed.
 SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages,
-                          const std::vector<Image>& before, SmallerPages smallerBefore);
+                          const std::vector<Image>& before, SmallerPages smallerBefore,
+                          const Progress& progress = {});
 
 } // namespace esm

@@ -1,10 +1,11 @@
 #include "core/texture/layers/page_painter.h"
 
 #include "core/texture/layers/patch_scan.h"
-#include "core/texture/layers/strip_tasks.h"
+#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace esm {
 
@@ -19,11 +20,12 @@ template<typename Channel> Channel stored(float value) {
 /// Spans come by triangles: the layers that reach one are chosen once for all its texels in the strip.
 template<typename Channel>
 void paintStrip(const LayerStack& stack, const Atlas& atlas, const OwnedStrip& strip,
-                const TriangleMarks& only, ImageOf<Channel>& page) {
+                const TriangleMarks& only, SharedProgress& progress, ImageOf<Channel>& page) {
     const auto end = strip.spans.end();
     for (auto first = strip.spans.begin(), next = first; first != end; first = next) {
         const std::uint32_t triangle = first->triangle;
         next = std::find_if(first, end, [&](const TexelSpan& span) { return span.triangle != triangle; });
+        progress.add(static_cast<std::size_t>(next - first));
         if (!only.empty() && !only[triangle]) continue;
         const TriangleLayers layers(stack, triangle);
         if (only.empty() && layers.layers().empty()) continue; // the page has the base colour
@@ -39,14 +41,20 @@ void paintStrip(const LayerStack& stack, const Atlas& atlas, const OwnedStrip& s
     }
 }
 
+std::size_t spansIn(const std::vector<OwnedStrip>& strips) {
+    return std::accumulate(strips.begin(), strips.end(), std::size_t{0},
+                           [](std::size_t sum, const OwnedStrip& strip) { return sum + strip.spans.size(); });
+}
+
 } // namespace
 
 template<typename Channel>
 void paintPages(const LayerStack& stack, const Atlas& atlas, const TexelOwners& owners,
                 const TriangleMarks& only, std::vector<ImageOf<Channel>>& pages, const Progress& progress) {
     const std::vector<OwnedStrip>& strips = owners.strips();
-    forEachStrip(strips.size(), progress, [&](std::size_t i) {
-        paintStrip(stack, atlas, strips[i], only, pages[static_cast<std::size_t>(strips[i].page)]);
+    SharedProgress spans(progress, spansIn(strips));
+    forEachInParallel(strips.size(), {}, [&](std::size_t i) {
+        paintStrip(stack, atlas, strips[i], only, spans, pages[static_cast<std::size_t>(strips[i].page)]);
     });
     reportProgress(progress, 1);
 }

@@ -9,6 +9,8 @@ namespace esm {
 
 namespace {
 
+constexpr double changedShare = 0.2; ///< of the work
+
 bool belongTo(const std::vector<Image>& pages, const Atlas& atlas) {
     return pages.size() == static_cast<std::size_t>(atlas.options.pages) &&
            std::all_of(pages.begin(), pages.end(), [&](const Image& page) {
@@ -27,10 +29,13 @@ std::vector<Image> recomposite(const TriangleMesh& mesh, const Atlas& atlas, con
     const bool canGoOn = before.pages && before.baseColour == baseColour && belongTo(*before.pages, atlas) &&
                          validate(atlas, mesh.triangles.size()).empty();
     if (!canGoOn) return composite(mesh, atlas, layers, baseColour, cache, progress);
-    const TriangleMarks changed = changedTriangles(mesh, atlas.corners, before.layers, layers, cache);
-    const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, progress);
+    ProgressParts parts(progress);
+    const TriangleMarks changed =
+        changedTriangles(mesh, atlas.corners, before.layers, layers, cache, parts.next(changedShare));
+    const LayerStack stack(mesh, atlas.corners, layers, baseColour, cache, parts.next(stackShare));
     std::vector<Image> pages = *before.pages;
-    paintPages(stack, atlas, *cache.ownersOf(atlas, progress), changed, pages, progress);
+    const Progress owning = parts.next(ownersShare), painting = parts.rest();
+    paintPages(stack, atlas, *cache.ownersOf(atlas, owning), changed, pages, painting);
     cache.finish();
     return pages;
 }

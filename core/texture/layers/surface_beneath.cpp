@@ -1,16 +1,16 @@
 #include "core/texture/layers/surface_beneath.h"
 
 #include "core/texture/layers/layer_stack.h"
+#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tbb/parallel_for.h>
 
 namespace esm {
 
 namespace {
 
-constexpr int rowsPerTask = 8, tasksPerReport = 8;
+constexpr int rowsPerTask = 8;
 
 /// The ray along which a projector casts a pixel of its photo.
 Ray rayThrough(const Projector& projector, PhotoSize photo, const Eigen::Vector2d& pixel) {
@@ -26,7 +26,7 @@ Ray rayThrough(const Projector& projector, PhotoSize photo, const Eigen::Vector2
 }
 
 /// Rows of a picture, and the layers on the triangles that they meet. Neighbouring rays meet the same
-/// triangles: what is made for one is kept for the eight rows of a task.
+/// triangles: what is made for one is kept for the eight rows of a strip.
 class SeenRows {
 public:
     SeenRows(const LayerStack& stack, const SurfaceQuery& query, const PhotoPlane& plane)
@@ -102,14 +102,11 @@ Image surfaceBeneath(const LayerStack& stack, const SurfaceQuery& query, const P
     picture.height = plane.picture.height;
     picture.pixels.resize(4 * static_cast<std::size_t>(picture.width) *
                           static_cast<std::size_t>(picture.height));
-    const int tasks = (picture.height + rowsPerTask - 1) / rowsPerTask;
-    for (int first = 0; first < tasks; first += tasksPerReport) {
-        reportProgress(progress, static_cast<double>(first) / tasks);
-        tbb::parallel_for(first, std::min(first + tasksPerReport, tasks), [&](int task) {
-            const int row = task * rowsPerTask;
-            SeenRows(stack, query, plane).fill(row, std::min(row + rowsPerTask, picture.height), picture);
-        });
-    }
+    const int strips = (picture.height + rowsPerTask - 1) / rowsPerTask;
+    forEachInParallel(static_cast<std::size_t>(strips), progress, [&](std::size_t strip) {
+        const int row = static_cast<int>(strip) * rowsPerTask;
+        SeenRows(stack, query, plane).fill(row, std::min(row + rowsPerTask, picture.height), picture);
+    });
     reportProgress(progress, 1);
     return picture;
 }
@@ -119,8 +116,9 @@ Image surfaceBeneath(const TriangleMesh& mesh, const std::vector<TextureLayer>& 
                      const Progress& progress) {
     CompositionCache cache;
     const std::vector<Patch> patches = patchesIn(plane, mesh);
-    const LayerStack stack(mesh, patches, beneath, baseColour, cache, progress);
-    return surfaceBeneath(stack, *cache.queryOf(mesh), plane, progress);
+    ProgressParts parts(progress);
+    const LayerStack stack(mesh, patches, beneath, baseColour, cache, parts.next(0.5));
+    return surfaceBeneath(stack, *cache.queryOf(mesh), plane, parts.rest());
 }
 
 } // namespace esm

@@ -19,12 +19,13 @@ std::optional<ColourMatch> matchToSurface(const TriangleMesh& mesh, const std::v
                                           const Progress& progress) {
     PhotoPreparation unmatched = layer.preparation;
     unmatched.match.reset();
-    Image photo = prepared(layer.photo->image, unmatched, progress);
+    ProgressParts parts(progress);
+    Image photo = prepared(layer.photo->image, unmatched, parts.next(0.4));
     const PhotoSize whole{photo.width, photo.height};
     while (std::max(photo.width, photo.height) > enoughPixels)
         photo = halved(photo);
     const PhotoPlane plane{layer.projector, whole, {photo.width, photo.height}};
-    return matchColours(photo, surfaceBeneath(mesh, beneath, baseColour, plane, progress));
+    return matchColours(photo, surfaceBeneath(mesh, beneath, baseColour, plane, parts.rest()));
 }
 
 } // namespace esm

@@ -1,7 +1,7 @@
 #include "core/texture/layers/texel_owners.h"
 
 #include "core/texture/layers/patch_scan.h"
-#include "core/texture/layers/strip_tasks.h"
+#include "core/texture/parallel_steps.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
@@ -39,9 +39,12 @@ std::vector<TexelSpan> spansOf(const Atlas& atlas, const PageStrip& strip) {
 
 TexelOwners::TexelOwners(const Atlas& atlas, const Progress& progress)
     : m_options(atlas.options), m_corners(atlas.corners), m_page(atlas.page) {
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
     const std::vector<PageStrip> strips = pageStrips(atlas);
+    reportProgress(parts.next(0.1), 1);
     m_strips.resize(strips.size());
-    forEachStrip(strips.size(), progress, [&](std::size_t i) {
+    forEachInParallel(strips.size(), parts.rest(), [&](std::size_t i) {
         m_strips[i] = {strips[i].page, spansOf(atlas, strips[i])};
     });
 }

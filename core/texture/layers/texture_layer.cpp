@@ -62,10 +62,10 @@ std::vector<std::string> paintingProblems(const TextureLayer& layer) {
 }
 
 /// The picture is made before the layer is touched: where that fails the layer stays as it was.
-void prepare(TextureLayer& layer, const PhotoPreparation& preparation) {
+void prepare(TextureLayer& layer, const PhotoPreparation& preparation, const Progress& progress) {
     std::shared_ptr<const Image> picture;
     if (!preparation.isNothing())
-        picture = std::make_shared<const Image>(prepared(layer.photo->image, preparation));
+        picture = std::make_shared<const Image>(prepared(layer.photo->image, preparation, progress));
     layer.preparation = preparation;
     layer.prepared = std::move(picture);
 }

@@ -79,6 +79,6 @@ std::vector<std::string> paintingProblems(const TextureLayer& layer);
 /// Gives a layer another preparation and the picture that comes of it, or leaves it as it was. Precondition:
 /// it has a photo, or nothing is done to it.
 /// @throws InvalidModel with what validate() finds
-void prepare(TextureLayer& layer, const PhotoPreparation& preparation);
+void prepare(TextureLayer& layer, const PhotoPreparation& preparation, const Progress& progress = {});
 
 } // namespace esm

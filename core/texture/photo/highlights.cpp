@@ -1,5 +1,7 @@
 #include "core/texture/photo/highlights.h"
 
+#include "core/texture/parallel_steps.h"
+
 #include <opencv2/imgproc.hpp>
 #include <opencv2/photo.hpp>
 
@@ -95,7 +97,7 @@ std::size_t countHighlights(const Image& photo, int threshold) {
 
 /// By fast marching (Telea 2004), from the rim inwards, each pixel from those around it that are known
 /// already: the tissue's colours go on into the highlight. A mean of the rim alone would leave a flat spot.
-std::size_t fillHighlights(Image& photo, int threshold) {
+std::size_t fillHighlights(Image& photo, int threshold, const Progress& progress) {
     if (photo.empty()) return 0;
     const cv::Mat mask = highlightMask(photo, threshold);
     cv::Mat labels, boxes, middles;
@@ -104,7 +106,8 @@ std::size_t fillHighlights(Image& photo, int threshold) {
     const Surroundings around = surroundingsOf(photo, mask);
     std::vector<std::size_t> filled(static_cast<std::size_t>(count), 0);
     // One by one, so that the cost goes with what is filled; they do not touch each other.
-    tbb::parallel_for(1, count, [&](int highlight) {
+    forEachInParallel(static_cast<std::size_t>(count - 1), progress, [&](std::size_t before) {
+        const int highlight = static_cast<int>(before) + 1;
         const cv::Rect part = partAround(boxes, highlight, mask.size());
         const cv::Mat result = around.filled(part);
         if (result.empty()) return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/progress.h"
 #include "core/texture/image.h"
 
 #include <cstddef>
@@ -16,6 +17,7 @@ std::size_t countHighlights(const Image& photo, int threshold);
 /// marching method), which is what is neither transparent nor nearly black; from what is nearly black where
 /// there is nothing else. All other pixels stay as they are, and a highlight that has nothing around it.
 /// @returns pixels filled
-std::size_t fillHighlights(Image& photo, int threshold);
+/// @throws Cancelled
+std::size_t fillHighlights(Image& photo, int threshold, const Progress& progress = {});
 
 } // namespace esm

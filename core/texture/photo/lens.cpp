@@ -1,9 +1,9 @@
 #include "core/texture/photo/lens.h"
 
+#include "core/texture/parallel_steps.h"
 #include "core/texture/photo/photo_sampler.h"
 
 #include <cmath>
-#include <tbb/parallel_for.h>
 
 namespace esm {
 
@@ -39,13 +39,14 @@ Eigen::Vector2d distorted(const Lens& lens, const Eigen::Vector2d& place) {
 
 /// For each straight pixel the place in the photo, and not the other way round: that needs no inverse of the
 /// lens and leaves no holes. Places outside stay transparent instead of repeating the border.
-Image undistorted(const Image& photo, const Lens& lens) {
+Image undistorted(const Image& photo, const Lens& lens, const Progress& progress) {
     Image straight;
     straight.width = photo.width;
     straight.height = photo.height;
     straight.pixels.resize(photo.pixels.size());
     const Eigen::AlignedBox2d all(Eigen::Vector2d::Zero(), Eigen::Vector2d(photo.width, photo.height));
-    tbb::parallel_for(0, photo.height, [&](int y) {
+    forEachInParallel(static_cast<std::size_t>(photo.height), progress, [&](std::size_t row) {
+        const int y = static_cast<int>(row);
         for (int x = 0; x < photo.width; ++x) {
             const Eigen::Vector2d from = distorted(lens, {x + 0.5, y + 0.5});
             if (!from.allFinite() || !all.contains(from)) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/progress.h"
 #include "core/texture/image.h"
 #include "core/texture/intrinsics.h"
 
@@ -36,7 +37,7 @@ constexpr std::size_t coefficientsOf(LensKind kind) {
 Eigen::Vector2d distorted(const Lens& lens, const Eigen::Vector2d& place);
 
 /// The photo as a lens without distortion would have taken it, of the same size; alpha 0 where it has
-/// nothing.
-Image undistorted(const Image& photo, const Lens& lens);
+/// nothing. @throws Cancelled
+Image undistorted(const Image& photo, const Lens& lens, const Progress& progress = {});
 
 } // namespace esm

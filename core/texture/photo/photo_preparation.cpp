@@ -103,16 +103,19 @@ double highlightShare(const Image& photo, const PhotoPreparation& preparation) {
 Image prepared(const Image& photo, const PhotoPreparation& preparation, const Progress& progress) {
     const Problems problems = validate(preparation, photo.width, photo.height);
     if (!problems.empty()) throw InvalidModel(problems);
+    ProgressParts parts(progress);
     Image picture = shownOf(photo, preparation);
-    reportProgress(progress, 0.2);
-    if (preparation.highlightThreshold) fillHighlights(picture, *preparation.highlightThreshold);
-    reportProgress(progress, 0.4);
+    reportProgress(parts.next(0.1), 1);
+    const Progress filling = parts.next(0.4), evening = parts.next(0.2), matching = parts.next(0.1);
+    if (preparation.highlightThreshold) fillHighlights(picture, *preparation.highlightThreshold, filling);
     evenLight(picture, preparation.evenLight);
+    reportProgress(evening, 1);
     if (preparation.whiteBalance) multiplyColours(picture, *preparation.whiteBalance);
     if (preparation.match) applyMatch(picture, *preparation.match);
-    reportProgress(progress, 0.6);
-    if (preparation.lens) picture = undistorted(picture, *preparation.lens);
+    reportProgress(matching, 1);
+    if (preparation.lens) picture = undistorted(picture, *preparation.lens, parts.rest());
     if (preparation.crop) keepOnly(*preparation.crop, picture);
+    reportProgress(progress, 1);
     return picture;
 }
 

@@ -89,7 +89,7 @@ TEST(DecoderProcess, StopsWhenAsked) {
                              }),
                      Cancelled);
         EXPECT_EQ(asked, 3);
-        EXPECT_LT(told, 0) << "how much is done is not known";
+        EXPECT_LT(told, 0.5) << "far from what it may take";
         EXPECT_FALSE(hasChildren());
     }
 }

@@ -129,7 +129,9 @@ void AtlasPanel::pack(const AtlasOptions& options) {
     const auto mesh = project.mesh;
     attempt(window(), tr("The texture cannot be packed"), [&] {
         auto atlas = std::make_shared<const Atlas>(computeLong(
-            window(), tr("Packing the texture"), [&](const Progress&) { return packAtlas(*mesh, options); }));
+            window(), tr("Packing the texture"),
+            [&](const Progress& progress) { return packAtlas(*mesh, options, progress); },
+            Cancelling::Offered));
         m_document.edit(tr("Pack the texture"), [&](Project& edited) {
             edited.texture.atlas = atlas->options;
             edited.atlas = atlas;

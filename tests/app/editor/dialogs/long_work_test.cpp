@@ -68,3 +68,22 @@ TEST(LongWork, StopsOnEscape) {
     dialogs.expectNamed("progressDialog", [](QDialog* dialog) { QTest::keyClick(dialog, Qt::Key_Escape); });
     EXPECT_THROW(runLongWork(nullptr, "work", endless, Cancelling::Offered), Cancelled);
 }
+
+TEST(LongWork, WasCancelledOnceAskedThoughItWasDoneFirst) {
+    for (const Cancelling cancelling : {Cancelling::Offered, Cancelling::UntilDone}) {
+        DialogScript dialogs;
+        std::promise<void> asked;
+        dialogs.expectNamed("progressDialog", [&](QDialog* dialog) {
+            visibleButton(dialog)->click();
+            asked.set_value();
+        });
+        const auto run = [&] {
+            runLongWork(
+                nullptr, "work", [&](const Progress&) { asked.get_future().wait(); }, cancelling);
+        };
+        if (cancelling == Cancelling::Offered)
+            EXPECT_THROW(run(), Cancelled);
+        else
+            EXPECT_NO_THROW(run()) << "the file is there";
+    }
+}

@@ -3,6 +3,7 @@
 #include "core/support/errors.h"
 #include "tests/app/editor/document/journal_fixture.h"
 #include "tests/support/rounds.h"
+#include "tests/support/steady_progress.h"
 
 using namespace esm;
 
@@ -199,4 +200,14 @@ TEST_F(JournalReaderTest, SurvivesFilesOfAnyKind) {
         }
         std::filesystem::remove_all(left.place);
     }
+}
+
+TEST_F(JournalReaderTest, TellsHowFarItIsAndLeavesTheJournalWhereItIsStopped) {
+    setMass(0.5);
+    for (int i = 0; i < 10; ++i)
+        moveVertex();
+    journal.finish();
+    const LeftBehind left = leftByAKill();
+    test::expectGoodProgress([&](const Progress& progress) { bringBack(left, progress); });
+    EXPECT_EQ(bringBack(left).state.steps.size(), 11U);
 }

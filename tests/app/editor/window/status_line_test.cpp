@@ -87,3 +87,16 @@ TEST_F(StatusLineTest, SaysThatTheMotionWentBackAndOnInShorterSteps) {
     line->showStatus(playingAt(3, 4e-3));
     EXPECT_EQ(message(), "");
 }
+
+TEST_F(StatusLineTest, TellsOfWorkBesideTheWindowUntilItIsDone) {
+    line->showNote("a note", "explained");
+    line->showWork("Redrawing the photos… 40 %");
+    EXPECT_EQ(message(), "Redrawing the photos… 40 %");
+    line->showMessage("Saved organ.esm.");
+    line->showWork("Redrawing the photos… 50 %");
+    EXPECT_EQ(message(), "Saved organ.esm.") << "what was done is read first";
+    line->showMessage({});
+    EXPECT_EQ(message(), "Redrawing the photos… 50 %");
+    line->showWork({});
+    EXPECT_EQ(message(), "a note");
+}

@@ -1,6 +1,6 @@
 #include "app/editor/workers/imported_surface.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/steady_progress.h"
 
 using namespace esm;
 
@@ -37,4 +37,9 @@ TEST(ImportedSurface, KnowsTheOpenBorders) {
     EXPECT_EQ(all.report.boundaryEdges, 3U);
     soup.polygons.erase(soup.polygons.begin());
     EXPECT_TRUE(importedSurface(soup, {}).borders.empty());
+}
+
+TEST(ImportedSurface, TellsHowFarItIs) {
+    const PolygonSoup soup = tetrahedronAndTriangle(3);
+    test::expectGoodProgress([&](const Progress& progress) { importedSurface(soup, {}, progress); });
 }

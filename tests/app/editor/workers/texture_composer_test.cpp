@@ -103,3 +103,23 @@ TEST(TextureComposer, HasNothingButTheReasonWhereItFails) {
     EXPECT_EQ(composed.pages, nullptr);
     EXPECT_EQ(composed.atlas, nullptr);
 }
+
+TEST(TextureComposer, StopsWhatIsTakenBack) {
+    Project project = photographed(4096);
+    TextureComposer composer;
+    composer.compose(project);
+    ESM_EVENTUALLY(!composer.isWorking());
+    EXPECT_EQ(composer.progress(), 1);
+    const Project before = project;
+    const TextureComposer::Pages pages = composer.composition().pages;
+    int composed = 0;
+    QObject::connect(&composer, &TextureComposer::composed, &composer, [&] { ++composed; });
+    project.texture.baseColour = {1, 2, 3};
+    composer.compose(project);
+    ESM_EVENTUALLY(composer.progress() > 0 && composer.progress() < 1);
+    composer.compose(before);
+    ESM_EVENTUALLY(!composer.isWorking() && composed > 0);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(composed, 1) << "nobody waits for what was taken back";
+    EXPECT_EQ(composer.composition().pages->front().pixels, pages->front().pixels);
+}

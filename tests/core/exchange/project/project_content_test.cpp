@@ -25,7 +25,7 @@ struct Kept {
     }
 
     ContentSource source() const {
-        return {[this](const std::string& entry, std::uint64_t largest) {
+        return {[this](const std::string& entry, std::uint64_t largest, const Progress&) {
                     const auto found = entries.find(entry);
                     if (found == entries.end() || found->second.size() > largest)
                         throw InvalidModel(entry + " cannot be had");

@@ -29,7 +29,7 @@ ReadContent storedAndRead(const Project& project, SharedParts& shared) {
     EXPECT_THAT(manifestProblems(project, content.manifest), testing::IsEmpty());
     const std::string manifest = manifestText(content.manifest);
     std::map<std::string, std::string> entries = entriesOf(content);
-    const ContentSource source{[&](const std::string& entry, std::uint64_t) {
+    const ContentSource source{[&](const std::string& entry, std::uint64_t, const Progress&) {
                                    const std::string& text = entries.at(entry);
                                    return Bytes(text.begin(), text.end());
                                },
