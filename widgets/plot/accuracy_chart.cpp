@@ -77,6 +77,8 @@ AccuracyChart::AccuracyChart(QWidget* parent)
     frame->installEventFilter(this);
     frame->setCursor(Qt::ArrowCursor);
     setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Error over speed"));
+    setToolTip(tr("Click a point, or choose one with the arrow keys and Enter, to compute so"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
     followTheme();
     drawScales();
@@ -136,6 +138,11 @@ void AccuracyChart::setMostError(double error) {
     drawScales();
 }
 
+QString AccuracyChart::spokenValue() const {
+    const auto said = m_pointed ? m_pointed : m_chosen;
+    return said ? m_points[*said].text : tr("%1 ways to compute, none in use").arg(m_bySpeed.size());
+}
+
 QPoint AccuracyChart::placeOf(std::size_t point) const {
     return {qRound(transform(xBottom, m_points[point].speed)),
             qRound(transform(yLeft, 100 * m_points[point].error))};
@@ -156,6 +163,7 @@ std::optional<std::size_t> AccuracyChart::pointAt(const QPoint& place) const {
 
 void AccuracyChart::point(std::optional<std::size_t> point) {
     m_pointed = point;
+    tellSpoken(*this);
     QVector<QPointF> marked;
     if (point) marked.push_back({m_points[*point].speed, 100 * m_points[*point].error});
     m_pointedMark->setSamples(marked);

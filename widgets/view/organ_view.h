@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/render/renderer.h"
+#include "widgets/inputs/spoken.h"
 #include "widgets/view/camera_controller.h"
 #include "widgets/view/overlay.h"
 #include "widgets/view/picture_maker.h"
@@ -18,7 +19,7 @@ namespace esm {
 /// own.
 ///
 /// Esc lets go of what is held; every other key is the window's.
-class OrganView : public QWidget {
+class OrganView : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -44,6 +45,9 @@ public:
     /// The line at the bottom.
     void setHint(const QString& hint);
     const QString& hint() const { return m_hint; }
+
+    /// From where the organ is seen, what its colours mean, and what the tool in hand does.
+    QString spokenValue() const override;
 
     const ViewTool& tool() const { return *m_tool; }
     /// Takes a tool in hand, which outlives the view's use of it.

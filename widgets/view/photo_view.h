@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/texture/image.h"
+#include "widgets/inputs/spoken.h"
 #include "widgets/view/marks.h"
 
 #include <Eigen/Core>
@@ -22,7 +23,7 @@ struct PhotoMark {
 /// A photo in which places are chosen to the pixel: the wheel comes closer where the mouse is, a drag shifts,
 /// a click chooses a place, and a mark follows a drag. Knows no document: nothing moves until new marks say
 /// so.
-class PhotoView : public QWidget {
+class PhotoView : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -34,6 +35,9 @@ public:
     /// The line at the bottom.
     void setHint(const QString& hint);
     const QString& hint() const { return m_hint; }
+
+    /// The photo's size and how many places are marked.
+    QString spokenValue() const override;
 
     /// Between the widget and the photo, both in pixels.
     QPointF placeOf(const Eigen::Vector2d& pixel) const;

@@ -6,6 +6,7 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QStyle>
@@ -99,6 +100,8 @@ void showKeys(QWidget* window, const Actions& actions) {
     column->setSpacing(12);
     auto* sheet = new QScrollArea(&dialog);
     sheet->setFrameShape(QFrame::NoFrame);
+    sheet->setAccessibleName(dialog.windowTitle());
+    sheet->setToolTip(QObject::tr("The arrow keys scroll"));
     sheet->setWidget(new QLabel(keysText(actions)));
     column->addWidget(sheet);
     // As large as the sheet, where the screen has room for it.
@@ -106,6 +109,7 @@ void showKeys(QWidget* window, const Actions& actions) {
     dialog.resize(
         (sheet->widget()->sizeHint() + frame).boundedTo(window->screen()->availableSize() - QSize(40, 80)));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok, &dialog);
+    buttons->button(QDialogButtonBox::Ok)->setToolTip(QObject::tr("Close the sheet"));
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     column->addWidget(buttons);
     dialog.exec();

@@ -214,6 +214,7 @@ QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QSt
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // it follows the control that has the keys
 
     auto* dock = new QDockWidget(title, &window);
     dock->setObjectName(title);

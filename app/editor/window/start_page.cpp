@@ -38,6 +38,7 @@ QPushButton* entry(const QString& text, const QString& explanation) {
     }
     button->setAccessibleName(text);
     button->setAccessibleDescription(explanation);
+    button->setToolTip(explanation);
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     button->setMinimumHeight(lines->totalHeightForWidth(columnWidth));
     return button;
@@ -65,6 +66,7 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QScrollArea(pare
     setObjectName(QStringLiteral("startPage"));
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
+    setFocusPolicy(Qt::NoFocus); // it follows the entry that has the keys
     auto* body = new QWidget;
     body->setObjectName(QStringLiteral("startBody"));
     auto* title = new QLabel(tr("Elastodynamic Shape Modeler"));
