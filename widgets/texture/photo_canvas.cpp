@@ -306,6 +306,8 @@ void PhotoCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 void PhotoCanvas::keyPressEvent(QKeyEvent* event) {
+    // Enter sets a place where the mark is seen; with Ctrl it ends the line there too.
+    if (!event->modifiers().testFlag(Qt::ControlModifier) && m_keyPointer.press(*event)) return;
     const bool draws = m_tool == PhotoTool::Straighten && !m_lines.empty();
     const int key = event->key();
     if (draws && (key == Qt::Key_Return || key == Qt::Key_Enter)) {

@@ -2,6 +2,7 @@
 
 #include "core/texture/photo/photo_preparation.h"
 #include "core/texture/photo/straightening.h"
+#include "widgets/inputs/key_pointer.h"
 #include "widgets/inputs/spoken.h"
 
 #include <QImage>
@@ -87,6 +88,7 @@ private:
     double m_radius = 20, m_softness = 0;
     double m_scale = 1; ///< widget pixels per photo pixel
     QPointF m_origin;   ///< the photo's top left corner, widget pixels
+    KeyPointer m_keyPointer{*this};
 };
 
 } // namespace esm

@@ -19,6 +19,7 @@ OrganView::OrganView(QWidget* parent, PictureDrawing drawing) : QWidget(parent),
     setMinimumSize(240, 180);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Organ"));
+    m_keyPointer.setStops([this] { return m_tool->stops(sight()); });
     connect(&m_maker, &PictureMaker::made, this, &OrganView::takePicture);
 }
 
@@ -96,7 +97,9 @@ void OrganView::letGo() {
 
 void OrganView::cancel() {
     m_hold = Hold::Nothing;
+    m_pressed.reset();
     m_tool->cancel();
+    m_keyPointer.hide();
 }
 
 void OrganView::setCamera(const Camera& camera) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/render/renderer.h"
+#include "widgets/inputs/key_pointer.h"
 #include "widgets/inputs/spoken.h"
 #include "widgets/view/camera_controller.h"
 #include "widgets/view/overlay.h"
@@ -18,7 +19,8 @@ namespace esm {
 /// and no tool: a scene goes in, and nothing moves until a new scene says so. Only the camera is the view's
 /// own.
 ///
-/// Esc lets go of what is held; every other key is the window's.
+/// Esc lets go of what is held; arrows, Enter, Tab and Page Up and Down work as the mouse does (KeyPointer);
+/// every other key is the window's.
 class OrganView : public QWidget, public Spoken {
     Q_OBJECT
 
@@ -92,6 +94,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
     void leaveEvent(QEvent* event) override;
 
 private:
@@ -127,6 +130,7 @@ private:
     QString m_hint;
     QStringList m_instrumentNames;
     bool m_framed = false;
+    KeyPointer m_keyPointer{*this};
 };
 
 } // namespace esm

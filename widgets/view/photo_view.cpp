@@ -31,6 +31,12 @@ PhotoView::PhotoView(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Photo"));
     setToolTip(tr("Click a place, drag a mark or the photo, and come closer with the wheel"));
     setFocusPolicy(Qt::StrongFocus);
+    m_keyPointer.setStops([this] {
+        std::vector<QPointF> stops;
+        for (const PhotoMark& mark : m_marks)
+            stops.push_back(placeOf(mark.place));
+        return stops;
+    });
 }
 
 void PhotoView::setPicture(std::shared_ptr<const Image> picture) {
@@ -170,6 +176,14 @@ void PhotoView::wheelEvent(QWheelEvent* event) {
 void PhotoView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     setMiddle(m_middle);
+}
+
+void PhotoView::keyPressEvent(QKeyEvent* event) {
+    if (!m_keyPointer.press(*event)) QWidget::keyPressEvent(event);
+}
+
+bool PhotoView::focusNextPrevChild(bool next) {
+    return m_keyPointer.goToNextStop(next) || QWidget::focusNextPrevChild(next);
 }
 
 } // namespace esm

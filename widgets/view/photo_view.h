@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/texture/image.h"
+#include "widgets/inputs/key_pointer.h"
 #include "widgets/inputs/spoken.h"
 #include "widgets/view/marks.h"
 
@@ -57,6 +58,8 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
 
 private:
     double scale() const; ///< pixels of the widget per pixel of the photo
@@ -74,6 +77,7 @@ private:
     std::optional<QPointF> m_pressed;   ///< where a button went down, while it may still become a click
     std::optional<int> m_dragged;       ///< the number of the mark that follows the mouse
     std::optional<QPointF> m_shiftFrom; ///< where the mouse was that shifts the photo
+    KeyPointer m_keyPointer{*this};
 };
 
 } // namespace esm

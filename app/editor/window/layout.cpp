@@ -128,6 +128,8 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     edit->addActions({a.undo, a.redo, a.history});
     edit->addSeparator();
     edit->addActions({a.duplicateRegion, a.removeRegion, a.removePhoto, a.rename});
+    edit->addSeparator();
+    edit->addAction(a.shortcuts);
     fillViewMenu(bar->addMenu(QObject::tr("&View")), a);
 
     QMenu* model = bar->addMenu(QObject::tr("&Model"));

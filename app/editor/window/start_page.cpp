@@ -46,7 +46,10 @@ QPushButton* entry(const QString& text, const QString& explanation) {
 
 QPushButton* entry(QAction* action) {
     const QString text = action->text().remove('&');
-    QPushButton* button = entry(text, action->toolTip());
+    QPushButton* button = entry(text, whatItDoes(action));
+    const auto follow = [button, action] { button->setToolTip(action->toolTip()); };
+    QObject::connect(action, &QAction::changed, button, follow);
+    follow();
     QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
     return button;
 }
