@@ -32,6 +32,7 @@ ConclusionView::ConclusionView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setObjectName(QStringLiteral("conclusionView"));
+    setToolTip(tr("The terms, cut off at how strongly rules ask for them, and where their centre lies"));
 }
 
 void ConclusionView::setOutput(const FuzzyVariable& output, const QString& unit) {
@@ -43,7 +44,7 @@ void ConclusionView::setOutput(const FuzzyVariable& output, const QString& unit)
 
 void ConclusionView::setExplanation(OutputExplanation explanation) {
     m_explanation = std::move(explanation);
-    setAccessibleDescription(textAt(std::nullopt));
+    tellSpoken(*this);
     update();
 }
 
@@ -54,7 +55,7 @@ void ConclusionView::setChosenRule(std::optional<std::size_t> rule) {
 
 void ConclusionView::setHeld(std::optional<double> value) {
     m_held = value;
-    setAccessibleDescription(textAt(std::nullopt));
+    tellSpoken(*this);
     update();
 }
 

@@ -3,6 +3,7 @@
 #include "core/fuzzy/explanation.h"
 #include "core/fuzzy/inference.h"
 #include "widgets/fuzzy/plot_frame.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QWidget>
 
@@ -12,7 +13,7 @@ namespace esm {
 
 /// What the rules conclude of one output: its terms, what each rule leaves of them, what these make together,
 /// and where the centre of gravity of that lies.
-class ConclusionView : public QWidget {
+class ConclusionView : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -28,6 +29,7 @@ public:
     /// What is said of a place, or of the centre of gravity.
     QString textAt(std::optional<double> value) const;
 
+    QString spokenValue() const override { return textAt(std::nullopt); }
     QSize sizeHint() const override { return {300, 132}; }
     QSize minimumSizeHint() const override { return {180, 110}; }
 

@@ -2,6 +2,7 @@
 
 #include "widgets/fuzzy/small_font.h"
 #include "widgets/inputs/elided_label.h"
+#include "widgets/inputs/enabling.h"
 
 #include <QSignalBlocker>
 #include <QStyle>
@@ -44,6 +45,12 @@ LinguisticSlider::LinguisticSlider(const FuzzyVariable& variable, const QString&
     m_slider->setPageStep(sliderSteps / 10);
     m_slider->setSingleStep(sliderSteps / 100);
     m_slider->setAccessibleName(caption);
+    const double perValue = m_field->format().shownPerValue;
+    m_slider->setScale(perValue * variable.minimum, perValue * variable.maximum);
+    m_field->setAccessibleName(caption);
+    m_slider->setToolTip(tr("Sets %1: drag it, or use the arrow keys").arg(caption));
+    m_field->setToolTip(tr("%1 as a number. Up and Down step it").arg(caption));
+    m_terms->setAccessibleName(tr("Terms of %1").arg(caption));
     m_terms->setVariable(variable);
     m_words->setObjectName(QStringLiteral("degrees"));
     m_words->setFont(smallFont(font()));
@@ -97,7 +104,8 @@ QString LinguisticSlider::words() const {
 void LinguisticSlider::showWords() {
     m_words->setText(m_remark.isEmpty() ? words() : words() + QStringLiteral(" · ") + m_remark);
     m_words->setToolTip(m_words->text());
-    m_slider->setAccessibleDescription(m_words->text());
+    m_slider->setSpoken(m_field->value() ? m_field->text() + QStringLiteral(", ") + m_words->text()
+                                         : m_words->text());
 }
 
 void LinguisticSlider::setRemark(const QString& remark, Manner manner) {
@@ -113,7 +121,7 @@ void LinguisticSlider::setRemark(const QString& remark, Manner manner) {
 void LinguisticSlider::setReadOnly(const QString& reason) {
     for (QWidget* part :
          {static_cast<QWidget*>(m_field), static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_terms)})
-        part->setEnabled(false);
+        enable(part, false, {}, reason);
     setToolTip(reason);
 }
 

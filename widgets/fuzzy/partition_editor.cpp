@@ -50,13 +50,14 @@ PartitionEditor::PartitionEditor(QWidget* parent) : QWidget(parent) {
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setSizePolicy(policy);
     setFont(smallFont(font()));
+    setToolTip(tr("Drag terms and their corners. Tab goes from corner to corner, the arrow keys move one"));
 }
 
 void PartitionEditor::setVariable(const FuzzyVariable& variable) {
     m_scene.variable = variable;
     if (m_hold && !hasTerm()) m_hold.reset();
     setAccessibleName(tr("Partition of %1").arg(readableName(variable.name)));
-    describe();
+    tellSpoken(*this);
     update();
 }
 
@@ -69,7 +70,7 @@ void PartitionEditor::setTerm(std::size_t term) {
     if (term == m_scene.term) return;
     letGo();
     m_scene.term = term;
-    describe();
+    tellSpoken(*this);
     update();
 }
 
@@ -204,7 +205,7 @@ void PartitionEditor::takeBack() {
 
 void PartitionEditor::takeCorner(std::optional<Corner> corner) {
     m_scene.corner = corner;
-    describe();
+    tellSpoken(*this);
     update();
 }
 
@@ -263,14 +264,21 @@ void PartitionEditor::stepTo(double value) {
     emit setEdited(m_scene.term, withCorner(m_scene.variable, m_scene.term, *m_scene.corner, value));
 }
 
-void PartitionEditor::describe() {
-    if (!hasTerm()) return setAccessibleDescription({});
+QString PartitionEditor::spokenValue() const {
+    if (!hasTerm()) return tr("no term in hand");
     const FuzzyTerm& term = m_scene.variable.terms[m_scene.term];
-    QString text = readableName(term.name);
-    if (m_scene.corner)
-        text += QStringLiteral(" %1 %2").arg(cornerUse(*m_scene.corner),
-                                             numberText(cornerOf(term.set, *m_scene.corner)));
-    setAccessibleDescription(text);
+    if (!m_scene.corner) return readableName(term.name);
+    const double value = cornerOf(term.set, *m_scene.corner);
+    return QStringLiteral("%1 %2 %3")
+        .arg(readableName(term.name), cornerUse(*m_scene.corner),
+             withUnit(value, QString::fromStdString(m_scene.variable.unit)));
+}
+
+std::optional<SpokenNumber> PartitionEditor::spokenNumber() const {
+    if (!hasTerm() || !m_scene.corner) return std::nullopt;
+    const FuzzyVariable& variable = m_scene.variable;
+    return SpokenNumber{cornerOf(variable.terms[m_scene.term].set, *m_scene.corner), variable.minimum,
+                        variable.maximum, cornerStep(variable)};
 }
 
 QString PartitionEditor::explained(const QPoint& place) const {
@@ -283,7 +291,7 @@ QString PartitionEditor::explained(const QPoint& place) const {
     if (const auto term = termAt(place))
         return tr("%1. A click takes it in hand, a drag moves it.")
             .arg(readableName(m_scene.variable.terms[*term].name));
-    return {};
+    return toolTip();
 }
 
 bool PartitionEditor::event(QEvent* event) {

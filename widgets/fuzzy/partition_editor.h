@@ -2,6 +2,7 @@
 
 #include "widgets/fuzzy/partition_picture.h"
 #include "widgets/inputs/gesture.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QWidget>
 
@@ -12,7 +13,7 @@ namespace esm {
 /// Ctrl is held, and never cross. Drawn at its middle a term moves as a whole. With the keys, Tab goes from
 /// corner to corner, Left and Right move the corner, with Shift further, Up and Down take another term in
 /// hand.
-class PartitionEditor : public QWidget {
+class PartitionEditor : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -35,6 +36,11 @@ public:
 
     /// How long the keys rest before what follows is another edit.
     void setPause(std::chrono::milliseconds pause) { m_keys.setPause(pause); }
+
+    /// "medium ends at 10 mm": the term in hand, and its corner.
+    QString spokenValue() const override;
+    std::optional<SpokenNumber> spokenNumber() const override;
+    void setSpokenNumber(double value) override { stepTo(value); }
 
     QSize sizeHint() const override { return {300, 168}; }
     QSize minimumSizeHint() const override { return {160, 140}; }
@@ -89,7 +95,6 @@ private:
     void step(int direction, bool far);
     void stepTo(double value);
     void takeCorner(std::optional<Corner> corner);
-    void describe();
     QString explained(const QPoint& place) const;
 
     PartitionScene m_scene;

@@ -35,7 +35,7 @@ void ResponseView::setPresent(std::optional<double> across, std::optional<double
     m_presentAcross = across;
     m_presentUp = up;
     m_presentOutput = output;
-    setAccessibleDescription(textAt(std::nullopt));
+    tellSpoken(*this);
     update();
 }
 

@@ -3,6 +3,7 @@
 #include "core/fuzzy/output_response.h"
 #include "widgets/fuzzy/plot_frame.h"
 #include "widgets/inputs/gesture.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QWidget>
 
@@ -12,7 +13,7 @@ namespace esm {
 
 /// What curves and maps of an output have in common: a place in them stands for values of inputs, which a
 /// click, a drag or the arrow keys set; the mouse over them says what the output would be.
-class ResponseView : public QWidget {
+class ResponseView : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -29,6 +30,8 @@ public:
     virtual PlotFrame frame() const = 0;
     /// What is said of the place that the mouse points at, or of the present one.
     QString said() const { return textAt(spokenPlace()); }
+    /// What is said of the present place.
+    QString spokenValue() const override { return textAt(std::nullopt); }
 
 signals:
     /// The inputs are to be these; one without a value stays as it is.

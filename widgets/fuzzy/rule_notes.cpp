@@ -44,6 +44,7 @@ QPalette::ColorRole roleOf(RuleNote::Kind kind) {
 RuleNotes::RuleNotes(QWidget* parent) : QListWidget(parent) {
     setObjectName(QStringLiteral("ruleNotes"));
     setAccessibleName(tr("Notes about the rules"));
+    setToolTip(tr("What is wrong or worth a look in the rules; Enter or a click goes there"));
     setItemDelegate(new NoteDelegate(this));
     setWordWrap(true);
     setTextElideMode(Qt::ElideNone);

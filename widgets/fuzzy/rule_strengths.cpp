@@ -35,6 +35,7 @@ QString wordsOfRule(const FuzzySystem& system, const FuzzyRule& rule) {
 RuleStrengths::RuleStrengths(QWidget* parent) : QAbstractScrollArea(parent) {
     setObjectName(QStringLiteral("ruleStrengths"));
     setAccessibleName(tr("How strongly each rule fires"));
+    setToolTip(tr("Click a rule, or choose one with the arrow keys, to see how its degree comes about"));
     setFrameShape(QFrame::NoFrame);
     setFont(smallFont(font()));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -59,8 +60,12 @@ void RuleStrengths::setSystem(std::shared_ptr<const FuzzySystem> system) {
 
 void RuleStrengths::setExplanations(std::vector<RuleExplanation> rules) {
     m_rules = std::move(rules);
-    if (m_chosen) setAccessibleDescription(explained(*m_chosen));
     arrange();
+    tellSpoken(*this);
+}
+
+QString RuleStrengths::spokenValue() const {
+    return m_chosen ? explained(*m_chosen) : tr("%1 rules, none chosen").arg(m_words.size());
 }
 
 void RuleStrengths::setStrongestFirst(bool on) {
@@ -175,7 +180,7 @@ std::optional<std::size_t> RuleStrengths::placeOfChosen() const {
 void RuleStrengths::choose(std::optional<std::size_t> rule) {
     if (rule == m_chosen) return;
     m_chosen = rule;
-    setAccessibleDescription(rule ? explained(*rule) : QString());
+    tellSpoken(*this);
     viewport()->update();
     emit ruleChosen();
 }
@@ -215,7 +220,7 @@ bool RuleStrengths::viewportEvent(QEvent* event) {
     if (const auto rule = ruleAt(help->y()))
         QToolTip::showText(help->globalPos(), explained(*rule), viewport());
     else
-        QToolTip::hideText();
+        QToolTip::showText(help->globalPos(), toolTip(), viewport());
     return true;
 }
 

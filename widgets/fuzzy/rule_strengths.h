@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/fuzzy/explanation.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QAbstractScrollArea>
 
@@ -12,7 +13,7 @@ namespace esm {
 
 /// The rules of a system in words, each with how strongly it fires: a bar behind the words and the degree.
 /// A click or the arrow keys choose one, Escape or a second click none.
-class RuleStrengths : public QAbstractScrollArea {
+class RuleStrengths : public QAbstractScrollArea, public Spoken {
     Q_OBJECT
 
 public:
@@ -31,6 +32,8 @@ public:
     /// How the degree comes about, word by word.
     QString explained(std::size_t rule) const;
 
+    /// The chosen rule, else how many there are.
+    QString spokenValue() const override;
     QSize sizeHint() const override { return {300, 190}; }
     QSize minimumSizeHint() const override { return {180, 120}; }
 

@@ -57,6 +57,7 @@ RuleTextEdit::RuleTextEdit(QWidget* parent)
     : QPlainTextEdit(parent), m_highlighter(new RuleHighlighter(document())),
       m_completer(new QCompleter(this)), m_words(new QStringListModel(this)), m_gutter(new RuleGutter(this)) {
     setAccessibleName(tr("Rules"));
+    setToolTip(tr("A rule a line. Ctrl+Space shows the words that fit"));
     setPlaceholderText(tr("IF … IS … THEN … IS …\nCtrl+Space shows the words that fit."));
     setTabChangesFocus(true);
     setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
@@ -304,7 +305,7 @@ bool RuleTextEdit::viewportEvent(QEvent* event) {
     if (event->type() != QEvent::ToolTip) return QPlainTextEdit::viewportEvent(event);
     const auto* help = static_cast<QHelpEvent*>(event);
     const UnreadRule* mistake = mistakeAt(help->pos());
-    QToolTip::showText(help->globalPos(), mistake ? QString::fromStdString(mistake->message) : QString(),
+    QToolTip::showText(help->globalPos(), mistake ? QString::fromStdString(mistake->message) : toolTip(),
                        this);
     return true;
 }

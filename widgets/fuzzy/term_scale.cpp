@@ -45,6 +45,7 @@ QString wordsFor(const FuzzyVariable& variable, double value) {
 TermScale::TermScale(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     setFont(smallFont(font()));
+    setToolTip(tr("Click a word to go to where it holds fully"));
 }
 
 void TermScale::setVariable(const FuzzyVariable& variable) {
@@ -54,7 +55,13 @@ void TermScale::setVariable(const FuzzyVariable& variable) {
 
 void TermScale::setValue(std::optional<double> value) {
     m_value = value;
+    tellSpoken(*this);
     update();
+}
+
+QString TermScale::spokenValue() const {
+    if (!m_note.isEmpty()) return m_note;
+    return m_value ? wordsFor(m_variable, *m_value) : tr("no value");
 }
 
 void TermScale::setNote(const QString& note) {
@@ -186,9 +193,9 @@ bool TermScale::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip) return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
     const int index = termAt(help->pos());
-    if (!m_note.isEmpty()) QToolTip::showText(help->globalPos(), m_note, this);
-    if (index < 0) return true;
-    QToolTip::showText(help->globalPos(), explained(m_variable.terms[static_cast<std::size_t>(index)]), this);
+    QString said = m_note.isEmpty() ? toolTip() : m_note;
+    if (index >= 0 && isEnabled()) said = explained(m_variable.terms[static_cast<std::size_t>(index)]);
+    QToolTip::showText(help->globalPos(), said, this);
     return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/fuzzy/fuzzy_system.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QWidget>
 
@@ -18,7 +19,7 @@ QString wordsFor(const FuzzyVariable& variable, double value);
 /// The terms of a variable, each beneath the middle of its core on the slider above, in two rows where one is
 /// too narrow; a tick marks the place exactly. Terms the value belongs to stand out. A click on a term asks
 /// for the middle of its core.
-class TermScale : public QWidget {
+class TermScale : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -33,6 +34,7 @@ public:
     void setNote(const QString& note);
     const QString& note() const { return m_note; }
 
+    QString spokenValue() const override;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "widgets/inputs/action_texts.h"
+
 #include <QAbstractButton>
-#include <QAction>
 
 namespace esm {
 
-/// Enables a control or an action; its tool tip says what it does, or why it cannot be used now.
+/// Enables a control; its tool tip says what it does, or why it cannot be used now.
 template<typename Control> void enable(Control* control, bool on, const QString& does, const QString& why) {
     control->setEnabled(on);
     control->setToolTip(on ? does : why);

@@ -137,6 +137,8 @@ void ItemList::setRows(const std::vector<ItemRow>& rows, int selected) {
         entry->setText(row.name);
         entry->setToolTip(row.name);
         entry->setData(NoteRole, row.note);
+        entry->setData(Qt::AccessibleTextRole,
+                       row.note.isEmpty() ? row.name : row.name + QStringLiteral(", ") + row.note);
         entry->setData(ColourRole, row.colour);
         entry->setData(PictureRole, row.picture);
         entry->setFlags(row.renamable ? entry->flags() | Qt::ItemIsEditable

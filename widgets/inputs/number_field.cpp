@@ -63,14 +63,19 @@ bool NumberField::isCut() const {
     return fontMetrics().horizontalAdvance(text()) + textMargin() > width() + 2;
 }
 
+QString NumberField::explained() const {
+    if (!m_refusal.isEmpty()) return m_refusal;
+    QStringList lines;
+    if (isCut()) lines << text();
+    if (!toolTip().isEmpty()) lines << toolTip();
+    if (isEnabled() && !isReadOnly()) lines << limitsText();
+    lines.removeAll({});
+    return lines.join('\n');
+}
+
 bool NumberField::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip && !m_refusal.isEmpty()) {
-        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), m_refusal, this);
-        return true;
-    }
-    if (event->type() == QEvent::ToolTip && isCut()) {
-        const QString whole = toolTip().isEmpty() ? text() : text() + '\n' + toolTip();
-        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), whole, this);
+    if (event->type() == QEvent::ToolTip) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), explained(), this);
         return true;
     }
     const bool handled = QLineEdit::event(event);
@@ -152,6 +157,7 @@ void NumberField::setRefusal(const QString& reason) {
     if (reason == m_refusal) return;
     m_refusal = reason;
     setProperty("refused", !reason.isEmpty());
+    setAccessibleDescription(reason);
     style()->polish(this);
     if (reason.isEmpty()) QToolTip::hideText();
     emit refusalChanged();
@@ -170,15 +176,25 @@ void NumberField::showValue() {
     setModified(false);
 }
 
+QString NumberField::boundText(double value) const {
+    return QString::number(value * m_format.shownPerValue, 'g', 10).replace('-', QChar(0x2212));
+}
+
 QString NumberField::rangeText() const {
-    const auto bound = [this](double value) {
-        return QString::number(value * m_format.shownPerValue, 'g', 10).replace('-', QChar(0x2212));
-    };
     const QString unit = m_format.unit.isEmpty() ? QString() : ' ' + m_format.unit;
     if (m_format.maximum == std::numeric_limits<double>::max())
-        return tr("The value must be at least %1%2.").arg(bound(m_format.minimum), unit);
+        return tr("The value must be at least %1%2.").arg(boundText(m_format.minimum), unit);
     return tr("The value must lie between %1 and %2%3.")
-        .arg(bound(m_format.minimum), bound(m_format.maximum), unit);
+        .arg(boundText(m_format.minimum), boundText(m_format.maximum), unit);
+}
+
+QString NumberField::limitsText() const {
+    const QString unit = m_format.unit.isEmpty() ? QString() : ' ' + m_format.unit;
+    if (m_format.minimum == std::numeric_limits<double>::lowest())
+        return m_format.unit.isEmpty() ? QString() : tr("In %1").arg(m_format.unit);
+    const QString least = boundText(m_format.minimum);
+    if (m_format.maximum == std::numeric_limits<double>::max()) return tr("At least %1%2").arg(least, unit);
+    return tr("From %1 to %2%3").arg(least, boundText(m_format.maximum), unit);
 }
 
 } // namespace esm

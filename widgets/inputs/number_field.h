@@ -68,7 +68,12 @@ private:
     void refuse(const QString& reason);
     void setRefusal(const QString& reason);
     void showValue();
+    QString boundText(double value) const;
     QString rangeText() const;
+    /// "From 1 to 2000 mm".
+    QString limitsText() const;
+    /// What the tool tip says: why a text is not taken, else what is set here, in which unit and limits.
+    QString explained() const;
     int textMargin() const;
     /// Whether the field has no room for all of its text: the tool tip then says it.
     bool isCut() const;

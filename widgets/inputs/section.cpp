@@ -86,6 +86,7 @@ QLabel* ValueRows::captionOf(const QString& caption, QWidget* field) {
     auto* label = new QLabel(caption, this);
     label->setProperty("quiet", true);
     label->setBuddy(field);
+    if (field->accessibleName().isEmpty()) field->setAccessibleName(QString(caption).remove('&'));
     return label;
 }
 

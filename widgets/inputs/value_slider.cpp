@@ -6,6 +6,8 @@
 #include <QStyleOptionSlider>
 #include <QWheelEvent>
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
@@ -21,6 +23,27 @@ ValueSlider::ValueSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
     connect(this, &QSlider::valueChanged, this, [this] {
         if (!isSliderDown()) m_keys.goOn();
     });
+}
+
+void ValueSlider::setScale(double least, double most) {
+    m_least = least;
+    m_most = most;
+}
+
+void ValueSlider::setSpoken(const QString& value) {
+    if (value == m_spoken) return;
+    m_spoken = value;
+    tellSpoken(*this);
+}
+
+std::optional<SpokenNumber> ValueSlider::spokenNumber() const {
+    const double perStep = (m_most - m_least) / std::max(1, maximum() - minimum());
+    return SpokenNumber{m_least + perStep * (value() - minimum()), m_least, m_most, perStep * singleStep()};
+}
+
+void ValueSlider::setSpokenNumber(double number) {
+    const double share = (number - m_least) / (m_most - m_least);
+    setValue(minimum() + qRound(share * (maximum() - minimum())));
 }
 
 QRect ValueSlider::handleRect() const {

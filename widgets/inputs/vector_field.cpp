@@ -24,6 +24,17 @@ VectorField::VectorField(const NumberFormat& format, QWidget* parent) : QWidget(
     setFocusProxy(m_fields[0]);
 }
 
+void VectorField::setCaption(const QString& caption) {
+    for (int axis = 0; axis < 3; ++axis)
+        field(axis)->setAccessibleName(
+            QStringLiteral("%1 %2, %3").arg(caption, QChar('x' + axis), field(axis)->format().unit));
+}
+
+void VectorField::setToolTip(const QString& toolTip) {
+    for (NumberField* field : m_fields)
+        field->setToolTip(toolTip);
+}
+
 void VectorField::setValue(const std::optional<Eigen::Vector3d>& value) {
     for (int axis = 0; axis < 3; ++axis)
         field(axis)->setValue(value ? std::optional((*value)[axis]) : std::nullopt);

@@ -18,6 +18,9 @@ class VectorField : public QWidget {
 public:
     explicit VectorField(const NumberFormat& format, QWidget* parent = nullptr);
 
+    /// Its three fields are called by it and their axis, with the unit that a caption names: "Centre x, mm".
+    void setCaption(const QString& caption);
+    void setToolTip(const QString& toolTip);
     /// Shows a value without announcing it; none shows dashes.
     void setValue(const std::optional<Eigen::Vector3d>& value);
     NumberField* field(int axis) const { return m_fields[static_cast<std::size_t>(axis)]; }

@@ -77,6 +77,8 @@ AccuracyChart::AccuracyChart(QWidget* parent)
     frame->installEventFilter(this);
     frame->setCursor(Qt::ArrowCursor);
     setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Error over speed"));
+    setToolTip(tr("Click a point, or choose one with the arrow keys and Enter, to compute so"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
     followTheme();
     drawScales();
@@ -131,6 +133,7 @@ void AccuracyChart::setChosen(std::optional<std::size_t> point) {
 void AccuracyChart::mark(std::optional<std::size_t> point) {
     m_marked = point && *point < m_points.size() && isDrawn(*point) ? point : std::nullopt;
     ring(m_markedMark, m_marked);
+    tellSpoken(*this);
 }
 
 void AccuracyChart::ring(QwtPlotCurve* mark, std::optional<std::size_t> point) {
@@ -148,6 +151,11 @@ void AccuracyChart::setEmptyText(const QString& text) {
 void AccuracyChart::setMostError(double error) {
     m_mostError->setYValue(100 * error);
     drawScales();
+}
+
+QString AccuracyChart::spokenValue() const {
+    const auto said = m_pointed ? m_pointed : m_marked ? m_marked : m_chosen;
+    return said ? m_points[*said].text : tr("%1 ways to compute, none in use").arg(m_bySpeed.size());
 }
 
 QPoint AccuracyChart::placeOf(std::size_t point) const {

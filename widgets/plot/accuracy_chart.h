@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/inputs/spoken.h"
+
 #include <qwt_plot.h>
 
 #include <optional>
@@ -20,7 +22,7 @@ struct AccuracyPoint {
 /// Error over speed of many ways to compute the same motion, both logarithmic: the better, the further to the
 /// right and the lower. A click marks a point, as the arrow keys do from one speed to the next; a double
 /// click or Enter chooses it.
-class AccuracyChart : public QwtPlot {
+class AccuracyChart : public QwtPlot, public Spoken {
     Q_OBJECT
 
 public:
@@ -42,6 +44,8 @@ public:
     /// Where a point lies on the canvas.
     QPoint placeOf(std::size_t point) const;
 
+    /// The point that is pointed at, else the one in use, else how many there are.
+    QString spokenValue() const override;
     QSize sizeHint() const override { return {300, 230}; }
     QSize minimumSizeHint() const override { return {200, 150}; } ///< whatever its scales say
 

@@ -39,6 +39,7 @@ QPainterPath pathOf(const std::vector<Eigen::Vector2d>& places) {
 PhotoCanvas::PhotoCanvas(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("photoCanvas"));
     setAccessibleName(tr("Photo"));
+    setToolTip(tr("The wheel comes closer, the middle button shifts the photo"));
     setMinimumSize(320, 240);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -59,11 +60,13 @@ void PhotoCanvas::setPicture(const QImage& picture) {
 void PhotoCanvas::setStrokes(const std::vector<PhotoStroke>& strokes) {
     if (strokes == m_strokes) return;
     m_strokes = strokes;
+    tellSpoken(*this);
     redraw();
 }
 
 void PhotoCanvas::setCrop(const std::optional<PhotoCrop>& crop) {
     m_crop = crop;
+    tellSpoken(*this);
     update();
 }
 
@@ -93,6 +96,19 @@ void PhotoCanvas::clearLines() {
     m_lines.clear();
     emit linesChanged();
     update();
+}
+
+QString PhotoCanvas::spokenValue() const {
+    if (m_picture.isNull()) return tr("no photo");
+    QStringList said{tr("%1 × %2 pixels").arg(m_picture.width()).arg(m_picture.height()),
+                     tr("%1 strokes").arg(m_strokes.size()), tr("%1 lines").arg(lines().size())};
+    if (m_crop)
+        said << tr("cropped to %1 × %2 pixels from %3, %4")
+                    .arg(m_crop->width)
+                    .arg(m_crop->height)
+                    .arg(m_crop->x)
+                    .arg(m_crop->y);
+    return said.join(QStringLiteral(", "));
 }
 
 QPointF PhotoCanvas::toWidget(const Eigen::Vector2d& place) const {
@@ -290,6 +306,8 @@ void PhotoCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 void PhotoCanvas::keyPressEvent(QKeyEvent* event) {
+    // Enter sets a place where the mark is seen; with Ctrl it ends the line there too.
+    if (!event->modifiers().testFlag(Qt::ControlModifier) && m_keyPointer.press(*event)) return;
     const bool draws = m_tool == PhotoTool::Straighten && !m_lines.empty();
     const int key = event->key();
     if (draws && (key == Qt::Key_Return || key == Qt::Key_Enter)) {

@@ -2,6 +2,8 @@
 
 #include "core/texture/photo/photo_preparation.h"
 #include "core/texture/photo/straightening.h"
+#include "widgets/inputs/key_pointer.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QImage>
 #include <QWidget>
@@ -16,7 +18,7 @@ enum class PhotoTool { LeaveOut, TakeBack, Straighten, Crop };
 /// A photo, as large as there is room, to paint on, to draw lines on and to frame. It says what was drawn, in
 /// photo pixels, and shows what it is told. The wheel magnifies about the mouse; the middle button moves the
 /// photo.
-class PhotoCanvas : public QWidget {
+class PhotoCanvas : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -34,6 +36,9 @@ public:
     /// Lines of three places and more that were drawn, the one at work included.
     std::vector<DrawnLine> lines() const;
     void clearLines();
+
+    /// The photo's size, and what was drawn on it.
+    QString spokenValue() const override;
 
     QPointF toWidget(const Eigen::Vector2d& place) const;
     Eigen::Vector2d toPhoto(const QPointF& at) const;
@@ -83,6 +88,7 @@ private:
     double m_radius = 20, m_softness = 0;
     double m_scale = 1; ///< widget pixels per photo pixel
     QPointF m_origin;   ///< the photo's top left corner, widget pixels
+    KeyPointer m_keyPointer{*this};
 };
 
 } // namespace esm

@@ -3,6 +3,7 @@
 #include "core/render/drawn_shape.h"
 #include "widgets/view/approach.h"
 #include "widgets/view/axis_cube.h"
+#include "widgets/view/view_words.h"
 #include "widgets/view/within.h"
 
 #include <QPainter>
@@ -17,6 +18,8 @@ OrganView::OrganView(QWidget* parent, PictureDrawing drawing) : QWidget(parent),
     setMouseTracking(true);
     setMinimumSize(240, 180);
     setAttribute(Qt::WA_OpaquePaintEvent);
+    setAccessibleName(tr("Organ"));
+    m_keyPointer.setStops([this] { return m_tool->stops(sight()); });
     connect(&m_maker, &PictureMaker::made, this, &OrganView::takePicture);
 }
 
@@ -56,8 +59,17 @@ void OrganView::setLegend(std::optional<ViewLegend> legend) {
 }
 
 void OrganView::setHint(const QString& hint) {
+    if (hint == m_hint) return;
     m_hint = hint;
+    tellSpoken(*this);
     update();
+}
+
+QString OrganView::spokenValue() const {
+    QStringList said{sideWords(camera())};
+    if (m_legend) said << legendWords(*m_legend);
+    if (!m_hint.isEmpty()) said << m_hint;
+    return said.join(QStringLiteral(". "));
 }
 
 void OrganView::setTool(ViewTool& tool) {
@@ -85,7 +97,9 @@ void OrganView::letGo() {
 
 void OrganView::cancel() {
     m_hold = Hold::Nothing;
+    m_pressed.reset();
     m_tool->cancel();
+    m_keyPointer.hide();
 }
 
 void OrganView::setCamera(const Camera& camera) {

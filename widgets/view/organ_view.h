@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/render/renderer.h"
+#include "widgets/inputs/key_pointer.h"
+#include "widgets/inputs/spoken.h"
 #include "widgets/view/camera_controller.h"
 #include "widgets/view/overlay.h"
 #include "widgets/view/picture_maker.h"
@@ -17,8 +19,9 @@ namespace esm {
 /// and no tool: a scene goes in, and nothing moves until a new scene says so. Only the camera is the view's
 /// own.
 ///
-/// Esc lets go of what is held; every other key is the window's.
-class OrganView : public QWidget {
+/// Esc lets go of what is held; arrows, Enter, Tab and Page Up and Down work as the mouse does (KeyPointer);
+/// every other key is the window's.
+class OrganView : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -44,6 +47,9 @@ public:
     /// The line at the bottom.
     void setHint(const QString& hint);
     const QString& hint() const { return m_hint; }
+
+    /// From where the organ is seen, what its colours mean, and what the tool in hand does.
+    QString spokenValue() const override;
 
     const ViewTool& tool() const { return *m_tool; }
     /// Takes a tool in hand, which outlives the view's use of it.
@@ -88,6 +94,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
     void leaveEvent(QEvent* event) override;
 
 private:
@@ -123,6 +130,7 @@ private:
     QString m_hint;
     QStringList m_instrumentNames;
     bool m_framed = false;
+    KeyPointer m_keyPointer{*this};
 };
 
 } // namespace esm

@@ -52,8 +52,13 @@ void OrganView::wheelEvent(QWheelEvent* event) {
 }
 
 void OrganView::keyPressEvent(QKeyEvent* event) {
+    if (m_keyPointer.press(*event)) return;
     if (event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
     cancel();
+}
+
+bool OrganView::focusNextPrevChild(bool next) {
+    return m_keyPointer.goToNextStop(next) || QWidget::focusNextPrevChild(next);
 }
 
 void OrganView::leaveEvent(QEvent* event) {

@@ -28,6 +28,15 @@ PhotoView::PhotoView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setCursor(Qt::CrossCursor);
     setObjectName(QStringLiteral("photoView"));
+    setAccessibleName(tr("Photo"));
+    setToolTip(tr("Click a place, drag a mark or the photo, and come closer with the wheel"));
+    setFocusPolicy(Qt::StrongFocus);
+    m_keyPointer.setStops([this] {
+        std::vector<QPointF> stops;
+        for (const PhotoMark& mark : m_marks)
+            stops.push_back(placeOf(mark.place));
+        return stops;
+    });
 }
 
 void PhotoView::setPicture(std::shared_ptr<const Image> picture) {
@@ -45,12 +54,19 @@ void PhotoView::setPicture(std::shared_ptr<const Image> picture) {
 
 void PhotoView::setMarks(std::vector<PhotoMark> marks) {
     m_marks = std::move(marks);
+    tellSpoken(*this);
     update();
 }
 
 void PhotoView::setHint(const QString& hint) {
     m_hint = hint;
     update();
+}
+
+QString PhotoView::spokenValue() const {
+    if (m_image.isNull()) return tr("no photo");
+    const QString size = tr("%1 × %2 pixels").arg(m_image.width()).arg(m_image.height());
+    return tr("%1, %2 marks. %3").arg(size).arg(m_marks.size()).arg(m_hint);
 }
 
 double PhotoView::scale() const {
@@ -160,6 +176,14 @@ void PhotoView::wheelEvent(QWheelEvent* event) {
 void PhotoView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     setMiddle(m_middle);
+}
+
+void PhotoView::keyPressEvent(QKeyEvent* event) {
+    if (!m_keyPointer.press(*event)) QWidget::keyPressEvent(event);
+}
+
+bool PhotoView::focusNextPrevChild(bool next) {
+    return m_keyPointer.goToNextStop(next) || QWidget::focusNextPrevChild(next);
 }
 
 } // namespace esm

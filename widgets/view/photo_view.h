@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/texture/image.h"
+#include "widgets/inputs/key_pointer.h"
+#include "widgets/inputs/spoken.h"
 #include "widgets/view/marks.h"
 
 #include <Eigen/Core>
@@ -22,7 +24,7 @@ struct PhotoMark {
 /// A photo in which places are chosen to the pixel: the wheel comes closer where the mouse is, a drag shifts,
 /// a click chooses a place, and a mark follows a drag. Knows no document: nothing moves until new marks say
 /// so.
-class PhotoView : public QWidget {
+class PhotoView : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -34,6 +36,9 @@ public:
     /// The line at the bottom.
     void setHint(const QString& hint);
     const QString& hint() const { return m_hint; }
+
+    /// The photo's size and how many places are marked.
+    QString spokenValue() const override;
 
     /// Between the widget and the photo, both in pixels.
     QPointF placeOf(const Eigen::Vector2d& pixel) const;
@@ -53,6 +58,8 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
 
 private:
     double scale() const; ///< pixels of the widget per pixel of the photo
@@ -70,6 +77,7 @@ private:
     std::optional<QPointF> m_pressed;   ///< where a button went down, while it may still become a click
     std::optional<int> m_dragged;       ///< the number of the mark that follows the mouse
     std::optional<QPointF> m_shiftFrom; ///< where the mouse was that shifts the photo
+    KeyPointer m_keyPointer{*this};
 };
 
 } // namespace esm

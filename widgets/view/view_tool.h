@@ -55,6 +55,10 @@ public:
     virtual void draw(QPainter&, const Sight&, const QPalette&) const {}
     virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
 
+    /// Places, pixels, that a press takes hold of: Tab goes from one to the next where the keys work in place
+    /// of the mouse.
+    virtual std::vector<QPointF> stops(const Sight&) const { return {}; }
+
     /// What to do now, where that is not what the tool always says.
     virtual QString hint() const { return {}; }
     /// Why the tool cannot be taken now; empty where it can.

@@ -34,10 +34,11 @@ QLabel* quietLabel(const QString& text, QWidget* parent) {
     return label;
 }
 
-void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice) {
+void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice, const QString& toolTip) {
     QLabel* label = quietLabel(caption, choice->parentWidget());
     label->setBuddy(choice);
     choice->setAccessibleName(QString(caption).remove('&'));
+    choice->setToolTip(toolTip);
     form->addRow(label, choice);
 }
 
@@ -163,6 +164,7 @@ QWidget* ImportDialog::makeQuestions(const QString& fileName) {
     addReport(column);
     auto* area = new QScrollArea(this);
     area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setWidget(questions);
@@ -178,7 +180,6 @@ void ImportDialog::addParts() {
                         ? tr("the largest part")
                         : tr("the largest part: %1").arg(trianglesText(m_found->parts.front().triangles)));
     m_keep->setEnabled(parts > 1);
-    if (parts <= 1) m_keep->setToolTip(tr("The surface is one part"));
     connect(m_keep, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::lookAgain);
 }
 
@@ -186,7 +187,9 @@ void ImportDialog::addButtons(QVBoxLayout* column) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     auto* accept = new QPushButton(tr("&Import"), this);
     accept->setProperty("primary", true);
+    accept->setToolTip(tr("Make an organ of the surface as it is shown"));
     buttons->addButton(accept, QDialogButtonBox::AcceptRole);
+    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Keep the organ that there is"));
     accept->setDefault(true);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -200,6 +203,7 @@ void ImportDialog::addUnits(QVBoxLayout* column, LengthUnit likely) {
     for (std::size_t i = 0; i < units.size(); ++i) {
         auto* button = new QRadioButton(names[i], this);
         button->setObjectName(QStringLiteral("unit%1").arg(i));
+        button->setToolTip(tr("Lengths in the file count as this unit"));
         button->setChecked(units[i] == likely);
         m_units->addButton(button, static_cast<int>(i));
         row->addWidget(button);
@@ -233,8 +237,10 @@ void ImportDialog::addOrientation(QVBoxLayout* column) {
     m_doubt->setFixedHeight(2 * m_doubt->fontMetrics().lineSpacing());
     m_doubt->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     form->addRow(m_doubt);
-    addChoice(form, tr("&Upwards in the file"), m_up);
-    addChoice(form, tr("&Keep"), m_keep);
+    addChoice(form, tr("&Upwards in the file"), m_up, tr("Which axis of the file points up"));
+    addChoice(form, tr("&Keep"), m_keep,
+              m_keep->isEnabled() ? tr("Which parts of the file become the organ")
+                                  : tr("The surface is one part"));
     addDetail(form);
     column->addLayout(form);
 }
@@ -242,7 +248,7 @@ void ImportDialog::addOrientation(QVBoxLayout* column) {
 void ImportDialog::addDetail(QFormLayout* form) {
     m_detail->setObjectName(QStringLiteral("importDetail"));
     m_detail->addItems({tr("every vertex"), tr("fewer nodes under the full surface"), tr("one stiff piece")});
-    addChoice(form, tr("&Simulate"), m_detail);
+    addChoice(form, tr("&Simulate"), m_detail, tr("What moves under the drawn surface"));
     m_nodes->setAccessibleName(tr("Nodes"));
     QLabel* caption = quietLabel(tr("&Nodes"), this);
     caption->setBuddy(m_nodes);
@@ -270,6 +276,7 @@ void ImportDialog::addReport(QVBoxLayout* column) {
     caption->setBuddy(m_report);
     column->addWidget(caption);
     m_report->setObjectName(QStringLiteral("importReport"));
+    m_report->setToolTip(tr("What was repaired in the file, and what its parts are"));
     m_report->setReadOnly(true);
     m_report->setTabChangesFocus(true);
     m_report->setMinimumHeight(90);

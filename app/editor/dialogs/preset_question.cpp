@@ -43,7 +43,9 @@ bool mayApplyPreset(QWidget& window, const TissuePreset& preset, const QString& 
         QPushButton* apply = box.addButton(QObject::tr("Apply"), QMessageBox::AcceptRole);
         apply->setObjectName(QStringLiteral("applyPreset"));
         apply->setEnabled(!changes.empty());
-        if (changes.empty()) apply->setToolTip(QObject::tr("The tissue is so already"));
+        apply->setToolTip(changes.empty() ? QObject::tr("The tissue is so already")
+                                          : QObject::tr("Set the tissue so, in one step that can be undone"));
+        box.button(QMessageBox::Cancel)->setToolTip(QObject::tr("Keep the tissue as it is"));
         box.setDefaultButton(apply);
         if (changes.empty()) box.setDefaultButton(QMessageBox::Cancel);
         box.exec();

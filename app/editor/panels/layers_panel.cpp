@@ -12,6 +12,8 @@ LayersPanel::LayersPanel(const QString& title, QPalette::ColorRole mark, ToolTip
     m_remove = addHeaderIcon(icon(QStringLiteral("remove")), m_toolTips.remove);
     m_add = addHeaderButton(tr("+ add"), tr("Add"));
     m_list->setAccessibleName(title);
+    m_list->setToolTip(
+        tr("F2 or a double click renames, Del removes, Ctrl with Up or Down changes the order"));
     body()->addWidget(m_list);
 
     connect(m_up, &QToolButton::clicked, this, [this] { move(1); });

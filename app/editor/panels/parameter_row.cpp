@@ -38,6 +38,7 @@ ParameterRow::ParameterRow(Parameter parameter, Extent extent, QWidget* parent)
     name->setProperty("strong", true);
     name->setBuddy(m_field);
     m_field->setAccessibleName(caption);
+    m_field->setToolTip(tr("%1 as a number. Up and Down step it").arg(caption));
     m_field->setFixedWidth(m_field->widthFor(QStringLiteral("N·s/m"))); // the longest unit of tissue
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -52,6 +53,7 @@ ParameterRow::ParameterRow(Parameter parameter, Extent extent, QWidget* parent)
         m_field->setEmptyText(tr("as beneath"));
         m_hold = new QToolButton(this);
         m_hold->setText(tr("hold"));
+        m_hold->setAccessibleName(tr("hold %1").arg(caption));
         m_hold->setCheckable(true);
         m_hold->setObjectName(QStringLiteral("holdButton"));
         row->addWidget(m_hold);

@@ -143,7 +143,8 @@ void BrushPanel::showColour(const std::array<std::uint8_t, 3>& colour) {
 QString BrushPanel::remark() const {
     if (!m_painting.layer()) return {};
     if (m_painting.layer()->photo)
-        return tr("A photo is erased and restored. Colours are laid on a paint layer: Ctrl+L adds one.");
+        return tr(
+            "A photo is erased and restored. Colours are laid on a paint layer, which the menu Model adds.");
     if (m_painting.brush().kind != BrushKind::Clone) return {};
     return m_painting.source() ? tr("Each stroke begins at the cross. Ctrl and a click move it.")
                                : tr("Ctrl and a click on the organ say where it takes its colours.");

@@ -2,6 +2,7 @@
 
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/quantity_formats.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,7 +24,7 @@ InstrumentOptions::InstrumentOptions(InstrumentTool& tool, QWidget* parent)
     m_kind->addItem(tr("shaft"), static_cast<int>(InstrumentKind::Shaft));
     m_kind->setObjectName(QStringLiteral("instrumentKind"));
     m_kind->setFixedWidth(kindWidth);
-    m_kind->setAccessibleName(tr("Instrument"));
+    nameChoice(*m_kind, tr("Instrument"));
     m_kind->setToolTip(
         tr("What pushes the tissue: a ball, or a shaft as of laparoscopic instruments, round at both ends"));
     guardFromWheel(*m_kind);

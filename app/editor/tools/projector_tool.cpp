@@ -53,6 +53,14 @@ bool ProjectorTool::takesShift(const ToolMouse& mouse) const {
     return photoHandleAt(mouse).has_value();
 }
 
+std::vector<QPointF> ProjectorTool::stops(const Sight& sight) const {
+    const DrawnProjector* selected = selectedOf(sight.scene.projectors);
+    if (!selected) return {};
+    const auto points = handles(faceOf(*selected));
+    const QPolygonF places = sight.placesOf({points.begin(), points.end()});
+    return {places.begin(), places.end()};
+}
+
 void ProjectorTool::move(const ToolMouse& mouse) {
     if (!m_drag) return;
     const bool isFree = mouse.keys.testFlag(Qt::ShiftModifier);

@@ -18,6 +18,7 @@ public:
     Hold press(const ToolMouse& mouse) override;
     bool takesShift(const ToolMouse& mouse) const override;
     void move(const ToolMouse& mouse) override;
+    std::vector<QPointF> stops(const Sight& sight) const override;
     void release() override;
     /// Puts back what is dragged.
     void cancel() override;

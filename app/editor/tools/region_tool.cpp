@@ -158,6 +158,17 @@ void RegionTool::draw(QPainter& painter, const Sight& sight, const QPalette& pal
     paintHandles(painter, painted, palette.color(QPalette::Highlight));
 }
 
+/// The region's middle, by which it is moved, then its handles.
+std::vector<QPointF> RegionTool::stops(const Sight& sight) const {
+    std::vector<Eigen::Vector3d> points;
+    if (const DrawnEllipsoid* region = selectedOf(sight.scene.ellipsoids))
+        points.push_back(region->shape.centre);
+    for (const RegionHandle& handle : shownHandles(sight))
+        points.push_back(handle.place);
+    const QPolygonF places = sight.placesOf(points);
+    return {places.begin(), places.end()};
+}
+
 Qt::CursorShape RegionTool::cursor() const {
     return m_isOverHandle ? Qt::PointingHandCursor : Qt::ArrowCursor;
 }
@@ -166,8 +177,8 @@ QString RegionTool::whyNot() const {
     const auto& regions = m_document.project().regions;
     const bool hasEllipsoid = std::any_of(regions.begin(), regions.end(),
                                           [](const Region& region) { return region.ellipsoid.has_value(); });
-    if (!hasEllipsoid) return tr("There is no region yet: Ctrl+R adds one");
-    return m_showRegions.isChecked() ? QString() : tr("The regions are hidden: H shows them");
+    if (!hasEllipsoid) return tr("There is no region yet: {addRegion} adds one");
+    return m_showRegions.isChecked() ? QString() : tr("The regions are hidden: {showRegions} shows them");
 }
 
 } // namespace esm

@@ -24,6 +24,7 @@ public:
     void click(const ToolMouse& mouse) override;
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     Qt::CursorShape cursor() const override;
+    std::vector<QPointF> stops(const Sight& sight) const override;
     QString whyNot() const override;
 
 private:

@@ -17,7 +17,7 @@ QString feltText(const FeltTissue& felt) {
 }
 
 QString missingLayer(const Selection& selection) {
-    return selection.photo() ? QString() : QObject::tr("There is no photo yet: Ctrl+P adds one");
+    return selection.photo() ? QString() : QObject::tr("There is no photo yet: {addPhoto} adds one");
 }
 
 QString missingPhoto(const Selection& selection) {

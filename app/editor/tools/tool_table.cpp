@@ -30,7 +30,7 @@ std::vector<ToolRow> toolTable() {
     using Options = ToolOptions;
     return {
         {"look", "look", translated("&Look"), Qt::Key_V, translated("Turn and shift the view"),
-         translated("Drag to turn the view · click picks"), translated("wheel zooms · Home shows all"),
+         translated("Drag to turn the view · click picks"), translated("wheel zooms · {frame} shows all"),
          Workspace::Any, Options::None, made<LookTool>},
         {"pull", "pull", translated("P&ull"), Qt::Key_P, translated("Grasp the tissue and pull"),
          translated("Drag to pull the tissue"), translated("Alt to turn the view · Esc lets go"),

@@ -46,8 +46,7 @@ private:
 QAction* ActionMaker::make(const QString& text, const QKeySequence& key, const QString& toolTip) {
     auto* action = new QAction(text, m_window);
     action->setShortcut(key);
-    action->setToolTip(withShortcut(toolTip, action));
-    action->setWhatsThis(action->toolTip()); // also where the tool tip says why it cannot be used
+    explain(action, toolTip);
     m_window->addAction(action);
     return action;
 }
@@ -88,8 +87,8 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
     a.undo->setShortcut(QKeySequence::Undo);
     a.redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     const auto explain = [undo = a.undo, redo = a.redo, undoStack] {
-        undo->setToolTip(undoStack->canUndo() ? withShortcut(undo->iconText(), undo) : tr("Nothing to undo"));
-        redo->setToolTip(undoStack->canRedo() ? withShortcut(redo->iconText(), redo) : tr("Nothing to redo"));
+        enable(undo, undoStack->canUndo(), undo->iconText(), tr("Nothing to undo"));
+        enable(redo, undoStack->canRedo(), redo->iconText(), tr("Nothing to redo"));
     };
     QObject::connect(undoStack, &QUndoStack::undoTextChanged, a.undo, explain);
     QObject::connect(undoStack, &QUndoStack::redoTextChanged, a.redo, explain);
@@ -103,6 +102,7 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
         make(tr("&Duplicate region"), QKeySequence("Ctrl+D"), tr("Add a copy of the selected region"));
     a.removeRegion = make(tr("Remove re&gion"), {}, tr("Remove the selected region"));
     a.removePhoto = make(tr("Remove &photo"), {}, tr("Remove the selected photo"));
+    a.shortcuts = make(tr("&Shortcuts…"), {}, tr("The key of every action, to be changed"));
 }
 
 void ActionMaker::makeModelActions() {
@@ -250,11 +250,6 @@ QAction* Actions::tool(const QString& name) const {
     for (QAction* action : tools->actions())
         if (action->objectName() == name) return action;
     throw std::out_of_range("no tool is called " + name.toStdString());
-}
-
-QString withShortcut(const QString& toolTip, const QAction* action) {
-    const QString key = action->shortcut().toString(QKeySequence::NativeText);
-    return key.isEmpty() ? toolTip : QStringLiteral("%1 (%2)").arg(toolTip, key);
 }
 
 Actions createActions(QWidget* window, QUndoStack* undoStack) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <QAction>
+#include "widgets/inputs/action_texts.h"
+
 #include <QActionGroup>
 #include <QMenu>
 #include <QWidget>
@@ -18,6 +19,7 @@ struct Actions {
     QMenu* recent;                                         ///< filled by who knows the files
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
     QAction *undo, *redo, *history, *rename, *duplicateRegion, *removeRegion, *removePhoto;
+    QAction* shortcuts;
     QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions;
     QActionGroup* colourings; ///< one per ColourBy, in their order
     QAction *frame, *frameSelection, *orthographic, *cut, *lookFromWithin;
@@ -36,8 +38,5 @@ struct Actions {
 };
 
 Actions createActions(QWidget* window, QUndoStack* undoStack);
-
-/// "Bring the whole organ into view (Home)": a tool tip with the action's key, where it has one.
-QString withShortcut(const QString& toolTip, const QAction* action);
 
 } // namespace esm

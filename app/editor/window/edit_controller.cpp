@@ -7,6 +7,7 @@
 #include "app/editor/edits/simulated_edit.h"
 #include "app/editor/edits/starting_system.h"
 #include "app/editor/window/actions.h"
+#include "app/editor/window/shortcuts.h"
 #include "core/authoring/layers.h"
 #include "core/authoring/regions.h"
 #include "core/model/gentle_pull.h"
@@ -44,8 +45,7 @@ void EditController::enable(const Actions& actions) {
     esm::enable(actions.fixRegion, region && region->ellipsoid,
                 tr("Hold the nodes inside the selected region in space"),
                 tr("Select a region with an ellipsoid first"));
-    esm::enable(actions.duplicateRegion, region && region->ellipsoid,
-                withShortcut(tr("Add a copy of the selected region"), actions.duplicateRegion),
+    esm::enable(actions.duplicateRegion, region && region->ellipsoid, tr("Add a copy of the selected region"),
                 tr("Select a region with an ellipsoid first"));
     esm::enable(actions.removeRegion, region, tr("Remove the selected region"),
                 tr("The whole organ cannot be removed: select a region first"));
@@ -55,24 +55,24 @@ void EditController::enable(const Actions& actions) {
                 tr("No node is fixed"));
     const bool texture = actions.texture->isChecked();
     esm::enable(actions.fromCamera, texture && layer && layer->photo,
-                withShortcut(tr("Project the selected photo from where you look"), actions.fromCamera),
-                !texture ? tr("Photos are placed in the workspace Texture (Ctrl+2)")
+                tr("Project the selected photo from where you look"),
+                !texture ? withKeys(tr("Photos are placed in the workspace Texture ({texture})"), actions)
                 : layer  ? tr("The selected layer has no photo, it is painted")
                          : tr("No photo is selected"));
     esm::enable(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
                 tr("Simulate fewer nodes under the full surface, or every vertex"),
                 tr("This model has no surface that fewer nodes could carry"));
     const bool splits = !project.scene.splits.empty();
-    esm::enable(
-        actions.playScene, hasLoads(project.scene) && !splits,
-        withShortcut(tr("Play the scene's forces, led nodes and instruments from rest"), actions.playScene),
-        splits ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
-               : tr("The scene has no force, led node or instrument: esmc scene stores one"));
+    esm::enable(actions.playScene, hasLoads(project.scene) && !splits,
+                tr("Play the scene's forces, led nodes and instruments from rest"),
+                splits
+                    ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
+                    : tr("The scene has no force, led node or instrument: esmc scene stores one"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
     esm::enable(actions.addPhoto, !project.mesh->triangles.empty(),
-                withShortcut(tr("Lay a photo on the organ, from the camera"), actions.addPhoto), noSurface);
+                tr("Lay a photo on the organ, from the camera"), noSurface);
     esm::enable(actions.addPaint, !project.mesh->triangles.empty(),
-                withShortcut(tr("Add a layer that is painted on the organ"), actions.addPaint), noSurface);
+                tr("Add a layer that is painted on the organ"), noSurface);
 }
 
 void EditController::renameOrgan() {

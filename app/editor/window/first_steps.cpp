@@ -39,9 +39,9 @@ std::vector<FirstSteps::Step> FirstSteps::makeSteps() {
         {tr("Say how the region's tissue is: move the slider “consistency” at the right, from very soft "
             "to muscular."),
          [this] { return haveOtherWords(*m_before, m_document.project()); }},
-        {tr("Feel the difference: press P and pull at the region, then beside it."), isPulled},
-        {tr("Hand the organ over: Export writes the model package that simulators load. Ctrl+S keeps the "
-            "project."),
+        {tr("Feel the difference: take the tool Pull and pull at the region, then beside it."), isPulled},
+        {tr("Hand the organ over: Export writes the model package that simulators load. The menu File "
+            "keeps the project."),
          [this] { return m_isHandedOver || (m_document.path() && !m_document.isModified()); }}};
 }
 

@@ -1,11 +1,13 @@
 #include "app/editor/window/help.h"
 
 #include "app/editor/tools/tool_table.h"
+#include "app/editor/window/shortcuts.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QStyle>
@@ -31,22 +33,31 @@ QString keysOf(const QAction* action) {
         .replace(QStringLiteral("; "), QStringLiteral(", "));
 }
 
-QString actionRow(const QAction* action) {
-    return row(keysOf(action), action->text().remove('&').remove(QChar(0x2026)));
+QString rowOf(const ShortcutRow& entry) {
+    const QString keys = keysOf(entry.action);
+    return keys.isEmpty() ? QString() : row(keys, entry.name);
 }
 
-QString viewRows(const Actions& a) {
+bool isOfCamera(const ShortcutRow& entry) {
+    return entry.id == "frame" || entry.id == "frameSelection" || entry.id == "cut" ||
+           entry.id == "orthographic" || entry.id == "lookFromWithin" || entry.id.startsWith("lookFrom/");
+}
+
+QString viewRows(const std::vector<ShortcutRow>& actions) {
     QString rows = row(QObject::tr("Right drag, Alt + left drag"), QObject::tr("Turn the view")) +
                    row(QObject::tr("Middle drag, Shift + either"), QObject::tr("Shift the view")) +
-                   row(QObject::tr("Wheel"), QObject::tr("Come closer, up to the surface, and go away")) +
-                   actionRow(a.frame) + actionRow(a.frameSelection) + actionRow(a.lookFromWithin) +
-                   actionRow(a.orthographic) + actionRow(a.cut);
-    const QStringList sides{QObject::tr("Look from the front"), QObject::tr("Look from the back"),
-                            QObject::tr("Look from the left"),  QObject::tr("Look from the right"),
-                            QObject::tr("Look from the top"),   QObject::tr("Look from the bottom")};
-    for (int i = 0; i < sides.size(); ++i)
-        rows += row(keysOf(a.standardViews[static_cast<std::size_t>(i)]), sides[i]);
+                   row(QObject::tr("Wheel"), QObject::tr("Come closer, up to the surface, and go away"));
+    for (const ShortcutRow& entry : actions)
+        if (isOfCamera(entry)) rows += rowOf(entry);
     return rows;
+}
+
+/// The mouse's work by the keys: see KeyPointer.
+QString markRows() {
+    return row(QObject::tr("Arrows; with Shift"), QObject::tr("Move a mark over the view; by a pixel")) +
+           row(QObject::tr("Enter"), QObject::tr("Press the left button at the mark, and let it go again")) +
+           row(QObject::tr("Tab"), QObject::tr("Bring the mark to the next handle")) +
+           row(QObject::tr("Page Up, Page Down"), QObject::tr("Turn the wheel at the mark"));
 }
 
 QString toolRows(const Actions& a) {
@@ -54,7 +65,7 @@ QString toolRows(const Actions& a) {
     for (const ToolRow& tool : toolTable())
         rows += row(keysOf(a.tool(tool.name)),
                     QObject::tr("%1: %2").arg(QString(tool.text).remove('&'), tool.use));
-    return rows + actionRow(a.letGo);
+    return rows + row(keysOf(a.letGo), plainText(a.letGo));
 }
 
 QString fieldRows() {
@@ -64,28 +75,28 @@ QString fieldRows() {
            row(QObject::tr("Ctrl+Up, Ctrl+Down, drag"), QObject::tr("Lay it over or under its neighbours"));
 }
 
-QString actionRows(std::initializer_list<const QAction*> actions) {
-    QString rows;
-    for (const QAction* action : actions)
-        rows += actionRow(action);
+/// All that has a key and stands nowhere else in the sheet, by its menu.
+QString menuRows(const std::vector<ShortcutRow>& actions, const Actions& a) {
+    QString rows, group;
+    for (const ShortcutRow& entry : actions) {
+        const bool isTool = entry.action == a.letGo || a.tools->actions().contains(entry.action);
+        const QString told = isTool || isOfCamera(entry) ? QString() : rowOf(entry);
+        if (told.isEmpty()) continue;
+        if (entry.group != group) rows += title(entry.group);
+        group = entry.group;
+        rows += told;
+    }
     return rows;
 }
 
 } // namespace
 
 QString keysText(const Actions& a) {
-    const QString mouse = title(QObject::tr("View")) + viewRows(a) + title(QObject::tr("Tools")) +
-                          toolRows(a) + title(QObject::tr("Fields and lists")) + fieldRows();
-    const QString keys =
-        title(QObject::tr("Project")) +
-        actionRows({a.open, a.import, a.save, a.saveAs, a.exportPackage, a.quit}) +
-        row(keysOf(a.undo), QObject::tr("Undo")) + row(keysOf(a.redo), QObject::tr("Redo")) +
-        actionRow(a.history) + title(QObject::tr("Tissue and photos")) +
-        actionRows({a.addRegion, a.duplicateRegion, a.addPhoto, a.addPaint, a.fromCamera, a.play, a.playScene,
-                    a.reset}) +
-        title(QObject::tr("Window and what it shows")) +
-        actionRows({a.tissue, a.texture, a.measure, a.showSurface, a.showWireframe, a.showSprings,
-                    a.showNodes, a.showRegions, a.showLeft, a.showRight, a.fuzzyWindow, a.keys});
+    const std::vector<ShortcutRow> actions = shortcutRows(a);
+    const QString mouse = title(QObject::tr("View")) + viewRows(actions) +
+                          title(QObject::tr("View by the keys alone")) + markRows() +
+                          title(QObject::tr("Tools")) + toolRows(a);
+    const QString keys = menuRows(actions, a) + title(QObject::tr("Fields and lists")) + fieldRows();
     return QStringLiteral("<table><tr><td><table>%1</table></td><td><table>%2</table></td></tr></table>")
         .arg(mouse, keys);
 }
@@ -99,6 +110,8 @@ void showKeys(QWidget* window, const Actions& actions) {
     column->setSpacing(12);
     auto* sheet = new QScrollArea(&dialog);
     sheet->setFrameShape(QFrame::NoFrame);
+    sheet->setAccessibleName(dialog.windowTitle());
+    sheet->setToolTip(QObject::tr("The arrow keys scroll"));
     sheet->setWidget(new QLabel(keysText(actions)));
     column->addWidget(sheet);
     // As large as the sheet, where the screen has room for it.
@@ -106,6 +119,7 @@ void showKeys(QWidget* window, const Actions& actions) {
     dialog.resize(
         (sheet->widget()->sizeHint() + frame).boundedTo(window->screen()->availableSize() - QSize(40, 80)));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok, &dialog);
+    buttons->button(QDialogButtonBox::Ok)->setToolTip(QObject::tr("Close the sheet"));
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     column->addWidget(buttons);
     dialog.exec();

@@ -12,6 +12,7 @@ HistoryWindow::HistoryWindow(Document& document, QWidget* parent)
     resize(280, 420);
     m_list->setObjectName(QStringLiteral("historyList"));
     m_list->setAccessibleName(windowTitle());
+    m_list->setToolTip(tr("Choose a step to go back or forward to how the organ was after it"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_list);
     connect(m_list, &QListWidget::currentRowChanged, this, [this](int row) {

@@ -128,6 +128,8 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     edit->addActions({a.undo, a.redo, a.history});
     edit->addSeparator();
     edit->addActions({a.duplicateRegion, a.removeRegion, a.removePhoto, a.rename});
+    edit->addSeparator();
+    edit->addAction(a.shortcuts);
     fillViewMenu(bar->addMenu(QObject::tr("&View")), a);
 
     QMenu* model = bar->addMenu(QObject::tr("&Model"));
@@ -214,6 +216,7 @@ QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QSt
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // it follows the control that has the keys
 
     auto* dock = new QDockWidget(title, &window);
     dock->setObjectName(title);

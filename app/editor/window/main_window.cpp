@@ -19,6 +19,7 @@
 #include "app/editor/window/history_window.h"
 #include "app/editor/window/layout.h"
 #include "app/editor/window/scene_note.h"
+#include "app/editor/window/shortcut_controller.h"
 #include "app/editor/window/view_bar.h"
 #include "app/editor/window/view_settings.h"
 #include "widgets/inputs/control_keys.h"
@@ -179,6 +180,7 @@ void MainWindow::connectParts() {
     m_edits->connectActions(m_actions);
     m_play->connectActions(m_actions);
     m_device->connectActions(m_actions);
+    m_shortcuts = new ShortcutController(*this, m_actions);
     connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);
     connect(m_view, &OrganView::drawn, m_status, &StatusLine::countPicture);
     connect(m_cameraControls, &CameraControls::message, m_status, &StatusLine::showMessage);
@@ -292,6 +294,7 @@ void MainWindow::restore() {
     restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
     m_actions.lightTheme->setChecked(settings.value(QStringLiteral("lightTheme")).toBool());
     restoreView(settings, m_actions);
+    m_shortcuts->restore(settings);
 }
 
 void MainWindow::start(const std::vector<std::filesystem::path>& files) {

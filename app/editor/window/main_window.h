@@ -23,6 +23,8 @@
 
 namespace esm {
 
+class ShortcutController;
+
 /// The editor's window: puts document, view, panels and controllers together.
 /// Begins with an organ that is there to be replaced; start() shows the start page before it.
 class MainWindow : public QMainWindow {
@@ -83,6 +85,7 @@ private:
     PlayController* m_play;
     DeviceController* m_device;
     StatusLine* m_status;
+    ShortcutController* m_shortcuts;
     SlowMotion* m_slowMotion;
     QLabel* m_title;
     QPointer<QDialog> m_largePhoto, m_history;

@@ -17,8 +17,7 @@ void PlayController::connectActions(const Actions& actions) {
     connect(&m_preview, &Preview::statusChanged, play, [this, play] {
         const bool playing = m_preview.status().playing;
         play->setText(playing ? tr("&Pause") : tr("&Play"));
-        play->setToolTip(
-            withShortcut(playing ? tr("Stop the tissue where it is") : tr("Let the tissue move"), play));
+        explain(play, playing ? tr("Stop the tissue where it is") : tr("Let the tissue move"));
     });
 }
 

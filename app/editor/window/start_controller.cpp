@@ -57,7 +57,8 @@ void StartController::leave() {
 /// An action that is not to be seen does not answer its key either.
 void StartController::setOrganActionsVisible(bool visible) {
     const Actions& a = m_actions;
-    std::vector<const QAction*> useful{a.open, a.import, a.quit, a.lightTheme, a.keys, a.about, a.firstSteps};
+    std::vector<const QAction*> useful{a.open,      a.import, a.quit,  a.lightTheme,
+                                       a.shortcuts, a.keys,   a.about, a.firstSteps};
     for (const auto& sample : a.samples)
         useful.push_back(sample.second);
     for (QAction* action : {a.undo, a.redo})

@@ -38,6 +38,7 @@ QPushButton* entry(const QString& text, const QString& explanation) {
     }
     button->setAccessibleName(text);
     button->setAccessibleDescription(explanation);
+    button->setToolTip(explanation);
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     button->setMinimumHeight(lines->totalHeightForWidth(columnWidth));
     return button;
@@ -45,7 +46,10 @@ QPushButton* entry(const QString& text, const QString& explanation) {
 
 QPushButton* entry(QAction* action) {
     const QString text = action->text().remove('&');
-    QPushButton* button = entry(text, action->toolTip());
+    QPushButton* button = entry(text, whatItDoes(action));
+    const auto follow = [button, action] { button->setToolTip(action->toolTip()); };
+    QObject::connect(action, &QAction::changed, button, follow);
+    follow();
     QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
     return button;
 }
@@ -65,6 +69,7 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QScrollArea(pare
     setObjectName(QStringLiteral("startPage"));
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
+    setFocusPolicy(Qt::NoFocus); // it follows the entry that has the keys
     auto* body = new QWidget;
     body->setObjectName(QStringLiteral("startBody"));
     auto* title = new QLabel(tr("Elastodynamic Shape Modeler"));

@@ -1,5 +1,7 @@
 #include "app/editor/window/tool_controller.h"
 
+#include "app/editor/window/shortcuts.h"
+
 namespace esm {
 
 ToolController::ToolController(OrganView& view, const ToolContext& context)
@@ -36,6 +38,10 @@ void ToolController::connectActions(const Actions& actions) {
     connect(&m_selection, &Selection::changed, this, &ToolController::updateTools);
     connect(&m_view, &OrganView::toolChanged, this, &ToolController::updateHint);
     connect(actions.addPhoto, &QAction::changed, this, &ToolController::updateHint);
+    // Where their keys are said, others may have been chosen.
+    for (const QAction* said :
+         {actions.tissue, actions.texture, actions.addRegion, actions.showRegions, actions.frame})
+        connect(said, &QAction::changed, this, &ToolController::updateTools);
     updateTools();
 }
 
@@ -57,9 +63,9 @@ std::vector<QWidget*> ToolController::makeOptions(ToolOptions place, ToolWorkspa
 QString ToolController::whyNot(const Tool& tool) const {
     const bool texture = m_actions.texture->isChecked();
     if (texture && tool.row.workspace == ToolWorkspace::Tissue)
-        return tr("This tool belongs to the workspace Tissue (Ctrl+1)");
+        return tr("This tool belongs to the workspace Tissue ({tissue})");
     if (!texture && tool.row.workspace == ToolWorkspace::Texture)
-        return tr("This tool belongs to the workspace Texture (Ctrl+2)");
+        return tr("This tool belongs to the workspace Texture ({texture})");
     return tool.tool->whyNot();
 }
 
@@ -67,8 +73,7 @@ void ToolController::updateTools() {
     for (const Tool& tool : m_tools) {
         const QString reason = whyNot(tool);
         QAction* action = m_actions.tool(tool.row.name);
-        action->setEnabled(reason.isEmpty());
-        action->setToolTip(reason.isEmpty() ? withShortcut(tool.row.does, action) : reason);
+        enable(action, reason.isEmpty(), tool.row.does, withKeys(reason, m_actions));
         if (!reason.isEmpty() && &m_view.tool() == tool.tool) m_view.setTool(*m_tools.front().tool);
     }
     updateHint();
@@ -76,13 +81,15 @@ void ToolController::updateTools() {
 
 void ToolController::updateHint() {
     if (m_actions.texture->isChecked() && m_document.project().layers.empty())
-        return m_view.setHint(m_actions.addPhoto->isEnabled()
-                                  ? tr("No photo yet: Ctrl+P adds one, or drop a picture on the organ")
-                                  : m_actions.addPhoto->toolTip());
+        return m_view.setHint(
+            m_actions.addPhoto->isEnabled()
+                ? withKeys(tr("No photo yet: {addPhoto} adds one, or drop a picture on the organ"), m_actions)
+                : m_actions.addPhoto->toolTip());
     for (const auto& [row, tool] : m_tools) {
         if (&m_view.tool() != tool) continue;
         const QString now = tool->hint();
-        m_view.setHint(now.isEmpty() ? row.use + QStringLiteral(" · ") + row.aside : now);
+        m_view.setHint(
+            withKeys(now.isEmpty() ? row.use + QStringLiteral(" · ") + row.aside : now, m_actions));
     }
 }
 

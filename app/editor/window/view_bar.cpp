@@ -2,6 +2,7 @@
 
 #include "app/editor/window/layout.h"
 #include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QGridLayout>
 #include <QMenu>
@@ -18,8 +19,8 @@ constexpr int cutWidth = 150, percentWidth = 38; // pixels
 } // namespace
 
 ViewBar::ViewBar(const Actions& actions, QWidget* view)
-    : QFrame(view), m_cut(new QWidget(this)), m_side(new QComboBox(m_cut)),
-      m_share(new QSlider(Qt::Horizontal, m_cut)), m_percent(new QLabel(m_cut)) {
+    : QFrame(view), m_cut(new QWidget(this)), m_side(new QComboBox(m_cut)), m_share(new ValueSlider(m_cut)),
+      m_percent(new QLabel(m_cut)) {
     setObjectName(QStringLiteral("viewBar"));
     setCursor(Qt::ArrowCursor);
     auto* column = new QVBoxLayout(this); // a narrow view has its cube beside it
@@ -47,7 +48,7 @@ void ViewBar::buildCut(const Actions& actions) {
     m_side->addItems({tr("From the viewer"), tr("From the right, +x"), tr("From the left, −x"),
                       tr("From the top, +y"), tr("From the bottom, −y"), tr("From the front, +z"),
                       tr("From the back, −z")});
-    m_side->setAccessibleName(tr("Side of the cut"));
+    nameChoice(*m_side, tr("Side of the cut"));
     m_side->setToolTip(tr("The side from which the organ is hidden"));
     guardFromWheel(*m_side);
     m_share->setObjectName(QStringLiteral("cutShare"));
@@ -55,6 +56,7 @@ void ViewBar::buildCut(const Actions& actions) {
     m_share->setPageStep(50);
     m_share->setSingleStep(5);
     m_share->setValue(500);
+    m_share->setScale(0, 100);
     m_share->setAccessibleName(tr("Part of the organ that is hidden"));
     m_share->setToolTip(tr("How much of the organ's length is hidden, from that side on"));
     m_percent->setFixedWidth(percentWidth);
@@ -68,6 +70,7 @@ void ViewBar::buildCut(const Actions& actions) {
     grid->addWidget(m_percent, 1, 1);
     const auto tell = [this] {
         m_percent->setText(tr("%1 %").arg(m_share->value() / 10));
+        m_share->setSpoken(m_percent->text());
         emit cutChanged();
     };
     connect(m_share, &QSlider::valueChanged, this, tell);

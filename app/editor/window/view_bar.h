@@ -2,11 +2,11 @@
 
 #include "app/editor/window/actions.h"
 #include "core/render/cut_plane.h"
+#include "widgets/inputs/value_slider.h"
 
 #include <QComboBox>
 #include <QFrame>
 #include <QLabel>
-#include <QSlider>
 
 namespace esm {
 
@@ -29,7 +29,7 @@ private:
 
     QWidget* m_cut;
     QComboBox* m_side;
-    QSlider* m_share;
+    ValueSlider* m_share;
     QLabel* m_percent;
 };
 

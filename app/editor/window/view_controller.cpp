@@ -1,6 +1,7 @@
 #include "app/editor/window/view_controller.h"
 
 #include "app/editor/window/actions.h"
+#include "app/editor/window/shortcuts.h"
 #include "core/render/organ_scene.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
@@ -39,7 +40,8 @@ void enableTissueParts(const Actions& actions, bool on) {
     QList<QAction*> parts = actions.colourings->actions();
     parts << actions.showSprings << actions.showNodes << actions.showRegions;
     for (QAction* part : parts)
-        enable(part, on, part->whatsThis(), QObject::tr("This belongs to the workspace Tissue (Ctrl+1)"));
+        enable(part, on, whatItDoes(part),
+               withKeys(QObject::tr("This belongs to the workspace Tissue ({tissue})"), actions));
 }
 
 } // namespace

@@ -70,17 +70,17 @@ TEST_F(RuleStrengthsTest, ClicksAndKeysChooseARule) {
 
 TEST_F(RuleStrengthsTest, TheChoiceIsOfARuleNotOfAPlace) {
     click(5);
-    const QString description = list.accessibleDescription();
+    const QString description = list.spokenValue();
     explain(4.5);
-    EXPECT_EQ(list.accessibleDescription(), list.explained(0));
-    EXPECT_NE(list.accessibleDescription(), description) << "degrees are others";
+    EXPECT_EQ(list.spokenValue(), list.explained(0));
+    EXPECT_NE(list.spokenValue(), description) << "degrees are others";
     list.setSystem(std::make_shared<const FuzzySystem>(*system));
     EXPECT_EQ(list.chosenRule(), 0U);
     FuzzySystem reordered = *system;
     std::swap(reordered.rules[0], reordered.rules[1]);
     list.setSystem(std::make_shared<const FuzzySystem>(reordered));
     EXPECT_EQ(list.chosenRule(), std::nullopt);
-    EXPECT_TRUE(list.accessibleDescription().isEmpty());
+    EXPECT_EQ(list.spokenValue().contains("none chosen"), true);
 }
 
 TEST_F(RuleStrengthsTest, TheDegreesAreDrawn) {

@@ -155,7 +155,8 @@ TEST_F(NumberFieldTest, SaysANumberThatHasNoRoomInItsToolTip) {
     };
     field.show();
     field.resize(200, field.sizeHint().height());
-    EXPECT_EQ(toolTip(), "How long it is");
+    EXPECT_TRUE(toolTip().startsWith("How long it is")) << toolTip().toStdString();
+    EXPECT_TRUE(toolTip().contains(field.format().unit)) << "what may be typed, in its unit";
     field.resize(30, field.sizeHint().height());
-    EXPECT_EQ(toolTip(), field.text() + "\nHow long it is");
+    EXPECT_TRUE(toolTip().startsWith(field.text() + "\nHow long it is")) << toolTip().toStdString();
 }

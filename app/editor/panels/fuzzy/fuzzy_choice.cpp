@@ -8,6 +8,7 @@
 #include "core/support/errors.h"
 #include "widgets/fuzzy/term_scale.h"
 #include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QAbstractItemView>
 #include <QInputDialog>
@@ -34,7 +35,7 @@ QString withInputs(const QString& name, const FuzzySystem& system) {
 
 FuzzyChoice::FuzzyChoice(QWidget* parent) : QComboBox(parent) {
     setObjectName(QStringLiteral("systemChoice"));
-    setAccessibleName(tr("Fuzzy system"));
+    nameChoice(*this, tr("Fuzzy system"));
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     setMinimumContentsLength(10);
     guardFromWheel(*this, Turning::Never); // to turn through the systems would lose what was set for each

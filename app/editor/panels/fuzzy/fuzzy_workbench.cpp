@@ -71,9 +71,12 @@ FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, SystemR
     body()->addWidget(m_elsewhere);
     m_elsewhere->hide();
 
-    addTab(tr("Rules"), new RulesPanel(document, selection, reach));
-    addTab(tr("Domains"), new DomainsPanel(document, selection, reach));
-    addTab(tr("Why"), new WhyPanel(document, selection));
+    addTab(tr("Rules"), tr("What follows from what, as text or as a table"),
+           new RulesPanel(document, selection, reach));
+    addTab(tr("Domains"), tr("Ranges of inputs and outputs, and the terms over them"),
+           new DomainsPanel(document, selection, reach));
+    addTab(tr("Why"), tr("How the tissue comes about: which rules fire, and what another input would change"),
+           new WhyPanel(document, selection));
 
     reach.setQuestion([this](const FuzzySystem& system, const std::vector<const Region*>& users) {
         const QString selected = QString::fromStdString(m_selection.selectedRegion()->name);
@@ -86,9 +89,9 @@ FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, SystemR
     showSystem();
 }
 
-void FuzzyWorkbench::addTab(const QString& name, QWidget* panel) {
+void FuzzyWorkbench::addTab(const QString& name, const QString& toolTip, QWidget* panel) {
     m_panels->addWidget(panel);
-    m_tabs->addTab(name);
+    m_tabs->setTabToolTip(m_tabs->addTab(name), toolTip);
     showTab(m_tabs->currentIndex());
 }
 

@@ -26,7 +26,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void addTab(const QString& name, QWidget* panel);
+    void addTab(const QString& name, const QString& toolTip, QWidget* panel);
     void showTab(int index);
     void showSystem();
     void showName();

@@ -36,6 +36,8 @@ TermList::TermList(QWidget* parent)
     : QWidget(parent), m_list(new ItemList(QPalette::Link, this)), m_message(new QLabel(this)) {
     m_list->setObjectName(QStringLiteral("termList"));
     m_list->setAccessibleName(tr("Terms"));
+    m_list->setToolTip(
+        tr("F2 or a double click renames, Del removes, Ctrl with Up or Down changes the order"));
     m_list->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
     m_list->setMinimumHeight(shortHeight);
     m_message->setObjectName(QStringLiteral("domainMessage"));

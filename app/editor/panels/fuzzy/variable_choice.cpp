@@ -3,6 +3,7 @@
 #include "widgets/fuzzy/term_scale.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QHBoxLayout>
 #include <QMenu>
@@ -20,7 +21,7 @@ enum VariableRole { SideRole = Qt::UserRole, IndexRole };
 VariableChoice::VariableChoice(QWidget* parent)
     : QWidget(parent), m_list(new QComboBox(this)), m_more(new QToolButton(this)) {
     m_list->setObjectName(QStringLiteral("variableChoice"));
-    m_list->setAccessibleName(tr("Variable"));
+    nameChoice(*m_list, tr("Variable"));
     m_list->setToolTip(tr("The variable whose terms are shown"));
     m_list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_list->setMinimumContentsLength(10);

@@ -4,6 +4,7 @@
 #include "app/editor/panels/parameter_row.h"
 #include "widgets/fuzzy/term_scale.h"
 #include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/spoken.h"
 
 #include <QHBoxLayout>
 #include <QResizeEvent>
@@ -36,7 +37,7 @@ QComboBox* whyChooser(const char* name, const QString& accessibleName) {
     auto* combo = new QComboBox;
     guardFromWheel(*combo);
     combo->setObjectName(QString::fromLatin1(name));
-    combo->setAccessibleName(accessibleName);
+    nameChoice(*combo, accessibleName);
     combo->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     return combo;
 }

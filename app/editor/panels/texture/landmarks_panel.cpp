@@ -70,6 +70,7 @@ void LandmarksPanel::layOut() {
     m_tool = addHeaderButton(tr("+ set"), tr("Set landmarks"));
     m_list->setObjectName(QStringLiteral("landmarkList"));
     m_list->setAccessibleName(tr("Landmarks"));
+    m_list->setToolTip(tr("Pairs of a point in the photo and one on the organ. Del removes one"));
     m_list->setEmptyText(tr("None yet. Four or more place the photo."));
     auto* rows = new ValueRows(this);
     m_error = rows->addText(tr("Mean error"), QStringLiteral("landmarkError"));

@@ -118,6 +118,7 @@ QWidget* PhotoDialog::cropPage() {
         auto* field = new NumberField(withoutUnit(pixelFormat()), page);
         field->setObjectName(QLatin1String(name));
         field->setToolTip(tr("Pixels of the photo, from its top left corner"));
+        field->setAccessibleName(tr("%1, %2").arg(QString(caption).remove('&'), field->format().unit));
         row->addWidget(quietLabel(caption, field, page));
         row->addWidget(field);
         m_cropFields.emplace_back(part, field);
@@ -158,6 +159,7 @@ QHBoxLayout* PhotoDialog::closeRow(Document& document) {
     add(stack->createUndoAction(this, tr("Undo")), QKeySequence::Undo);
     add(stack->createRedoAction(this, tr("Redo")), QKeySequence::Redo);
     auto* close = new QPushButton(tr("Close"), this);
+    close->setToolTip(tr("Go back to the organ; what was done to the photo stays"));
     close->setAutoDefault(false);
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     row->addWidget(close);

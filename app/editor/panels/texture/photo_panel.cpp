@@ -27,6 +27,7 @@ void PhotoPanel::layOut() {
     m_opacity->setRange(0, 100);
     m_opacity->setObjectName(QStringLiteral("opacitySlider"));
     m_opacity->setAccessibleName(tr("Opacity"));
+    m_opacity->setScale(0, 100);
     auto* rows = new ValueRows(this);
     rows->addField(tr("&Opacity"), m_opacityField);
     body()->addWidget(rows);
@@ -74,6 +75,7 @@ void PhotoPanel::show() {
     m_opacityField->setValue(layer ? std::optional(layer->opacity) : std::nullopt);
     m_blend->setValue(layer ? std::optional(layer->blendPixels) : std::nullopt);
     m_opacity->setValue(layer ? qRound(layer->opacity * 100) : 0);
+    m_opacity->setSpoken(tr("%1 %").arg(m_opacity->value()));
     m_blending->setCurrentIndex(layer ? static_cast<int>(layer->blending) : -1);
     m_visible->setChecked(layer && layer->visible);
     m_occlusion->setChecked(layer && layer->projector.occlusion);

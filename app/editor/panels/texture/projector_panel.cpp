@@ -107,6 +107,10 @@ void ProjectorPanel::layOut() {
     guardFromWheel(*m_kind);
     m_kind->setObjectName(QStringLiteral("projectorKind"));
     m_fieldOfView->setObjectName(QStringLiteral("projectorFieldOfView"));
+    m_position->setCaption(tr("Position"));
+    m_position->setToolTip(tr("Where the projector stands"));
+    m_turned->setCaption(tr("Turned"));
+    m_turned->setToolTip(tr("How far the projector is turned about x, y and z"));
     rows->addWideField(tr("Position, mm"), m_position);
     rows->addWideField(tr("Turned, °"), m_turned);
     m_width->setObjectName(QStringLiteral("projectorWidth"));

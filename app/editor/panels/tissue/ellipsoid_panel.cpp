@@ -22,6 +22,13 @@ EllipsoidPanel::EllipsoidPanel(Document& document, Selection& selection, QWidget
     m_springsInside = rows->addText(tr("Springs inside"), QStringLiteral("springsInside"));
     m_rim->setObjectName(QStringLiteral("ellipsoidRim"));
     m_rim->setAccessibleName(tr("Soft rim"));
+    m_rim->setToolTip(tr("How far outside the ellipsoid its tissue still blends into what lies around"));
+    m_centre->setCaption(tr("Centre"));
+    m_centre->setToolTip(tr("Where the middle of the ellipsoid lies"));
+    m_radii->setCaption(tr("Radii"));
+    m_radii->setToolTip(tr("From the middle of the ellipsoid to its surface, along each of its axes"));
+    m_turned->setCaption(tr("Turned"));
+    m_turned->setToolTip(tr("How far the ellipsoid is turned about x, y and z"));
     m_centre->setObjectName(QStringLiteral("ellipsoidCentre"));
     m_radii->setObjectName(QStringLiteral("ellipsoidRadii"));
     body()->addWidget(rows);
