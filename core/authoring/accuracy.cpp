@@ -35,10 +35,10 @@ namespace {
 
 /// What a scene says of nodes goes to others where these become fewer, and does not come back the same: the
 /// scene that was measured takes its place. What was edited since has no other scene than its own.
-Project onMeasuredNodes(const Project& project, const MeasuredOrgan& organ) {
+Project onMeasuredNodes(const Project& project, const MeasuredOrgan& organ, const Progress& progress) {
     const MeasuredAccuracy& accuracy = *project.accuracy;
     if (detailOf(*project.network) == accuracy.detail) return project;
-    Project measured = withDetail(project, accuracy.detail);
+    Project measured = withDetail(project, accuracy.detail, progress);
     if (organ != accuracy.onFewerNodes) return measured;
     measured.scene = accuracy.organ.scene;
     std::vector<std::string> problems;
@@ -50,10 +50,13 @@ Project onMeasuredNodes(const Project& project, const MeasuredOrgan& organ) {
 
 } // namespace
 
-Project withMeasuredRun(const Project& project, std::size_t run) {
+Project withMeasuredRun(const Project& project, std::size_t run, const Progress& progress) {
+    reportProgress(progress, 0);
     const MeasuredAccuracy& accuracy = *project.accuracy;
     const MeasuredOrgan organ = measuredOrgan(project);
-    Project changed = withRun(onMeasuredNodes(project, organ), accuracy.runs[run]);
+    ProgressParts parts(progress);
+    const Project measured = onMeasuredNodes(project, organ, parts.next(0.5));
+    Project changed = withRun(measured, accuracy.runs[run], parts.rest());
     if (!isMeasuredOn(project, organ)) return changed;
     auto holding = std::make_shared<MeasuredAccuracy>(accuracy);
     holding->onFewerNodes.reset();

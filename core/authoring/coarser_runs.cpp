@@ -83,10 +83,12 @@ std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, 
 
 // The digest is taken of the tissue on the run's own nodes, after the change: with that of the tissue before,
 // what is recommended would be out of date at once.
-Project withRun(const Project& project, const TradeoffRun& run) {
-    Project changed = run.coarser ? withDetail(project, *run.coarser) : project;
+Project withRun(const Project& project, const TradeoffRun& run, const Progress& progress) {
+    ProgressParts parts(progress);
+    Project changed = run.coarser ? withDetail(project, *run.coarser, parts.next(0.9)) : project;
     changed.stepping = MeasuredStepping{run.stepping, run.error, run.wallPerSimulatedSecond,
                                         tissueDigest(evaluateModel(changed))};
+    reportProgress(parts.rest(), 1);
     return changed;
 }
 

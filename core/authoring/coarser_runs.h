@@ -12,7 +12,7 @@ std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene,
                                     const Progress& progress = {});
 
 /// The project with a measured run as the way to step it that is recommended, on the nodes of that run.
-/// @throws InvalidModel when the surface has no such level of detail
-Project withRun(const Project& project, const TradeoffRun& run);
+/// @throws InvalidModel when the surface has no such level of detail; Cancelled
+Project withRun(const Project& project, const TradeoffRun& run, const Progress& progress = {});
 
 } // namespace esm

@@ -3,6 +3,7 @@
 #include "core/project/detail_change.h"
 #include "core/samples/samples.h"
 #include "core/support/errors.h"
+#include "tests/support/steady_progress.h"
 #include "tests/support/tissue_models.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +62,12 @@ TEST(Accuracy, HoldsForTheOrganAndForTheNodesOfTheRunThatWasChosen) {
     EXPECT_EQ(back.scene, sheet.scene) << "nodes that are fixed come back as they were";
     EXPECT_EQ(measuredOrgan(back), measuredOrgan(sheet));
     EXPECT_TRUE(isMeasuredOn(back, measuredOrgan(back)));
+}
+
+TEST(Accuracy, ChoosingARunTellsHowFarItIsAndCanBeStopped) {
+    const Project sheet = measuredSheet(), fewer = withMeasuredRun(sheet, 1);
+    test::expectGoodProgress([&](const Progress& progress) { withMeasuredRun(fewer, 0, progress); });
+    test::expectGoodProgress([&](const Progress& progress) { withMeasuredRun(sheet, 1, progress); });
 }
 
 TEST(Accuracy, HoldsNoLongerWhereTissueOrSceneWereEdited) {

@@ -107,8 +107,10 @@ void SpeedAndAccuracy::measure(QWidget* window) {
 void SpeedAndAccuracy::use(std::size_t run, QWidget* window) {
     const Project project = m_document.project();
     attempt(window, tr("This setting cannot be used"), [&] {
-        const Project changed = computeLong(window, tr("Choosing method and step"),
-                                            [&](const Progress&) { return withMeasuredRun(project, run); });
+        const Project changed = computeLong(
+            window, tr("Choosing method and step"),
+            [&](const Progress& progress) { return withMeasuredRun(project, run, progress); },
+            Cancelling::Offered);
         m_document.edit(tr("Choose method and step"),
                         [&](Project& edited) { takeSimulated(edited, changed); });
     });

@@ -1,4 +1,5 @@
 #include "app/editor/panels/tissue/tissue_preset_button.h"
+#include "core/authoring/accuracy.h"
 #include "core/exchange/image_file.h"
 #include "core/samples/samples.h"
 #include "tests/app/access_complaints.h"
@@ -77,6 +78,20 @@ TEST_F(AccessTest, TheWorkspaceTextureCanBeHeardAndExplainsItself) {
     takeEveryTool();
     window->windowActions().addPaint->trigger();
     takeEveryTool();
+}
+
+TEST_F(AccessTest, TheWorkspaceMeasureCanBeHeardAndExplainsItself) {
+    open(makeSample("tube"));
+    window->windowActions().measure->trigger();
+    expectNone(*window);
+    Tradeoff measured;
+    measured.reference.stepping = {Integrator::Rk4, 1e-5, Precision::Double};
+    measured.runs = {{{Integrator::Split2, 0.01, Precision::Double}, 170, true, 0.02, false, 0.1, {}}};
+    window->document().edit("measure", [&](Project& edited) {
+        edited.accuracy = std::make_shared<const MeasuredAccuracy>(
+            measuredAccuracy(measuredOrgan(edited), detailOf(*edited.network), measured));
+    });
+    expectNone(*window);
 }
 
 TEST_F(AccessTest, WithNothingSelectedControlsSayWhyTheyCannotBeUsed) {
