@@ -7,6 +7,9 @@ namespace esm {
 namespace {
 
 constexpr auto doesProperty = "does";
+/// Why it cannot be used now. Whether it is enabled does not tell: an action that is not to be seen is not
+/// enabled either.
+constexpr auto whyProperty = "why";
 
 } // namespace
 
@@ -20,7 +23,9 @@ QString plainText(const QAction* action) {
 }
 
 void explain(QAction* action, const QString& does) {
-    enable(action, action->isEnabled(), does, action->toolTip());
+    action->setProperty(doesProperty, does);
+    const QString why = action->property(whyProperty).toString();
+    action->setToolTip(why.isEmpty() ? withShortcut(does, action) : why);
 }
 
 QString whatItDoes(const QAction* action) {
@@ -29,8 +34,8 @@ QString whatItDoes(const QAction* action) {
 
 void enable(QAction* action, bool on, const QString& does, const QString& why) {
     action->setEnabled(on);
-    action->setProperty(doesProperty, does);
-    action->setToolTip(on ? withShortcut(does, action) : why);
+    action->setProperty(whyProperty, on ? QString() : why);
+    explain(action, does);
 }
 
 void setKeys(QAction* action, const QList<QKeySequence>& keys) {

@@ -9,7 +9,7 @@ QString withShortcut(const QString& toolTip, const QAction* action);
 /// Its text as people read it, without the mark of its letter and the dots of what asks first.
 QString plainText(const QAction* action);
 
-/// Says what an action does, in its tool tip with its key while it can be used.
+/// Says what an action does: in its tool tip with its key, unless that says why it cannot be used.
 void explain(QAction* action, const QString& does);
 /// As it was explained last, without the key.
 QString whatItDoes(const QAction* action);

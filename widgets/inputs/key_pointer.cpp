@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -14,6 +13,7 @@ namespace {
 constexpr double keyReach = 10; ///< pixels that an arrow key moves the mark
 constexpr int markSide = 27;    ///< pixels
 constexpr int wheelPerNotch = 120;
+constexpr double focusFrame = 2; ///< pixels
 
 /// A cross with an open middle, light with a dark edge, so that it is seen on any tissue; a filled middle
 /// while it presses.
@@ -140,7 +140,26 @@ void KeyPointer::hide() {
     m_mark->hide();
 }
 
+void KeyPointer::paintFocus(QPainter& painter) const {
+    if (!m_cameByTab || !m_area.hasFocus()) return;
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(m_area.palette().color(QPalette::Link), focusFrame));
+    constexpr double inside = focusFrame / 2;
+    painter.drawRect(QRectF(m_area.rect()).adjusted(inside, inside, -inside, -inside));
+    painter.restore();
+}
+
+void KeyPointer::followFocus(const QEvent& event) {
+    if (event.type() != QEvent::FocusIn && event.type() != QEvent::MouseButtonPress) return;
+    const bool isFocus = event.type() == QEvent::FocusIn;
+    const auto reason = isFocus ? static_cast<const QFocusEvent&>(event).reason() : Qt::MouseFocusReason;
+    m_cameByTab = reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason;
+    m_area.update();
+}
+
 bool KeyPointer::eventFilter(QObject*, QEvent* event) {
+    if (!m_isSending) followFocus(*event);
     const bool isMouse = event->type() == QEvent::MouseMove || event->type() == QEvent::MouseButtonPress;
     if (!place() || m_isSending || (!isMouse && event->type() != QEvent::FocusOut)) return false;
     hide();

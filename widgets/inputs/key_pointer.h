@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QKeyEvent>
+#include <QPainter>
 #include <QWidget>
 
 #include <functional>
@@ -26,6 +27,9 @@ public:
     std::optional<QPointF> place() const;
     bool isPressing() const { return m_isPressing; }
 
+    /// Draws a frame around the area where Tab brought the keys there.
+    void paintFocus(QPainter& painter) const;
+
     /// Whether the key was for the mark.
     bool press(const QKeyEvent& key);
     /// Goes to the next place or the one before; false where none is left, or no mark is seen.
@@ -41,6 +45,7 @@ private:
     void moveTo(const QPointF& place);
     void moveBy(const QKeyEvent& key);
     void toggle(Qt::KeyboardModifiers keys);
+    void followFocus(const QEvent& event);
     void turnWheel(int notches, Qt::KeyboardModifiers keys);
     void send(QEvent::Type type, Qt::MouseButton button);
 
@@ -50,6 +55,7 @@ private:
     std::optional<QPointF> m_place; ///< where it is, or was last
     Qt::KeyboardModifiers m_keys;   ///< that count as held
     bool m_isPressing = false;
+    bool m_cameByTab = false;
     bool m_isSending = false; ///< what comes now is not the mouse's
 };
 

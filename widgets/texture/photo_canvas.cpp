@@ -184,6 +184,7 @@ void PhotoCanvas::paintEvent(QPaintEvent*) {
             painter.drawEllipse(*m_mouse, m_radius * m_scale + by, m_radius * m_scale + by);
         }
     }
+    m_keyPointer.paintFocus(painter);
 }
 
 void PhotoCanvas::paintStrokes(QPainter& painter) const {

@@ -243,6 +243,7 @@ void OrganView::paintOverlay(QPainter& painter) {
     if (m_legend) paintLegend(painter, style, *m_legend);
     paintHint(painter, style, m_hint, m_legend.has_value());
     paintAxisCube(painter, shown, cubeSquare(size()), style.palette);
+    m_keyPointer.paintFocus(painter);
 }
 
 } // namespace esm

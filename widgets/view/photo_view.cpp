@@ -115,6 +115,7 @@ void PhotoView::paintEvent(QPaintEvent*) {
     if (!m_image.isNull()) painter.drawImage(QRectF(placeOf({0, 0}), placeOf(end)), m_image);
     paintMarks(painter, paintedMarks(), palette());
     paintHint(painter, {size(), palette()}, m_hint, false);
+    m_keyPointer.paintFocus(painter);
 }
 
 void PhotoView::mousePressEvent(QMouseEvent* event) {

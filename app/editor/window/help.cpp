@@ -95,8 +95,9 @@ QString keysText(const Actions& a) {
     const std::vector<ShortcutRow> actions = shortcutRows(a);
     const QString mouse = title(QObject::tr("View")) + viewRows(actions) +
                           title(QObject::tr("View by the keys alone")) + markRows() +
-                          title(QObject::tr("Tools")) + toolRows(a);
-    const QString keys = menuRows(actions, a) + title(QObject::tr("Fields and lists")) + fieldRows();
+                          title(QObject::tr("Tools")) + toolRows(a) + title(QObject::tr("Fields and lists")) +
+                          fieldRows();
+    const QString keys = menuRows(actions, a);
     return QStringLiteral("<table><tr><td><table>%1</table></td><td><table>%2</table></td></tr></table>")
         .arg(mouse, keys);
 }

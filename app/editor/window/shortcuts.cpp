@@ -25,9 +25,10 @@ public:
         for (const auto& [id, action] : actions)
             m_rows.push_back({QLatin1String(id), group, plainText(action), action});
     }
-    void addNamed(const QString& group, const QString& prefix, const QList<QAction*>& actions) {
+    void addNamed(const QString& group, const QString& prefix, const QList<QAction*>& actions,
+                  const QString& name = QStringLiteral("%1")) {
         for (QAction* action : actions)
-            m_rows.push_back({prefix + action->objectName(), group, plainText(action), action});
+            m_rows.push_back({prefix + action->objectName(), group, name.arg(plainText(action)), action});
     }
     void addOne(const QString& group, const char* id, const QString& name, QAction* action) {
         m_rows.push_back({QLatin1String(id), group, name, action});
@@ -48,7 +49,8 @@ void addView(RowMaker& rows, const Actions& a) {
                     {"showSprings", a.showSprings},
                     {"showNodes", a.showNodes},
                     {"showRegions", a.showRegions}});
-    rows.addNamed(view, QStringLiteral("colourBy/"), a.colourings->actions());
+    rows.addNamed(view, QStringLiteral("colourBy/"), a.colourings->actions(),
+                  ShortcutTexts::tr("Colour by: %1"));
     rows.add(view, {{"cut", a.cut}, {"frame", a.frame}, {"frameSelection", a.frameSelection}});
     const std::array<std::pair<const char*, QString>, 6> sides{
         {{"lookFrom/front", ShortcutTexts::tr("Look from the front")},

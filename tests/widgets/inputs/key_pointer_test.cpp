@@ -91,6 +91,25 @@ TEST_F(KeyPointerTest, TabGoesToWhatCanBeTakenAndThenOn) {
     EXPECT_FALSE(area.pointer.goToNextStop(false));
 }
 
+TEST_F(KeyPointerTest, WhereTabBringsTheKeysIsSeen) {
+    area.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&area));
+    const auto corner = [&] {
+        QPixmap picture(area.size());
+        picture.fill(Qt::black);
+        QPainter painter(&picture);
+        area.pointer.paintFocus(painter);
+        painter.end();
+        return picture.toImage().pixelColor(0, 50);
+    };
+    QApplication::setActiveWindow(&area);
+    area.setFocus(Qt::MouseFocusReason);
+    EXPECT_EQ(corner(), QColor(Qt::black));
+    area.clearFocus();
+    area.setFocus(Qt::TabFocusReason);
+    EXPECT_EQ(corner(), area.palette().color(QPalette::Link));
+}
+
 TEST_F(KeyPointerTest, TheWheelTurnsAndTheMouseTakesTheMarkAway) {
     press(Qt::Key_PageUp);
     press(Qt::Key_Down);

@@ -88,8 +88,6 @@ TEST_F(KeyboardTest, DoesTheMainJobAlone) {
     ASSERT_TRUE(window->preview().loads().pull) << "the tissue is grasped";
     press(Qt::Key_Return);
     EXPECT_FALSE(window->preview().loads().pull);
-    EXPECT_EQ(QApplication::focusWidget(), &window->view());
-    EXPECT_TRUE(window->windowActions().play->isEnabled());
     const bool wasPlaying = window->preview().status().playing;
     press(Qt::Key_Space);
     ESM_EVENTUALLY(window->preview().status().playing != wasPlaying);

@@ -65,6 +65,14 @@ TEST_F(ShortcutsTest, ToolTipsAndHintsFollow) {
     EXPECT_EQ(actions.addRegion->toolTip(), "Add (Ctrl+R)");
 }
 
+TEST_F(ShortcutsTest, WhatIsNotSeenIsExplainedAndComesBackAsItWas) {
+    actions.play->setVisible(false);
+    explain(actions.play, "Move");
+    actions.play->setVisible(true);
+    EXPECT_TRUE(actions.play->isEnabled());
+    EXPECT_EQ(actions.play->toolTip(), "Move (Space)");
+}
+
 TEST_F(ShortcutsTest, BadSettingsAreIgnored) {
     store("noSuchAction", "Ctrl+J");
     store("save", "no key at all");
