@@ -36,8 +36,10 @@ bool isPartOfControl(const QWidget& widget) {
 bool takesKeysOrClicks(const QWidget& widget) {
     // A text that can be copied is read as it stands.
     if (qobject_cast<const QLabel*>(&widget) || isPartOfControl(widget)) return false;
+    // The window keeps the place of tabs that another workspace has.
+    if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) return tabs->count() > 0;
     return widget.focusPolicy() != Qt::NoFocus || qobject_cast<const QAbstractButton*>(&widget) ||
-           qobject_cast<const QTabBar*>(&widget) || dynamic_cast<const Spoken*>(&widget);
+           dynamic_cast<const Spoken*>(&widget);
 }
 
 bool hasWord(const QString& text) {

@@ -14,7 +14,7 @@ public:
 
     QString text(QAccessible::Text kind) const override {
         if (kind == QAccessible::Value) return m_spoken.spokenValue();
-        const QString usual = QAccessibleWidget::text(kind);
+        QString usual = QAccessibleWidget::text(kind);
         if (kind != QAccessible::Description) return usual;
         // Values that are no numbers are not passed on to readers on a desktop of Linux.
         return usual.isEmpty() ? m_spoken.spokenValue()

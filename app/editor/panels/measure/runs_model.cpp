@@ -72,7 +72,7 @@ int RunsModel::rowCount(const QModelIndex& parent) const {
 }
 
 int RunsModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : int(columns);
+    return parent.isValid() ? 0 : columns;
 }
 
 QVariant RunsModel::toolTip(const TradeoffRun& run, int row) const {

@@ -12,7 +12,8 @@ class RunsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Method, Step, Nodes, Speed, Error, columns };
+    enum Column { Method, Step, Nodes, Speed, Error };
+    static constexpr int columns = Error + 1;
     static constexpr int sortRole = Qt::UserRole; ///< what a column is sorted by
 
     using QAbstractTableModel::QAbstractTableModel;

@@ -31,6 +31,7 @@ RunsTable::RunsTable(QWidget* parent)
     : QTableView(parent), m_model(new RunsModel(this)), m_sorted(new SortedRuns(this)) {
     setObjectName(QStringLiteral("runsTable"));
     setAccessibleName(tr("Measured runs"));
+    setToolTip(tr("Every run that was measured. A click on a column's name sorts by it"));
     m_sorted->setSourceModel(m_model);
     setModel(m_sorted);
     setSelectionBehavior(QAbstractItemView::SelectRows);
