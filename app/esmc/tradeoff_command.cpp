@@ -11,7 +11,6 @@
 #include "core/exchange/model_package.h"
 #include "core/exchange/project/project_file.h"
 #include "core/model/gentle_pull.h"
-#include "core/model/tissue_digest.h"
 #include "core/support/atomic_file.h"
 
 #include <algorithm>
@@ -148,14 +147,6 @@ void drawChart(const Drawing& chart, const std::string& file, Report& report) {
     else
         writeFileAtomically(file, toSvg(chart));
     addWritten(report, file);
-}
-
-/// The project with what was measured of it in a scene.
-Project withAccuracy(const Project& project, const Scene& scene, const Tradeoff& tradeoff) {
-    Project measured = project;
-    measured.accuracy = std::make_shared<const MeasuredAccuracy>(measuredAccuracy(
-        {tissueDigest(evaluateModel(project, scene)), scene}, detailOf(*project.network), tradeoff));
-    return measured;
 }
 
 /// Writes the project with the run that is recommended, on the run's nodes, and with all others.

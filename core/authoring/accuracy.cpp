@@ -23,6 +23,13 @@ Tradeoff measureAccuracy(const Project& project, const TradeoffOptions& options,
     return measureTradeoff({model, surface, scene}, all, parts.rest());
 }
 
+Project withAccuracy(const Project& project, const Scene& scene, const Tradeoff& measured) {
+    Project changed = project;
+    changed.accuracy = std::make_shared<const MeasuredAccuracy>(measuredAccuracy(
+        {tissueDigest(evaluateModel(project)), scene}, detailOf(*project.network), measured));
+    return changed;
+}
+
 MeasuredOrgan measuredOrgan(const Project& project) {
     return {tissueDigest(evaluateModel(project)), project.scene};
 }

@@ -15,6 +15,9 @@ Scene measuredScene(const Project& project);
 /// @throws InvalidModel; Cancelled
 Tradeoff measureAccuracy(const Project& project, const TradeoffOptions& options, const Progress& progress);
 
+/// The project with what was measured of it in a scene, on all of its nodes.
+Project withAccuracy(const Project& project, const Scene& scene, const Tradeoff& measured);
+
 /// The organ that measurements of the project hold for, as it is now.
 MeasuredOrgan measuredOrgan(const Project& project);
 

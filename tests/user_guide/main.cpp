@@ -6,13 +6,11 @@
 #include "app/editor/window/theme.h"
 #include "core/samples/samples.h"
 #include "core/support/file_io.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/scratch_settings.h"
 #include "tests/user_guide/guided_window.h"
 
 #include <QAbstractButton>
 #include <QPushButton>
-#include <QSettings>
-#include <QStandardPaths>
 
 #include <algorithm>
 #include <cstdio>
@@ -112,20 +110,16 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: user_guide_pictures FOLDER\n");
         return 2;
     }
-    // The user's own settings and files are neither read nor written.
-    QStandardPaths::setTestModeEnabled(true);
-    const TemporaryFolder scratch;
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
-                       QString::fromStdString(scratch.path().string()));
+    const ScratchSettings scratch;
     esm::Application application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("esm"));
     QCoreApplication::setApplicationName(QStringLiteral("esm-user-guide"));
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     esm::applyTheme(application, esm::Theme::Dark);
     const std::filesystem::path folder = argv[1];
-    showBeginning(folder, scratch.path());
+    showBeginning(folder, scratch.folder());
     showTissue(folder);
     showColours(folder);
     showMeasuring(folder);
-    showPhotos(folder, scratch.path());
+    showPhotos(folder, scratch.folder());
 }

@@ -1,19 +1,8 @@
 #include "app/editor/window/main_window.h"
 
-#include "app/editor/panels/fuzzy/fuzzy_workbench.h"
-#include "app/editor/panels/measure/accuracy_panel.h"
 #include "app/editor/panels/measure/accuracy_view.h"
-#include "app/editor/panels/organ/model_panel.h"
-#include "app/editor/panels/texture/atlas_panel.h"
-#include "app/editor/panels/texture/landmarks_panel.h"
 #include "app/editor/panels/texture/photo_dialog.h"
-#include "app/editor/panels/texture/photo_panel.h"
-#include "app/editor/panels/texture/photos_panel.h"
-#include "app/editor/panels/texture/preparation_panel.h"
-#include "app/editor/panels/texture/projector_panel.h"
-#include "app/editor/panels/tissue/ellipsoid_panel.h"
-#include "app/editor/panels/tissue/regions_panel.h"
-#include "app/editor/panels/tissue/tissue_panel.h"
+#include "app/editor/window/columns.h"
 #include "app/editor/window/export_notice.h"
 #include "app/editor/window/help.h"
 #include "app/editor/window/history_window.h"
@@ -81,7 +70,8 @@ MainWindow::MainWindow(Project project)
     buildMenus(*this, m_actions);
     buildTopBar(*this, m_actions, m_tools->makeOptions(ToolOptions::Bar));
     buildToolStrip(*this, m_actions);
-    buildPanels();
+    addColumns(*m_workspaces, {*m_document, *m_selection, *m_preparations, *m_preview, *m_landmarking,
+                               *m_accuracy, *m_tools, m_actions, [this] { showLargePhoto(); }});
     connectParts();
     connectStart();
     m_workspaces->show();
@@ -112,51 +102,6 @@ std::vector<QWidget*> MainWindow::buildViews() {
     connect(accuracy, &AccuracyView::message, m_status, &StatusLine::showMessage);
     views.push_back(accuracy);
     return views;
-}
-
-void MainWindow::buildPanels() {
-    auto* regions = new RegionsPanel(*m_document, *m_selection);
-    auto* photos = new PhotosPanel(*m_document, *m_selection);
-    auto* preparation = new PreparationPanel(*m_preparations);
-    auto* projector = new ProjectorPanel(*m_document, *m_selection);
-    regions->setAddAction(m_actions.addRegion);
-    photos->setAddAction(m_actions.addPhoto);
-    photos->setPaintAction(m_actions.addPaint);
-    projector->setFromCameraAction(m_actions.fromCamera);
-    auto* landmarks = new LandmarksPanel(*m_landmarking);
-    landmarks->setToolAction(m_actions.tool(QStringLiteral("landmarks")));
-    connect(preparation, &PreparationPanel::largeViewAsked, this, &MainWindow::showLargePhoto);
-    // A layer that is painted has nothing to prepare or to place.
-    const auto showPhotoPanels = [this, preparation, projector, landmarks] {
-        const TextureLayer* layer = m_selection->selectedLayer();
-        const bool isPainted = layer && !layer->photo;
-        for (QWidget* panel : {static_cast<QWidget*>(preparation), static_cast<QWidget*>(projector),
-                               static_cast<QWidget*>(landmarks)})
-            panel->setVisible(!isPainted);
-    };
-    connect(m_selection, &Selection::changed, this, showPhotoPanels);
-    connect(m_document, &Document::changed, this, showPhotoPanels);
-    auto* reach = new SystemReach(*m_document, *m_selection, this);
-    auto* workbench = new FuzzyWorkbench(*m_document, *m_selection, *reach);
-    workbench->setWindowAction(m_actions.fuzzyWindow);
-
-    const auto underOptions = [this](ToolWorkspace workspace, std::initializer_list<QWidget*> panels) {
-        auto column = m_tools->makeOptions(ToolOptions::Column, workspace);
-        column.insert(column.end(), panels);
-        return column;
-    };
-    m_workspaces->add(
-        Workspace::Tissue,
-        {tr("Organ"),
-         {new ModelPanel(*m_document, *m_preview), regions, new EllipsoidPanel(*m_document, *m_selection)}},
-        {{tr("Tissue"),
-          underOptions(ToolWorkspace::Tissue, {new TissuePanel(*m_document, *m_selection, *reach)})},
-         {tr("Fuzzy system"), {workbench}}});
-    m_workspaces->add(Workspace::Measure, {tr("Measure"), {new AccuracyPanel(*m_document, *m_accuracy)}}, {});
-    m_workspaces->add(Workspace::Texture, {tr("Photos"), {photos, new AtlasPanel(*m_document)}},
-                      {{tr("Photo"), underOptions(ToolWorkspace::Texture,
-                                                  {preparation, new PhotoPanel(*m_document, *m_selection),
-                                                   projector, landmarks})}});
 }
 
 void MainWindow::showLargePhoto() {

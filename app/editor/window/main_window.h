@@ -57,7 +57,6 @@ protected:
 
 private:
     std::vector<QWidget*> buildViews();
-    void buildPanels();
     void showLargePhoto();
     void connectParts();
     void connectStart();

@@ -79,7 +79,12 @@ AccuracyView::AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidg
         refresh();
     });
     connect(m_onlyUnbeaten, &QCheckBox::toggled, m_table, &RunsTable::setOnlyUnbeaten);
+    connect(&m_accuracy, &SpeedAndAccuracy::runsChanged, this, &AccuracyView::showRuns);
     connect(&m_accuracy, &SpeedAndAccuracy::changed, this, &AccuracyView::refresh);
+    m_chart->setEmptyText(
+        tr("Nothing is measured yet. Once it is, every method has a point here: the faster, the "
+           "further right; the more exact, the lower."));
+    showRuns();
     refresh();
 }
 
@@ -104,34 +109,32 @@ QLayout* AccuracyView::buildHeader() {
 
 void AccuracyView::showRuns() {
     const Tradeoff* tradeoff = m_accuracy.tradeoff();
-    const std::vector<TradeoffRun> runs = tradeoff ? tradeoff->runs : std::vector<TradeoffRun>();
-    if (runs == m_shown) return;
-    m_shown = runs;
     m_table->setTradeoff(tradeoff);
     m_chart->setPoints(tradeoff ? pointsOf(*tradeoff) : std::vector<AccuracyPoint>(),
                        tradeoff ? tradeoff->pareto : std::vector<std::size_t>());
 }
 
 void AccuracyView::refresh() {
-    showRuns();
     m_chart->setMostError(m_accuracy.wishes().mostError);
     m_chart->setChosen(m_accuracy.runInUse());
-    m_chart->setEmptyText(tr("Nothing is measured yet. Once it is, every method has a point here: "
-                             "the faster, the further right; the more exact, the lower."));
     m_table->setInUse(m_accuracy.runInUse());
+    const bool isMeasured = m_accuracy.tradeoff() != nullptr;
     const QString none = tr("Nothing is measured yet");
-    enable(m_exportTable, !m_shown.empty(), tr("Write every run as a table (.csv)"), none);
-    enable(m_exportChart, !m_shown.empty(), tr("Write the chart as a picture (.png or .svg)"), none);
+    enable(m_exportTable, isMeasured, tr("Write every run as a table (.csv)"), none);
+    enable(m_exportChart, isMeasured, tr("Write the chart as a picture (.png or .svg)"), none);
     const auto marked = m_table->marked();
-    const bool isUsable = marked && *marked < m_shown.size() && m_shown[*marked].stable;
-    enable(m_use, isUsable, tr("Let the tissue move by the method and step of the marked row"),
-           m_shown.empty() ? none
-           : marked        ? tr("With this step the motion ran wild")
-                           : tr("Mark a row first"));
+    enable(m_use, isUsable(marked), tr("Let the tissue move by the method and step of the marked row"),
+           !isMeasured ? none
+           : marked    ? tr("With this step the motion ran wild")
+                       : tr("Mark a row first"));
+}
+
+bool AccuracyView::isUsable(std::optional<std::size_t> run) const {
+    return run && m_accuracy.tradeoff()->runs[*run].stable;
 }
 
 void AccuracyView::use(std::optional<std::size_t> run) {
-    if (run && m_shown[*run].stable) m_accuracy.use(*run, window());
+    if (isUsable(run)) m_accuracy.use(*run, window());
 }
 
 void AccuracyView::write(const NewFile& asked, const QString& failure,

@@ -29,6 +29,7 @@ private:
     QLayout* buildHeader();
     void refresh();
     void showRuns();
+    bool isUsable(std::optional<std::size_t> run) const;
     void use(std::optional<std::size_t> run);
     /// Asks where, and says what became of it.
     void write(const NewFile& asked, const QString& failure,
@@ -42,7 +43,6 @@ private:
     RunsTable* m_table;
     QCheckBox* m_onlyUnbeaten;
     QPushButton *m_use, *m_exportTable, *m_exportChart;
-    std::vector<TradeoffRun> m_shown; ///< runs in chart and table
 };
 
 } // namespace esm

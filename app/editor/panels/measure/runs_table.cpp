@@ -5,9 +5,7 @@
 
 namespace esm {
 
-namespace {
-
-class SortedRuns : public QSortFilterProxyModel {
+class RunsTable::SortedRuns : public QSortFilterProxyModel {
 public:
     explicit SortedRuns(QObject* parent) : QSortFilterProxyModel(parent) { setSortRole(RunsModel::sortRole); }
 
@@ -24,8 +22,6 @@ protected:
 private:
     bool m_onlyUnbeaten = false;
 };
-
-} // namespace
 
 RunsTable::RunsTable(QWidget* parent)
     : QTableView(parent), m_model(new RunsModel(this)), m_sorted(new SortedRuns(this)) {
@@ -57,7 +53,7 @@ void RunsTable::setTradeoff(const Tradeoff* tradeoff) {
 }
 
 void RunsTable::setOnlyUnbeaten(bool only) {
-    static_cast<SortedRuns*>(m_sorted)->setOnlyUnbeaten(only);
+    m_sorted->setOnlyUnbeaten(only);
 }
 
 void RunsTable::mark(std::optional<std::size_t> run) {

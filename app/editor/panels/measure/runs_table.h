@@ -30,11 +30,13 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    class SortedRuns;
+
     void shareWidth();
     void choose(const QModelIndex& index);
 
     RunsModel* m_model;
-    QSortFilterProxyModel* m_sorted;
+    SortedRuns* m_sorted;
 };
 
 } // namespace esm

@@ -46,7 +46,10 @@ SpeedAndAccuracy::SpeedAndAccuracy(Document& document, Preview& preview, QObject
 void SpeedAndAccuracy::follow(const Change& change) {
     if (!change.model() && !change.stepping && !change.accuracy) return;
     m_rest.start();
-    if (change.accuracy) workOut();
+    if (change.accuracy) {
+        workOut();
+        emit runsChanged();
+    }
     emit changed();
 }
 
@@ -91,16 +94,14 @@ void SpeedAndAccuracy::measure(QWidget* window) {
     options.wishes = m_wishes;
     attempt(window, tr("Speed and accuracy cannot be measured"), [&] {
         const Pause pause(m_preview);
-        const auto measured = computeLong(
+        const Project measured = computeLong(
             window, tr("Measuring speed and accuracy"),
             [&](const Progress& progress) {
-                const Tradeoff tradeoff = measureAccuracy(project, options, progress);
-                return std::make_shared<const MeasuredAccuracy>(
-                    measuredAccuracy(measuredOrgan(project), detailOf(*project.network), tradeoff));
+                return withAccuracy(project, project.scene, measureAccuracy(project, options, progress));
             },
             Cancelling::Offered);
         m_document.edit(tr("Measure speed and accuracy"),
-                        [&](Project& edited) { edited.accuracy = measured; });
+                        [&](Project& edited) { edited.accuracy = measured.accuracy; });
     });
 }
 

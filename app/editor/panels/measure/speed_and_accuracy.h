@@ -33,6 +33,8 @@ public:
     void useAutomatic();
 
 signals:
+    /// Others were measured, or none any more; before changed().
+    void runsChanged();
     /// What any of these gives.
     void changed();
 
