@@ -116,8 +116,8 @@ RepairOptions repairOptions(const ImportChoice& choice) {
 
 ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const PolygonSoup> soup,
                            std::shared_ptr<const ImportedSurface> found, QWidget* parent)
-    : QDialog(parent), m_found(std::move(found)), m_shown(m_found), m_importer(std::move(soup), m_found),
-      m_view(new OrganView(this)),
+    : QDialog(parent), m_found(std::move(found)), m_shown(m_found),
+      m_importer(std::move(soup), m_found, this), m_view(new OrganView(this)),
       m_openings(new OpeningOptions(
           m_found, recommendedUnit(m_found->extent.maxCoeff(), meshFileEnding(fileName.toStdString())),
           this)),
@@ -293,6 +293,7 @@ void ImportDialog::lookAgain() {
 }
 
 void ImportDialog::takeAnswer() {
+    if (m_isAnswered) return; // it was told before, and the importer may be no more
     const auto outcome = m_importer.outcome();
     if (m_importer.isWorking() || outcome.number == m_answer) return;
     m_answer = outcome.number;
@@ -304,7 +305,7 @@ void ImportDialog::takeAnswer() {
 }
 
 void ImportDialog::done(int result) {
-    m_importer.disconnect(this); // what it still tells is for nobody
+    m_isAnswered = true;
     QDialog::done(result);
 }
 

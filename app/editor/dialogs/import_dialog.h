@@ -69,7 +69,8 @@ private:
 
     std::shared_ptr<const ImportedSurface> m_found, m_shown;
     SurfaceImporter m_importer;
-    int m_answer = 0; ///< number of the latest that was looked at
+    bool m_isAnswered = false; ///< by the user
+    int m_answer = 0;          ///< number of the latest that was looked at
     OrganView* m_view;
     OpeningOptions* m_openings;
     QButtonGroup* m_units;

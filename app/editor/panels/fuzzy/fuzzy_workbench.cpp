@@ -12,6 +12,7 @@
 
 #include <QApplication>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 
 namespace esm {
@@ -40,7 +41,7 @@ void bringToFront(QStackedWidget& pages, int index) {
     pages.setCurrentIndex(index);
 }
 
-constexpr QSize smallestWindow(720, 560), usualWindow(900, 620);
+constexpr QSize smallestWindow(720, 560), usualWindow(900, 620), roomForFrame(20, 60);
 const QString geometryKey = QStringLiteral("fuzzyWindow");
 
 } // namespace
@@ -145,8 +146,10 @@ void FuzzyWorkbench::moveToWindow() {
         m_window = new QWidget(window(), Qt::Tool);
         m_window->setObjectName(QStringLiteral("workbenchWindow"));
         m_window->setAttribute(Qt::WA_StyledBackground);
-        m_window->setMinimumSize(smallestWindow);
-        m_window->resize(usualWindow);
+        const QSize room =
+            screen()->availableSize() - roomForFrame; // little on a screen with a display scale of 2
+        m_window->setMinimumSize(smallestWindow.boundedTo(room));
+        m_window->resize(usualWindow.boundedTo(room));
         m_window->restoreGeometry(QSettings().value(geometryKey).toByteArray());
         m_window->installEventFilter(this);
         keepControlKeys(*m_window);

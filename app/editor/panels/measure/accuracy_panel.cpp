@@ -8,6 +8,18 @@
 
 namespace esm {
 
+namespace {
+
+NumberFormat computingFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("s");
+    format.minimum = 0.01;
+    format.maximum = 3600;
+    return format;
+}
+
+} // namespace
+
 AccuracyPanel::AccuracyPanel(Document& document, SpeedAndAccuracy& accuracy, QWidget* parent)
     : Section(tr("Speed and accuracy"), parent), m_document(document), m_accuracy(accuracy),
       m_measure(new QPushButton(this)), m_inUse(new QLabel(this)),
@@ -21,6 +33,14 @@ AccuracyPanel::AccuracyPanel(Document& document, SpeedAndAccuracy& accuracy, QWi
     body()->addWidget(m_inUse);
     auto* measuredOn = new ValueRows(this);
     m_scene = measuredOn->addText(tr("motion compared"), QStringLiteral("measuredScene"));
+    auto* mostSeconds = new NumberField(computingFormat(), this);
+    mostSeconds->setObjectName(QStringLiteral("mostSeconds"));
+    mostSeconds->setToolTip(
+        tr("A method that would compute for longer is left out; the reference may take ten times as "
+           "long. Large organs need more"));
+    mostSeconds->setValue(m_accuracy.mostSecondsPerRun());
+    connect(mostSeconds, &NumberField::valueEdited, &m_accuracy, &SpeedAndAccuracy::setMostSecondsPerRun);
+    measuredOn->addField(tr("Each &computes at most"), mostSeconds);
     body()->addWidget(measuredOn);
     body()->addWidget(m_hint);
     m_measure->setObjectName(QStringLiteral("measureButton"));

@@ -10,8 +10,6 @@ namespace esm {
 
 namespace {
 
-constexpr double secondsPerWay = 1; ///< of computing; a way to step that takes longer is left out
-
 /// To digest the tissue at every step of a drag would hold the drag up.
 constexpr int restBeforeComparing = 300; // ms
 
@@ -90,7 +88,7 @@ std::optional<std::size_t> SpeedAndAccuracy::runInUse() const {
 void SpeedAndAccuracy::measure(QWidget* window) {
     const Project project = m_document.project();
     TradeoffOptions options;
-    options.mostSecondsPerRun = secondsPerWay;
+    options.mostSecondsPerRun = m_mostSecondsPerRun;
     options.wishes = m_wishes;
     attempt(window, tr("Speed and accuracy cannot be measured"), [&] {
         const Pause pause(m_preview);

@@ -19,6 +19,9 @@ public:
     const Tradeoff* tradeoff() const { return m_tradeoff ? &*m_tradeoff : nullptr; }
     const TradeoffWishes& wishes() const { return m_wishes; }
     void setMostError(double error); ///< relative to the motion
+    /// Of computing, s; a run that would take longer is left out.
+    double mostSecondsPerRun() const { return m_mostSecondsPerRun; }
+    void setMostSecondsPerRun(double seconds) { m_mostSecondsPerRun = seconds; }
     /// Of the runs, the one by which the tissue moves; none while the program chooses, or where it is
     /// another.
     std::optional<std::size_t> runInUse() const;
@@ -46,6 +49,7 @@ private:
     Document& m_document;
     Preview& m_preview;
     TradeoffWishes m_wishes;
+    double m_mostSecondsPerRun = 1;
     std::optional<Tradeoff> m_tradeoff;
     QTimer m_rest; ///< until the tissue is compared
     bool m_isOutdated = false;

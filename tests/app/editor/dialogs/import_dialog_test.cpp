@@ -12,6 +12,8 @@
 #include <QPlainTextEdit>
 #include <QScreen>
 
+#include <thread>
+
 using namespace esm;
 
 namespace {
@@ -187,4 +189,14 @@ TEST(ImportDialog, AsksHowMuchIsSimulated) {
     EXPECT_EQ(nodes->value(), 8);
     EXPECT_FALSE(nodes->isEnabled());
     EXPECT_TRUE(Shown(test::cubeSoup(100)).text("importSuggestion").contains("every vertex"));
+}
+
+TEST(ImportDialog, WhatWasToldBeforeTheAnswerIsForNobodyAfterIt) {
+    Shown shown(threeParts());
+    auto* importer = shown.dialog.findChild<SurfaceImporter*>();
+    std::thread([importer] { emit importer->answered(); }).join();
+    shown.dialog.done(QDialog::Rejected);
+    shown.dialog.stopWork();
+    QCoreApplication::sendPostedEvents(&shown.dialog);
+    EXPECT_TRUE(shown.preview().mesh);
 }

@@ -184,6 +184,11 @@ TEST_F(AccuracyPanelTest, KeepsTheMeasurementWhenARunOnFewerNodesIsChosen) {
     EXPECT_EQ(m_document.project().scene, sheet.scene);
 }
 
+TEST_F(AccuracyPanelTest, LetsALargeOrganComputeForLonger) {
+    type(*m_panel.findChild<NumberField*>(QStringLiteral("mostSeconds")), "6");
+    EXPECT_EQ(m_accuracy.mostSecondsPerRun(), 6);
+}
+
 TEST_F(AccuracyPanelTest, CancelledItLeavesAllAsItWas) {
     m_preview.setProject(m_document.project());
     QTimer cancel;
