@@ -29,14 +29,15 @@ void requireDigest(const MeasuredOrgan& organ, std::vector<std::string>& problem
 } // namespace
 
 MeasuredAccuracy measuredAccuracy(MeasuredOrgan organ, const Detail& detail, const Tradeoff& measured) {
-    MeasuredAccuracy accuracy{std::move(organ), detail, {}, measured.reference, measured.runs};
+    MeasuredAccuracy accuracy{std::move(organ),   detail,        {},
+                              measured.reference, measured.runs, measured.leftOut};
     for (TradeoffRun& run : accuracy.runs)
         if (!hasFigures(run)) run = {run.stepping, run.nodes, false, 0, false, 0, run.coarser};
     return accuracy;
 }
 
 Tradeoff tradeoffOf(const MeasuredAccuracy& accuracy, const TradeoffWishes& wishes) {
-    Tradeoff tradeoff{accuracy.reference, accuracy.runs, {}, {}, {}, {}};
+    Tradeoff tradeoff{accuracy.reference, accuracy.runs, {}, {}, {}, accuracy.leftOut};
     recommend(tradeoff, wishes);
     return tradeoff;
 }
@@ -48,6 +49,8 @@ std::vector<std::string> validate(const MeasuredAccuracy& accuracy) {
     addUnder(problems, "reference", steppedProblems(accuracy.reference));
     for (std::size_t i = 0; i < accuracy.runs.size(); ++i)
         addUnder(problems, "run " + std::to_string(i + 1), steppedProblems(accuracy.runs[i]));
+    for (std::size_t i = 0; i < accuracy.leftOut.size(); ++i)
+        addUnder(problems, "left out run " + std::to_string(i + 1), steppedProblems(accuracy.leftOut[i]));
     return problems;
 }
 

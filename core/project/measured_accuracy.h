@@ -25,6 +25,7 @@ struct MeasuredAccuracy {
     std::optional<MeasuredOrgan> onFewerNodes;
     TradeoffReference reference;
     std::vector<TradeoffRun> runs;
+    std::vector<LeftOutRun> leftOut;
 
     bool operator==(const MeasuredAccuracy&) const = default;
 };

@@ -4,6 +4,7 @@
 #include "core/model/stepping.h"
 
 #include <optional>
+#include <string>
 
 namespace esm {
 
@@ -37,8 +38,14 @@ inline constexpr auto fieldsOf<TradeoffRun> =
 struct LeftOutRun {
     Stepping stepping;
     std::size_t nodes = 0; ///< simulated
-    std::string reason;
+    std::string reason;    ///< "would take 3.2 s, more than the 1 s that it may"
+
+    bool operator==(const LeftOutRun&) const = default;
 };
+template<>
+inline constexpr auto fieldsOf<LeftOutRun> =
+    std::tuple{fieldsOfMember(&LeftOutRun::stepping), field("nodes", &LeftOutRun::nodes),
+               field("reason", &LeftOutRun::reason)};
 
 struct TradeoffReference {
     Stepping stepping;

@@ -18,6 +18,14 @@ Json toJson(const MeasuredOrgan& organ) {
     return {{"tissue", organ.tissue}, {"scene", toJson(organ.scene)}};
 }
 
+/// Those of integrators that this program knows.
+template<class Run> std::vector<Run> knownRuns(const JsonReader& list) {
+    std::vector<Run> runs;
+    for (const JsonReader& run : list.elements())
+        if (isKnown(run)) runs.push_back(valueFrom<Run>(run, SteppingForms()));
+    return runs;
+}
+
 MeasuredOrgan organFromJson(const JsonReader& reader) {
     return {reader.member("tissue").text(), readScene(reader.member("scene"))};
 }
@@ -30,6 +38,7 @@ Json toJson(const MeasuredAccuracy& accuracy) {
     if (accuracy.onFewerNodes) json["onFewerNodes"] = toJson(*accuracy.onFewerNodes);
     json["reference"] = written(accuracy.reference, SteppingForms());
     json["runs"] = written(accuracy.runs, SteppingForms());
+    if (!accuracy.leftOut.empty()) json["leftOut"] = written(accuracy.leftOut, SteppingForms());
     return json;
 }
 
@@ -40,15 +49,16 @@ MeasuredAccuracy accuracyFromJson(const JsonReader& reader) {
     accuracy.detail = valueFrom<Detail>(reader.member("detail"));
     if (reader.has("onFewerNodes")) accuracy.onFewerNodes = organFromJson(reader.member("onFewerNodes"));
     accuracy.reference = valueFrom<TradeoffReference>(reader.member("reference"), SteppingForms());
-    for (const JsonReader& run : reader.member("runs").elements())
-        if (isKnown(run)) accuracy.runs.push_back(valueFrom<TradeoffRun>(run, SteppingForms()));
+    accuracy.runs = knownRuns<TradeoffRun>(reader.member("runs"));
+    if (reader.has("leftOut")) accuracy.leftOut = knownRuns<LeftOutRun>(reader.member("leftOut"));
     return accuracy;
 }
 
 std::vector<std::string> accuracyWarnings(const Json& json, const MeasuredAccuracy& read) {
-    const std::size_t leftOut = json["runs"].size() - read.runs.size();
-    if (leftOut == 0) return {};
-    return {std::to_string(leftOut) +
+    const std::size_t written = json["runs"].size() + (json.contains("leftOut") ? json["leftOut"].size() : 0);
+    const std::size_t unknown = written - read.runs.size() - read.leftOut.size();
+    if (unknown == 0) return {};
+    return {std::to_string(unknown) +
             " of the measured runs are of integrators that this program does not know: they are left out"};
 }
 

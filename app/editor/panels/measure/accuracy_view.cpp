@@ -9,7 +9,6 @@
 #include "core/exchange/charts/tradeoff_chart.h"
 #include "core/exchange/image_file.h"
 #include "core/support/atomic_file.h"
-#include "widgets/inputs/elided_label.h"
 #include "widgets/inputs/enabling.h"
 
 #include <QDir>
@@ -35,6 +34,15 @@ std::vector<AccuracyPoint> pointsOf(const Tradeoff& tradeoff) {
     return points;
 }
 
+QString titleText(const Tradeoff* tradeoff) {
+    if (!tradeoff) return AccuracyView::tr("Every method and step");
+    const QString measured = AccuracyView::tr("%1 measured").arg(tradeoff->runs.size());
+    if (tradeoff->leftOut.empty()) return AccuracyView::tr("Every method and step: %1").arg(measured);
+    return AccuracyView::tr("Every method and step: %1, %2 left out")
+        .arg(measured)
+        .arg(tradeoff->leftOut.size());
+}
+
 void writeChart(const Drawing& chart, const std::filesystem::path& file) {
     if (file.extension() == ".svg")
         writeFileAtomically(file, toSvg(chart));
@@ -53,8 +61,9 @@ NewFile newFile(const Document& document, const QString& title, const QString& f
 
 AccuracyView::AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidget* parent)
     : QWidget(parent), m_document(document), m_accuracy(accuracy), m_chart(new AccuracyChart),
-      m_table(new RunsTable), m_onlyUnbeaten(new QCheckBox(tr("only the best"), this)),
-      m_use(new QPushButton(tr("Use"), this)), m_exportTable(new QPushButton(tr("Save table…"), this)),
+      m_table(new RunsTable), m_title(new ElidedLabel(this)),
+      m_onlyUnbeaten(new QCheckBox(tr("only the best"), this)), m_use(new QPushButton(tr("Use"), this)),
+      m_exportTable(new QPushButton(tr("Save table…"), this)),
       m_exportChart(new QPushButton(tr("Save chart…"), this)) {
     setObjectName(QStringLiteral("accuracyView"));
     setAttribute(Qt::WA_StyledBackground);
@@ -91,10 +100,8 @@ AccuracyView::AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidg
 QLayout* AccuracyView::buildHeader() {
     auto* header = new QHBoxLayout;
     header->setSpacing(8);
-    auto* title = new ElidedLabel(this);
-    title->setText(tr("Every method and step"));
-    title->setProperty("quiet", true);
-    header->addWidget(title, 1);
+    m_title->setProperty("quiet", true);
+    header->addWidget(m_title, 1);
     m_onlyUnbeaten->setToolTip(tr("List those alone that no other beats in both speed and accuracy"));
     header->addWidget(m_onlyUnbeaten);
     for (QPushButton* button : {m_use, m_exportTable, m_exportChart}) {
@@ -122,15 +129,24 @@ void AccuracyView::refresh() {
     const QString none = tr("Nothing is measured yet");
     enable(m_exportTable, isMeasured, tr("Write every run as a table (.csv)"), none);
     enable(m_exportChart, isMeasured, tr("Write the chart as a picture (.png or .svg)"), none);
+    showUse();
+}
+
+// Why a marked row cannot be used stands in sight, not in its tip alone.
+void AccuracyView::showUse() {
+    const Tradeoff* tradeoff = m_accuracy.tradeoff();
     const auto marked = m_table->marked();
+    const QString obstacle = marked ? m_table->obstacle() : QString();
+    m_title->setText(obstacle.isEmpty() ? titleText(tradeoff) : obstacle);
     enable(m_use, isUsable(marked), tr("Let the tissue move by the method and step of the marked row"),
-           !isMeasured ? none
-           : marked    ? tr("With this step the motion ran wild")
-                       : tr("Mark a row first"));
+           !tradeoff ? tr("Nothing is measured yet")
+           : marked  ? obstacle
+                     : tr("Mark a row first"));
 }
 
 bool AccuracyView::isUsable(std::optional<std::size_t> run) const {
-    return run && m_accuracy.tradeoff()->runs[*run].stable;
+    const Tradeoff* tradeoff = m_accuracy.tradeoff();
+    return run && *run < tradeoff->runs.size() && tradeoff->runs[*run].stable;
 }
 
 void AccuracyView::use(std::optional<std::size_t> run) {

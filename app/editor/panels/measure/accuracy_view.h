@@ -3,6 +3,7 @@
 #include "app/editor/dialogs/save_dialog.h"
 #include "app/editor/panels/measure/runs_table.h"
 #include "app/editor/panels/measure/speed_and_accuracy.h"
+#include "widgets/inputs/elided_label.h"
 #include "widgets/plot/accuracy_chart.h"
 
 #include <QCheckBox>
@@ -29,6 +30,7 @@ private:
     QLayout* buildHeader();
     void refresh();
     void showRuns();
+    void showUse();
     bool isUsable(std::optional<std::size_t> run) const;
     void use(std::optional<std::size_t> run);
     /// Asks where, and says what became of it.
@@ -41,6 +43,7 @@ private:
     SpeedAndAccuracy& m_accuracy;
     AccuracyChart* m_chart;
     RunsTable* m_table;
+    ElidedLabel* m_title;
     QCheckBox* m_onlyUnbeaten;
     QPushButton *m_use, *m_exportTable, *m_exportChart;
 };

@@ -14,8 +14,41 @@ namespace esm {
 
 namespace {
 
-QString cellText(const TradeoffRun& run, int column) {
-    const QString missing(QChar(0x2013));
+QString missing() {
+    return QString(QChar(0x2013));
+}
+
+QString speedText(const TradeoffRun& run) {
+    return run.stable ? QStringLiteral("%1×").arg(numberText(run.realTimeFactor(), 2)) : missing();
+}
+QString speedText(const LeftOutRun&) {
+    return missing();
+}
+
+QString errorText(const TradeoffRun& run) {
+    if (!run.stable) return RunsModel::tr("ran wild");
+    return (run.isErrorBound ? QStringLiteral("≤ %1 %") : QStringLiteral("%1 %"))
+        .arg(numberText(100 * run.error, 2));
+}
+QString errorText(const LeftOutRun&) {
+    return RunsModel::tr("left out");
+}
+
+double speedKey(const TradeoffRun& run) {
+    return run.stable ? run.realTimeFactor() : 0;
+}
+double speedKey(const LeftOutRun&) {
+    return -1;
+}
+
+double errorKey(const TradeoffRun& run) {
+    return run.stable ? run.error : std::numeric_limits<double>::max();
+}
+double errorKey(const LeftOutRun&) {
+    return std::numeric_limits<double>::infinity();
+}
+
+template<class Run> QString cellText(const Run& run, int column) {
     switch (column) {
     case RunsModel::Method:
         return methodName(run.stepping);
@@ -24,16 +57,14 @@ QString cellText(const TradeoffRun& run, int column) {
     case RunsModel::Nodes:
         return countText(run.nodes);
     case RunsModel::Speed:
-        return run.stable ? QStringLiteral("%1×").arg(numberText(run.realTimeFactor(), 2)) : missing;
+        return speedText(run);
     default:
-        if (!run.stable) return RunsModel::tr("ran wild");
-        return (run.isErrorBound ? QStringLiteral("≤ %1 %") : QStringLiteral("%1 %"))
-            .arg(numberText(100 * run.error, 2));
+        return errorText(run);
     }
 }
 
-/// What did not end comes last, whichever way it is sorted by what it lacks.
-QVariant sortKey(const TradeoffRun& run, int column) {
+/// The fastest and the most exact stand together; what ran wild, then what was left out, at the other end.
+template<class Run> QVariant sortKey(const Run& run, int column) {
     switch (column) {
     case RunsModel::Method:
         return cellText(run, column);
@@ -42,9 +73,9 @@ QVariant sortKey(const TradeoffRun& run, int column) {
     case RunsModel::Nodes:
         return static_cast<qulonglong>(run.nodes);
     case RunsModel::Speed:
-        return run.stable ? run.realTimeFactor() : 0;
+        return speedKey(run);
     default:
-        return run.stable ? run.error : std::numeric_limits<double>::max();
+        return errorKey(run);
     }
 }
 
@@ -68,30 +99,46 @@ bool RunsModel::isUnbeaten(int row) const {
 }
 
 int RunsModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || !m_tradeoff ? 0 : static_cast<int>(m_tradeoff->runs.size());
+    return parent.isValid() || !m_tradeoff
+               ? 0
+               : static_cast<int>(m_tradeoff->runs.size() + m_tradeoff->leftOut.size());
+}
+
+const LeftOutRun* RunsModel::leftOut(int row) const {
+    const auto place = static_cast<std::size_t>(row), measured = m_tradeoff->runs.size();
+    return place < measured ? nullptr : &m_tradeoff->leftOut[place - measured];
+}
+
+QString RunsModel::obstacle(int row) const {
+    if (const LeftOutRun* run = leftOut(row))
+        return tr("Left out: %1").arg(QString::fromStdString(run->reason));
+    return m_tradeoff->runs[static_cast<std::size_t>(row)].stable ? QString()
+                                                                  : tr("With this step the motion ran wild");
 }
 
 int RunsModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : columns;
 }
 
-QVariant RunsModel::toolTip(const TradeoffRun& run, int row) const {
-    QString text = methodText(run.stepping.integrator);
-    if (!run.stable) return text + '\n' + tr("With this step the motion ran wild.");
+QVariant RunsModel::toolTip(int row) const {
+    const LeftOutRun* out = leftOut(row);
+    const Stepping& stepping = out ? out->stepping : m_tradeoff->runs[static_cast<std::size_t>(row)].stepping;
+    QString text = methodText(stepping.integrator);
+    if (const QString why = obstacle(row); !why.isEmpty()) return text + '\n' + why;
     if (isUnbeaten(row)) text += '\n' + tr("No other is both as fast and as exact.");
     return text + '\n' + tr("Enter or a double click: use this method and step");
 }
 
 QVariant RunsModel::data(const QModelIndex& index, int role) const {
     const auto row = static_cast<std::size_t>(index.row());
-    const TradeoffRun& run = m_tradeoff->runs[row];
+    const LeftOutRun* out = leftOut(index.row());
     switch (role) {
     case Qt::DisplayRole:
-        return cellText(run, index.column());
+        return out ? cellText(*out, index.column()) : cellText(m_tradeoff->runs[row], index.column());
     case sortRole:
-        return sortKey(run, index.column());
+        return out ? sortKey(*out, index.column()) : sortKey(m_tradeoff->runs[row], index.column());
     case Qt::ToolTipRole:
-        return toolTip(run, index.row());
+        return toolTip(index.row());
     case Qt::TextAlignmentRole:
         return int(Qt::AlignVCenter | (index.column() == Method ? Qt::AlignLeft : Qt::AlignRight));
     case Qt::ForegroundRole:

@@ -6,8 +6,8 @@
 
 namespace esm {
 
-/// The runs of a measurement as rows, in the measurement's order: method, step, nodes, times real time,
-/// error.
+/// The runs of a measurement as rows, in the measurement's order, and after them what was left out: method,
+/// step, nodes, times real time, error.
 class RunsModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -22,6 +22,8 @@ public:
     /// The one in use stands out.
     void setInUse(std::optional<std::size_t> run);
     bool isUnbeaten(int row) const;
+    /// Why the tissue cannot move by a row's method and step; empty where it can.
+    QString obstacle(int row) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -29,7 +31,8 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    QVariant toolTip(const TradeoffRun& run, int row) const;
+    QVariant toolTip(int row) const;
+    const LeftOutRun* leftOut(int row) const; ///< null: a run that was measured
 
     std::optional<Tradeoff> m_tradeoff;
     std::optional<std::size_t> m_inUse;

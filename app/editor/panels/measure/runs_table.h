@@ -20,6 +20,8 @@ public:
     /// Brings it into sight; where the table has no row for it, none is marked.
     void mark(std::optional<std::size_t> run);
     std::optional<std::size_t> marked() const;
+    /// Why the tissue cannot move by what is marked; empty where it can. Precondition: a row is marked.
+    QString obstacle() const;
 
 signals:
     void markChanged();

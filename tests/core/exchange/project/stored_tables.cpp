@@ -130,6 +130,13 @@ void addAccuracyTables(Fields& fields) {
     addTable<Stepping>(fields, "accuracy.run.stepping", [=](Project& p, const auto& change) {
         inRun(p, [&](TradeoffRun& run) { change(run.stepping); });
     });
+    const auto inLeftOut = [=](Project& p, const Change<LeftOutRun>& change) {
+        inAccuracy(p, [&](MeasuredAccuracy& accuracy) { change(accuracy.leftOut.front()); });
+    };
+    addTable<LeftOutRun>(fields, "accuracy.leftOut", inLeftOut);
+    addTable<Stepping>(fields, "accuracy.leftOut.stepping", [=](Project& p, const auto& change) {
+        inLeftOut(p, [&](LeftOutRun& run) { change(run.stepping); });
+    });
     addTable<TradeoffReference>(fields, "accuracy.reference", [=](Project& p, const auto& change) {
         inAccuracy(p, [&](MeasuredAccuracy& accuracy) { change(accuracy.reference); });
     });

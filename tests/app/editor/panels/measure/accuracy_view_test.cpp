@@ -14,7 +14,8 @@ using namespace esm;
 
 namespace {
 
-/// The tube with what might have been measured: two runs that none beats, a poor one, one that ran wild.
+/// The tube with what might have been measured: two runs that none beats, a poor one, one that ran wild, one
+/// left out.
 class AccuracyViewTest : public testing::Test {
 protected:
     AccuracyViewTest()
@@ -41,6 +42,7 @@ protected:
         run(Integrator::Split, 1e-2, 0.1);
         run(Integrator::Bdf2, 1e-1, 2);
         run(Integrator::Euler, 0, 0);
+        measured.leftOut = {{{Integrator::Heun, 0.001, Precision::Double}, 7, "would take too long"}};
         m_document.edit("measure", [&](Project& project) {
             project.accuracy = std::make_shared<const MeasuredAccuracy>(
                 measuredAccuracy(measuredOrgan(project), detailOf(*project.network), measured));
@@ -79,12 +81,12 @@ TEST_F(AccuracyViewTest, SaysThatNothingIsMeasuredYet) {
     }
 }
 
-TEST_F(AccuracyViewTest, ListsTheFastestFirstAndWhatRanWildLast) {
+TEST_F(AccuracyViewTest, ListsTheFastestFirstAndLastWhatRanWildOrWasLeftOut) {
     measure();
-    EXPECT_EQ(column(RunsModel::Speed), (QStringList{"10×", "2.0×", "0.50×", "–"}));
-    EXPECT_EQ(column(RunsModel::Error).last(), "ran wild");
+    EXPECT_EQ(column(RunsModel::Speed), (QStringList{"10×", "2.0×", "0.50×", "–", "–"}));
+    EXPECT_EQ(column(RunsModel::Error).mid(3), (QStringList{"ran wild", "left out"}));
     table().sortByColumn(RunsModel::Error, Qt::AscendingOrder);
-    EXPECT_EQ(column(RunsModel::Error), (QStringList{"0.10 %", "1.0 %", "10 %", "ran wild"}));
+    EXPECT_EQ(column(RunsModel::Error), (QStringList{"0.10 %", "1.0 %", "10 %", "ran wild", "left out"}));
     m_view.findChild<QCheckBox*>()->click();
     EXPECT_EQ(column(RunsModel::Error), (QStringList{"0.10 %", "1.0 %"}));
 }
@@ -100,6 +102,19 @@ TEST_F(AccuracyViewTest, MarksInOneWhatIsMarkedInTheOther) {
     table().mark(3);
     EXPECT_FALSE(button("Use").isEnabled());
     EXPECT_TRUE(button("Use").toolTip().contains("ran wild"));
+}
+
+TEST_F(AccuracyViewTest, SaysInSightWhyARowWasLeftOut) {
+    measure();
+    const auto& title = *m_view.findChild<ElidedLabel*>();
+    EXPECT_EQ(title.text(), "Every method and step: 4 measured, 1 left out");
+    table().mark(4);
+    EXPECT_EQ(title.text(), "Left out: would take too long");
+    EXPECT_FALSE(button("Use").isEnabled());
+    QTest::keyClick(&table(), Qt::Key_Return);
+    EXPECT_FALSE(inUse());
+    table().mark(0);
+    EXPECT_EQ(title.text(), "Every method and step: 4 measured, 1 left out");
 }
 
 TEST_F(AccuracyViewTest, ChoosesByButtonKeyAndDoubleClickOneStepEach) {
@@ -122,7 +137,7 @@ TEST_F(AccuracyViewTest, ChoosesByButtonKeyAndDoubleClickOneStepEach) {
     }
     m_document.undoStack()->undo();
     EXPECT_FALSE(inUse());
-    EXPECT_EQ(table().model()->rowCount(), 4);
+    EXPECT_EQ(table().model()->rowCount(), 5);
     m_document.undoStack()->undo();
     EXPECT_EQ(table().model()->rowCount(), 0);
 }
