@@ -26,8 +26,8 @@ MeasuredOrgan measuredOrgan(const Project& project);
 bool isMeasuredOn(const Project& project, const MeasuredOrgan& organ);
 
 /// The project with a run of its measurement as the way to step it that is recommended, on the nodes of that
-/// run. What was measured still holds for it where it did for the project. @param run its place among the
-/// runs
+/// run. What was measured still holds for it where it did for the project. Precondition: speed and accuracy
+/// of the project were measured, and the run did not run wild. @param run its place among the runs
 /// @throws InvalidModel when the surface has no such level of detail; Cancelled
 Project withMeasuredRun(const Project& project, std::size_t run, const Progress& progress = {});
 

@@ -34,11 +34,14 @@ double extentOf(const PolygonSoup& soup) {
     return soup.vertices.empty() ? 0 : boundingBox(soup.vertices).sizes().maxCoeff();
 }
 
+/// Relative: what is lost where the widest slit is told in another unit of length and given back.
+constexpr double conversionLoss = 1e-9;
+
 void checkOpenings(std::vector<std::string>& problems, const PolygonSoup& soup,
                    const RepairOptions& options) {
     if (!(options.slitWidth >= 0))
         problems.emplace_back("the width of slits to close must be zero or more");
-    else if (options.slitWidth > 0 && options.slitWidth > widestSlit(extentOf(soup)))
+    else if (options.slitWidth > 0 && options.slitWidth > (1 + conversionLoss) * widestSlit(extentOf(soup)))
         problems.emplace_back("the width of slits to close must be at most a tenth of the surface's size");
     if (options.holeEdges > mostHoleEdges || (options.holeEdges > 0 && options.holeEdges < 3))
         problems.emplace_back("holes to fill must have from 3 to " + std::to_string(mostHoleEdges) +

@@ -47,6 +47,8 @@ std::vector<std::string> validate(const MeasuredAccuracy& accuracy) {
     requireDigest(accuracy.organ, problems);
     if (accuracy.onFewerNodes) requireDigest(*accuracy.onFewerNodes, problems);
     addUnder(problems, "reference", steppedProblems(accuracy.reference));
+    if (accuracy.runs.size() + accuracy.leftOut.size() > mostMeasuredRuns)
+        problems.push_back("at most " + std::to_string(mostMeasuredRuns) + " runs are kept");
     for (std::size_t i = 0; i < accuracy.runs.size(); ++i)
         addUnder(problems, "run " + std::to_string(i + 1), steppedProblems(accuracy.runs[i]));
     for (std::size_t i = 0; i < accuracy.leftOut.size(); ++i)

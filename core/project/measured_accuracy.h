@@ -30,6 +30,9 @@ struct MeasuredAccuracy {
     bool operator==(const MeasuredAccuracy&) const = default;
 };
 
+/// Of runs and what was left out: ten times what the largest measurements come to.
+constexpr std::size_t mostMeasuredRuns = 5000;
+
 /// Of a run that did not end there is nothing to say.
 MeasuredAccuracy measuredAccuracy(MeasuredOrgan organ, const Detail& detail, const Tradeoff& measured);
 

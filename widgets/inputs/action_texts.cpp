@@ -22,6 +22,11 @@ QString plainText(const QAction* action) {
     return action->text().remove('&').remove(QChar(0x2026));
 }
 
+QString keyOrName(const QAction* action) {
+    const QString key = action->shortcut().toString(QKeySequence::NativeText);
+    return key.isEmpty() ? QStringLiteral("“%1”").arg(plainText(action)) : key;
+}
+
 void explain(QAction* action, const QString& does) {
     action->setProperty(doesProperty, does);
     const QString why = action->property(whyProperty).toString();

@@ -8,6 +8,8 @@ namespace esm {
 QString withShortcut(const QString& toolTip, const QAction* action);
 /// Its text as people read it, without the mark of its letter and the dots of what asks first.
 QString plainText(const QAction* action);
+/// By what it is named in a sentence: its key, or where it has none its text in quotation marks.
+QString keyOrName(const QAction* action);
 
 /// Says what an action does: in its tool tip with its key, unless that says why it cannot be used.
 void explain(QAction* action, const QString& does);

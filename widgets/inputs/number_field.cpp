@@ -106,10 +106,8 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
 
 /// Words end at a number's point and before its unit.
 void NumberField::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton)
-        selectAll();
-    else
-        QLineEdit::mouseDoubleClickEvent(event);
+    QLineEdit::mouseDoubleClickEvent(event); // which looks out for a third click
+    if (event->button() == Qt::LeftButton) selectAll();
 }
 
 void NumberField::focusInEvent(QFocusEvent* event) {

@@ -78,7 +78,7 @@ AccuracyChart::AccuracyChart(QWidget* parent)
     frame->setCursor(Qt::ArrowCursor);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Error over speed"));
-    setToolTip(tr("Click a point, or choose one with the arrow keys and Enter, to compute so"));
+    setToolTip(tr("A click marks a point, as the arrow keys do; a double click or Enter uses it"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
     followTheme();
     drawScales();
@@ -87,12 +87,14 @@ AccuracyChart::AccuracyChart(QWidget* parent)
 void AccuracyChart::setPoints(std::vector<AccuracyPoint> points, const std::vector<std::size_t>& front) {
     m_points = std::move(points);
     m_bySpeed.clear();
+    std::vector<bool> isInFront(m_points.size(), false);
+    for (const std::size_t i : front)
+        isInFront[i] = true;
     QVector<QPointF> others, best;
     for (std::size_t i = 0; i < m_points.size(); ++i) {
         if (!isDrawn(i)) continue;
         m_bySpeed.push_back(i);
-        const bool isBest = std::find(front.begin(), front.end(), i) != front.end();
-        (isBest ? best : others).push_back({m_points[i].speed, 100 * m_points[i].error});
+        (isInFront[i] ? best : others).push_back({m_points[i].speed, 100 * m_points[i].error});
     }
     std::sort(m_bySpeed.begin(), m_bySpeed.end(),
               [&](std::size_t a, std::size_t b) { return m_points[a].speed < m_points[b].speed; });

@@ -30,6 +30,7 @@ public:
 
     /// What has no place on logarithmic scales is not drawn.
     /// @param front the points that none beats in both, by their place in `points`
+    /// Nothing is marked then, and none is in use.
     void setPoints(std::vector<AccuracyPoint> points, const std::vector<std::size_t>& front);
     /// The point that is marked as the one in use.
     void setChosen(std::optional<std::size_t> point);
@@ -44,7 +45,7 @@ public:
     /// Where a point lies on the canvas.
     QPoint placeOf(std::size_t point) const;
 
-    /// The point that is pointed at, else the one in use, else how many there are.
+    /// The point that is pointed at, else the marked one, else the one in use, else how many there are.
     QString spokenValue() const override;
     QSize sizeHint() const override { return {300, 230}; }
     QSize minimumSizeHint() const override { return {200, 150}; } ///< whatever its scales say

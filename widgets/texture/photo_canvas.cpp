@@ -318,9 +318,20 @@ void PhotoCanvas::keyPressEvent(QKeyEvent* event) {
         if (m_lines.back().empty()) m_lines.pop_back();
         emit linesChanged();
         update();
-    } else {
+    } else if (key != Qt::Key_Escape || !dropDrawn()) {
         QWidget::keyPressEvent(event);
     }
+}
+
+bool PhotoCanvas::dropDrawn() {
+    if (!m_stroke && !m_frameCorner) return false;
+    m_stroke.reset();
+    if (m_frameCorner) {
+        m_frameCorner.reset();
+        emit frameDropped(m_cropBefore);
+    }
+    update();
+    return true;
 }
 
 void PhotoCanvas::leaveEvent(QEvent*) {
@@ -336,6 +347,7 @@ void PhotoCanvas::endLine() {
 
 /// Takes the frame by a corner, or begins another one.
 void PhotoCanvas::beginFrame(const QPointF& at) {
+    m_cropBefore = m_crop;
     if (m_crop) {
         const auto corners = cornersOf(*m_crop);
         for (std::size_t i = 0; i < corners.size(); ++i)

@@ -49,6 +49,8 @@ signals:
     /// The frame while it is drawn; frameFinished() when it is let go.
     void cropDrawn(const esm::PhotoCrop& crop);
     void frameFinished();
+    /// Esc while the frame is drawn: how it was before.
+    void frameDropped(const std::optional<esm::PhotoCrop>& before);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -74,6 +76,8 @@ private:
     void endLine();
     void beginFrame(const QPointF& at);
     void dragFrame(const Eigen::Vector2d& to);
+    /// Of what the mouse draws; false where it draws nothing.
+    bool dropDrawn();
 
     QImage m_picture;
     QPixmap m_shown;  ///< the picture as the view has it
@@ -83,6 +87,7 @@ private:
     std::vector<DrawnLine> m_lines;      ///< the last one is at work; may be empty
     std::optional<PhotoCrop> m_crop;
     std::optional<Eigen::Vector2d> m_frameCorner; ///< opposite to the one that is dragged
+    std::optional<PhotoCrop> m_cropBefore;        ///< that drag
     std::optional<QPointF> m_mouse, m_panned;
     PhotoTool m_tool = PhotoTool::LeaveOut;
     double m_radius = 20, m_softness = 0;

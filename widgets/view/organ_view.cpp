@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace esm {
@@ -125,10 +126,12 @@ Camera OrganView::outsideCamera() const {
 void OrganView::showView(StandardView view) {
     const Camera framed = framedCamera(organBox(), view, aspect());
     setCamera(isOrthographic() ? reframed(orthographic(framed), organBox(), aspect()) : framed);
+    m_whole = camera();
 }
 
 void OrganView::frameOrgan() {
     setCamera(reframed(outsideCamera(), organBox(), aspect()));
+    m_whole = camera();
 }
 
 void OrganView::frame(const Eigen::AlignedBox3d& box) {
@@ -203,6 +206,18 @@ bool OrganView::isUpToDate() const {
 
 void OrganView::resizeEvent(QResizeEvent*) {
     m_isStale = true;
+    if (showsWholeOrgan()) frameOrgan();
+}
+
+/// Turned it still does.
+bool OrganView::showsWholeOrgan() const {
+    if (!m_whole || isWithin()) return false;
+    constexpr double same = 1e-6;
+    const double distance = (m_whole->eye - m_whole->target).norm();
+    const Camera& now = camera();
+    return (now.target - m_whole->target).norm() < same * distance &&
+           std::abs((now.eye - now.target).norm() - distance) < same * distance &&
+           now.orthographicHeight == m_whole->orthographicHeight;
 }
 
 /// Above the place that is nearest to what is looked at: the middle of a long shaft may lie beyond the

@@ -65,7 +65,8 @@ public:
     /// From outside; so do all that follow but lookFromWithin().
     void setCamera(const Camera& camera);
     void showView(StandardView view);
-    /// Keeps the line of sight and shows the whole organ.
+    /// Keeps the line of sight and shows the whole organ. Until the user comes nearer, goes farther or shifts
+    /// the view, it stays whole whatever the view's size.
     void frameOrgan();
     /// The same with a box, from outside the surface.
     void frame(const Eigen::AlignedBox3d& box);
@@ -108,6 +109,7 @@ private:
     void followTool();
 
     void redraw();
+    bool showsWholeOrgan() const;
     void askForPicture();
     void takePicture();
     void paintOverlay(QPainter& painter);
@@ -130,6 +132,7 @@ private:
     QString m_hint;
     QStringList m_instrumentNames;
     bool m_framed = false;
+    std::optional<Camera> m_whole; ///< that showed the whole organ last
     KeyPointer m_keyPointer{*this};
 };
 

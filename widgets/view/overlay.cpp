@@ -155,6 +155,10 @@ void paintLabel(QPainter& painter, const QPointF& beside, const QString& text, c
     QRectF room = painter.fontMetrics().boundingRect(text);
     room.adjust(-8, -3, 8, 3);
     room.moveCenter(beside + labelOffset - QPointF(0, room.height() / 2));
+    // Wholly in the picture, whose top left corner is the origin.
+    const QSizeF free = QSizeF(painter.window().size()) - room.size();
+    room.moveTopLeft({std::clamp(room.left(), 0.0, std::max(0.0, free.width())),
+                      std::clamp(room.top(), 0.0, std::max(0.0, free.height()))});
     QColor background = palette.color(QPalette::Window);
     background.setAlpha(backgroundAlpha);
     painter.setPen(Qt::NoPen);

@@ -2,6 +2,7 @@
 
 #include "widgets/inputs/icon.h"
 
+#include <QAccessible>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QToolButton>
@@ -49,6 +50,7 @@ ViewNotice::ViewNotice(QWidget& view)
 }
 
 void ViewNotice::say(const QString& text, const QString& help, const QString& helpToolTip) {
+    const bool isNews = isHidden() || text != m_text->text();
     m_text->setText(text);
     m_help->setText(help);
     m_help->setToolTip(helpToolTip);
@@ -56,6 +58,9 @@ void ViewNotice::say(const QString& text, const QString& help, const QString& he
     show();
     raise();
     placeAll();
+    if (!isNews) return;
+    QAccessibleEvent told(m_text, QAccessible::Alert);
+    QAccessible::updateAccessibility(&told);
 }
 
 void ViewNotice::showEvent(QShowEvent* event) {

@@ -1,6 +1,7 @@
 #include "app/editor/document/document.h"
 
 #include "app/editor/document/project_command.h"
+#include "app/editor/document/step_subject.h"
 #include "core/exchange/fuzzy/fuzzy_file.h"
 
 #include <QScopedValueRollback>
@@ -133,17 +134,29 @@ void Document::numberParts() {
     m_lastLayer = static_cast<std::uint32_t>(m_project.layers.size());
 }
 
+QString Document::stepText(int step) const {
+    const auto& command = static_cast<const ProjectCommand&>(*m_undoStack.command(step));
+    const QString subject = stepSubject(*command.before(), *command.after());
+    return subject.isEmpty() ? command.step().text : command.step().text + QStringLiteral(" · ") + subject;
+}
+
 void Document::goTo(int stepsDone) {
     const Project before = m_project;
+    const int doneBefore = m_undoStack.index();
+    const bool wasClean = m_undoStack.isClean();
     {
         const QScopedValueRollback quiet(m_isBeingReplaced, true);
         m_undoStack.setIndex(stepsDone);
     }
-    if (before == m_project) return;
-    Change change = difference(before, m_project);
-    change.isOfHistory = true;
-    emit changed(change);
+    if (m_undoStack.index() == doneBefore) return;
+    // Two steps may hold the same project.
+    if (before != m_project) {
+        Change change = difference(before, m_project);
+        change.isOfHistory = true;
+        emit changed(change);
+    }
     emit stepped();
+    if (m_undoStack.isClean() != wasClean) emit titleChanged();
 }
 
 void Document::take(const Project& project, const Step& step) {

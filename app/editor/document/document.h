@@ -93,6 +93,9 @@ public:
     /// `written` lies in this file; the document is saved when it still is that project.
     void markSaved(const std::filesystem::path& path, const Project& written);
 
+    /// What a step of the undo list does, with the name of the region or layer that it is about: "Shape
+    /// region · Tumour".
+    QString stepText(int step) const;
     /// Undoes or redoes as many steps as it takes until so many are done, as one change.
     void goTo(int stepsDone);
     /// The drag, slider move or run of arrow keys in progress is over: the next edit starts a step of its

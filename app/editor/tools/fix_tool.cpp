@@ -20,6 +20,7 @@ FixTool::FixTool(const ToolContext& context) : m_document(context.document) {
 }
 
 void FixTool::followDocument(const Change& change) {
+    if (change.isOfHistory) release();
     if (!change.mesh) return;
     constexpr double shareOfOrgan = 0.03;
     const Project& project = m_document.project();

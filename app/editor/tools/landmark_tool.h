@@ -26,6 +26,8 @@ public:
     void dress(RenderScene& scene) const override { scene.projectors.clear(); }
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+    /// Why the landmarks give no camera, where they do not.
+    QString hint() const override { return m_landmarking.failure(); }
     QString whyNot() const override { return missingPhoto(m_selection); }
     QWidget* makeOptions() override;
 

@@ -73,7 +73,9 @@ const PoseFit* Landmarking::fit() const {
 
 QString Landmarking::failure() const {
     const PoseAnswer* found = answer();
-    return found ? QString::fromStdString(found->failure) : QString();
+    QString failure = found ? QString::fromStdString(found->failure) : QString();
+    if (!failure.isEmpty()) failure[0] = failure[0].toUpper();
+    return failure;
 }
 
 bool Landmarking::isElsewhere() const {

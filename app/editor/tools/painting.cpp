@@ -159,15 +159,23 @@ void Painting::finish() {
 /// Other edits may have come since the movement began, as of a photo that is prepared now: they stay.
 void Painting::drop() {
     if (!m_movement) return;
+    const Movement dropped = *m_movement;
     const bool isAlone = isLastStep();
-    const LayerId layer = m_movement->layer;
-    const std::size_t laid = m_movement->laid.size();
-    finish();
-    if (isAlone) return m_document.undoStack()->undo();
-    m_document.edit(tr("Drop the stroke"), [&](Project& project) {
-        BrushStrokes& strokes = partOf(project.layers, layer).strokes;
-        strokes.resize(strokes.size() - laid);
-    });
+    m_movement.reset();
+    // The step of the stroke itself then changes nothing and goes: it cannot be redone.
+    const MergeKey key = isAlone ? keyOf(dropped.layer) : MergeKey();
+    m_document.edit(
+        tr("Drop the stroke"),
+        [&](Project& project) {
+            BrushStrokes& strokes = partOf(project.layers, dropped.layer).strokes;
+            strokes.resize(strokes.size() - dropped.laid.size());
+        },
+        key);
+    m_document.finishGesture();
+}
+
+MergeKey Painting::keyOf(LayerId layer) const {
+    return {EditKind::BrushStroke, layer, static_cast<std::uint64_t>(m_gesture)};
 }
 
 /// Whether the movement's last stroke is the topmost of its layer. Two may be equal: it is this one.
@@ -196,13 +204,14 @@ void Painting::edit() {
         laid.push_back(std::make_shared<const BrushStroke>(strokes[laid.size()]));
     // Who hears of the edit may end the movement.
     const Movement now = *m_movement;
-    m_document.edit(stepName(now.strokes.front().kind),
-                    [&](Project& project) {
-                        BrushStrokes& held = partOf(project.layers, now.layer).strokes;
-                        held.resize(held.size() - before);
-                        held.insert(held.end(), now.laid.begin(), now.laid.end());
-                    },
-                    {EditKind::BrushStroke, now.layer, static_cast<std::uint64_t>(m_gesture)});
+    m_document.edit(
+        stepName(now.strokes.front().kind),
+        [&](Project& project) {
+            BrushStrokes& held = partOf(project.layers, now.layer).strokes;
+            held.resize(held.size() - before);
+            held.insert(held.end(), now.laid.begin(), now.laid.end());
+        },
+        keyOf(now.layer));
 }
 
 } // namespace esm

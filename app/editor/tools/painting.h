@@ -55,6 +55,7 @@ private:
     void edit();
     bool isLaid() const;
     bool isLastStep() const;
+    MergeKey keyOf(LayerId layer) const;
 
     Document& m_document;
     Selection& m_selection;

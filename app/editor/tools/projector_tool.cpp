@@ -24,8 +24,9 @@ std::optional<std::size_t> photoHandleAt(const ToolMouse& mouse) {
 
 ProjectorTool::ProjectorTool(const ToolContext& context)
     : m_document(context.document), m_selection(context.selection) {
-    connect(&m_document, &Document::changed, this, [this] {
-        if (m_drag && !findPart(m_document.project().layers, m_drag->photo)) release();
+    connect(&m_document, &Document::changed, this, [this](const Change& change) {
+        if (m_drag && (change.isOfHistory || !findPart(m_document.project().layers, m_drag->photo)))
+            release();
     });
     // Another project counts its photos anew.
     connect(&m_document, &Document::replaced, this, &ProjectorTool::release);

@@ -38,6 +38,24 @@ std::optional<RegionHandle> handleAt(const ToolMouse& mouse) {
     return nearest;
 }
 
+/// Of the organ at rest, under the mouse.
+std::optional<Eigen::Vector3d> surfaceUnder(const ToolMouse& mouse) {
+    const auto& mesh = mouse.sight.scene.mesh;
+    const auto picked = mesh && !mesh->triangles.empty() ? mouse.picked() : std::nullopt;
+    return picked ? std::optional(picked->spot.point) : std::nullopt;
+}
+
+/// None for one that hangs wholly before the organ: to follow the surface, it would have to stay there.
+std::optional<Eigen::Vector3d> fromSurface(const ToolMouse& mouse, const Ellipsoid& shape,
+                                           const Eigen::Vector3d& grabbed) {
+    const auto surface = surfaceUnder(mouse);
+    if (!surface) return std::nullopt;
+    const Eigen::Vector3d& eye = mouse.ray().origin;
+    const bool isBefore = (grabbed - eye).norm() < (*surface - eye).norm();
+    if (isBefore && distanceOutside(shape, *surface) > 0) return std::nullopt;
+    return shape.centre - *surface;
+}
+
 PaintedHandle::Form formOf(RegionHandle::Kind kind) {
     using Kind = RegionHandle::Kind;
     if (kind == Kind::Size) return PaintedHandle::Form::Square;
@@ -53,8 +71,9 @@ RegionTool::RegionTool(const ToolContext& context)
     connect(&m_document, &Document::replaced, this, &RegionTool::release);
 }
 
-/// What is gone cannot be dragged on.
-void RegionTool::followDocument() {
+/// What is gone cannot be dragged on, nor what was undone.
+void RegionTool::followDocument(const Change& change) {
+    if (change.isOfHistory) release();
     if (!m_drag) return;
     const Region* region = findPart(m_document.project().regions, m_drag->region);
     if (!region || !region->ellipsoid) release();
@@ -88,7 +107,7 @@ std::optional<RegionTool::Drag> RegionTool::dragAt(const ToolMouse& mouse) const
     if (!region) return std::nullopt;
     const Ellipsoid& shape = scene.ellipsoids[static_cast<std::size_t>(under)].shape;
     const Eigen::Vector3d grabbed = ray.origin + *distanceTo(shape, ray) * ray.direction.normalized();
-    return Drag{*region, shape, Move{picturePlane(camera, grabbed)}};
+    return Drag{*region, shape, Move{picturePlane(camera, grabbed), fromSurface(mouse, shape, grabbed)}};
 }
 
 void RegionTool::move(const ToolMouse& mouse) {
@@ -98,10 +117,25 @@ void RegionTool::move(const ToolMouse& mouse) {
     }
     const Drag drag = *m_drag; // who hears of the edit may end the drag
     m_selection.setRegion(drag.region);
-    follow(drag, mouse.ray());
+    follow(drag, mouse);
 }
 
-void RegionTool::follow(const Drag& drag, const Ray& ray) {
+/// Beside the organ it stays where it left the surface.
+Ellipsoid RegionTool::moved(const Drag& drag, const ToolMouse& mouse) const {
+    const Move& move = std::get<Move>(drag.what);
+    Ellipsoid moved = drag.start;
+    if (!move.fromSurface || mouse.keys.testFlag(Qt::ControlModifier)) {
+        moved.centre += shift(move.plane, mouse.ray());
+        return moved;
+    }
+    const auto surface = surfaceUnder(mouse);
+    if (!surface) return *partOf(m_document.project().regions, drag.region).ellipsoid;
+    moved.centre = *surface + *move.fromSurface;
+    return moved;
+}
+
+void RegionTool::follow(const Drag& drag, const ToolMouse& mouse) {
+    const Ray ray = mouse.ray();
     if (const auto* rim = std::get_if<Rim>(&drag.what)) {
         // None inside.
         if (const auto point = meet(ray, rim->plane))
@@ -111,9 +145,7 @@ void RegionTool::follow(const Drag& drag, const Ray& ray) {
     } else if (const auto* turn = std::get_if<Turn>(&drag.what)) {
         shape(drag.region, turned(drag.start, turn->grip, ray));
     } else {
-        Ellipsoid moved = drag.start;
-        moved.centre += shift(std::get<Move>(drag.what).plane, ray);
-        shape(drag.region, moved);
+        shape(drag.region, moved(drag, mouse));
     }
 }
 

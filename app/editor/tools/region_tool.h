@@ -9,7 +9,8 @@
 
 namespace esm {
 
-/// Moves, sizes and turns a region's ellipsoid, and widens its rim. A click selects.
+/// Moves, sizes and turns a region's ellipsoid, and widens its rim. Moved, it follows the surface, as deep in
+/// the organ as it was; with Ctrl it goes straight across the picture. A click selects.
 class RegionTool : public ViewTool {
     Q_OBJECT
 
@@ -30,6 +31,8 @@ public:
 private:
     struct Move {
         DragPlane plane;
+        /// From the surface under the mouse to the ellipsoid's middle, m; none where it is not held over any.
+        std::optional<Eigen::Vector3d> fromSurface;
     };
     struct Size {
         std::size_t end; ///< counts as in `handles`
@@ -48,10 +51,11 @@ private:
     };
 
     std::optional<Drag> dragAt(const ToolMouse& mouse) const;
-    void follow(const Drag& drag, const Ray& ray);
+    Ellipsoid moved(const Drag& drag, const ToolMouse& mouse) const;
+    void follow(const Drag& drag, const ToolMouse& mouse);
     void shape(RegionId region, const Ellipsoid& shape);
     void widenRim(RegionId region, double metres);
-    void followDocument();
+    void followDocument(const Change& change);
 
     Document& m_document;
     Selection& m_selection;

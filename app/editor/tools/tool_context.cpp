@@ -7,13 +7,15 @@ namespace esm {
 QString stillnessHint(const Preview& preview) {
     const PreviewStatus status = preview.status();
     if (status.playing) return {};
-    return status.failure.empty() ? QObject::tr("Paused: Space lets the tissue move again")
+    return status.failure.empty() ? QObject::tr("Paused: {play} lets the tissue move again")
                                   : QObject::tr("The tissue does not move: the line at the bottom says why");
 }
 
 QString feltText(const FeltTissue& felt) {
-    return QObject::tr("%1 · %2 mm")
-        .arg(withUnit(felt.force, QStringLiteral("N"), 2), decimalText(1000 * felt.displacement, 1));
+    const bool isWeak = felt.force > 0 && felt.force < 0.1;
+    const QString force = isWeak ? withUnit(1000 * felt.force, QStringLiteral("mN"), 2)
+                                 : withUnit(felt.force, QStringLiteral("N"), 2);
+    return QObject::tr("%1 · %2 mm").arg(force, decimalText(1000 * felt.displacement, 1));
 }
 
 QString missingLayer(const Selection& selection) {

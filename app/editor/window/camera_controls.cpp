@@ -2,6 +2,7 @@
 
 #include "app/editor/window/actions.h"
 #include "app/editor/window/framed_selection.h"
+#include "widgets/inputs/action_texts.h"
 
 namespace esm {
 
@@ -38,8 +39,8 @@ void CameraControls::lookFromWithin(QAction& action) {
     std::optional<Eigen::Vector3d> about;
     if (region && region->ellipsoid) about = region->ellipsoid->centre;
     if (m_view.lookFromWithin(about))
-        emit message(tr("Within the organ: drag to look around, the wheel goes ahead, %1 leads out again")
-                         .arg(action.shortcut().toString(QKeySequence::NativeText)));
+        emit message(tr("Within the organ: drag looks around, the wheel goes ahead, %1 leaves")
+                         .arg(keyOrName(&action)));
     else
         emit message(tr("No room inside the organ there: point at a part with a wall before and behind it"));
     action.setChecked(m_view.isWithin());

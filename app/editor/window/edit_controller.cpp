@@ -3,6 +3,7 @@
 #include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/long_work.h"
+#include "app/editor/dialogs/split_question.h"
 #include "app/editor/edits/photo_edits.h"
 #include "app/editor/edits/simulated_edit.h"
 #include "app/editor/edits/starting_system.h"
@@ -131,9 +132,7 @@ void EditController::freeNodes() {
 std::optional<std::size_t> EditController::askForNodes() {
     const Project& project = m_document.project();
     const std::size_t vertices = project.mesh->vertices.size();
-    QString question = tr("Nodes that carry the surface of %1 vertices").arg(countText(vertices));
-    if (!project.scene.splits.empty())
-        question += '\n' + tr("The scene's splits will be removed: other nodes have other edges.");
+    const QString question = tr("Nodes that carry the surface of %1 vertices").arg(countText(vertices));
     const int now = static_cast<int>(project.network->restPositions.size());
     bool accepted = false;
     const int nodes = ask(m_window, [&] {
@@ -144,10 +143,12 @@ std::optional<std::size_t> EditController::askForNodes() {
 }
 
 void EditController::chooseDetail() {
-    if (const auto nodes = askForNodes()) simulateNodes(*nodes);
+    const std::size_t now = m_document.project().network->restPositions.size();
+    if (const auto nodes = askForNodes(); nodes && *nodes != now) simulateNodes(*nodes);
 }
 
 void EditController::simulateNodes(std::size_t nodes) {
+    if (!mayRemoveSplits(m_window, m_document.project().scene)) return;
     attempt(&m_window, tr("The surface cannot be simulated so"), [&] {
         const Detail detail{Detail::Kind::Nodes, nodes};
         const Project project = m_document.project();

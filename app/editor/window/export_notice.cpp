@@ -10,6 +10,7 @@ namespace esm {
 
 ExportNotice::ExportNotice(QWidget& view, Document& document)
     : QObject(&view), m_notice(new ViewNotice(view)) {
+    m_notice->setProperty("hint", true); // no warning
     connect(m_notice, &ViewNotice::helpAsked, this, [this] {
         QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(m_file).absolutePath()));
         m_notice->hide();

@@ -6,7 +6,7 @@ namespace esm {
 
 namespace {
 
-constexpr int lookEvery = 200; // ms
+constexpr int lookEvery = 50; // ms; a quick pull is over in a tenth of a second
 
 bool haveOtherWords(const Project& before, const Project& now) {
     return std::any_of(now.regions.begin(), now.regions.end(), [&](const Region& region) {
@@ -34,15 +34,15 @@ std::vector<FirstSteps::Step> FirstSteps::makeSteps() {
             "view, the wheel comes closer."),
          isPulled},
         {tr("Mark a region with tissue of its own: “+ add” at the left lays one on the surface in the middle "
-            "of the view. Drag it where you want it; its handles size and turn it."),
+            "of the view."),
          [this] { return m_document.project().regions.size() > m_before->regions.size(); }},
-        {tr("Say how the region's tissue is: move the slider “consistency” at the right, from very soft "
-            "to muscular."),
+        {tr("Drag the region where you want it; its handles size and turn it. Then say how its tissue is: "
+            "move the slider “consistency” at the right, from very soft to muscular."),
          [this] { return haveOtherWords(*m_before, m_document.project()); }},
         {tr("Feel the difference: take the tool Pull and pull at the region, then beside it."), isPulled},
         {tr("Hand the organ over: Export writes the model package that simulators load. The menu File "
             "keeps the project."),
-         [this] { return m_isHandedOver || (m_document.path() && !m_document.isModified()); }}};
+         [this] { return m_isHandedOver; }}};
 }
 
 void FirstSteps::begin() {
@@ -62,7 +62,7 @@ void FirstSteps::show(std::size_t step) {
     m_before = std::make_shared<const Project>(m_document.project());
     const bool isLast = step + 1 == m_steps.size();
     m_notice->say(tr("%1 of %2. %3").arg(step + 1).arg(m_steps.size()).arg(m_steps[step].text),
-                  isLast ? tr("Done") : tr("Next"), tr("Pass this hint over"));
+                  isLast ? tr("Done") : tr("Next"), tr("Skip this hint"));
 }
 
 void FirstSteps::look() {

@@ -113,12 +113,15 @@ void showKeys(QWidget* window, const Actions& actions) {
     sheet->setFrameShape(QFrame::NoFrame);
     sheet->setAccessibleName(dialog.windowTitle());
     sheet->setToolTip(QObject::tr("The arrow keys scroll"));
-    sheet->setWidget(new QLabel(keysText(actions)));
-    column->addWidget(sheet);
-    // As large as the sheet, where the screen has room for it.
+    auto* text = new QLabel(keysText(actions));
+    // As large as the text, where the screen has room for it; else its lines are broken.
     const QSize frame(2 * 20 + sheet->style()->pixelMetric(QStyle::PM_ScrollBarExtent), 140);
-    dialog.resize(
-        (sheet->widget()->sizeHint() + frame).boundedTo(window->screen()->availableSize() - QSize(40, 80)));
+    dialog.resize((text->sizeHint() + frame).boundedTo(window->screen()->availableSize() - QSize(40, 80)));
+    text->setWordWrap(true);
+    text->setAlignment(Qt::AlignTop);
+    sheet->setWidget(text);
+    sheet->setWidgetResizable(true);
+    column->addWidget(sheet);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok, &dialog);
     buttons->button(QDialogButtonBox::Ok)->setToolTip(QObject::tr("Close the sheet"));
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);

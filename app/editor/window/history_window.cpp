@@ -21,10 +21,16 @@ HistoryWindow::HistoryWindow(Document& document, QWidget* parent)
     connect(&document, &Document::stepped, this, &HistoryWindow::fill);
     connect(&document, &Document::replaced, this, &HistoryWindow::fill);
     connect(&document, &Document::titleChanged, this, &HistoryWindow::markDone);
-    fill();
 }
 
+void HistoryWindow::showEvent(QShowEvent* event) {
+    fill();
+    QDialog::showEvent(event);
+}
+
+/// Only where it is seen: a drag makes a step of every move of the mouse.
 void HistoryWindow::fill() {
+    if (isHidden()) return;
     const QSignalBlocker quiet(m_list);
     const QUndoStack& steps = *m_document.undoStack();
     while (m_list->count() > steps.count() + 1)
@@ -32,14 +38,17 @@ void HistoryWindow::fill() {
     while (m_list->count() < steps.count() + 1)
         new QListWidgetItem(m_list);
     for (int i = 0; i < steps.count(); ++i)
-        m_list->item(i + 1)->setText(steps.text(i));
+        m_list->item(i + 1)->setText(m_document.stepText(i));
     markDone();
 }
 
 void HistoryWindow::markDone() {
+    if (isHidden()) return;
     const QSignalBlocker quiet(m_list);
     const QUndoStack& steps = *m_document.undoStack();
-    m_list->item(0)->setText(tr("As it began"));
+    const bool isLimited = steps.count() == Document::mostSteps; // what was before is given up
+    m_list->item(0)->setText(isLimited ? tr("Before the last %1 steps").arg(Document::mostSteps)
+                                       : tr("As it began"));
     for (int row = 0; row < m_list->count(); ++row) {
         QListWidgetItem* item = m_list->item(row);
         item->setForeground(palette().color(row > steps.index() ? QPalette::Disabled : QPalette::Normal,

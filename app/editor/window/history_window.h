@@ -14,6 +14,9 @@ class HistoryWindow : public QDialog {
 public:
     explicit HistoryWindow(Document& document, QWidget* parent = nullptr);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void fill();
     void markDone();

@@ -9,6 +9,7 @@
 #include "app/editor/window/layout.h"
 #include "app/editor/window/scene_note.h"
 #include "app/editor/window/shortcut_controller.h"
+#include "app/editor/window/shortcuts.h"
 #include "app/editor/window/view_bar.h"
 #include "app/editor/window/view_settings.h"
 #include "widgets/inputs/control_keys.h"
@@ -219,7 +220,7 @@ void MainWindow::showTitle() {
 void MainWindow::noteScene() {
     // Who starts the program asked for no scene.
     const SceneNote note = m_showsGreeting ? SceneNote{} : sceneNote(m_document->project().scene);
-    m_status->showNote(note.title, note.explanation);
+    m_status->showNote(note.title, withKeys(note.explanation, m_actions));
 }
 
 void MainWindow::setTheme(bool light) {

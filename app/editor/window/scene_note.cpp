@@ -34,7 +34,7 @@ SceneNote sceneNote(const Scene& scene) {
         return {SceneNoteTexts::tr("Has a scene with splits"), said.join('\n')};
     }
     said.prepend(SceneNoteTexts::tr(
-        "The project holds a scene. Simulation → Play scene (Shift+Space) plays it from rest; else the "
+        "The project holds a scene. Simulation → Play scene ({playScene}) plays it from rest; else the "
         "window shows what you do yourself. “esmc simulate” writes its motion and forces to files."));
     return {SceneNoteTexts::tr("Has a scene to play"), said.join('\n')};
 }

@@ -6,8 +6,8 @@
 
 namespace esm {
 
-/// What the status line says of a project's scene, and what it explains when asked; empty where the scene
-/// holds nothing that happens at set times.
+/// What the status line says of a project's scene, and what it explains when asked, with actions' ids for
+/// their keys (`withKeys()`); empty where the scene holds nothing that happens at set times.
 struct SceneNote {
     QString title, explanation;
 };

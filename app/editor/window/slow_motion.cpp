@@ -11,7 +11,8 @@ namespace {
 
 /// Of real speed. Nearer to it nobody feels the difference.
 constexpr double slowMotion = 0.8;
-constexpr qint64 patience = 2000; // ms; a moment is no harm
+constexpr qint64 patience = 2000; // ms; a moment of slowness is no harm, and a moment of speed no change
+constexpr double otherSpeed = 2;  // times what was said; a number that wavers is not read
 
 /// To two digits, that nobody takes for exact.
 std::size_t rounded(double nodes) {
@@ -40,31 +41,43 @@ SlowMotion::SlowMotion(QWidget& view, Document& document, PassingTime clock)
 /// What was measured is of another organ, or of other nodes.
 void SlowMotion::forget() {
     m_slowSince.reset();
+    m_rightSince.reset();
     m_isDismissed = false;
     m_notice->hide();
 }
 
 void SlowMotion::showStatus(const PreviewStatus& status) {
-    const bool isSlow = status.playing && status.realTimeFactor > 0 && status.realTimeFactor < slowMotion;
-    if (!isSlow) {
+    if (!status.playing || status.realTimeFactor <= 0) { // what is paused is slow still
         m_slowSince.reset();
-        // What is paused is slow still.
-        if (status.playing) m_notice->hide();
+        m_rightSince.reset();
         return;
     }
-    if (!m_slowSince) m_slowSince = m_clock();
-    if (!m_isDismissed && m_clock() - *m_slowSince > patience) tell(status.realTimeFactor);
+    noteSpeed(status.realTimeFactor > 0 && status.realTimeFactor < slowMotion);
+    const auto lasts = [&](const std::optional<qint64>& since) {
+        return since && m_clock() - *since > patience;
+    };
+    if (lasts(m_rightSince)) m_notice->hide();
+    if (lasts(m_slowSince) && !m_isDismissed) tell(status.realTimeFactor);
+}
+
+void SlowMotion::noteSpeed(bool isSlow) {
+    std::optional<qint64>& since = isSlow ? m_slowSince : m_rightSince;
+    if (!since) since = m_clock();
+    (isSlow ? m_rightSince : m_slowSince).reset();
 }
 
 void SlowMotion::tell(double realTimeFactor) {
+    const bool isAlike = realTimeFactor < otherSpeed * m_said && m_said < otherSpeed * realTimeFactor;
+    if (!m_notice->isHidden() && isAlike) return;
+    m_said = realTimeFactor;
     const Project& project = m_document.project();
     const std::size_t nodes = project.network->restPositions.size();
     m_offered = nodesAtRealSpeed(nodes, realTimeFactor);
     const bool helps = !project.mesh->triangles.empty() && m_offered < nodes;
     const double times = 1 / realTimeFactor;
     m_notice->say(
-        tr("The tissue is seen slowed down, at %1 of its real speed: on a faster machine it moves "
-           "%2 times as fast as here.")
+        tr("Slowed down to %1 of its real speed: in a simulator that keeps up, the tissue moves %2 times "
+           "as fast as here.")
             .arg(numberText(realTimeFactor, 1), numberText(times, times < 10 ? 2 : 1)),
         helps ? tr("Simulate %1 nodes").arg(countText(m_offered)) : QString(),
         tr("So many of the %1 nodes move at real speed here, likely; the surface that is seen stays "

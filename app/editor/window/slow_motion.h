@@ -29,14 +29,17 @@ signals:
 
 private:
     void forget();
+    void noteSpeed(bool isSlow);
     void tell(double realTimeFactor);
 
     Document& m_document;
     PassingTime m_clock;
     ViewNotice* m_notice;
-    std::optional<qint64> m_slowSince; ///< ms, while the motion is too slow
-    std::size_t m_offered = 0;         ///< nodes
-    bool m_isDismissed = false;        ///< until the organ or its nodes are others
+    std::optional<qint64> m_slowSince;  ///< ms, while the motion is too slow
+    std::optional<qint64> m_rightSince; ///< ms, while it is not
+    double m_said = 0;                  ///< of real speed
+    std::size_t m_offered = 0;          ///< nodes
+    bool m_isDismissed = false;         ///< until the organ or its nodes are others
 };
 
 } // namespace esm

@@ -99,8 +99,8 @@ QWidget* StartPage::waysToBegin(const Actions& actions) {
     auto* widget = new QWidget;
     QVBoxLayout* column = columnIn(widget);
     column->addWidget(heading(tr("Begin")));
-    QPushButton* steps =
-        entry(tr("First steps"), tr("Five hints on a liver: pull, mark, say, feel, hand over"));
+    QPushButton* steps = entry(
+        tr("First steps"), tr("Five hints on a liver: pull, add a region, set its tissue, compare, export"));
     steps->setProperty("firstSteps", true);
     connect(steps, &QPushButton::clicked, this, &StartPage::firstStepsAsked);
     column->addWidget(steps);

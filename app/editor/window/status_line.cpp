@@ -31,8 +31,7 @@ QString recoveryText(const PreviewStatus& status) {
 /// That the motion is computed more finely than was chosen.
 QString shorteningText(const PreviewStatus& status) {
     if (!status.isShortened) return QString();
-    return QObject::tr("The chosen step is too long to be watched: the tissue moves in steps of %1 here")
-        .arg(durationText(status.timeStep));
+    return QObject::tr("Shown in steps of %1: the chosen step is longer").arg(durationText(status.timeStep));
 }
 
 QString safeText(const PreviewStatus& status) {

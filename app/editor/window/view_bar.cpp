@@ -54,7 +54,7 @@ void ViewBar::buildCut(const Actions& actions) {
     m_share->setObjectName(QStringLiteral("cutShare"));
     m_share->setRange(0, 1000);
     m_share->setPageStep(50);
-    m_share->setSingleStep(5);
+    m_share->setSingleStep(10); // a percent, as is shown
     m_share->setValue(500);
     m_share->setScale(0, 100);
     m_share->setAccessibleName(tr("Part of the organ that is hidden"));

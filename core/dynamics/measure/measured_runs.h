@@ -64,11 +64,15 @@ inline constexpr auto fieldsOf<TradeoffReference> =
 struct Tradeoff {
     TradeoffReference reference;
     std::vector<TradeoffRun> runs;
-    std::vector<std::size_t> pareto;           ///< runs that none beats in error and cost, the fastest first
+    std::vector<std::size_t> pareto; ///< runs of less error than the motion itself that none beats in error
+                                     ///< and cost, the fastest first
     std::optional<std::size_t> bestInRealTime; ///< least error
     std::optional<std::size_t> fastestToError; ///< least cost
     std::vector<LeftOutRun> leftOut;
 };
+
+/// Of each run, whether none beats it in error and cost.
+std::vector<bool> unbeatenRuns(const Tradeoff& tradeoff);
 
 struct TradeoffWishes {
     double realTimeFactor = 1; ///< at least: simulated over wall time

@@ -323,11 +323,12 @@ private:
 };
 
 /// Those that none beats in error and cost, the fastest first. In the order of their cost a run belongs to
-/// them if its error is less than that of all before it, of which the last that belongs has the least.
+/// them if its error is less than that of all before it, of which the last that belongs has the least. One
+/// that is as far off as tissue which never moved is no choice, however fast.
 std::vector<std::size_t> paretoFront(const std::vector<TradeoffRun>& runs) {
     std::vector<std::size_t> stable;
     for (std::size_t i = 0; i < runs.size(); ++i)
-        if (runs[i].stable) stable.push_back(i);
+        if (runs[i].stable && runs[i].error < 1) stable.push_back(i);
     std::sort(stable.begin(), stable.end(), [&](std::size_t a, std::size_t b) {
         return runs[a].wallPerSimulatedSecond < runs[b].wallPerSimulatedSecond;
     });
@@ -344,6 +345,13 @@ Tradeoff measureTradeoff(const SceneRun& run, const TradeoffOptions& options, co
     if (auto problems = validate(run.scene, run.model.mass.size()); !problems.empty())
         throw InvalidModel(std::move(problems));
     return Measurement(run, options, progress, sink).measure();
+}
+
+std::vector<bool> unbeatenRuns(const Tradeoff& tradeoff) {
+    std::vector<bool> unbeaten(tradeoff.runs.size(), false);
+    for (const std::size_t i : tradeoff.pareto)
+        unbeaten[i] = true;
+    return unbeaten;
 }
 
 void recommend(Tradeoff& tradeoff, const TradeoffWishes& wishes) {

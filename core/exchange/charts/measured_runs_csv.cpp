@@ -1,6 +1,5 @@
 #include "core/exchange/charts/measured_runs_csv.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -30,13 +29,12 @@ std::string figuresOf(const TradeoffRun& run) {
 std::string measuredRunsCsv(const Tradeoff& tradeoff) {
     std::string text = "integrator,precision,step_s,nodes,stable,error,error_is_bound,wall_per_simulated_s,"
                        "real_time_factor,unbeaten\n";
+    const std::vector<bool> unbeaten = unbeatenRuns(tradeoff);
     for (std::size_t i = 0; i < tradeoff.runs.size(); ++i) {
         const TradeoffRun& run = tradeoff.runs[i];
-        const auto& front = tradeoff.pareto;
-        const bool isUnbeaten = std::find(front.begin(), front.end(), i) != front.end();
         text += std::string(integratorName(run.stepping.integrator)) + ',' + wordOf(run.stepping.precision) +
                 ',' + digitsOf(run.stepping.timeStep) + ',' + std::to_string(run.nodes) + ',' +
-                answer(run.stable) + ',' + figuresOf(run) + ',' + answer(isUnbeaten) + '\n';
+                answer(run.stable) + ',' + figuresOf(run) + ',' + answer(unbeaten[i]) + '\n';
     }
     return text;
 }

@@ -110,6 +110,23 @@ TEST_F(OrganViewTest, ShowsStandardViewsAndTheWholeOrgan) {
     EXPECT_LT(distance(), 0.5 * far);
 }
 
+TEST_F(OrganViewTest, TheWholeOrganStaysWholeWhateverTheSize) {
+    const Eigen::AlignedBox3d box = boundingBox(scene.mesh->vertices);
+    const auto isWhole = [&] {
+        return view.rect().contains(placeOf(box.min())) && view.rect().contains(placeOf(box.max()));
+    };
+    view.frameOrgan();
+    view.resize(600, 150);
+    ASSERT_TRUE(isWhole());
+    view.resize(150, 600);
+    EXPECT_TRUE(isWhole());
+    // Who came nearer wants to stay there.
+    wheel(view.rect().center(), 3);
+    const Vector3d eye = view.camera().eye;
+    view.resize(600, 150);
+    EXPECT_EQ(view.camera().eye, eye);
+}
+
 TEST_F(OrganViewTest, CubeTurnsToItsFace) {
     view.setCamera(orbited(view.camera(), 0.7, 0.1));
     // The front face now stands in the left half of the cube.

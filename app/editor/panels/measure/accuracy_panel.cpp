@@ -36,11 +36,11 @@ AccuracyPanel::AccuracyPanel(Document& document, SpeedAndAccuracy& accuracy, QWi
     auto* mostSeconds = new NumberField(computingFormat(), this);
     mostSeconds->setObjectName(QStringLiteral("mostSeconds"));
     mostSeconds->setToolTip(
-        tr("A method that would compute for longer is left out; the reference may take ten times as "
+        tr("A run that would compute for longer is left out; the reference may take ten times as "
            "long. Large organs need more"));
     mostSeconds->setValue(m_accuracy.mostSecondsPerRun());
     connect(mostSeconds, &NumberField::valueEdited, &m_accuracy, &SpeedAndAccuracy::setMostSecondsPerRun);
-    measuredOn->addField(tr("Each &computes at most"), mostSeconds);
+    measuredOn->addField(tr("&Time limit of a run"), mostSeconds);
     body()->addWidget(measuredOn);
     body()->addWidget(m_hint);
     m_measure->setObjectName(QStringLiteral("measureButton"));
@@ -118,9 +118,13 @@ void AccuracyPanel::refresh() {
 
 void AccuracyPanel::showInUse() {
     const auto& inUse = m_document.project().stepping;
-    m_inUse->setText(inUse ? steppingText(inUse->stepping) + '\n' +
-                                 figuresText(1 / inUse->wallPerSimulatedSecond, inUse->error)
-                           : tr("Method and step\nchosen by the program"));
+    const auto run = m_accuracy.runInUse();
+    if (run)
+        m_inUse->setText(runText(m_accuracy.tradeoff()->runs[*run]));
+    else
+        m_inUse->setText(inUse ? steppingText(inUse->stepping) + '\n' +
+                                     figuresText(1 / inUse->wallPerSimulatedSecond, inUse->error)
+                               : tr("Method and step\nchosen by the program"));
     m_inUse->setToolTip(inUse ? methodText(inUse->stepping.integrator) : QString());
     enable(m_automatic, inUse.has_value(), tr("Let the program choose method and step again"),
            tr("The program already chooses method and step"));

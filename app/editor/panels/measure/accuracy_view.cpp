@@ -81,13 +81,15 @@ AccuracyView::AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidg
     column->addWidget(both, 1);
 
     connect(m_chart, &AccuracyChart::chosen, this, [this](std::size_t run) { use(run); });
-    connect(m_chart, &AccuracyChart::marked, m_table, &RunsTable::mark);
+    connect(m_chart, &AccuracyChart::marked, this, [this](std::size_t run) { mark(run); });
     connect(m_table, &RunsTable::chosen, this, [this](std::size_t run) { use(run); });
-    connect(m_table, &RunsTable::markChanged, this, [this] {
-        m_chart->mark(m_table->marked());
-        refresh();
+    connect(m_table, &RunsTable::markChanged, this, [this] { mark(m_table->marked()); });
+    connect(m_onlyUnbeaten, &QCheckBox::toggled, this, [this](bool only) {
+        // Rows that go take the mark along, and it stays in the chart.
+        const QSignalBlocker quiet(m_table);
+        m_table->setOnlyUnbeaten(only);
+        m_table->mark(m_marked);
     });
-    connect(m_onlyUnbeaten, &QCheckBox::toggled, m_table, &RunsTable::setOnlyUnbeaten);
     connect(&m_accuracy, &SpeedAndAccuracy::runsChanged, this, &AccuracyView::showRuns);
     connect(&m_accuracy, &SpeedAndAccuracy::changed, this, &AccuracyView::refresh);
     m_chart->setEmptyText(
@@ -108,7 +110,7 @@ QLayout* AccuracyView::buildHeader() {
         button->setFocusPolicy(Qt::TabFocus);
         header->addWidget(button);
     }
-    connect(m_use, &QPushButton::clicked, this, [this] { use(m_table->marked()); });
+    connect(m_use, &QPushButton::clicked, this, [this] { use(m_marked); });
     connect(m_exportTable, &QPushButton::clicked, this, &AccuracyView::exportTable);
     connect(m_exportChart, &QPushButton::clicked, this, &AccuracyView::exportChart);
     return header;
@@ -116,6 +118,7 @@ QLayout* AccuracyView::buildHeader() {
 
 void AccuracyView::showRuns() {
     const Tradeoff* tradeoff = m_accuracy.tradeoff();
+    m_marked.reset();
     m_table->setTradeoff(tradeoff);
     m_chart->setPoints(tradeoff ? pointsOf(*tradeoff) : std::vector<AccuracyPoint>(),
                        tradeoff ? tradeoff->pareto : std::vector<std::size_t>());
@@ -135,18 +138,25 @@ void AccuracyView::refresh() {
 // Why a marked row cannot be used stands in sight, not in its tip alone.
 void AccuracyView::showUse() {
     const Tradeoff* tradeoff = m_accuracy.tradeoff();
-    const auto marked = m_table->marked();
-    const QString obstacle = marked ? m_table->obstacle() : QString();
+    const QString obstacle = m_marked ? m_table->obstacle(*m_marked) : QString();
     m_title->setText(obstacle.isEmpty() ? titleText(tradeoff) : obstacle);
-    enable(m_use, isUsable(marked), tr("Let the tissue move by the method and step of the marked row"),
-           !tradeoff ? tr("Nothing is measured yet")
-           : marked  ? obstacle
-                     : tr("Mark a row first"));
+    enable(m_use, isUsable(m_marked), tr("Let the tissue move by the method and step of the marked row"),
+           !tradeoff  ? tr("Nothing is measured yet")
+           : m_marked ? obstacle
+                      : tr("Mark a row first"));
+}
+
+void AccuracyView::mark(std::optional<std::size_t> run) {
+    m_marked = run;
+    m_chart->mark(run);
+    const QSignalBlocker quiet(m_table); // it may have no row for the run
+    m_table->mark(run);
+    showUse();
 }
 
 bool AccuracyView::isUsable(std::optional<std::size_t> run) const {
     const Tradeoff* tradeoff = m_accuracy.tradeoff();
-    return run && *run < tradeoff->runs.size() && tradeoff->runs[*run].stable;
+    return run && *run < tradeoff->runs.size() && m_table->obstacle(*run).isEmpty();
 }
 
 void AccuracyView::use(std::optional<std::size_t> run) {

@@ -31,6 +31,8 @@ private:
     void refresh();
     void showRuns();
     void showUse();
+    /// In chart and table alike.
+    void mark(std::optional<std::size_t> run);
     bool isUsable(std::optional<std::size_t> run) const;
     void use(std::optional<std::size_t> run);
     /// Asks where, and says what became of it.
@@ -45,6 +47,7 @@ private:
     RunsTable* m_table;
     ElidedLabel* m_title;
     QCheckBox* m_onlyUnbeaten;
+    std::optional<std::size_t> m_marked; ///< run, or what was left out, by its row
     QPushButton *m_use, *m_exportTable, *m_exportChart;
 };
 

@@ -7,7 +7,6 @@
 #include <QGuiApplication>
 #include <QPalette>
 
-#include <algorithm>
 #include <limits>
 
 namespace esm {
@@ -84,6 +83,8 @@ template<class Run> QVariant sortKey(const Run& run, int column) {
 void RunsModel::setTradeoff(const Tradeoff* tradeoff) {
     beginResetModel();
     m_tradeoff = tradeoff ? std::optional(*tradeoff) : std::nullopt;
+    m_unbeaten = tradeoff ? unbeatenRuns(*tradeoff) : std::vector<bool>();
+    m_unbeaten.resize(static_cast<std::size_t>(rowCount()), false);
     endResetModel();
 }
 
@@ -91,11 +92,6 @@ void RunsModel::setInUse(std::optional<std::size_t> run) {
     if (run == m_inUse) return;
     m_inUse = run;
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1), {Qt::FontRole});
-}
-
-bool RunsModel::isUnbeaten(int row) const {
-    const auto& front = m_tradeoff->pareto;
-    return std::find(front.begin(), front.end(), static_cast<std::size_t>(row)) != front.end();
 }
 
 int RunsModel::rowCount(const QModelIndex& parent) const {
@@ -112,8 +108,9 @@ const LeftOutRun* RunsModel::leftOut(int row) const {
 QString RunsModel::obstacle(int row) const {
     if (const LeftOutRun* run = leftOut(row))
         return tr("Left out: %1").arg(QString::fromStdString(run->reason));
-    return m_tradeoff->runs[static_cast<std::size_t>(row)].stable ? QString()
-                                                                  : tr("With this step the motion ran wild");
+    const TradeoffRun& run = m_tradeoff->runs[static_cast<std::size_t>(row)];
+    if (!run.stable) return tr("With this step the motion ran wild");
+    return run.error < 1 ? QString() : tr("As far off as tissue that never moves: of no use");
 }
 
 int RunsModel::columnCount(const QModelIndex& parent) const {

@@ -21,7 +21,7 @@ public:
     void setTradeoff(const Tradeoff* tradeoff); ///< null: no row
     /// The one in use stands out.
     void setInUse(std::optional<std::size_t> run);
-    bool isUnbeaten(int row) const;
+    bool isUnbeaten(int row) const { return m_unbeaten[static_cast<std::size_t>(row)]; }
     /// Why the tissue cannot move by a row's method and step; empty where it can.
     QString obstacle(int row) const;
 
@@ -35,6 +35,7 @@ private:
     const LeftOutRun* leftOut(int row) const; ///< null: a run that was measured
 
     std::optional<Tradeoff> m_tradeoff;
+    std::vector<bool> m_unbeaten; ///< of each row
     std::optional<std::size_t> m_inUse;
 };
 

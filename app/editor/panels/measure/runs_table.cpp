@@ -69,10 +69,6 @@ std::optional<std::size_t> RunsTable::marked() const {
     return row.isValid() ? std::optional<std::size_t>(row.row()) : std::nullopt;
 }
 
-QString RunsTable::obstacle() const {
-    return m_model->obstacle(m_sorted->mapToSource(currentIndex()).row());
-}
-
 void RunsTable::choose(const QModelIndex& index) {
     if (const QModelIndex row = m_sorted->mapToSource(index); row.isValid())
         emit chosen(static_cast<std::size_t>(row.row()));

@@ -20,8 +20,8 @@ public:
     /// Brings it into sight; where the table has no row for it, none is marked.
     void mark(std::optional<std::size_t> run);
     std::optional<std::size_t> marked() const;
-    /// Why the tissue cannot move by what is marked; empty where it can. Precondition: a row is marked.
-    QString obstacle() const;
+    /// Why the tissue cannot move by a run, or by what was left out; empty where it can.
+    QString obstacle(std::size_t run) const { return m_model->obstacle(static_cast<int>(run)); }
 
 signals:
     void markChanged();

@@ -2,6 +2,7 @@
 
 #include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/long_work.h"
+#include "app/editor/dialogs/split_question.h"
 #include "app/editor/edits/simulated_edit.h"
 #include "core/authoring/accuracy.h"
 #include "core/model/tissue_digest.h"
@@ -37,6 +38,10 @@ SpeedAndAccuracy::SpeedAndAccuracy(Document& document, Preview& preview, QObject
     connect(&m_rest, &QTimer::timeout, this, &SpeedAndAccuracy::compare);
     connect(&preview, &Preview::tissueReady, &m_rest, qOverload<>(&QTimer::start));
     connect(&document, &Document::changed, this, &SpeedAndAccuracy::follow);
+    connect(&document, &Document::replaced, this, [this] {
+        m_isOutdated = false; // of another organ nothing is known yet
+        emit changed();
+    });
     workOut();
     m_rest.start();
 }
@@ -105,7 +110,9 @@ void SpeedAndAccuracy::measure(QWidget* window) {
 
 void SpeedAndAccuracy::use(std::size_t run, QWidget* window) {
     const Project project = m_document.project();
-    attempt(window, tr("This setting cannot be used"), [&] {
+    const bool isOnOtherNodes = m_tradeoff->runs[run].nodes != project.network->restPositions.size();
+    if (isOnOtherNodes && !mayRemoveSplits(*window, project.scene)) return;
+    attempt(window, tr("This run cannot be used"), [&] {
         const Project changed = computeLong(
             window, tr("Choosing method and step"),
             [&](const Progress& progress) { return withMeasuredRun(project, run, progress); },

@@ -133,11 +133,8 @@ void LandmarksPanel::showResult() {
 
 QString LandmarksPanel::remark() const {
     const std::size_t count = m_landmarking.pairs().size();
-    QString failure = m_landmarking.failure();
-    if (!failure.isEmpty()) {
-        failure[0] = failure[0].toUpper();
-        return tr("%1. The photo stays where it is.").arg(failure);
-    }
+    const QString failure = m_landmarking.failure();
+    if (!failure.isEmpty()) return tr("%1. The photo stays where it is.").arg(failure);
     if (!m_landmarking.layer()) return {};
     if (count < pairsForPose) return tr("%1 of %2 that place the photo").arg(count).arg(pairsForPose);
     const PoseFit* fit = m_landmarking.fit();

@@ -58,6 +58,10 @@ PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* p
     });
     connect(m_canvas, &PhotoCanvas::cropDrawn, this, &PhotoDialog::setCrop);
     connect(m_canvas, &PhotoCanvas::frameFinished, &m_edits, &PreparationEdits::finishGesture);
+    connect(m_canvas, &PhotoCanvas::frameDropped, this, [this](const std::optional<PhotoCrop>& before) {
+        setCrop(before);
+        m_edits.finishGesture();
+    });
     connect(m_canvas, &PhotoCanvas::linesChanged, this, [this] { showHint(); });
     connect(m_lensPage, &LensPage::failed, this, &PhotoDialog::showHint);
     connect(&edits, &PreparationEdits::changed, this, &PhotoDialog::showPhoto);

@@ -180,7 +180,7 @@ void TissuePanel::showSource() {
     const auto preset = presetInForce(m_document.project(), region());
     const QString source = preset ? QString::fromStdString(preset->source) : QString();
     const QString whatFor = !preset || preset->system ? tr("source: %1") : tr("source of the tethers: %1");
-    m_source->setText(whatFor.arg(preset ? source : tr("values set here, not published")));
+    m_source->setText(whatFor.arg(preset ? source : tr("set here, not from a publication")));
     m_source->setToolTip(preset ? QString::fromStdString(preset->title + ": ") + source
                                 : tr("The tissue is not, or no longer, as a preset has it"));
 }

@@ -1,5 +1,4 @@
 #include "app/editor/document/document.h"
-#include "app/editor/document/selection.h"
 #include "app/editor/edits/photo_edits.h"
 #include "core/authoring/regions.h"
 #include "core/samples/samples.h"
@@ -15,14 +14,6 @@ namespace {
 void setMass(Document& document, double mass, EditKind kind = EditKind::Alone) {
     document.edit(
         "mass", [mass](Project& project) { project.base.mass = mass; }, MergeKey(kind));
-}
-
-Project tubeWithThreeRegions() {
-    Project project = makeSample("tube");
-    project.regions.clear();
-    for (int i = 0; i < 3; ++i)
-        addRegion(project, nextId(project.regions), Eigen::Vector3d::Zero());
-    return project;
 }
 
 /// Adds a region, and gives it.
@@ -77,6 +68,32 @@ TEST(Document, GoesToAnyStepAsOneChange) {
     EXPECT_EQ(changes.size(), 2U);
     EXPECT_EQ(steps, 2);
     EXPECT_EQ(document.undoStack()->index(), 5);
+}
+
+TEST(Document, TellsOfEachStepGoneToEvenWhereNothingIsOtherThere) {
+    Document document(makeSample("tube"));
+    const double first = document.project().base.mass;
+    for (const double mass : {2 * first, first})
+        setMass(document, mass);
+    QSignalSpy changed(&document, &Document::changed), stepped(&document, &Document::stepped);
+    document.goTo(0);
+    EXPECT_EQ(changed.count(), 0);
+    EXPECT_EQ(stepped.count(), 1);
+    EXPECT_EQ(document.undoStack()->index(), 0);
+}
+
+TEST(Document, TellsWhenItGoesToOrFromWhatIsSaved) {
+    Document document(makeSample("tube"));
+    setMass(document, 0.02);
+    document.markSaved("tube.esm", document.project());
+    setMass(document, 0.03);
+    QSignalSpy told(&document, &Document::titleChanged);
+    document.goTo(1);
+    EXPECT_EQ(told.count(), 1);
+    EXPECT_FALSE(document.isModified());
+    document.goTo(0);
+    EXPECT_EQ(told.count(), 2);
+    EXPECT_TRUE(document.isModified());
 }
 
 TEST(Document, TellsWhatIsUndoneFromWhatIsEdited) {
@@ -206,65 +223,6 @@ TEST(Document, ComesBackWithItsUndoList) {
     EXPECT_EQ(again.project(), *document.state().base);
 }
 
-TEST(Selection, FollowsWhatIsAddedAndRemoved) {
-    Document document(makeSample("tube"));
-    Selection selection(document);
-    const RegionId first = added(document), second = added(document);
-    EXPECT_EQ(selection.region(), second);
-    document.undoStack()->undo();
-    EXPECT_EQ(selection.region(), first);
-    const RegionId third = added(document);
-    EXPECT_NE(third, second) << "none is given twice";
-    EXPECT_EQ(selection.region(), third);
-}
-
-TEST(Selection, FindsWhatUndoBringsBack) {
-    Document document(tubeWithThreeRegions());
-    Selection selection(document);
-    const std::vector<Region> regions = document.project().regions;
-    document.edit("remove", [&](Project& p) { removeRegion(p, regions[0].id); });
-    selection.setRegion(regions[2].id);
-    document.undoStack()->undo();
-    EXPECT_EQ(selection.region(), regions[0].id);
-    document.undoStack()->redo();
-    EXPECT_EQ(selection.region(), regions[1].id) << "its neighbour above";
-}
-
-TEST(Selection, StaysWithWhatIsReordered) {
-    Document document(tubeWithThreeRegions());
-    Selection selection(document);
-    const RegionId lowest = document.project().regions[0].id;
-    selection.setRegion(lowest);
-    document.edit("move", [&](Project& p) { moveRegion(p, lowest, 1); });
-    EXPECT_EQ(document.project().regions[1].id, lowest);
-    EXPECT_EQ(selection.region(), lowest);
-    document.undoStack()->undo();
-    EXPECT_EQ(document.project().regions[0].id, lowest);
-    EXPECT_EQ(selection.region(), lowest);
-}
-
-TEST(Selection, HoldsNothingThatIsNotThere) {
-    Document document(tubeWithThreeRegions());
-    Selection selection(document);
-    selection.setRegion(document.newRegionId());
-    EXPECT_FALSE(selection.region());
-    selection.setPhoto(document.newLayerId());
-    EXPECT_FALSE(selection.photo());
-}
-
-TEST(Selection, GoesBackToTheWholeOrganWhoseTissueGoes) {
-    Document document(makeSample("tube"));
-    document.edit("clear", [](Project& p) { p.regions.clear(); });
-    added(document);
-    Selection selection(document);
-    selection.setRegion(std::nullopt);
-    const RegionId whole = document.newRegionId();
-    document.edit("system", [&](Project& p) { setSystem(p, whole, std::make_shared<FuzzySystem>()); });
-    EXPECT_EQ(selection.region(), whole);
-    document.undoStack()->undo();
-    EXPECT_EQ(selection.region(), std::nullopt);
-}
-
 TEST(RegionEdits, KeepTheWholeOrganBeneath) {
     Project project = makeSample("tube");
     project.regions.clear();
@@ -341,39 +299,4 @@ TEST(PhotoEdits, AProjectorOfAnotherKindLiesInTheSamePlace) {
         EXPECT_TRUE(
             esm::project(projector, {160, 80}, corner)->head<2>().isApprox(Eigen::Vector2d(160, 80), 1e-6));
     }
-}
-
-TEST(Selection, FollowsWhatIsUndoneInAnotherRegion) {
-    Document document(tubeWithThreeRegions());
-    Selection selection(document);
-    const auto ids = [&] { return document.project().regions; };
-    const RegionId first = ids()[0].id, second = ids()[1].id, third = ids()[2].id;
-    const auto widen = [&](RegionId region, double rim) {
-        document.edit("rim", [=](Project& project) { partOf(project.regions, region).rim = rim; });
-    };
-    selection.setRegion(first);
-    widen(first, 0.01);
-    selection.setRegion(third);
-    document.undoStack()->undo();
-    EXPECT_EQ(selection.region(), first);
-    selection.setRegion(std::nullopt);
-    document.undoStack()->redo();
-    EXPECT_EQ(selection.region(), first);
-
-    document.edit("both", [=](Project& project) {
-        for (const RegionId region : {first, second})
-            partOf(project.regions, region).rim = 0.03;
-    });
-    EXPECT_EQ(selection.region(), first) << "an edit selects nothing";
-    document.undoStack()->undo();
-    EXPECT_EQ(selection.region(), first) << "it is among those that changed";
-    selection.setRegion(third);
-    document.undoStack()->redo();
-    EXPECT_EQ(selection.region(), second) << "the topmost of those that changed";
-
-    widen(third, 0.02);
-    EXPECT_EQ(selection.region(), second) << "who edits another one has a reason";
-    setMass(document, 0.5);
-    document.undoStack()->undo();
-    EXPECT_EQ(selection.region(), second) << "no region changed";
 }

@@ -89,3 +89,12 @@ TEST_F(FixToolTest, ShowsHowFarItReaches) {
     QApplication::sendEvent(&view, &leave);
     EXPECT_EQ(pictureOf(view), before);
 }
+
+TEST_F(FixToolTest, UndoInTheMidstOfAStrokeEndsIt) {
+    dragOver(placeOf({-0.06, 0, 0.08}), placeOf({0, 0, 0.1}));
+    document.undoStack()->undo();
+    moveTo(placeOf({0.06, 0, 0.08}));
+    EXPECT_TRUE(fixed().empty());
+    EXPECT_TRUE(document.undoStack()->canRedo());
+    release(placeOf({0.06, 0, 0.08}));
+}

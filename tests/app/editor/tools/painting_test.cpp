@@ -150,6 +150,7 @@ TEST_F(PaintingTest, EscapeDropsTheStroke) {
     EXPECT_TRUE(strokes().empty());
     QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, middle());
     EXPECT_TRUE(strokes().empty());
+    EXPECT_FALSE(window->document().undoStack()->canRedo()) << "nobody wants it back";
 }
 
 TEST_F(PaintingTest, EscapeLeavesWhatCameMeanwhile) {

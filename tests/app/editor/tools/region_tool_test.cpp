@@ -25,10 +25,10 @@ protected:
         take<RegionTool>();
     }
     const Ellipsoid& shape() const { return *project().regions[1].ellipsoid; }
-    void dragFrom(const QPoint& from, const QPoint& by) {
-        press(from);
-        moveTo(from + by / 2);
-        moveTo(from + by);
+    void dragFrom(const QPoint& from, const QPoint& by, Qt::KeyboardModifiers keys = {}) {
+        press(from, Qt::LeftButton, keys);
+        moveTo(from + by / 2, Qt::LeftButton, keys);
+        moveTo(from + by, Qt::LeftButton, keys);
         release(from + by);
     }
 };
@@ -38,10 +38,10 @@ protected:
 TEST_F(RegionToolTest, MovesAndScalesInOneStepEach) {
     const Vector3d centre(0.05, 0, 0.08);
     addRegion(centre, {0.03, 0.02, 0.02});
-    dragFrom(placeOf(centre), {0, 40});
+    dragFrom(placeOf(centre), {0, 40}, Qt::ControlModifier);
     const Vector3d moved = shape().centre;
     EXPECT_LT(moved.y(), -0.01);
-    EXPECT_NEAR(moved.z(), 0.08, 1e-9);
+    EXPECT_NEAR(moved.z(), 0.08, 1e-9) << "straight across the picture";
     expectSteps(1);
     EXPECT_EQ(document.undoStack()->undoText(), "Shape region");
     const QPoint end = placeOf(moved + Vector3d(0.03, 0, 0));
@@ -53,6 +53,26 @@ TEST_F(RegionToolTest, MovesAndScalesInOneStepEach) {
     document.undoStack()->undo();
     document.undoStack()->undo();
     EXPECT_EQ(shape().centre, centre);
+}
+
+TEST_F(RegionToolTest, MovedItFollowsTheSurfaceAsDeepAsItWas) {
+    const Vector3d centre(0, 0, 0.09); // of a ball of 0.1 m
+    addRegion(centre, {0.03, 0.02, 0.02});
+    dragFrom(middle(), placeOf({0.08, 0, 0.06}) - middle());
+    EXPECT_LT((shape().centre - Vector3d(0.08, 0, 0.05)).norm(), 0.003) << shape().centre.transpose();
+    const Vector3d onTheSurface = shape().centre;
+    press(placeOf(onTheSurface));
+    moveTo({3, 3});
+    EXPECT_LT((shape().centre - onTheSurface).norm(), 0.001) << "beside the organ it stays";
+    release({3, 3});
+}
+
+TEST_F(RegionToolTest, HangingBeforeTheOrganItGoesAcrossThePicture) {
+    const Vector3d centre(0, 0, 0.15);
+    addRegion(centre, {0.02, 0.02, 0.02});
+    dragFrom(middle(), {40, 0});
+    EXPECT_GT(shape().centre.x(), 0.01);
+    EXPECT_NEAR(shape().centre.z(), 0.15, 1e-9);
 }
 
 TEST_F(RegionToolTest, WhatGoesIsDraggedNoFurther) {
@@ -142,4 +162,17 @@ TEST_F(RegionToolTest, EscapePutsBackWhatIsDragged) {
     EXPECT_EQ(shape(), before) << "the drag is over";
     dragFrom(placeOf(centre), {0, 40});
     expectSteps(1);
+}
+
+TEST_F(RegionToolTest, UndoInTheMidstOfADragEndsIt) {
+    const Vector3d centre(0.05, 0, 0.08);
+    addRegion(centre, {0.03, 0.02, 0.02});
+    const Ellipsoid before = shape();
+    press(placeOf(centre));
+    moveTo(placeOf(centre) + QPoint(0, 40));
+    document.undoStack()->undo();
+    moveTo(placeOf(centre) + QPoint(0, 60));
+    EXPECT_EQ(shape(), before);
+    EXPECT_TRUE(document.undoStack()->canRedo());
+    release(placeOf(centre));
 }

@@ -1,5 +1,6 @@
 #include "app/editor/window/history_window.h"
 
+#include "core/authoring/regions.h"
 #include "core/samples/samples.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@ protected:
     void setMass(double mass) {
         document.edit("mass " + QString::number(mass), [=](Project& project) { project.base.mass = mass; });
     }
+    void SetUp() override { window.show(); }
     QListWidget& list() const { return *window.findChild<QListWidget*>("historyList"); }
     QStringList rows() const {
         QStringList texts;
@@ -41,6 +43,33 @@ TEST_F(HistoryWindowTest, ListsTheStepsAndMarksTheLastThatIsDone) {
     EXPECT_EQ(rows(), (QStringList{"As it began", "mass 2", "mass 4"}));
     document.replace(makeSample("tube"), std::nullopt);
     EXPECT_EQ(rows(), QStringList{"As it began"});
+}
+
+TEST_F(HistoryWindowTest, NamesTheRegionOrPhotoThatAStepIsAbout) {
+    const RegionId tumour = document.newRegionId();
+    document.edit("Add region", [=](Project& p) {
+        addRegion(p, tumour, Eigen::Vector3d::Zero());
+        partOf(p.regions, tumour).name = "Tumour";
+    });
+    document.edit("Soft rim", [=](Project& p) { partOf(p.regions, tumour).rim = 0.01; });
+    document.edit("Rename region", [=](Project& p) { partOf(p.regions, tumour).name = "Cyst"; });
+    document.edit("Soft rims", [](Project& p) {
+        for (Region& region : p.regions)
+            region.rim += 0.001;
+    });
+    document.edit("Remove region", [=](Project& p) { removeRegion(p, tumour); });
+    setMass(2);
+    EXPECT_EQ(rows().mid(1), (QStringList{"Add region · Tumour", "Soft rim · Tumour", "Rename region · Cyst",
+                                          "Soft rims", "Remove region · Cyst", "mass 2"}));
+}
+
+TEST_F(HistoryWindowTest, SaysThatWhatIsLongPastIsGivenUp) {
+    for (int i = 0; i <= Document::mostSteps; ++i)
+        setMass(2 + i);
+    EXPECT_EQ(list().count(), Document::mostSteps + 1);
+    EXPECT_EQ(rows().first(), "Before the last 500 steps");
+    list().setCurrentRow(0);
+    EXPECT_EQ(document.project().base.mass, 2) << "not the first of all";
 }
 
 TEST_F(HistoryWindowTest, JumpsByKeyAndClick) {

@@ -96,11 +96,18 @@ TEST_F(MainWindowViewTest, PullsFromWithin) {
 }
 
 TEST_F(MainWindowViewTest, ColoursByEachOfItsKinds) {
+    std::map<QString, std::vector<Paint>> paints;
     for (QAction* colouring : actions().colourings->actions()) {
         colouring->trigger();
-        EXPECT_EQ(scene().nodePaint != nullptr, colouring->objectName() != "texture")
-            << colouring->objectName().toStdString();
+        const bool isPainted = scene().nodePaint != nullptr;
+        EXPECT_EQ(isPainted, colouring->objectName() != "texture") << colouring->objectName().toStdString();
+        if (isPainted) paints[colouring->objectName()] = *scene().nodePaint;
     }
+    const auto differs = [&](const char* one, const char* other) { return paints[one] != paints[other]; };
+    EXPECT_TRUE(differs("spring-constant", "viscosity"));
+    EXPECT_TRUE(differs("spring-constant", "region"));
+    EXPECT_TRUE(differs("viscosity", "region"));
+    EXPECT_TRUE(differs("spring-constant", "strain"));
     actions().colourings->actions().front()->trigger();
     press(Qt::Key_S);
     EXPECT_TRUE(scene().springPaint) << "springs by their constant";

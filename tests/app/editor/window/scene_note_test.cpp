@@ -31,7 +31,7 @@ TEST(SceneNote, NamesAllThatHappensAtSetTimes) {
     EXPECT_TRUE(explains(scene, "An instrument follows a path"));
     scene.instruments.push_back({});
     EXPECT_TRUE(explains(scene, "2 instruments follow paths"));
-    EXPECT_TRUE(explains(scene, "Shift+Space"));
+    EXPECT_TRUE(explains(scene, "{playScene}"));
 }
 
 TEST(SceneNote, DoesNotPromiseToPlaySplits) {
@@ -39,5 +39,5 @@ TEST(SceneNote, DoesNotPromiseToPlaySplits) {
     scene.splits.push_back({});
     EXPECT_EQ(sceneNote(scene).title, "Has a scene with splits");
     EXPECT_TRUE(explains(scene, "does not play splits"));
-    EXPECT_FALSE(explains(scene, "Shift+Space"));
+    EXPECT_FALSE(explains(scene, "{playScene}"));
 }

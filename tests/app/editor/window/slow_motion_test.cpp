@@ -59,8 +59,22 @@ TEST_F(SlowMotionTest, GoesWithTheSlowness) {
     ASSERT_TRUE(isSaid());
     slow.showStatus(PreviewStatus());
     EXPECT_TRUE(isSaid()) << "what is paused is slow still";
-    slow.showStatus(movingAt(1.2));
+    showForLong(1.2);
     EXPECT_FALSE(isSaid());
+}
+
+TEST_F(SlowMotionTest, StaysAsItIsWhileSpeedWavers) {
+    showForLong(0.2);
+    const QString said = text(), offered = help()->text();
+    for (const double speed : {0.15, 1.1, 0.3, 0.9, 0.2}) {
+        slow.showStatus(movingAt(speed));
+        now += 1500;
+        EXPECT_TRUE(isSaid()) << speed;
+        EXPECT_EQ(text(), said) << speed;
+        EXPECT_EQ(help()->text(), offered) << speed;
+    }
+    showForLong(0.05);
+    EXPECT_NE(text(), said) << "that is another speed";
 }
 
 TEST_F(SlowMotionTest, TakenAwayItStaysAwayUntilThereIsAnotherOrgan) {

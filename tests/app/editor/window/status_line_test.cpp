@@ -68,7 +68,7 @@ TEST_F(StatusLineTest, SaysThatTheChosenStepIsTooLongToBeWatched) {
     PreviewStatus status = playingAt(30, 0.04);
     status.isShortened = true;
     line->showStatus(status);
-    EXPECT_TRUE(message().contains("too long to be watched")) << message().toStdString();
+    EXPECT_TRUE(message().contains("the chosen step is longer")) << message().toStdString();
     EXPECT_TRUE(message().contains("40 ms")) << message().toStdString();
     status.isShortened = false;
     line->showStatus(status);

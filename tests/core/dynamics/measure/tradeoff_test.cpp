@@ -179,6 +179,7 @@ TEST(Tradeoff, RecommendsAnewForOtherWishes) {
     add(2e-2, 0.2);
     add(1e-3, 0.9);
     add(1e-9, 0.01, false);
+    add(1.2, 0.001); // fast, and farther off than tissue that stands still
     recommend(tradeoff, {1, 1e-2});
     EXPECT_THAT(tradeoff.pareto, testing::ElementsAre(1, 3, 0));
     EXPECT_EQ(tradeoff.bestInRealTime, 3U);

@@ -155,6 +155,29 @@ TEST_F(PhotoDialogTest, CropsByAFrameAndByNumbers) {
     EXPECT_EQ(layer().prepared->at(10, 100)[3], 0);
 }
 
+TEST_F(PhotoDialogTest, EscapeDropsWhatIsDrawnAndThenClosesTheDialog) {
+    const auto begin = [&] {
+        QTest::mousePress(canvas, Qt::LeftButton, {}, placeOf(100, 100));
+        QMouseEvent move(QEvent::MouseMove, placeOf(200, 160), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(canvas, &move);
+    };
+    const auto drop = [&] {
+        QTest::keyClick(canvas, Qt::Key_Escape);
+        EXPECT_TRUE(dialog->isVisible());
+        QTest::mouseRelease(canvas, Qt::LeftButton, {}, placeOf(200, 160));
+    };
+    begin();
+    drop();
+    EXPECT_TRUE(layer().preparation.strokes.empty());
+    choose(Qt::Key_C);
+    begin();
+    ESM_EVENTUALLY(layer().preparation.crop.has_value());
+    drop();
+    ESM_EVENTUALLY(!layer().preparation.crop);
+    QTest::keyClick(canvas, Qt::Key_Escape);
+    EXPECT_FALSE(dialog->isVisible());
+}
+
 TEST_F(PhotoDialogTest, SaysWhyAPhotoIsNotPrepared) {
     const auto hint = [this] { return dialog->findChild<QLabel*>("photoHint")->text(); };
     edits.edit("Crop", [](PreparationWish& wish) {
