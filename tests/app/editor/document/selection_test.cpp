@@ -1,5 +1,6 @@
 #include "app/editor/document/selection.h"
 
+#include "app/editor/document/document.h"
 #include "core/authoring/regions.h"
 #include "core/samples/samples.h"
 
