@@ -1,6 +1,6 @@
 #include "app/editor/edits/system_reach.h"
 
-#include "app/editor/edits/edit_system.h"
+#include "app/editor/edits/selected_system.h"
 #include "core/authoring/systems.h"
 
 namespace esm {
