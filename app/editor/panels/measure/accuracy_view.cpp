@@ -5,9 +5,9 @@
 #include "app/editor/dialogs/save_dialog.h"
 #include "app/editor/document/file_memory.h"
 #include "app/editor/panels/measure/stepping_text.h"
+#include "core/exchange/charts/chart_file.h"
 #include "core/exchange/charts/measured_runs_csv.h"
 #include "core/exchange/charts/tradeoff_chart.h"
-#include "core/exchange/image_file.h"
 #include "core/support/atomic_file.h"
 #include "widgets/inputs/enabling.h"
 
@@ -41,13 +41,6 @@ QString titleText(const Tradeoff* tradeoff) {
     return AccuracyView::tr("Every method and step: %1, %2 left out")
         .arg(measured)
         .arg(tradeoff->leftOut.size());
-}
-
-void writeChart(const Drawing& chart, const std::filesystem::path& file) {
-    if (file.extension() == ".svg")
-        writeFileAtomically(file, toSvg(chart));
-    else
-        writePng(toImage(chart), file);
 }
 
 /// Where the user last wrote what others take over, under the document's name.
