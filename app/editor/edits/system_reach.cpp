@@ -44,4 +44,11 @@ void SystemReach::follow(const EditedSystem& edited) {
     emit changed();
 }
 
+QStringList namesOf(const std::vector<const Region*>& regions) {
+    QStringList names;
+    for (const Region* region : regions)
+        names << QString::fromStdString(region->name);
+    return names;
+}
+
 } // namespace esm

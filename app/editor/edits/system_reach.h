@@ -4,6 +4,8 @@
 #include "app/editor/document/selection.h"
 #include "core/authoring/edit_system.h"
 
+#include <QStringList>
+
 #include <functional>
 #include <vector>
 
@@ -47,5 +49,8 @@ private:
     std::optional<RegionId> m_region; ///< that it was decided for, and its system
     std::shared_ptr<const FuzzySystem> m_system;
 };
+
+/// What the regions are called, in their order.
+QStringList namesOf(const std::vector<const Region*>& regions);
 
 } // namespace esm

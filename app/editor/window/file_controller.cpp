@@ -325,10 +325,6 @@ void FileController::offerLeftBehind(Journal& journal) {
     });
 }
 
-QString FileController::suggestedPath(const QString& folder, const QString& ending) const {
-    return QDir(folder).filePath(QFileInfo(m_document.title()).completeBaseName() + ending);
-}
-
 std::optional<std::filesystem::path> FileController::chooseFile(FileKind kind, const QString& title,
                                                                 const QString& filter) {
     const QString file = ask(m_window, [&] {
@@ -367,7 +363,8 @@ bool FileController::saveAs() {
     // Another name for a project that has one: beside it, unless its stick or share is gone.
     const QString folder =
         !beside.isEmpty() && QDir(beside).exists() ? beside : startFolder(FileKind::Project, std::nullopt);
-    const NewFile asked{tr("Save project"), suggestedPath(folder, ending), tr("Projects (*.esm)"), {ending}};
+    const NewFile asked{
+        tr("Save project"), suggestedPath(m_document, folder, ending), tr("Projects (*.esm)"), {ending}};
     const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
     if (!file) return false;
     rememberFolder(FileKind::Project, *file);
@@ -375,15 +372,14 @@ bool FileController::saveAs() {
 }
 
 void FileController::chooseExport() {
-    const QString folder = startFolder(FileKind::Package, m_document.path());
     QStringList filters, endings;
     for (const Exporter& exporter : exporters()) {
         endings.append(QString::fromStdString(exporter.ending));
         filters.append(
             QStringLiteral("%1 (*%2)").arg(QString::fromStdString(exporter.title), endings.back()));
     }
-    const NewFile asked{tr("Export"), suggestedPath(folder, endings.front()),
-                        filters.join(QStringLiteral(";;")), endings};
+    const NewFile asked =
+        fileForOthers(m_document, tr("Export"), filters.join(QStringLiteral(";;")), endings);
     const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
     if (!file) return;
     rememberFolder(FileKind::Package, *file);

@@ -71,7 +71,6 @@ private:
     void write(const std::filesystem::path& file, const std::optional<FileVersion>& replaced);
     std::optional<std::filesystem::path> chooseFile(FileKind kind, const QString& title,
                                                     const QString& filter);
-    QString suggestedPath(const QString& folder, const QString& ending) const;
     std::shared_ptr<const Atlas> atlasForPhotos();
 
     QWidget& m_window;
