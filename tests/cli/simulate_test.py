@@ -131,6 +131,8 @@ class SimulateTest(Case):
         self.assertLessEqual(report["recommended"]["max_error"]["error"], 0.02)
         chart = ElementTree.parse(self.file("chart.SVG")).getroot()
         self.assertGreaterEqual(len(chart.findall("{*}circle")), len(report["runs"]))
+        words = [text.text for text in chart.findall("{*}text")]
+        self.assertEqual([1, 1, 1], [words.count(name) for name in ("viscous split, second order", "single precision", "real time")])
         errors = [run["error"] for run in report["pareto"]]
         self.assertEqual(errors, sorted(errors, reverse=True))
 
