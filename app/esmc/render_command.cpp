@@ -195,7 +195,6 @@ ViewState requestedState(const RenderOptions& options) {
     const Shown named = parseWords(
         options.show, {"surface", "wireframe", "springs", "nodes", "regions", "projectors"}, "--show");
     ViewState state;
-    state.orthographic = options.orthographic;
     state.surface = named.empty() || shows(named, "surface");
     state.wireframe = shows(named, "wireframe");
     state.springs = shows(named, "springs");
@@ -244,7 +243,7 @@ Report runRender(const RenderOptions& options, Context& context) {
     scene.unlit = options.unlit;
     if (!options.motion.empty()) showMotion(subject, project, options);
     if (state.regions) addRegions(scene, subject.regions);
-    const Camera camera = cameraFor(view, state.orthographic, organBox(*scene.mesh, *scene.network),
+    const Camera camera = cameraFor(view, options.orthographic, organBox(*scene.mesh, *scene.network),
                                     static_cast<double>(size.width) / size.height);
     showParts(scene, state, camera);
     const std::optional<ColourLegend> legend = colour(subject, state);

@@ -5,9 +5,9 @@
 #include "app/esmc/runnable_model.h"
 #include "core/authoring/accuracy.h"
 #include "core/authoring/coarser_runs.h"
+#include "core/exchange/charts/chart_file.h"
 #include "core/exchange/charts/measured_runs_csv.h"
 #include "core/exchange/charts/tradeoff_chart.h"
-#include "core/exchange/image_file.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/project/project_file.h"
 #include "core/model/gentle_pull.h"
@@ -32,8 +32,7 @@ struct TradeoffCommandOptions {
 
 CLI::Validator chartEnding() {
     const auto check = [](const std::string& file) -> std::string {
-        const std::string ending = std::filesystem::path(file).extension().string();
-        return ending == ".svg" || ending == ".png" ? "" : "'" + file + "' ends neither in .svg nor in .png";
+        return isChartFile(file) ? "" : "'" + file + "' ends neither in .svg nor in .png";
     };
     return CLI::Validator(check, "");
 }
@@ -141,14 +140,6 @@ std::vector<std::string> tradeoffInText(const Tradeoff& tradeoff, const Tradeoff
     return text;
 }
 
-void drawChart(const Drawing& chart, const std::string& file, Report& report) {
-    if (std::filesystem::path(file).extension() == ".png")
-        writePng(toImage(chart), file);
-    else
-        writeFileAtomically(file, toSvg(chart));
-    addWritten(report, file);
-}
-
 /// Writes the project with the run that is recommended, on the run's nodes, and with all others.
 void saveRecommended(const Tradeoff& tradeoff, const TradeoffCommandOptions& options, const Project& project,
                      const ProjectOutput& output, std::vector<std::string>& warnings, Report& report) {
@@ -225,7 +216,10 @@ Report runTradeoff(const TradeoffCommandOptions& options, Context& context) {
     Report report;
     report.json = tradeoffInJson(tradeoff, model.tissue.mass.size());
     report.text = tradeoffInText(tradeoff, options);
-    if (!options.plot.empty()) drawChart(tradeoffChart(tradeoff, wanted.wishes), options.plot, report);
+    if (!options.plot.empty()) {
+        writeChart(tradeoffChart(tradeoff, wanted.wishes), options.plot);
+        addWritten(report, options.plot);
+    }
     if (!options.table.empty()) {
         writeFileAtomically(options.table, measuredRunsCsv(tradeoff));
         addWritten(report, options.table);

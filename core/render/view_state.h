@@ -5,9 +5,9 @@
 
 namespace esm {
 
-/// How an organ is looked at, wherever from.
+/// What is shown of an organ, wherever it is looked at from and in whatever projection: both are the
+/// camera's.
 struct ViewState {
-    bool orthographic = false;
     bool surface = true, wireframe = false, springs = false, nodes = false, regions = true;
     ColourBy colourBy = ColourBy::Texture;
     std::optional<Cut> cut;

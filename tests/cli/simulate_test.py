@@ -119,7 +119,7 @@ class SimulateTest(Case):
     def test_measures_error_against_cost(self):
         scene = self.file("scene.json", {**TUBE_POKE, "record": {"every": 0.05, "nodes": "all"}})
         report = self.done("tradeoff", self.sample("tube"), "--scene", scene, "--max-error", "0.02", "--max-seconds", "1",
-                           "--plot", self.file("chart.svg"))
+                           "--plot", self.file("chart.SVG"))
         self.assertKeys(report, {"reference": dict, "runs": list, "pareto": list, "recommended": dict, "left_out": list})
         for run in report["runs"]:
             if not run["stable"]:
@@ -129,8 +129,10 @@ class SimulateTest(Case):
             margin = 1 if run["error_is_bound"] else 10
             self.assertGreaterEqual(run["error"], margin * report["reference"]["estimated_error"])
         self.assertLessEqual(report["recommended"]["max_error"]["error"], 0.02)
-        chart = ElementTree.parse(self.file("chart.svg")).getroot()
+        chart = ElementTree.parse(self.file("chart.SVG")).getroot()
         self.assertGreaterEqual(len(chart.findall("{*}circle")), len(report["runs"]))
+        words = [text.text for text in chart.findall("{*}text")]
+        self.assertEqual([1, 1, 1], [words.count(name) for name in ("viscous split, second order", "single precision", "real time")])
         errors = [run["error"] for run in report["pareto"]]
         self.assertEqual(errors, sorted(errors, reverse=True))
 

@@ -18,8 +18,12 @@ QString withShortcut(const QString& toolTip, const QAction* action) {
     return key.isEmpty() ? toolTip : QStringLiteral("%1 (%2)").arg(toolTip, key);
 }
 
+QString withoutMnemonic(const QString& text) {
+    return QString(text).remove('&');
+}
+
 QString plainText(const QAction* action) {
-    return action->text().remove('&').remove(QChar(0x2026));
+    return withoutMnemonic(action->text()).remove(QChar(0x2026));
 }
 
 QString keyOrName(const QAction* action) {

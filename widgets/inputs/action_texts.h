@@ -6,7 +6,9 @@ namespace esm {
 
 /// "Bring the whole organ into view (Home)": a tool tip with the action's key, where it has one.
 QString withShortcut(const QString& toolTip, const QAction* action);
-/// Its text as people read it, without the mark of its letter and the dots of what asks first.
+/// A text as people read it, without the mark of the letter that its key is.
+QString withoutMnemonic(const QString& text);
+/// An action's text as people read it, without the mark of its letter and the dots of what asks first.
 QString plainText(const QAction* action);
 /// By what it is named in a sentence: its key, or where it has none its text in quotation marks.
 QString keyOrName(const QAction* action);

@@ -1,5 +1,7 @@
 #include "widgets/inputs/section.h"
 
+#include "widgets/inputs/action_texts.h"
+
 #include <QEvent>
 
 namespace esm {
@@ -86,7 +88,7 @@ QLabel* ValueRows::captionOf(const QString& caption, QWidget* field) {
     auto* label = new QLabel(caption, this);
     label->setProperty("quiet", true);
     label->setBuddy(field);
-    if (field->accessibleName().isEmpty()) field->setAccessibleName(QString(caption).remove('&'));
+    if (field->accessibleName().isEmpty()) field->setAccessibleName(withoutMnemonic(caption));
     return label;
 }
 

@@ -37,7 +37,7 @@ QLabel* quietLabel(const QString& text, QWidget* parent) {
 void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice, const QString& toolTip) {
     QLabel* label = quietLabel(caption, choice->parentWidget());
     label->setBuddy(choice);
-    choice->setAccessibleName(QString(caption).remove('&'));
+    choice->setAccessibleName(withoutMnemonic(caption));
     choice->setToolTip(toolTip);
     form->addRow(label, choice);
 }

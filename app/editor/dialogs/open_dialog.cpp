@@ -6,10 +6,22 @@
 
 namespace esm {
 
+QString fileName(const std::filesystem::path& file) {
+    return QString::fromStdString(file.filename().string());
+}
+
+QString fileFilter(const QString& name, const std::vector<std::string>& endings) {
+    QStringList patterns;
+    for (const std::string& ending : endings)
+        patterns << QStringLiteral("*.%1").arg(QString::fromStdString(ending));
+    return QStringLiteral("%1 (%2)").arg(name, patterns.join(' '));
+}
+
 std::optional<std::filesystem::path> chooseFile(QWidget* window, const QString& title, FileKind kind,
-                                                const QString& filter) {
+                                                const QString& filter,
+                                                const std::optional<std::filesystem::path>& project) {
     const QString chosen = ask(*window, [&] {
-        return QFileDialog::getOpenFileName(window, title, startFolder(kind, std::nullopt), filter);
+        return QFileDialog::getOpenFileName(window, title, startFolder(kind, project), filter);
     });
     if (chosen.isEmpty()) return std::nullopt;
     const std::filesystem::path file = chosen.toStdString();

@@ -1,5 +1,8 @@
 #include "app/editor/dialogs/save_dialog.h"
 
+#include "app/editor/document/file_memory.h"
+
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -35,6 +38,16 @@ QString withoutEnding(const QString& name, const QStringList& endings) {
 }
 
 } // namespace
+
+QString suggestedPath(const Document& document, const QString& folder, const QString& ending) {
+    return QDir(folder).filePath(QFileInfo(document.title()).completeBaseName() + ending);
+}
+
+NewFile fileForOthers(const Document& document, const QString& title, const QString& filter,
+                      const QStringList& endings) {
+    const QString folder = startFolder(FileKind::Package, document.path());
+    return {title, suggestedPath(document, folder, endings.front()), filter, endings};
+}
 
 std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFile& wanted) {
     QFileDialog dialog(window, wanted.title, QFileInfo(wanted.suggestedPath).path(), wanted.filter);

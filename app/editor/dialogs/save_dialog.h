@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/editor/document/document.h"
+
 #include <QStringList>
 #include <QWidget>
 
@@ -15,6 +17,13 @@ struct NewFile {
     /// ".esm"; of each filter, in the same order. A name that ends in none gets the chosen filter's.
     QStringList endings;
 };
+
+/// A path in a folder, under the document's name.
+QString suggestedPath(const Document& document, const QString& folder, const QString& ending);
+
+/// For what others take over: where the user last wrote such a file, under the document's name.
+NewFile fileForOthers(const Document& document, const QString& title, const QString& filter,
+                      const QStringList& endings);
 
 /// Asks where to write. The name is complete before the question whether an existing file may be replaced,
 /// so that the file asked about is the file written. Nothing when the user gives up.

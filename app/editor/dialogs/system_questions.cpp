@@ -19,13 +19,6 @@ namespace {
 
 constexpr std::size_t mostRulesShown = 5;
 
-QStringList namesOf(const std::vector<const Region*>& regions) {
-    QStringList names;
-    for (const Region* region : regions)
-        names << QString::fromStdString(region->name);
-    return names;
-}
-
 } // namespace
 
 std::optional<std::string> askVariableName(QWidget& window, const QString& title,

@@ -1,6 +1,6 @@
 #include "app/editor/edits/system_reach.h"
 
-#include "app/editor/edits/edit_system.h"
+#include "app/editor/edits/selected_system.h"
 #include "core/authoring/systems.h"
 
 namespace esm {
@@ -42,6 +42,13 @@ void SystemReach::follow(const EditedSystem& edited) {
     m_system = system;
     if (!goesOn || users().size() < 2) m_decided.reset();
     emit changed();
+}
+
+QStringList namesOf(const std::vector<const Region*>& regions) {
+    QStringList names;
+    for (const Region* region : regions)
+        names << QString::fromStdString(region->name);
+    return names;
 }
 
 } // namespace esm

@@ -2,15 +2,14 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "core/authoring/edit_system.h"
+
+#include <QStringList>
 
 #include <functional>
 #include <vector>
 
 namespace esm {
-
-/// What an edit of a fuzzy system changes: the system of every region that uses it, or a copy that the
-/// selected region gets.
-enum class Reach { EveryRegion, CopyForOne };
 
 /// Whether edits of the selected region's fuzzy system may reach other regions: the user is asked once, and
 /// what was answered holds until another region is selected or the region gets another system.
@@ -50,5 +49,8 @@ private:
     std::optional<RegionId> m_region; ///< that it was decided for, and its system
     std::shared_ptr<const FuzzySystem> m_system;
 };
+
+/// What the regions are called, in their order.
+QStringList namesOf(const std::vector<const Region*>& regions);
 
 } // namespace esm

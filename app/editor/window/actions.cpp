@@ -112,11 +112,12 @@ void ActionMaker::makeModelActions() {
     a.fixRegion =
         make(tr("&Fix nodes in region"), {}, tr("Hold the nodes inside the selected region in space"));
     a.freeNodes = make(tr("Free &all fixed nodes"), {}, tr("Let every fixed node go"));
-    a.chooseDetail = make(tr("&Nodes to simulate…"), {}, tr("Simulate fewer nodes under the full surface"));
+    a.chooseDetail = make(tr("&Nodes to simulate…"), {},
+                          tr("Simulate fewer nodes under the full surface, or every vertex"));
     a.addPhoto =
         make(tr("Add &photo…"), QKeySequence("Ctrl+P"), tr("Lay a photo on the organ, from the camera"));
     a.addPaint = make(tr("Add pain&t layer"), QKeySequence("Ctrl+L"),
-                      tr("A layer that is painted on the organ with the brush"));
+                      tr("Add a layer that is painted on the organ with the brush"));
     a.fromCamera = make(tr("Photo from &camera"), QKeySequence(Qt::Key_C),
                         tr("Project the selected photo from where you look"));
 }

@@ -41,39 +41,32 @@ void EditController::connectActions(const Actions& actions) {
 }
 
 void EditController::enable(const Actions& actions) {
+    const auto allow = [](QAction* action, bool on, const QString& why) {
+        esm::enable(action, on, whatItDoes(action), why);
+    };
     const Project& project = m_document.project();
     const Region* region = m_selection.selectedRegion();
-    esm::enable(actions.fixRegion, region && region->ellipsoid,
-                tr("Hold the nodes inside the selected region in space"),
-                tr("Select a region with an ellipsoid first"));
-    esm::enable(actions.duplicateRegion, region && region->ellipsoid, tr("Add a copy of the selected region"),
-                tr("Select a region with an ellipsoid first"));
-    esm::enable(actions.removeRegion, region, tr("Remove the selected region"),
-                tr("The whole organ cannot be removed: select a region first"));
+    const QString noEllipsoid = tr("Select a region with an ellipsoid first");
+    allow(actions.fixRegion, region && region->ellipsoid, noEllipsoid);
+    allow(actions.duplicateRegion, region && region->ellipsoid, noEllipsoid);
+    allow(actions.removeRegion, region, tr("The whole organ cannot be removed: select a region first"));
     const TextureLayer* layer = m_selection.selectedLayer();
-    esm::enable(actions.removePhoto, layer, tr("Remove the selected photo"), tr("No photo is selected"));
-    esm::enable(actions.freeNodes, !project.scene.fixed.empty(), tr("Let every fixed node go"),
-                tr("No node is fixed"));
+    allow(actions.removePhoto, layer, tr("No photo is selected"));
+    allow(actions.freeNodes, !project.scene.fixed.empty(), tr("No node is fixed"));
     const bool texture = actions.texture->isChecked();
-    esm::enable(actions.fromCamera, texture && layer && layer->photo,
-                tr("Project the selected photo from where you look"),
-                !texture ? withKeys(tr("Photos are placed in the workspace Texture ({texture})"), actions)
-                : layer  ? tr("The selected layer has no photo, it is painted")
-                         : tr("No photo is selected"));
-    esm::enable(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
-                tr("Simulate fewer nodes under the full surface, or every vertex"),
-                tr("This model has no surface that fewer nodes could carry"));
+    allow(actions.fromCamera, texture && layer && layer->photo,
+          !texture ? withKeys(tr("Photos are placed in the workspace Texture ({texture})"), actions)
+          : layer  ? tr("The selected layer has no photo, it is painted")
+                   : tr("No photo is selected"));
+    allow(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
+          tr("This model has no surface that fewer nodes could carry"));
     const bool splits = !project.scene.splits.empty();
-    esm::enable(actions.playScene, hasLoads(project.scene) && !splits,
-                tr("Play the scene's forces, led nodes and instruments from rest"),
-                splits
-                    ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
-                    : tr("The scene has no force, led node or instrument: esmc scene stores one"));
+    allow(actions.playScene, hasLoads(project.scene) && !splits,
+          splits ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
+                 : tr("The scene has no force, led node or instrument: esmc scene stores one"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
-    esm::enable(actions.addPhoto, !project.mesh->triangles.empty(),
-                tr("Lay a photo on the organ, from the camera"), noSurface);
-    esm::enable(actions.addPaint, !project.mesh->triangles.empty(),
-                tr("Add a layer that is painted on the organ"), noSurface);
+    allow(actions.addPhoto, !project.mesh->triangles.empty(), noSurface);
+    allow(actions.addPaint, !project.mesh->triangles.empty(), noSurface);
 }
 
 void EditController::renameOrgan() {

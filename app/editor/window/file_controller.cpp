@@ -2,14 +2,13 @@
 
 #include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
-#include "app/editor/dialogs/import_dialog.h"
 #include "app/editor/dialogs/long_work.h"
+#include "app/editor/dialogs/open_dialog.h"
 #include "app/editor/dialogs/save_dialog.h"
-#include "app/editor/edits/photo_edits.h"
 #include "app/editor/window/actions.h"
+#include "app/editor/window/import_controller.h"
+#include "app/editor/window/photo_controller.h"
 #include "app/editor/window/recent_menu.h"
-#include "core/authoring/layers.h"
-#include "core/authoring/packing.h"
 #include "core/exchange/meshes/mesh_file.h"
 #include "core/exchange/project/project_file.h"
 #include "core/exchange/simulators/exporters.h"
@@ -19,9 +18,7 @@
 
 #include <QApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
@@ -45,31 +42,29 @@ QStringList meshEndings() {
     return listOf(meshFileEndings());
 }
 
-QString filter(const QString& name, const QStringList& endings) {
-    return QStringLiteral("%1 (*.%2)").arg(name, endings.join(QStringLiteral(" *.")));
-}
-
 std::filesystem::path toPath(const QString& file) {
     return std::filesystem::path(file.toStdString());
 }
 
-QString fileName(const std::filesystem::path& file) {
-    return QString::fromStdString(file.filename().string());
-}
-
 } // namespace
 
-FileController::FileController(QWidget& window, Document& document, Asked asked)
-    : QObject(&window), m_window(window), m_document(document), m_asked(std::move(asked)) {}
+FileController::FileController(QWidget& window, Document& document, PhotoController& photos,
+                               std::function<EditorState()> editorState)
+    : QObject(&window), m_window(window), m_document(document), m_editorState(std::move(editorState)),
+      m_photos(photos),
+      m_imports(new ImportController(window, document, [this] { return mayLeaveProject(); })) {
+    connect(m_imports, &ImportController::imported, this, [this](const std::filesystem::path& file) {
+        noteOpened(file);
+        emit message(tr("Imported %1").arg(fileName(file)));
+    });
+}
 
 void FileController::connectActions(const Actions& actions) {
     connect(actions.open, &QAction::triggered, this, &FileController::chooseProject);
-    connect(actions.import, &QAction::triggered, this, &FileController::chooseMesh);
+    connect(actions.import, &QAction::triggered, m_imports, &ImportController::chooseMesh);
     connect(actions.save, &QAction::triggered, this, &FileController::save);
     connect(actions.saveAs, &QAction::triggered, this, &FileController::saveAs);
     connect(actions.exportPackage, &QAction::triggered, this, &FileController::chooseExport);
-    connect(actions.addPhoto, &QAction::triggered, this, &FileController::choosePhoto);
-    connect(actions.addPaint, &QAction::triggered, this, &FileController::addPaint);
     m_recent = new RecentMenu(*actions.recent, this);
     connect(m_recent, &RecentMenu::chosen, this, &FileController::openRecent);
     for (const auto& sample : actions.samples) {
@@ -111,8 +106,8 @@ bool FileController::mayLoseUnfinished() {
 void FileController::openAny(const std::filesystem::path& file) {
     const QString ending = QFileInfo(QString::fromStdString(file.string())).suffix().toLower();
     if (ending == QLatin1String("esm")) return openProject(file);
-    if (photoEndings().contains(ending)) return addPhoto(file);
-    if (meshEndings().contains(ending)) return importMesh(file);
+    if (photoEndings().contains(ending)) return m_photos.addPhoto(file);
+    if (meshEndings().contains(ending)) return m_imports->importMesh(file);
     attempt(&m_window, tr("This file cannot be opened"), [&] {
         throw FileError(file, tr("neither a project (.esm), nor a surface (.%1), nor a photo (.%2)")
                                   .arg(meshEndings().join(QStringLiteral(", .")),
@@ -157,84 +152,12 @@ void FileController::openProject(const std::filesystem::path& file) {
     });
 }
 
-void FileController::importMesh(const std::filesystem::path& file) {
-    attempt(&m_window, tr("The surface cannot be imported"), [&] {
-        const QString title = tr("Importing %1").arg(fileName(file));
-        std::shared_ptr<const PolygonSoup> soup;
-        std::shared_ptr<const ImportedSurface> found;
-        runLongWork(
-            &m_window, title,
-            [&](const Progress& progress) {
-                ProgressParts parts(progress);
-                soup = std::make_shared<const PolygonSoup>(readMeshFile(file, parts.next(0.5)));
-                found = std::make_shared<const ImportedSurface>(importedSurface(*soup, {}, parts.rest()));
-            },
-            Cancelling::Offered);
-        ImportDialog dialog(fileName(file), soup, found, &m_window);
-        const int answer = ask(m_window, [&] { return dialog.exec(); });
-        runLongWork(&m_window, title, [&](const Progress&) { dialog.stopWork(); });
-        if (answer != QDialog::Accepted || !mayLeaveProject()) return;
-        const ImportChoice choice = dialog.choice();
-        Project project = computeLong(
-            &m_window, title,
-            [&](const Progress& progress) {
-                ProgressParts parts(progress);
-                PolygonSoup metres = *soup;
-                convertToMetres(metres, choice.unit, choice.up);
-                RepairedMesh mesh = repair(metres, repairOptions(choice), parts.next(0.5));
-                return makeProject(file.stem().string(), std::move(mesh), std::nullopt, choice.detail,
-                                   parts.rest());
-            },
-            Cancelling::Offered);
-        m_document.replace(std::move(project), std::nullopt, Origin::Unsaved);
-        noteOpened(file);
-        emit message(tr("Imported %1").arg(fileName(file)));
-    });
-}
-
 bool FileController::openSample(const std::string& name) {
     return mayLeaveProject() && attempt(&m_window, tr("The sample cannot be made"), [&] {
                m_document.replace(computeLong(&m_window, tr("Making the sample"),
                                               [&](const Progress&) { return makeSample(name); }),
                                   std::nullopt);
            });
-}
-
-std::shared_ptr<const Atlas> FileController::atlasForPhotos() {
-    const Project project = m_document.project();
-    if (project.mesh->triangles.empty())
-        throw InvalidModel(tr("This model has no surface to lay a photo on.").toStdString());
-    if (project.atlas) return project.atlas;
-    return std::make_shared<const Atlas>(computeLong(
-        &m_window, tr("Packing the texture"),
-        [&](const Progress& progress) { return packFitting(*project.mesh, project.texture.atlas, progress); },
-        Cancelling::Offered));
-}
-
-void FileController::addPhoto(const std::filesystem::path& file) {
-    attempt(&m_window, tr("The photo cannot be added"), [&] {
-        auto photo = computeLong(
-            &m_window, tr("Reading %1").arg(fileName(file)),
-            [&](const Progress& progress) { return loadPhoto(file, progress); }, Cancelling::Offered);
-        const auto atlas = atlasForPhotos();
-        const Projector projector =
-            projectorFromCamera(m_asked.camera(), photo->image, *m_document.project().mesh);
-        const LayerId added = m_document.newLayerId();
-        m_document.edit(tr("Add photo"),
-                        [&](Project& project) { esm::addPhoto(project, added, photo, projector, atlas); });
-        emit photoAdded();
-        emit message(tr("Added %1").arg(fileName(file)));
-    });
-}
-
-void FileController::addPaint() {
-    attempt(&m_window, tr("The layer cannot be added"), [&] {
-        const auto atlas = atlasForPhotos();
-        const LayerId added = m_document.newLayerId();
-        m_document.edit(tr("Add paint layer"),
-                        [&](Project& project) { addPaintLayer(project, added, atlas); });
-        emit paintAdded();
-    });
 }
 
 bool FileController::saveTo(const std::filesystem::path& file) {
@@ -259,7 +182,7 @@ bool FileController::mayReplaceChanged(const std::filesystem::path& file) {
 
 /// @param replaced the file that the user knows will go
 void FileController::write(const std::filesystem::path& file, const std::optional<FileVersion>& replaced) {
-    m_document.keepEditorState(m_asked.editorState());
+    m_document.keepEditorState(m_editorState());
     const Project project = m_document.project();
     std::optional<FileVersion> written;
     runLongWork(
@@ -293,67 +216,10 @@ void FileController::exportTo(const std::filesystem::path& file) {
     });
 }
 
-void FileController::offerLeftBehind(Journal& journal) {
-    std::vector<LeftBehind> found;
-    // Journals may be long. Those that nobody waits for are offered at the next start.
-    attempt(&m_window, tr("Unsaved work cannot be looked for"), [&] {
-        found = computeLong(
-            &m_window, tr("Looking for unsaved work"),
-            [&](const Progress& progress) { return journal.leftBehind(progress); }, Cancelling::Offered);
-    });
-    if (found.empty()) return;
-    LeftBehind& latest = found.front();
-    const QString title = latest.former.title.isEmpty() ? tr("an organ") : latest.former.title;
-    QMessageBox box(QMessageBox::Question, tr("Unsaved work"), tr("Bring back the unsaved work?"),
-                    QMessageBox::Discard, &m_window);
-    box.setObjectName(QStringLiteral("leftBehindBox"));
-    box.setInformativeText(tr("The program ended without saving %1. It was last changed on %2.")
-                               .arg(title, QLocale().toString(latest.written, QLocale::ShortFormat)));
-    QPushButton* restore = box.addButton(tr("&Bring back"), QMessageBox::AcceptRole);
-    box.setDefaultButton(restore);
-    ask(m_window, [&] { return box.exec(); });
-    if (box.clickedButton() == box.button(QMessageBox::Discard)) return discard(latest);
-    if (box.clickedButton() != restore) return;
-    attempt(&m_window, tr("The unsaved work cannot be read"), [&] {
-        const BroughtBack back = computeLong(
-            &m_window, tr("Bringing back the unsaved work"),
-            [&](const Progress& progress) { return bringBack(latest, progress); }, Cancelling::Offered);
-        m_document.restore(back.state);
-        journal.takeOver(std::move(latest));
-        emit broughtBack(back.view);
-        tell(&m_window, tr("The work was brought back, but something is wrong with it"), back.warnings);
-    });
-}
-
-QString FileController::suggestedPath(const QString& folder, const QString& ending) const {
-    return QDir(folder).filePath(QFileInfo(m_document.title()).completeBaseName() + ending);
-}
-
-std::optional<std::filesystem::path> FileController::chooseFile(FileKind kind, const QString& title,
-                                                                const QString& filter) {
-    const QString file = ask(m_window, [&] {
-        return QFileDialog::getOpenFileName(&m_window, title, startFolder(kind, m_document.path()), filter);
-    });
-    if (file.isEmpty()) return std::nullopt;
-    rememberFolder(kind, toPath(file));
-    return toPath(file);
-}
-
 void FileController::chooseProject() {
-    const auto file = chooseFile(FileKind::Project, tr("Open project"), tr("Projects (*.esm)"));
+    const auto file = chooseFile(&m_window, tr("Open project"), FileKind::Project, tr("Projects (*.esm)"),
+                                 m_document.path());
     if (file) openProject(*file);
-}
-
-void FileController::chooseMesh() {
-    const auto file = chooseFile(FileKind::Mesh, tr("Import organ surface"),
-                                 filter(tr("Surfaces"), meshEndings()) + tr(";;All files (*)"));
-    if (file) importMesh(*file);
-}
-
-void FileController::choosePhoto() {
-    const auto file = chooseFile(FileKind::Photo, tr("Add photo"),
-                                 filter(tr("Photos"), photoEndings()) + tr(";;All files (*)"));
-    if (file) addPhoto(*file);
 }
 
 bool FileController::save() {
@@ -367,7 +233,8 @@ bool FileController::saveAs() {
     // Another name for a project that has one: beside it, unless its stick or share is gone.
     const QString folder =
         !beside.isEmpty() && QDir(beside).exists() ? beside : startFolder(FileKind::Project, std::nullopt);
-    const NewFile asked{tr("Save project"), suggestedPath(folder, ending), tr("Projects (*.esm)"), {ending}};
+    const NewFile asked{
+        tr("Save project"), suggestedPath(m_document, folder, ending), tr("Projects (*.esm)"), {ending}};
     const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
     if (!file) return false;
     rememberFolder(FileKind::Project, *file);
@@ -375,15 +242,14 @@ bool FileController::saveAs() {
 }
 
 void FileController::chooseExport() {
-    const QString folder = startFolder(FileKind::Package, m_document.path());
     QStringList filters, endings;
     for (const Exporter& exporter : exporters()) {
         endings.append(QString::fromStdString(exporter.ending));
         filters.append(
             QStringLiteral("%1 (*%2)").arg(QString::fromStdString(exporter.title), endings.back()));
     }
-    const NewFile asked{tr("Export"), suggestedPath(folder, endings.front()),
-                        filters.join(QStringLiteral(";;")), endings};
+    const NewFile asked =
+        fileForOthers(m_document, tr("Export"), filters.join(QStringLiteral(";;")), endings);
     const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
     if (!file) return;
     rememberFolder(FileKind::Package, *file);

@@ -1,29 +1,27 @@
 #pragma once
 
 #include "app/editor/document/document.h"
-#include "app/editor/document/file_memory.h"
-#include "app/editor/document/journal.h"
-#include "core/render/camera.h"
 
 #include <QObject>
 #include <QWidget>
 
+#include <functional>
+
 namespace esm {
 
 struct Actions;
+class ImportController;
+class PhotoController;
 class RecentMenu;
 
-/// Opens, imports, saves, hands over and adds photos: what the window does with files.
+/// Opens and saves projects and hands them over. Files that become something else go to who takes them.
 class FileController : public QObject {
     Q_OBJECT
 
 public:
-    /// What is asked of the window.
-    struct Asked {
-        std::function<Camera()> camera;           ///< where the user looks from, for new photos
-        std::function<EditorState()> editorState; ///< to be saved
-    };
-    FileController(QWidget& window, Document& document, Asked asked);
+    /// @param editorState what is saved of the window
+    FileController(QWidget& window, Document& document, PhotoController& photos,
+                   std::function<EditorState()> editorState);
 
     void connectActions(const Actions& actions);
 
@@ -32,18 +30,13 @@ public:
     /// One after the other.
     void openAll(const std::vector<std::filesystem::path>& files);
     void openProject(const std::filesystem::path& file);
-    void importMesh(const std::filesystem::path& file);
     /// Whether it was opened.
     bool openSample(const std::string& name);
     /// One that was opened before, and may be gone.
     void openRecent(const QString& file);
-    void addPhoto(const std::filesystem::path& file);
-    void addPaint();
     bool saveTo(const std::filesystem::path& file);
     /// In the format that the file's ending says; the first there is where it says none.
     void exportTo(const std::filesystem::path& file);
-    /// Offers the latest unsaved work that a sudden end of the program left behind.
-    void offerLeftBehind(Journal& journal);
 
     /// True when nothing would be lost: nothing is unsaved, it was saved now, or the user gives it up.
     bool mayLeaveProject();
@@ -52,15 +45,9 @@ signals:
     void message(const QString& text);
     /// A simulator can read this file now.
     void exported(const QString& file);
-    void photoAdded();
-    void paintAdded();
-    /// Unsaved work came back; what the window showed of it.
-    void broughtBack(const esm::JournalView& view);
 
 private:
     void chooseProject();
-    void chooseMesh();
-    void choosePhoto();
     bool save();
     bool saveAs();
     void chooseExport();
@@ -69,14 +56,12 @@ private:
     void noteOpened(const std::filesystem::path& file);
     bool mayReplaceChanged(const std::filesystem::path& file);
     void write(const std::filesystem::path& file, const std::optional<FileVersion>& replaced);
-    std::optional<std::filesystem::path> chooseFile(FileKind kind, const QString& title,
-                                                    const QString& filter);
-    QString suggestedPath(const QString& folder, const QString& ending) const;
-    std::shared_ptr<const Atlas> atlasForPhotos();
 
     QWidget& m_window;
     Document& m_document;
-    Asked m_asked;
+    std::function<EditorState()> m_editorState;
+    PhotoController& m_photos;
+    ImportController* m_imports;
     RecentMenu* m_recent = nullptr;
 };
 

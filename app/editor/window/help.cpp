@@ -28,13 +28,8 @@ QString title(const QString& text) {
         .arg(text.toHtmlEscaped());
 }
 
-QString keysOf(const QAction* action) {
-    return QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText)
-        .replace(QStringLiteral("; "), QStringLiteral(", "));
-}
-
 QString rowOf(const ShortcutRow& entry) {
-    const QString keys = keysOf(entry.action);
+    const QString keys = shownKeys(entry.action->shortcuts());
     return keys.isEmpty() ? QString() : row(keys, entry.name);
 }
 
@@ -60,12 +55,15 @@ QString markRows() {
            row(QObject::tr("Page Up, Page Down"), QObject::tr("Turn the wheel at the mark"));
 }
 
+QString toolRow(const QAction* tool, const QString& use) {
+    return row(shownKeys(tool->shortcuts()), QObject::tr("%1: %2").arg(plainText(tool), use));
+}
+
 QString toolRows(const Actions& a) {
     QString rows;
     for (const ToolRow& tool : toolTable())
-        rows += row(keysOf(a.tool(tool.name)),
-                    QObject::tr("%1: %2").arg(QString(tool.text).remove('&'), tool.use));
-    return rows + row(keysOf(a.letGo), plainText(a.letGo));
+        rows += toolRow(a.tool(tool.name), tool.use);
+    return rows + row(shownKeys(a.letGo->shortcuts()), plainText(a.letGo));
 }
 
 QString fieldRows() {

@@ -22,7 +22,7 @@ QPushButton* pushButton(QAction* action, QWidget* parent) {
     // A click leaves the keys where they were.
     button->setFocusPolicy(Qt::TabFocus);
     const auto follow = [button, action] {
-        button->setText(action->text().remove('&').remove(QChar(0x2026)));
+        button->setText(plainText(action));
         button->setToolTip(action->toolTip());
         button->setEnabled(action->isEnabled());
         button->setChecked(action->isChecked());

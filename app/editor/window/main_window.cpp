@@ -7,6 +7,7 @@
 #include "app/editor/window/help.h"
 #include "app/editor/window/history_window.h"
 #include "app/editor/window/layout.h"
+#include "app/editor/window/recovery.h"
 #include "app/editor/window/scene_note.h"
 #include "app/editor/window/shortcut_controller.h"
 #include "app/editor/window/shortcuts.h"
@@ -49,31 +50,13 @@ MainWindow::MainWindow(Project project)
       m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
       m_cameraControls(new CameraControls(*m_view, *m_document, *m_selection)) {
     m_workspaces = new Workspaces(*this, m_actions);
-    const auto editorState = [this] {
-        return EditorState{m_workspaces->chosen(), m_preview->status().playing};
-    };
-    m_files = new FileController(*this, *m_document, {[this] { return m_view->camera(); }, editorState});
-    m_edits = new EditController(*this, *m_document, *m_selection, *m_view);
-    m_device = new DeviceController(*m_view, *m_document, *m_selection,
-                                    *new MotionDevice(MotionDevice::serviceSocket(), this));
-    m_journal = new Journal(*m_document, *m_selection, recoveryFolder(), this);
-    m_play = new PlayController(*this, *m_preview);
     m_status = new StatusLine(*statusBar());
     m_slowMotion = new SlowMotion(*m_view, *m_document);
-    m_title = new QLabel(menuBar());
-    m_title->setObjectName(QStringLiteral("documentName"));
-    menuBar()->setCornerWidget(m_title, Qt::TopRightCorner);
-
     m_accuracy = new SpeedAndAccuracy(*m_document, *m_preview, this);
-    m_pages = new QStackedWidget(this);
-    m_pages->addWidget(stacked(buildViews()));
-    setCentralWidget(m_pages);
-    buildMenus(*this, m_actions);
-    buildTopBar(*this, m_actions, m_tools->makeOptions(ToolOptions::Bar));
-    buildToolStrip(*this, m_actions);
-    addColumns(*m_workspaces, {*m_document, *m_selection, *m_preparations, *m_preview, *m_landmarking,
-                               *m_accuracy, *m_tools, m_actions, [this] { showLargePhoto(); }});
+    makeControllers();
+    buildWindow();
     connectParts();
+    connectStatusLine();
     connectStart();
     m_workspaces->show();
     keepControlKeys(*this);
@@ -84,6 +67,32 @@ MainWindow::MainWindow(Project project)
     showTitle();
     noteScene();
     m_play->showAlive();
+}
+
+void MainWindow::makeControllers() {
+    m_photos = new PhotoController(*this, *m_document, [this] { return m_view->camera(); });
+    m_files = new FileController(*this, *m_document, *m_photos, [this] {
+        return EditorState{m_workspaces->chosen(), m_preview->status().playing};
+    });
+    m_edits = new EditController(*this, *m_document, *m_selection, *m_view);
+    m_device = new DeviceController(*m_view, *m_document, *m_selection,
+                                    *new MotionDevice(MotionDevice::serviceSocket(), this));
+    m_journal = new Journal(*m_document, *m_selection, recoveryFolder(), this);
+    m_play = new PlayController(*this, *m_preview);
+}
+
+void MainWindow::buildWindow() {
+    m_title = new QLabel(menuBar());
+    m_title->setObjectName(QStringLiteral("documentName"));
+    menuBar()->setCornerWidget(m_title, Qt::TopRightCorner);
+    m_pages = new QStackedWidget(this);
+    m_pages->addWidget(stacked(buildViews()));
+    setCentralWidget(m_pages);
+    buildMenus(*this, m_actions);
+    buildTopBar(*this, m_actions, m_tools->makeOptions(ToolOptions::Bar));
+    buildToolStrip(*this, m_actions);
+    addColumns(*m_workspaces, {*m_document, *m_selection, *m_preparations, *m_preview, *m_landmarking,
+                               *m_accuracy, *m_tools, m_actions, [this] { showLargePhoto(); }});
 }
 
 MainWindow::~MainWindow() {
@@ -123,44 +132,21 @@ void MainWindow::connectParts() {
             [this, bar] { m_viewController->setCut(bar->cut()); });
     m_tools->connectActions(m_actions);
     m_files->connectActions(m_actions);
+    m_photos->connectActions(m_actions);
     m_edits->connectActions(m_actions);
     m_play->connectActions(m_actions);
     m_device->connectActions(m_actions);
     m_shortcuts = new ShortcutController(*this, m_actions);
-    connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);
-    connect(m_view, &OrganView::drawn, m_status, &StatusLine::countPicture);
-    connect(m_cameraControls, &CameraControls::message, m_status, &StatusLine::showMessage);
-    connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
-    connect(m_viewController, &ViewController::redrawing, m_status, &StatusLine::showWork);
-    connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
-    connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
-    connect(m_files, &FileController::broughtBack, this, &MainWindow::showAgain);
-    connect(m_journal, &Journal::failed, m_status, &StatusLine::showJournalFailure);
-    connect(m_journal, &Journal::message, m_status, &StatusLine::showMessage);
-    connect(m_files, &FileController::photoAdded, m_actions.texture, &QAction::trigger);
-    connect(m_tools, &ToolController::message, m_status, &StatusLine::showMessage);
-    connect(m_files, &FileController::paintAdded, m_actions.texture, &QAction::trigger);
-    connect(m_files, &FileController::paintAdded, m_actions.tool(QStringLiteral("brush")), &QAction::trigger);
+    connect(m_photos, &PhotoController::photoAdded, m_actions.texture, &QAction::trigger);
+    connect(m_photos, &PhotoController::paintAdded, m_actions.texture, &QAction::trigger);
+    connect(m_photos, &PhotoController::paintAdded, m_actions.tool(QStringLiteral("brush")),
+            &QAction::trigger);
     connect(m_edits, &EditController::regionAdded, m_actions.tissue, &QAction::trigger);
     connect(m_edits, &EditController::regionAdded, m_actions.tool(QStringLiteral("region")),
             &QAction::trigger);
-    const auto showStatus = [this] {
-        const PreviewStatus status = m_preview->status();
-        m_status->showStatus(status);
-        m_slowMotion->showStatus(status);
-    };
     connect(m_slowMotion, &SlowMotion::fewerNodesAsked, m_edits, &EditController::simulateNodes);
-    connect(m_preview, &Preview::statusChanged, m_status, showStatus);
-    auto* slow = new QTimer(this);
-    connect(slow, &QTimer::timeout, m_status, showStatus);
-    slow->start(500);
     connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
-    connect(m_document, &Document::changed, this, [this](const Change& change) {
-        if (change.name) showTitle();
-        if (change.mesh) m_showsGreeting = false;
-        if (change.scene) noteScene();
-        if (change.mesh) m_play->endGentleMotion(); // an organ of the user's own rests until it is touched
-    });
+    connect(m_document, &Document::changed, this, &MainWindow::followDocument);
     connect(m_actions.history, &QAction::triggered, this, &MainWindow::showHistory);
     connect(m_workspaces, &Workspaces::shown, m_journal,
             [this](Workspace workspace) { m_journal->setWorkspace(wordOf(workspace)); });
@@ -170,6 +156,40 @@ void MainWindow::connectParts() {
     connect(m_actions.lightTheme, &QAction::toggled, this, &MainWindow::setTheme);
     connect(m_actions.keys, &QAction::triggered, this, [this] { showKeys(this, m_actions); });
     connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(this); });
+}
+
+void MainWindow::followDocument(const Change& change) {
+    if (change.name) showTitle();
+    if (change.mesh) m_showsGreeting = false;
+    if (change.scene) noteScene();
+    if (change.mesh) m_play->endGentleMotion(); // an organ of the user's own rests until it is touched
+}
+
+void MainWindow::connectStatusLine() {
+    connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
+    connect(m_photos, &PhotoController::message, m_status, &StatusLine::showMessage);
+    connect(m_tools, &ToolController::message, m_status, &StatusLine::showMessage);
+    connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);
+    connect(m_cameraControls, &CameraControls::message, m_status, &StatusLine::showMessage);
+    connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
+    connect(m_viewController, &ViewController::redrawing, m_status, &StatusLine::showWork);
+    connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
+    connect(m_journal, &Journal::message, m_status, &StatusLine::showMessage);
+    connect(m_journal, &Journal::failed, m_status, &StatusLine::showJournalFailure);
+    connect(m_view, &OrganView::drawn, m_status, &StatusLine::countPicture);
+    const auto showStatus = [this] {
+        const PreviewStatus status = m_preview->status();
+        m_status->showStatus(status);
+        m_slowMotion->showStatus(status);
+    };
+    connect(m_preview, &Preview::statusChanged, m_status, showStatus);
+    auto* slow = new QTimer(this);
+    connect(slow, &QTimer::timeout, m_status, showStatus);
+    slow->start(500);
+}
+
+void MainWindow::offerLeftBehind(Journal& journal) {
+    if (const auto view = esm::offerLeftBehind(*this, *m_document, journal)) showAgain(*view);
 }
 
 void MainWindow::showAgain(const JournalView& view) {
@@ -247,7 +267,7 @@ void MainWindow::start(const std::vector<std::filesystem::path>& files) {
     m_start->show();
     m_preview->setPlaying(false);
     QTimer::singleShot(0, this, [this, files] {
-        m_files->offerLeftBehind(*m_journal);
+        offerLeftBehind(*m_journal);
         openFiles(files);
     });
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "app/editor/document/document.h"
-#include "app/editor/document/selection.h"
+#include "app/editor/document/journal.h"
 #include "app/editor/edits/preparation_edits.h"
 #include "app/editor/panels/measure/speed_and_accuracy.h"
 #include "app/editor/window/actions.h"
@@ -9,6 +8,7 @@
 #include "app/editor/window/device_controller.h"
 #include "app/editor/window/edit_controller.h"
 #include "app/editor/window/file_controller.h"
+#include "app/editor/window/photo_controller.h"
 #include "app/editor/window/play_controller.h"
 #include "app/editor/window/slow_motion.h"
 #include "app/editor/window/start_controller.h"
@@ -46,6 +46,9 @@ public:
     OrganView& view() { return *m_view; }
     const Actions& windowActions() const { return m_actions; }
 
+    /// Offers the latest unsaved work that a sudden end of the program left behind, and shows it as it was.
+    void offerLeftBehind(Journal& journal);
+
     /// Opens projects, imports meshes and adds photos, by the files' endings and one after the other.
     void openFiles(const std::vector<std::filesystem::path>& files) { m_files->openAll(files); }
 
@@ -56,9 +59,13 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    void makeControllers();
+    void buildWindow();
     std::vector<QWidget*> buildViews();
     void showLargePhoto();
     void connectParts();
+    void connectStatusLine();
+    void followDocument(const Change& change);
     void connectStart();
     void showAsLeft();
     void showHistory();
@@ -78,6 +85,7 @@ private:
     ToolController* m_tools;
     ViewController* m_viewController;
     CameraControls* m_cameraControls;
+    PhotoController* m_photos;
     FileController* m_files;
     Journal* m_journal;
     EditController* m_edits;

@@ -122,6 +122,11 @@ std::vector<ShortcutRow> shortcutRows(const Actions& a) {
     return rows.rows();
 }
 
+QString shownKeys(const QList<QKeySequence>& keys) {
+    return QKeySequence::listToString(keys, QKeySequence::NativeText)
+        .replace(QStringLiteral("; "), QStringLiteral(", "));
+}
+
 ShortcutKeys keysOf(const std::vector<ShortcutRow>& rows) {
     ShortcutKeys keys;
     for (const ShortcutRow& row : rows)

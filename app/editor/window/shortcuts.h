@@ -24,6 +24,9 @@ std::vector<ShortcutRow> shortcutRows(const Actions& actions);
 /// The keys of each action, by its id; the first is the one that tool tips say.
 using ShortcutKeys = std::map<QString, QList<QKeySequence>>;
 
+/// "Ctrl+Shift+Z, Ctrl+Y", as people read keys.
+QString shownKeys(const QList<QKeySequence>& keys);
+
 ShortcutKeys keysOf(const std::vector<ShortcutRow>& rows);
 /// Tool tips, menus and buttons follow.
 void giveKeys(const std::vector<ShortcutRow>& rows, const ShortcutKeys& keys);

@@ -16,11 +16,6 @@ namespace {
 
 constexpr int placeRole = Qt::UserRole; ///< of a row among all
 
-QString shownKeys(const QList<QKeySequence>& keys) {
-    return QKeySequence::listToString(keys, QKeySequence::NativeText)
-        .replace(QStringLiteral("; "), QStringLiteral(", "));
-}
-
 QString shownKey(const QKeySequence& key) {
     return key.toString(QKeySequence::NativeText);
 }

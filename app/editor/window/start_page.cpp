@@ -45,7 +45,7 @@ QPushButton* entry(const QString& text, const QString& explanation) {
 }
 
 QPushButton* entry(QAction* action) {
-    const QString text = action->text().remove('&');
+    const QString text = withoutMnemonic(action->text());
     QPushButton* button = entry(text, whatItDoes(action));
     const auto follow = [button, action] { button->setToolTip(action->toolTip()); };
     QObject::connect(action, &QAction::changed, button, follow);
@@ -110,7 +110,7 @@ QWidget* StartPage::waysToBegin(const Actions& actions) {
     column->addWidget(heading(tr("Samples")));
     auto* samples = new QHBoxLayout;
     for (const auto& sample : actions.samples) {
-        auto* button = new QPushButton(sample.second->text().remove('&'));
+        auto* button = new QPushButton(plainText(sample.second));
         button->setToolTip(sample.second->toolTip());
         connect(button, &QPushButton::clicked, sample.second, &QAction::trigger);
         samples->addWidget(button);

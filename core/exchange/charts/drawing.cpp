@@ -28,6 +28,13 @@ const char* svgAnchor(Drawing::Anchor anchor) {
     }
 }
 
+std::string escaped(const std::string& words) {
+    std::string text;
+    for (const char c : words)
+        text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+    return text;
+}
+
 cv::Scalar pixelColour(const Drawing::Colour& colour) {
     return {double(colour[0]), double(colour[1]), double(colour[2]), 255};
 }
@@ -62,7 +69,7 @@ std::string toSvg(const Drawing& drawing) {
              << (filled ? colourText(colour) : "none") << "\" stroke=\"" << colourText(colour) << "\"/>\n";
     for (const auto& [place, words, anchor] : drawing.labels)
         text << "<text x=\"" << place.x << "\" y=\"" << place.y << "\" text-anchor=\"" << svgAnchor(anchor)
-             << "\">" << words << "</text>\n";
+             << "\">" << escaped(words) << "</text>\n";
     text << "</svg>\n";
     return text.str();
 }

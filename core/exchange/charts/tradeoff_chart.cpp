@@ -11,8 +11,9 @@ namespace {
 
 using Place = Drawing::Place;
 
-constexpr int pictureWidth = 900, pictureHeight = 600;
+constexpr int pictureWidth = 1000, pictureHeight = 600; ///< room for the longest name at the right
 constexpr double left = 80, right = 740, top = 30, bottom = 540;
+constexpr double legendText = right + 38;
 constexpr double dotRadius = 4, coarserRadius = 2.5, lineHeight = 18;
 constexpr Drawing::Colour gridColour{225, 225, 225}, frontColour{60, 60, 60};
 
@@ -30,6 +31,7 @@ Drawing::Colour colourOf(Integrator integrator) {
 }
 
 constexpr double mostDecades = 20; ///< to either side of 1
+constexpr int mostLabels = 10;     ///< of an axis
 
 /// Whole decades from the lowest value to the highest. What is beyond all measure lies at the edge.
 class LogAxis {
@@ -43,6 +45,8 @@ public:
 
     int low() const { return m_low; }
     int high() const { return std::max(m_high, m_low + 1); }
+    /// From one label to the next, so that none runs into another.
+    int decadesApart() const { return 1 + (high() - low()) / mostLabels; }
 
     /// In pixels.
     double operator()(double value) const {
@@ -92,12 +96,12 @@ private:
     }
 
     void drawGrid() {
-        for (int decade = m_speed.low(); decade <= m_speed.high(); ++decade) {
+        for (int decade = m_speed.low(); decade <= m_speed.high(); decade += m_speed.decadesApart()) {
             const double x = m_speed(std::pow(10, decade));
             m_drawing.lines.push_back({{x, top}, {x, bottom}, gridColour});
             m_drawing.labels.push_back({{x, bottom + lineHeight}, nameOf(decade), Drawing::Anchor::Middle});
         }
-        for (int decade = m_error.low(); decade <= m_error.high(); ++decade) {
+        for (int decade = m_error.low(); decade <= m_error.high(); decade += m_error.decadesApart()) {
             const double y = m_error(std::pow(10, decade));
             m_drawing.lines.push_back({{left, y}, {right, y}, gridColour});
             m_drawing.labels.push_back({{left - 6, y + 4}, nameOf(decade), Drawing::Anchor::End});
@@ -110,7 +114,8 @@ private:
 
     /// A power of ten, in full where it is short.
     static std::string nameOf(int decade) {
-        return std::abs(decade) <= 5 ? roundedText(std::pow(10, decade)) : "1e" + std::to_string(decade);
+        return decade >= -4 && decade <= 5 ? roundedText(std::pow(10, decade))
+                                           : "1e" + std::to_string(decade);
     }
 
     void drawWishes() {
@@ -145,28 +150,33 @@ private:
                 {placeOf(m_tradeoff.runs[*recommended]), style.ringRadius, style.colour, false});
     }
 
+    template<class Condition> bool isAnyRun(const Condition& condition) const {
+        return std::any_of(m_tradeoff.runs.begin(), m_tradeoff.runs.end(), condition);
+    }
+
+    static std::string speedText(double realTimeFactor) {
+        return realTimeFactor == 1 ? "real time" : roundedText(realTimeFactor) + " times real time";
+    }
+
     void drawLegend() {
         double y = top + lineHeight;
         const auto explain = [&](const Drawing::Dot& dot, const std::string& text) {
             m_drawing.dots.push_back({{right + 20, y - 4}, dot.radius, dot.colour, dot.filled});
-            m_drawing.labels.push_back({{right + 34, y}, text});
+            m_drawing.labels.push_back({{legendText, y}, text});
             y += lineHeight;
         };
-        for (const Integrator integrator : allIntegrators) {
-            const auto isOf = [&](const TradeoffRun& run) { return run.stepping.integrator == integrator; };
-            if (std::any_of(m_tradeoff.runs.begin(), m_tradeoff.runs.end(), isOf))
-                explain({{}, dotRadius, colourOf(integrator)}, integratorName(integrator));
-        }
-        explain({{}, dotRadius, frontColour, false}, "in float");
-        const auto isCoarser = [](const TradeoffRun& run) { return run.coarser.has_value(); };
-        if (std::any_of(m_tradeoff.runs.begin(), m_tradeoff.runs.end(), isCoarser))
+        for (const Integrator integrator : allIntegrators)
+            if (isAnyRun([&](const TradeoffRun& run) { return run.stepping.integrator == integrator; }))
+                explain({{}, dotRadius, colourOf(integrator)}, traitsOf(integrator).title);
+        explain({{}, dotRadius, frontColour, false}, "single precision");
+        if (isAnyRun([](const TradeoffRun& run) { return run.coarser.has_value(); }))
             explain({{}, coarserRadius, frontColour}, "on fewer nodes");
         y += lineHeight / 2;
-        explain({{}, realTimeStyle.ringRadius, realTimeStyle.colour, false}, "least error at");
-        m_drawing.labels.push_back({{right + 34, y}, roundedText(m_wishes.realTimeFactor) + "x real time"});
+        explain({{}, realTimeStyle.ringRadius, realTimeStyle.colour, false}, "least error in");
+        m_drawing.labels.push_back({{legendText, y}, speedText(m_wishes.realTimeFactor)});
         y += 1.5 * lineHeight;
         explain({{}, errorStyle.ringRadius, errorStyle.colour, false}, "fastest within");
-        m_drawing.labels.push_back({{right + 34, y}, roundedText(100 * m_wishes.mostError) + " % error"});
+        m_drawing.labels.push_back({{legendText, y}, roundedText(100 * m_wishes.mostError) + " % error"});
     }
 
     const Tradeoff& m_tradeoff;

@@ -5,9 +5,9 @@
 
 namespace esm {
 
-/// Error over wall time per simulated second, both logarithmic: one dot for each stable run, filled for
-/// double precision, a line through those that none beats, rings around the recommended ones, lines at the
-/// wishes.
+/// Error over speed, both logarithmic: one dot for each stable run, hollow for single precision, a line
+/// through those that none beats, rings around the recommended ones, lines at the wishes. What has no place
+/// on a logarithmic axis is left out. Methods are called by their titles.
 Drawing tradeoffChart(const Tradeoff& tradeoff, const TradeoffWishes& wishes);
 
 } // namespace esm

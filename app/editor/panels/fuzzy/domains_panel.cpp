@@ -1,7 +1,7 @@
 #include "app/editor/panels/fuzzy/domains_panel.h"
 
 #include "app/editor/dialogs/system_questions.h"
-#include "app/editor/edits/edit_system.h"
+#include "app/editor/edits/selected_system.h"
 #include "core/support/errors.h"
 #include "widgets/fuzzy/term_scale.h"
 #include "widgets/inputs/number_text.h"
@@ -251,7 +251,7 @@ bool DomainsPanel::edit(const QString& text, const SystemEdit& change, EditKind 
         text,
         [&](Project& project, Reach reach) {
             const RegionId region = *m_selection.region();
-            editSystem(project, region, change(*partOf(project.regions, region).system), reach);
+            editSystem(project, region, change(*partOf(project.regions, region).system), scopeOf(reach));
         },
         kind, place);
 }
@@ -272,7 +272,7 @@ void DomainsPanel::setRange(double minimum, double maximum, TermsInRange terms) 
     take(
         tr("Set range"),
         [&](Project& project, Reach reach) {
-            esm::setRange(project, *m_selection.region(), m_place, {minimum, maximum, terms}, reach);
+            esm::setRange(project, *m_selection.region(), m_place, {minimum, maximum, terms}, scopeOf(reach));
         },
         EditKind::VariableRange);
 }

@@ -2,7 +2,7 @@
 
 #include "app/editor/dialogs/shipped_systems.h"
 #include "app/editor/dialogs/system_questions.h"
-#include "app/editor/edits/edit_system.h"
+#include "app/editor/edits/selected_system.h"
 #include "app/editor/panels/fuzzy/domains_panel.h"
 #include "app/editor/panels/fuzzy/rules_panel.h"
 #include "app/editor/panels/fuzzy/why_panel.h"

@@ -1,6 +1,6 @@
 #include "app/editor/panels/fuzzy/rules_panel.h"
 
-#include "app/editor/edits/edit_system.h"
+#include "app/editor/edits/selected_system.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 

@@ -5,14 +5,12 @@
 #include "app/editor/dialogs/save_dialog.h"
 #include "app/editor/document/file_memory.h"
 #include "app/editor/panels/measure/stepping_text.h"
+#include "core/exchange/charts/chart_file.h"
 #include "core/exchange/charts/measured_runs_csv.h"
 #include "core/exchange/charts/tradeoff_chart.h"
-#include "core/exchange/image_file.h"
 #include "core/support/atomic_file.h"
 #include "widgets/inputs/enabling.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -41,20 +39,6 @@ QString titleText(const Tradeoff* tradeoff) {
     return AccuracyView::tr("Every method and step: %1, %2 left out")
         .arg(measured)
         .arg(tradeoff->leftOut.size());
-}
-
-void writeChart(const Drawing& chart, const std::filesystem::path& file) {
-    if (file.extension() == ".svg")
-        writeFileAtomically(file, toSvg(chart));
-    else
-        writePng(toImage(chart), file);
-}
-
-/// Where the user last wrote what others take over, under the document's name.
-NewFile newFile(const Document& document, const QString& title, const QString& filter,
-                const QStringList& endings) {
-    const QString name = QFileInfo(document.title()).completeBaseName() + endings.front();
-    return {title, QDir(startFolder(FileKind::Package, document.path())).filePath(name), filter, endings};
 }
 
 } // namespace
@@ -172,15 +156,15 @@ void AccuracyView::write(const NewFile& asked, const QString& failure,
 }
 
 void AccuracyView::exportTable() {
-    write(newFile(m_document, tr("Save table"), tr("Tables (*.csv)"), {QStringLiteral(".csv")}),
+    write(fileForOthers(m_document, tr("Save table"), tr("Tables (*.csv)"), {QStringLiteral(".csv")}),
           tr("The table was not written"), [this](const std::filesystem::path& file) {
               writeFileAtomically(file, measuredRunsCsv(*m_accuracy.tradeoff()));
           });
 }
 
 void AccuracyView::exportChart() {
-    write(newFile(m_document, tr("Save chart"), tr("Pictures (*.png);;Drawings (*.svg)"),
-                  {QStringLiteral(".png"), QStringLiteral(".svg")}),
+    write(fileForOthers(m_document, tr("Save chart"), tr("Pictures (*.png);;Drawings (*.svg)"),
+                        {QStringLiteral(".png"), QStringLiteral(".svg")}),
           tr("The chart was not written"), [this](const std::filesystem::path& file) {
               writeChart(tradeoffChart(*m_accuracy.tradeoff(), m_accuracy.wishes()), file);
           });

@@ -122,7 +122,7 @@ QWidget* PhotoDialog::cropPage() {
         auto* field = new NumberField(withoutUnit(pixelFormat()), page);
         field->setObjectName(QLatin1String(name));
         field->setToolTip(tr("Pixels of the photo, from its top left corner"));
-        field->setAccessibleName(tr("%1, %2").arg(QString(caption).remove('&'), field->format().unit));
+        field->setAccessibleName(tr("%1, %2").arg(withoutMnemonic(caption), field->format().unit));
         row->addWidget(quietLabel(caption, field, page));
         row->addWidget(field);
         m_cropFields.emplace_back(part, field);

@@ -82,13 +82,6 @@ std::optional<TissuePreset> presetInForce(const Project& project, const Region* 
     return found == presets.end() ? std::nullopt : std::optional(*found);
 }
 
-QStringList namesOf(const std::vector<const Region*>& regions) {
-    QStringList names;
-    for (const Region* region : regions)
-        names << QString::fromStdString(region->name);
-    return names;
-}
-
 } // namespace
 
 TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& reach, QWidget* parent)

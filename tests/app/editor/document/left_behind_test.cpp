@@ -62,7 +62,7 @@ TEST_F(LeftBehindTest, ComesBackWithUndoListWorkspaceAndSelection) {
         kept.setWorkspace("texture");
     });
     acceptOffer();
-    window->files().offerLeftBehind(*journal);
+    window->offerLeftBehind(*journal);
     EXPECT_TRUE(dialogs.isDone());
     EXPECT_TRUE(offer.contains("first")) << offer.toStdString();
     EXPECT_EQ(project().name, "first");
@@ -80,7 +80,7 @@ TEST_F(LeftBehindTest, GoesWhereItIsDiscarded) {
         lost.edit("Rename", [](Project& project) { project.name = "lost"; });
     });
     dialogs.expectButton("leftBehindBox", QMessageBox::Discard);
-    window->files().offerLeftBehind(*journal);
+    window->offerLeftBehind(*journal);
     EXPECT_TRUE(dialogs.isDone());
     EXPECT_TRUE(std::filesystem::is_empty(folder / "recovery"));
 }
@@ -93,7 +93,7 @@ TEST_F(LeftBehindTest, ComesBackUnsavedFromACopyOfAnEarlierVersion) {
     std::ofstream(recovery / "left.title") << "my liver.esm";
     std::ofstream(recovery / "left.path") << (folder / "my liver.esm").string();
     acceptOffer();
-    window->files().offerLeftBehind(*journal);
+    window->offerLeftBehind(*journal);
     EXPECT_TRUE(dialogs.isDone());
     EXPECT_TRUE(offer.contains("my liver.esm"));
     EXPECT_EQ(project().base.mass, 0.75);
@@ -126,7 +126,7 @@ TEST_F(LeftBehindTest, TellsWhatIsWrongWithIt) {
         EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains("rest length"));
         box->accept();
     });
-    window->files().offerLeftBehind(*journal);
+    window->offerLeftBehind(*journal);
     EXPECT_TRUE(dialogs.isDone());
     EXPECT_EQ(project().network->springs[3].restLength, 50);
 }

@@ -26,7 +26,7 @@ protected:
     void openWithRegionAndPhoto() {
         open(makeSample("liver"));
         writePng(makeSamplePhoto(samplePhotoNames().front())->image, folder / "photo.png");
-        window->files().addPhoto(folder / "photo.png");
+        window->files().openAny(folder / "photo.png");
         ASSERT_EQ(project().layers.size(), 1U);
         window->windowActions().tissue->trigger();
         window->windowActions().addRegion->trigger();
@@ -132,7 +132,7 @@ TEST_F(AccessTest, QuestionsCanBeHeard) {
 
     std::ofstream(folder / "box.obj") << "v 0 0 0\nv 90 0 0\nv 0 90 0\nv 0 0 90\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
     lookAtNextDialog("importDialog");
-    window->files().importMesh(folder / "box.obj");
+    window->files().openAny(folder / "box.obj");
     EXPECT_TRUE(dialogs.isDone());
 
     auto* presets = window->findChild<TissuePresetButton*>()->menu();

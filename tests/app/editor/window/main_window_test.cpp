@@ -200,6 +200,14 @@ TEST_F(MainWindowTest, AsksNobodyToPlayTheGreetingOrgansTestRun) {
     EXPECT_TRUE(message().contains("scene to play")) << "who opens it has asked for it";
 }
 
+TEST_F(MainWindowTest, AnActionSaysWhyItCannotBeUsedAndThenAgainWhatItDoes) {
+    const QAction* free = window->windowActions().freeNodes;
+    edit([](Project& p) { p.scene.fixed.clear(); });
+    EXPECT_EQ(free->toolTip(), "No node is fixed");
+    edit([](Project& p) { p.scene.fixed.push_back({{0, 1}, std::nullopt}); });
+    EXPECT_EQ(free->toolTip(), "Let every fixed node go");
+}
+
 TEST_F(MainWindowTest, RemovesWhatIsSelectedFromTheMenu) {
     const Actions& actions = window->windowActions();
     edit([](Project& p) { p.regions.clear(); });

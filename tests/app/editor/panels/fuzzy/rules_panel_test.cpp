@@ -1,6 +1,6 @@
 #include "app/editor/panels/fuzzy/rules_panel.h"
 
-#include "app/editor/edits/edit_system.h"
+#include "app/editor/edits/selected_system.h"
 #include "core/authoring/regions.h"
 #include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/fuzzy/system_edits.h"

@@ -181,7 +181,7 @@ TEST_F(AccuracyViewTest, SavesTheTableAndTheChart) {
     };
     EXPECT_THAT(save("Save table…", "runs.csv"), testing::HasSubstr("\nsplit2,double,0.01,"));
     EXPECT_THAT(save("Save chart…", "chart.png"), testing::StartsWith("\x89PNG"));
-    EXPECT_THAT(save("Save chart…", "chart.svg"), testing::HasSubstr("split2"));
+    EXPECT_THAT(save("Save chart…", "chart.SVG"), testing::HasSubstr(">viscous split, second order<"));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "app/editor/edits/edit_system.h"
+#include "core/authoring/edit_system.h"
 
 #include "core/authoring/regions.h"
 #include "core/exchange/fuzzy/fuzzy_file.h"
@@ -46,27 +46,36 @@ TEST(EditSystem, MakesACopyForOneWhereAsked) {
     const Project before = project;
     FuzzySystem system = *project.regions[0].system;
     system.inputs[0].name = "firmness";
-    editSystem(project, project.regions[0].id, system, Reach::CopyForOne);
+    editSystem(project, project.regions[0].id, system, {Reach::CopyForOne});
     EXPECT_EQ(project.regions[0].system->name, "susilap-g, own");
     EXPECT_EQ(project.regions[0].system->inputs[0].name, "firmness");
     EXPECT_THAT(project.regions[0].inputs, ElementsAre(Pair("firmness", 6)));
     EXPECT_EQ(project.regions[1], before.regions[1]);
     EXPECT_EQ(project.regions[2], before.regions[2]);
     system.inputs[0].name = "hardness";
-    editSystem(project, project.regions[1].id, system, Reach::CopyForOne);
+    editSystem(project, project.regions[1].id, system, {Reach::CopyForOne});
     EXPECT_EQ(project.regions[1].system->name, "susilap-g") << "nobody else has it: nothing to copy";
     project.regions[2].system = project.regions[0].system;
     system = *project.regions[0].system;
     system.rules.clear();
-    editSystem(project, project.regions[2].id, system, Reach::CopyForOne);
+    editSystem(project, project.regions[2].id, system, {Reach::CopyForOne});
     EXPECT_EQ(project.regions[2].system->name, "susilap-g, own 2");
+}
+
+TEST(EditSystem, ACopyTakesNoNameThatIsTakenElsewhere) {
+    Project project = threeRegions();
+    FuzzySystem system = *project.regions[0].system;
+    system.rules.clear();
+    editSystem(project, project.regions[0].id, system,
+               {Reach::CopyForOne, {"susilap-g, own", "susilap-g, own 2"}});
+    EXPECT_EQ(project.regions[0].system->name, "susilap-g, own 3");
 }
 
 TEST(EditSystem, ARangeForACopyLeavesTheOtherRegionsAsTheyAre) {
     Project project = threeRegions();
     const Region other = project.regions[1];
     setRange(project, project.regions[0].id, {FuzzySide::Inputs, 0}, {0, 24, TermsInRange::Stretch},
-             Reach::CopyForOne);
+             {Reach::CopyForOne});
     EXPECT_EQ(project.regions[1], other);
     EXPECT_THAT(project.regions[0].inputs, ElementsAre(Pair("consistency", 12)));
 }
@@ -94,24 +103,4 @@ TEST(EditSystem, RefusesWhatCannotBeEvaluated) {
     system.inputs[0].terms[0].set.a = 11;
     EXPECT_THROW(editSystem(project, project.regions[0].id, system), InvalidModel);
     EXPECT_EQ(project.regions[0].system, before);
-}
-
-TEST(EditSystem, IsOneStepForADragAndNoneWhereNothingChanges) {
-    Document document(threeRegions());
-    Selection selection(document);
-    selection.setRegion(document.project().regions[0].id);
-    const FuzzySystem before = *selectedSystem(selection);
-    const auto moveTo = [&](double corner) {
-        FuzzySystem system = *selectedSystem(selection);
-        system.inputs[0].terms[1].set.b = corner;
-        editSelectedSystem(document, selection, system, {"Move corner", EditKind::TermShape});
-    };
-    moveTo(before.inputs[0].terms[1].set.b);
-    EXPECT_EQ(document.undoStack()->count(), 0);
-    moveTo(2.6);
-    moveTo(2.7);
-    EXPECT_EQ(document.undoStack()->count(), 1);
-    document.undoStack()->undo();
-    EXPECT_EQ(*selectedSystem(selection), before);
-    EXPECT_TRUE(isFuzzyPreset(*selectedSystem(selection)));
 }

@@ -1,7 +1,6 @@
-#include "app/editor/edits/edit_system.h"
+#include "core/authoring/edit_system.h"
 
-#include "core/authoring/regions.h"
-#include "core/exchange/fuzzy/fuzzy_file.h"
+#include "core/authoring/systems.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -10,20 +9,20 @@ namespace esm {
 
 namespace {
 
-using Variables = std::vector<FuzzyVariable>;
+using InputList = std::vector<FuzzyVariable>;
 
-Variables::const_iterator findVariable(const Variables& variables, const std::string& name) {
+InputList::const_iterator findVariable(const InputList& variables, const std::string& name) {
     return std::find_if(variables.begin(), variables.end(),
                         [&](const FuzzyVariable& variable) { return variable.name == name; });
 }
 
-bool isNamed(const Variables& variables, const std::string& name) {
+bool isNamed(const InputList& variables, const std::string& name) {
     return findVariable(variables, name) != variables.end();
 }
 
 /// The name that an input goes on under: its own, else the new one that stands in its place. None where it is
 /// gone.
-std::optional<std::string> laterName(const Variables& before, const Variables& after,
+std::optional<std::string> laterName(const InputList& before, const InputList& after,
                                      const std::string& name) {
     if (isNamed(after, name)) return name;
     const auto place = static_cast<std::size_t>(findVariable(before, name) - before.begin());
@@ -32,7 +31,7 @@ std::optional<std::string> laterName(const Variables& before, const Variables& a
     return after[place].name;
 }
 
-NamedValues laterValues(const NamedValues& values, const Variables& before, const Variables& after) {
+NamedValues laterValues(const NamedValues& values, const InputList& before, const InputList& after) {
     NamedValues later;
     std::vector<std::string> known;
     for (const FuzzyVariable& variable : before)
@@ -46,11 +45,11 @@ NamedValues laterValues(const NamedValues& values, const Variables& before, cons
 }
 
 /// "susilap-g, own", or with the next number that is free.
-std::string nameOfCopy(const Project& project, const std::string& name) {
+std::string nameOfCopy(const Project& project, const std::string& name,
+                       const std::vector<std::string>& takenNames) {
     const std::string stem = name.substr(0, name.find(", own")) + ", own";
-    const auto isTaken = [systems = systemsOf(project),
-                          shipped = fuzzyPresetNames()](const std::string& own) {
-        return std::find(shipped.begin(), shipped.end(), own) != shipped.end() ||
+    const auto isTaken = [&takenNames, systems = systemsOf(project)](const std::string& own) {
+        return std::find(takenNames.begin(), takenNames.end(), own) != takenNames.end() ||
                std::any_of(systems.begin(), systems.end(),
                            [&](const SharedSystem& system) { return system->name == own; });
     };
@@ -72,14 +71,14 @@ void exchange(Region& region, const SharedSystem& before, const SharedSystem& af
 
 } // namespace
 
-void editSystem(Project& project, RegionId region, const FuzzySystem& system, Reach reach) {
+void editSystem(Project& project, RegionId region, const FuzzySystem& system, const EditScope& scope) {
     if (const auto problems = validate(system); !problems.empty()) throw InvalidModel(problems);
     Region& edited = partOf(project.regions, region);
     const SharedSystem before = edited.system;
     if (*before == system) return;
-    if (makesCopy(project, *before, reach)) {
+    if (makesCopy(project, *before, scope.reach)) {
         FuzzySystem copy = system;
-        copy.name = nameOfCopy(project, system.name);
+        copy.name = nameOfCopy(project, system.name, scope.takenNames);
         return exchange(edited, before, std::make_shared<const FuzzySystem>(std::move(copy)));
     }
     const auto after = std::make_shared<const FuzzySystem>(system);
@@ -88,12 +87,12 @@ void editSystem(Project& project, RegionId region, const FuzzySystem& system, Re
 }
 
 void setRange(Project& project, RegionId region, const VariablePlace& place, const NewRange& range,
-              Reach reach) {
+              const EditScope& scope) {
     const FuzzySystem& system = *partOf(project.regions, region).system;
     const FuzzyVariable before = variableAt(system, place);
     editSystem(project, region,
                withVariable(system, place, withRange(before, range.minimum, range.maximum, range.terms)),
-               reach);
+               scope);
     if (place.side == FuzzySide::Outputs || range.terms == TermsInRange::Stay) return;
     const double scale = (range.maximum - range.minimum) / (before.maximum - before.minimum);
     for (Region& other : project.regions) {
@@ -101,19 +100,6 @@ void setRange(Project& project, RegionId region, const VariablePlace& place, con
         for (auto& [name, value] : other.inputs)
             if (name == before.name) value = range.minimum + (value - before.minimum) * scale;
     }
-}
-
-std::shared_ptr<const FuzzySystem> selectedSystem(const Selection& selection) {
-    const Region* region = selection.selectedRegion();
-    return region ? region->system : nullptr;
-}
-
-void editSelectedSystem(Document& document, const Selection& selection, const FuzzySystem& system,
-                        const SystemStep& step) {
-    const RegionId region = *selection.region();
-    document.edit(
-        step.text, [&](Project& project) { editSystem(project, region, system, step.reach); },
-        {step.kind, region}, region);
 }
 
 } // namespace esm

@@ -1,0 +1,71 @@
+#include "app/editor/window/import_controller.h"
+
+#include "app/editor/dialogs/ask.h"
+#include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/import_dialog.h"
+#include "app/editor/dialogs/long_work.h"
+#include "app/editor/dialogs/open_dialog.h"
+
+namespace esm {
+
+namespace {
+
+/// A file's surface as it is written there, and as it would be imported.
+struct ReadSurface {
+    std::shared_ptr<const PolygonSoup> soup;
+    std::shared_ptr<const ImportedSurface> found;
+};
+
+ReadSurface readSurface(const std::filesystem::path& file, const Progress& progress) {
+    ProgressParts parts(progress);
+    ReadSurface read;
+    read.soup = std::make_shared<const PolygonSoup>(readMeshFile(file, parts.next(0.5)));
+    read.found = std::make_shared<const ImportedSurface>(importedSurface(*read.soup, {}, parts.rest()));
+    return read;
+}
+
+Project organOf(const PolygonSoup& soup, const std::string& name, const ImportChoice& choice,
+                const Progress& progress) {
+    ProgressParts parts(progress);
+    PolygonSoup metres = soup;
+    convertToMetres(metres, choice.unit, choice.up);
+    RepairedMesh mesh = repair(metres, repairOptions(choice), parts.next(0.5));
+    return makeProject(name, std::move(mesh), std::nullopt, choice.detail, parts.rest());
+}
+
+} // namespace
+
+ImportController::ImportController(QWidget& window, Document& document, std::function<bool()> mayLeaveProject)
+    : QObject(&window), m_window(window), m_document(document),
+      m_mayLeaveProject(std::move(mayLeaveProject)) {}
+
+void ImportController::chooseMesh() {
+    const QString filter = fileFilter(tr("Surfaces"), meshFileEndings()) + tr(";;All files (*)");
+    const auto file =
+        chooseFile(&m_window, tr("Import organ surface"), FileKind::Mesh, filter, m_document.path());
+    if (file) importMesh(*file);
+}
+
+void ImportController::importMesh(const std::filesystem::path& file) {
+    attempt(&m_window, tr("The surface cannot be imported"), [&] {
+        const QString title = tr("Importing %1").arg(fileName(file));
+        const ReadSurface read = computeLong(
+            &m_window, title, [&](const Progress& progress) { return readSurface(file, progress); },
+            Cancelling::Offered);
+        ImportDialog dialog(fileName(file), read.soup, read.found, &m_window);
+        const int answer = ask(m_window, [&] { return dialog.exec(); });
+        runLongWork(&m_window, title, [&](const Progress&) { dialog.stopWork(); });
+        if (answer != QDialog::Accepted || !m_mayLeaveProject()) return;
+        const ImportChoice choice = dialog.choice();
+        Project project = computeLong(
+            &m_window, title,
+            [&](const Progress& progress) {
+                return organOf(*read.soup, file.stem().string(), choice, progress);
+            },
+            Cancelling::Offered);
+        m_document.replace(std::move(project), std::nullopt, Origin::Unsaved);
+        emit imported(file);
+    });
+}
+
+} // namespace esm

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/editor/document/document.h"
+
+#include <QObject>
+#include <QWidget>
+
+#include <functional>
+
+namespace esm {
+
+/// Makes organs of surfaces in mesh files.
+class ImportController : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param mayLeaveProject asks the user where the organ that another would replace is not saved
+    ImportController(QWidget& window, Document& document, std::function<bool()> mayLeaveProject);
+
+    /// Asks for the file.
+    void chooseMesh();
+    /// Asks what it means; the organ then takes the place of the one before.
+    void importMesh(const std::filesystem::path& file);
+
+signals:
+    void imported(const std::filesystem::path& file);
+
+private:
+    QWidget& m_window;
+    Document& m_document;
+    std::function<bool()> m_mayLeaveProject;
+};
+
+} // namespace esm
