@@ -169,6 +169,7 @@ void MainWindow::connectStatusLine() {
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
     connect(m_photos, &PhotoController::message, m_status, &StatusLine::showMessage);
     connect(m_tools, &ToolController::message, m_status, &StatusLine::showMessage);
+    connect(m_shortcuts, &ShortcutController::message, m_status, &StatusLine::showMessage);
     connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);
     connect(m_cameraControls, &CameraControls::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);

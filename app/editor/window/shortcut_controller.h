@@ -6,7 +6,7 @@
 
 namespace esm {
 
-/// Keeps the keys of all actions in the settings, and asks for others.
+/// Keeps the keys of all actions in the settings, asks for others, and says why a key does nothing.
 class ShortcutController : public QObject {
     Q_OBJECT
 
@@ -15,6 +15,13 @@ public:
     ShortcutController(QWidget& window, const Actions& actions);
 
     void restore(const QSettings& settings);
+
+signals:
+    /// Something for the line at the bottom.
+    void message(const QString& text);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void askForKeys();

@@ -206,6 +206,13 @@ QString keptFor(const QKeySequence& key) {
                                                     : QString();
 }
 
+QString whyNothingHappens(const std::vector<ShortcutRow>& rows, const QKeySequence& key) {
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const ShortcutRow& row) {
+        return !row.action->isEnabled() && row.action->shortcuts().contains(key);
+    });
+    return found == rows.end() ? QString() : found->action->toolTip();
+}
+
 QString withKeys(QString text, const Actions& actions) {
     if (!text.contains('{')) return text;
     for (const ShortcutRow& row : shortcutRows(actions)) {

@@ -41,6 +41,9 @@ ShortcutKeys restoredKeys(const QSettings& settings, const std::vector<ShortcutR
 /// Which other action has a key; null for none.
 const ShortcutRow* holderOf(const std::vector<ShortcutRow>& rows, const ShortcutKeys& keys,
                             const QKeySequence& key, const QString& except);
+/// Why a key does nothing now: what the action that has it says, which cannot be used. Empty where none has
+/// it.
+QString whyNothingHappens(const std::vector<ShortcutRow>& rows, const QKeySequence& key);
 /// What a key does that no action can have; empty for others.
 QString keptFor(const QKeySequence& key);
 

@@ -6,6 +6,7 @@
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 
+#include <gmock/gmock.h>
 #include <QFile>
 #include <QMenuBar>
 
@@ -111,6 +112,17 @@ TEST_F(MainWindowTest, SaysWhyAToolCannotBeTaken) {
     press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(toolInHand(), "look");
     EXPECT_TRUE(actions.tool("look")->isChecked());
+}
+
+TEST_F(MainWindowTest, SaysWhyAKeyDoesNothing) {
+    const auto saidAfter = [this](Qt::Key key) {
+        window->view().setFocus();
+        press(key);
+        return child<QLabel>("message")->text().toStdString();
+    };
+    EXPECT_THAT(saidAfter(Qt::Key_J), testing::HasSubstr("workspace Texture"));
+    window->windowActions().texture->trigger();
+    EXPECT_THAT(saidAfter(Qt::Key_J), testing::HasSubstr("no photo"));
 }
 
 TEST_F(MainWindowTest, LetsGoWhereverTheFocusIs) {
