@@ -13,12 +13,13 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <numeric>
 
 namespace esm {
 
 namespace {
 
-constexpr int widestColumn = 220, cellPadding = 14; // pixels
+constexpr int widestColumn = 220, narrowestColumn = 56, cellPadding = 14; // pixels
 
 /// A cell is edited as what it is: words are chosen, texts typed.
 class RuleCellDelegate : public QStyledItemDelegate {
@@ -96,11 +97,12 @@ RuleTable::RuleTable(QWidget* parent)
     m_view->setTabKeyNavigation(false);
     m_view->setSelectionMode(QAbstractItemView::SingleSelection);
     m_view->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-    m_view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_view->setHorizontalScrollMode(QAbstractItemView::ScrollPerItem);
     m_view->setWordWrap(false);
     m_view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_view->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
     m_view->horizontalHeader()->setHighlightSections(false);
+    m_view->horizontalHeader()->setTextElideMode(Qt::ElideRight);
     m_view->verticalHeader()->setHighlightSections(false);
     m_view->installEventFilter(this);
     m_add->setObjectName(QStringLiteral("quietButton"));
@@ -160,23 +162,37 @@ void RuleTable::showSpans() {
         }
 }
 
-/// Each column as wide as its words, wider where there is room.
-void RuleTable::shareWidth() {
-    const int columns = m_model->columnCount();
-    std::vector<int> widths;
-    int total = 0;
-    for (int column = 0; column < columns; ++column) {
-        int width = m_view->horizontalHeader()->sectionSizeHint(column);
-        for (int row = 0; row < m_model->rowCount(); ++row) {
-            const QModelIndex cell = m_model->index(row, column);
-            if (m_model->kindOf(cell) == RuleTableModel::CellKind::Text) continue;
-            const QString text = cell.data().toString();
-            width = std::max(width, m_view->fontMetrics().horizontalAdvance(text) + cellPadding);
-        }
-        widths.push_back(std::min(width, widestColumn));
-        total += widths.back();
+/// What the words of a column need.
+int RuleTable::wordsWidth(int column) const {
+    int width = narrowestColumn;
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        const QModelIndex cell = m_model->index(row, column);
+        if (m_model->kindOf(cell) == RuleTableModel::CellKind::Text) continue;
+        const QString text = cell.data().toString();
+        width = std::max(width, m_view->fontMetrics().horizontalAdvance(text) + cellPadding);
     }
-    const int spare = std::max(0, m_view->viewport()->width() - total);
+    return std::min(width, widestColumn);
+}
+
+/// Each column as wide as its words and its head, wider where there is room. Where there is too little, heads
+/// are cut, from the last on, and say all in tool tips.
+void RuleTable::shareWidth() {
+    const int columns = m_model->columnCount(), room = m_view->viewport()->width();
+    std::vector<int> least, widths;
+    least.reserve(std::size_t(columns));
+    widths.reserve(std::size_t(columns));
+    for (int column = 0; column < columns; ++column) {
+        least.push_back(wordsWidth(column));
+        const int head = std::min(m_view->horizontalHeader()->sectionSizeHint(column), widestColumn);
+        widths.push_back(std::max(least.back(), head));
+    }
+    int spare = room - std::accumulate(widths.begin(), widths.end(), 0);
+    for (std::size_t column = widths.size(); column-- > 0 && spare < 0;) {
+        const int given = std::min(-spare, widths[column] - least[column]);
+        widths[column] -= given;
+        spare += given;
+    }
+    spare = std::max(spare, 0);
     for (int column = 0; column < columns; ++column)
         m_view->setColumnWidth(column, widths[std::size_t(column)] + spare / columns +
                                            (column < spare % columns ? 1 : 0));

@@ -40,6 +40,7 @@ private:
     bool answerKey(const QKeyEvent& key);
     bool answerCellKey(const QKeyEvent& key);
     void showSpans();
+    int wordsWidth(int column) const;
     void shareWidth();
     void showButtons();
 

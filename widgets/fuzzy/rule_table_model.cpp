@@ -123,6 +123,10 @@ QString RuleTableModel::explanationOf(const QModelIndex& index) const {
                                          .arg(readableName(variableOf(index.column()).name));
 }
 
+QString RuleTableModel::spokenChoice(const QModelIndex& index) const {
+    return tr("%1: %2").arg(readableName(variableOf(index.column()).name), choicesOf(index)[choiceOf(index)]);
+}
+
 QVariant RuleTableModel::data(const QModelIndex& index, int role) const {
     const CellKind kind = kindOf(index);
     const bool isChoice = kind == CellKind::Choice;
@@ -133,7 +137,7 @@ QVariant RuleTableModel::data(const QModelIndex& index, int role) const {
         if (isChoice) return choiceOf(index);
         return kind == CellKind::Weight ? QVariant(row(index).weight) : textOf(index);
     case Qt::ToolTipRole:
-        return explanationOf(index);
+        return isChoice ? spokenChoice(index) + '\n' + explanationOf(index) : explanationOf(index);
     case Qt::ForegroundRole:
         if (!row(index).unread.empty()) return paletteColour(QPalette::BrightText);
         if (isChoice && choiceOf(index) == 0) return paletteColour(QPalette::PlaceholderText);
@@ -141,9 +145,7 @@ QVariant RuleTableModel::data(const QModelIndex& index, int role) const {
             return paletteColour(QPalette::PlaceholderText);
         return {};
     case Qt::AccessibleTextRole:
-        return isChoice ? tr("%1: %2").arg(readableName(variableOf(index.column()).name),
-                                           choicesOf(index)[choiceOf(index)])
-                        : textOf(index);
+        return isChoice ? spokenChoice(index) : textOf(index);
     default:
         return {};
     }

@@ -55,6 +55,7 @@ private:
     void choose(RuleRow& row, int column, int choice) const;
     QString textOf(const QModelIndex& index) const;
     QString explanationOf(const QModelIndex& index) const;
+    QString spokenChoice(const QModelIndex& index) const;
     QStringList allLines() const;
 
     FuzzySystem m_system; ///< its variables

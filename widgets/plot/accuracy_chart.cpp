@@ -22,7 +22,7 @@ namespace esm {
 namespace {
 
 constexpr int reach = 12;     ///< pixels, of the mouse
-constexpr int mostLabels = 8; ///< of a scale; "100000" must not run into "10000"
+constexpr int mostLabels = 8; ///< of a scale
 
 /// "1000" rather than "1e+03", and no more digits than a power of ten needs.
 class PlainScale : public QwtScaleDraw {
@@ -65,7 +65,6 @@ AccuracyChart::AccuracyChart(QWidget* parent)
         setAxisScaleEngine(axis, new QwtLogScaleEngine);
         setAxisScaleDraw(axis, new PlainScale);
         setAxisMaxMinor(axis, 0);
-        setAxisMaxMajor(axis, mostLabels);
         axisWidget(axis)->setMargin(0);
     }
     m_front->setStyle(QwtPlotCurve::Lines);
@@ -289,14 +288,6 @@ void AccuracyChart::followTheme() {
         static_cast<QwtPlotGrid*>(item)->setPen(line, 0, Qt::DotLine);
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.85);
-    const auto title = [&](const QString& words) {
-        QwtText titled(words);
-        titled.setFont(small);
-        titled.setColor(quiet);
-        return titled;
-    };
-    setAxisTitle(xBottom, title(tr("speed, times real time")));
-    setAxisTitle(yLeft, title(tr("error, % of the motion")));
     for (const int axis : {int(xBottom), int(yLeft)}) {
         setAxisFont(axis, small);
         QPalette scale = axisWidget(axis)->palette();
@@ -304,6 +295,31 @@ void AccuracyChart::followTheme() {
         scale.setColor(QPalette::Text, quiet);
         axisWidget(axis)->setPalette(scale);
     }
+    fitScales();
+    replot();
+}
+
+// As many numbers, and as much of a caption, as have room.
+void AccuracyChart::fitScales() {
+    const QFont small = axisFont(xBottom);
+    const QFontMetrics metrics(small);
+    const auto caption = [&](int axis, const QString& words) {
+        QwtText titled(words);
+        titled.setFont(small);
+        titled.setColor(palette().color(QPalette::PlaceholderText));
+        setAxisTitle(axis, titled);
+    };
+    const QString error = tr("error, % of the motion");
+    caption(xBottom, tr("speed, times real time"));
+    caption(yLeft, metrics.horizontalAdvance(error) < canvas()->height() ? error : tr("error, %"));
+    const int widest = metrics.horizontalAdvance(QStringLiteral("1000000"));
+    setAxisMaxMajor(xBottom, std::clamp(canvas()->width() / widest, 2, mostLabels));
+    setAxisMaxMajor(yLeft, std::clamp(canvas()->height() / (2 * metrics.height()), 2, mostLabels));
+}
+
+void AccuracyChart::resizeEvent(QResizeEvent* event) {
+    QwtPlot::resizeEvent(event);
+    fitScales();
     replot();
 }
 

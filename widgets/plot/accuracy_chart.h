@@ -58,6 +58,7 @@ protected:
     void drawCanvas(QPainter* painter) override;
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
@@ -65,6 +66,7 @@ protected:
 private:
     bool isDrawn(std::size_t point) const;
     void drawScales();
+    void fitScales();
     void followTheme();
     void followMouse(QEvent* event);
     void point(std::optional<std::size_t> point);

@@ -1,5 +1,7 @@
 #include "widgets/view/marks.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace esm {
@@ -21,16 +23,41 @@ void paintRing(QPainter& painter, const PaintedMark& mark, const QColor& colour)
     painter.drawEllipse(mark.place, 1.4, 1.4);
 }
 
-void paintNumber(QPainter& painter, const PaintedMark& mark, const QColor& colour) {
-    const QRectF room(mark.place + QPointF(ringRadius, -ringRadius - numberRoom.height()), numberRoom);
+QRectF ringRoom(const PaintedMark& mark) {
+    return {mark.place - QPointF(ringRadius, ringRadius), QSizeF(ringRadius, ringRadius) * 2};
+}
+
+void paintNumber(QPainter& painter, const PaintedMark& mark, const QRectF& room, const QColor& colour) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawRoundedRect(room, 7, 7);
-    painter.setPen(QColor(20, 22, 25));
+    const bool isDark = qGray(colour.rgb()) < 128;
+    painter.setPen(isDark ? QColor(Qt::white) : QColor(20, 22, 25));
     painter.drawText(room, Qt::AlignCenter, QString::number(mark.look.number));
 }
 
 } // namespace
+
+// Each at the first of its ring's corners that is free.
+std::vector<QRectF> numberRooms(const std::vector<PaintedMark>& marks) {
+    const double right = ringRadius, left = -ringRadius - numberRoom.width(), below = ringRadius,
+                 above = -ringRadius - numberRoom.height();
+    const std::array<QPointF, 4> corners{QPointF(right, above), {left, above}, {right, below}, {left, below}};
+    std::vector<QRectF> taken;
+    taken.reserve(2 * marks.size());
+    for (const PaintedMark& mark : marks)
+        taken.push_back(ringRoom(mark));
+    for (const PaintedMark& mark : marks) {
+        const auto isFree = [&](const QPointF& corner) {
+            const QRectF room(mark.place + corner, numberRoom);
+            return std::none_of(taken.begin(), taken.end(),
+                                [&](const QRectF& other) { return other.intersects(room); });
+        };
+        const auto free = std::find_if(corners.begin(), corners.end(), isFree);
+        taken.push_back({mark.place + (free == corners.end() ? corners.front() : *free), numberRoom});
+    }
+    return {taken.begin() + static_cast<std::ptrdiff_t>(marks.size()), taken.end()};
+}
 
 void paintMarks(QPainter& painter, const std::vector<PaintedMark>& marks, const QPalette& palette) {
     painter.save();
@@ -39,12 +66,14 @@ void paintMarks(QPainter& painter, const std::vector<PaintedMark>& marks, const 
     font.setPixelSize(11);
     font.setBold(true);
     painter.setFont(font);
-    for (const PaintedMark& mark : marks) {
+    const std::vector<QRectF> rooms = numberRooms(marks);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const PaintedMark& mark = marks[i];
         const QColor colour =
             mark.look.isDoubtful ? palette.color(QPalette::LinkVisited) : QColor(0x3f, 0xb6, 0xa8);
         painter.setOpacity(mark.isHidden ? 0.35 : 1);
         paintRing(painter, mark, colour);
-        paintNumber(painter, mark, mark.look.isSelected ? QColor(Qt::white) : colour);
+        paintNumber(painter, mark, rooms[i], mark.look.isSelected ? QColor(Qt::white) : colour);
     }
     painter.restore();
 }

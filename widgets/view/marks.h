@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QPalette>
 #include <QPointF>
+#include <QRectF>
 
 #include <optional>
 #include <vector>
@@ -24,6 +25,9 @@ struct PaintedMark {
 
 /// Rings with their numbers beside them: amber where doubtful, faint where hidden.
 void paintMarks(QPainter& painter, const std::vector<PaintedMark>& marks, const QPalette& palette);
+
+/// Where their numbers stand: beside each ring, apart from other rings and numbers where that can be.
+std::vector<QRectF> numberRooms(const std::vector<PaintedMark>& marks);
 
 /// The number of the mark under the mouse, the nearest within reach.
 std::optional<int> markAt(const std::vector<PaintedMark>& marks, const QPointF& place);

@@ -17,7 +17,7 @@ namespace esm {
 OrganView::OrganView(QWidget* parent, PictureDrawing drawing) : QWidget(parent), m_maker(std::move(drawing)) {
     setFocusPolicy(Qt::WheelFocus);
     setMouseTracking(true);
-    setMinimumSize(240, 180);
+    setMinimumSize(240, 110);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Organ"));
     m_keyPointer.setStops([this] { return m_tool->stops(sight()); });
@@ -256,7 +256,7 @@ void OrganView::paintOverlay(QPainter& painter) {
     nameInstruments(painter, shown);
     m_tool->draw(painter, {m_scene, shown, size(), m_picker}, style.palette);
     if (m_legend) paintLegend(painter, style, *m_legend);
-    paintHint(painter, style, m_hint, m_legend.has_value());
+    paintHint(painter, style, m_hint, m_legend ? &*m_legend : nullptr);
     paintAxisCube(painter, shown, cubeSquare(size()), style.palette);
     m_keyPointer.paintFocus(painter);
 }

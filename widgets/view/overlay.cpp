@@ -13,7 +13,8 @@ namespace {
 
 constexpr int margin = 14, padding = 11, legendWidth = 230, legendHeight = 66; // pixels
 constexpr int titleHeight = 30, entryHeight = 19, mostEntries = 10;
-constexpr int cubeSize = 78, handleSize = 9, hintPadding = 5;
+constexpr int cubeSize = 78, handleSize = 9, hintPadding = 5, narrowestHint = 280;
+constexpr double mostOfHeight = 0.2; // of a view, that a hint may hide
 constexpr int backgroundAlpha = 225;
 constexpr QPointF labelOffset(0, -9); // pixels, from a place to its label's lower edge
 
@@ -80,6 +81,38 @@ void paintEntries(QPainter& painter, const QRectF& inner, const ViewLegend& lege
     }
 }
 
+QRectF legendBox(const QSize& view, const ViewLegend& legend) {
+    const bool isList = legend.unit.isEmpty();
+    const double height = isList ? titleHeight + entryHeight * shownEntries(legend) + padding : legendHeight;
+    return {double(margin), view.height() - margin - height, double(legendWidth), height};
+}
+
+/// Where a hint may stand: beside the legend, or above it where little is left beside.
+QRectF hintRoom(const QSize& view, const ViewLegend* legend) {
+    QRectF room(margin, 0, view.width() - 2 * margin, view.height() - margin);
+    if (!legend) return room;
+    const QRectF box = legendBox(view, *legend);
+    if (room.right() - box.right() - margin >= narrowestHint)
+        room.setLeft(box.right() + margin);
+    else
+        room.setBottom(box.top() - margin);
+    return room;
+}
+
+QRectF textBox(const QPainter& painter, const QString& text, double width) {
+    return painter.fontMetrics().boundingRect(QRect(0, 0, static_cast<int>(width), 1000),
+                                              Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+/// As many parts of a hint as have room, the first at least.
+QString fittingHint(const QPainter& painter, const QString& hint, const QSizeF& room) {
+    const QString between = QStringLiteral(" · ");
+    QStringList parts = hint.split(between);
+    while (parts.size() > 1 && textBox(painter, parts.join(between), room.width()).height() > room.height())
+        parts.removeLast();
+    return parts.join(between);
+}
+
 QPolygonF diamondIn(const QRectF& box) {
     const QPointF middle = box.center();
     return QPolygonF(QVector<QPointF>{{middle.x(), box.top()},
@@ -91,9 +124,7 @@ QPolygonF diamondIn(const QRectF& box) {
 } // namespace
 
 void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend) {
-    const bool isList = legend.unit.isEmpty();
-    const double height = isList ? titleHeight + entryHeight * shownEntries(legend) + padding : legendHeight;
-    const QRectF box(margin, style.view.height() - margin - height, legendWidth, height);
+    const QRectF box = legendBox(style.view, legend);
     const QRectF inner = box.adjusted(padding, 7, -padding, -padding);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -105,31 +136,31 @@ void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend&
     painter.drawText(QRectF(inner.topLeft(), QSizeF(inner.width(), 20)), Qt::AlignLeft | Qt::AlignVCenter,
                      legend.title);
     painter.setFont(sized(painter.font(), 12));
-    if (isList)
+    if (legend.unit.isEmpty())
         paintEntries(painter, inner, legend);
     else
         paintScale(painter, inner, legend);
     painter.restore();
 }
 
-void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint, bool besideLegend) {
+void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint, const ViewLegend* legend) {
     if (hint.isEmpty()) return;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(sized(painter.font(), 12));
-    const double left = besideLegend ? 2 * margin + legendWidth : margin;
-    const double room = style.view.width() - margin - left;
-    const QRectF most(0, 0, room - 2 * padding, style.view.height() / 2.0);
-    const QRectF text = painter.boundingRect(most, Qt::AlignCenter | Qt::TextWordWrap, hint);
-    const double width = std::ceil(text.width()) + 2 * padding;
-    const double height = std::ceil(text.height()) + 2 * hintPadding;
+    const QRectF room = hintRoom(style.view, legend);
+    const QSizeF most(room.width() - 2 * padding, mostOfHeight * style.view.height() - 2 * hintPadding);
+    const QString shown = fittingHint(painter, hint, most);
+    const QRectF text = textBox(painter, shown, most.width());
+    const double width = text.width() + 2 * padding, height = text.height() + 2 * hintPadding;
     const double centred = (style.view.width() - width) / 2;
-    const QRectF pill(std::max(left, centred), style.view.height() - margin - height, width, height);
+    const QRectF pill(std::max(room.left(), centred), room.bottom() - height, width, height);
     painter.setPen(Qt::NoPen);
     painter.setBrush(background(style.palette));
     painter.drawRoundedRect(pill, 13, 13);
     painter.setPen(style.palette.color(QPalette::WindowText));
-    painter.drawText(pill.adjusted(padding - 1, 0, 1 - padding, 0), Qt::AlignCenter | Qt::TextWordWrap, hint);
+    painter.drawText(pill.adjusted(padding - 1, 0, 1 - padding, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                     shown);
     painter.restore();
 }
 

@@ -30,8 +30,10 @@ struct OverlayStyle {
 
 /// A box at the bottom left with the ramp of colours and its range, or a line for each entry.
 void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend);
-/// A pill with a text at the bottom, in the middle of what the legend leaves; in lines where one is too long.
-void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint, bool besideLegend);
+/// A pill with a text at the bottom, in the middle of what a legend leaves; in lines where one is too long.
+/// Its parts lie between " · ", the most needed first: the last are left out where they would hide the organ.
+void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint,
+               const ViewLegend* legend = nullptr);
 /// A small white mark with a coloured edge that can be taken hold of.
 struct PaintedHandle {
     enum class Form { Square, Round, Diamond };

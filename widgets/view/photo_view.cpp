@@ -114,7 +114,7 @@ void PhotoView::paintEvent(QPaintEvent*) {
     const Vector2d end(m_image.width(), m_image.height());
     if (!m_image.isNull()) painter.drawImage(QRectF(placeOf({0, 0}), placeOf(end)), m_image);
     paintMarks(painter, paintedMarks(), palette());
-    paintHint(painter, {size(), palette()}, m_hint, false);
+    paintHint(painter, {size(), palette()}, m_hint);
     m_keyPointer.paintFocus(painter);
 }
 

@@ -9,7 +9,6 @@
 #include <QDialogButtonBox>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 
@@ -89,9 +88,6 @@ NumberFormat nodesFormat(std::size_t vertices) {
     return format;
 }
 
-/// Left of the screen around the dialog, for its frame.
-constexpr QSize roomAround(32, 56);
-
 /// More parts than these are crumbs, or no organ.
 constexpr std::size_t mostPartsListed = 12;
 
@@ -144,7 +140,7 @@ ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const Polygo
     connect(&m_importer, &SurfaceImporter::answered, this, &ImportDialog::takeAnswer);
     showKept();
     lookAgain();
-    resize(QSize(1040, 720).boundedTo(screen()->availableSize() - roomAround));
+    resize(1040, 720);
 }
 
 /// They scroll where the screen is low.

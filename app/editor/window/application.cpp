@@ -1,12 +1,17 @@
 #include "app/editor/window/application.h"
 
 #include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/screen_room.h"
 
 #include <QThread>
 
 #include <exception>
 
 namespace esm {
+
+Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
+    keepWindowsOnScreen(*this);
+}
 
 bool Application::notify(QObject* receiver, QEvent* event) {
     if (QThread::currentThread() != thread()) return QApplication::notify(receiver, event);

@@ -1,5 +1,6 @@
 #include "app/editor/window/main_window.h"
 
+#include "app/editor/dialogs/screen_room.h"
 #include "app/editor/panels/measure/accuracy_view.h"
 #include "app/editor/panels/texture/photo_dialog.h"
 #include "app/editor/window/columns.h"
@@ -11,6 +12,8 @@
 #include "app/editor/window/scene_note.h"
 #include "app/editor/window/shortcut_controller.h"
 #include "app/editor/window/shortcuts.h"
+#include "app/editor/window/tool_strip.h"
+#include "app/editor/window/top_bar.h"
 #include "app/editor/window/view_bar.h"
 #include "app/editor/window/view_settings.h"
 #include "widgets/inputs/control_keys.h"
@@ -19,7 +22,6 @@
 #include <QCloseEvent>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTimer>
@@ -28,7 +30,6 @@ namespace esm {
 
 namespace {
 
-constexpr QSize roomForFrame(0, 40);
 constexpr int widestTitle = 300;
 
 std::vector<std::filesystem::path> localFiles(const QMimeData& data) {
@@ -63,7 +64,7 @@ MainWindow::MainWindow(Project project)
     giveKeysHome(*this, *m_view);
     setAcceptDrops(true);
     setWindowIcon(icon(QStringLiteral("app")));
-    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - roomForFrame));
+    resize(QSize(1440, 900).boundedTo(roomOnScreen(*this)));
     showTitle();
     noteScene();
     m_play->showAlive();
@@ -89,8 +90,8 @@ void MainWindow::buildWindow() {
     m_pages->addWidget(stacked(buildViews()));
     setCentralWidget(m_pages);
     buildMenus(*this, m_actions);
-    buildTopBar(*this, m_actions, m_tools->makeOptions(ToolOptions::Bar));
-    buildToolStrip(*this, m_actions);
+    addToolBar(Qt::TopToolBarArea, new TopBar(m_actions, m_tools->makeOptions(ToolOptions::Bar), this));
+    addToolBar(Qt::LeftToolBarArea, new ToolStrip(m_actions, this));
     addColumns(*m_workspaces, {*m_document, *m_selection, *m_preparations, *m_preview, *m_landmarking,
                                *m_accuracy, *m_tools, m_actions, [this] { showLargePhoto(); }});
 }

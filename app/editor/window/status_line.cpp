@@ -3,10 +3,13 @@
 #include "app/editor/panels/measure/stepping_text.h"
 #include "widgets/inputs/number_text.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <QStyle>
 #include <QVariant>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +18,7 @@ namespace esm {
 namespace {
 
 constexpr int widestBarWithoutMethod = 1000; // pixels
+constexpr int spacing = 6;                   // pixels, between the parts of a bar
 
 /// Why the motion is not computed as was chosen, and how it goes on.
 QString recoveryText(const PreviewStatus& status) {
@@ -88,6 +92,7 @@ StatusLine::StatusLine(QStatusBar& bar, PassingTime clock)
     m_stability->setMinimumWidth(m_stability->fontMetrics().horizontalAdvance(tr("safe up to 000 ms")) + 16);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_stabilityCaption, m_gauge, m_stability})
         bar.addPermanentWidget(widget);
+    bar.installEventFilter(this);
     connect(&m_rateTimer, &QTimer::timeout, this, &StatusLine::showRate);
     m_rateTimer.start(1000);
     m_messageTimer.setSingleShot(true);
@@ -220,6 +225,28 @@ void StatusLine::showMessage(const QString& text) {
 void StatusLine::showText(const QString& text, const QString& toolTip, bool warning) {
     setText(*m_message, text, warning);
     m_message->setToolTip(toolTip);
+    makeRoom();
+}
+
+bool StatusLine::eventFilter(QObject*, QEvent* event) {
+    if (event->type() == QEvent::Resize) makeRoom();
+    return false;
+}
+
+// What is told goes before what is always there: where both have no room, the least needed makes way.
+void StatusLine::makeRoom() {
+    const std::array<QWidget*, 6> parts{m_rate, m_stabilityCaption, m_stability, m_step, m_realTime, m_gauge};
+    m_message->ensurePolished();
+    int missing =
+        m_message->sizeHint().width() + spacing * (static_cast<int>(parts.size()) + 2) - m_bar.width();
+    for (QWidget* part : parts) {
+        part->ensurePolished();
+        missing += std::max(part->minimumWidth(), part->sizeHint().width());
+    }
+    for (QWidget* part : parts) {
+        part->setVisible(missing <= 0);
+        if (missing > 0) missing -= std::max(part->minimumWidth(), part->sizeHint().width()) + spacing;
+    }
 }
 
 void StatusLine::setText(QLabel& label, const QString& text, bool warning) {

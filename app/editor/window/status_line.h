@@ -57,6 +57,8 @@ private:
     void showSpeed(const PreviewStatus& status);
     void setText(QLabel& label, const QString& text, bool warning);
     QString problem() const;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void makeRoom();
 
     QStatusBar& m_bar;
     QLabel *m_rate, *m_realTime, *m_step, *m_stabilityCaption, *m_stability;

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
@@ -116,4 +117,25 @@ TEST_F(RuleTableTest, RowsAreAddedRemovedAndMoved) {
     show({});
     QTest::mouseClick(button("Add rule"), Qt::LeftButton);
     EXPECT_EQ(wanted(), QStringList({"IF THEN"}));
+}
+
+TEST_F(RuleTableTest, WordsAreWholeInANarrowPanelAndHeadsMakeWayFirst) {
+    const std::vector<std::string> rules{"IF age IS older THEN viscosity IS thick"};
+    show(rules);
+    const auto* view = table.findChild<QTableView*>();
+    const auto* heads = view->horizontalHeader();
+    const auto allColumns = [&] {
+        int width = 0;
+        for (int column = 0; column < table.model()->columnCount(); ++column)
+            width += view->columnWidth(column);
+        return width;
+    };
+    const int wide = allColumns();
+    table.resize(280, 240);
+    ESM_EVENTUALLY(allColumns() < wide);
+    for (int column = 0; column < table.model()->columnCount(); ++column)
+        EXPECT_GT(view->columnWidth(column), view->fontMetrics().horizontalAdvance(shown(0, column)))
+            << column;
+    EXPECT_EQ(heads->textElideMode(), Qt::ElideRight) << "a head that is cut says so";
+    EXPECT_TRUE(cell(0, 0).data(Qt::ToolTipRole).toString().contains("older"));
 }

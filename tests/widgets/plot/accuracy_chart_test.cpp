@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolTip>
+#include <qwt_scale_div.h>
 
 #include <limits>
 
@@ -88,6 +89,24 @@ TEST_F(AccuracyChartTest, LeavesOutWhatLogarithmsCannotShow) {
     m_chart.setPoints({}, {});
     EXPECT_FALSE(m_chart.pointAt({100, 100}));
     QTest::keyClick(&m_chart, Qt::Key_Right);
+}
+
+TEST_F(AccuracyChartTest, CaptionsAndNumbersHaveRoomInASmallChart) {
+    m_chart.setPoints({{0.1, 1e-6, "exact"}, {1e5, 0.5, "fast"}}, {0, 1});
+    for (const QSize size : {QSize(230, 150), QSize(600, 300)}) {
+        m_chart.resize(size);
+        ESM_EVENTUALLY(m_chart.size() == size);
+        QTest::qWait(0);
+        const QFontMetrics metrics(m_chart.axisFont(QwtPlot::yLeft));
+        EXPECT_LE(metrics.horizontalAdvance(m_chart.axisTitle(QwtPlot::yLeft).text()), canvas()->height());
+        const auto numbers = m_chart.axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
+        ASSERT_GE(numbers.size(), 2);
+        for (int i = 1; i < numbers.size(); ++i) {
+            const double apart = m_chart.transform(QwtPlot::xBottom, numbers[i]) -
+                                 m_chart.transform(QwtPlot::xBottom, numbers[i - 1]);
+            EXPECT_GT(apart, metrics.horizontalAdvance(QString::number(numbers[i], 'g', 6)));
+        }
+    }
 }
 
 } // namespace

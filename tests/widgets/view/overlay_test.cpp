@@ -7,12 +7,12 @@ using namespace esm;
 
 namespace {
 
-/// How many rows of a picture of this width the hint's pill takes.
-int hintHeight(int width, const QString& hint) {
-    QImage picture(width, 300, QImage::Format_ARGB32_Premultiplied);
+/// How many rows of a picture of this size the hint's pill takes.
+int hintHeight(int width, const QString& hint, int height = 300) {
+    QImage picture(width, height, QImage::Format_ARGB32_Premultiplied);
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
-    paintHint(painter, {picture.size(), QPalette(Qt::black)}, hint, false);
+    paintHint(painter, {picture.size(), QPalette(Qt::black)}, hint);
     painter.end();
     int rows = 0;
     for (int y = 0; y < picture.height(); ++y)
@@ -56,4 +56,28 @@ TEST(Overlay, ALegendOfRegionsShowsTheirColoursAndSaysHowManyAreLeftOut) {
     EXPECT_EQ(colours(painted(10)), 10);
     EXPECT_EQ(colours(painted(25)), 9) << "and a line for the rest";
     EXPECT_EQ(colours(painted(0)), 0);
+}
+
+TEST(Overlay, AHintOfManyPartsKeepsTheFirstInALowView) {
+    const QString first = "Click a point in the photo, then the same point on the organ";
+    const QString all = first + " · drag a mark to move it · drag elsewhere to turn the view";
+    EXPECT_EQ(hintHeight(400, all, 150), hintHeight(400, first, 150));
+    EXPECT_GT(hintHeight(400, all, 400), hintHeight(400, first, 400));
+}
+
+TEST(Overlay, AHintStandsAboveTheLegendWhereLittleIsLeftBesideIt) {
+    const ViewLegend legend{"Spring constant", "N/m", 0, 1, {}};
+    const auto lowestRow = [&](int width) {
+        QImage picture(width, 300, QImage::Format_ARGB32_Premultiplied);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        paintHint(painter, {picture.size(), QPalette(Qt::black)}, "Drag to turn the view", &legend);
+        painter.end();
+        for (int y = picture.height() - 1; y >= 0; --y)
+            for (int x = 0; x < width; ++x)
+                if (picture.pixelColor(x, y).alpha() > 0) return y;
+        return -1;
+    };
+    EXPECT_GT(lowestRow(900), 270);
+    EXPECT_LT(lowestRow(400), 230);
 }

@@ -12,7 +12,6 @@
 
 #include <QApplication>
 #include <QPushButton>
-#include <QScreen>
 #include <QSettings>
 
 namespace esm {
@@ -41,7 +40,7 @@ void bringToFront(QStackedWidget& pages, int index) {
     pages.setCurrentIndex(index);
 }
 
-constexpr QSize smallestWindow(720, 560), usualWindow(900, 620), roomForFrame(20, 60);
+constexpr QSize smallestWindow(720, 440), usualWindow(900, 620);
 const QString geometryKey = QStringLiteral("fuzzyWindow");
 
 } // namespace
@@ -146,10 +145,8 @@ void FuzzyWorkbench::moveToWindow() {
         m_window = new QWidget(window(), Qt::Tool);
         m_window->setObjectName(QStringLiteral("workbenchWindow"));
         m_window->setAttribute(Qt::WA_StyledBackground);
-        const QSize room =
-            screen()->availableSize() - roomForFrame; // little on a screen with a display scale of 2
-        m_window->setMinimumSize(smallestWindow.boundedTo(room));
-        m_window->resize(usualWindow.boundedTo(room));
+        m_window->setMinimumSize(smallestWindow);
+        m_window->resize(usualWindow);
         m_window->restoreGeometry(QSettings().value(geometryKey).toByteArray());
         m_window->installEventFilter(this);
         keepControlKeys(*m_window);

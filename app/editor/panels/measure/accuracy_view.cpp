@@ -12,7 +12,6 @@
 #include "widgets/inputs/enabling.h"
 
 #include <QHBoxLayout>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 namespace esm {
@@ -45,24 +44,20 @@ QString titleText(const Tradeoff* tradeoff) {
 
 AccuracyView::AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidget* parent)
     : QWidget(parent), m_document(document), m_accuracy(accuracy), m_chart(new AccuracyChart),
-      m_table(new RunsTable), m_title(new ElidedLabel(this)),
+      m_table(new RunsTable), m_both(new ChartAndTable(m_chart, m_table, this)),
+      m_header(new QBoxLayout(QBoxLayout::LeftToRight)), m_title(new ElidedLabel(this)),
       m_onlyUnbeaten(new QCheckBox(tr("only the best"), this)), m_use(new QPushButton(tr("Use"), this)),
       m_exportTable(new QPushButton(tr("Save table…"), this)),
       m_exportChart(new QPushButton(tr("Save chart…"), this)) {
     setObjectName(QStringLiteral("accuracyView"));
     setAttribute(Qt::WA_StyledBackground);
     m_chart->setObjectName(QStringLiteral("accuracyChart"));
-    auto* both = new QSplitter(Qt::Horizontal, this);
-    both->setChildrenCollapsible(false);
-    both->setHandleWidth(9);
-    both->addWidget(m_chart);
-    both->addWidget(m_table);
-    both->setSizes({500, 500});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 8, 12, 12);
     column->setSpacing(8);
-    column->addLayout(buildHeader());
-    column->addWidget(both, 1);
+    buildHeader();
+    column->addLayout(m_header);
+    column->addWidget(m_both, 1);
 
     connect(m_chart, &AccuracyChart::chosen, this, [this](std::size_t run) { use(run); });
     connect(m_chart, &AccuracyChart::marked, this, [this](std::size_t run) { mark(run); });
@@ -74,6 +69,7 @@ AccuracyView::AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidg
         m_table->setOnlyUnbeaten(only);
         m_table->mark(m_marked);
     });
+    connect(m_both, &ChartAndTable::arranged, this, &AccuracyView::arrange);
     connect(&m_accuracy, &SpeedAndAccuracy::runsChanged, this, &AccuracyView::showRuns);
     connect(&m_accuracy, &SpeedAndAccuracy::changed, this, &AccuracyView::refresh);
     m_chart->setEmptyText(
@@ -83,21 +79,30 @@ AccuracyView::AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidg
     refresh();
 }
 
-QLayout* AccuracyView::buildHeader() {
-    auto* header = new QHBoxLayout;
-    header->setSpacing(8);
+void AccuracyView::buildHeader() {
+    m_header->setSpacing(8);
     m_title->setProperty("quiet", true);
-    header->addWidget(m_title, 1);
+    m_header->addWidget(m_title, 1);
+    auto* controls = new QHBoxLayout;
+    controls->addWidget(m_both->tabs());
+    controls->addStretch();
+    m_header->addLayout(controls);
     m_onlyUnbeaten->setToolTip(tr("List those alone that no other beats in both speed and accuracy"));
-    header->addWidget(m_onlyUnbeaten);
+    controls->addWidget(m_onlyUnbeaten);
     for (QPushButton* button : {m_use, m_exportTable, m_exportChart}) {
         button->setFocusPolicy(Qt::TabFocus);
-        header->addWidget(button);
+        controls->addWidget(button);
     }
     connect(m_use, &QPushButton::clicked, this, [this] { use(m_marked); });
     connect(m_exportTable, &QPushButton::clicked, this, &AccuracyView::exportTable);
     connect(m_exportChart, &QPushButton::clicked, this, &AccuracyView::exportChart);
-    return header;
+}
+
+void AccuracyView::arrange() {
+    m_header->setDirection(m_both->isNarrow() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    for (QWidget* control : std::initializer_list<QWidget*>{m_onlyUnbeaten, m_exportTable})
+        control->setVisible(m_both->showsTable());
+    m_exportChart->setVisible(m_both->showsChart());
 }
 
 void AccuracyView::showRuns() {

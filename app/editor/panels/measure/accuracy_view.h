@@ -1,11 +1,13 @@
 #pragma once
 
 #include "app/editor/dialogs/save_dialog.h"
+#include "app/editor/panels/measure/chart_and_table.h"
 #include "app/editor/panels/measure/runs_table.h"
 #include "app/editor/panels/measure/speed_and_accuracy.h"
 #include "widgets/inputs/elided_label.h"
 #include "widgets/plot/accuracy_chart.h"
 
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QPushButton>
 
@@ -27,7 +29,7 @@ signals:
     void message(const QString& text);
 
 private:
-    QLayout* buildHeader();
+    void buildHeader();
     void refresh();
     void showRuns();
     void showUse();
@@ -38,6 +40,7 @@ private:
     /// Asks where, and says what became of it.
     void write(const NewFile& asked, const QString& failure,
                const std::function<void(const std::filesystem::path&)>& writing);
+    void arrange();
     void exportTable();
     void exportChart();
 
@@ -45,6 +48,8 @@ private:
     SpeedAndAccuracy& m_accuracy;
     AccuracyChart* m_chart;
     RunsTable* m_table;
+    ChartAndTable* m_both;
+    QBoxLayout* m_header;
     ElidedLabel* m_title;
     QCheckBox* m_onlyUnbeaten;
     std::optional<std::size_t> m_marked; ///< run, or what was left out, by its row

@@ -120,7 +120,7 @@ int RunsModel::columnCount(const QModelIndex& parent) const {
 QVariant RunsModel::toolTip(int row) const {
     const LeftOutRun* out = leftOut(row);
     const Stepping& stepping = out ? out->stepping : m_tradeoff->runs[static_cast<std::size_t>(row)].stepping;
-    QString text = methodText(stepping.integrator);
+    QString text = methodName(stepping) + '\n' + methodText(stepping.integrator);
     if (const QString why = obstacle(row); !why.isEmpty()) return text + '\n' + why;
     if (isUnbeaten(row)) text += '\n' + tr("No other is both as fast and as exact.");
     return text + '\n' + tr("Enter or a double click: use this method and step");

@@ -49,6 +49,7 @@ PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* p
     m_pages->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* column = new QVBoxLayout(this);
     column->addLayout(toolRow());
+    column->addWidget(m_pages);
     column->addWidget(m_canvas, 1);
     column->addLayout(closeRow(document));
 
@@ -88,8 +89,6 @@ QHBoxLayout* PhotoDialog::toolRow() {
     add(PhotoTool::TakeBack, tr("Take back"), Qt::Key_E, tr("Brush over what was left out to show it again"));
     add(PhotoTool::Straighten, tr("Straighten"), Qt::Key_L, tr("Draw along what should be straight"));
     add(PhotoTool::Crop, tr("Crop"), Qt::Key_C, tr("Frame the part that is kept"));
-    row->addSpacing(12);
-    row->addWidget(m_pages);
     row->addStretch();
     return row;
 }

@@ -19,7 +19,7 @@ QWidget* emptyColumn(QVBoxLayout* into) {
     auto* column = new QWidget;
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 4, 0, 0);
-    layout->setSpacing(14);
+    layout->setSpacing(10);
     into->addWidget(column);
     return column;
 }
@@ -88,7 +88,8 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& 
     : QWidget(parent), m_document(document), m_selection(selection), m_reach(reach),
       m_tissue(new Section(tr("Tissue"), this)), m_results(new Section(tr("Results"), this)),
       m_choice(new FuzzyChoice(this)), m_stiffening(new StiffeningRow(document, this)),
-      m_system(new QLabel(this)), m_users(quietLine(QStringLiteral("systemUsers"), this)),
+      m_system(new QLabel(this)), m_relaxation(new QLabel(this)),
+      m_users(quietLine(QStringLiteral("systemUsers"), this)),
       m_source(quietLine(QStringLiteral("tissueSource"), this)), m_hint(new QLabel(this)),
       m_warnings(new QLabel(this)) {
     auto* column = new QVBoxLayout(this);
@@ -111,9 +112,7 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& 
     m_tissue->body()->addWidget(m_hint);
     m_inputs = emptyColumn(m_tissue->body());
     m_outputs = emptyColumn(m_results->body());
-    auto* results = new ValueRows(this);
-    m_relaxation = results->addText(tr("relaxation time"), QStringLiteral("relaxationTime"));
-    m_results->body()->addWidget(results);
+    addRelaxation();
     m_results->body()->addWidget(m_stiffening);
     m_warnings->setProperty("warning", true);
     m_warnings->setWordWrap(true);
@@ -126,6 +125,18 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& 
     });
     connect(&reach, &SystemReach::changed, this, &TissuePanel::showUsers);
     show();
+}
+
+/// It stands above the results that it follows from, in sight without scrolling.
+void TissuePanel::addRelaxation() {
+    auto* caption = new QLabel(tr("relaxation time"), this);
+    caption->setProperty("quiet", true);
+    caption->setBuddy(m_relaxation);
+    m_relaxation->setObjectName(QStringLiteral("relaxationTime"));
+    m_relaxation->setProperty("value", true);
+    m_relaxation->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_results->addToHeader(caption);
+    m_results->addToHeader(m_relaxation);
 }
 
 const Region* TissuePanel::region() const {

@@ -38,6 +38,7 @@ private:
     void chooseSystem(const std::shared_ptr<const FuzzySystem>& system);
     QString hint() const;
     void showUsers();
+    void addRelaxation();
     void showRelaxation(const RegionTissue& tissue);
     void showSource();
     /// What is said of an output that no rule reaches.
@@ -49,8 +50,7 @@ private:
     Section *m_tissue, *m_results;
     FuzzyChoice* m_choice;
     StiffeningRow* m_stiffening;
-    QLabel *m_system, *m_users, *m_source, *m_hint, *m_warnings;
-    QLabel* m_relaxation;
+    QLabel *m_system, *m_relaxation, *m_users, *m_source, *m_hint, *m_warnings;
     KeptValues m_kept;
     QWidget *m_inputs, *m_outputs;
     std::shared_ptr<const FuzzySystem> m_builtFor;

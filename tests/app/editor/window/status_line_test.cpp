@@ -1,5 +1,7 @@
 #include "app/editor/window/status_line.h"
 
+#include "tests/support/eventually.h"
+
 #include <gtest/gtest.h>
 #include <QVariant>
 
@@ -99,4 +101,19 @@ TEST_F(StatusLineTest, TellsOfWorkBesideTheWindowUntilItIsDone) {
     EXPECT_EQ(message(), "Redrawing the photos… 50 %");
     line->showWork({});
     EXPECT_EQ(message(), "a note");
+}
+
+TEST_F(StatusLineTest, AMessageHasRoomInANarrowWindowAndTheRestComesBack) {
+    bar.show();
+    bar.resize(784, 24);
+    line->showStatus(playingAt(29, 0.01));
+    const auto* shown = bar.findChild<QLabel*>("message");
+    const auto* rate = bar.findChild<QLabel*>("frameRate");
+    EXPECT_TRUE(rate->isVisible());
+    line->showMessage("Imported liver-of-the-third-patient.obj: 2496 nodes, 7 slits closed");
+    ESM_EVENTUALLY(shown->width() >= shown->sizeHint().width());
+    EXPECT_FALSE(rate->isVisible());
+    EXPECT_EQ(shown->toolTip(), shown->text());
+    line->showMessage({});
+    EXPECT_TRUE(rate->isVisible());
 }

@@ -35,12 +35,13 @@ struct Pair {
 } // namespace
 
 TEST(Theme, TextStandsOutFromItsGround) {
-    const std::vector<Pair> pairs{
-        {"text", "window"},          {"text", "panel"},      {"text", "raised"},       {"text", "hover"},
-        {"text", "field"},           {"quiet", "window"},    {"quiet", "panel"},       {"quiet", "trough"},
-        {"text", "chosen"},          {"white", "accent"},    {"white", "accentHover"}, {"bright", "panel"},
-        {"amber", "panel"},          {"amber", "amberSoft"}, {"red", "panel"},         {"red", "field"},
-        {"wordsText", "accentSoft"}, {"quiet", "field"},     {"bright", "field"},      {"amber", "field"}};
+    const std::vector<Pair> pairs{{"text", "window"},  {"text", "panel"},           {"text", "raised"},
+                                  {"text", "hover"},   {"text", "field"},           {"quiet", "window"},
+                                  {"quiet", "panel"},  {"quiet", "trough"},         {"text", "chosen"},
+                                  {"white", "accent"}, {"white", "accentHover"},    {"bright", "panel"},
+                                  {"amber", "panel"},  {"amber", "amberSoft"},      {"red", "panel"},
+                                  {"red", "field"},    {"wordsText", "accentSoft"}, {"quiet", "field"},
+                                  {"bright", "field"}, {"amber", "field"},          {"text", "accentBorder"}};
     for (const Theme theme : {Theme::Dark, Theme::Light})
         for (const Pair& pair : pairs) {
             const auto colour = [&](const char* name) {
