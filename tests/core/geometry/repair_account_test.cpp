@@ -20,7 +20,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double gap = 6e-4; // m
+constexpr double sawn = 6e-4; ///< m, the width of the cut
 
 /// The ball without three of its triangles, far apart, and a slit.
 PolygonSoup leakyBall() {
@@ -50,7 +50,7 @@ PolygonSoup cubeWithFlap() {
 
 TEST(RepairAccount, AddsUpFromTheFileToWhatIsLeft) {
     RepairOptions options;
-    options.slitWidth = gap;
+    options.slitWidth = sawn;
     EXPECT_THAT(
         repair(leakyBall(), options).report.warnings,
         Contains("171 border edges in the file, 162 closed with slits: 9 left, the surface is not closed"));
@@ -108,7 +108,7 @@ TEST(RepairAccount, CountsATriangleThatIsTurnedTwiceAsLeft) {
     const std::size_t all = soup.polygons.size();
     EXPECT_EQ(repair(soup).report.flippedTriangles, 20U);
     RepairOptions options;
-    options.slitWidth = gap;
+    options.slitWidth = sawn;
     options.holeEdges = 3;
     const RepairReport report = repair(soup, options).report;
     EXPECT_TRUE(report.isClosed());
@@ -122,7 +122,7 @@ TEST(RepairAccount, CountsADividedTriangleOnce) {
     turnAll(soup);
     const std::size_t all = soup.polygons.size() - repair(soup).report.removedTriangles();
     RepairOptions options;
-    options.slitWidth = 2 * gap;
+    options.slitWidth = 2 * sawn;
     const RepairedMesh mended = repair(soup, options);
     EXPECT_GT(mended.mesh.triangles.size(), all);
     EXPECT_TRUE(mended.report.isClosed());
