@@ -1,6 +1,7 @@
 #include "app/editor/dialogs/system_questions.h"
 
 #include "app/editor/dialogs/ask.h"
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/shipped_systems.h"
 #include "core/fuzzy/rule_text.h"
 #include "widgets/fuzzy/term_scale.h"
@@ -53,9 +54,9 @@ bool mayTakeRulesAlong(QWidget& window, const FuzzySystem& system, const QString
                 ? QObject::tr("With %1 goes the rule that speaks of it.").arg(what)
                 : QObject::tr("With %1 go %2 rules that speak of it.").arg(what, countText(rules.size())),
             QMessageBox::Cancel, &window);
-        box.setObjectName(QStringLiteral("rulesGoBox"));
+        setUpBox(box, "rulesGoBox");
         box.setInformativeText(texts.join('\n'));
-        QPushButton* remove = box.addButton(QObject::tr("Remove"), QMessageBox::AcceptRole);
+        QPushButton* remove = box.addButton(QObject::tr("&Remove"), QMessageBox::AcceptRole);
         box.setDefaultButton(remove);
         box.exec();
         return box.clickedButton() == remove;

@@ -2,6 +2,7 @@
 
 #include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/import_dialog.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/save_dialog.h"
@@ -94,7 +95,7 @@ bool FileController::mayLeaveProject() {
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
                     tr("Save the changes to %1?").arg(m_document.title()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    box.setObjectName(QStringLiteral("unsavedBox"));
+    setUpBox(box, "unsavedBox");
     box.setInformativeText((tr("Without saving they are lost.") + '\n' + unfinished).trimmed());
     const int answer = ask(m_window, [&] { return box.exec(); });
     return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
@@ -103,7 +104,7 @@ bool FileController::mayLeaveProject() {
 bool FileController::mayLoseUnfinished() {
     QMessageBox box(QMessageBox::Question, tr("Unfinished text"), tr("Leave the text as it is?"),
                     QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    box.setObjectName(QStringLiteral("unfinishedBox"));
+    setUpBox(box, "unfinishedBox");
     box.setInformativeText(m_document.unfinished());
     return ask(m_window, [&] { return box.exec(); }) == QMessageBox::Discard;
 }
@@ -186,7 +187,8 @@ void FileController::importMesh(const std::filesystem::path& file) {
                                    parts.rest());
             },
             Cancelling::Offered);
-        m_document.replace(std::move(project), std::nullopt, Origin::Unsaved);
+        m_document.replace(std::move(project), std::nullopt, Origin::Unsaved,
+                           {{}, std::filesystem::path(file).replace_extension(".esm")});
         noteOpened(file);
         emit message(tr("Imported %1").arg(fileName(file)));
     });
@@ -249,7 +251,7 @@ bool FileController::mayReplaceChanged(const std::filesystem::path& file) {
     QMessageBox box(QMessageBox::Warning, tr("File changed"),
                     tr("Another program has changed %1 since it was opened.").arg(fileName(file)),
                     QMessageBox::Cancel, &m_window);
-    box.setObjectName(QStringLiteral("changedFileBox"));
+    setUpBox(box, "changedFileBox");
     box.setInformativeText(
         tr("Replacing it loses that change. To keep both, cancel and save under another name."));
     QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::AcceptRole);
@@ -306,10 +308,12 @@ void FileController::offerLeftBehind(Journal& journal) {
     const QString title = latest.former.title.isEmpty() ? tr("an organ") : latest.former.title;
     QMessageBox box(QMessageBox::Question, tr("Unsaved work"), tr("Bring back the unsaved work?"),
                     QMessageBox::Discard, &m_window);
-    box.setObjectName(QStringLiteral("leftBehindBox"));
+    setUpBox(box, "leftBehindBox");
     box.setInformativeText(tr("The program ended without saving %1. It was last changed on %2.")
                                .arg(title, QLocale().toString(latest.written, QLocale::ShortFormat)));
     QPushButton* restore = box.addButton(tr("&Bring back"), QMessageBox::AcceptRole);
+    QPushButton* later = box.addButton(tr("&Later"), QMessageBox::RejectRole);
+    later->setToolTip(tr("Keep it, and ask again when the program starts next"));
     box.setDefaultButton(restore);
     ask(m_window, [&] { return box.exec(); });
     if (box.clickedButton() == box.button(QMessageBox::Discard)) return discard(latest);
