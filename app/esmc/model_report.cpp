@@ -1,5 +1,6 @@
 #include "app/esmc/model_report.h"
 
+#include "core/geometry/adjacency.h"
 #include "core/geometry/open_borders.h"
 #include "core/model/detail.h"
 
@@ -21,7 +22,8 @@ std::string repairsInText(const RepairReport& repairs) {
            counted(repairs.flippedTriangles, "triangle") + " turned, " +
            counted(repairs.unusedVertices, "unused vertex", "unused vertices") + " dropped, " +
            counted(repairs.closedSlitEdges, "border edge") + " of slits closed, " +
-           counted(repairs.filledHoles, "hole") + " filled";
+           counted(repairs.filledHoles, "hole") + " of " + counted(repairs.filledHoleEdges, "border edge") +
+           " filled";
 }
 
 void addSurface(Report& report, const RepairReport& repairs) {
@@ -30,6 +32,7 @@ void addSurface(Report& report, const RepairReport& repairs) {
     json["removed_triangles"] = repairs.removedTriangles();
     json["components"] = repairs.components;
     json["boundary_edges"] = repairs.boundaryEdgesBefore;
+    json["boundary_edges_found"] = repairs.boundaryEdgesFound();
     json["non_manifold_edges"] = repairs.nonManifoldEdgesBefore;
     json["boundary_edges_final"] = repairs.boundaryEdges;
     json["non_manifold_edges_final"] = repairs.nonManifoldEdges;
@@ -51,6 +54,13 @@ void addOpenBorders(Report& report, const TriangleMesh& mesh) {
                         {"length", borders[i].length},
                         {"gap", std::isfinite(gap) ? Json(gap) : Json()}});
     }
+    const std::size_t ofHoles =
+        std::accumulate(borders.begin(), borders.end(), std::size_t{0},
+                        [](std::size_t sum, const OpenBorder& border) { return sum + border.loop.size(); });
+    const std::size_t loose = countEdges(sidesByEdge(mesh.triangles)).boundary - ofHoles;
+    report.json["loose_border_edges"] = loose;
+    if (loose > 0)
+        report.text.push_back(counted(loose, "border edge") + " around no hole, which cannot be filled");
     if (borders.empty()) return;
     const OpenBorder& largest = borders.front();
     report.text.push_back(
@@ -69,6 +79,9 @@ void addRepairs(Report& report, const RepairReport& repairs) {
     json["dropped_parts"] = repairs.droppedParts;
     json["closed_slit_edges"] = repairs.closedSlitEdges;
     json["filled_holes"] = repairs.filledHoles;
+    json["filled_hole_edges"] = repairs.filledHoleEdges;
+    json["refused_holes"] = repairs.refusedHoles;
+    json["dropped_part_edges"] = repairs.droppedPartEdges;
     report.text.push_back(repairsInText(repairs));
 }
 

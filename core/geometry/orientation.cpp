@@ -114,15 +114,12 @@ private:
 
 } // namespace
 
-std::size_t orientTriangles(const std::vector<Eigen::Vector3d>& vertices, std::vector<Triangle>& triangles) {
-    const std::vector<bool> turned = Orienter(vertices, triangles).turned();
-    std::size_t count = 0;
+std::vector<bool> orientTriangles(const std::vector<Eigen::Vector3d>& vertices,
+                                  std::vector<Triangle>& triangles) {
+    std::vector<bool> turned = Orienter(vertices, triangles).turned();
     for (std::size_t i = 0; i < triangles.size(); ++i)
-        if (turned[i]) {
-            std::swap(triangles[i][1], triangles[i][2]);
-            ++count;
-        }
-    return count;
+        if (turned[i]) std::swap(triangles[i][1], triangles[i][2]);
+    return turned;
 }
 
 } // namespace esm

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace esm {
 
@@ -26,8 +27,10 @@ struct Workpiece {
     std::vector<Eigen::Vector3d> vertices; ///< the soup's, but where slits were closed
     std::vector<std::uint32_t> order;      ///< welded vertices in the order of their first use
     std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> origins; ///< of each triangle, the file's that it is or is part of, or none
+    std::vector<bool> isTurned;         ///< each triangle, against that one
     RepairReport report;
-    std::size_t refusedHoles = 0; ///< small enough, but left open
+    LeftOpen left;
 };
 
 double extentOf(const PolygonSoup& soup) {
@@ -146,11 +149,18 @@ void dropDuplicate(std::vector<Triangle>& triangles) {
     triangles.resize(kept);
 }
 
+std::size_t borderEdgeCount(const std::vector<Triangle>& triangles) {
+    return countEdges(sidesByEdge(triangles)).boundary;
+}
+
 void dropDegenerateAndDuplicate(Workpiece& piece) {
     dropDegenerate(piece);
     const std::size_t before = piece.triangles.size();
     dropDuplicate(piece.triangles);
     piece.report.duplicateTriangles = before - piece.triangles.size();
+    piece.origins.resize(piece.triangles.size());
+    std::iota(piece.origins.begin(), piece.origins.end(), 0U);
+    piece.isTurned.assign(piece.triangles.size(), false);
     if (piece.triangles.empty())
         throw InvalidModel("no triangle with an area remains of the mesh; export the surface again, or weld "
                            "points that are less far apart");
@@ -166,36 +176,70 @@ void selectParts(Workpiece& piece, KeepParts keep) {
         ++sizes[part];
     const auto largest =
         static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-    std::vector<Triangle> kept;
-    kept.reserve(sizes[largest]);
-    for (std::size_t i = 0; i < piece.triangles.size(); ++i)
-        if (parts.ofTriangle[i] == largest) kept.push_back(piece.triangles[i]);
-    piece.triangles = std::move(kept);
+    const std::size_t edges = borderEdgeCount(piece.triangles);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+        if (parts.ofTriangle[i] != largest) continue;
+        piece.triangles[kept] = piece.triangles[i];
+        piece.origins[kept] = piece.origins[i];
+        piece.isTurned[kept++] = piece.isTurned[i];
+    }
+    piece.triangles.resize(kept);
+    piece.origins.resize(kept);
+    piece.isTurned.resize(kept);
     piece.report.droppedParts = parts.count - 1;
+    piece.report.droppedPartEdges = edges - borderEdgeCount(piece.triangles);
     piece.report.components = 1;
 }
 
 void orient(Workpiece& piece) {
-    piece.report.flippedTriangles += orientTriangles(piece.vertices, piece.triangles);
+    const std::vector<bool> turned = orientTriangles(piece.vertices, piece.triangles);
+    for (std::size_t i = 0; i < turned.size(); ++i)
+        if (turned[i]) piece.isTurned[i] = !piece.isTurned[i];
+}
+
+/// What was turned twice is as it was, and the parts of a divided triangle are one.
+std::size_t turnedTriangles(const Workpiece& piece) {
+    std::vector<std::uint32_t> turned;
+    for (std::size_t i = 0; i < piece.triangles.size(); ++i)
+        if (piece.isTurned[i] && piece.origins[i] != noIndex) turned.push_back(piece.origins[i]);
+    std::sort(turned.begin(), turned.end());
+    return static_cast<std::size_t>(std::unique(turned.begin(), turned.end()) - turned.begin());
+}
+
+void closeWithin(Workpiece& piece, double width, const Progress& progress) {
+    orient(piece);
+    const ClosedSlits closed = closeSlits(piece.vertices, piece.triangles, width, progress);
+    piece.report.closedSlitEdges = closed.edges;
+    std::vector<std::uint32_t> origins;
+    std::vector<bool> isTurned;
+    origins.reserve(closed.origins.size());
+    isTurned.reserve(closed.origins.size());
+    for (const std::uint32_t former : closed.origins) {
+        origins.push_back(former == noIndex ? noIndex : piece.origins[former]);
+        isTurned.push_back(former != noIndex && piece.isTurned[former]);
+    }
+    piece.origins = std::move(origins);
+    piece.isTurned = std::move(isTurned);
 }
 
 void fillSmallHoles(Workpiece& piece, std::size_t mostEdges, const Progress& progress) {
     std::vector<BorderLoop> holes = bordersOf(piece.triangles).loops;
     std::erase_if(holes, [&](const BorderLoop& loop) { return loop.size() > mostEdges; });
     const std::vector<bool> isFilled = fillHoles(piece.vertices, piece.triangles, holes, progress);
-    piece.report.filledHoles = static_cast<std::size_t>(std::count(isFilled.begin(), isFilled.end(), true));
-    piece.refusedHoles = holes.size() - piece.report.filledHoles;
+    for (std::size_t i = 0; i < holes.size(); ++i) {
+        (isFilled[i] ? piece.report.filledHoles : piece.report.refusedHoles) += 1;
+        (isFilled[i] ? piece.report.filledHoleEdges : piece.left.refusedEdges) += holes[i].size();
+    }
+    piece.origins.resize(piece.triangles.size(), noIndex);
+    piece.isTurned.resize(piece.triangles.size(), false);
     orient(piece); // what was open may enclose a volume now, which has an outside
 }
 
 /// Slits first: where one is closed no hole is left, and two parts may be one.
 void closeOpenings(Workpiece& piece, const RepairOptions& options, const Progress& progress) {
     ProgressParts parts(progress);
-    if (options.slitWidth > 0) {
-        orient(piece);
-        piece.report.closedSlitEdges =
-            closeSlits(piece.vertices, piece.triangles, options.slitWidth, parts.next(0.6));
-    }
+    if (options.slitWidth > 0) closeWithin(piece, options.slitWidth, parts.next(0.6));
     selectParts(piece, options.keep);
     reportProgress(parts.next(0.1), 1);
     orient(piece);
@@ -232,35 +276,6 @@ TriangleMesh numbered(const Workpiece& piece) {
     return mesh;
 }
 
-std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
-    return std::to_string(count) + " " + (count == 1 ? singular : plural);
-}
-
-std::vector<std::string> warningsOf(const RepairReport& report, std::size_t refusedHoles) {
-    std::vector<std::string> warnings;
-    const auto warn = [&warnings](std::size_t count, const std::string& singular, const std::string& plural,
-                                  const std::string& fate) {
-        if (count > 0) warnings.push_back(counted(count, singular, plural) + fate);
-    };
-    warn(report.degenerateTriangles, "triangle", "triangles", " without area dropped");
-    warn(report.duplicateTriangles, "duplicate triangle", "duplicate triangles", " dropped");
-    warn(report.unusedVertices, "vertex", "vertices", " of no triangle dropped");
-    warn(report.flippedTriangles, "triangle", "triangles", " turned to face the same way as the rest");
-    warn(report.closedSlitEdges, "border edge", "border edges", " of slits closed");
-    warn(report.filledHoles, "hole", "holes", " filled");
-    warn(refusedHoles, "hole", "holes",
-         " left open: no filling would go on with the surface around without folding back onto it");
-    warn(report.droppedParts, "smaller part", "smaller parts", " dropped");
-    if (report.components > 1)
-        warnings.push_back("the surface has " + std::to_string(report.components) +
-                           " parts that do not touch");
-    warn(report.boundaryEdges, "edge", "edges", " on an open border: the surface is not closed");
-    warn(report.nonManifoldEdges, "edge", "edges", " shared by more than two triangles kept");
-    warn(report.inconsistentEdges, "edge", "edges",
-         " where the two sides of the surface cannot be told apart");
-    return warnings;
-}
-
 } // namespace
 
 // The order matters. Welding comes first, since without it no two triangles share an edge. Polygons are split
@@ -271,7 +286,7 @@ RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options, const
     ProgressParts parts(progress);
     reportProgress(progress, 0);
     check(soup, options);
-    Workpiece piece{soup, soup.vertices, {}, {}, {}};
+    Workpiece piece{soup, soup.vertices, {}, {}, {}, {}, {}, {}};
     RepairReport& report = piece.report;
     weldAndSplit(piece, options.weldDistance, parts.next(0.3));
 
@@ -289,7 +304,9 @@ RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options, const
     report.boundaryEdges = after.boundary;
     report.nonManifoldEdges = after.nonManifold;
     report.inconsistentEdges = after.inconsistent;
-    report.warnings = warningsOf(report, piece.refusedHoles);
+    report.flippedTriangles = turnedTriangles(piece);
+    if (after.boundary > 0) piece.left.looseEdges = bordersOf(piece.triangles).looseEdges;
+    report.warnings = repairWarnings(report, piece.left);
     RepairedMesh mesh{numbered(piece), report};
     reportProgress(progress, 1);
     return mesh;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace esm {
@@ -212,9 +213,12 @@ void fillBluntEnds(const std::vector<Eigen::Vector3d>& vertices, std::vector<Tri
 
 } // namespace
 
-std::size_t closeSlits(std::vector<Eigen::Vector3d>& vertices, std::vector<Triangle>& triangles, double width,
+ClosedSlits closeSlits(std::vector<Eigen::Vector3d>& vertices, std::vector<Triangle>& triangles, double width,
                        const Progress& progress) {
     const std::size_t before = bordersOf(triangles).edgeCount();
+    ClosedSlits closed;
+    closed.origins.resize(triangles.size());
+    std::iota(closed.origins.begin(), closed.origins.end(), 0U);
     const std::vector<Eigen::Vector3d> former = vertices;
     ProgressParts parts(progress);
     for (int pass = 0; pass < mostPasses; ++pass) {
@@ -223,12 +227,17 @@ std::size_t closeSlits(std::vector<Eigen::Vector3d>& vertices, std::vector<Trian
         if (!stitched) break;
         vertices = std::move(stitched->vertices);
         triangles = std::move(stitched->triangles);
+        for (std::uint32_t& origin : stitched->origins)
+            origin = closed.origins[origin];
+        closed.origins = std::move(stitched->origins);
     }
     std::vector<bool> isStitched;
     for (std::size_t i = 0; i < vertices.size(); ++i)
         isStitched.push_back(vertices[i] != former[i]);
     fillBluntEnds(vertices, triangles, isStitched, width, parts.rest());
-    return before - bordersOf(triangles).edgeCount();
+    closed.origins.resize(triangles.size(), noIndex);
+    closed.edges = before - bordersOf(triangles).edgeCount();
+    return closed;
 }
 
 } // namespace esm

@@ -5,7 +5,8 @@ from esmc import CUBE, Case, command
 IMPORT_KEYS = {"nodes": int, "springs": int, "triangles": int, "components": int, "boundary_edges": int,
                "non_manifold_edges": int, "merged_vertices": int, "removed_triangles": int, "size": list,
                "centre": list, "mass": float, "warnings": list, "boundary_edges_final": int,
-               "non_manifold_edges_final": int, "closed_slit_edges": int, "filled_holes": int, "open_borders": list}
+               "non_manifold_edges_final": int, "closed_slit_edges": int, "filled_holes": int, "filled_hole_edges": int, "refused_holes": int,
+              "dropped_part_edges": int, "boundary_edges_found": int, "loose_border_edges": int, "open_borders": list}
 
 
 def slit_box(gap):
@@ -84,7 +85,16 @@ class ImportTest(Case):
         self.assertEqual(open_border, {"edges": 4, "length": 4, "gap": 1})
         filled = self.imported("--fill-holes", "4", mesh=lidless)
         self.assertEqual((filled["filled_holes"], filled["boundary_edges_final"], filled["mass"]), (1, 0, 1000))
+        self.assertEqual((filled["boundary_edges_found"], filled["filled_hole_edges"]), (4, 4))
         self.assertEqual(self.imported("--fill-holes", "3", mesh=lidless)["filled_holes"], 0)
+
+    def test_tells_of_border_edges_around_no_hole(self):
+        flap = CUBE + "v 0.5 -1 -1\nf 1 2 9\n"
+        report = self.imported("--fill-holes", "500", mesh=flap)
+        self.assertEqual([report[key] for key in ("loose_border_edges", "boundary_edges_final", "open_borders", "filled_holes")],
+                         [2, 2, [], 0])
+        text = command("import", self.file("flap.obj", flap), "-o", self.file("flap.esm")).stdout
+        self.assertIn("2 border edges around no hole", text)
 
     def test_refuses_slits_wider_than_a_tenth_of_the_surface_in_one_line(self):
         message = self.fails(1, "import", self.file("cube.obj", CUBE), "--unit", "cm", "--close", "1.5", "-o",

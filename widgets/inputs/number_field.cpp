@@ -18,7 +18,7 @@ NumberField::NumberField(NumberFormat format, QWidget* parent)
     : QLineEdit(parent), m_format(std::move(format)) {
     setAlignment(Qt::AlignRight);
     setObjectName(QStringLiteral("numberField"));
-    connect(this, &QLineEdit::editingFinished, this, &NumberField::takeText);
+    connect(this, &QLineEdit::editingFinished, this, &NumberField::takeTyped);
     connect(this, &QLineEdit::textEdited, this, [this] { setRefusal({}); });
     showValue();
 }
@@ -121,7 +121,7 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
     m_keys.finish();
 }
 
-void NumberField::takeText() {
+void NumberField::takeTyped() {
     if (!isModified()) return;
     const auto typed = readNumber(text());
     if (!typed) return refuse(tr("This is not a number."));
@@ -146,9 +146,14 @@ void NumberField::take(double value) {
 
 void NumberField::refuse(const QString& reason) {
     setRefusal(reason);
-    if (!hasFocus()) return;
-    selectAll();
-    QToolTip::showText(mapToGlobal(QPoint(0, height())), reason, this);
+    if (hasFocus()) selectAll();
+    // The focus that comes to another field would hide the tool tip.
+    QTimer::singleShot(0, this, &NumberField::tellRefusal);
+}
+
+void NumberField::tellRefusal() {
+    if (m_refusal.isEmpty() || !isVisible()) return;
+    QToolTip::showText(mapToGlobal(QPoint(0, height())), m_refusal, this);
 }
 
 void NumberField::setRefusal(const QString& reason) {

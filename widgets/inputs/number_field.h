@@ -40,6 +40,10 @@ public:
     void setFormat(NumberFormat format);
     /// Why what stands in the field was not taken; empty when it was.
     const QString& refusal() const { return m_refusal; }
+    /// What is being typed counts now, or is refused, as when the field is left.
+    void takeTyped();
+    /// Shows why what stands in the field was not taken, below it.
+    void tellRefusal();
 
     /// How long the arrow keys rest before what follows is another edit.
     void setPause(std::chrono::milliseconds pause) { m_keys.setPause(pause); }
@@ -63,7 +67,6 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    void takeText();
     void take(double value);
     void refuse(const QString& reason);
     void setRefusal(const QString& reason);

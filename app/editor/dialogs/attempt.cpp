@@ -1,5 +1,6 @@
 #include "app/editor/dialogs/attempt.h"
 
+#include "app/editor/dialogs/box_setup.h"
 #include "core/support/errors.h"
 
 #include <QMessageBox>
@@ -10,7 +11,7 @@ namespace {
 
 void showProblem(QWidget* window, const QString& title, const QString& problem) {
     QMessageBox box(QMessageBox::Warning, title, title, QMessageBox::Ok, window);
-    box.setObjectName(QStringLiteral("problemBox"));
+    setUpBox(box, "problemBox");
     box.setInformativeText(problem);
     box.exec();
 }
@@ -41,7 +42,7 @@ void tell(QWidget* window, const QString& title, const std::vector<std::string>&
     for (const std::string& remark : remarks)
         lines << QString::fromStdString(remark);
     QMessageBox box(QMessageBox::Information, title, title, QMessageBox::Ok, window);
-    box.setObjectName(QStringLiteral("remarkBox"));
+    setUpBox(box, "remarkBox");
     QStringList shown = lines.mid(0, mostLines);
     if (lines.size() > mostLines) {
         shown << QObject::tr("… and %n more", nullptr, lines.size() - mostLines);

@@ -1,16 +1,19 @@
 #include "app/editor/dialogs/import_dialog.h"
 
+#include "app/editor/dialogs/extent_text.h"
 #include "core/authoring/import_unit.h"
 #include "core/model/motion_model.h"
 #include "core/project/project.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
+#include "widgets/inputs/refused_numbers.h"
 
 #include <QDialogButtonBox>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QShortcut>
 
 #include <algorithm>
 #include <array>
@@ -20,12 +23,6 @@ namespace esm {
 namespace {
 
 constexpr std::array<LengthUnit, 3> units{LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre};
-
-QString lengthText(double metres) {
-    if (metres >= 1) return QObject::tr("%1 m").arg(numberText(metres, 3));
-    return QObject::tr("%1 mm").arg(metres >= 0.01 ? decimalText(metres * 1000, 0)
-                                                   : numberText(metres * 1000, 2));
-}
 
 QLabel* quietLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -64,19 +61,7 @@ QString trianglesText(std::size_t count) {
     return count == 1 ? QObject::tr("1 triangle") : QObject::tr("%1 triangles").arg(countText(count));
 }
 
-QString unitsName(LengthUnit unit) {
-    switch (unit) {
-    case LengthUnit::Millimetre:
-        return QObject::tr("millimetres");
-    case LengthUnit::Centimetre:
-        return QObject::tr("centimetres");
-    case LengthUnit::Metre:
-        break;
-    }
-    return QObject::tr("metres");
-}
-
-/// So many move in real time on any machine.
+/// A fifth of what moved several times as fast as real time on two processors (docs/performance.md).
 constexpr std::size_t suggestedNodes = 2000;
 
 /// From the fewest that make a surface to one for every vertex.
@@ -88,23 +73,13 @@ NumberFormat nodesFormat(std::size_t vertices) {
     return format;
 }
 
+/// Of the list of findings, as high as the window allows; more scroll.
+constexpr int fewestReportLines = 5, mostReportLines = 11;
+
 /// More parts than these are crumbs, or no organ.
 constexpr std::size_t mostPartsListed = 12;
 
 } // namespace
-
-QString doubtfulExtent(double largestExtent, LengthUnit unit) {
-    const double metres = largestExtent * metresPer(unit);
-    if (isPlausibleSize(metres)) return {};
-    QStringList fitting;
-    for (const auto& [other, size] : fittingUnits(largestExtent))
-        fitting << QObject::tr("%1 in %2").arg(lengthText(size), unitsName(other));
-    if (fitting.isEmpty())
-        return QObject::tr("The organ would be %1 large, and no unit makes it an organ's size.")
-            .arg(lengthText(metres));
-    return QObject::tr("The organ would be %1 large. It would be %2.")
-        .arg(lengthText(metres), fitting.join(QStringLiteral(", ")));
-}
 
 RepairOptions repairOptions(const ImportChoice& choice) {
     return {0, choice.keep, choice.slitWidth, choice.holeEdges};
@@ -126,21 +101,32 @@ ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const Polygo
     setWindowTitle(tr("Import organ surface"));
     setObjectName(QStringLiteral("importDialog"));
     m_view->setAccessibleName(tr("Preview of the surface"));
-    m_view->setHint(tr("Drag to turn, wheel to come nearer; open borders are amber"));
+    m_view->setHint(tr("The preview is being made …"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 18);
     column->setSpacing(12);
     auto* row = new QHBoxLayout;
     row->setSpacing(16);
-    row->addWidget(m_view, 1);
+    row->addLayout(makePicture(), 1);
     row->addWidget(makeQuestions(fileName));
     column->addLayout(row, 1);
     addButtons(column);
+    // The preview and other widgets would keep it for themselves.
+    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QDialog::reject);
     connect(m_openings, &OpeningOptions::changed, this, &ImportDialog::lookAgain);
     connect(&m_importer, &SurfaceImporter::answered, this, &ImportDialog::takeAnswer);
     showKept();
     lookAgain();
-    resize(1040, 720);
+    resize(1120, 820);
+}
+
+/// The preview, and what was found in the file below it.
+QVBoxLayout* ImportDialog::makePicture() {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(8);
+    column->addWidget(m_view, 2);
+    addReport(column);
+    return column;
 }
 
 /// They scroll where the screen is low.
@@ -157,7 +143,7 @@ QWidget* ImportDialog::makeQuestions(const QString& fileName) {
     addParts();
     addOrientation(column);
     column->addWidget(m_openings);
-    addReport(column);
+    column->addStretch();
     auto* area = new QScrollArea(this);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
@@ -261,6 +247,8 @@ void ImportDialog::showDetail() {
     const Detail::Kind kind = detailKind();
     enable(m_nodes, kind == Detail::Kind::Nodes, tr("More nodes follow a deformation closer and take longer"),
            tr("Choose fewer nodes to say how many"));
+    // A number that was refused stays to be mended.
+    if (m_nodes->isEnabled() && !m_nodes->refusal().isEmpty()) return;
     const double all = static_cast<double>(m_shown->mesh->vertices.size());
     m_nodes->setValue(kind == Detail::Kind::Nodes   ? std::min(m_fewerNodes, all)
                       : kind == Detail::Kind::Rigid ? double(motionModelNodes)
@@ -275,8 +263,9 @@ void ImportDialog::addReport(QVBoxLayout* column) {
     m_report->setToolTip(tr("What was repaired in the file, and what its parts are"));
     m_report->setReadOnly(true);
     m_report->setTabChangesFocus(true);
-    m_report->setMinimumHeight(90);
-    m_report->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    const int line = m_report->fontMetrics().lineSpacing();
+    m_report->setMinimumHeight(fewestReportLines * line);
+    m_report->setMaximumHeight(mostReportLines * line);
     column->addWidget(m_report, 1);
 }
 
@@ -293,11 +282,16 @@ void ImportDialog::takeAnswer() {
     const auto outcome = m_importer.outcome();
     if (m_importer.isWorking() || outcome.number == m_answer) return;
     m_answer = outcome.number;
+    m_view->setHint(tr("Drag to turn, wheel to come nearer; open borders are amber"));
     if (!outcome.failure.empty()) return m_report->setPlainText(QString::fromStdString(outcome.failure));
     m_shown = outcome.answer->surface;
     showKept();
-    m_openings->showDone(&m_shown->report);
+    m_openings->showDone(m_shown.get());
     showPreview(outcome.answer->preview);
+}
+
+void ImportDialog::accept() {
+    if (takesAllNumbers(*this)) QDialog::accept();
 }
 
 void ImportDialog::done(int result) {
@@ -327,23 +321,16 @@ void ImportDialog::showSuggestion() {
     const std::size_t vertices = m_shown->mesh->vertices.size();
     m_suggestion->setText(
         vertices <= suggestedNodes
-            ? tr("Recommended: every vertex. So few move in real time on any machine.")
-            : tr("Recommended: %1 nodes under the full surface. So many move in real time on any machine; "
-                 "%2 may not.")
+            ? tr("Recommended: every vertex. So few usually move in real time.")
+            : tr("Recommended: %1 nodes under the full surface. So few usually move in real time; %2 may "
+                 "not. What this machine does is told under Measure.")
                   .arg(countText(suggestedNodes), countText(vertices)));
 }
 
 QString ImportDialog::sizeText(const Eigen::Vector3d& extent) const {
     const Eigen::Vector3d size = extent * metresPer(choice().unit);
     const bool zUp = choice().up == UpAxis::Z;
-    QStringList lengths;
-    for (const double metres : {size.x(), zUp ? size.z() : size.y(), zUp ? size.y() : size.z()})
-        lengths << lengthText(metres);
-    const QString text = lengths.join(QStringLiteral(" × "));
-    // One unit at the end is easier to read when all three share it.
-    return text.count(QStringLiteral(" mm")) == 3
-               ? QString(text).remove(QStringLiteral(" mm")) + QStringLiteral(" mm")
-               : text;
+    return lengthsText({size.x(), zUp ? size.z() : size.y(), zUp ? size.y() : size.z()});
 }
 
 QStringList ImportDialog::partLines() const {

@@ -30,9 +30,6 @@ struct ImportChoice {
 /// In metres.
 RepairOptions repairOptions(const ImportChoice& choice);
 
-/// Says that no organ has this extent, in a file's unit, and which unit would fit; empty where it may be.
-QString doubtfulExtent(double largestExtent, LengthUnit unit);
-
 /// Asks what a mesh file means and shows what follows: the surface in space with its open borders, its size,
 /// what was repaired. Another choice is worked out beside the window.
 class ImportDialog : public QDialog {
@@ -46,9 +43,12 @@ public:
     ImportChoice choice() const;
     /// Ends what is still worked out, which may take a moment; on any thread, once the dialog was answered.
     void stopWork() { m_importer.stop(); }
+    /// Not while a number in it is refused.
+    void accept() override;
     void done(int result) override;
 
 private:
+    QVBoxLayout* makePicture();
     QWidget* makeQuestions(const QString& fileName);
     void addUnits(QVBoxLayout* column, LengthUnit likely);
     void addOrientation(QVBoxLayout* column);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace esm {
 
@@ -33,8 +34,38 @@ QString inMillimetres(double metres) {
     return QObject::tr("%1 mm").arg(numberText(metres * 1000, 2));
 }
 
+/// Rounded down to what the field shows of it, so that no width that is shown is above the limit.
 double widest(const ImportedSurface& surface, LengthUnit unit) {
-    return widestSlit(surface.extent.maxCoeff()) * metresPer(unit);
+    constexpr double rounding = 1 + 1e-12;
+    const double most = widestSlit(surface.extent.maxCoeff()) * metresPer(unit);
+    const double step = most > 1e-3 ? 1e-5 : std::pow(10, std::floor(std::log10(most)) - 2);
+    return std::floor(most / step * rounding) * step;
+}
+
+/// Border edges of no loop.
+std::size_t looseEdges(const ImportedSurface& surface) {
+    return std::accumulate(
+        surface.borders.begin(), surface.borders.end(), surface.report.boundaryEdges,
+        [](std::size_t left, const OpenBorder& border) { return left - border.loop.size(); });
+}
+
+QString filledText(const RepairReport& report) {
+    const QString filled = report.filledHoles == 1
+                               ? QObject::tr("1 hole filled, %1").arg(edgesText(report.filledHoleEdges))
+                               : QObject::tr("%1 holes filled, %2")
+                                     .arg(countText(report.filledHoles), edgesText(report.filledHoleEdges));
+    if (report.refusedHoles == 0) return filled;
+    return QObject::tr("%1; %2 cannot be").arg(filled, countText(report.refusedHoles));
+}
+
+/// What stays open once slits are closed and holes filled.
+QString leftText(const ImportedSurface& surface) {
+    const std::size_t edges = surface.report.boundaryEdges, loose = looseEdges(surface);
+    if (edges == 0) return QObject::tr("Left open: nothing");
+    const QString left = QObject::tr("Left open: %1").arg(edgesText(edges));
+    if (loose == 0) return left;
+    return loose == edges ? QObject::tr("%1, around no hole").arg(left)
+                          : QObject::tr("%1, %2 of them around no hole").arg(left, countText(loose));
 }
 
 /// What is shown as 0.01 mm, on an organ of any usual size.
@@ -60,6 +91,13 @@ NumberFormat edgesFormat() {
     return format;
 }
 
+/// Keeps the room of a line for what is said later.
+void keepLine(QLabel* label) {
+    label->ensurePolished();
+    label->setText(QStringLiteral("0"));
+    label->setMinimumHeight(label->sizeHint().height());
+}
+
 bool isSlit(const OpenBorder& border) {
     return std::isfinite(border.gap) && border.length > slitShape * border.gap;
 }
@@ -72,7 +110,7 @@ OpeningOptions::OpeningOptions(std::shared_ptr<const ImportedSurface> found, Len
       m_fills(new QCheckBox(tr("&Fill holes of up to"), this)),
       m_width(new NumberField(widthFormat(widest(*m_found, unit)), this)),
       m_edges(new NumberField(edgesFormat(), this)), m_widthLimits(quiet(this)), m_closed(new QLabel(this)),
-      m_filled(new QLabel(this)) {
+      m_filled(new QLabel(this)), m_left(new QLabel(this)) {
     m_open->setObjectName(QStringLiteral("openBorders"));
     m_open->setWordWrap(true);
     m_closes->setObjectName(QStringLiteral("closesSlits"));
@@ -81,6 +119,9 @@ OpeningOptions::OpeningOptions(std::shared_ptr<const ImportedSurface> found, Len
     m_edges->setObjectName(QStringLiteral("holeEdges"));
     m_closed->setObjectName(QStringLiteral("closedSlits"));
     m_filled->setObjectName(QStringLiteral("filledHoles"));
+    m_left->setObjectName(QStringLiteral("leftOpen"));
+    m_left->setToolTip(tr("The free edge of a wall or flap inside begins and ends where parts of the surface "
+                          "meet: it goes around no hole, and cannot be filled"));
     m_width->setAccessibleName(tr("Width of slits to close"));
     m_edges->setAccessibleName(tr("Edges of holes to fill"));
     auto* edgesLimits = quiet(this);
@@ -98,12 +139,12 @@ OpeningOptions::OpeningOptions(std::shared_ptr<const ImportedSurface> found, Len
         grid->addWidget(limits, row, 2);
         grid->addWidget(done, row + 1, 1, 1, 3);
         number->setFixedWidth(numberWidth);
-        done->ensurePolished();
-        done->setText(QStringLiteral("0"));
-        done->setMinimumHeight(done->sizeHint().height());
+        keepLine(done);
     };
     addRow(1, m_closes, m_width, m_widthLimits, m_closed);
     addRow(3, m_fills, m_edges, edgesLimits, m_filled);
+    grid->addWidget(m_left, 5, 0, 1, 4);
+    keepLine(m_left);
     m_edges->setValue(static_cast<double>(usualHole));
     connectRow(m_closes, m_width);
     connectRow(m_fills, m_edges);
@@ -136,9 +177,14 @@ void OpeningOptions::connectRow(QCheckBox* chosen, NumberField* number) {
 void OpeningOptions::setUnit(LengthUnit unit) {
     const double most = widest(*m_found, unit);
     m_width->setFormat(widthFormat(most));
-    m_width->setValue(std::clamp(m_isWidthTyped ? m_width->value().value_or(usualSlit) : proposedWidth(unit),
-                                 leastWidth(most), most));
-    m_widthLimits->setText(tr("at most %1").arg(inMillimetres(most)));
+    if (m_width->refusal().isEmpty())
+        m_width->setValue(
+            std::clamp(m_isWidthTyped ? m_width->value().value_or(usualSlit) : proposedWidth(unit),
+                       leastWidth(most), most));
+    m_widthLimits->setText(tr("at most %1 mm")
+                               .arg(m_width->format().decimals < 0
+                                        ? numberText(most * 1000)
+                                        : decimalText(most * 1000, m_width->format().decimals)));
     m_open->setText(foundText(unit));
 }
 
@@ -152,27 +198,30 @@ double OpeningOptions::proposedWidth(LengthUnit unit) const {
 
 QString OpeningOptions::foundText(LengthUnit unit) const {
     const auto& borders = m_found->borders;
-    const std::size_t edges = m_found->report.boundaryEdges;
+    const std::size_t edges = m_found->report.boundaryEdges, loose = looseEdges(*m_found);
     if (edges == 0) return tr("No open border");
-    if (borders.empty()) return tr("%1 on open borders that are no loops").arg(edgesText(edges));
+    if (borders.empty()) return tr("Found: %1 of open borders around no hole").arg(edgesText(edges));
     const OpenBorder& largest = borders.front();
     const QString size = edgesText(largest.loop.size());
-    QString text =
-        borders.size() == 1
-            ? tr("1 open border: %1").arg(size)
-            : tr("%1 open borders, %2; the largest: %3").arg(borders.size()).arg(edgesText(edges), size);
-    if (!std::isfinite(largest.gap)) return text;
-    return tr("%1, its sides %2 apart").arg(text, inMillimetres(largest.gap * metresPer(unit)));
+    QString text = borders.size() == 1 ? tr("Found: 1 open border: %1").arg(size)
+                                       : tr("Found: %1 open borders, %2; the largest: %3")
+                                             .arg(borders.size())
+                                             .arg(edgesText(edges - loose), size);
+    if (std::isfinite(largest.gap))
+        text = tr("%1, its sides %2 apart").arg(text, inMillimetres(largest.gap * metresPer(unit)));
+    return loose == 0 ? text : tr("%1. And %2 around no hole").arg(text, edgesText(loose));
 }
 
-void OpeningOptions::showDone(const RepairReport* report) {
-    const QString wait = QStringLiteral("…");
-    m_closed->setText(!m_closes->isChecked() ? QString()
-                      : report               ? tr("%1 closed").arg(edgesText(report->closedSlitEdges))
-                                             : wait);
-    m_filled->setText(!m_fills->isChecked() ? QString()
-                      : report              ? tr("%1 filled").arg(countText(report->filledHoles))
-                                            : wait);
+void OpeningOptions::showDone(const ImportedSurface* surface) {
+    const bool closes = m_closes->isChecked(), fills = m_fills->isChecked();
+    const auto show = [surface](QLabel* label, bool isAsked, const auto& textOf) {
+        label->setText(!isAsked ? QString() : surface ? textOf(*surface) : QStringLiteral("…"));
+    };
+    show(m_closed, closes, [](const ImportedSurface& shown) {
+        return tr("%1 closed").arg(edgesText(shown.report.closedSlitEdges));
+    });
+    show(m_filled, fills, [](const ImportedSurface& shown) { return filledText(shown.report); });
+    show(m_left, closes || fills, leftText);
 }
 
 double OpeningOptions::slitWidth() const {

@@ -21,7 +21,7 @@ public:
     /// What a unit of the file means decides how wide a slit may be.
     void setUnit(LengthUnit unit);
     /// What became of it by the options; null while that is not known yet.
-    void showDone(const RepairReport* report);
+    void showDone(const ImportedSurface* surface);
 
     double slitWidth() const;      ///< m; 0: none is closed
     std::size_t holeEdges() const; ///< 0: none is filled
@@ -38,7 +38,7 @@ private:
     QLabel* m_open;
     QCheckBox *m_closes, *m_fills;
     NumberField *m_width, *m_edges;
-    QLabel *m_widthLimits, *m_closed, *m_filled;
+    QLabel *m_widthLimits, *m_closed, *m_filled, *m_left;
     bool m_isWidthTyped = false;
 };
 

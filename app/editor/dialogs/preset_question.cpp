@@ -1,6 +1,7 @@
 #include "app/editor/dialogs/preset_question.h"
 
 #include "app/editor/dialogs/ask.h"
+#include "app/editor/dialogs/box_setup.h"
 #include "widgets/fuzzy/term_scale.h"
 
 #include <QMessageBox>
@@ -37,10 +38,10 @@ bool mayApplyPreset(QWidget& window, const TissuePreset& preset, const QString& 
             QMessageBox::NoIcon, QObject::tr("Published tissue"),
             QObject::tr("“%1” for “%2” changes:").arg(QString::fromStdString(preset.title), target),
             QMessageBox::Cancel, &window);
-        box.setObjectName(QStringLiteral("presetBox"));
+        setUpBox(box, "presetBox");
         box.setInformativeText(changeTable(changes) + paragraph(preset.description) +
                                paragraph("Source: " + preset.source));
-        QPushButton* apply = box.addButton(QObject::tr("Apply"), QMessageBox::AcceptRole);
+        QPushButton* apply = box.addButton(QObject::tr("&Apply"), QMessageBox::AcceptRole);
         apply->setObjectName(QStringLiteral("applyPreset"));
         apply->setEnabled(!changes.empty());
         apply->setToolTip(changes.empty() ? QObject::tr("The tissue is so already")

@@ -1,5 +1,6 @@
 #include "app/editor/dialogs/save_dialog.h"
 
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/document/file_memory.h"
 
 #include <QDir>
@@ -17,7 +18,7 @@ namespace {
 bool mayReplace(QWidget* window, const QString& file) {
     QMessageBox box(QMessageBox::Question, QObject::tr("Replace file"),
                     QObject::tr("Replace %1?").arg(QFileInfo(file).fileName()), QMessageBox::Cancel, window);
-    box.setObjectName(QStringLiteral("replaceBox"));
+    setUpBox(box, "replaceBox");
     box.setInformativeText(QObject::tr("It exists already. What it holds now would be lost."));
     QPushButton* replace = box.addButton(QObject::tr("&Replace"), QMessageBox::AcceptRole);
     box.exec();

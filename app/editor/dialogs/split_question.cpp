@@ -1,6 +1,7 @@
 #include "app/editor/dialogs/split_question.h"
 
 #include "app/editor/dialogs/ask.h"
+#include "app/editor/dialogs/box_setup.h"
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -13,8 +14,8 @@ bool mayRemoveSplits(QWidget& window, const Scene& scene) {
         QMessageBox box(QMessageBox::Question, QObject::tr("Simulate other nodes"),
                         QObject::tr("The scene's splits will be removed: other nodes have other edges."),
                         QMessageBox::Cancel, &window);
-        box.setObjectName(QStringLiteral("splitsGoBox"));
-        QPushButton* remove = box.addButton(QObject::tr("Remove splits"), QMessageBox::AcceptRole);
+        setUpBox(box, "splitsGoBox");
+        QPushButton* remove = box.addButton(QObject::tr("&Remove splits"), QMessageBox::AcceptRole);
         box.setDefaultButton(remove);
         box.exec();
         return box.clickedButton() == remove;

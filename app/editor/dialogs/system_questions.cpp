@@ -1,6 +1,7 @@
 #include "app/editor/dialogs/system_questions.h"
 
 #include "app/editor/dialogs/ask.h"
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/shipped_systems.h"
 #include "core/fuzzy/rule_text.h"
 #include "widgets/fuzzy/term_scale.h"
@@ -46,9 +47,9 @@ bool mayTakeRulesAlong(QWidget& window, const FuzzySystem& system, const QString
                 ? QObject::tr("With %1 goes the rule that speaks of it.").arg(what)
                 : QObject::tr("With %1 go %2 rules that speak of it.").arg(what, countText(rules.size())),
             QMessageBox::Cancel, &window);
-        box.setObjectName(QStringLiteral("rulesGoBox"));
+        setUpBox(box, "rulesGoBox");
         box.setInformativeText(texts.join('\n'));
-        QPushButton* remove = box.addButton(QObject::tr("Remove"), QMessageBox::AcceptRole);
+        QPushButton* remove = box.addButton(QObject::tr("&Remove"), QMessageBox::AcceptRole);
         box.setDefaultButton(remove);
         box.exec();
         return box.clickedButton() == remove;
@@ -69,7 +70,7 @@ std::optional<Reach> askReach(QWidget& window, const FuzzySystem& system, const 
         box.setInformativeText(
             QObject::tr("They are: %1.\n\nA copy gets a name of its own and is for “%2” alone; the others "
                         "keep theirs. The answer holds until another region is selected.")
-                .arg(names.join(QStringLiteral(", ")), selected));
+                .arg(QStringLiteral("“%1”").arg(names.join(QStringLiteral("”, “"))), selected));
         QPushButton* all =
             box.addButton(QObject::tr("For all %1 regions").arg(users.size()), QMessageBox::AcceptRole);
         QPushButton* copy = box.addButton(QObject::tr("A copy for this one"), QMessageBox::AcceptRole);

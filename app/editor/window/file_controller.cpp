@@ -2,6 +2,7 @@
 
 #include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/open_dialog.h"
 #include "app/editor/dialogs/save_dialog.h"
@@ -89,7 +90,7 @@ bool FileController::mayLeaveProject() {
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
                     tr("Save the changes to %1?").arg(m_document.title()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    box.setObjectName(QStringLiteral("unsavedBox"));
+    setUpBox(box, "unsavedBox");
     box.setInformativeText((tr("Without saving they are lost.") + '\n' + unfinished).trimmed());
     const int answer = ask(m_window, [&] { return box.exec(); });
     return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
@@ -98,7 +99,7 @@ bool FileController::mayLeaveProject() {
 bool FileController::mayLoseUnfinished() {
     QMessageBox box(QMessageBox::Question, tr("Unfinished text"), tr("Leave the text as it is?"),
                     QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    box.setObjectName(QStringLiteral("unfinishedBox"));
+    setUpBox(box, "unfinishedBox");
     box.setInformativeText(m_document.unfinished());
     return ask(m_window, [&] { return box.exec(); }) == QMessageBox::Discard;
 }
@@ -172,7 +173,7 @@ bool FileController::mayReplaceChanged(const std::filesystem::path& file) {
     QMessageBox box(QMessageBox::Warning, tr("File changed"),
                     tr("Another program has changed %1 since it was opened.").arg(fileName(file)),
                     QMessageBox::Cancel, &m_window);
-    box.setObjectName(QStringLiteral("changedFileBox"));
+    setUpBox(box, "changedFileBox");
     box.setInformativeText(
         tr("Replacing it loses that change. To keep both, cancel and save under another name."));
     QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::AcceptRole);

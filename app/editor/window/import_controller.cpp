@@ -63,7 +63,8 @@ void ImportController::importMesh(const std::filesystem::path& file) {
                 return organOf(*read.soup, file.stem().string(), choice, progress);
             },
             Cancelling::Offered);
-        m_document.replace(std::move(project), std::nullopt, Origin::Unsaved);
+        m_document.replace(std::move(project), std::nullopt, Origin::Unsaved,
+                           {{}, std::filesystem::path(file).replace_extension(".esm")});
         emit imported(file);
     });
 }

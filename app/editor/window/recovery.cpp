@@ -2,6 +2,7 @@
 
 #include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/long_work.h"
 
 #include <QLocale>
@@ -30,10 +31,12 @@ std::optional<UnsavedWork> askAboutUnsavedWork(QWidget& window, const LeftBehind
     const QString title = work.former.title.isEmpty() ? QObject::tr("an organ") : work.former.title;
     QMessageBox box(QMessageBox::Question, QObject::tr("Unsaved work"),
                     QObject::tr("Bring back the unsaved work?"), QMessageBox::Discard, &window);
-    box.setObjectName(QStringLiteral("leftBehindBox"));
+    setUpBox(box, "leftBehindBox");
     box.setInformativeText(QObject::tr("The program ended without saving %1. It was last changed on %2.")
                                .arg(title, QLocale().toString(work.written, QLocale::ShortFormat)));
     QPushButton* restore = box.addButton(QObject::tr("&Bring back"), QMessageBox::AcceptRole);
+    QPushButton* later = box.addButton(QObject::tr("&Later"), QMessageBox::RejectRole);
+    later->setToolTip(QObject::tr("Keep it, and ask again when the program starts next"));
     box.setDefaultButton(restore);
     ask(window, [&] { return box.exec(); });
     if (box.clickedButton() == restore) return UnsavedWork::BringBack;

@@ -1,5 +1,6 @@
 #include "app/editor/workers/import_preview.h"
 
+#include "core/geometry/adjacency.h"
 #include "core/model/spring_network.h"
 
 #include <numeric>
@@ -9,18 +10,16 @@ namespace esm {
 namespace {
 
 /// Every vertex is a node; the borders' edges alone are springs, so that they can be marked like a region's.
-std::shared_ptr<const SpringNetwork> borderNetwork(const TriangleMesh& mesh,
-                                                   const std::vector<OpenBorder>& borders) {
+std::shared_ptr<const SpringNetwork> borderNetwork(const TriangleMesh& mesh) {
     auto network = std::make_shared<SpringNetwork>();
     network->restPositions = mesh.vertices;
     network->vertexNodes.resize(mesh.vertices.size());
     std::iota(network->vertexNodes.begin(), network->vertexNodes.end(), 0U);
-    for (const OpenBorder& border : borders)
-        for (std::size_t i = 0; i < border.loop.size(); ++i) {
-            const std::uint32_t first = border.loop[i], second = border.loop[(i + 1) % border.loop.size()];
-            network->springs.push_back(
-                {first, second, (mesh.vertices[first] - mesh.vertices[second]).norm()});
-        }
+    forEachEdge(sidesByEdge(mesh.triangles), [&](auto side, auto end) {
+        if (end - side != 1) return;
+        const auto [first, second] = side->edge;
+        network->springs.push_back({first, second, (mesh.vertices[first] - mesh.vertices[second]).norm()});
+    });
     return network;
 }
 
@@ -41,8 +40,8 @@ RenderScene importPreview(const ImportedSurface& surface, LengthUnit unit, UpAxi
     convertToMetres(mesh->vertices, unit, up);
     RenderScene scene;
     scene.mesh = mesh;
-    if (!surface.borders.empty()) {
-        scene.network = borderNetwork(*mesh, surface.borders);
+    if (surface.report.boundaryEdges > 0) {
+        scene.network = borderNetwork(*mesh);
         scene.marked = markedBorders(*scene.network);
     }
     return scene;

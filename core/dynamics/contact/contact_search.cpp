@@ -138,7 +138,7 @@ private:
         }
         const auto [found, isNew] = m_contacts.try_emplace({offered.nodes, part});
         if (!isNew && !(distance > found->second.distance)) return;
-        found->second = {{}, m_collider, part, distance, depth, {}};
+        found->second = {{}, m_collider, part, distance, depth, {Vector3d::Zero(), Vector3d::Zero()}};
         for (std::size_t i = 0; i < offered.count; ++i)
             found->second.shares.push_back({offered.nodes.at(i), offered.weights.at(i)});
         found->second.plane = contactPlane(m_move, pointOf(found->second, m_before), point, distance);

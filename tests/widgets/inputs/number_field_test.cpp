@@ -145,6 +145,25 @@ TEST_F(NumberFieldTest, IsWideEnoughForEveryNumberWhereItIsAskedTo) {
     }
 }
 
+TEST_F(NumberFieldTest, SaysWhyItRefusesANumberOnEnterAndOnTab) {
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Tab}) {
+        QWidget window;
+        auto* column = new QVBoxLayout(&window);
+        auto* left = new NumberField(lengthFormat(0));
+        column->addWidget(left);
+        column->addWidget(new NumberField(lengthFormat(0)));
+        window.show();
+        QApplication::setActiveWindow(&window);
+        left->setFocus();
+        QToolTip::hideText();
+        ESM_EVENTUALLY(!QToolTip::isVisible());
+        QTest::keyClicks(left, "-3");
+        QTest::keyClick(left, key);
+        EXPECT_EQ(left->hasFocus(), key == Qt::Key_Return);
+        ESM_EVENTUALLY(QToolTip::isVisible() && QToolTip::text() == left->refusal());
+    }
+}
+
 TEST_F(NumberFieldTest, SaysANumberThatHasNoRoomInItsToolTip) {
     field.setToolTip(QStringLiteral("How long it is"));
     const auto toolTip = [&] {

@@ -5,6 +5,7 @@
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quantity_formats.h"
+#include "widgets/inputs/refused_numbers.h"
 
 namespace esm {
 
@@ -48,7 +49,9 @@ AccuracyPanel::AccuracyPanel(Document& document, SpeedAndAccuracy& accuracy, QWi
     body()->addWidget(m_measure);
     body()->addWidget(m_measured);
 
-    connect(m_measure, &QPushButton::clicked, this, [this] { m_accuracy.measure(window()); });
+    connect(m_measure, &QPushButton::clicked, this, [this] {
+        if (takesAllNumbers(*this)) m_accuracy.measure(window());
+    });
     connect(m_automatic, &QToolButton::clicked, &m_accuracy, &SpeedAndAccuracy::useAutomatic);
     connect(&m_accuracy, &SpeedAndAccuracy::changed, this, &AccuracyPanel::refresh);
     refresh();

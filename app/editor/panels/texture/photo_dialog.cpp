@@ -2,6 +2,7 @@
 
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
+#include "widgets/inputs/refused_numbers.h"
 #include "widgets/texture/image_conversion.h"
 
 #include <QShortcut>
@@ -164,7 +165,9 @@ QHBoxLayout* PhotoDialog::closeRow(Document& document) {
     auto* close = new QPushButton(tr("Close"), this);
     close->setToolTip(tr("Go back to the organ; what was done to the photo stays"));
     close->setAutoDefault(false);
-    connect(close, &QPushButton::clicked, this, &QDialog::close);
+    connect(close, &QPushButton::clicked, this, [this] {
+        if (takesAllNumbers(*this)) QDialog::close();
+    });
     row->addWidget(close);
     return row;
 }

@@ -1,5 +1,6 @@
 #include "app/editor/dialogs/import_dialog.h"
 
+#include "app/editor/dialogs/extent_text.h"
 #include "tests/support/cut_ball.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_meshes.h"
@@ -11,6 +12,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QScreen>
+#include <QTest>
 
 #include <thread>
 
@@ -51,6 +53,12 @@ struct Shown {
     QString text(const char* label) const { return child<QLabel>(label)->text(); }
     QString reported() const { return child<QPlainTextEdit>("importReport")->toPlainText(); }
     const RenderScene& preview() const { return dialog.findChild<OrganView*>()->scene(); }
+    NumberField* nodes() const {
+        for (auto* field : dialog.findChildren<NumberField*>())
+            if (field->accessibleName() == "Nodes") return field;
+        return nullptr;
+    }
+    double shownExtent() const { return boundingBox(preview().mesh->vertices).sizes().maxCoeff() * 1000; }
     std::size_t markedEdges() const { return preview().network ? preview().network->springs.size() : 0; }
 
     ImportDialog dialog;
@@ -125,6 +133,8 @@ TEST(ImportDialog, MarksOpenBordersAndClosesThemWhenAsked) {
     ESM_EVENTUALLY(shown.text("closedSlits") == "162 edges closed");
     EXPECT_EQ(shown.markedEdges(), 0U);
     EXPECT_TRUE(shown.reported().contains("162 border edges of slits closed"));
+    EXPECT_TRUE(shown.reported().contains("162 border edges in the file, 162 closed with slits: none left"));
+    EXPECT_EQ(shown.text("leftOpen"), "Left open: nothing");
     shown.child<QCheckBox>("closesSlits")->click();
     ESM_EVENTUALLY(shown.markedEdges() == 162);
     EXPECT_EQ(shown.text("closedSlits"), "");
@@ -137,7 +147,8 @@ TEST(ImportDialog, FillsHolesWhenAsked) {
     EXPECT_EQ(shown.markedEdges(), 4U);
     shown.child<QCheckBox>("fillsHoles")->click();
     EXPECT_EQ(shown.dialog.choice().holeEdges, 30U);
-    ESM_EVENTUALLY(shown.text("filledHoles") == "1 filled");
+    ESM_EVENTUALLY(shown.text("filledHoles") == "1 hole filled, 4 edges");
+    EXPECT_EQ(shown.text("leftOpen"), "Left open: nothing");
     EXPECT_EQ(shown.markedEdges(), 0U);
 }
 
@@ -158,6 +169,120 @@ TEST(ImportDialog, LimitsTheWidthByTheOrgansSize) {
     EXPECT_NEAR(most(), 0.12, 1e-9);
 }
 
+TEST(ImportDialog, ShowsNoWidthAboveTheLimitThatItShows) {
+    PolygonSoup soup = openBall(); // 120 mm
+    for (Eigen::Vector3d& vertex : soup.vertices)
+        vertex.array() *= Eigen::Array3d(1.4816, 1.4816, 40);
+    Shown shown(soup);
+    const auto* width = shown.child<NumberField>("slitWidth");
+    EXPECT_LE(width->format().maximum, widestSlit(shown.shownExtent()) / 1000);
+    for (const auto* label : shown.dialog.findChildren<QLabel*>()) {
+        if (!label->text().startsWith("at most ")) continue;
+        const double most = label->text().mid(8).split(' ')[0].toDouble();
+        EXPECT_NEAR(most, 1000 * width->format().maximum, 1e-9);
+        EXPECT_LE(width->text().split(' ')[0].toDouble(), most);
+    }
+}
+
+TEST(ImportDialog, TellsOfBorderEdgesAroundNoHole) {
+    PolygonSoup soup = test::cubeSoup(100);
+    const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+    soup.vertices.insert(soup.vertices.end(), {{0, 0, 0}, {100, 0, 0}, {50, -60, -60}});
+    soup.polygons.push_back({first, first + 1, first + 2}); // on an edge of the cube
+    Shown shown(soup);
+    EXPECT_EQ(shown.text("openBorders"), "Found: 2 edges of open borders around no hole");
+    EXPECT_EQ(shown.markedEdges(), 2U);
+    shown.child<QCheckBox>("fillsHoles")->click();
+    ESM_EVENTUALLY(shown.text("leftOpen") == "Left open: 2 edges, around no hole");
+    EXPECT_EQ(shown.text("filledHoles"), "0 holes filled, 0 edges");
+    EXPECT_TRUE(shown.reported().contains("2 border edges around no hole"));
+}
+
+TEST(ImportDialog, ImportsNothingWhileANumberIsRefused) {
+    for (const auto& [box, field] : {std::pair("closesSlits", "slitWidth"), {"fillsHoles", "holeEdges"}})
+        for (const char* text : {"1e99", "abc", "99999999"}) {
+            Shown shown(openBall());
+            shown.dialog.show();
+            shown.child<QCheckBox>(box)->click();
+            auto* number = shown.child<NumberField>(field);
+            number->setFocus();
+            number->selectAll();
+            QTest::keyClicks(number, text);
+            shown.dialog.accept();
+            EXPECT_TRUE(shown.dialog.isVisible()) << text;
+            EXPECT_EQ(number->text(), text);
+            EXPECT_FALSE(number->refusal().isEmpty());
+            ESM_EVENTUALLY(number->hasFocus());
+            shown.child<QCheckBox>(box)->click(); // what is not asked for does not matter
+            shown.dialog.accept();
+            EXPECT_FALSE(shown.dialog.isVisible());
+        }
+}
+
+TEST(ImportDialog, KeepsARefusedNumberOfNodesWhenAnAnswerComes) {
+    Shown shown(threeParts());
+    shown.dialog.show();
+    shown.child<QComboBox>("importDetail")->setCurrentIndex(1);
+    NumberField* nodes = shown.nodes();
+    nodes->setFocus();
+    nodes->selectAll();
+    QTest::keyClicks(nodes, "99999999");
+    QTest::keyClick(nodes, Qt::Key_Tab);
+    shown.child<QComboBox>("importKeep")->setCurrentIndex(1);
+    ESM_EVENTUALLY(shown.text("importSize") == "200 × 100 × 100 mm");
+    EXPECT_EQ(nodes->text(), "99999999");
+    shown.dialog.accept();
+    EXPECT_TRUE(shown.dialog.isVisible());
+}
+
+TEST(ImportDialog, ClosesOnEscapeWhateverHasTheFocus) {
+    for (const char* name : {"", "preview", "importReport", "importKeep", "slitWidth", "unit1"}) {
+        Shown shown(openBall());
+        shown.dialog.show();
+        QApplication::setActiveWindow(&shown.dialog);
+        shown.child<QCheckBox>("closesSlits")->click();
+        QWidget* focus = shown.child<QWidget>(name);
+        if (QString(name) == "preview") focus = shown.dialog.findChild<OrganView*>();
+        if (!*name)
+            focus = &shown.dialog;
+        else
+            focus->setFocus();
+        QTest::keyClick(focus, Qt::Key_Escape);
+        EXPECT_FALSE(shown.dialog.isVisible()) << name;
+    }
+}
+
+TEST(ImportDialog, TakesBackWhatIsTypedBeforeEscapeCloses) {
+    Shown shown(openBall());
+    shown.dialog.show();
+    QApplication::setActiveWindow(&shown.dialog);
+    shown.child<QCheckBox>("closesSlits")->click();
+    auto* width = shown.child<NumberField>("slitWidth");
+    width->setFocus();
+    const QString before = width->text();
+    QTest::keyClicks(width, "5");
+    QTest::keyClick(width, Qt::Key_Escape);
+    EXPECT_TRUE(shown.dialog.isVisible());
+    EXPECT_EQ(width->text(), before);
+    QTest::keyClick(width, Qt::Key_Escape);
+    EXPECT_FALSE(shown.dialog.isVisible());
+}
+
+TEST(ImportDialog, GivesAllThreeLengthsOneUnit) {
+    EXPECT_EQ(lengthsText({0.967, 1.6704, 0.329}), "0.967 × 1.67 × 0.329 m");
+    EXPECT_EQ(lengthsText({0.967, 0.0021, 0.329}), "967 × 2.1 × 329 mm");
+}
+
+TEST(ImportDialog, SaysThatThePreviewIsBeingMade) {
+    const PolygonSoup soup = openBall();
+    ImportDialog dialog("organ.obj", std::make_shared<const PolygonSoup>(soup),
+                        std::make_shared<const ImportedSurface>(importedSurface(soup, {})));
+    const auto* view = dialog.findChild<OrganView*>();
+    EXPECT_TRUE(view->hint().contains("being made"));
+    ESM_EVENTUALLY(view->scene().mesh != nullptr);
+    EXPECT_TRUE(view->hint().contains("Drag"));
+}
+
 TEST(ImportDialog, MayBeClosedWhileItWorks) {
     Shown shown(openBall());
     shown.child<QCheckBox>("closesSlits")->click();
@@ -171,9 +296,7 @@ TEST(ImportDialog, AsksHowMuchIsSimulated) {
     Shown shown(threeParts());
     const auto vertices = static_cast<double>(shown.preview().mesh->vertices.size());
     auto* detail = shown.child<QComboBox>("importDetail");
-    NumberField* nodes = nullptr;
-    for (auto* field : shown.dialog.findChildren<NumberField*>())
-        if (field->accessibleName() == "Nodes") nodes = field;
+    NumberField* nodes = shown.nodes();
     ASSERT_NE(nodes, nullptr);
     EXPECT_TRUE(shown.text("importSuggestion").contains(countText(2000) + " nodes"))
         << shown.text("importSuggestion").toStdString();

@@ -85,6 +85,20 @@ TEST_F(LeftBehindTest, GoesWhereItIsDiscarded) {
     EXPECT_TRUE(std::filesystem::is_empty(folder / "recovery"));
 }
 
+TEST_F(LeftBehindTest, StaysForTheNextStartWhereItIsLeftForLater) {
+    leave([](Document& lost, Selection&, Journal&) {
+        lost.edit("Rename", [](Project& project) { project.name = "lost"; });
+    });
+    dialogs.expectNamed("leftBehindBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_Escape); });
+    window->files().offerLeftBehind(*journal);
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_EQ(project().name, projectToEdit().name);
+    EXPECT_TRUE(std::filesystem::exists(folder / "recovery" / "left.journal"));
+    acceptOffer();
+    window->files().offerLeftBehind(*journal);
+    EXPECT_EQ(project().name, "lost");
+}
+
 TEST_F(LeftBehindTest, ComesBackUnsavedFromACopyOfAnEarlierVersion) {
     Project lost = makeSample("tube");
     lost.base.mass = 0.75;

@@ -178,6 +178,28 @@ TEST_F(FileControllerTest, AsksBeforeAnImportedOrganIsLost) {
     EXPECT_FALSE(window->close());
 }
 
+TEST_F(FileControllerTest, ProposesToSaveAnImportedOrganBesideItsFile) {
+    dialogs.expectNamed("importDialog", [](QDialog* dialog) { dialog->accept(); });
+    window->openFiles({tetrahedron()});
+    QString proposed;
+    dialogs.expect([](QWidget* dialog) { return qobject_cast<QFileDialog*>(dialog) != nullptr; },
+                   [&](QDialog* dialog) {
+                       proposed = qobject_cast<QFileDialog*>(dialog)->selectedFiles().value(0);
+                       dialog->reject();
+                   });
+    window->windowActions().save->trigger();
+    EXPECT_EQ(proposed, QString::fromStdString((folder / "organ.esm").string()));
+    EXPECT_FALSE(window->document().path());
+}
+
+TEST_F(FileControllerTest, LettersAnswerWhetherToSave) {
+    setMass(0.5);
+    dialogs.expectNamed("unsavedBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_C, Qt::AltModifier); });
+    EXPECT_FALSE(window->files().mayLeaveProject());
+    dialogs.expectNamed("unsavedBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_D, Qt::AltModifier); });
+    EXPECT_TRUE(window->files().mayLeaveProject());
+}
+
 TEST_F(FileControllerTest, OpensDroppedFilesOneAfterTheOther) {
     const std::vector<std::filesystem::path> files{write("first.esm", "x"), write("second.esm", "x")};
     QStringList said;

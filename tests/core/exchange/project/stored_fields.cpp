@@ -197,7 +197,8 @@ void fillReport(RepairReport& report) {
          {&report.mergedVertices, &report.splitPolygons, &report.degenerateTriangles,
           &report.duplicateTriangles, &report.unusedVertices, &report.flippedTriangles, &report.droppedParts,
           &report.components, &report.boundaryEdgesBefore, &report.nonManifoldEdgesBefore,
-          &report.boundaryEdges, &report.nonManifoldEdges, &report.inconsistentEdges})
+          &report.boundaryEdges, &report.nonManifoldEdges, &report.inconsistentEdges, &report.closedSlitEdges,
+          &report.filledHoles, &report.filledHoleEdges, &report.refusedHoles, &report.droppedPartEdges})
         *count = std::numeric_limits<std::size_t>::max();
     report.warnings.assign(1000, std::string(100, 'w'));
 }

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <QMessageBox>
+
+namespace esm {
+
+/// Names a box, and lets each of its usual buttons be chosen by a letter with Alt, whatever the desktop. Once
+/// the box has its buttons.
+void setUpBox(QMessageBox& box, const char* name);
+
+} // namespace esm
