@@ -78,7 +78,7 @@ AccuracyChart::AccuracyChart(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Error over speed"));
     setToolTip(tr("A click marks a point, as the arrow keys do; a double click or Enter uses it"));
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     followTheme();
     drawScales();
 }

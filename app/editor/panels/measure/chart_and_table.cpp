@@ -6,8 +6,8 @@ namespace esm {
 
 namespace {
 
-constexpr int chartWidth = 400, tableWidth = 520; // pixels, in proportion
-constexpr int leastWidthOfBoth = 720;             // pixels
+constexpr int chartWidth = 400, tableWidth = 520;        // pixels, in proportion
+constexpr int leastWidthOfBoth = 720, leastHeight = 150; // pixels
 
 } // namespace
 
@@ -15,6 +15,7 @@ ChartAndTable::ChartAndTable(QWidget* chart, QWidget* table, QWidget* parent)
     : QSplitter(Qt::Horizontal, parent), m_chart(chart), m_table(table), m_tabs(new QTabBar(this)) {
     setChildrenCollapsible(false);
     setHandleWidth(9);
+    setMinimumHeight(leastHeight);
     addWidget(chart);
     addWidget(table);
     setStretchFactor(0, 1);

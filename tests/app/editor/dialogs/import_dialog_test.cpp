@@ -279,8 +279,10 @@ TEST(ImportDialog, SaysThatThePreviewIsBeingMade) {
                         std::make_shared<const ImportedSurface>(importedSurface(soup, {})));
     const auto* view = dialog.findChild<OrganView*>();
     EXPECT_TRUE(view->hint().contains("being made"));
-    ESM_EVENTUALLY(view->scene().mesh != nullptr);
-    EXPECT_TRUE(view->hint().contains("Drag"));
+    dialog.show();
+    ESM_EVENTUALLY(view->hint().contains("Drag"));
+    EXPECT_TRUE(view->isUpToDate());
+    EXPECT_NE(view->scene().mesh, nullptr);
 }
 
 TEST(ImportDialog, MayBeClosedWhileItWorks) {
