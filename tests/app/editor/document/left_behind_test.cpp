@@ -90,12 +90,12 @@ TEST_F(LeftBehindTest, StaysForTheNextStartWhereItIsLeftForLater) {
         lost.edit("Rename", [](Project& project) { project.name = "lost"; });
     });
     dialogs.expectNamed("leftBehindBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_Escape); });
-    window->files().offerLeftBehind(*journal);
+    window->offerLeftBehind(*journal);
     EXPECT_TRUE(dialogs.isDone());
     EXPECT_EQ(project().name, projectToEdit().name);
     EXPECT_TRUE(std::filesystem::exists(folder / "recovery" / "left.journal"));
     acceptOffer();
-    window->files().offerLeftBehind(*journal);
+    window->offerLeftBehind(*journal);
     EXPECT_EQ(project().name, "lost");
 }
 

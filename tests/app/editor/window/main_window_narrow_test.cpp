@@ -39,7 +39,7 @@ protected:
     }
     void addPhoto() {
         writePng(makeSamplePhoto(samplePhotoNames().front())->image, folder / "photo.png");
-        window->files().addPhoto(folder / "photo.png");
+        window->openFiles({folder / "photo.png"});
         settle();
     }
     /// As if it was measured, with long names of methods.
@@ -199,6 +199,6 @@ TEST_F(NarrowTest, QuestionsHaveRoom) {
     window->windowActions().keys->trigger();
     std::ofstream(folder / "box.obj") << "v 0 0 0\nv 90 0 0\nv 0 90 0\nv 0 0 90\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
     lookAtNextDialog("importDialog");
-    window->files().importMesh(folder / "box.obj");
+    window->openFiles({folder / "box.obj"});
     EXPECT_TRUE(dialogs.isDone());
 }
