@@ -119,6 +119,10 @@ ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const Polygo
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QDialog::reject);
     connect(m_openings, &OpeningOptions::changed, this, &ImportDialog::lookAgain);
     connect(&m_importer, &SurfaceImporter::answered, this, &ImportDialog::takeAnswer);
+    connect(m_view, &OrganView::drawn, this, [this] {
+        if (m_view->scene().mesh && m_view->isUpToDate())
+            m_view->setHint(tr("Drag to turn, wheel to come nearer; open borders are amber"));
+    });
     showKept();
     lookAgain();
     resize(QSize(1120, 820).boundedTo(screen()->availableSize() - roomAround));
@@ -286,7 +290,6 @@ void ImportDialog::takeAnswer() {
     const auto outcome = m_importer.outcome();
     if (m_importer.isWorking() || outcome.number == m_answer) return;
     m_answer = outcome.number;
-    m_view->setHint(tr("Drag to turn, wheel to come nearer; open borders are amber"));
     if (!outcome.failure.empty()) return m_report->setPlainText(QString::fromStdString(outcome.failure));
     m_shown = outcome.answer->surface;
     showKept();
