@@ -153,7 +153,8 @@ TEST_F(NumberFieldTest, SaysWhyItRefusesANumberOnEnterAndOnTab) {
         column->addWidget(left);
         column->addWidget(new NumberField(lengthFormat(0)));
         window.show();
-        QApplication::setActiveWindow(&window);
+        window.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&window, patience));
         left->setFocus();
         QToolTip::hideText();
         ESM_EVENTUALLY(!QToolTip::isVisible());

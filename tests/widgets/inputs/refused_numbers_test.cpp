@@ -29,7 +29,8 @@ struct TwoNumbers {
             column->addWidget(field);
         }
         dialog.show();
-        QApplication::setActiveWindow(&dialog);
+        dialog.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&dialog, patience));
         first->setFocus();
     }
     static void type(NumberField* field, const char* text) {

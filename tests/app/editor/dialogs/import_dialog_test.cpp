@@ -58,7 +58,12 @@ struct Shown {
             if (field->accessibleName() == "Nodes") return field;
         return nullptr;
     }
-    double shownExtent() const { return boundingBox(preview().mesh->vertices).sizes().maxCoeff() * 1000; }
+    /// As the window that keys go to.
+    void activate() {
+        dialog.show();
+        dialog.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&dialog, patience));
+    }
     std::size_t markedEdges() const { return preview().network ? preview().network->springs.size() : 0; }
 
     ImportDialog dialog;
@@ -169,19 +174,24 @@ TEST(ImportDialog, LimitsTheWidthByTheOrgansSize) {
     EXPECT_NEAR(most(), 0.12, 1e-9);
 }
 
-TEST(ImportDialog, ShowsNoWidthAboveTheLimitThatItShows) {
-    PolygonSoup soup = openBall(); // 120 mm
+TEST(ImportDialog, TakesTheWidthThatItShowsAsTheLimitAndNoneAboveIt) {
+    PolygonSoup soup = openBall();
     for (Eigen::Vector3d& vertex : soup.vertices)
-        vertex.array() *= Eigen::Array3d(1.4816, 1.4816, 40);
+        vertex *= 1.6814; // 201.768 mm: a tenth of it is shown as 20.17 mm, and would be rounded to 20.18
     Shown shown(soup);
-    const auto* width = shown.child<NumberField>("slitWidth");
-    EXPECT_LE(width->format().maximum, widestSlit(shown.shownExtent()) / 1000);
-    for (const auto* label : shown.dialog.findChildren<QLabel*>()) {
-        if (!label->text().startsWith("at most ")) continue;
-        const double most = label->text().mid(8).split(' ')[0].toDouble();
-        EXPECT_NEAR(most, 1000 * width->format().maximum, 1e-9);
-        EXPECT_LE(width->text().split(' ')[0].toDouble(), most);
+    auto* width = shown.child<NumberField>("slitWidth");
+    QStringList limits;
+    for (const auto* label : shown.dialog.findChildren<QLabel*>())
+        if (label->text().startsWith("at most ")) limits << label->text();
+    EXPECT_EQ(limits, QStringList("at most 20.17 mm"));
+    shown.child<QCheckBox>("closesSlits")->click();
+    for (const auto& [text, isTaken] : {std::pair("20.17", true), {"20.18", false}}) {
+        width->selectAll();
+        QTest::keyClicks(width, text);
+        width->takeTyped();
+        EXPECT_EQ(width->refusal().isEmpty(), isTaken) << text;
     }
+    EXPECT_TRUE(width->refusal().contains("20.17 mm"));
 }
 
 TEST(ImportDialog, TellsOfBorderEdgesAroundNoHole) {
@@ -212,7 +222,7 @@ TEST(ImportDialog, ImportsNothingWhileANumberIsRefused) {
             EXPECT_TRUE(shown.dialog.isVisible()) << text;
             EXPECT_EQ(number->text(), text);
             EXPECT_FALSE(number->refusal().isEmpty());
-            ESM_EVENTUALLY(number->hasFocus());
+            EXPECT_EQ(shown.dialog.focusWidget(), number);
             shown.child<QCheckBox>(box)->click(); // what is not asked for does not matter
             shown.dialog.accept();
             EXPECT_FALSE(shown.dialog.isVisible());
@@ -221,7 +231,7 @@ TEST(ImportDialog, ImportsNothingWhileANumberIsRefused) {
 
 TEST(ImportDialog, KeepsARefusedNumberOfNodesWhenAnAnswerComes) {
     Shown shown(threeParts());
-    shown.dialog.show();
+    shown.activate();
     shown.child<QComboBox>("importDetail")->setCurrentIndex(1);
     NumberField* nodes = shown.nodes();
     nodes->setFocus();
@@ -238,8 +248,7 @@ TEST(ImportDialog, KeepsARefusedNumberOfNodesWhenAnAnswerComes) {
 TEST(ImportDialog, ClosesOnEscapeWhateverHasTheFocus) {
     for (const char* name : {"", "preview", "importReport", "importKeep", "slitWidth", "unit1"}) {
         Shown shown(openBall());
-        shown.dialog.show();
-        QApplication::setActiveWindow(&shown.dialog);
+        shown.activate();
         shown.child<QCheckBox>("closesSlits")->click();
         QWidget* focus = shown.child<QWidget>(name);
         if (QString(name) == "preview") focus = shown.dialog.findChild<OrganView*>();
@@ -254,8 +263,7 @@ TEST(ImportDialog, ClosesOnEscapeWhateverHasTheFocus) {
 
 TEST(ImportDialog, TakesBackWhatIsTypedBeforeEscapeCloses) {
     Shown shown(openBall());
-    shown.dialog.show();
-    QApplication::setActiveWindow(&shown.dialog);
+    shown.activate();
     shown.child<QCheckBox>("closesSlits")->click();
     auto* width = shown.child<NumberField>("slitWidth");
     width->setFocus();
@@ -281,7 +289,6 @@ TEST(ImportDialog, SaysThatThePreviewIsBeingMade) {
     EXPECT_TRUE(view->hint().contains("being made"));
     dialog.show();
     ESM_EVENTUALLY(view->hint().contains("Drag"));
-    EXPECT_TRUE(view->isUpToDate());
     EXPECT_NE(view->scene().mesh, nullptr);
 }
 

@@ -89,10 +89,11 @@ TEST_F(LeftBehindTest, StaysForTheNextStartWhereItIsLeftForLater) {
     leave([](Document& lost, Selection&, Journal&) {
         lost.edit("Rename", [](Project& project) { project.name = "lost"; });
     });
+    const std::string before = project().name;
     dialogs.expectNamed("leftBehindBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_Escape); });
     window->offerLeftBehind(*journal);
     EXPECT_TRUE(dialogs.isDone());
-    EXPECT_EQ(project().name, projectToEdit().name);
+    EXPECT_EQ(project().name, before);
     EXPECT_TRUE(std::filesystem::exists(folder / "recovery" / "left.journal"));
     acceptOffer();
     window->offerLeftBehind(*journal);

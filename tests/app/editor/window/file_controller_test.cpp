@@ -194,10 +194,13 @@ TEST_F(FileControllerTest, ProposesToSaveAnImportedOrganBesideItsFile) {
 
 TEST_F(FileControllerTest, LettersAnswerWhetherToSave) {
     setMass(0.5);
-    dialogs.expectNamed("unsavedBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_C, Qt::AltModifier); });
-    EXPECT_FALSE(window->files().mayLeaveProject());
-    dialogs.expectNamed("unsavedBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_D, Qt::AltModifier); });
-    EXPECT_TRUE(window->files().mayLeaveProject());
+    for (const auto& [key, mayLeave] : {std::pair(Qt::Key_C, false), {Qt::Key_D, true}}) {
+        dialogs.expectNamed("unsavedBox", [key = key](QDialog* box) {
+            EXPECT_TRUE(QTest::qWaitForWindowActive(box, patience));
+            QTest::keyClick(box, key, Qt::AltModifier);
+        });
+        EXPECT_EQ(window->files().mayLeaveProject(), mayLeave);
+    }
 }
 
 TEST_F(FileControllerTest, OpensDroppedFilesOneAfterTheOther) {
