@@ -78,7 +78,7 @@ AccuracyChart::AccuracyChart(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Error over speed"));
     setToolTip(tr("Click a point, or choose one with the arrow keys and Enter, to compute so"));
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     followTheme();
     drawScales();
 }

@@ -120,7 +120,7 @@ TEST_F(RuleTableTest, RowsAreAddedRemovedAndMoved) {
 }
 
 TEST_F(RuleTableTest, WordsAreWholeInANarrowPanelAndHeadsMakeWayFirst) {
-    const std::vector<std::string> rules{"IF age IS older THEN viscosity IS thick"};
+    const std::vector<std::string> rules{"IF age IS old THEN viscosity IS thick"};
     show(rules);
     const auto* view = table.findChild<QTableView*>();
     const auto* heads = view->horizontalHeader();
@@ -137,5 +137,5 @@ TEST_F(RuleTableTest, WordsAreWholeInANarrowPanelAndHeadsMakeWayFirst) {
         EXPECT_GT(view->columnWidth(column), view->fontMetrics().horizontalAdvance(shown(0, column)))
             << column;
     EXPECT_EQ(heads->textElideMode(), Qt::ElideRight) << "a head that is cut says so";
-    EXPECT_TRUE(cell(0, 0).data(Qt::ToolTipRole).toString().contains("older"));
+    EXPECT_TRUE(cell(0, 0).data(Qt::ToolTipRole).toString().contains("old"));
 }

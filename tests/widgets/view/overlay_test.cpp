@@ -7,17 +7,26 @@ using namespace esm;
 
 namespace {
 
-/// How many rows of a picture of this size the hint's pill takes.
-int hintHeight(int width, const QString& hint, int height = 300) {
+/// What the hint's pill takes of a picture of this size.
+QRect hintRect(int width, const QString& hint, int height) {
     QImage picture(width, height, QImage::Format_ARGB32_Premultiplied);
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     paintHint(painter, {picture.size(), QPalette(Qt::black)}, hint);
     painter.end();
-    int rows = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        rows += picture.pixelColor(width / 2, y).alpha() > 0;
-    return rows;
+    QRect taken;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (picture.pixelColor(x, y).alpha() > 0) taken |= QRect(x, y, 1, 1);
+    return taken;
+}
+
+int hintHeight(int width, const QString& hint, int height = 300) {
+    return hintRect(width, hint, height).height();
+}
+
+int hintWidth(int width, const QString& hint, int height) {
+    return hintRect(width, hint, height).width();
 }
 
 } // namespace
@@ -63,6 +72,7 @@ TEST(Overlay, AHintOfManyPartsKeepsTheFirstInALowView) {
     const QString all = first + " · drag a mark to move it · drag elsewhere to turn the view";
     EXPECT_EQ(hintHeight(400, all, 150), hintHeight(400, first, 150));
     EXPECT_GT(hintHeight(400, all, 400), hintHeight(400, first, 400));
+    EXPECT_EQ(hintWidth(900, all, 80), hintWidth(900, all, 400)) << "one line always has room";
 }
 
 TEST(Overlay, AHintStandsAboveTheLegendWhereLittleIsLeftBesideIt) {

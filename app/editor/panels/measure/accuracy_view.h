@@ -23,7 +23,8 @@ class AccuracyView : public QWidget {
 public:
     AccuracyView(Document& document, SpeedAndAccuracy& accuracy, QWidget* parent = nullptr);
 
-    QSize minimumSizeHint() const override { return {300, 150}; }
+    /// Narrower than all its buttons, as low as they and a chart that can be read.
+    QSize minimumSizeHint() const override { return {300, QWidget::minimumSizeHint().height()}; }
 
 signals:
     void message(const QString& text);

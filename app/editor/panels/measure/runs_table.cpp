@@ -94,7 +94,7 @@ void RunsTable::shareWidth() {
         setColumnWidth(column, width);
         left -= width;
     }
-    constexpr int narrowestMethod = 110; // pixels
+    constexpr int narrowestMethod = 90; // pixels
     setColumnWidth(RunsModel::Method, std::max(left, narrowestMethod));
 }
 

@@ -148,6 +148,8 @@ TEST_F(NarrowTest, ChartAndTableOfMeasurementsTakeTurns) {
     auto *chart = child<QWidget>("accuracyChart"), *table = child<QWidget>("runsTable");
     ASSERT_TRUE(tabs->isVisible());
     EXPECT_TRUE(chart->isVisible());
+    EXPECT_GE(chart->height(), chart->minimumSizeHint().height());
+    EXPECT_EQ(chart->visibleRegion().boundingRect(), chart->rect());
     EXPECT_FALSE(table->isVisible());
     tabs->setCurrentIndex(1);
     settle();
