@@ -149,7 +149,7 @@ void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(sized(painter.font(), 12));
     const QRectF room = hintRoom(style.view, legend);
-    const double line = painter.fontMetrics().height();
+    const double line = textBox(painter, hint, 1e5).height();
     const QSizeF most(room.width() - 2 * padding,
                       std::max(line, mostOfHeight * style.view.height() - 2 * hintPadding));
     const QString shown = fittingHint(painter, hint, most);

@@ -6,13 +6,14 @@ namespace esm {
 
 namespace {
 
-constexpr int chartWidth = 400, tableWidth = 520;        // pixels, in proportion
+constexpr int chartWidth = 360, tableWidth = 570;        // pixels, in proportion
 constexpr int leastWidthOfBoth = 720, leastHeight = 150; // pixels
 
 } // namespace
 
 ChartAndTable::ChartAndTable(QWidget* chart, QWidget* table, QWidget* parent)
-    : QSplitter(Qt::Horizontal, parent), m_chart(chart), m_table(table), m_tabs(new QTabBar(this)) {
+    : QSplitter(Qt::Horizontal, parent), m_chart(chart), m_table(table),
+      m_tabs(new QTabBar(parent)) { // its own child would be a part of the splitter
     setChildrenCollapsible(false);
     setHandleWidth(9);
     setMinimumHeight(leastHeight);
