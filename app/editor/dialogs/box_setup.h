@@ -4,8 +4,8 @@
 
 namespace esm {
 
-/// Names a box, and lets each of its usual buttons be chosen by a letter with Alt, whatever the desktop. Once
-/// the box has its buttons.
+/// Names a box, and lets each of its usual buttons but Discard be chosen by a letter, whatever the desktop.
+/// Once the box has its buttons.
 void setUpBox(QMessageBox& box, const char* name);
 
 } // namespace esm

@@ -50,7 +50,7 @@ public:
         dialogs.expectFile(folder / "organ.obj");
         dialogs.expectNamed("importDialog", [](QDialog* dialog) {
             QTest::mouseClick(dialog->findChild<QRadioButton*>("unit2"), Qt::LeftButton, {}, {8, 8});
-            EXPECT_EQ(dialog->findChild<QLabel*>("importSize")->text(), "120 m × 80.0 m × 60.0 m");
+            EXPECT_EQ(dialog->findChild<QLabel*>("importSize")->text(), "120 × 80.0 × 60.0 m");
             QTest::mouseClick(dialog->findChild<QRadioButton*>("unit0"), Qt::LeftButton, {}, {8, 8});
             EXPECT_EQ(dialog->findChild<QLabel*>("importSize")->text(), "120 × 80 × 60 mm");
             QTest::keyClick(dialog, Qt::Key_Return);
