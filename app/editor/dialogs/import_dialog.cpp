@@ -116,7 +116,7 @@ ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const Polygo
     connect(m_openings, &OpeningOptions::changed, this, &ImportDialog::lookAgain);
     connect(&m_importer, &SurfaceImporter::answered, this, &ImportDialog::takeAnswer);
     connect(m_view, &OrganView::drawn, this, [this] {
-        if (m_view->scene().mesh && m_view->isUpToDate())
+        if (m_view->scene().mesh)
             m_view->setHint(tr("Drag to turn, wheel to come nearer; open borders are amber"));
     });
     showKept();
