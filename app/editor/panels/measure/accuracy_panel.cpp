@@ -41,7 +41,7 @@ AccuracyPanel::AccuracyPanel(Document& document, SpeedAndAccuracy& accuracy, QWi
            "long. Large organs need more"));
     mostSeconds->setValue(m_accuracy.mostSecondsPerRun());
     connect(mostSeconds, &NumberField::valueEdited, &m_accuracy, &SpeedAndAccuracy::setMostSecondsPerRun);
-    measuredOn->addField(tr("&Time limit of a run"), mostSeconds);
+    measuredOn->addField(tr("Time limit of a &run"), mostSeconds);
     body()->addWidget(measuredOn);
     body()->addWidget(m_hint);
     m_measure->setObjectName(QStringLiteral("measureButton"));
