@@ -25,7 +25,8 @@ protected:
         dialogs.expectNamed("reachBox", [this, button](QDialog* box) {
             ++asked;
             EXPECT_EQ(project(), before) << "nothing changes before the answer";
-            EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains("Tube, Region 1"));
+            EXPECT_TRUE(qobject_cast<QMessageBox*>(box)->informativeText().contains(
+                QStringLiteral("“Tube”, “Region 1”")));
             if (button.isEmpty()) return box->reject();
             box->findChild<QPushButton*>(button)->click();
         });
@@ -62,7 +63,7 @@ protected:
 
 TEST_F(SharedSystemTest, IsSaidToBeSharedWithTheNamesOfItsUsers) {
     EXPECT_EQ(users(), "used by 2 regions");
-    EXPECT_TRUE(child<QLabel>("systemUsers")->toolTip().contains("Tube, Region 1"));
+    EXPECT_TRUE(child<QLabel>("systemUsers")->toolTip().contains(QStringLiteral("“Tube”, “Region 1”")));
     window->document().edit("Other", [](Project& p) { setSystem(p, p.regions[0].id, nullptr); });
     EXPECT_EQ(users(), "used by this region alone");
 }
