@@ -63,7 +63,7 @@ protected:
 
 TEST_F(SharedSystemTest, IsSaidToBeSharedWithTheNamesOfItsUsers) {
     EXPECT_EQ(users(), "used by 2 regions");
-    EXPECT_TRUE(child<QLabel>("systemUsers")->toolTip().contains(QStringLiteral("“Tube”, “Region 1”")));
+    EXPECT_TRUE(child<QLabel>("systemUsers")->toolTip().contains("Tube, Region 1"));
     window->document().edit("Other", [](Project& p) { setSystem(p, p.regions[0].id, nullptr); });
     EXPECT_EQ(users(), "used by this region alone");
 }
