@@ -38,22 +38,11 @@ std::optional<RegionHandle> handleAt(const ToolMouse& mouse) {
     return nearest;
 }
 
-/// Of the organ at rest, under the mouse.
-std::optional<Eigen::Vector3d> surfaceUnder(const ToolMouse& mouse) {
-    const auto& mesh = mouse.sight.scene.mesh;
-    const auto picked = mesh && !mesh->triangles.empty() ? mouse.picked() : std::nullopt;
+/// Of the organ at rest, where it is seen.
+std::optional<Eigen::Vector3d> surfaceAt(const Sight& sight, const QPointF& place) {
+    const auto& mesh = sight.scene.mesh;
+    const auto picked = mesh && !mesh->triangles.empty() ? sight.pickAt(place) : std::nullopt;
     return picked ? std::optional(picked->spot.point) : std::nullopt;
-}
-
-/// None for one that hangs wholly before the organ: to follow the surface, it would have to stay there.
-std::optional<Eigen::Vector3d> fromSurface(const ToolMouse& mouse, const Ellipsoid& shape,
-                                           const Eigen::Vector3d& grabbed) {
-    const auto surface = surfaceUnder(mouse);
-    if (!surface) return std::nullopt;
-    const Eigen::Vector3d& eye = mouse.ray().origin;
-    const bool isBefore = (grabbed - eye).norm() < (*surface - eye).norm();
-    if (isBefore && distanceOutside(shape, *surface) > 0) return std::nullopt;
-    return shape.centre - *surface;
 }
 
 PaintedHandle::Form formOf(RegionHandle::Kind kind) {
@@ -69,6 +58,17 @@ RegionTool::RegionTool(const ToolContext& context)
     connect(&m_document, &Document::changed, this, &RegionTool::followDocument);
     // Another project counts its regions anew.
     connect(&m_document, &Document::replaced, this, &RegionTool::release);
+}
+
+/// None for one that hangs wholly before the organ: to follow the surface, it would have to stay there.
+std::optional<RegionTool::OnSurface> RegionTool::onSurface(const ToolMouse& mouse, const Ellipsoid& shape) {
+    const auto middle = mouse.sight.placeOf(shape.centre);
+    const auto surface = middle ? surfaceAt(mouse.sight, *middle) : std::nullopt;
+    if (!surface) return std::nullopt;
+    const Eigen::Vector3d ahead = mouse.sight.rayAt(*middle).direction.normalized();
+    const double depth = (shape.centre - *surface).dot(ahead);
+    if (depth < 0 && distanceOutside(shape, *surface) > 0) return std::nullopt;
+    return OnSurface{*middle - mouse.place, depth};
 }
 
 /// What is gone cannot be dragged on, nor what was undone.
@@ -107,7 +107,7 @@ std::optional<RegionTool::Drag> RegionTool::dragAt(const ToolMouse& mouse) const
     if (!region) return std::nullopt;
     const Ellipsoid& shape = scene.ellipsoids[static_cast<std::size_t>(under)].shape;
     const Eigen::Vector3d grabbed = ray.origin + *distanceTo(shape, ray) * ray.direction.normalized();
-    return Drag{*region, shape, Move{picturePlane(camera, grabbed), fromSurface(mouse, shape, grabbed)}};
+    return Drag{*region, shape, Move{picturePlane(camera, grabbed), onSurface(mouse, shape)}};
 }
 
 void RegionTool::move(const ToolMouse& mouse) {
@@ -124,13 +124,14 @@ void RegionTool::move(const ToolMouse& mouse) {
 Ellipsoid RegionTool::moved(const Drag& drag, const ToolMouse& mouse) const {
     const Move& move = std::get<Move>(drag.what);
     Ellipsoid moved = drag.start;
-    if (!move.fromSurface || mouse.keys.testFlag(Qt::ControlModifier)) {
+    if (!move.onSurface || mouse.keys.testFlag(Qt::ControlModifier)) {
         moved.centre += shift(move.plane, mouse.ray());
         return moved;
     }
-    const auto surface = surfaceUnder(mouse);
+    const QPointF middle = mouse.place + move.onSurface->fromMouse;
+    const auto surface = surfaceAt(mouse.sight, middle);
     if (!surface) return *partOf(m_document.project().regions, drag.region).ellipsoid;
-    moved.centre = *surface + *move.fromSurface;
+    moved.centre = *surface + move.onSurface->depth * mouse.sight.rayAt(middle).direction.normalized();
     return moved;
 }
 

@@ -9,8 +9,9 @@
 
 namespace esm {
 
-/// Moves, sizes and turns a region's ellipsoid, and widens its rim. Moved, it follows the surface, as deep in
-/// the organ as it was; with Ctrl it goes straight across the picture. A click selects.
+/// Moves, sizes and turns a region's ellipsoid, and widens its rim. Moved, its middle follows the surface, as
+/// far behind it in the line of sight as it was; with Ctrl it goes straight across the picture. A click
+/// selects.
 class RegionTool : public ViewTool {
     Q_OBJECT
 
@@ -29,10 +30,14 @@ public:
     QString whyNot() const override;
 
 private:
+    /// Where the ellipsoid's middle is seen, and how far behind the surface there.
+    struct OnSurface {
+        QPointF fromMouse; ///< pixels
+        double depth;      ///< m
+    };
     struct Move {
         DragPlane plane;
-        /// From the surface under the mouse to the ellipsoid's middle, m; none where it is not held over any.
-        std::optional<Eigen::Vector3d> fromSurface;
+        std::optional<OnSurface> onSurface; ///< none where no surface is seen there
     };
     struct Size {
         std::size_t end; ///< counts as in `handles`
@@ -50,6 +55,7 @@ private:
         std::variant<Move, Size, Turn, Rim> what;
     };
 
+    static std::optional<OnSurface> onSurface(const ToolMouse& mouse, const Ellipsoid& shape);
     std::optional<Drag> dragAt(const ToolMouse& mouse) const;
     Ellipsoid moved(const Drag& drag, const ToolMouse& mouse) const;
     void follow(const Drag& drag, const ToolMouse& mouse);
