@@ -117,7 +117,7 @@ ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const Polygo
     connect(&m_importer, &SurfaceImporter::answered, this, &ImportDialog::takeAnswer);
     connect(m_view, &OrganView::drawn, this, [this] {
         if (m_view->scene().mesh)
-            m_view->setHint(tr("Drag to turn, wheel to come nearer; open borders are amber"));
+            m_view->setHint(tr("Open borders are amber · drag to turn · the wheel comes nearer"));
     });
     showKept();
     lookAgain();

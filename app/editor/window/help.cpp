@@ -1,5 +1,6 @@
 #include "app/editor/window/help.h"
 
+#include "app/editor/dialogs/screen_room.h"
 #include "app/editor/tools/tool_table.h"
 #include "app/editor/window/shortcuts.h"
 
@@ -8,7 +9,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -19,7 +19,7 @@ namespace {
 
 QString row(const QString& keys, const QString& does) {
     return QStringLiteral("<tr><td style='padding:2px 18px 2px 0; white-space:nowrap'><b>%1</b></td>"
-                          "<td style='padding:2px 14px 2px 0; white-space:nowrap'>%2</td></tr>")
+                          "<td style='padding:2px 14px 2px 0'>%2</td></tr>")
         .arg(keys.toHtmlEscaped(), does.toHtmlEscaped());
 }
 
@@ -89,15 +89,16 @@ QString menuRows(const std::vector<ShortcutRow>& actions, const Actions& a) {
 
 } // namespace
 
-QString keysText(const Actions& a) {
+QString keysText(const Actions& a, SheetColumns columns) {
     const std::vector<ShortcutRow> actions = shortcutRows(a);
     const QString mouse = title(QObject::tr("View")) + viewRows(actions) +
                           title(QObject::tr("View by the keys alone")) + markRows() +
                           title(QObject::tr("Tools")) + toolRows(a) + title(QObject::tr("Fields and lists")) +
                           fieldRows();
     const QString keys = menuRows(actions, a);
-    return QStringLiteral("<table><tr><td><table>%1</table></td><td><table>%2</table></td></tr></table>")
-        .arg(mouse, keys);
+    const QString next =
+        columns == SheetColumns::Two ? QStringLiteral("</table></td><td><table>") : QString();
+    return QStringLiteral("<table><tr><td><table>%1%2%3</table></td></tr></table>").arg(mouse, next, keys);
 }
 
 void showKeys(QWidget* window, const Actions& actions) {
@@ -111,10 +112,12 @@ void showKeys(QWidget* window, const Actions& actions) {
     sheet->setFrameShape(QFrame::NoFrame);
     sheet->setAccessibleName(dialog.windowTitle());
     sheet->setToolTip(QObject::tr("The arrow keys scroll"));
-    auto* text = new QLabel(keysText(actions));
-    // As large as the text, where the screen has room for it; else its lines are broken.
+    auto* text = new QLabel(keysText(actions, SheetColumns::Two));
     const QSize frame(2 * 20 + sheet->style()->pixelMetric(QStyle::PM_ScrollBarExtent), 140);
-    dialog.resize((text->sizeHint() + frame).boundedTo(window->screen()->availableSize() - QSize(40, 80)));
+    // In a narrow screen one column, whose lines are broken.
+    if (text->sizeHint().width() + frame.width() > roomOnScreen(*window).width())
+        text->setText(keysText(actions, SheetColumns::One));
+    dialog.resize(text->sizeHint() + frame);
     text->setWordWrap(true);
     text->setAlignment(Qt::AlignTop);
     sheet->setWidget(text);

@@ -6,9 +6,11 @@
 
 namespace esm {
 
+enum class SheetColumns { One, Two };
+
 /// What mouse and keys do in the window: a table that is made of the tools' own hints and the actions' own
 /// keys.
-QString keysText(const Actions& actions);
+QString keysText(const Actions& actions, SheetColumns columns);
 void showKeys(QWidget* window, const Actions& actions);
 void showAbout(QWidget* window);
 

@@ -288,7 +288,7 @@ TEST(ImportDialog, SaysThatThePreviewIsBeingMade) {
     const auto* view = dialog.findChild<OrganView*>();
     EXPECT_TRUE(view->hint().contains("being made"));
     dialog.show();
-    ESM_EVENTUALLY(view->hint().contains("Drag"));
+    ESM_EVENTUALLY(view->hint().contains("amber"));
     EXPECT_NE(view->scene().mesh, nullptr);
 }
 

@@ -313,7 +313,8 @@ TEST_F(MainWindowTest, ThePhotosBoxStandsInItsWorkspaceAlone) {
 }
 
 TEST_F(MainWindowTest, TellsEveryKey) {
-    const QString text = keysText(window->windowActions());
+    const QString text = keysText(window->windowActions(), SheetColumns::Two);
+    EXPECT_EQ(keysText(window->windowActions(), SheetColumns::One).count("<tr>"), text.count("<tr>"));
     for (const QAction* action : window->findChildren<QAction*>()) {
         if (window->windowActions().standardViews.end() !=
             std::find(window->windowActions().standardViews.begin(),
