@@ -54,10 +54,7 @@ void addOpenBorders(Report& report, const TriangleMesh& mesh) {
                         {"length", borders[i].length},
                         {"gap", std::isfinite(gap) ? Json(gap) : Json()}});
     }
-    const std::size_t ofHoles =
-        std::accumulate(borders.begin(), borders.end(), std::size_t{0},
-                        [](std::size_t sum, const OpenBorder& border) { return sum + border.loop.size(); });
-    const std::size_t loose = countEdges(sidesByEdge(mesh.triangles)).boundary - ofHoles;
+    const std::size_t loose = countEdges(sidesByEdge(mesh.triangles)).boundary - edgesOf(borders);
     report.json["loose_border_edges"] = loose;
     if (loose > 0)
         report.text.push_back(counted(loose, "border edge") + " around no hole, which cannot be filled");

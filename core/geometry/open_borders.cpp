@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace esm {
 
@@ -46,6 +47,12 @@ std::vector<OpenBorder> openBordersOf(const TriangleMesh& mesh) {
     std::stable_sort(borders.begin(), borders.end(),
                      [](const OpenBorder& a, const OpenBorder& b) { return a.loop.size() > b.loop.size(); });
     return borders;
+}
+
+std::size_t edgesOf(const std::vector<OpenBorder>& borders) {
+    return std::accumulate(
+        borders.begin(), borders.end(), std::size_t{0},
+        [](std::size_t sum, const OpenBorder& border) { return sum + border.loop.size(); });
 }
 
 } // namespace esm

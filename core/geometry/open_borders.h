@@ -15,5 +15,7 @@ struct OpenBorder {
 
 /// The one with the most edges first. Edges of no loop are left out.
 std::vector<OpenBorder> openBordersOf(const TriangleMesh& mesh);
+/// How many they have together: of all border edges, those that go around a hole.
+std::size_t edgesOf(const std::vector<OpenBorder>& borders);
 
 } // namespace esm

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace esm {
 
@@ -44,9 +43,7 @@ double widest(const ImportedSurface& surface, LengthUnit unit) {
 
 /// Border edges of no loop.
 std::size_t looseEdges(const ImportedSurface& surface) {
-    return std::accumulate(
-        surface.borders.begin(), surface.borders.end(), surface.report.boundaryEdges,
-        [](std::size_t left, const OpenBorder& border) { return left - border.loop.size(); });
+    return surface.report.boundaryEdges - edgesOf(surface.borders);
 }
 
 QString filledText(const RepairReport& report) {

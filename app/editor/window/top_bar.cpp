@@ -148,7 +148,7 @@ void TopBar::arrange() {
     const bool isBeside = needed <= sides / 2 - m_row->spacing();
     if (isBeside != (m_left->indexOf(m_options) >= 0)) {
         if (isBeside)
-            m_left->insertWidget(2, m_options);
+            m_left->insertWidget(m_left->count() - 1, m_options); // before the stretch
         else
             m_rows->addWidget(m_options);
     }

@@ -19,6 +19,8 @@ struct TradeoffRun {
     std::optional<Detail> coarser = {}; ///< the level of detail, where it is not the scene's own
 
     double realTimeFactor() const { return 1 / wallPerSimulatedSecond; }
+    /// Tissue that never moves is as far off as the motion is large: no run may be.
+    bool isOfUse() const { return stable && error < 1; }
     bool operator==(const TradeoffRun&) const = default;
 };
 template<>

@@ -323,17 +323,16 @@ private:
 };
 
 /// Those that none beats in error and cost, the fastest first. In the order of their cost a run belongs to
-/// them if its error is less than that of all before it, of which the last that belongs has the least. One
-/// that is as far off as tissue which never moved is no choice, however fast.
+/// them if its error is less than that of all before it, of which the last that belongs has the least.
 std::vector<std::size_t> paretoFront(const std::vector<TradeoffRun>& runs) {
-    std::vector<std::size_t> stable;
+    std::vector<std::size_t> ofUse;
     for (std::size_t i = 0; i < runs.size(); ++i)
-        if (runs[i].stable && runs[i].error < 1) stable.push_back(i);
-    std::sort(stable.begin(), stable.end(), [&](std::size_t a, std::size_t b) {
+        if (runs[i].isOfUse()) ofUse.push_back(i);
+    std::sort(ofUse.begin(), ofUse.end(), [&](std::size_t a, std::size_t b) {
         return runs[a].wallPerSimulatedSecond < runs[b].wallPerSimulatedSecond;
     });
     std::vector<std::size_t> front;
-    for (const std::size_t i : stable)
+    for (const std::size_t i : ofUse)
         if (front.empty() || runs[i].error < runs[front.back()].error) front.push_back(i);
     return front;
 }

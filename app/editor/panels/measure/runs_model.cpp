@@ -17,74 +17,58 @@ QString missing() {
     return QString(QChar(0x2013));
 }
 
-QString speedText(const TradeoffRun& run) {
-    return run.stable ? QStringLiteral("%1×").arg(numberText(run.realTimeFactor(), 2)) : missing();
-}
-QString speedText(const LeftOutRun&) {
-    return missing();
-}
-
 QString errorText(const TradeoffRun& run) {
     if (!run.stable) return RunsModel::tr("ran wild");
     return (run.isErrorBound ? QStringLiteral("≤ %1 %") : QStringLiteral("%1 %"))
         .arg(numberText(100 * run.error, 2));
 }
-QString errorText(const LeftOutRun&) {
-    return RunsModel::tr("left out");
+
+QString obstacleOf(const TradeoffRun& run) {
+    if (!run.stable) return RunsModel::tr("With this step the motion ran wild");
+    return run.isOfUse() ? QString() : RunsModel::tr("As far off as tissue that never moves: of no use");
 }
 
-double speedKey(const TradeoffRun& run) {
-    return run.stable ? run.realTimeFactor() : 0;
-}
-double speedKey(const LeftOutRun&) {
-    return -1;
-}
-
-double errorKey(const TradeoffRun& run) {
-    return run.stable ? run.error : std::numeric_limits<double>::max();
-}
-double errorKey(const LeftOutRun&) {
-    return std::numeric_limits<double>::infinity();
-}
-
-template<class Run> QString cellText(const Run& run, int column) {
-    switch (column) {
-    case RunsModel::Method:
-        return methodName(run.stepping);
-    case RunsModel::Step:
-        return durationText(run.stepping.timeStep);
-    case RunsModel::Nodes:
-        return countText(run.nodes);
-    case RunsModel::Speed:
-        return speedText(run);
-    default:
-        return errorText(run);
-    }
-}
-
-/// The fastest and the most exact stand together; what ran wild, then what was left out, at the other end.
-template<class Run> QVariant sortKey(const Run& run, int column) {
-    switch (column) {
-    case RunsModel::Method:
-        return cellText(run, column);
-    case RunsModel::Step:
-        return run.stepping.timeStep;
-    case RunsModel::Nodes:
-        return static_cast<qulonglong>(run.nodes);
-    case RunsModel::Speed:
-        return speedKey(run);
-    default:
-        return errorKey(run);
-    }
+QString explained(const Stepping& stepping, const QString& what) {
+    return methodName(stepping) + '\n' + methodText(stepping.integrator) + '\n' + what;
 }
 
 } // namespace
 
+// The fastest and the most exact stand together; what ran wild, then what was left out, at the other end.
+
+RunsModel::Row::Row(const TradeoffRun& run, bool isUnbeaten)
+    : texts{methodName(run.stepping), durationText(run.stepping.timeStep), countText(run.nodes),
+            run.stable ? QStringLiteral("%1×").arg(numberText(run.realTimeFactor(), 2)) : missing(),
+            errorText(run)},
+      sortKeys{texts[Method], run.stepping.timeStep, qulonglong(run.nodes),
+               run.stable ? run.realTimeFactor() : 0.0,
+               run.stable ? run.error : std::numeric_limits<double>::max()},
+      obstacle(obstacleOf(run)), isUnbeaten(isUnbeaten) {
+    const QString use = tr("Enter or a double click: use this method and step");
+    toolTip = explained(run.stepping, !obstacle.isEmpty() ? obstacle
+                                      : isUnbeaten ? tr("No other is both as fast and as exact.") + '\n' + use
+                                                   : use);
+}
+
+RunsModel::Row::Row(const LeftOutRun& run)
+    : texts{methodName(run.stepping), durationText(run.stepping.timeStep), countText(run.nodes), missing(),
+            tr("left out")},
+      sortKeys{texts[Method], run.stepping.timeStep, qulonglong(run.nodes), -1.0,
+               std::numeric_limits<double>::infinity()},
+      obstacle(tr("Left out: %1").arg(QString::fromStdString(run.reason))),
+      toolTip(explained(run.stepping, obstacle)) {}
+
 void RunsModel::setTradeoff(const Tradeoff* tradeoff) {
     beginResetModel();
-    m_tradeoff = tradeoff ? std::optional(*tradeoff) : std::nullopt;
-    m_unbeaten = tradeoff ? unbeatenRuns(*tradeoff) : std::vector<bool>();
-    m_unbeaten.resize(static_cast<std::size_t>(rowCount()), false);
+    m_rows.clear();
+    if (tradeoff) {
+        m_rows.reserve(tradeoff->runs.size() + tradeoff->leftOut.size());
+        const std::vector<bool> unbeaten = unbeatenRuns(*tradeoff);
+        for (std::size_t i = 0; i < tradeoff->runs.size(); ++i)
+            m_rows.emplace_back(tradeoff->runs[i], unbeaten[i]);
+        for (const LeftOutRun& run : tradeoff->leftOut)
+            m_rows.emplace_back(run);
+    }
     endResetModel();
 }
 
@@ -95,54 +79,30 @@ void RunsModel::setInUse(std::optional<std::size_t> run) {
 }
 
 int RunsModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || !m_tradeoff
-               ? 0
-               : static_cast<int>(m_tradeoff->runs.size() + m_tradeoff->leftOut.size());
-}
-
-const LeftOutRun* RunsModel::leftOut(int row) const {
-    const auto place = static_cast<std::size_t>(row), measured = m_tradeoff->runs.size();
-    return place < measured ? nullptr : &m_tradeoff->leftOut[place - measured];
-}
-
-QString RunsModel::obstacle(int row) const {
-    if (const LeftOutRun* run = leftOut(row))
-        return tr("Left out: %1").arg(QString::fromStdString(run->reason));
-    const TradeoffRun& run = m_tradeoff->runs[static_cast<std::size_t>(row)];
-    if (!run.stable) return tr("With this step the motion ran wild");
-    return run.error < 1 ? QString() : tr("As far off as tissue that never moves: of no use");
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
 
 int RunsModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : columns;
 }
 
-QVariant RunsModel::toolTip(int row) const {
-    const LeftOutRun* out = leftOut(row);
-    const Stepping& stepping = out ? out->stepping : m_tradeoff->runs[static_cast<std::size_t>(row)].stepping;
-    QString text = methodName(stepping) + '\n' + methodText(stepping.integrator);
-    if (const QString why = obstacle(row); !why.isEmpty()) return text + '\n' + why;
-    if (isUnbeaten(row)) text += '\n' + tr("No other is both as fast and as exact.");
-    return text + '\n' + tr("Enter or a double click: use this method and step");
-}
-
 QVariant RunsModel::data(const QModelIndex& index, int role) const {
-    const auto row = static_cast<std::size_t>(index.row());
-    const LeftOutRun* out = leftOut(index.row());
+    const Row& row = at(index.row());
+    const auto column = static_cast<std::size_t>(index.column());
     switch (role) {
     case Qt::DisplayRole:
-        return out ? cellText(*out, index.column()) : cellText(m_tradeoff->runs[row], index.column());
+        return row.texts[column];
     case sortRole:
-        return out ? sortKey(*out, index.column()) : sortKey(m_tradeoff->runs[row], index.column());
+        return row.sortKeys[column];
     case Qt::ToolTipRole:
-        return toolTip(index.row());
+        return row.toolTip;
     case Qt::TextAlignmentRole:
-        return int(Qt::AlignVCenter | (index.column() == Method ? Qt::AlignLeft : Qt::AlignRight));
+        return int(Qt::AlignVCenter | (column == Method ? Qt::AlignLeft : Qt::AlignRight));
     case Qt::ForegroundRole:
-        return isUnbeaten(index.row()) ? QVariant(QGuiApplication::palette().link()) : QVariant();
+        return row.isUnbeaten ? QVariant(QGuiApplication::palette().link()) : QVariant();
     case Qt::FontRole: {
         QFont font;
-        font.setBold(m_inUse == row);
+        font.setBold(m_inUse == static_cast<std::size_t>(index.row()));
         return font;
     }
     default:

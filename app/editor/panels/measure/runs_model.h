@@ -4,6 +4,8 @@
 
 #include <QAbstractTableModel>
 
+#include <array>
+
 namespace esm {
 
 /// The runs of a measurement as rows, in the measurement's order, and after them what was left out: method,
@@ -21,9 +23,9 @@ public:
     void setTradeoff(const Tradeoff* tradeoff); ///< null: no row
     /// The one in use stands out.
     void setInUse(std::optional<std::size_t> run);
-    bool isUnbeaten(int row) const { return m_unbeaten[static_cast<std::size_t>(row)]; }
+    bool isUnbeaten(int row) const { return at(row).isUnbeaten; }
     /// Why the tissue cannot move by a row's method and step; empty where it can.
-    QString obstacle(int row) const;
+    QString obstacle(int row) const { return at(row).obstacle; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -31,11 +33,19 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    QVariant toolTip(int row) const;
-    const LeftOutRun* leftOut(int row) const; ///< null: a run that was measured
+    struct Row {
+        Row(const TradeoffRun& run, bool isUnbeaten);
+        explicit Row(const LeftOutRun& run);
 
-    std::optional<Tradeoff> m_tradeoff;
-    std::vector<bool> m_unbeaten; ///< of each row
+        std::array<QString, columns> texts;
+        std::array<QVariant, columns> sortKeys;
+        QString obstacle, toolTip;
+        bool isUnbeaten = false;
+    };
+
+    const Row& at(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
+
+    std::vector<Row> m_rows;
     std::optional<std::size_t> m_inUse;
 };
 
