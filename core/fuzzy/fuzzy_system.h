@@ -58,13 +58,11 @@ struct FuzzySystem {
 /// Variables stand in files by their names, rules as text: see `fuzzy_file.cpp`.
 template<>
 inline constexpr auto fieldsOf<FuzzySystem> =
-    std::tuple{field("name", &FuzzySystem::name).mayBeAbsent(),
+    fieldTable(field("name", &FuzzySystem::name).mayBeAbsent(),
                field("description", &FuzzySystem::description).whenSet(),
-               field("note", &FuzzySystem::note).mayBeAbsent(),
-               field("inputs", &FuzzySystem::inputs),
-               field("outputs", &FuzzySystem::outputs),
-               field("norms", &FuzzySystem::norms).whenSet(),
-               field("rules", &FuzzySystem::rules)};
+               field("note", &FuzzySystem::note).mayBeAbsent(), field("inputs", &FuzzySystem::inputs),
+               field("outputs", &FuzzySystem::outputs), field("norms", &FuzzySystem::norms).whenSet(),
+               field("rules", &FuzzySystem::rules));
 
 /// More than any expert reads; the time of an inference grows with the square of the conclusions.
 inline constexpr std::size_t mostFuzzyRules = 2000;

@@ -32,11 +32,11 @@ struct FuzzyNorms {
     bool operator==(const FuzzyNorms&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<FuzzyNorms> =
-    std::tuple{field("conjunction", &FuzzyNorms::conjunction).whenSet(),
-               field("disjunction", &FuzzyNorms::disjunction).whenSet(),
-               field("implication", &FuzzyNorms::implication).whenSet(),
-               field("aggregation", &FuzzyNorms::aggregation).whenSet()};
+inline constexpr auto
+    fieldsOf<FuzzyNorms> = fieldTable(field("conjunction", &FuzzyNorms::conjunction).whenSet(),
+                                      field("disjunction", &FuzzyNorms::disjunction).whenSet(),
+                                      field("implication", &FuzzyNorms::implication).whenSet(),
+                                      field("aggregation", &FuzzyNorms::aggregation).whenSet());
 
 /// Of the same family: NOT (a AND b) is then NOT a OR NOT b, by De Morgan's laws.
 TConorm dual(TNorm norm);

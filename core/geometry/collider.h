@@ -15,8 +15,8 @@ struct Sphere {
     bool operator==(const Sphere&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<Sphere> =
-    std::tuple{field("radius", &Sphere::radius, positiveLimits("the radius", "m"))};
+inline constexpr auto fieldsOf<Sphere> = fieldTable(field("radius", &Sphere::radius,
+                                                          positiveLimits("the radius", "m")));
 
 /// What lies within a radius of a segment along z, whose middle is the origin.
 struct Capsule {
@@ -25,9 +25,9 @@ struct Capsule {
     bool operator==(const Capsule&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<Capsule> =
-    std::tuple{field("radius", &Capsule::radius, positiveLimits("the radius", "m")),
-               field("length", &Capsule::length, amountLimits("the length", "m"))};
+inline constexpr auto
+    fieldsOf<Capsule> = fieldTable(field("radius", &Capsule::radius, positiveLimits("the radius", "m")),
+                                   field("length", &Capsule::length, amountLimits("the length", "m")));
 
 /// A rigid shape that pushes tissue, in coordinates of its own.
 using Collider = std::variant<Sphere, Capsule>;

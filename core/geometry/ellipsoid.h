@@ -20,9 +20,9 @@ struct Ellipsoid {
 };
 template<>
 inline constexpr auto fieldsOf<Ellipsoid> =
-    std::tuple{field("centre", &Ellipsoid::centre, finiteLimits("the centre")),
+    fieldTable(field("centre", &Ellipsoid::centre, finiteLimits("the centre")),
                field("radii", &Ellipsoid::radii, positiveLimits("the three radii", "m")),
-               field("orientation", &Ellipsoid::orientation).mayBeAbsent()};
+               field("orientation", &Ellipsoid::orientation).mayBeAbsent());
 
 /// True for points inside or on the surface.
 bool contains(const Ellipsoid& ellipsoid, const Eigen::Vector3d& point);

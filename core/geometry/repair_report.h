@@ -39,26 +39,24 @@ struct RepairReport {
     bool isClosed() const { return boundaryEdges + inconsistentEdges == 0; }
 };
 template<>
-inline constexpr auto fieldsOf<RepairReport> =
-    std::tuple{field("mergedVertices", &RepairReport::mergedVertices),
-               field("splitPolygons", &RepairReport::splitPolygons),
-               field("degenerateTriangles", &RepairReport::degenerateTriangles),
-               field("duplicateTriangles", &RepairReport::duplicateTriangles),
-               field("unusedVertices", &RepairReport::unusedVertices),
-               field("flippedTriangles", &RepairReport::flippedTriangles),
-               field("droppedParts", &RepairReport::droppedParts),
-               field("components", &RepairReport::components),
-               field("boundaryEdgesBefore", &RepairReport::boundaryEdgesBefore),
-               field("nonManifoldEdgesBefore", &RepairReport::nonManifoldEdgesBefore),
-               field("boundaryEdges", &RepairReport::boundaryEdges),
-               field("nonManifoldEdges", &RepairReport::nonManifoldEdges),
-               field("inconsistentEdges", &RepairReport::inconsistentEdges),
-               field("warnings", &RepairReport::warnings),
-               field("closedSlitEdges", &RepairReport::closedSlitEdges).whenSet(),
-               field("filledHoles", &RepairReport::filledHoles).whenSet(),
-               field("filledHoleEdges", &RepairReport::filledHoleEdges).whenSet(),
-               field("refusedHoles", &RepairReport::refusedHoles).whenSet(),
-               field("droppedPartEdges", &RepairReport::droppedPartEdges).whenSet()};
+inline constexpr auto fieldsOf<RepairReport> = fieldTable(
+    field("mergedVertices", &RepairReport::mergedVertices),
+    field("splitPolygons", &RepairReport::splitPolygons),
+    field("degenerateTriangles", &RepairReport::degenerateTriangles),
+    field("duplicateTriangles", &RepairReport::duplicateTriangles),
+    field("unusedVertices", &RepairReport::unusedVertices),
+    field("flippedTriangles", &RepairReport::flippedTriangles),
+    field("droppedParts", &RepairReport::droppedParts), field("components", &RepairReport::components),
+    field("boundaryEdgesBefore", &RepairReport::boundaryEdgesBefore),
+    field("nonManifoldEdgesBefore", &RepairReport::nonManifoldEdgesBefore),
+    field("boundaryEdges", &RepairReport::boundaryEdges),
+    field("nonManifoldEdges", &RepairReport::nonManifoldEdges),
+    field("inconsistentEdges", &RepairReport::inconsistentEdges), field("warnings", &RepairReport::warnings),
+    field("closedSlitEdges", &RepairReport::closedSlitEdges).whenSet(),
+    field("filledHoles", &RepairReport::filledHoles).whenSet(),
+    field("filledHoleEdges", &RepairReport::filledHoleEdges).whenSet(),
+    field("refusedHoles", &RepairReport::refusedHoles).whenSet(),
+    field("droppedPartEdges", &RepairReport::droppedPartEdges).whenSet());
 
 /// Border edges that repair leaves, of two kinds that no option closes.
 struct LeftOpen {

@@ -24,8 +24,8 @@ inline constexpr auto wordsOf<Detail::Kind> =
     std::array{Word{Detail::Kind::EveryVertex, "everyVertex"}, Word{Detail::Kind::Nodes, "nodes"},
                Word{Detail::Kind::Rigid, "rigid"}};
 template<>
-inline constexpr auto fieldsOf<Detail> =
-    std::tuple{field("kind", &Detail::kind), field("nodes", &Detail::nodes)};
+inline constexpr auto fieldsOf<Detail> = fieldTable(field("kind", &Detail::kind),
+                                                    field("nodes", &Detail::nodes));
 
 /// The level of detail that a network has, with the number of its nodes.
 Detail detailOf(const SpringNetwork& network);

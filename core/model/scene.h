@@ -19,9 +19,9 @@ struct NodeSelection {
     bool operator==(const NodeSelection&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<NodeSelection> =
-    std::tuple{field("nodes", &NodeSelection::nodes).mayBeAbsent(),
-               field("ellipsoid", &NodeSelection::ellipsoid).whenSet()};
+inline constexpr auto
+    fieldsOf<NodeSelection> = fieldTable(field("nodes", &NodeSelection::nodes).mayBeAbsent(),
+                                         field("ellipsoid", &NodeSelection::ellipsoid).whenSet());
 
 /// Springs that tie every n-th node (0, n, 2n, …) to its rest position: the surrounding tissue. [R 5.1]
 struct TetherRule {
@@ -33,10 +33,10 @@ struct TetherRule {
 };
 template<>
 inline constexpr auto fieldsOf<TetherRule> =
-    std::tuple{field("every", &TetherRule::every,
+    fieldTable(field("every", &TetherRule::every,
                      Limits<std::uint32_t>{"every", 1, std::numeric_limits<std::uint32_t>::max()}),
                field("spring_constant", &TetherRule::springConstant, amountLimits("spring_constant", "N/m")),
-               field("viscosity", &TetherRule::viscosity, amountLimits("viscosity", "N·s/m"))};
+               field("viscosity", &TetherRule::viscosity, amountLimits("viscosity", "N·s/m")));
 
 struct NodeForce {
     std::uint32_t node = 0;
@@ -47,8 +47,8 @@ struct NodeForce {
 };
 template<>
 inline constexpr auto fieldsOf<NodeForce> =
-    std::tuple{field("node", &NodeForce::node), field("force", &NodeForce::force, finiteLimits("the force")),
-               field("from", &NodeForce::from).mayBeAbsent(), field("to", &NodeForce::to).mayBeAbsent()};
+    fieldTable(field("node", &NodeForce::node), field("force", &NodeForce::force, finiteLimits("the force")),
+               field("from", &NodeForce::from).mayBeAbsent(), field("to", &NodeForce::to).mayBeAbsent());
 
 struct PathPoint {
     double time;           ///< s
@@ -66,8 +66,8 @@ struct NodeMove {
     bool operator==(const NodeMove&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<NodeMove> =
-    std::tuple{field("node", &NodeMove::node), field("path", &NodeMove::path)};
+inline constexpr auto fieldsOf<NodeMove> = fieldTable(field("node", &NodeMove::node),
+                                                      field("path", &NodeMove::path));
 
 inline constexpr std::size_t longestInstrumentName = 100; ///< bytes
 
@@ -92,8 +92,9 @@ struct SurfaceSplit {
     bool operator==(const SurfaceSplit&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<SurfaceSplit> = std::tuple{
-    field("time", &SurfaceSplit::time, amountLimits("time", "s")), field("edges", &SurfaceSplit::edges)};
+inline constexpr auto fieldsOf<SurfaceSplit> = fieldTable(field("time", &SurfaceSplit::time,
+                                                                amountLimits("time", "s")),
+                                                          field("edges", &SurfaceSplit::edges));
 
 struct Recording {
     double every = 0.01;                             ///< s
@@ -103,8 +104,8 @@ struct Recording {
 };
 template<>
 inline constexpr auto fieldsOf<Recording> =
-    std::tuple{field("every", &Recording::every, positiveLimits("record.every", "s")).mayBeAbsent(),
-               field("nodes", &Recording::nodes).mayBeAbsent()};
+    fieldTable(field("every", &Recording::every, positiveLimits("record.every", "s")).mayBeAbsent(),
+               field("nodes", &Recording::nodes).mayBeAbsent());
 
 /// What happens to the model in a run: boundary conditions, loads and what is recorded.
 struct Scene {
@@ -123,14 +124,11 @@ struct Scene {
 /// Its instruments stand in files in two ways, see `scene_file.cpp`.
 template<>
 inline constexpr auto fieldsOf<Scene> =
-    std::tuple{field("duration", &Scene::duration, positiveLimits("duration", "s")),
+    fieldTable(field("duration", &Scene::duration, positiveLimits("duration", "s")),
                field("gravity", &Scene::gravity, finiteLimits("gravity")).mayBeAbsent(),
-               field("fixed", &Scene::fixed).whenSet(),
-               field("tethers", &Scene::tethers).whenSet(),
-               field("forces", &Scene::forces).whenSet(),
-               field("moves", &Scene::moves).whenSet(),
-               field("split", &Scene::splits).whenSet(),
-               field("record", &Scene::record).mayBeAbsent()};
+               field("fixed", &Scene::fixed).whenSet(), field("tethers", &Scene::tethers).whenSet(),
+               field("forces", &Scene::forces).whenSet(), field("moves", &Scene::moves).whenSet(),
+               field("split", &Scene::splits).whenSet(), field("record", &Scene::record).mayBeAbsent());
 
 /// Where a path is at a time. Precondition: the path has a point.
 Eigen::Vector3d positionAt(const Path& path, double time);

@@ -25,10 +25,10 @@ struct Stepping {
     bool operator==(const Stepping&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<Stepping> =
-    std::tuple{field("integrator", &Stepping::integrator),
-               field("timeStep", &Stepping::timeStep, positiveLimits("the time step", "s")),
-               field("precision", &Stepping::precision)};
+inline constexpr auto fieldsOf<Stepping> = fieldTable(field("integrator", &Stepping::integrator),
+                                                      field("timeStep", &Stepping::timeStep,
+                                                            positiveLimits("the time step", "s")),
+                                                      field("precision", &Stepping::precision));
 
 inline constexpr Limits<double> errorLimits{"the error", 0, std::numeric_limits<double>::max()};
 inline constexpr Limits<double> wallTimeLimits = positiveLimits("the wall time per simulated second", "s");
@@ -43,11 +43,10 @@ struct MeasuredStepping {
     bool operator==(const MeasuredStepping&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<MeasuredStepping> =
-    std::tuple{fieldsOfMember(&MeasuredStepping::stepping),
-               field("error", &MeasuredStepping::error, errorLimits),
-               field("wallPerSimulatedSecond", &MeasuredStepping::wallPerSimulatedSecond, wallTimeLimits),
-               field("tissue", &MeasuredStepping::tissue).whenSet()};
+inline constexpr auto fieldsOf<MeasuredStepping> = fieldTable(
+    fieldsOfMember(&MeasuredStepping::stepping), field("error", &MeasuredStepping::error, errorLimits),
+    field("wallPerSimulatedSecond", &MeasuredStepping::wallPerSimulatedSecond, wallTimeLimits),
+    field("tissue", &MeasuredStepping::tissue).whenSet());
 
 /// Every problem. Empty when tissue can be stepped so.
 std::vector<std::string> validate(const Stepping& stepping);

@@ -26,12 +26,12 @@ struct SpringStiffening {
     bool operator==(const SpringStiffening&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<SpringStiffening> = std::tuple{
+inline constexpr auto fieldsOf<SpringStiffening> = fieldTable(
     field("strain", &SpringStiffening::strain,
           positiveLimits("the strain beyond which springs go on with another spring constant", "",
                          largestNumber)),
     field("factor", &SpringStiffening::factor,
-          positiveLimits("the factor of the spring constant of stretched springs", "", largestNumber))};
+          positiveLimits("the factor of the spring constant of stretched springs", "", largestNumber)));
 
 /// What one spring is made of, where that is not the mean of its ends.
 struct SpringValues {

@@ -22,7 +22,7 @@ struct EditorState {
     bool operator==(const EditorState&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<EditorState> =
-    std::tuple{field("workspace", &EditorState::workspace), field("plays", &EditorState::plays)};
+inline constexpr auto fieldsOf<EditorState> = fieldTable(field("workspace", &EditorState::workspace),
+                                                         field("plays", &EditorState::plays));
 
 } // namespace esm

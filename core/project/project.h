@@ -28,11 +28,11 @@ struct BaseTissue {
     bool operator==(const BaseTissue&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<BaseTissue> = std::tuple{
+inline constexpr auto fieldsOf<BaseTissue> = fieldTable(
     field("springConstant", &BaseTissue::springConstant, amountLimits("the organ's spring constant")),
     field("viscosity", &BaseTissue::viscosity, amountLimits("the organ's viscosity")),
     field("mass", &BaseTissue::mass, massLimits("the organ's mass")),
-    field("stiffening", &BaseTissue::stiffening).whenSet()};
+    field("stiffening", &BaseTissue::stiffening).whenSet());
 
 /// How the organ got its texture space. The packed atlas is derived from the mesh and these.
 struct TextureSettings {
@@ -43,8 +43,8 @@ struct TextureSettings {
 };
 /// Files have it beside the fields of the atlas.
 template<>
-inline constexpr auto fieldsOf<TextureSettings> =
-    std::tuple{field("baseColour", &TextureSettings::baseColour)};
+inline constexpr auto fieldsOf<TextureSettings> = fieldTable(field("baseColour",
+                                                                   &TextureSettings::baseColour));
 
 /// One organ and all that was said about it. A value: a copy costs a few pointers and small lists; an edit
 /// makes a new value.

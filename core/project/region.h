@@ -22,10 +22,10 @@ struct TissueValues {
     bool operator==(const TissueValues&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<TissueValues> = std::tuple{
+inline constexpr auto fieldsOf<TissueValues> = fieldTable(
     field("springConstant", &TissueValues::springConstant, amountLimits("the spring constant")).whenSet(),
     field("viscosity", &TissueValues::viscosity, amountLimits("the viscosity")).whenSet(),
-    field("mass", &TissueValues::mass, massLimits("the mass")).whenSet()};
+    field("mass", &TissueValues::mass, massLimits("the mass")).whenSet());
 
 /// One of them.
 enum class Parameter { SpringConstant, Viscosity, Mass };
@@ -59,14 +59,12 @@ struct Region : Identified<Region> {
 };
 using RegionId = Id<Region>;
 template<>
-inline constexpr auto fieldsOf<Region> =
-    std::tuple{field("name", &Region::name),
-               field("colour", &Region::colour),
-               field("ellipsoid", &Region::ellipsoid).whenSet(),
-               field("rim", &Region::rim, amountLimits("the soft rim")).whenSet(),
-               field("fuzzySystem", &Region::system).whenSet(),
-               field("inputs", &Region::inputs),
-               field("held", &Region::held)};
+inline constexpr auto
+    fieldsOf<Region> = fieldTable(field("name", &Region::name), field("colour", &Region::colour),
+                                  field("ellipsoid", &Region::ellipsoid).whenSet(),
+                                  field("rim", &Region::rim, amountLimits("the soft rim")).whenSet(),
+                                  field("fuzzySystem", &Region::system).whenSet(),
+                                  field("inputs", &Region::inputs), field("held", &Region::held));
 
 /// Sets or adds one input value.
 void setInput(Region& region, const std::string& variable, double value);

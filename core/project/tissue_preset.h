@@ -15,10 +15,10 @@ struct PublishedTissue {
     bool operator==(const PublishedTissue&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<PublishedTissue> = std::tuple{
+inline constexpr auto fieldsOf<PublishedTissue> = fieldTable(
     field("spring_constant", &PublishedTissue::springConstant, amountLimits("the spring constant", "N/m"))
         .whenSet(),
-    field("viscosity", &PublishedTissue::viscosity, amountLimits("the viscosity", "N·s/m")).whenSet()};
+    field("viscosity", &PublishedTissue::viscosity, amountLimits("the viscosity", "N·s/m")).whenSet());
 
 /// Tissue as somebody published it, in words, with the mass of the organ and what holds it in place. Nothing
 /// of it knows another organ's size or number of springs: it is taken as it was published.
@@ -35,17 +35,15 @@ struct TissuePreset {
 };
 template<>
 inline constexpr auto fieldsOf<TissuePreset> =
-    std::tuple{field("name", &TissuePreset::name),
-               field("title", &TissuePreset::title),
-               field("description", &TissuePreset::description),
-               field("source", &TissuePreset::source),
+    fieldTable(field("name", &TissuePreset::name), field("title", &TissuePreset::title),
+               field("description", &TissuePreset::description), field("source", &TissuePreset::source),
                field("system", &TissuePreset::system).whenSet(),
                field("inputs", &TissuePreset::inputs).onlyWhere([](const TissuePreset& preset) {
                    return preset.system != nullptr;
                }),
                field("published", &TissuePreset::published).whenSet(),
                field("mass", &TissuePreset::mass, massLimits("the mass")).whenSet(),
-               field("tethers", &TissuePreset::tethers).whenSet()};
+               field("tethers", &TissuePreset::tethers).whenSet());
 
 /// Gives a region the preset's words, in place of what it had and of what was held of stiffness and
 /// viscosity.

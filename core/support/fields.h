@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -112,14 +111,20 @@ constexpr FileField<Struct, Member, AmongFields> fieldsOfMember(Member Struct::*
     return {"", member, {}};
 }
 
-/// The fields of a struct in the order in which files hold them: beside the struct stands a tuple of them.
+/// Fields in the order in which files hold them, for `forEachField()`. A closure that has caught them, since
+/// every source reads the tables, and of a long `std::tuple` the compiler must prove much.
+template<class... Fields> constexpr auto fieldTable(const Fields&... fields) {
+    return [=](const auto& visit) { (visit(fields), ...); };
+}
+
+/// Beside a struct stands the table of its fields.
 template<class Struct> inline constexpr std::nullptr_t fieldsOf = nullptr;
 
 template<class Struct>
 concept HasFields = !std::is_same_v<decltype(fieldsOf<Struct>), const std::nullptr_t>;
 
 template<class Table, class Visit> constexpr void forEachField(const Table& table, const Visit& visit) {
-    std::apply([&](const auto&... fields) { (visit(fields), ...); }, table);
+    table(visit);
 }
 
 /// Every field that is beyond its limits: "the opacity must be from 0 to 1".

@@ -24,11 +24,11 @@ struct Intrinsics {
 template<>
 inline constexpr auto fieldsOf<Intrinsics> = [] {
     constexpr double most = texture_limits::longestFocalLength;
-    return std::tuple{
+    return fieldTable(
         field("fx", &Intrinsics::fx, positiveLimits("the focal length fx", "pixels", most)),
         field("fy", &Intrinsics::fy, positiveLimits("the focal length fy", "pixels", most)),
         field("cx", &Intrinsics::cx, Limits<double>{"the principal point's cx", -most, most, "pixels"}),
-        field("cy", &Intrinsics::cy, Limits<double>{"the principal point's cy", -most, most, "pixels"})};
+        field("cy", &Intrinsics::cy, Limits<double>{"the principal point's cy", -most, most, "pixels"}));
 }();
 
 } // namespace esm

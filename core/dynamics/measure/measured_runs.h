@@ -25,8 +25,7 @@ struct TradeoffRun {
 };
 template<>
 inline constexpr auto fieldsOf<TradeoffRun> =
-    std::tuple{fieldsOfMember(&TradeoffRun::stepping),
-               field("nodes", &TradeoffRun::nodes),
+    fieldTable(fieldsOfMember(&TradeoffRun::stepping), field("nodes", &TradeoffRun::nodes),
                field("stable", &TradeoffRun::stable),
                field("error", &TradeoffRun::error, errorLimits).onlyWhere([](const TradeoffRun& run) {
                    return run.stable;
@@ -34,7 +33,7 @@ inline constexpr auto fieldsOf<TradeoffRun> =
                field("isErrorBound", &TradeoffRun::isErrorBound).whenSet(),
                field("wallPerSimulatedSecond", &TradeoffRun::wallPerSimulatedSecond, wallTimeLimits)
                    .onlyWhere([](const TradeoffRun& run) { return run.stable; }),
-               field("coarser", &TradeoffRun::coarser).whenSet()};
+               field("coarser", &TradeoffRun::coarser).whenSet());
 
 /// A way to step that was not measured, and why.
 struct LeftOutRun {
@@ -45,9 +44,9 @@ struct LeftOutRun {
     bool operator==(const LeftOutRun&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<LeftOutRun> =
-    std::tuple{fieldsOfMember(&LeftOutRun::stepping), field("nodes", &LeftOutRun::nodes),
-               field("reason", &LeftOutRun::reason)};
+inline constexpr auto fieldsOf<LeftOutRun> = fieldTable(fieldsOfMember(&LeftOutRun::stepping),
+                                                        field("nodes", &LeftOutRun::nodes),
+                                                        field("reason", &LeftOutRun::reason));
 
 struct TradeoffReference {
     Stepping stepping;
@@ -59,9 +58,9 @@ struct TradeoffReference {
 };
 template<>
 inline constexpr auto fieldsOf<TradeoffReference> =
-    std::tuple{fieldsOfMember(&TradeoffReference::stepping),
+    fieldTable(fieldsOfMember(&TradeoffReference::stepping),
                field("estimatedError", &TradeoffReference::estimatedError, errorLimits),
-               field("hidesSwings", &TradeoffReference::hidesSwings).whenSet()};
+               field("hidesSwings", &TradeoffReference::hidesSwings).whenSet());
 
 struct Tradeoff {
     TradeoffReference reference;

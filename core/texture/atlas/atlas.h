@@ -40,14 +40,14 @@ struct AtlasOptions {
 /// usual one
 constexpr auto atlasFields(const char* askedKey) {
     using namespace texture_limits;
-    return std::tuple{
+    return fieldTable(
         field("size", &AtlasOptions::size, Limits<int>{"the texture's size", 1, largestPageSize, "pixels"}),
         field("pages", &AtlasOptions::pages, Limits<int>{"the number of pages", 1, mostPages}),
         field("gap", &AtlasOptions::gap, Limits<int>{"the gap", 0, largestPageSize, "pixels"}),
         field("layout", &AtlasOptions::layout).mayBeAbsent(),
         field(askedKey, &AtlasOptions::texelsPerMetre,
               Limits<double>{"the texels per metre that are asked for", 0, mostTexelsPerMetre})
-            .whenSet()};
+            .whenSet());
 }
 template<> inline constexpr auto fieldsOf<AtlasOptions> = atlasFields("texelsPerMetre");
 
@@ -64,8 +64,8 @@ struct Atlas {
 };
 /// What was achieved. Files have it beside the options; the lists have entries of their own.
 template<>
-inline constexpr auto fieldsOf<Atlas> =
-    std::tuple{field("texelsPerMetre", &Atlas::texelsPerMetre), field("utilisation", &Atlas::utilisation)};
+inline constexpr auto fieldsOf<Atlas> = fieldTable(field("texelsPerMetre", &Atlas::texelsPerMetre),
+                                                   field("utilisation", &Atlas::utilisation));
 
 /// As large as the pages allow, or as large as asked for. @throws InvalidModel when size, pages or gap cannot
 /// hold the mesh, naming the smallest size that can; Cancelled

@@ -58,7 +58,7 @@ struct BrushStroke {
 };
 template<>
 inline constexpr auto fieldsOf<BrushStroke> =
-    std::tuple{field("brush", &BrushStroke::kind),
+    fieldTable(field("brush", &BrushStroke::kind),
                field("radius", &BrushStroke::radius,
                      Limits<double>{"the brush's radius", texture_limits::shortestPhoto,
                                     texture_limits::longestPhoto, "m"}),
@@ -69,7 +69,7 @@ inline constexpr auto fieldsOf<BrushStroke> =
                    return stroke.kind == BrushKind::Colour;
                }),
                field("shift", &BrushStroke::shift, finiteLimits("the way to the place that is cloned"))
-                   .onlyWhere([](const BrushStroke& stroke) { return stroke.kind == BrushKind::Clone; })};
+                   .onlyWhere([](const BrushStroke& stroke) { return stroke.kind == BrushKind::Clone; }));
 
 /// Never null; shared, so that a copy of a layer costs little.
 using BrushStrokes = std::vector<ByValue<BrushStroke>>;

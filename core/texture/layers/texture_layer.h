@@ -49,17 +49,14 @@ struct TextureLayer : Identified<TextureLayer> {
 };
 using LayerId = Id<TextureLayer>;
 template<>
-inline constexpr auto fieldsOf<TextureLayer> =
-    std::tuple{field("name", &TextureLayer::name),
-               field("file", &TextureLayer::photo).whenSet(),
-               field("projector", &TextureLayer::projector),
-               field("blendPixels", &TextureLayer::blendPixels, amountLimits("the blending width")),
-               field("opacity", &TextureLayer::opacity, Limits<double>{"the opacity", 0, 1}),
-               field("visible", &TextureLayer::visible),
-               field("preparation", &TextureLayer::preparation).whenSet(),
-               field("blending", &TextureLayer::blending).whenSet(),
-               field("strokes", &TextureLayer::strokes).whenSet(),
-               field("landmarks", &TextureLayer::landmarks).whenSet()};
+inline constexpr auto fieldsOf<TextureLayer> = fieldTable(
+    field("name", &TextureLayer::name), field("file", &TextureLayer::photo).whenSet(),
+    field("projector", &TextureLayer::projector),
+    field("blendPixels", &TextureLayer::blendPixels, amountLimits("the blending width")),
+    field("opacity", &TextureLayer::opacity, Limits<double>{"the opacity", 0, 1}),
+    field("visible", &TextureLayer::visible), field("preparation", &TextureLayer::preparation).whenSet(),
+    field("blending", &TextureLayer::blending).whenSet(), field("strokes", &TextureLayer::strokes).whenSet(),
+    field("landmarks", &TextureLayer::landmarks).whenSet());
 
 /// What is projected: the prepared picture, or the photo's own; null without a photo.
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);

@@ -20,10 +20,10 @@ struct ColourMatch {
 constexpr double smallestSpread = 0.5, largestSpread = 2; ///< of a match's scales
 
 template<>
-inline constexpr auto fieldsOf<ColourMatch> = std::tuple{
+inline constexpr auto fieldsOf<ColourMatch> = fieldTable(
     field("scale", &ColourMatch::scale,
           Limits<double>{"the scales of matched colours", smallestSpread, largestSpread}),
-    field("offset", &ColourMatch::offset, Limits<double>{"the offsets of matched colours", -300, 300})};
+    field("offset", &ColourMatch::offset, Limits<double>{"the offsets of matched colours", -300, 300}));
 
 /// Gives the photo the mean colour and the spread of what lies beneath it (Reinhard et al. 2001, Color
 /// transfer between images), over the pixels where both have alpha; both must have one size. Spreads change

@@ -24,9 +24,9 @@ struct Lens {
     bool operator==(const Lens&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<Lens> =
-    std::tuple{field("kind", &Lens::kind), fieldsOfMember(&Lens::camera),
-               field("coefficients", &Lens::coefficients, Limits<double>{"the coefficients", -1000, 1000})};
+inline constexpr auto fieldsOf<Lens> = fieldTable(field("kind", &Lens::kind), fieldsOfMember(&Lens::camera),
+                                                  field("coefficients", &Lens::coefficients,
+                                                        Limits<double>{"the coefficients", -1000, 1000}));
 
 /// OpenCV knows five of a pinhole and four of a fisheye.
 constexpr std::size_t coefficientsOf(LensKind kind) {

@@ -22,12 +22,12 @@ struct PhotoStroke {
 };
 template<>
 inline constexpr auto fieldsOf<PhotoStroke> =
-    std::tuple{field("path", &PhotoStroke::path,
+    fieldTable(field("path", &PhotoStroke::path,
                      Limits<double>{"the places", -texture_limits::longestFocalLength,
                                     texture_limits::longestFocalLength, "pixels"}),
                field("radius", &PhotoStroke::radius, Limits<double>{"the radius", 0.5, 5000, "pixels"}),
                field("softness", &PhotoStroke::softness, Limits<double>{"the softness", 0, 1}),
-               field("takesBack", &PhotoStroke::takesBack)};
+               field("takesBack", &PhotoStroke::takesBack));
 
 /// Takes the alpha of what the strokes leave out away, one stroke after another; even a hard one has an edge
 /// of a pixel.

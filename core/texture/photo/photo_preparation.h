@@ -27,11 +27,11 @@ struct PhotoCrop {
 template<>
 inline constexpr auto fieldsOf<PhotoCrop> = [] {
     constexpr int most = texture_limits::mostPhotoPixels;
-    return std::tuple{
+    return fieldTable(
         field("x", &PhotoCrop::x, Limits<int>{"the crop's x", 0, most, "pixels"}),
         field("y", &PhotoCrop::y, Limits<int>{"the crop's y", 0, most, "pixels"}),
         field("width", &PhotoCrop::width, Limits<int>{"the crop's width", 0, most, "pixels"}),
-        field("height", &PhotoCrop::height, Limits<int>{"the crop's height", 0, most, "pixels"})};
+        field("height", &PhotoCrop::height, Limits<int>{"the crop's height", 0, most, "pixels"}));
 }();
 
 /// What is done to a photo before it is laid on the organ; by default nothing. Applied in this order, so that
@@ -51,7 +51,7 @@ struct PhotoPreparation {
     bool operator==(const PhotoPreparation&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<PhotoPreparation> = std::tuple{
+inline constexpr auto fieldsOf<PhotoPreparation> = fieldTable(
     field("roundField", &PhotoPreparation::field).whenSet(),
     field("strokes", &PhotoPreparation::strokes).whenSet(),
     field("highlights", &PhotoPreparation::highlightThreshold,
@@ -63,8 +63,7 @@ inline constexpr auto fieldsOf<PhotoPreparation> = std::tuple{
           Limits<double>{"the gains of white balance", smallestGain, largestGain})
         .whenSet(),
     field("colourMatch", &PhotoPreparation::match).whenSet(),
-    field("lens", &PhotoPreparation::lens).whenSet(),
-    field("crop", &PhotoPreparation::crop).whenSet()};
+    field("lens", &PhotoPreparation::lens).whenSet(), field("crop", &PhotoPreparation::crop).whenSet());
 
 /// Every problem of a preparation for a photo of that size. Empty when all is well.
 std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height);

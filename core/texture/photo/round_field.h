@@ -21,10 +21,10 @@ struct RoundField {
 template<>
 inline constexpr auto fieldsOf<RoundField> = [] {
     constexpr double most = texture_limits::longestFocalLength;
-    return std::tuple{
+    return fieldTable(
         field("centre", &RoundField::centre, Limits<double>{"the centre", -most, most, "pixels"}),
         field("radius", &RoundField::radius, Limits<double>{"the radius", 1, most, "pixels"}),
-        field("trim", &RoundField::trim, Limits<double>{"the trim", 0, 90, "%"})};
+        field("trim", &RoundField::trim, Limits<double>{"the trim", 0, 90, "%"}));
 }();
 
 /// The circle at which the dark rim ends, fitted to the border's points so that instruments, dark organs and

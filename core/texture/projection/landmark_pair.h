@@ -14,7 +14,7 @@ struct LandmarkPair {
     bool operator==(const LandmarkPair&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<LandmarkPair> =
-    std::tuple{field("photo", &LandmarkPair::photo), field("organ", &LandmarkPair::organ)};
+inline constexpr auto fieldsOf<LandmarkPair> = fieldTable(field("photo", &LandmarkPair::photo),
+                                                          field("organ", &LandmarkPair::organ));
 
 } // namespace esm

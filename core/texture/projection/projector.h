@@ -40,7 +40,7 @@ template<>
 inline constexpr auto fieldsOf<Projector> = [] {
     using namespace texture_limits;
     const auto isParallel = [](const Projector& projector) { return projector.isParallel(); };
-    return std::tuple{
+    return fieldTable(
         field("pose", &Projector::pose),
         field("width", &Projector::width,
               Limits<double>{"the projector's width", shortestPhoto, longestPhoto, "m"})
@@ -57,7 +57,7 @@ inline constexpr auto fieldsOf<Projector> = [] {
             .onlyWhere(
                 [](const Projector& projector) { return !projector.isParallel() && !projector.intrinsics; }),
         field("occlusion", &Projector::occlusion).mayBeAbsent(),
-        field("falloff", &Projector::falloff).whenSet()};
+        field("falloff", &Projector::falloff).whenSet());
 }();
 
 /// The camera of a perspective projector; from a field of view one with square pixels and the principal point

@@ -13,8 +13,8 @@ struct Jaw {
     bool operator==(const Jaw&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<Jaw> =
-    std::tuple{field("width", &Jaw::width, positiveLimits("the width", "m"))};
+inline constexpr auto fieldsOf<Jaw> = fieldTable(field("width", &Jaw::width,
+                                                       positiveLimits("the width", "m")));
 
 struct Tongs {
     Grip grip = Grip::Forceps;
@@ -25,10 +25,11 @@ struct Tongs {
     bool operator==(const Tongs&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<Tongs> =
-    std::tuple{field("grip", &Tongs::grip), field("teeth", &Tongs::teeth, Limits<int>{"the teeth", 1, 9}),
-               field("jaws", &Tongs::jaws), field("spare", &Tongs::spare).whenSet(),
-               field("owner", &Tongs::owner).mayBeAbsent()};
+inline constexpr auto
+    fieldsOf<Tongs> = fieldTable(field("grip", &Tongs::grip),
+                                 field("teeth", &Tongs::teeth, Limits<int>{"the teeth", 1, 9}),
+                                 field("jaws", &Tongs::jaws), field("spare", &Tongs::spare).whenSet(),
+                                 field("owner", &Tongs::owner).mayBeAbsent());
 
 struct Arm {
     std::string side;
@@ -37,9 +38,9 @@ struct Arm {
     bool operator==(const Arm&) const = default;
 };
 template<>
-inline constexpr auto fieldsOf<Arm> =
-    std::tuple{field("side", &Arm::side), fieldsOfMember(&Arm::tongs),
-               field("reach", &Arm::reach, positiveLimits("the reach", "m")).whenSet()};
+inline constexpr auto
+    fieldsOf<Arm> = fieldTable(field("side", &Arm::side), fieldsOfMember(&Arm::tongs),
+                               field("reach", &Arm::reach, positiveLimits("the reach", "m")).whenSet());
 
 namespace {
 
