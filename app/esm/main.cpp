@@ -1,5 +1,6 @@
 #include "app/editor/window/application.h"
 #include "app/editor/window/main_window.h"
+#include "app/editor/window/theme.h"
 #include "core/samples/samples.h"
 
 #include <QCommandLineParser>

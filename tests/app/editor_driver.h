@@ -1,9 +1,11 @@
 #pragma once
 
+#include "app/editor/document/document.h"
 #include "app/editor/edits/system_reach.h"
 #include "app/editor/window/main_window.h"
 #include "tests/support/eventually.h"
 #include "widgets/inputs/number_field.h"
+#include "widgets/view/organ_view.h"
 
 #include <gtest/gtest.h>
 #include <QApplication>

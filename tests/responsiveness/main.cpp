@@ -4,9 +4,13 @@
 // software.
 //   responsiveness [turn|colours|NODES|MESH…]   turn, 10000 and 16000 nodes and colours unless given
 
+#include "app/editor/document/document.h"
+#include "app/editor/document/edit_kind.h"
 #include "app/editor/window/application.h"
+#include "app/editor/workers/preview.h"
 #include "tests/responsiveness/organ.h"
 #include "tests/responsiveness/window_watch.h"
+#include "widgets/view/organ_view.h"
 
 #include <QAbstractButton>
 #include <QApplication>

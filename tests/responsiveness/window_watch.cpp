@@ -1,4 +1,6 @@
 #include "tests/responsiveness/window_watch.h"
+#include "app/editor/workers/preview.h"
+#include "widgets/view/organ_view.h"
 
 #include <algorithm>
 #include <ctime>

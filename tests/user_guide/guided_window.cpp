@@ -1,4 +1,7 @@
 #include "tests/user_guide/guided_window.h"
+#include "app/editor/workers/preview.h"
+#include "core/project/project.h"
+#include "widgets/view/organ_view.h"
 
 #include <QApplication>
 #include <QDockWidget>

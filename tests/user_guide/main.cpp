@@ -2,8 +2,10 @@
 //   user_guide_pictures FOLDER
 // scripts/make-user-guide-pictures.sh builds it and runs it on a display of its own.
 
+#include "app/editor/document/document.h"
 #include "app/editor/window/application.h"
 #include "app/editor/window/theme.h"
+#include "app/editor/workers/preview.h"
 #include "core/samples/samples.h"
 #include "core/support/file_io.h"
 #include "tests/support/scratch_settings.h"

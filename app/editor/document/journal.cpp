@@ -1,5 +1,7 @@
 #include "app/editor/document/journal.h"
 
+#include "app/editor/document/journal_writer.h"
+
 #include <QStandardPaths>
 #include <QUuid>
 
@@ -19,6 +21,10 @@ std::filesystem::path newJournal(const std::filesystem::path& folder) {
 std::filesystem::path recoveryFolder() {
     const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     return std::filesystem::path(data.toStdString()) / "recovery";
+}
+
+template<class Task> void Journal::put(Task task) {
+    m_lastPut = m_writer->put(std::move(task));
 }
 
 Journal::Journal(Document& document, Selection& selection, std::filesystem::path folder, QObject* parent,
@@ -44,6 +50,10 @@ Journal::Journal(Document& document, Selection& selection, std::filesystem::path
 
 Journal::~Journal() {
     put(EndTask());
+}
+
+void Journal::finish() {
+    m_writer->finish();
 }
 
 void Journal::setWorkspace(const std::string& name) {

@@ -1,12 +1,15 @@
 #pragma once
 
-#include "app/editor/document/journal_writer.h"
+#include "app/editor/document/journal_habits.h"
 #include "app/editor/document/left_behind.h"
 #include "app/editor/document/selection.h"
 
 #include <QTimer>
 
 namespace esm {
+
+class JournalWriter;
+struct JournalNews;
 
 /// Keeps a document against the program's or the machine's sudden end: each edit is written down on another
 /// thread a moment after it was made. What was written goes when the program ends as it should; what another
@@ -29,7 +32,7 @@ public:
     /// The document is what was left behind: that goes once this journal has all of it.
     void takeOver(LeftBehind left);
     /// Waits until all that was done is on the disk.
-    void finish() { m_writer->finish(); }
+    void finish();
     /// Number of the latest thing to be written, as JournalHabits has it.
     std::uint64_t lastPut() const { return m_lastPut; }
 
@@ -49,7 +52,7 @@ private:
     void noteEdit(int index);
     void begin();
     void end();
-    void put(JournalTask task) { m_lastPut = m_writer->put(std::move(task)); }
+    template<class Task> void put(Task task);
     void hear(const JournalNews& news);
     void noteFailure(const QString& reason);
     void noteBegun();

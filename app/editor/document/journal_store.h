@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/document/document.h"
+#include "app/editor/document/journal_habits.h"
 #include "core/exchange/journal/journal_records.h"
 #include "core/exchange/project/project_content.h"
 #include "core/support/appended_file.h"
@@ -8,14 +9,6 @@
 #include <QLockFile>
 
 namespace esm {
-
-/// How large a journal may become beside what it needs.
-struct JournalBounds {
-    /// Bytes of records, and of blobs, that may always be added, however little was last written as a whole.
-    std::uint64_t leastGrowth = 32 << 20;
-    /// Bytes of records; the first steps are left out where all would take more than half of it.
-    std::uint64_t mostRecords = largestRecords / 2;
-};
 
 /// The folder of a journal while it is written: `records`, and in `blobs` arrays, strokes and pictures, each
 /// a file that is named by its hash. For one thread.

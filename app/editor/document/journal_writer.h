@@ -5,7 +5,6 @@
 #include "app/editor/document/left_behind.h"
 #include "app/editor/document/project_command.h"
 
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -14,18 +13,6 @@
 #include <variant>
 
 namespace esm {
-
-/// When a journal is written, and who watches it.
-struct JournalHabits {
-    /// Between two writings while a drag goes on, whose edits replace each other.
-    std::chrono::milliseconds dragPause{250};
-    /// After which it is tried again where it could not be written.
-    std::chrono::milliseconds retryPause{10000};
-    JournalBounds bounds{};
-    /// Called on the writer's thread before tasks are written, and once they are on the disk, with the number
-    /// of the last of them.
-    std::function<void(std::uint64_t)> begins{}, synced{};
-};
 
 // What is to be written.
 struct BeginTask {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/editor/document/document.h"
-#include "core/exchange/journal/journal_records.h"
+#include "core/exchange/journal/journal_facts.h"
 #include "core/support/progress.h"
 
 #include <QDateTime>

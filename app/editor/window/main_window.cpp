@@ -1,21 +1,36 @@
 #include "app/editor/window/main_window.h"
 
 #include "app/editor/dialogs/screen_room.h"
+#include "app/editor/document/journal.h"
+#include "app/editor/edits/preparation_edits.h"
 #include "app/editor/panels/measure/accuracy_view.h"
+#include "app/editor/panels/measure/speed_and_accuracy.h"
 #include "app/editor/panels/texture/photo_dialog.h"
+#include "app/editor/window/camera_controls.h"
 #include "app/editor/window/columns.h"
+#include "app/editor/window/device_controller.h"
+#include "app/editor/window/edit_controller.h"
 #include "app/editor/window/export_notice.h"
+#include "app/editor/window/file_controller.h"
 #include "app/editor/window/help.h"
 #include "app/editor/window/history_window.h"
 #include "app/editor/window/layout.h"
+#include "app/editor/window/photo_controller.h"
+#include "app/editor/window/play_controller.h"
 #include "app/editor/window/recovery.h"
 #include "app/editor/window/scene_note.h"
 #include "app/editor/window/shortcut_controller.h"
 #include "app/editor/window/shortcuts.h"
+#include "app/editor/window/slow_motion.h"
+#include "app/editor/window/start_controller.h"
+#include "app/editor/window/status_line.h"
+#include "app/editor/window/tool_controller.h"
 #include "app/editor/window/tool_strip.h"
 #include "app/editor/window/top_bar.h"
 #include "app/editor/window/view_bar.h"
+#include "app/editor/window/view_controller.h"
 #include "app/editor/window/view_settings.h"
+#include "app/editor/workers/preview.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/icon.h"
 
@@ -188,6 +203,10 @@ void MainWindow::connectStatusLine() {
     auto* slow = new QTimer(this);
     connect(slow, &QTimer::timeout, m_status, showStatus);
     slow->start(500);
+}
+
+void MainWindow::openFiles(const std::vector<std::filesystem::path>& files) {
+    m_files->openAll(files);
 }
 
 void MainWindow::offerLeftBehind(Journal& journal) {

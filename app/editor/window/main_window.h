@@ -1,29 +1,44 @@
 #pragma once
 
-#include "app/editor/document/journal.h"
-#include "app/editor/edits/preparation_edits.h"
-#include "app/editor/panels/measure/speed_and_accuracy.h"
 #include "app/editor/window/actions.h"
-#include "app/editor/window/camera_controls.h"
-#include "app/editor/window/device_controller.h"
-#include "app/editor/window/edit_controller.h"
-#include "app/editor/window/file_controller.h"
-#include "app/editor/window/photo_controller.h"
-#include "app/editor/window/play_controller.h"
-#include "app/editor/window/slow_motion.h"
-#include "app/editor/window/start_controller.h"
-#include "app/editor/window/status_line.h"
-#include "app/editor/window/tool_controller.h"
-#include "app/editor/window/view_controller.h"
-#include "app/editor/workers/preview.h"
 
 #include <QDialog>
 #include <QMainWindow>
 #include <QPointer>
 
+#include <filesystem>
+#include <vector>
+
+class QLabel;
+class QStackedWidget;
+
 namespace esm {
 
+class CameraControls;
+class DeviceController;
+class Document;
+class EditController;
+class FileController;
+class FirstSteps;
+class Journal;
+class Landmarking;
+class OrganView;
+class PhotoController;
+class PlayController;
+class PreparationEdits;
+class Preview;
+class Selection;
 class ShortcutController;
+class SlowMotion;
+class SpeedAndAccuracy;
+class StartController;
+class StatusLine;
+class ToolController;
+class ViewController;
+class Workspaces;
+struct Change;
+struct JournalView;
+struct Project;
 
 /// The editor's window: puts document, view, panels and controllers together.
 /// Begins with an organ that is there to be replaced; start() shows the start page before it.
@@ -50,7 +65,7 @@ public:
     void offerLeftBehind(Journal& journal);
 
     /// Opens projects, imports meshes and adds photos, by the files' endings and one after the other.
-    void openFiles(const std::vector<std::filesystem::path>& files) { m_files->openAll(files); }
+    void openFiles(const std::vector<std::filesystem::path>& files);
 
 protected:
     void showEvent(QShowEvent* event) override;

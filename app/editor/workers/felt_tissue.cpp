@@ -15,7 +15,8 @@ std::optional<double> ForceMean::size() const {
     return m_mean ? std::optional(m_mean->norm()) : std::nullopt;
 }
 
-double displacementAt(const PlacedCollider& collider, const Vectors& rest, const Vectors& positions) {
+double displacementAt(const PlacedCollider& collider, const std::vector<Eigen::Vector3d>& rest,
+                      const std::vector<Eigen::Vector3d>& positions) {
     const ColliderAxis axis = axisOf(collider);
     double nearest = std::numeric_limits<double>::infinity(), displacement = 0;
     for (std::size_t node = 0; node < positions.size(); ++node) {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/dynamics/spring_system.h"
 #include "core/geometry/collider.h"
 
 #include <optional>
+#include <vector>
 
 namespace esm {
 
@@ -27,6 +27,7 @@ private:
 };
 
 /// m, from rest, of the node that is nearest to a collider; 0 without nodes.
-double displacementAt(const PlacedCollider& collider, const Vectors& rest, const Vectors& positions);
+double displacementAt(const PlacedCollider& collider, const std::vector<Eigen::Vector3d>& rest,
+                      const std::vector<Eigen::Vector3d>& positions);
 
 } // namespace esm

@@ -1,5 +1,6 @@
 #include "app/editor/workers/preview.h"
 
+#include "app/editor/workers/preview_run.h"
 #include "core/support/errors.h"
 
 #include <utility>
@@ -23,8 +24,17 @@ std::optional<int> takeDue(std::optional<int>& command, int arrived) {
 
 } // namespace
 
+/// The worker's own.
+struct Preview::Worker {
+    PreviewRun run;
+    bool playing = false;
+    std::chrono::steady_clock::time_point next;
+    std::optional<Integrator> gauged; ///< the one whose largest stable step is sought or told
+};
+
 Preview::Preview(QObject* parent)
     : QObject(parent), m_safeSteps([this](std::optional<double> step) { takeSafeStep(step); }),
+      m_factoriser(std::make_shared<MatrixFactoriser>()),
       m_preparer([this](const auto& task) { return prepare(task); }, [this] { takePrepared(); }),
       m_thread([this] { work(); }) {}
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "app/editor/workers/latest_worker.h"
-#include "app/editor/workers/preview_run.h"
+#include "app/editor/workers/preview_loads.h"
+#include "app/editor/workers/preview_status.h"
 #include "app/editor/workers/safe_step_finder.h"
+#include "core/project/project.h"
 
 #include <QObject>
 
@@ -12,6 +14,10 @@
 #include <thread>
 
 namespace esm {
+
+class MatrixFactoriser;
+class PreviewRun;
+struct PreparedProject;
 
 /// What the window draws.
 struct PreviewFrame {
@@ -77,13 +83,7 @@ private:
         PreviewLoads loads;
     };
 
-    /// The worker's own.
-    struct Worker {
-        PreviewRun run;
-        bool playing = false;
-        std::chrono::steady_clock::time_point next;
-        std::optional<Integrator> gauged; ///< the one whose largest stable step is sought or told
-    };
+    struct Worker;
 
     std::shared_ptr<PreparedProject> prepare(const Preparer::Task& task);
     void tellTissue(const std::shared_ptr<const TissueModel>& tissue, int number);
@@ -110,8 +110,7 @@ private:
     int m_tissueProject = 0; ///< the number of the project that it is of
     std::atomic<bool> m_frameAnnounced = false;
     SafeStepFinder m_safeSteps;
-    const std::shared_ptr<MatrixFactoriser> m_factoriser =
-        std::make_shared<MatrixFactoriser>(); ///< the preparer's
+    const std::shared_ptr<MatrixFactoriser> m_factoriser; ///< the preparer's
     Preparer m_preparer;
     std::thread m_thread;
 };

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "app/editor/workers/latest_worker.h"
-#include "core/dynamics/simulation.h"
+#include "core/model/stepping.h"
+#include "core/model/tissue_model.h"
 
 #include <functional>
 #include <mutex>

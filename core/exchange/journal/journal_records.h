@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/exchange/journal/journal_facts.h"
 #include "core/project/project.h"
 #include "core/support/progress.h"
 
@@ -20,9 +21,6 @@ namespace esm {
 /// manifest leaves out. Members that stay as they were are shared.
 using StoredState = std::map<std::string, std::shared_ptr<const nlohmann::ordered_json>>;
 
-/// Bytes of a journal's records that are read.
-inline constexpr std::uint64_t largestRecords = std::uint64_t{1} << 30;
-
 /// The blobs of each entry of a manifest, in order.
 using EntryBlobs = std::map<std::string, std::vector<std::string>>;
 
@@ -38,34 +36,6 @@ void giveIdentities(Project& project, const StoredState& state);
 
 /// What of a state is not as it was: new members, and the names of those that are gone.
 nlohmann::ordered_json changeOf(const StoredState& before, const StoredState& after);
-
-/// What the window shows and no file holds.
-struct JournalView {
-    std::string workspace;
-    std::optional<RegionId> region;
-    std::optional<LayerId> photo;
-
-    bool operator==(const JournalView&) const = default;
-};
-
-/// The document's file, and what is known of unsaved work from before.
-struct JournalFile {
-    std::string path;        ///< empty where it has none
-    std::string formerTitle; ///< empty where there is none
-    std::string formerPath;
-    std::vector<std::int64_t>
-        version; ///< that tells the file from what takes its place; empty when not known
-    std::optional<std::uint64_t> clean; ///< the place in the undo list that lies in the file
-
-    bool operator==(const JournalFile&) const = default;
-};
-
-/// Places in the undo list count all steps from the journal's beginning; 0 is the project before the first.
-struct JournalStep {
-    std::uint64_t place = 0;
-    std::string text;
-    std::optional<RegionId> systemOf;
-};
 
 // Each record as JSON.
 /// @param place of the state: those before it are left out

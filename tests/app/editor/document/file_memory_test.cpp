@@ -1,5 +1,6 @@
 #include "app/editor/document/file_memory.h"
 
+#include "app/editor/window/file_controller.h"
 #include "core/exchange/project/project_file.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"

@@ -1,3 +1,4 @@
+#include "app/editor/window/file_controller.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"

@@ -1,3 +1,5 @@
+#include "app/editor/window/file_controller.h"
+#include "app/editor/workers/preview.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/project/project_file.h"
 #include "core/samples/samples.h"

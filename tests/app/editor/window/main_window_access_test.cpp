@@ -1,4 +1,5 @@
 #include "app/editor/panels/tissue/tissue_preset_button.h"
+#include "app/editor/window/file_controller.h"
 #include "core/authoring/accuracy.h"
 #include "core/exchange/image_file.h"
 #include "core/samples/samples.h"

@@ -1,3 +1,4 @@
+#include "app/editor/workers/preview.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 #include "widgets/inputs/value_slider.h"

@@ -1,3 +1,4 @@
+#include "app/editor/workers/preview.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/model_package.h"
 #include "core/samples/samples.h"
@@ -6,6 +7,7 @@
 #include "widgets/view/gizmos.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QRadioButton>
 #include <QSlider>
 #include <QToolButton>

@@ -1,3 +1,4 @@
+#include "app/editor/window/theme.h"
 #include "core/authoring/accuracy.h"
 #include "core/exchange/image_file.h"
 #include "core/samples/samples.h"
@@ -9,6 +10,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QLayout>
 #include <QTableView>
 #include <QToolBar>
 #include <QToolButton>

@@ -1,3 +1,4 @@
+#include "app/editor/window/theme.h"
 #include "core/authoring/regions.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"

@@ -1,3 +1,5 @@
+#include "app/editor/workers/preview.h"
+#include "app/editor/workers/preview_loads.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 

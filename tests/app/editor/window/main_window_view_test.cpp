@@ -1,4 +1,5 @@
 #include "app/editor/window/view_settings.h"
+#include "app/editor/workers/preview.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 

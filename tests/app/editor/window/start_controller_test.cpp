@@ -1,6 +1,8 @@
 #include "app/editor/window/start_page.h"
 
 #include "app/editor/document/journal.h"
+#include "app/editor/window/file_controller.h"
+#include "app/editor/workers/preview.h"
 #include "core/exchange/project/project_file.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
