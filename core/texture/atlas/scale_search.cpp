@@ -8,7 +8,7 @@ namespace esm {
 namespace {
 
 /// Part of the bound that layouts come to on most organs, where the search begins.
-constexpr double usualPart = 0.8;
+constexpr double usualShare = 0.8;
 
 /// Looks between the largest scale that fits and the smallest that does not.
 class Search {
@@ -41,7 +41,7 @@ public:
     /// stays between a scale that fitted and one that failed.
     ScaledLayout byHeight() {
         constexpr double precision = 0.001;
-        double scale = std::max(m_smallest, usualPart * m_failing);
+        double scale = std::max(m_smallest, usualShare * m_failing);
         while (!(m_best.scale > 0 && m_failing <= m_best.scale * (1 + precision))) {
             const double height = attempt(scale);
             if (m_failing <= m_smallest) break;

@@ -13,7 +13,7 @@ bool paints(const std::shared_ptr<const BrushStroke>& stroke) {
     return laysColour(stroke->kind);
 }
 
-std::size_t pointsOf(const BrushStrokes& strokes) {
+std::size_t pointCount(const BrushStrokes& strokes) {
     std::size_t points = 0;
     for (const auto& stroke : strokes)
         points += stroke->path.size();
@@ -52,7 +52,7 @@ std::vector<std::string> paintingProblems(const TextureLayer& layer) {
     if (layer.photo && std::any_of(layer.strokes.begin(), layer.strokes.end(), paints))
         problems.emplace_back("colours are painted on a photo; they need a layer of their own");
     if (layer.strokes.size() > texture_limits::mostStrokes ||
-        pointsOf(layer.strokes) > texture_limits::mostBrushPoints)
+        pointCount(layer.strokes) > texture_limits::mostBrushPoints)
         problems.push_back("more was painted on it than the " + std::to_string(texture_limits::mostStrokes) +
                            " strokes or " + std::to_string(texture_limits::mostBrushPoints) +
                            " points that a layer can hold; begin another layer");
