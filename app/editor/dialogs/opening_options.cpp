@@ -47,10 +47,10 @@ std::size_t looseEdges(const ImportedSurface& surface) {
 }
 
 QString filledText(const RepairReport& report) {
-    const QString filled = report.filledHoles == 1
-                               ? QObject::tr("1 hole filled, %1").arg(edgesText(report.filledHoleEdges))
-                               : QObject::tr("%1 holes filled, %2")
-                                     .arg(countText(report.filledHoles), edgesText(report.filledHoleEdges));
+    QString filled = report.filledHoles == 1
+                         ? QObject::tr("1 hole filled, %1").arg(edgesText(report.filledHoleEdges))
+                         : QObject::tr("%1 holes filled, %2")
+                               .arg(countText(report.filledHoles), edgesText(report.filledHoleEdges));
     if (report.refusedHoles == 0) return filled;
     return QObject::tr("%1; %2 cannot be").arg(filled, countText(report.refusedHoles));
 }
@@ -59,7 +59,7 @@ QString filledText(const RepairReport& report) {
 QString leftText(const ImportedSurface& surface) {
     const std::size_t edges = surface.report.boundaryEdges, loose = looseEdges(surface);
     if (edges == 0) return QObject::tr("Left open: nothing");
-    const QString left = QObject::tr("Left open: %1").arg(edgesText(edges));
+    QString left = QObject::tr("Left open: %1").arg(edgesText(edges));
     if (loose == 0) return left;
     return loose == edges ? QObject::tr("%1, around no hole").arg(left)
                           : QObject::tr("%1, %2 of them around no hole").arg(left, countText(loose));
