@@ -12,7 +12,9 @@
 #include <QCoreApplication>
 #include <QHeaderView>
 #include <QHelpEvent>
+#include <QKeySequence>
 #include <QLabel>
+#include <QMap>
 #include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -145,10 +147,30 @@ QStringList complaintsAbout(QWidget& widget) {
     return complaints;
 }
 
+QString textWithLetter(const QWidget& widget) {
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
+    const auto* label = qobject_cast<const QLabel*>(&widget);
+    return label && label->buddy() ? label->text() : QString();
+}
+
+/// Alt and a letter that two have only goes from one to the other.
+QStringList sharedLetters(QWidget& window) {
+    QStringList complaints;
+    QMap<QString, QString> taken;
+    for (QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisibleTo(&window) || widget->window() != &window) continue;
+        const QString text = textWithLetter(*widget), key = QKeySequence::mnemonic(text).toString();
+        if (key.isEmpty()) continue;
+        if (taken.contains(key)) complaints << QString("“%1” and “%2” share %3").arg(taken[key], text, key);
+        taken[key] = text;
+    }
+    return complaints;
+}
+
 } // namespace
 
 QStringList accessComplaints(QWidget& window) {
-    QStringList complaints;
+    QStringList complaints = sharedLetters(window);
     for (QWidget* widget : window.findChildren<QWidget*>())
         if (widget->isVisibleTo(&window) && widget->window() == &window && takesKeysOrClicks(*widget))
             complaints << complaintsAbout(*widget);

@@ -103,7 +103,7 @@ bool isSlit(const OpenBorder& border) {
 
 OpeningOptions::OpeningOptions(std::shared_ptr<const ImportedSurface> found, LengthUnit unit, QWidget* parent)
     : QWidget(parent), m_found(std::move(found)), m_open(new QLabel(this)),
-      m_closes(new QCheckBox(tr("&Close slits up to"), this)),
+      m_closes(new QCheckBox(tr("C&lose slits up to"), this)),
       m_fills(new QCheckBox(tr("&Fill holes of up to"), this)),
       m_width(new NumberField(widthFormat(widest(*m_found, unit)), this)),
       m_edges(new NumberField(edgesFormat(), this)), m_widthLimits(quiet(this)), m_closed(new QLabel(this)),
