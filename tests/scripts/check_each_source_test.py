@@ -8,10 +8,14 @@ import check_each_source as check  # noqa: E402
 
 
 class CheckEachSourceTest(unittest.TestCase):
-    def test_finds_what_sources_read(self):
+    def test_finds_what_qt_writes(self):
         listed = ("widgets/a_autogen/timestamp: CUSTOM_COMMAND\nwidgets/a_autogen: phony\n"
                   "core/cmake_pch.hxx.pch: CXX_COMPILER\ncore/x.cpp.o: CXX_COMPILER\n")
-        self.assertEqual(check.prerequisites(listed), ["widgets/a_autogen/timestamp", "core/cmake_pch.hxx.pch"])
+        self.assertEqual(check.written_by_qt(listed), ["widgets/a_autogen/timestamp"])
+
+    def test_precompiles_by_a_headers_own_command(self):
+        header = {"file": "core/CMakeFiles/esm.dir/cmake_pch.hxx.cxx", "command": "/usr/bin/ccache c++ -c a -o a.pch"}
+        self.assertEqual(check.command_of(header), ["c++", "-c", "a", "-o", "a.pch"])
 
     def test_complains_of_a_source_that_lacks_an_include_and_makes_no_object(self):
         with tempfile.TemporaryDirectory() as folder:
