@@ -34,10 +34,8 @@ std::vector<Edge> uniqueEdges(const std::vector<Triangle>& triangles) {
 
 double surfaceArea(const TriangleMesh& mesh) {
     double twice = 0;
-    for (const Triangle& t : mesh.triangles) {
-        const Eigen::Vector3d& a = mesh.vertices[t[0]];
-        twice += (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
-    }
+    for (const Triangle& t : mesh.triangles)
+        twice += areaNormal(mesh.vertices, t).norm();
     return twice / 2;
 }
 
@@ -53,6 +51,11 @@ double enclosedVolume(const TriangleMesh& mesh) {
     return sixfold / 6;
 }
 
+Eigen::Vector3d areaNormal(const std::vector<Eigen::Vector3d>& vertices, const Triangle& triangle) {
+    const Eigen::Vector3d& a = vertices[triangle[0]];
+    return (vertices[triangle[1]] - a).cross(vertices[triangle[2]] - a);
+}
+
 double sixfoldVolume(const std::vector<Eigen::Vector3d>& vertices, const Triangle& triangle,
                      const Eigen::Vector3d& point) {
     const auto& [a, b, c] = triangle;
@@ -65,10 +68,9 @@ std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& p
                                            const std::vector<Triangle>& triangles) {
     std::vector<Eigen::Vector3d> normals(positions.size(), Eigen::Vector3d::Zero());
     for (const Triangle& t : triangles) {
-        const Eigen::Vector3d& a = positions[t[0]];
-        const Eigen::Vector3d areaNormal = (positions[t[1]] - a).cross(positions[t[2]] - a);
+        const Eigen::Vector3d normal = areaNormal(positions, t);
         for (const std::uint32_t vertex : t)
-            normals[vertex] += areaNormal;
+            normals[vertex] += normal;
     }
     for (Eigen::Vector3d& normal : normals) {
         const double length = normal.norm();

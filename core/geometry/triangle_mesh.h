@@ -37,6 +37,9 @@ double surfaceArea(const TriangleMesh& mesh);
 /// Volume enclosed by a closed, consistently oriented surface, m³; negative when it faces inwards.
 double enclosedVolume(const TriangleMesh& mesh);
 
+/// As long as twice the triangle's area, m².
+Eigen::Vector3d areaNormal(const std::vector<Eigen::Vector3d>& vertices, const Triangle& triangle);
+
 /// Six times the volume, m³, of the tetrahedron between a triangle and a point; positive when the triangle
 /// faces away from the point.
 double sixfoldVolume(const std::vector<Eigen::Vector3d>& vertices, const Triangle& triangle,

@@ -11,12 +11,7 @@ namespace esm {
 namespace {
 
 constexpr int mapSize = 1024;               ///< pixels of the depth map's longer side
-constexpr double hidingShare = 5e-4;        ///< of the organ's size: how far surface hides nothing behind it
 constexpr double nearestShare = 1.0 / 2000; ///< of the farthest depth, where an eye stands in the organ
-
-PhotoSize sizeOf(const Image& photo) {
-    return {photo.width, photo.height};
-}
 
 bool isPerspective(const ProjectedPhoto& projected) {
     return projected.projector.kind == ProjectorKind::Perspective;
@@ -34,6 +29,22 @@ Image premultiplied(const Image& photo) {
                 static_cast<std::uint8_t>((weighed.pixels[i + channel] * alpha + 127) / 255);
     }
     return weighed;
+}
+
+/// How much has faded, a pixel for each node.
+Image pictureOf(const OutlineFeather& outlines) {
+    Image picture{std::max(1, outlines.columns), std::max(1, outlines.rows), {}};
+    picture.pixels.assign(
+        4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 0);
+    for (std::size_t i = 0; i < outlines.faded.size(); ++i)
+        picture.pixels[4 * i] = static_cast<std::uint8_t>(std::lround(255 * outlines.faded[i]));
+    return picture;
+}
+
+/// Of parts that are seen from different sides each is coloured from both.
+SeenSide commonSide(const std::vector<SeenSide>& sides) {
+    const bool isOne = std::adjacent_find(sides.begin(), sides.end(), std::not_equal_to<>()) == sides.end();
+    return isOne && !sides.empty() ? sides.front() : SeenSide::Both;
 }
 
 } // namespace
@@ -79,7 +90,8 @@ void GlDepthMap::bind(int unit) const {
 
 PhotoProjection::PhotoProjection(const GlFunctions& gl)
     : m_gl(gl), m_depthProgram(gl, shaders::photoDepthVertex(), shaders::photoDepthFragment()),
-      m_vertexBuffer(gl), m_indexBuffer(gl), m_vertexTexture(gl), m_array(gl), m_seen(gl) {
+      m_vertexBuffer(gl), m_indexBuffer(gl), m_vertexTexture(gl), m_array(gl), m_seen(gl),
+      m_outlineTexture(gl) {
     m_array.bind();
     m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
 }
@@ -91,19 +103,22 @@ PhotoProjection::PhotoProjection(const GlFunctions& gl)
 void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_ptr<const TriangleMesh>& mesh,
                            const Frame& frame) {
     const bool isKnown = m_projected && mesh == m_mesh && projected.photo == m_photo &&
-                         projected.projector == m_projected->projector;
+                         projected.projector == m_projected->projector &&
+                         projected.blendPixels == m_projected->blendPixels;
     takeMesh(mesh, frame);
     takePhoto(projected.photo);
     m_projected = projected;
     Eigen::Matrix4d fromOrigin = Eigen::Matrix4d::Identity();
     fromOrigin.topRightCorner<3, 1>() = frame.origin;
     m_matrix = photoMatrix(projected.projector, sizeOf(*projected.photo)) * fromOrigin;
-    m_tolerance = hidingShare * static_cast<double>(frame.size);
+    m_tolerance = hidingTolerance(*mesh);
     const Eigen::Isometry3d& pose = projected.projector.pose;
     const Eigen::Vector3f light = isPerspective(projected) ? frame.local(pose.translation())
                                                            : pose.linear().col(2).cast<float>().eval();
     m_light = {light.x(), light.y(), light.z(), isPerspective(projected) ? 1.0F : 0.0F};
-    if (isKnown || !projected.projector.occlusion) return;
+    if (isKnown) return;
+    takeOutlines();
+    if (!projected.projector.occlusion) return;
     measureDepth();
     drawDepth();
 }
@@ -113,12 +128,13 @@ void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_pt
 void PhotoProjection::takeMesh(const std::shared_ptr<const TriangleMesh>& mesh, const Frame& frame) {
     if (mesh == m_mesh) return;
     m_mesh = mesh;
-    m_isSolid = isSolid(*mesh);
-    std::vector<Eigen::Vector4f> texels;
-    texels.reserve(mesh->vertices.size());
-    for (const Eigen::Vector3d& vertex : mesh->vertices) {
-        const Eigen::Vector3f place = frame.local(vertex);
-        texels.emplace_back(place.x(), place.y(), place.z(), 1.0F);
+    m_cache = {};
+    const auto normals = m_cache.normalsOf(*mesh);
+    std::vector<Eigen::Vector4f> texels; // place, normal, place …
+    texels.reserve(2 * mesh->vertices.size());
+    for (std::size_t i = 0; i < mesh->vertices.size(); ++i) {
+        texels.push_back(frame.local(mesh->vertices[i]).homogeneous());
+        texels.push_back((*normals)[i].cast<float>().homogeneous());
     }
     m_vertexBuffer.upload(GL_TEXTURE_BUFFER, texels.data(), texels.size() * sizeof(texels[0]),
                           GL_STATIC_DRAW);
@@ -136,11 +152,15 @@ void PhotoProjection::takePhoto(const std::shared_ptr<const Image>& photo) {
                            static_cast<int>(std::log2(std::max(photo->width, photo->height))));
 }
 
-/// A parallel projector projects onto nothing that faces away. Before an eye outside a closed surface that is
-/// hidden anyway, but by surface so near at the outline that the depth map cannot tell.
-bool PhotoProjection::seesOnlyFronts() const {
-    return !isPerspective(*m_projected) ||
-           (m_isSolid && !boundingBox(m_mesh->vertices).contains(m_projected->projector.pose.translation()));
+/// The same as composing has, so that nothing changes when the drag ends.
+void PhotoProjection::takeOutlines() {
+    m_outlines = nullptr;
+    m_side = commonSide(seenSides(*m_mesh, m_projected->projector));
+    if (!m_projected->projector.occlusion) return;
+    m_outlines =
+        m_cache.outlinesOf({m_projected->projector, sizeOf(*m_photo)}, m_projected->blendPixels, *m_mesh, {});
+    m_cache.finish();
+    m_outlineTexture.upload(pictureOf(*m_outlines), 0);
 }
 
 /// What lies between the projector and the farthest of the organ, no more: depth is only so fine. Before an
@@ -185,7 +205,7 @@ void PhotoProjection::bind(const GlProgram& program) const {
     program.set("light", m_light);
     program.set("tolerance", static_cast<float>(m_tolerance));
     program.set("occlusion", m_projected->projector.occlusion);
-    program.set("onlyFronts", seesOnlyFronts());
+    program.set("seenSide", static_cast<int>(m_side));
     program.set("falloff", m_projected->projector.falloff);
     program.set("blendPixels", static_cast<float>(m_projected->blendPixels));
     program.set("opacity", static_cast<float>(m_projected->opacity));
@@ -193,9 +213,15 @@ void PhotoProjection::bind(const GlProgram& program) const {
     program.set("restVertices", 2);
     program.set("photo", 3);
     program.set("seen", 4);
+    program.set("outlines", 5);
+    const bool fades = m_outlines && !m_outlines->faded.empty();
+    program.set("outlineNodes", fades ? Eigen::Vector2f(float(m_outlines->columns), float(m_outlines->rows))
+                                      : Eigen::Vector2f(0, 0));
+    program.set("outlineSpacing", fades ? float(m_outlines->spacing) : 1.0F);
     m_vertexTexture.bind(GL_TEXTURE_BUFFER, 2);
     m_photoTexture->bind(GL_TEXTURE_2D, 3);
     m_seen.bind(4);
+    m_outlineTexture.bind(GL_TEXTURE_2D, 5);
 }
 
 } // namespace esm

@@ -2,6 +2,7 @@
 
 #include "core/render/frame.h"
 #include "core/render/gl_objects.h"
+#include "core/texture/layers/composition_cache.h"
 
 #include <memory>
 #include <optional>
@@ -53,7 +54,7 @@ public:
 private:
     void takeMesh(const std::shared_ptr<const TriangleMesh>& mesh, const Frame& frame);
     void takePhoto(const std::shared_ptr<const Image>& photo);
-    bool seesOnlyFronts() const;
+    void takeOutlines();
     void measureDepth();
     void drawDepth();
 
@@ -66,8 +67,12 @@ private:
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::shared_ptr<const Image> m_photo;
     std::unique_ptr<GlTexture> m_photoTexture;
+    GlTexture m_outlineTexture;
+    std::shared_ptr<const OutlineFeather>
+        m_outlines;                   ///< null where the projector does not ask what is hidden
+    SeenSide m_side = SeenSide::Both; ///< that is coloured, of the whole surface
+    CompositionCache m_cache;         ///< of the mesh
     std::optional<ProjectedPhoto> m_projected;
-    bool m_isSolid = false;
     Eigen::Matrix4d m_matrix;     ///< as `photoMatrix`, from the frame's origin
     Eigen::Vector4f m_light;      ///< where the light comes from (w 1), or in which direction (w 0)
     double m_near = 0, m_far = 1; ///< m before the projector, of the depth map

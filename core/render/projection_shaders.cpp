@@ -4,22 +4,25 @@ namespace esm::shaders {
 
 std::string photoPlaceSource() {
     return R"(
-uniform samplerBuffer restVertices;
+uniform samplerBuffer restVertices; // place, normal, place …
 uniform mat4 intoPhoto;
-vec4 photoPlaceOf(int vertex) { return intoPhoto * vec4(texelFetch(restVertices, vertex).xyz, 1.0); }
+vec4 photoPlaceOf(int vertex) { return intoPhoto * vec4(texelFetch(restVertices, 2 * vertex).xyz, 1.0); }
 )";
 }
 
-std::string photoColourSource() {
-    return R"(
+namespace {
+
+/// As TriangleProjection has them.
+constexpr const char* photoWeights = R"(
 in vec4 photoPlace; // the place in the photo (x w, y w, w), pixels, and the depth before the projector
-in vec3 rest;       // on the organ at rest
-uniform sampler2D photo;
+in vec3 rest, restNormal; // on the organ at rest
+uniform sampler2D photo, outlines;
 uniform sampler2DShadow seen;
-uniform vec2 photoPixels, depths;
+uniform vec2 photoPixels, depths, outlineNodes;
 uniform vec4 light;
-uniform bool isPerspective, occlusion, onlyFronts, falloff, multiplies;
-uniform float blendPixels, opacity, tolerance;
+uniform int seenSide; // 0: the outside, 1: the inside, 2: both
+uniform bool isPerspective, occlusion, falloff, multiplies;
+uniform float blendPixels, opacity, tolerance, outlineSpacing;
 
 // As the depth map holds it.
 float mapDepth(float depth) {
@@ -38,14 +41,39 @@ float angleWeight(float cosine) {
     return 1.0 - smoothstep(radians(60.0), radians(85.0), acos(min(abs(cosine), 1.0)));
 }
 
-float lightWeight(vec2 place, vec3 outward) {
-    float cosine = dot(outward, light.w > 0.0 ? normalize(light.xyz - rest) : light.xyz);
-    float weight = falloff ? angleWeight(cosine) : 1.0;
-    if (!occlusion || weight <= 0.0) return weight;
-    if (onlyFronts && cosine <= 0.0) return 0.0;
-    return weight * texture(seen, vec3(place, clamp(mapDepth(photoPlace.w - tolerance), 0.0, 1.0)));
+float cosineSeen(float cosine) {
+    return seenSide == 2 ? abs(cosine) : max(0.0, seenSide == 1 ? -cosine : cosine);
 }
 
+// What a ray would find to lie so far before the place that it hides it, tried at three depths.
+float seenShare(vec2 place) {
+    float share = 0.0;
+    for (float before = 5.0; before < 20.0; before += 5.0)
+        share += texture(seen, vec3(place, clamp(mapDepth(photoPlace.w - before * tolerance), 0.0, 1.0)));
+    return share / 3.0;
+}
+
+float outlineWeight(vec2 pixel) {
+    if (outlineNodes.x == 0.0) return 1.0;
+    return 1.0 - texture(outlines, (pixel / outlineSpacing + 0.5) / outlineNodes).r;
+}
+
+float lightWeight(vec2 pixel, vec3 outward) {
+    if (!falloff && !occlusion) return 1.0;
+    vec3 way = light.w > 0.0 ? normalize(light.xyz - rest) : light.xyz;
+    if (blendPixels == 0.0 && cosineSeen(dot(outward, way)) == 0.0) return 0.0;
+    float cosine = cosineSeen(dot(normalize(restNormal), way));
+    float weight = falloff ? angleWeight(cosine) : blendPixels > 0.0 ? smoothstep(0.0, 0.17365, cosine) : 1.0;
+    if (!occlusion || weight <= 0.0) return weight;
+    return weight * outlineWeight(pixel) * seenShare(pixel / photoPixels);
+}
+
+)";
+
+} // namespace
+
+std::string photoColourSource() {
+    return photoWeights + std::string(R"(
 vec3 withPhoto(vec3 beneath) {
     vec3 across = cross(dFdx(rest), dFdy(rest));
     vec3 outward = normalize(gl_FrontFacing ? across : -across);
@@ -55,11 +83,11 @@ vec3 withPhoto(vec3 beneath) {
     if (photoPlace.z <= 0.0 || photoPlace.w < -tolerance) return beneath;
     float weight = opacity * photoColour.a * borderWeight(pixel);
     if (weight <= 0.0) return beneath;
-    weight *= lightWeight(place, outward);
+    weight *= lightWeight(pixel, outward);
     vec3 colour = photoColour.rgb / photoColour.a; // it is stored multiplied by alpha
     return mix(beneath, multiplies ? beneath * colour : colour, weight);
 }
-)";
+)");
 }
 
 std::string photoDepthVertex() {

@@ -84,8 +84,11 @@ std::string surfaceVertex(WithPhoto photo) {
     const std::string ofPhoto =
         photo == WithPhoto::No ? "#define NOTE_PHOTO_PLACE(vertex)\n" : photoPlaceSource() + R"(
 out vec4 photoPlace;
-out vec3 rest;
-#define NOTE_PHOTO_PLACE(vertex) photoPlace = photoPlaceOf(vertex); rest = texelFetch(restVertices, vertex).xyz
+out vec3 rest, restNormal;
+#define NOTE_PHOTO_PLACE(vertex) \
+    photoPlace = photoPlaceOf(vertex); \
+    rest = texelFetch(restVertices, 2 * vertex).xyz; \
+    restNormal = texelFetch(restVertices, 2 * vertex + 1).xyz
 )";
     return version() + ofPhoto + R"(
 layout(location = 0) in uint cornerVertex;

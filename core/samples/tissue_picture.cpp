@@ -1,6 +1,7 @@
 #include "core/samples/tissue_picture.h"
 
 #include "core/samples/noise.h"
+#include "core/support/smooth_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,11 +54,6 @@ Image pictureOf(const Tissue& tissue) {
 
 double valueAt(const Field& field, double x, double y) {
     return field.at(static_cast<int>(x * pictureSize), static_cast<int>(y * pictureSize));
-}
-
-double smoothStep(double from, double to, double value) {
-    const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
 }
 
 TissueColour mixed(const TissueColour& a, const TissueColour& b, double share) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/fields.h"
+#include "core/texture/image.h"
 #include "core/texture/texture_limits.h"
 
 namespace esm {
@@ -13,6 +14,10 @@ struct PhotoSize {
 
     bool operator==(const PhotoSize&) const = default;
 };
+
+inline PhotoSize sizeOf(const Image& photo) {
+    return {photo.width, photo.height};
+}
 
 /// A pinhole camera in photo pixels: focal lengths, and the principal point from the photo's top left corner.
 struct Intrinsics {

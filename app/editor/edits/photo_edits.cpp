@@ -23,8 +23,8 @@ double nearestDepth(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& eye,
     return nearest;
 }
 
-PhotoSize sizeOf(const Image& photo) {
-    return photo.empty() ? PhotoSize{1, 1} : PhotoSize{photo.width, photo.height};
+PhotoSize shownSize(const Image& photo) {
+    return photo.empty() ? PhotoSize{1, 1} : sizeOf(photo);
 }
 
 /// How far before the projector its middle meets the organ, or else the organ's middle lies.
@@ -71,7 +71,7 @@ Projector ofKind(ProjectorKind kind, const Projector& before, const Image& photo
         projector.pose.translation() += (distance - depth) * before.pose.linear().col(2);
         return projector;
     }
-    const auto corners = photoCorners(before, sizeOf(photo), depth);
+    const auto corners = photoCorners(before, shownSize(photo), depth);
     projector.width = photoLength((corners[1] - corners[0]).norm());
     projector.height = photoLength((corners[3] - corners[0]).norm());
     const Eigen::Vector3d towards = -before.pose.linear().col(2);

@@ -26,7 +26,7 @@ std::optional<Eigen::AlignedBox3d> boxOf(const Region& region) {
 std::optional<Eigen::AlignedBox3d> boxOf(const TextureLayer& layer, const TriangleMesh& mesh) {
     const auto picture = pictureOf(layer);
     if (!layer.photo || !picture || picture->empty()) return std::nullopt;
-    const PhotoSize photo{picture->width, picture->height};
+    const PhotoSize photo = sizeOf(*picture);
     const Projector& projector = layer.projector;
     const std::vector<Eigen::Vector3d> normals = vertexNormals(mesh.vertices, mesh.triangles);
     Eigen::AlignedBox3d shown;

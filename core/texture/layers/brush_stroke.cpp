@@ -1,5 +1,7 @@
 #include "core/texture/layers/brush_stroke.h"
 
+#include "core/support/smooth_step.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,9 +9,13 @@ namespace esm {
 
 namespace {
 
-/// A triangle without area looks every way.
-bool looksAlong(const Eigen::Vector3d& normal, const BrushPoint& point) {
-    return normal.dot(point.normal) > 0 || normal.isZero(0);
+/// Cosine between the surface and the brush from which on the brush paints in full, that of 60°.
+constexpr double facingCosine = 0.5;
+
+/// Whether the brush comes from the front of any corner.
+bool faces(const Eigen::Matrix3d& normals, const BrushPoint& start, const BrushPoint& end) {
+    return std::max((start.normal.transpose() * normals).maxCoeff(),
+                    (end.normal.transpose() * normals).maxCoeff()) > 0;
 }
 
 /// From 0 at a segment's start to 1 at its end.
@@ -40,21 +46,18 @@ Eigen::AlignedBox3d reachOf(const BrushStroke& stroke) {
 }
 
 double strokeProfile(const BrushStroke& stroke, double distance) {
-    const double left = stroke.radius - distance, soft = stroke.softness * stroke.radius;
-    if (left < 0) return 0;
-    if (left >= soft) return stroke.strength;
-    const double t = left / soft;
-    return stroke.strength * t * t * (3 - 2 * t);
+    if (distance > stroke.radius) return 0;
+    const double soft = stroke.softness * stroke.radius;
+    return soft > 0 ? stroke.strength * smoothStep(0, soft, stroke.radius - distance) : stroke.strength;
 }
 
 /// A triangle lies within a ball around its middle. A segment that stays farther from the middle than that
 /// ball and the brush together cannot reach it: one distance for each segment here spares one for each
 /// segment at every texel.
 std::optional<StrokeOnTriangle> StrokeOnTriangle::make(const BrushStroke& stroke,
-                                                       const Eigen::Matrix3d& corners, double margin) {
-    const Eigen::Vector3d normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
-    const Eigen::Vector3d middle = corners.rowwise().mean();
-    const double size = (corners.colwise() - middle).colwise().norm().maxCoeff();
+                                                       const TriangleCorners& corners, double margin) {
+    const Eigen::Vector3d middle = corners.places.rowwise().mean();
+    const double size = (corners.places.colwise() - middle).colwise().norm().maxCoeff();
     const double reach = stroke.radius + size + margin;
     StrokeOnTriangle on;
     on.m_stroke = &stroke;
@@ -62,9 +65,9 @@ std::optional<StrokeOnTriangle> StrokeOnTriangle::make(const BrushStroke& stroke
         const BrushPoint& start = stroke.path[i];
         const BrushPoint& end = stroke.path[std::min(i + 1, stroke.path.size() - 1)];
         if (i > 0 && i + 1 == stroke.path.size()) break; // the last point ends the segment before
+        if (!faces(corners.normals, start, end)) continue;
         const Segment segment{start.place, end.place - start.place, (end.place - start.place).squaredNorm(),
-                              looksAlong(normal, start), looksAlong(normal, end)};
-        if (!segment.startFaces && !segment.endFaces) continue;
+                              start.normal.normalized(), end.normal.normalized()};
         const Eigen::Vector3d fromStart = middle - start.place;
         const double t = fractionNearest(fromStart, segment.along, segment.squaredLength);
         if ((fromStart - t * segment.along).squaredNorm() <= reach * reach) on.m_segments.push_back(segment);
@@ -74,15 +77,19 @@ std::optional<StrokeOnTriangle> StrokeOnTriangle::make(const BrushStroke& stroke
 }
 
 /// The greatest weight of all segments and not their sum, so that nothing builds up where segments meet or
-/// the path crosses itself. Which half of a segment a point is nearest to decides whose side of the surface
-/// counts: along an edge of the organ the path may turn to the other side.
-double StrokeOnTriangle::weightAt(const Eigen::Vector3d& point) const {
+/// the path crosses itself. Both the surface's normal and the brush's pass smoothly along triangles and path,
+/// so that the strength does: asked triangle by triangle whether the brush faces it, a stroke would end along
+/// their edges.
+double StrokeOnTriangle::weightAt(const SurfacePoint& point) const {
     double weight = 0;
     for (const Segment& segment : m_segments) {
-        const Eigen::Vector3d fromStart = point - segment.start;
+        const Eigen::Vector3d fromStart = point.place - segment.start;
         const double t = fractionNearest(fromStart, segment.along, segment.squaredLength);
-        if (!(t < 0.5 ? segment.startFaces : segment.endFaces)) continue;
-        weight = std::max(weight, strokeProfile(*m_stroke, (fromStart - t * segment.along).norm()));
+        const double profile = strokeProfile(*m_stroke, (fromStart - t * segment.along).norm());
+        if (!(profile > weight)) continue;
+        const Eigen::Vector3d towardsBrush =
+            ((1 - t) * segment.startNormal + t * segment.endNormal).normalized();
+        weight = std::max(weight, profile * smoothStep(0, facingCosine, towardsBrush.dot(point.normal)));
     }
     return weight;
 }

@@ -77,6 +77,17 @@ using BrushStrokes = std::vector<ByValue<BrushStroke>>;
 /// Every problem of a stroke. Empty when all is well.
 std::vector<std::string> validate(const BrushStroke& stroke);
 
+/// A place of the surface that a stroke is asked about.
+struct SurfacePoint {
+    Eigen::Vector3d place;  ///< m
+    Eigen::Vector3d normal; ///< of length 1, smooth over the triangles
+};
+
+/// A triangle's corners and their normals, as columns.
+struct TriangleCorners {
+    Eigen::Matrix3d places, normals;
+};
+
 /// All that a stroke may reach.
 Eigen::AlignedBox3d reachOf(const BrushStroke& stroke);
 
@@ -89,21 +100,21 @@ class StrokeOnTriangle {
 public:
     /// Nothing where the stroke stays away from the triangle or looks at its other side: a brush does not
     /// paint through a thin wall.
-    /// @param corners of the triangle as columns, m
     /// @param margin m around the triangle in which weights are asked for
-    static std::optional<StrokeOnTriangle> make(const BrushStroke& stroke, const Eigen::Matrix3d& corners,
+    static std::optional<StrokeOnTriangle> make(const BrushStroke& stroke, const TriangleCorners& corners,
                                                 double margin);
 
     const BrushStroke& stroke() const { return *m_stroke; }
 
-    /// 0 to `strength`, at a point of the triangle's plane.
-    double weightAt(const Eigen::Vector3d& point) const;
+    /// 0 to `strength`, at a point of the triangle's plane: less where the surface turns away from the brush
+    /// by more than 60°, nothing from 90° on.
+    double weightAt(const SurfacePoint& point) const;
 
 private:
     struct Segment {
         Eigen::Vector3d start, along;
         double squaredLength;
-        bool startFaces, endFaces; ///< whether the triangle looks the same way as the path there
+        Eigen::Vector3d startNormal, endNormal; ///< of the surface under the brush, of length 1
     };
 
     const BrushStroke* m_stroke = nullptr;

@@ -17,6 +17,9 @@ namespace {
 /// centre.
 constexpr double touching = 0.70711;
 
+/// The least weight that counts as covering: it turns black into the next grey.
+constexpr float leastSeenWeight = 1.0F / 255;
+
 void checkAtlas(const TriangleMesh& mesh, const Atlas& atlas) {
     const std::vector<std::string> problems = validate(atlas, mesh.triangles.size());
     if (!problems.empty()) throw InvalidModel(problems);
@@ -97,7 +100,7 @@ LayerCoverage coverage(const TriangleMesh& mesh, const Atlas& atlas, const Textu
         if (layers.layers().empty()) return;
         PatchScan(atlas.corners[i])
             .forEachTexel(whole, atlas.options.size, touching, [&](const PatchTexel& texel) {
-                if (!(layers.layers().front().at(texel).weight > 0)) return;
+                if (!(layers.layers().front().at(texel).weight >= leastSeenWeight)) return;
                 covered[i].triangles = 1;
                 covered[i].texels += texel.distance == 0 ? 1 : 0;
             });

@@ -48,7 +48,7 @@ std::vector<Image> recomposite(const TriangleMesh& mesh, const Atlas& atlas, con
 
 /// What one layer covers.
 struct LayerCoverage {
-    std::size_t texels = 0;    ///< texels inside a patch to which the layer gives a weight above 0
+    std::size_t texels = 0;    ///< texels inside a patch to which the layer gives a weight that can be seen
     std::size_t triangles = 0; ///< triangles whose patch touches a texel with such a weight
 };
 /// @throws InvalidModel as composite() does

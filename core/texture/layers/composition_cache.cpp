@@ -45,21 +45,46 @@ SampledPicture CompositionCache::sampled(const std::shared_ptr<const Image>& pic
 
 /// By projector and size alone: what hides what has nothing to do with the photo's colours, so a photo that
 /// is prepared anew keeps it.
-std::shared_ptr<const std::vector<Lighting>>
-CompositionCache::lightingOf(const Projector& projector, const Image& photo, const TriangleMesh& mesh,
-                             double tolerance, const Progress& progress) {
-    const auto same = [&](const ProjectorLighting& item) {
-        return item.projector == projector && item.photoWidth == photo.width &&
-               item.photoHeight == photo.height;
-    };
+std::shared_ptr<const SurfaceLighting> CompositionCache::lightingOf(const ProjectedSize& projected,
+                                                                    const TriangleMesh& mesh,
+                                                                    const Progress& progress) {
+    const auto same = [&](const ProjectorLighting& item) { return item.projected == projected; };
     if (const ProjectorLighting* known = usedAgain(m_lighting.used, m_lighting.before, same))
         return known->lighting;
     reportProgress(progress, 0);
-    if (m_across.empty()) m_across = trianglesAcross(mesh.triangles);
-    auto lighting = std::make_shared<const std::vector<Lighting>>(
-        certainLighting({mesh, m_across, tolerance}, projector, {photo.width, photo.height}, progress));
-    m_lighting.used.push_back({projector, photo.width, photo.height, lighting});
+    const auto& [projector, photo] = projected;
+    auto lighting = std::make_shared<const SurfaceLighting>(SurfaceLighting{
+        certainLighting(shadowCaster(mesh), projector, photo, progress), seenSides(mesh, projector)});
+    m_lighting.used.push_back({projected, lighting});
     return lighting;
+}
+
+std::shared_ptr<const OutlineFeather> CompositionCache::outlinesOf(const ProjectedSize& projected,
+                                                                   double blendPixels,
+                                                                   const TriangleMesh& mesh,
+                                                                   const Progress& progress) {
+    const auto same = [&](const ProjectorOutlines& item) {
+        return item.projected == projected && item.blendPixels == blendPixels;
+    };
+    if (const ProjectorOutlines* known = usedAgain(m_outlines.used, m_outlines.before, same))
+        return known->feather;
+    const auto& [projector, photo] = projected;
+    auto feather = std::make_shared<const OutlineFeather>(
+        outlineFeather(shadowCaster(mesh), *queryOf(mesh), projector, photo, blendPixels, progress));
+    m_outlines.used.push_back({projected, blendPixels, feather});
+    return feather;
+}
+
+ShadowCaster CompositionCache::shadowCaster(const TriangleMesh& mesh) {
+    if (m_across.empty()) m_across = trianglesAcross(mesh.triangles);
+    return {mesh, m_across, hidingTolerance(mesh)};
+}
+
+std::shared_ptr<const std::vector<Eigen::Vector3d>> CompositionCache::normalsOf(const TriangleMesh& mesh) {
+    if (!m_normals)
+        m_normals = std::make_shared<const std::vector<Eigen::Vector3d>>(
+            vertexNormals(mesh.vertices, mesh.triangles));
+    return m_normals;
 }
 
 /// What is blended in bands depends on all that lies beneath it. Names, and whatever else looksTheSame()
@@ -81,6 +106,7 @@ void CompositionCache::finish() {
     m_sampled = {{}, std::move(m_sampled.used)};
     m_banded = {{}, std::move(m_banded.used)};
     m_lighting = {{}, std::move(m_lighting.used)};
+    m_outlines = {{}, std::move(m_outlines.used)};
 }
 
 } // namespace esm

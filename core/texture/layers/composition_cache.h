@@ -2,6 +2,8 @@
 
 #include "core/surface/surface_query.h"
 #include "core/texture/layers/lit_triangles.h"
+#include "core/texture/layers/outline_feather.h"
+#include "core/texture/layers/seen_sides.h"
 #include "core/texture/layers/texel_owners.h"
 #include "core/texture/layers/texture_layer.h"
 #include "core/texture/photo/photo_sampler.h"
@@ -25,11 +27,30 @@ struct BandedPicture {
     SampledPicture blended;
 };
 
-/// What is certain of a projector's light, see `certainLighting`.
-struct ProjectorLighting {
+/// What is certain of a projector's light, see `certainLighting`, and what it falls on, see `seenSides`.
+struct SurfaceLighting {
+    std::vector<Lighting> triangles;
+    std::vector<SeenSide> sides; ///< of the triangles
+};
+
+/// A projector and the photo in whose pixels it counts.
+struct ProjectedSize {
     Projector projector;
-    int photoWidth, photoHeight; ///< pixels
-    std::shared_ptr<const std::vector<Lighting>> lighting;
+    PhotoSize photo;
+
+    bool operator==(const ProjectedSize&) const = default;
+};
+
+struct ProjectorLighting {
+    ProjectedSize projected;
+    std::shared_ptr<const SurfaceLighting> lighting;
+};
+
+/// How a photo fades towards outlines, see `outlineFeather`.
+struct ProjectorOutlines {
+    ProjectedSize projected;
+    double blendPixels;
+    std::shared_ptr<const OutlineFeather> feather;
 };
 
 /// What compositions of one surface make and the next one can use again. It changes no result. Nothing that
@@ -41,11 +62,14 @@ public:
     /// Of the last atlas that was asked for. @throws Cancelled
     std::shared_ptr<const TexelOwners> ownersOf(const Atlas& atlas, const Progress& progress);
     SampledPicture sampled(const std::shared_ptr<const Image>& picture);
-    /// @param tolerance m, the same as long as the cache lives
     /// @throws Cancelled
-    std::shared_ptr<const std::vector<Lighting>> lightingOf(const Projector& projector, const Image& photo,
-                                                            const TriangleMesh& mesh, double tolerance,
-                                                            const Progress& progress);
+    std::shared_ptr<const SurfaceLighting> lightingOf(const ProjectedSize& projected,
+                                                      const TriangleMesh& mesh, const Progress& progress);
+    /// @param blendPixels over which the photo fades. @throws Cancelled
+    std::shared_ptr<const OutlineFeather> outlinesOf(const ProjectedSize& projected, double blendPixels,
+                                                     const TriangleMesh& mesh, const Progress& progress);
+    /// Of the vertices, see `vertexNormals`.
+    std::shared_ptr<const std::vector<Eigen::Vector3d>> normalsOf(const TriangleMesh& mesh);
 
     /// Nothing where no photo was blended so.
     std::optional<SampledPicture> banded(const TextureLayer& layer, const std::vector<TextureLayer>& beneath,
@@ -56,14 +80,18 @@ public:
     void finish();
 
 private:
+    ShadowCaster shadowCaster(const TriangleMesh& mesh);
+
     template<typename Item> struct Generation { std::vector<Item> used, before; };
 
     std::shared_ptr<const SurfaceQuery> m_query;
     std::vector<Triangle> m_across; ///< of the mesh, once asked for
+    std::shared_ptr<const std::vector<Eigen::Vector3d>> m_normals;
     std::shared_ptr<const TexelOwners> m_owners;
     Generation<SampledPicture> m_sampled;
     Generation<BandedPicture> m_banded;
     Generation<ProjectorLighting> m_lighting;
+    Generation<ProjectorOutlines> m_outlines;
 };
 
 } // namespace esm

@@ -1,5 +1,7 @@
 #include "core/texture/layers/layer_projection.h"
 
+#include "core/support/smooth_step.h"
+
 #include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
@@ -42,6 +44,10 @@ double pyramidDepth(double pixelsPerTexel) {
     return pixelsPerTexel > 1 ? std::log2(pixelsPerTexel) : 0;
 }
 
+/// Of the angle from which on surface loses a photo with a border even without falloff, 80°: at an outline it
+/// would end along the edges of triangles.
+constexpr double grazingCosine = 0.17365;
+
 } // namespace
 
 /// All that can be told of the triangle as a whole is told here, once, so that a texel costs a matrix
@@ -51,11 +57,8 @@ double pyramidDepth(double pixelsPerTexel) {
 std::optional<TriangleProjection> TriangleProjection::make(const LayerPhoto& photo, const LitSurface& surface,
                                                            const LitTriangle& triangle,
                                                            const std::array<Eigen::Vector2d, 3>& patch) {
-    TriangleProjection projection(photo, surface);
-    for (Eigen::Index i = 0; i < 3; ++i)
-        projection.m_corners.col(i) =
-            surface.mesh.vertices[surface.mesh.triangles[triangle.triangle][static_cast<std::size_t>(i)]];
-    if (!projection.facesParallelLight()) return std::nullopt;
+    TriangleProjection projection(photo, surface, triangle);
+    if (projection.isTurnedAway()) return std::nullopt;
     projection.m_places = photo.matrix * projection.m_corners.colwise().homogeneous();
     if (!projection.m_places.allFinite()) return std::nullopt;
     projection.m_placePerTexel = projection.m_places.topRows<3>() * weightsPerTexel(patch);
@@ -63,11 +66,6 @@ std::optional<TriangleProjection> TriangleProjection::make(const LayerPhoto& pho
     for (Eigen::Index i = 0; i < 3; ++i)
         densities[i] = pixelsPerTexel(projection.m_places.col(i).head<3>(), projection.m_placePerTexel);
     if (!projection.mayTakeColour(densities)) return std::nullopt;
-    projection.m_isLit = triangle.isLit;
-    projection.m_normal = projection.areaNormal().normalized();
-    if (photo.layer.projector.falloff && projection.isParallel())
-        projection.m_parallelFalloff =
-            angleWeight(projection.m_normal.dot(photo.layer.projector.pose.linear().col(2)));
     projection.m_depths = densities.unaryExpr(&pyramidDepth);
     projection.m_isDepthLinear =
         projection.m_places.row(2).minCoeff() > 0 &&
@@ -75,14 +73,28 @@ std::optional<TriangleProjection> TriangleProjection::make(const LayerPhoto& pho
     return projection;
 }
 
-Eigen::Vector3d TriangleProjection::areaNormal() const {
-    return (m_corners.col(1) - m_corners.col(0)).cross(m_corners.col(2) - m_corners.col(0));
+TriangleProjection::TriangleProjection(const LayerPhoto& photo, const LitSurface& surface,
+                                       const LitTriangle& triangle)
+    : m_photo(photo), m_layer(photo.layer), m_sampler(photo.sampler), m_surface(surface),
+      m_side(triangle.side), m_isLit(triangle.isLit) {
+    const Triangle& corners = surface.mesh.triangles[triangle.triangle];
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const std::uint32_t vertex = corners[static_cast<std::size_t>(i)];
+        m_corners.col(i) = surface.mesh.vertices[vertex];
+        m_normals.col(i) = (*surface.normals)[vertex];
+    }
 }
 
-bool TriangleProjection::facesParallelLight() const {
-    // An eye may stand inside an organ and see its wall from there: then only rays tell what it sees.
-    if (!isParallel() || !m_layer.projector.occlusion) return true;
-    return areaNormal().dot(m_layer.projector.pose.linear().col(2)) > 0;
+/// Where all corners turn away, so does every normal between them. A photo without a border ends right at the
+/// edge beyond which a triangle itself turns away.
+bool TriangleProjection::isTurnedAway() const {
+    const Eigen::Vector3d outward =
+        (m_corners.col(1) - m_corners.col(0)).cross(m_corners.col(2) - m_corners.col(0));
+    const double cosine = outward.normalized().dot(towardsLight(m_corners.col(0)));
+    if (!(m_layer.blendPixels > 0) && !(cosineSeen(m_side, cosine) > 0)) return true;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        if (cosineSeen(m_side, m_normals.col(i).dot(towardsLight(m_corners.col(i)))) > 0) return false;
+    return true;
 }
 
 bool TriangleProjection::mayTakeColour(const Eigen::Vector3d& densities) const {
@@ -117,20 +129,30 @@ double TriangleProjection::depthAt(const Eigen::Vector4d& seen, const Eigen::Vec
                            : pyramidDepth(pixelsPerTexel(seen.head<3>(), m_placePerTexel));
 }
 
-/// [R 4.3.3]: rises linearly over the distance to the nearest side of the photo.
+/// [R 4.3.3]: rises linearly over the distance to the nearest side of the photo. Before that it falls towards
+/// outlines, beyond which the photo shows other surface.
 double TriangleProjection::borderWeight(double x, double y) const {
     const double inside = std::min(std::min(x, y), std::min(m_sampler.width() - x, m_sampler.height() - y));
     if (!(inside >= 0)) return 0; // nor for a place that is not finite
-    return m_layer.blendPixels > 0 ? std::min(1.0, inside / m_layer.blendPixels) : 1;
+    const double fromSide = m_layer.blendPixels > 0 ? std::min(1.0, inside / m_layer.blendPixels) : 1;
+    return m_photo.outlines ? fromSide * m_photo.outlines->weightAt(x, y) : fromSide;
 }
 
 double TriangleProjection::lightWeight(const Eigen::Vector3d& nearest) const {
-    const double weight = m_layer.projector.falloff ? falloffAt(nearest) : 1;
-    return weight > 0 && m_layer.projector.occlusion && !m_isLit && isHidden(nearest) ? 0 : weight;
+    const Projector& projector = m_layer.projector;
+    if (!projector.falloff && !projector.occlusion) return 1;
+    const Eigen::Vector3d way = towardsLight(m_corners * nearest);
+    const double weight = angleWeightAt(nearest, way);
+    return weight > 0 && projector.occlusion && !m_isLit ? weight * seenShare(nearest, way) : weight;
 }
 
-double TriangleProjection::falloffAt(const Eigen::Vector3d& nearest) const {
-    return isParallel() ? m_parallelFalloff : angleWeight(m_normal.dot(towardsLight(m_corners * nearest)));
+/// By a normal that passes smoothly from corner to corner, as in shading (Phong 1975): the triangle's own
+/// would give each triangle a weight of its own, and their edges would show.
+double TriangleProjection::angleWeightAt(const Eigen::Vector3d& nearest,
+                                         const Eigen::Vector3d& towardsLight) const {
+    const double cosine = cosineSeen(m_side, (m_normals * nearest).normalized().dot(towardsLight));
+    if (m_layer.projector.falloff) return angleWeight(cosine);
+    return m_layer.blendPixels > 0 ? smoothStep(0, grazingCosine, cosine) : 1;
 }
 
 Eigen::Vector3d TriangleProjection::towardsLight(const Eigen::Vector3d& point) const {
@@ -139,15 +161,16 @@ Eigen::Vector3d TriangleProjection::towardsLight(const Eigen::Vector3d& point) c
     return (pose.translation() - point).normalized();
 }
 
-/// A shadow ray from the point towards the light. Both ends are kept off the surface by the tolerance, else
-/// rounding would let the triangle hide itself, as speckles; a point within two tolerances of the light has
-/// no room for anything between.
-bool TriangleProjection::isHidden(const Eigen::Vector3d& nearest) const {
-    const Eigen::Vector3d point = m_corners * nearest, way = towardsLight(point);
-    const double distance =
-        isParallel() ? m_places.row(3).dot(nearest) : way.dot(m_layer.projector.pose.translation() - point);
-    return distance > 2 * m_surface.tolerance &&
-           m_surface.query->isBlocked(point, point + distance * way, m_surface.tolerance);
+/// What the light's ray meets first, and by how much that lies before the point. A point within two
+/// tolerances of the light has no room for anything between.
+double TriangleProjection::seenShare(const Eigen::Vector3d& nearest,
+                                     const Eigen::Vector3d& towardsLight) const {
+    const Eigen::Vector3d point = m_corners * nearest;
+    const double distance = isParallel() ? m_places.row(3).dot(nearest)
+                                         : towardsLight.dot(m_layer.projector.pose.translation() - point);
+    if (!(distance > 2 * m_surface.tolerance)) return 1;
+    const auto hit = m_surface.query->firstHit({point + distance * towardsLight, -towardsLight});
+    return hit ? 1 - hiddenShare(distance - hit->distance, m_surface.tolerance) : 1;
 }
 
 } // namespace esm

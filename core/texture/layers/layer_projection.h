@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/surface/surface_query.h"
+#include "core/texture/layers/outline_feather.h"
 #include "core/texture/layers/patch_scan.h"
+#include "core/texture/layers/seen_sides.h"
 #include "core/texture/layers/texture_layer.h"
 #include "core/texture/photo/photo_sampler.h"
 
@@ -14,10 +16,12 @@ struct LitSurface {
     const TriangleMesh& mesh;
     const SurfaceQuery* query; ///< null when no layer asks what is hidden
     double tolerance;          ///< m, how far surface may lie before another without hiding it
+    const std::vector<Eigen::Vector3d>* normals; ///< of the vertices, length 1; null without any layer
 };
 
 struct LitTriangle {
     std::uint32_t triangle;
+    SeenSide side;
     bool isLit; ///< nothing hides any of it, see `certainLighting`
 };
 
@@ -31,7 +35,8 @@ struct LayerColour {
 struct LayerPhoto {
     const TextureLayer& layer;
     const PhotoSampler& sampler;
-    Eigen::Matrix4d matrix; ///< as `photoMatrix` gives it
+    Eigen::Matrix4d matrix;         ///< as `photoMatrix` gives it
+    const OutlineFeather* outlines; ///< null where the projector does not ask what is hidden
 };
 
 /// The photo of a layer as the patch of one triangle sees it.
@@ -43,36 +48,34 @@ public:
                                                   const LitTriangle& triangle,
                                                   const std::array<Eigen::Vector2d, 3>& patch);
 
-    /// Its weight is opacity × border × alpha, with falloff × that of the angle; 0 where the photo's light
-    /// does not come.
+    /// Its weight is opacity × border × alpha × that of the angle; 0 where the photo's light does not come.
     LayerColour at(const PatchTexel& texel) const;
 
 private:
-    TriangleProjection(const LayerPhoto& photo, const LitSurface& surface)
-        : m_layer(photo.layer), m_sampler(photo.sampler), m_surface(surface) {}
+    TriangleProjection(const LayerPhoto& photo, const LitSurface& surface, const LitTriangle& triangle);
 
     bool isParallel() const { return m_layer.projector.kind == ProjectorKind::Parallel; }
-    Eigen::Vector3d areaNormal() const; ///< m², twice the triangle's area
-    bool facesParallelLight() const;
+    bool isTurnedAway() const;
     bool mayTakeColour(const Eigen::Vector3d& densities) const;
     double depthAt(const Eigen::Vector4d& seen, const Eigen::Vector3d& weights) const;
     double borderWeight(double x, double y) const;
     double lightWeight(const Eigen::Vector3d& nearest) const;
-    double falloffAt(const Eigen::Vector3d& nearest) const;
-    bool isHidden(const Eigen::Vector3d& nearest) const;
+    double angleWeightAt(const Eigen::Vector3d& nearest, const Eigen::Vector3d& towardsLight) const;
+    double seenShare(const Eigen::Vector3d& nearest, const Eigen::Vector3d& towardsLight) const;
     Eigen::Vector3d towardsLight(const Eigen::Vector3d& point) const; ///< of length 1
 
+    const LayerPhoto& m_photo;
     const TextureLayer& m_layer;
     const PhotoSampler& m_sampler;
     const LitSurface& m_surface;
     Eigen::Matrix3d m_corners;                   ///< as columns, m
     Eigen::Matrix<double, 4, 3> m_places;        ///< of the corners, as columns: as `photoMatrix` gives them
     Eigen::Matrix<double, 3, 2> m_placePerTexel; ///< how the first three of them change over the patch
-    Eigen::Vector3d m_normal;                    ///< of length 1; asked for with falloff only
-    double m_parallelFalloff = 1;                ///< the same all over the triangle
-    Eigen::Vector3d m_depths;                    ///< in the pyramid, at the corners
-    bool m_isDepthLinear = false;                ///< over the patch, nearly
-    bool m_isLit = false;                        ///< nothing hides any of it
+    Eigen::Matrix3d m_normals;                   ///< outward at the corners, of length 1
+    SeenSide m_side;
+    Eigen::Vector3d m_depths;     ///< in the pyramid, at the corners
+    bool m_isDepthLinear = false; ///< over the patch, nearly
+    bool m_isLit = false;         ///< nothing hides any of it
 };
 
 } // namespace esm

@@ -10,10 +10,6 @@ namespace esm {
 
 namespace {
 
-/// Surface that lies closer to another than this share of the model's size hides nothing of it: the rays know
-/// points only to single precision.
-constexpr double hidingTolerance = 1e-4;
-
 /// Texels around a patch whose colours are asked for, in which a stroke may begin.
 constexpr double strokeMargin = 3;
 
@@ -36,9 +32,12 @@ std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const Li
     auto made = std::make_shared<PreparedLayer>();
     made->layer = layer;
     if (layer.photo) made->projected = cache.sampled(pictureOf(layer));
-    if (layer.photo && layer.projector.occlusion)
-        made->lighting = cache.lightingOf(layer.projector, *made->projected.picture, surface.mesh,
-                                          surface.tolerance, progress);
+    if (layer.photo && layer.projector.occlusion) {
+        ProgressParts parts(progress);
+        const ProjectedSize projected{layer.projector, sizeOf(*made->projected.picture)};
+        made->lighting = cache.lightingOf(projected, surface.mesh, parts.next(0.7));
+        made->outlines = cache.outlinesOf(projected, layer.blendPixels, surface.mesh, parts.rest());
+    }
     for (const auto& stroke : layer.strokes)
         made->strokeReach.push_back(reachOf(*stroke));
     return made;
@@ -59,6 +58,22 @@ TextureLayer paintedMask(const BrushStrokes& strokes) {
     return mask;
 }
 
+/// Where a photo has faded by half at an outline, what it shows ends for the bands: colours on either side
+/// have nothing to do with each other.
+void eraseOutlines(Image& mask, PhotoSize photo, const OutlineFeather& outlines) {
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x) {
+            const double column = (x + 0.5) * photo.width / mask.width;
+            if (outlines.weightAt(column, (y + 0.5) * photo.height / mask.height) < 0.5)
+                std::fill_n(mask.at(x, y), 3, std::uint8_t{0});
+        }
+}
+
+Image whitePicture(PhotoSize size) {
+    const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    return {size.width, size.height, std::vector<std::uint8_t>(4 * pixels, 255)};
+}
+
 /// Metres of the surface in one texel of the patch; 0 for a patch without extent.
 double metresPerTexel(const Eigen::Matrix3d& corners, const Patch& patch) {
     const double metres = (corners.col(1) - corners.col(0)).norm() + (corners.col(2) - corners.col(0)).norm();
@@ -74,8 +89,8 @@ double metresPerTexel(const Eigen::Matrix3d& corners, const Patch& patch) {
 LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patches,
                        const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
                        CompositionCache& cache, const Progress& progress)
-    : m_surface{mesh, nullptr, hidingTolerance * boundingBox(mesh.vertices).diagonal().norm()},
-      m_patches(patches), m_baseColour(baseColour[0], baseColour[1], baseColour[2]) {
+    : m_surface{mesh, nullptr, hidingTolerance(mesh), nullptr}, m_patches(patches),
+      m_baseColour(baseColour[0], baseColour[1], baseColour[2]) {
     ProgressParts parts(progress);
     std::vector<TextureLayer> shown;
     for (const TextureLayer& layer : layers) {
@@ -83,6 +98,8 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
         if (!isShown(layer)) continue;
         if (!m_query && needsQuery(layer)) m_query = cache.queryOf(mesh);
         m_surface.query = m_query.get();
+        m_normals = cache.normalsOf(mesh);
+        m_surface.normals = m_normals.get();
         auto made = preparedLayer(layer, m_surface, cache, steps.next(0.5));
         if (layer.blending == Blending::MultiBand) {
             auto blended = cache.banded(layer, shown, baseColour);
@@ -95,8 +112,8 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
         }
         if (layer.photo)
             made->photo.emplace(LayerPhoto{made->layer, *made->projected.sampler,
-                                           photoMatrix(layer.projector, {made->projected.picture->width,
-                                                                         made->projected.picture->height})});
+                                           photoMatrix(layer.projector, sizeOf(*made->projected.picture)),
+                                           made->outlines.get()});
         m_layers.push_back(std::move(made));
         shown.push_back(layer);
     }
@@ -104,7 +121,7 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
 
 LayerStack::LayerStack(const LayerStack& stack, const std::vector<Patch>& patches)
     : m_surface(stack.m_surface), m_patches(patches), m_baseColour(stack.m_baseColour),
-      m_query(stack.m_query), m_layers(stack.m_layers) {}
+      m_query(stack.m_query), m_normals(stack.m_normals), m_layers(stack.m_layers) {}
 
 /// In the photo's plane and not in the texture: there neighbours are not neighbours on the surface, and no
 /// pyramid could be built. What lies beneath, and the mask that was painted on the organ, are seen from the
@@ -113,7 +130,7 @@ SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, Composition
                                           const Progress& progress) const {
     ProgressParts parts(progress);
     const Image& picture = *made.projected.picture;
-    const PhotoSize photo{picture.width, picture.height};
+    const PhotoSize photo = sizeOf(picture);
     const PhotoPlane plane{made.layer.projector, photo, comparedSize(photo)};
     const std::vector<Patch> patches = patchesIn(plane, m_surface.mesh);
     const Image beneath = surfaceBeneath(LayerStack(*this, patches), *m_query, plane, parts.next(0.5));
@@ -122,6 +139,10 @@ SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, Composition
         mask = surfaceBeneath(
             LayerStack(m_surface.mesh, patches, {paintedMask(made.layer.strokes)}, white, cache), *m_query,
             plane, parts.next(0.3));
+    if (made.outlines && !made.outlines->faded.empty()) {
+        if (mask.empty()) mask = whitePicture(plane.picture);
+        eraseOutlines(mask, photo, *made.outlines);
+    }
     const auto blended = std::make_shared<const Image>(esm::blendedInBands(
         picture, *made.projected.sampler, beneath, mask, made.layer.blendPixels, parts.rest()));
     return {blended, std::make_shared<const PhotoSampler>(*blended)};
@@ -142,15 +163,19 @@ LayerStack::colourNear(const Eigen::Vector3d& point, std::size_t layers, int fol
 }
 
 LayerColour LayerOnTriangle::at(const PatchTexel& texel) const {
-    if (!m_projection) return painted(m_corners * texel.extended);
+    if (!m_projection) return painted(pointAt(texel.extended));
     LayerColour own = m_projection->at(texel);
-    if (own.weight > 0 && !m_strokes.empty()) own.weight *= mask(m_corners * texel.extended);
+    if (own.weight > 0 && !m_strokes.empty()) own.weight *= mask(pointAt(texel.extended));
     return own;
+}
+
+SurfacePoint LayerOnTriangle::pointAt(const Eigen::Vector3d& weights) const {
+    return {m_corners * weights, (m_normals * weights).normalized()};
 }
 
 /// Each stroke takes the mask towards 0 or 1 by its weight, in the order in which they were painted: the
 /// order matters where they cross.
-float LayerOnTriangle::mask(const Eigen::Vector3d& point) const {
+float LayerOnTriangle::mask(const SurfacePoint& point) const {
     float mask = 1;
     for (const StrokeOnTriangle& stroke : m_strokes) {
         const auto weight = static_cast<float>(stroke.weightAt(point));
@@ -164,7 +189,7 @@ float LayerOnTriangle::mask(const Eigen::Vector3d& point) const {
 /// colour moves towards the new one by the part that the new paint has in the cover, weight / cover. That
 /// keeps the colour itself unmixed with the nothing beneath the layer, so that a soft edge of red is red and
 /// not dark. Erasing is kept apart in the mask, so that restoring brings the paint back.
-LayerColour LayerOnTriangle::painted(const Eigen::Vector3d& point) const {
+LayerColour LayerOnTriangle::painted(const SurfacePoint& point) const {
     Eigen::Vector3f colour = Eigen::Vector3f::Zero();
     float cover = 0, mask = 1;
     for (const StrokeOnTriangle& stroke : m_strokes) {
@@ -174,7 +199,7 @@ LayerColour LayerOnTriangle::painted(const Eigen::Vector3d& point) const {
         mask += weight * (target - mask);
         if (!laysColour(stroke.stroke().kind)) continue;
         const float together = cover + weight * (1 - cover);
-        colour += weight / together * (colourOf(stroke.stroke(), point) - colour);
+        colour += weight / together * (colourOf(stroke.stroke(), point.place) - colour);
         cover = together;
     }
     return {colour.homogeneous(), cover * mask * static_cast<float>(m_prepared->layer.opacity)};
@@ -208,18 +233,21 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
     const TextureLayer& layer = on.m_prepared->layer;
     if (layer.photo) {
         const PreparedLayer& prepared = *on.m_prepared;
-        const Lighting lighting = prepared.lighting ? (*prepared.lighting)[triangle] : Lighting::Unknown;
+        const Lighting lighting =
+            prepared.lighting ? prepared.lighting->triangles[triangle] : Lighting::Unknown;
         if (lighting == Lighting::Hidden) return std::nullopt;
-        const auto projection =
-            TriangleProjection::make(*prepared.photo, surface, {triangle, lighting == Lighting::Lit}, patch);
+        const SeenSide side = prepared.lighting ? prepared.lighting->sides[triangle] : SeenSide::Both;
+        const auto projection = TriangleProjection::make(*prepared.photo, surface,
+                                                         {triangle, side, lighting == Lighting::Lit}, patch);
         if (!projection) return std::nullopt;
         on.m_projection.emplace(*projection);
     }
     Eigen::AlignedBox3d box;
     for (std::size_t i = 0; i < 3; ++i) {
-        on.m_corners.col(static_cast<Eigen::Index>(i)) =
-            surface.mesh.vertices[surface.mesh.triangles[triangle][i]];
-        box.extend(on.m_corners.col(static_cast<Eigen::Index>(i)));
+        const std::uint32_t vertex = surface.mesh.triangles[triangle][i];
+        on.m_corners.col(static_cast<Eigen::Index>(i)) = surface.mesh.vertices[vertex];
+        on.m_normals.col(static_cast<Eigen::Index>(i)) = (*surface.normals)[vertex];
+        box.extend(surface.mesh.vertices[vertex]);
     }
     const double margin = strokeMargin * metresPerTexel(on.m_corners, patch);
     const Eigen::Vector3d around = Eigen::Vector3d::Constant(margin);
@@ -229,7 +257,7 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
         const BrushStroke& stroke = *layer.strokes[i];
         if (!on.m_prepared->strokeReach[i].intersects(asked)) continue;
         if (stroke.kind == BrushKind::Clone && follows == 0) continue;
-        auto met = StrokeOnTriangle::make(stroke, on.m_corners, margin);
+        auto met = StrokeOnTriangle::make(stroke, {on.m_corners, on.m_normals}, margin);
         if (!met) continue;
         laysColour = laysColour || esm::laysColour(stroke.kind);
         on.m_strokes.push_back(std::move(*met));

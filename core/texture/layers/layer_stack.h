@@ -16,10 +16,11 @@ using Patch = std::array<Eigen::Vector2d, 3>; ///< a triangle's corners in a pic
 /// A layer with what is made once for all its triangles.
 struct PreparedLayer {
     TextureLayer layer;
-    SampledPicture projected;        ///< as it is, or blended in bands
-    std::optional<LayerPhoto> photo; ///< that picture; none in a layer that is only painted
-    std::shared_ptr<const std::vector<Lighting>> lighting; ///< null where none is asked for
-    std::vector<Eigen::AlignedBox3d> strokeReach;          ///< of each stroke
+    SampledPicture projected;                        ///< as it is, or blended in bands
+    std::optional<LayerPhoto> photo;                 ///< that picture; none in a layer that is only painted
+    std::shared_ptr<const SurfaceLighting> lighting; ///< null where none is asked for
+    std::shared_ptr<const OutlineFeather> outlines;  ///< the same
+    std::vector<Eigen::AlignedBox3d> strokeReach;    ///< of each stroke
 };
 
 class LayerOnTriangle;
@@ -61,7 +62,8 @@ private:
     LitSurface m_surface;
     const std::vector<Patch>& m_patches;
     Eigen::Vector3f m_baseColour;
-    std::shared_ptr<const SurfaceQuery> m_query; ///< null where nothing asks for it
+    std::shared_ptr<const SurfaceQuery> m_query;                   ///< null where nothing asks for it
+    std::shared_ptr<const std::vector<Eigen::Vector3d>> m_normals; ///< null without layers
     std::vector<std::shared_ptr<const PreparedLayer>> m_layers;
 };
 
@@ -75,15 +77,16 @@ public:
 private:
     friend class TriangleLayers;
 
-    LayerColour painted(const Eigen::Vector3d& point) const;
-    float mask(const Eigen::Vector3d& point) const;
+    LayerColour painted(const SurfacePoint& point) const;
+    float mask(const SurfacePoint& point) const;
+    SurfacePoint pointAt(const Eigen::Vector3d& weights) const;
     Eigen::Vector3f colourOf(const BrushStroke& stroke, const Eigen::Vector3d& point) const;
 
     const LayerStack* m_stack = nullptr;
     const PreparedLayer* m_prepared = nullptr;
-    std::size_t m_place = 0; ///< in the stack
-    int m_follows = 0;       ///< clones of clones
-    Eigen::Matrix3d m_corners;
+    std::size_t m_place = 0;              ///< in the stack
+    int m_follows = 0;                    ///< clones of clones
+    Eigen::Matrix3d m_corners, m_normals; ///< as columns
     std::optional<TriangleProjection> m_projection;
     std::vector<StrokeOnTriangle> m_strokes;
     mutable std::unordered_map<std::uint32_t, std::unique_ptr<TriangleLayers>> m_sources; ///< of clones

@@ -1,5 +1,6 @@
 #include "core/texture/layers/lit_triangles.h"
 
+#include "core/support/smooth_step.h"
 #include "core/texture/parallel_steps.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace {
 
 /// Triangles that are followed to cover one; more would cost more than the rays.
 constexpr std::size_t mostInSheet = 48;
+
+constexpr double hidingTolerances = 20; ///< by which surface lies before what it hides wholly
 
 using Box = Eigen::AlignedBox2d;
 
@@ -213,11 +216,10 @@ public:
     }
 
 private:
-    /// Two tolerances apart, as a ray starts and ends one tolerance off the surface: what lies nearer the ray
-    /// may miss, and both must agree.
+    /// So far that a ray would find all of the light hidden.
     bool isBefore(const View& other, const View& view) const {
-        const double margin = 2 * m_surface.tolerance;
-        return other.isWhole && other.nearest > margin && other.farthest + margin < view.nearest;
+        return other.isWhole && other.nearest > m_surface.tolerance &&
+               other.farthest + hidingTolerances * m_surface.tolerance < view.nearest;
     }
 
     /// Whether triangles that hang together with `first`, which covers a point of the view, cover all of it.
@@ -249,6 +251,15 @@ private:
 };
 
 } // namespace
+
+/// By a share of the model's size: rays know points only to single precision.
+double hidingTolerance(const TriangleMesh& mesh) {
+    return 1e-4 * boundingBox(mesh.vertices).diagonal().norm();
+}
+
+double hiddenShare(double behind, double tolerance) {
+    return smoothStep(tolerance, hidingTolerances * tolerance, behind);
+}
 
 std::vector<Lighting> certainLighting(const ShadowCaster& surface, const Projector& projector,
                                       PhotoSize photo, const Progress& progress) {

@@ -26,6 +26,13 @@ struct ShadowCaster {
     double tolerance;                    ///< m, how far surface may lie before another without hiding it
 };
 
+/// How far surface may lie before another without hiding it, m.
+double hidingTolerance(const TriangleMesh& mesh);
+
+/// Light that surface keeps from what lies so far behind it (m): none within the tolerance, all from twenty
+/// times that, smoothly between, so that shallow folds of a rough surface leave no cracks in a photo.
+double hiddenShare(double behind, double tolerance);
+
 /// What is certain of each triangle that the photo's light meets. Their views in the photo's plane are
 /// compared: a triangle is lit when all whose views overlap its own lie behind it, and hidden when triangles
 /// before it that hang together cover its view without an end or a fold there. Nothing is said of those that

@@ -1,6 +1,8 @@
 #include "core/texture/layers/surface_beneath.h"
 
 #include "core/texture/layers/layer_stack.h"
+#include "core/texture/layers/photo_ray.h"
+#include "core/texture/layers/seen_sides.h"
 #include "core/texture/parallel_steps.h"
 
 #include <algorithm>
@@ -12,25 +14,13 @@ namespace {
 
 constexpr int rowsPerTask = 8;
 
-/// The ray along which a projector casts a pixel of its photo.
-Ray rayThrough(const Projector& projector, PhotoSize photo, const Eigen::Vector2d& pixel) {
-    if (projector.kind == ProjectorKind::Perspective) {
-        const Intrinsics camera = intrinsicsOf(projector, photo);
-        const Eigen::Vector3d direction((pixel.x() - camera.cx) / camera.fx,
-                                        (camera.cy - pixel.y()) / camera.fy, -1);
-        return {projector.pose.translation(), projector.pose.linear() * direction};
-    }
-    const Eigen::Vector3d origin((pixel.x() / photo.width - 0.5) * projector.width,
-                                 (0.5 - pixel.y() / photo.height) * projector.height, 0);
-    return {projector.pose * origin, -projector.pose.linear().col(2)};
-}
-
 /// Rows of a picture, and the layers on the triangles that they meet. Neighbouring rays meet the same
 /// triangles: what is made for one is kept for the eight rows of a strip.
 class SeenRows {
 public:
-    SeenRows(const LayerStack& stack, const SurfaceQuery& query, const PhotoPlane& plane)
-        : m_stack(stack), m_query(query), m_plane(plane) {}
+    SeenRows(const LayerStack& stack, const SurfaceQuery& query, const PhotoPlane& plane,
+             const std::vector<SeenSide>& sides)
+        : m_stack(stack), m_query(query), m_plane(plane), m_sides(sides) {}
 
     void fill(int firstRow, int endRow, Image& picture) {
         const double perColumn = static_cast<double>(m_plane.photo.width) / picture.width;
@@ -42,8 +32,9 @@ public:
 
 private:
     void show(const Eigen::Vector2d& place, std::uint8_t* pixel) {
-        const auto hit = m_query.firstHit(rayThrough(m_plane.projector, m_plane.photo, place));
-        if (!hit || !takesColour(hit->triangle)) return;
+        const Ray ray = rayThrough(m_plane.projector, m_plane.photo, place);
+        const auto hit = m_query.firstHit(ray);
+        if (!hit || !takesColour(hit->triangle, ray)) return;
         const auto layers = m_known.try_emplace(hit->triangle, m_stack, hit->triangle).first;
         const Eigen::Vector3f colour = layers->second.colour({0, 0, 0, hit->barycentric, hit->barycentric});
         for (int channel = 0; channel < 3; ++channel)
@@ -51,20 +42,17 @@ private:
         pixel[3] = 255;
     }
 
-    /// As TriangleProjection has it: light along parallel rays colours no surface that faces away.
-    bool takesColour(std::uint32_t triangle) const {
-        const Projector& projector = m_plane.projector;
-        if (projector.kind != ProjectorKind::Parallel || !projector.occlusion) return true;
+    /// As TriangleProjection has it.
+    bool takesColour(std::uint32_t triangle, const Ray& ray) const {
         const TriangleMesh& mesh = m_stack.surface().mesh;
-        const Triangle& t = mesh.triangles[triangle];
-        const Eigen::Vector3d normal =
-            (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
-        return normal.dot(projector.pose.linear().col(2)) > 0;
+        const Eigen::Vector3d outward = areaNormal(mesh.vertices, mesh.triangles[triangle]);
+        return cosineSeen(m_sides[triangle], -outward.dot(ray.direction)) > 0;
     }
 
     const LayerStack& m_stack;
     const SurfaceQuery& m_query;
     const PhotoPlane& m_plane;
+    const std::vector<SeenSide>& m_sides;
     std::unordered_map<std::uint32_t, TriangleLayers> m_known;
 };
 
@@ -102,10 +90,11 @@ Image surfaceBeneath(const LayerStack& stack, const SurfaceQuery& query, const P
     picture.height = plane.picture.height;
     picture.pixels.resize(4 * static_cast<std::size_t>(picture.width) *
                           static_cast<std::size_t>(picture.height));
+    const std::vector<SeenSide> sides = seenSides(stack.surface().mesh, plane.projector);
     const int strips = (picture.height + rowsPerTask - 1) / rowsPerTask;
     forEachInParallel(static_cast<std::size_t>(strips), progress, [&](std::size_t strip) {
         const int row = static_cast<int>(strip) * rowsPerTask;
-        SeenRows(stack, query, plane).fill(row, std::min(row + rowsPerTask, picture.height), picture);
+        SeenRows(stack, query, plane, sides).fill(row, std::min(row + rowsPerTask, picture.height), picture);
     });
     reportProgress(progress, 1);
     return picture;

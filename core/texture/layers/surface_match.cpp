@@ -21,10 +21,10 @@ std::optional<ColourMatch> matchToSurface(const TriangleMesh& mesh, const std::v
     unmatched.match.reset();
     ProgressParts parts(progress);
     Image photo = prepared(layer.photo->image, unmatched, parts.next(0.4));
-    const PhotoSize whole{photo.width, photo.height};
+    const PhotoSize whole = sizeOf(photo);
     while (std::max(photo.width, photo.height) > enoughPixels)
         photo = halved(photo);
-    const PhotoPlane plane{layer.projector, whole, {photo.width, photo.height}};
+    const PhotoPlane plane{layer.projector, whole, sizeOf(photo)};
     return matchColours(photo, surfaceBeneath(mesh, beneath, baseColour, plane, parts.rest()));
 }
 

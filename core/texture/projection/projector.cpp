@@ -1,6 +1,7 @@
 #include "core/texture/projection/projector.h"
 
 #include "core/support/angles.h"
+#include "core/support/smooth_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,8 +69,7 @@ double angleWeight(double cosine) {
     if (!std::isfinite(cosine)) return 0;
     if (std::abs(cosine) >= fullWeightCosine) return 1; // most surface, without an arc cosine
     const double angle = std::acos(std::min(std::abs(cosine), 1.0));
-    const double t = std::clamp((noWeightFrom - angle) / (noWeightFrom - fullWeightUpTo), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
+    return 1 - smoothStep(fullWeightUpTo, noWeightFrom, angle);
 }
 
 } // namespace esm

@@ -299,6 +299,7 @@ TEST(Composite, LaysARealPhotoOnARealLiver) {
     layer.projector.pose.translation() = box.center() + Eigen::Vector3d(0, 0, box.sizes().z());
     layer.projector.width = 0.4;
     layer.projector.height = 0.4 * 1080 / 1920;
+    layer.blendPixels = 0; // what fades out may leave the base colour as it is
     const std::vector<Image> pages = composite(mesh, atlas, {layer}, baseColour);
     std::size_t lit = 0, untouchedBack = 0, back = 0;
     forEachTexelInside(mesh, atlas, pages, [&](auto&, const Colour& colour, std::size_t triangle) {
