@@ -9,8 +9,13 @@
 #include "core/texture/layers/composite.h"
 #include "core/texture/layers/page_levels.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <list>
+#include <regex>
+#include <set>
 
 namespace esm {
 
@@ -20,7 +25,8 @@ namespace fs = std::filesystem;
 
 struct BakeOptions {
     std::string project, folder;
-    bool deep = false; ///< 16 bits a channel
+    bool deep = false;    ///< 16 bits a channel
+    bool smaller = false; ///< as well
 };
 
 void declareBake(CLI::App& command, BakeOptions& options) {
@@ -29,6 +35,8 @@ void declareBake(CLI::App& command, BakeOptions& options) {
         ->required()
         ->check(namedFolder());
     addChoice(command, "--bits", options.deep, {{"8", false}, {"16", true}}, "Bits of each channel (8)");
+    command.add_flag("--smaller", options.smaller,
+                     "Each page as well at half its size, a quarter and so on, as far as the gap allows");
 }
 
 /// The folder itself, or the nearest one above it that is there.
@@ -53,15 +61,35 @@ fs::path pageFile(const fs::path& folder, std::size_t page) {
     return folder / ("texture-" + std::to_string(page + 1) + ".png");
 }
 
+/// @param width pixels, by which the sizes of a page are told apart
+fs::path smallerFile(const fs::path& folder, std::size_t page, int width) {
+    return folder / ("texture-" + std::to_string(page + 1) + "-" + std::to_string(width) + ".png");
+}
+
+struct EncodedPage {
+    fs::path file;
+    Bytes bytes;
+};
+
 template<typename Channel>
-std::vector<Bytes> encoded(const std::vector<ImageOf<Channel>>& pages, double texelsPerMetre,
-                           const Context& context) {
-    const Progress progress = progressOf(context, "writing");
-    std::vector<Bytes> files;
+std::vector<EncodedPage> encoded(const std::vector<ImageOf<Channel>>& pages, const fs::path& folder,
+                                 double texelsPerMetre, const Progress& progress) {
+    std::vector<EncodedPage> files;
     for (const ImageOf<Channel>& page : pages) {
         reportProgress(progress, static_cast<double>(files.size()) / static_cast<double>(pages.size()));
-        files.push_back(encodePng(page, texelsPerMetre));
+        files.push_back({pageFile(folder, files.size()), encodePng(page, texelsPerMetre)});
     }
+    return files;
+}
+
+std::vector<EncodedPage> encoded(const SmallerPages& pages, const fs::path& folder, double texelsPerMetre) {
+    std::vector<EncodedPage> files;
+    for (std::size_t page = 0; page < pages.size(); ++page)
+        for (std::size_t i = 0; i < pages[page].size(); ++i) {
+            const Image& smaller = pages[page][i];
+            files.push_back({smallerFile(folder, page, smaller.width),
+                             encodePng(smaller, std::ldexp(texelsPerMetre, -static_cast<int>(i) - 1))});
+        }
     return files;
 }
 
@@ -81,32 +109,36 @@ void commit(std::list<AtomicFile>& files, const fs::path& folder, const fs::path
 }
 
 /// No page takes its place, and no folder is made, before all are written.
-void writePages(const std::vector<Bytes>& pages, const fs::path& folder, Interruption& interruption) {
+void writePages(const std::vector<EncodedPage>& pages, const fs::path& folder, Interruption& interruption) {
     const fs::path existing = existingPartOf(folder);
     std::list<AtomicFile> files;
-    for (std::size_t page = 0; page < pages.size(); ++page) {
-        files.emplace_back(pageFile(folder, page), existing);
-        files.back().write({reinterpret_cast<const char*>(pages[page].data()), pages[page].size()});
+    for (const EncodedPage& page : pages) {
+        files.emplace_back(page.file, existing);
+        files.back().write({reinterpret_cast<const char*>(page.bytes.data()), page.bytes.size()});
         files.back().sync();
     }
     interruption.disarm();
     commit(files, folder, existing);
 }
 
-/// Pages that a bake of more of them left in the folder would be taken for pages of this one.
-std::vector<std::string> staleWarnings(const fs::path& folder, std::size_t pages) {
-    std::vector<std::string> stale;
-    for (std::size_t page = pages; fs::exists(pageFile(folder, page)); ++page)
-        stale.push_back(pageFile(folder, page).string());
+/// Pages that an earlier bake left in the folder would be taken for pages of this one.
+std::vector<std::string> staleWarnings(const fs::path& folder, const std::vector<EncodedPage>& written) {
+    static const std::regex isPage("texture-[0-9]+(-[0-9]+)?\\.png");
+    std::set<std::string> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (std::regex_match(entry.path().filename().string(), isPage)) found.insert(entry.path().string());
+    for (const EncodedPage& page : written)
+        found.erase(page.file.string());
+    const std::vector<std::string> stale(found.begin(), found.end());
     if (stale.empty()) return {};
     return {joined(stale) + (stale.size() == 1 ? " is" : " are") +
             " of an earlier bake and no part of this texture; remove or rename"};
 }
 
 /// Of the pages, and of each size to which a renderer may halve them.
-std::vector<double> seamErrors(const Project& project, const std::vector<Image>& pages) {
+std::vector<double> seamErrors(const Project& project, const std::vector<Image>& pages,
+                               const SmallerPages& smaller) {
     std::vector<double> errors{seamError(*project.mesh, *project.atlas, pages)};
-    const SmallerPages smaller = smallerPages(*project.atlas, pages);
     for (int halvings = 1; halvings <= usableLevels(project.atlas->options); ++halvings) {
         std::vector<Image> level;
         for (const std::vector<Image>& page : smaller)
@@ -123,22 +155,43 @@ std::string seamText(const std::vector<double>& errors) {
     return text;
 }
 
+/// As far as 8 bits tell them apart.
+Image rounded(const DeepImage& page) {
+    constexpr int steps = 257;
+    Image image{page.width, page.height, std::vector<std::uint8_t>(page.pixels.size())};
+    std::transform(page.pixels.begin(), page.pixels.end(), image.pixels.begin(), [](std::uint16_t value) {
+        return static_cast<std::uint8_t>((value + steps / 2) / steps);
+    });
+    return image;
+}
+
 struct Baked {
-    std::vector<Bytes> files; ///< of the pages
+    std::vector<EncodedPage> files; ///< of the pages, then of smaller ones
     std::vector<double> seamErrors;
 };
 
-Baked bake(const Project& project, bool deep, const Context& context) {
-    const Progress progress = progressOf(context, "baking");
+Baked bake(const Project& project, const BakeOptions& options, const Context& context) {
+    const Progress baking = progressOf(context, "baking");
     const double texelsPerMetre = project.atlas->texelsPerMetre;
     CompositionCache cache;
-    const std::vector<Image> pages =
-        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, cache, progress);
-    Baked baked{{}, seamErrors(project, pages)};
-    baked.files = deep ? encoded(compositeDeep(*project.mesh, *project.atlas, project.layers,
-                                               project.texture.baseColour, cache, progress),
-                                 texelsPerMetre, context)
-                       : encoded(pages, texelsPerMetre, context);
+    std::vector<Image> pages;
+    std::vector<DeepImage> deep;
+    if (options.deep) {
+        deep = compositeDeep(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, cache,
+                             baking);
+        std::transform(deep.begin(), deep.end(), std::back_inserter(pages), rounded);
+    } else {
+        pages = composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, cache,
+                          baking);
+    }
+    const SmallerPages smaller = smallerPages(*project.atlas, pages, progressOf(context, "halving"));
+    const Progress writing = progressOf(context, "writing");
+    Baked baked{options.deep ? encoded(deep, options.folder, texelsPerMetre, writing)
+                             : encoded(pages, options.folder, texelsPerMetre, writing),
+                seamErrors(project, pages, smaller)};
+    if (!options.smaller) return baked;
+    for (EncodedPage& file : encoded(smaller, options.folder, texelsPerMetre))
+        baked.files.push_back(std::move(file));
     return baked;
 }
 
@@ -147,18 +200,18 @@ Report runBake(const BakeOptions& options, Context& context) {
     context.subject = options.project;
     Project project = openedProject(options.project, context);
     packIfNeeded(project);
-    const Baked baked = bake(project, options.deep, context);
+    const Baked baked = bake(project, options, context);
     writePages(baked.files, options.folder, context.interruption);
     Report report;
     report.json["files"] = Json::array();
-    for (std::size_t page = 0; page < baked.files.size(); ++page) {
-        report.json["files"].push_back(pageFile(options.folder, page).string());
-        addWritten(report, pageFile(options.folder, page));
+    for (const EncodedPage& page : baked.files) {
+        report.json["files"].push_back(page.file.string());
+        addWritten(report, page.file);
     }
     report.json["seam_error"] = baked.seamErrors.front();
     report.json["seam_errors"] = baked.seamErrors;
     report.text.push_back(seamText(baked.seamErrors));
-    addWarnings(report, staleWarnings(options.folder, baked.files.size()));
+    addWarnings(report, staleWarnings(options.folder, baked.files));
     return report;
 }
 

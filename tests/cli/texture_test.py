@@ -205,6 +205,16 @@ class TextureTest(Case):
         report = self.photographed(project, pose=pose)
         self.assertEqual((report["texels"], report["triangles"], len(report["warnings"])), (0, 0, 1))
 
+    def test_bakes_smaller_pages_as_far_as_the_gap_allows(self):
+        project, folder = self.sample("tube"), self.file("textures")
+        self.done("texture", "pack", project, "--size", "512", "--gap", "8", "-o", project)
+        for bits in ("8", "16"):
+            files = self.done("texture", "bake", project, "-o", folder, "--smaller", "--bits", bits)["files"]
+            self.assertEqual([Path(file).name for file in files],
+                             ["texture-1.png", "texture-1-256.png", "texture-1-128.png"])
+            self.assertEqual([read_png(self.folder / file)[0] for file in files], [512, 256, 128])
+        self.assertIn("texture-1-128.png", self.done("texture", "bake", project, "-o", folder)["warnings"][0])
+
     def test_pages_of_an_earlier_bake_are_named(self):
         project, folder = self.sample("tube"), self.file("textures")
         self.done("texture", "pack", project, "--size", "128", "--pages", "3", "-o", project)
