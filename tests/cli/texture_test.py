@@ -75,7 +75,7 @@ class TextureTest(Case):
         prepared = self.file("prepared.esm")
         report = self.done(*given, "--round-field", "--fill-highlights", "--white-balance", "--even-light", "0.5",
                            "--match-colours", "--lens", lens, "--crop", "0 0 64 64", "-o", prepared)
-        self.assertIsNone(report["round_field"])
+        self.assertIsNone(report["field"])
         self.assertTrue(0 <= report["highlights_filled"] < 1)
         self.assertIn("white_balance", report)
         self.assertIn("colour_match", report)

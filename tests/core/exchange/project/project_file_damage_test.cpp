@@ -58,7 +58,7 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
 TEST_F(ProjectFile, ANewerVersionSaysSo) {
     saveWithManifest("/version", 10);
     EXPECT_THAT(loadingError(),
-                HasSubstr("organ.esm: was made by a newer version (10) of the program; this one reads "
+                HasSubstr("organ.esm: was made by a newer version (11) of the program; this one reads "
                           "up to 9; update the program"));
 }
 
