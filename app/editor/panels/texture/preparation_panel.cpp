@@ -131,11 +131,10 @@ void PreparationPanel::connectKept(Step& step, Part PhotoPreparation::*part, con
 
 void PreparationPanel::connectControls() {
     connect(m_field.box, &QCheckBox::clicked, this, [this](bool on) {
-        m_edits.edit(on ? tr("Mask field") : tr("Show photo outside its field"),
-                     [=](PreparationWish& wish) {
-                         wish.preparation.field.reset();
-                         wish.find.field = on;
-                     });
+        m_edits.edit(on ? tr("Mask field") : tr("Show photo outside its field"), [=](PreparationWish& wish) {
+            wish.preparation.field.reset();
+            wish.find.field = on;
+        });
     });
     connect(m_whiteBalance.box, &QCheckBox::clicked, this, [this](bool on) {
         m_edits.edit(on ? tr("Balance white") : tr("Undo white balance"), [=](PreparationWish& wish) {
