@@ -24,20 +24,53 @@ PhotoCrop parseCrop(const std::string& text) {
             static_cast<int>(numbers[3])};
 }
 
+/// @throws UsageError
+Eigen::Vector2d parseSpot(const std::string& text, const Image& photo) {
+    const std::vector<double> numbers = parseNumbers(text, "--white-spot");
+    if (numbers.size() != 2 || !(numbers[0] >= 0) || !(numbers[1] >= 0) || numbers[0] > photo.width ||
+        numbers[1] > photo.height)
+        throw UsageError("--white-spot: give a place in the photograph, \"x y\" in its pixels");
+    return {numbers[0], numbers[1]};
+}
+
+/// White as it is asked for, by what the preparation leaves of the photo.
+std::optional<ColourGains> whiteBalanceFor(const PreparationOptions& options, const Image& photo,
+                                           const PhotoPreparation& preparation) {
+    const Image shown = shownOf(photo, preparation);
+    if (!options.whiteLike.empty()) {
+        Image other = loadPhoto(options.whiteLike)->image;
+        if (const auto field = findField(other)) maskField(other, *field);
+        return whiteBalanceLike(shown, other);
+    }
+    if (!options.whiteSpot.empty()) return whiteBalanceOfSpot(shown, parseSpot(options.whiteSpot, photo));
+    return options.whiteBalance ? findWhiteBalance(shown) : std::nullopt;
+}
+
 std::string gainsInText(const ColourGains& gains) {
     return inText(gains[0]) + ", " + inText(gains[1]) + ", " + inText(gains[2]);
 }
 
-void reportField(const std::optional<RoundField>& field, Report& report) {
-    report.json["round_field"] = nullptr;
+std::string fieldInText(const PhotoField& field) {
+    const std::string around = " pixels around " + inText(field.centre.x()) + ", " + inText(field.centre.y());
+    if (field.isCircle()) return "circle of radius " + inText(field.radii.x()) + around;
+    if (field.shape == FieldShape::Polygon)
+        return "polygon of " + std::to_string(field.corners.size()) + " corners";
+    return "ellipse of radii " + inText(field.radii.x()) + " and " + inText(field.radii.y()) + around;
+}
+
+void reportField(const std::optional<PhotoField>& field, Report& report) {
+    report.json["field"] = nullptr;
     if (field) {
-        report.json["round_field"] = written(*field);
-        report.text.push_back("round field: radius " + inText(field->radius) + " pixels around " +
-                              inText(field->centre.x()) + ", " + inText(field->centre.y()) + ", " +
-                              inText(field->trim) + " % trimmed");
+        report.json["field"] = written(*field);
+        report.text.push_back("field: " + fieldInText(*field) + ", " + inText(field->trim) + " % trimmed");
     } else {
-        report.text.emplace_back("round field: none found");
+        report.text.emplace_back("field: none found, the picture fills the frame");
     }
+}
+
+void reportOverlays(std::size_t overlays, Report& report) {
+    report.json["overlays_masked"] = overlays;
+    report.text.push_back("text and boxes: " + std::to_string(overlays) + " masked");
 }
 
 void reportHighlights(double share, Report& report) {
@@ -51,7 +84,9 @@ void reportGains(const std::optional<ColourGains>& gains, Report& report) {
         report.json["white_balance"] = *gains;
         report.text.push_back("white balance: red, green, blue × " + gainsInText(*gains));
     } else {
-        report.text.emplace_back("white balance: nothing nearly grey found to go by");
+        report.text.emplace_back(
+            "white balance: not changed, as nothing shows the lamp's colour for sure; choose a "
+            "white spot by --white-spot, or a balanced photograph by --white-like");
     }
 }
 
@@ -68,14 +103,29 @@ void reportMatch(const std::optional<ColourMatch>& match, Report& report) {
 } // namespace
 
 void declarePreparation(CLI::App& command, PreparationOptions& options) {
-    command.add_flag("--round-field", options.roundField,
-                     "Show only the endoscope's round field, where one is found");
+    command.add_flag("--field,--round-field", options.field,
+                     "Show only the endoscope's field, round or not, where one is found");
+    command.add_flag("--mask-overlays", options.maskOverlays, "Leave out text and boxes that are burnt in");
     command.add_flag("--fill-highlights", options.fillHighlights,
                      "Fill specular highlights from their surroundings");
     command
+        .add_option("--highlights", options.highlights,
+                    "Fill them, from 0 (only what is white) to 1 (faint shine too); 0.5 without")
+        ->check(numberWithin(0, 1));
+    command
         .add_option("--even-light", options.evenLight, "Even uneven light out, from 0 (not) to 1 (wholly)")
         ->check(numberWithin(0, 1));
-    command.add_flag("--white-balance", options.whiteBalance, "Make what is nearly grey grey");
+    auto* balance = command.add_flag("--white-balance", options.whiteBalance,
+                                     "Make white what shows the lamp's colour, where that is found");
+    auto* spot = command
+                     .add_option("--white-spot", options.whiteSpot,
+                                 "Make this spot grey, \"x y\" in pixels of the photograph")
+                     ->excludes(balance);
+    command
+        .add_option("--white-like", options.whiteLike,
+                    "Give its tissue the colour of the tissue in this balanced photograph")
+        ->excludes(balance)
+        ->excludes(spot);
     command.add_flag("--match-colours", options.matchColours, "Give it the colours of the surface beneath");
     command.add_option("--lens", options.lens, "Straighten what this lens bends (.json)");
     command.add_option("--crop", options.crop,
@@ -88,17 +138,21 @@ Report prepareLayer(const Project& project, TextureLayer& layer, const Preparati
     PhotoPreparation preparation;
     if (!options.crop.empty()) preparation.crop = parseCrop(options.crop);
     if (!options.lens.empty()) preparation.lens = readLensFile(options.lens);
-    if (options.fillHighlights) preparation.highlightThreshold = usualHighlightThreshold;
+    if (options.fillHighlights) preparation.highlightSensitivity = usualSensitivity;
+    if (options.highlights) preparation.highlightSensitivity = options.highlights;
     preparation.evenLight = options.evenLight;
     // What steps find in the photo is stored as numbers, so that it stays what it was seen to be.
-    preparation = withFound(preparation, photo, {options.roundField, options.whiteBalance});
+    preparation = withFound(preparation, photo, {options.field, false, options.maskOverlays});
+    preparation.whiteBalance = whiteBalanceFor(options, photo, preparation);
     layer.preparation = preparation;
     if (options.matchColours)
         preparation.match = matchToSurface(*project.mesh, project.layers, project.texture.baseColour, layer);
     prepare(layer, preparation);
-    if (options.roundField) reportField(preparation.field, report);
-    if (options.fillHighlights) reportHighlights(highlightShare(photo, preparation), report);
-    if (options.whiteBalance) reportGains(preparation.whiteBalance, report);
+    if (options.field) reportField(preparation.field, report);
+    if (options.maskOverlays) reportOverlays(preparation.strokes.size(), report);
+    if (preparation.fillsHighlights()) reportHighlights(highlightShare(photo, preparation), report);
+    if (options.whiteBalance || !options.whiteSpot.empty() || !options.whiteLike.empty())
+        reportGains(preparation.whiteBalance, report);
     if (options.matchColours) reportMatch(preparation.match, report);
     return report;
 }

@@ -4,15 +4,18 @@
 #include "app/esmc/report.h"
 #include "core/project/project.h"
 
+#include <optional>
 #include <string>
 
 namespace esm {
 
 /// How a photograph is to be prepared, as the command line says it.
 struct PreparationOptions {
-    bool roundField = false, fillHighlights = false, whiteBalance = false, matchColours = false;
+    bool field = false, maskOverlays = false, fillHighlights = false, whiteBalance = false,
+         matchColours = false;
     double evenLight = 0;
-    std::string lens, crop;
+    std::optional<double> highlights; ///< sensitivity
+    std::string whiteSpot, whiteLike, lens, crop;
 };
 
 void declarePreparation(CLI::App& command, PreparationOptions& options);

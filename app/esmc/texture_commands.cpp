@@ -134,6 +134,8 @@ Report describe(const TextureLayer& layer, const LayerCoverage& covered) {
     report.text.push_back("photo " + layer.name + ": " + counted(covered.triangles, "triangle") + ", " +
                           counted(covered.texels, "pixel") + " of texture");
     std::vector<std::string> warnings = placingWarnings(layer);
+    const std::vector<std::string> doubts = warningsOf(layer.photo->image, layer.preparation);
+    warnings.insert(warnings.end(), doubts.begin(), doubts.end());
     if (covered.triangles == 0)
         warnings.emplace_back("the photo meets no triangle: check the projector's place, direction and size");
     addWarnings(report, warnings);

@@ -54,7 +54,9 @@ COMMANDS = {
         "--gap": WHOLE + ["-1", "16385"], "--texels-per-metre": AMOUNT + ["1e10"], "--layout": ["spiral", ""]},
     "texture photo organ.esm --photo photo.png --projector pose.json": {
         "project": FILE, "--photo": FILE, "--projector": FILE, "-o": TO_PROJECT, "--blend": AMOUNT,
-        "--blending": ["screen", ""], "--name": [""], "--round-field": None, "--fill-highlights": None,
+        "--blending": ["screen", ""], "--name": [""], "--field": None,
+        "--mask-overlays": None, "--fill-highlights": None, "--highlights": AMOUNT + ["1.01"],
+        "--white-spot": ["x", "1", "1 2 3", "-1 5", "nan 5", "1e9 5", ""], "--white-like": FILE,
         "--even-light": AMOUNT + ["1.01"], "--white-balance": None, "--match-colours": None, "--lens": FILE,
         "--crop": ["x", "1 2 3", "0 0 -1 5", "0.5 0 5 5", "0 0 0 5", "0 0 5 0", "0 0 5 nan", ""]},
     "texture fit organ.esm --photo photo.png --pairs pairs.csv": {

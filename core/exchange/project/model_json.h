@@ -20,6 +20,7 @@ struct VersionNeeds {
     bool instruments = false;       ///< others than one sphere without a name or a turn: version 9
     bool splits = false;            ///< a scene that splits the organ: version 9
     bool wideBinding = false;       ///< more than three nodes that carry one vertex: version 9
+    bool shapedMasks = false;       ///< fields and masks of any shape, highlights by surroundings: version 10
 };
 
 /// Whether older programs would misread a system: version 4.

@@ -27,6 +27,18 @@ struct LensForms {
 };
 
 struct PreparationForms {
+    /// A circle has one radius, as ever; any other field stands by its table.
+    Json write(const std::optional<PhotoField>& field) const {
+        if (!field->isCircle()) return writtenFields(*field, *this);
+        return {{"centre", written(field->centre)}, {"radius", field->radii.x()}, {"trim", field->trim}};
+    }
+    void read(const JsonReader& reader, std::optional<PhotoField>& field) const {
+        field.emplace();
+        if (!reader.isObject() || reader.has("shape")) return readFields(reader, *field, *this);
+        fromJson(reader.member("centre"), field->centre);
+        field->radii.setConstant(reader.member("radius").number());
+        field->trim = reader.member("trim").number();
+    }
     Json write(const std::vector<Eigen::Vector2d>& path) const {
         Json json = Json::array();
         for (const Eigen::Vector2d& place : path) {

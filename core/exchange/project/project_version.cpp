@@ -24,6 +24,14 @@ bool needsMask(const TextureLayer& layer) {
     return !layer.preparation.strokes.empty() || layer.preparation.match;
 }
 
+/// Fields other than circles, masks with outlines, and highlights by their surroundings.
+bool needsShapedMask(const TextureLayer& layer) {
+    const PhotoPreparation& preparation = layer.preparation;
+    return (preparation.field && !preparation.field->isCircle()) || preparation.highlightSensitivity ||
+           std::any_of(preparation.strokes.begin(), preparation.strokes.end(),
+                       [](const PhotoStroke& stroke) { return stroke.isFilled; });
+}
+
 bool needsLandmarks(const TextureLayer& layer) {
     return !layer.landmarks.empty();
 }
@@ -43,6 +51,7 @@ int projectVersionOf(const Project& project) {
     needs.painting = any(needsPainting);
     needs.landmarks = any(needsLandmarks);
     needs.maskedPhotos = any(needsMask);
+    needs.shapedMasks = any(needsShapedMask);
     needs.instruments = !hasPlainInstrument(project.scene);
     needs.splits = !project.scene.splits.empty();
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);

@@ -27,6 +27,14 @@ Lab labRow(const Image& image, int y) {
     return row;
 }
 
+/// How much of a pixel is tissue, by its brightness: 0 where it is nearly black, as a field's outside and
+/// hollows that show no colour are, 1 from where colours can be told, and smooth between them.
+double tissueShare(const std::uint8_t* pixel) {
+    constexpr double black = 20, lit = 40; // brightest channel
+    const double brightest = std::max({pixel[0], pixel[1], pixel[2]});
+    return std::clamp((brightest - black) / (lit - black), 0.0, 1.0);
+}
+
 /// Weighted sums from which means and spreads follow. Rows are summed by themselves and added up in their
 /// order: the same to the last bit with any number of threads.
 struct ColourSums {
@@ -59,7 +67,8 @@ std::array<ColourSums, 2> sumsOfRow(const Image& photo, const Image& beneath, in
     const Lab above = labRow(photo, y), below = labRow(beneath, y);
     std::array<ColourSums, 2> sums;
     for (int x = 0; x < photo.width; ++x) {
-        const double share = photo.at(x, y)[3] * beneath.at(x, y)[3] / (255.0 * 255.0);
+        const double share =
+            tissueShare(photo.at(x, y)) * photo.at(x, y)[3] * beneath.at(x, y)[3] / (255.0 * 255.0);
         if (!(share > 0)) continue;
         sums[0].add(above.at<cv::Vec3f>(0, x), share);
         sums[1].add(below.at<cv::Vec3f>(0, x), share);
@@ -101,10 +110,15 @@ void applyMatch(Image& photo, const ColourMatch& match) {
         cv::multiply(row, scale, row);
         cv::add(row, offset, row);
         cv::cvtColor(row, row, cv::COLOR_Lab2RGB);
-        for (int x = 0; x < photo.width; ++x)
-            for (int channel = 0; channel < 3; ++channel)
-                photo.at(x, y)[channel] = static_cast<std::uint8_t>(
-                    std::lround(255 * std::clamp(row.at<cv::Vec3f>(0, x)[channel], 0.0F, 1.0F)));
+        for (int x = 0; x < photo.width; ++x) {
+            std::uint8_t* pixel = photo.at(x, y);
+            const double share = pixel[3] > 0 ? tissueShare(pixel) : 0;
+            for (int channel = 0; channel < 3; ++channel) {
+                const double matched = 255 * std::clamp(row.at<cv::Vec3f>(0, x)[channel], 0.0F, 1.0F);
+                pixel[channel] = static_cast<std::uint8_t>(
+                    std::lround(pixel[channel] + share * (matched - pixel[channel])));
+            }
+        }
     });
 }
 

@@ -27,9 +27,11 @@ inline constexpr auto fieldsOf<ColourMatch> = fieldTable(
 
 /// Gives the photo the mean colour and the spread of what lies beneath it (Reinhard et al. 2001, Color
 /// transfer between images), over the pixels where both have alpha; both must have one size. Spreads change
-/// by a factor of 0.5 to 2. Nothing where fewer than 100 pixels count.
+/// by a factor of 0.5 to 2. Of the photo what is nearly black does not count, as corners around a field that
+/// is not masked. Nothing where fewer than 100 pixels count.
 std::optional<ColourMatch> matchColours(const Image& photo, const Image& beneath);
 
+/// What is nearly black or transparent stays as it is.
 void applyMatch(Image& photo, const ColourMatch& match);
 
 } // namespace esm

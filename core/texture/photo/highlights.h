@@ -4,20 +4,30 @@
 #include "core/texture/image.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace esm {
 
-constexpr int usualHighlightThreshold = 235;
+constexpr double usualSensitivity = 0.5;
 
-/// Pixels whose darkest channel lies above the threshold, and a rim around them of two pixels or, in a large
-/// photo, a 480th of its longer side.
-std::size_t countHighlights(const Image& photo, int threshold);
+/// A share or a yes or no for every pixel of a photo, row by row.
+using PixelMask = std::vector<std::uint8_t>; ///< 255 where it is so, else 0
 
-/// Fills them from the tissue around them (Telea 2004, An image inpainting technique based on the fast
-/// marching method), which is what is neither transparent nor nearly black; from what is nearly black where
-/// there is nothing else. All other pixels stay as they are, and a highlight that has nothing around it.
-/// @returns pixels filled
+/// Where the lamp's mirror images are: brighter and less saturated than what surrounds them, with the soft
+/// rims around them. Only what has alpha is looked at. Takes a fifth of a second at most for 1920 × 1080
+/// pixels.
+/// @param sensitivity from 0, only what is white, to 1, also faint shine
+PixelMask highlightMask(const Image& photo, double sensitivity);
+
+/// The same as projects before version 10 say it: where the darkest channel is above a threshold, with a rim
+/// of two pixels or, in a large photo, a 480th of its longer side.
+PixelMask highlightsAbove(const Image& photo, int threshold);
+
+/// Fills what the mask has from the tissue around it, which is what is neither transparent nor nearly black;
+/// from what is nearly black where there is nothing else. All other pixels stay as they are, and a highlight
+/// that has nothing around it. @returns pixels filled
 /// @throws Cancelled
-std::size_t fillHighlights(Image& photo, int threshold, const Progress& progress = {});
+std::size_t fillHighlights(Image& photo, const PixelMask& mask, const Progress& progress = {});
 
 } // namespace esm

@@ -1,5 +1,7 @@
 #include "core/texture/photo/photo_mask.h"
 
+#include "core/texture/photo/outline_cover.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tbb/parallel_for.h>
@@ -39,6 +41,16 @@ double brushAt(const PhotoStroke& stroke, double distance) {
     return std::clamp((stroke.radius + 0.5 - distance) / fade, 0.0, 1.0);
 }
 
+/// Where the segment that begins at a place ends: an outline comes back to its beginning, a dab stays.
+std::size_t nextPlace(const PhotoStroke& stroke, std::size_t place) {
+    if (stroke.isFilled) return (place + 1) % stroke.path.size();
+    return std::min(place + 1, stroke.path.size() - 1);
+}
+
+std::size_t segmentsOf(const PhotoStroke& stroke) {
+    return stroke.isFilled ? stroke.path.size() : std::max<std::size_t>(1, stroke.path.size() - 1);
+}
+
 /// What a stroke covers, 0 to 1, in the part of the photo that it reaches.
 struct Coverage {
     PixelRange range;
@@ -55,7 +67,7 @@ struct Coverage {
 /// segment are looked at, so that a long stroke costs its area and not that of its box for each segment.
 void drawSegment(const PhotoStroke& stroke, std::size_t segment, const Image& photo, Coverage& coverage) {
     const Eigen::Vector2d& from = stroke.path[segment];
-    const Eigen::Vector2d& to = stroke.path[std::min(segment + 1, stroke.path.size() - 1)];
+    const Eigen::Vector2d& to = stroke.path[nextPlace(stroke, segment)];
     const PixelRange range = reachOf(from.cwiseMin(to), from.cwiseMax(to), stroke.radius, photo);
     for (int y = range.top; y <= range.bottom; ++y)
         for (int x = range.left; x <= range.right; ++x) {
@@ -63,6 +75,17 @@ void drawSegment(const PhotoStroke& stroke, std::size_t segment, const Image& ph
             float& value = coverage.at(x, y);
             value = std::max(value, static_cast<float>(brushAt(stroke, distance)));
         }
+}
+
+/// Nothing at first, or the inside of an outline.
+void fillInside(const PhotoStroke& stroke, Coverage& coverage) {
+    const PixelRange& range = coverage.range;
+    const int width = range.right - range.left + 1, height = range.bottom - range.top + 1;
+    PhotoOutline inside;
+    if (stroke.isFilled) inside = stroke.path;
+    for (Eigen::Vector2d& place : inside)
+        place -= Eigen::Vector2d(range.left, range.top);
+    coverage.values = coverOf(inside, width, height);
 }
 
 /// A stroke is drawn by itself first, by the greatest cover of its segments, and laid on the mask then. Laid
@@ -77,9 +100,8 @@ Coverage coverageOf(const PhotoStroke& stroke, const Image& photo) {
     Coverage coverage{reachOf(low, high, stroke.radius, photo), {}};
     const PixelRange& range = coverage.range;
     if (range.right < range.left || range.bottom < range.top) return coverage;
-    coverage.values.resize(static_cast<std::size_t>(range.right - range.left + 1) *
-                           static_cast<std::size_t>(range.bottom - range.top + 1));
-    for (std::size_t segment = 0; segment < std::max<std::size_t>(1, stroke.path.size() - 1); ++segment)
+    fillInside(stroke, coverage);
+    for (std::size_t segment = 0; segment < segmentsOf(stroke); ++segment)
         drawSegment(stroke, segment, photo, coverage);
     return coverage;
 }

@@ -2,6 +2,7 @@
 
 #include "core/support/errors.h"
 #include "core/support/offenders.h"
+#include "core/texture/photo/photo_overlays.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
@@ -31,6 +32,8 @@ void checkStrokes(const std::vector<PhotoStroke>& strokes, Problems& problems) {
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         const std::string place = "strokes[" + std::to_string(i) + "]";
         if (strokes[i].path.empty()) addUnder(problems, place, {"the path has no place"});
+        if (strokes[i].isFilled && strokes[i].path.size() < 3)
+            addUnder(problems, place, {"an outline must have at least 3 places"});
         addUnder(problems, place, fieldProblems(strokes[i]));
     }
 }
@@ -53,12 +56,17 @@ void keepOnly(const PhotoCrop& crop, Image& photo) {
     });
 }
 
-/// The photo without what is left out before anything is done to it.
-Image shownOf(const Image& photo, const PhotoPreparation& preparation) {
-    Image shown = photo;
-    if (preparation.field) maskField(shown, *preparation.field);
-    maskStrokes(shown, preparation.strokes);
-    return shown;
+std::size_t shownPixels(const Image& photo) {
+    std::size_t pixels = 0;
+    for (std::size_t i = 3; i < photo.pixels.size(); i += 4)
+        pixels += photo.pixels[i] > 0 ? 1 : 0;
+    return pixels;
+}
+
+PixelMask highlightsIn(const Image& shown, const PhotoPreparation& preparation) {
+    if (preparation.highlightSensitivity) return highlightMask(shown, *preparation.highlightSensitivity);
+    if (preparation.highlightThreshold) return highlightsAbove(shown, *preparation.highlightThreshold);
+    return {};
 }
 
 } // namespace
@@ -69,7 +77,7 @@ bool PhotoPreparation::isNothing() const {
 
 std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height) {
     Problems problems = fieldProblems(preparation);
-    if (preparation.field) addUnder(problems, "the round field", fieldProblems(*preparation.field));
+    if (preparation.field) addUnder(problems, "the field", validate(*preparation.field));
     checkStrokes(preparation.strokes, problems);
     if (preparation.match)
         for (std::string& problem : fieldProblems(*preparation.match))
@@ -79,22 +87,49 @@ std::vector<std::string> validate(const PhotoPreparation& preparation, int width
     return problems;
 }
 
-/// The field first: the white balance must not look at what the field leaves out.
 PhotoPreparation withFound(PhotoPreparation preparation, const Image& photo, StepsToFind steps) {
-    if (steps.field) preparation.field = findRoundField(photo);
+    if (steps.field) preparation.field = findField(photo);
+    if (steps.overlays) {
+        const std::vector<PhotoStroke> overlays = findOverlays(shownOf(photo, preparation));
+        preparation.strokes.insert(preparation.strokes.begin(), overlays.begin(), overlays.end());
+    }
     if (steps.whiteBalance) preparation.whiteBalance = findWhiteBalance(shownOf(photo, preparation));
     return preparation;
 }
 
+Image shownOf(const Image& photo, const PhotoPreparation& preparation) {
+    Image shown = photo;
+    if (preparation.field) maskField(shown, *preparation.field);
+    maskStrokes(shown, preparation.strokes);
+    return shown;
+}
+
+PixelMask highlightsOf(const Image& photo, const PhotoPreparation& preparation) {
+    return preparation.fillsHighlights() ? highlightsIn(shownOf(photo, preparation), preparation)
+                                         : PixelMask();
+}
+
+std::vector<std::string> warningsOf(const Image& photo, const PhotoPreparation& preparation) {
+    std::vector<std::string> warnings;
+    PhotoPreparation fieldAlone;
+    fieldAlone.field = preparation.field;
+    const std::size_t all = shownPixels(photo), inField = shownPixels(shownOf(photo, fieldAlone));
+    if (preparation.field && inField == 0 && all > 0)
+        warnings.emplace_back("the field leaves nothing of the photo; move it onto the picture");
+    if (preparation.field && inField == all && all > 0)
+        warnings.emplace_back("the field leaves all of the photo; make it smaller or remove it");
+    if (!preparation.strokes.empty() && inField > 0 && shownPixels(shownOf(photo, preparation)) == 0)
+        warnings.emplace_back("the mask leaves no pixel of the photo; take back a part of it");
+    return warnings;
+}
+
 double highlightShare(const Image& photo, const PhotoPreparation& preparation) {
-    if (!preparation.highlightThreshold) return 0;
+    if (!preparation.fillsHighlights()) return 0;
     const Image shown = shownOf(photo, preparation);
-    std::size_t pixels = 0;
-    for (std::size_t i = 3; i < shown.pixels.size(); i += 4)
-        pixels += shown.pixels[i] > 0 ? 1 : 0;
-    if (pixels == 0) return 0;
-    return static_cast<double>(countHighlights(shown, *preparation.highlightThreshold)) /
-           static_cast<double>(pixels);
+    const std::size_t pixels = shownPixels(shown);
+    const PixelMask mask = highlightsIn(shown, preparation);
+    const auto filled = std::count(mask.begin(), mask.end(), std::uint8_t{255});
+    return pixels == 0 ? 0 : static_cast<double>(filled) / static_cast<double>(pixels);
 }
 
 /// The order matters. Highlights are filled while they still are white: evened light and white balance would
@@ -107,7 +142,7 @@ Image prepared(const Image& photo, const PhotoPreparation& preparation, const Pr
     Image picture = shownOf(photo, preparation);
     reportProgress(parts.next(0.1), 1);
     const Progress filling = parts.next(0.4), evening = parts.next(0.2), matching = parts.next(0.1);
-    if (preparation.highlightThreshold) fillHighlights(picture, *preparation.highlightThreshold, filling);
+    if (preparation.fillsHighlights()) fillHighlights(picture, highlightsIn(picture, preparation), filling);
     evenLight(picture, preparation.evenLight);
     reportProgress(evening, 1);
     if (preparation.whiteBalance) multiplyColours(picture, *preparation.whiteBalance);

@@ -8,8 +8,9 @@
 #include "core/texture/photo/highlights.h"
 #include "core/texture/photo/lens.h"
 #include "core/texture/photo/photo_colours.h"
+#include "core/texture/photo/photo_field.h"
 #include "core/texture/photo/photo_mask.h"
-#include "core/texture/photo/round_field.h"
+#include "core/texture/photo/white_balance.h"
 #include "core/texture/texture_limits.h"
 
 #include <optional>
@@ -37,25 +38,39 @@ inline constexpr auto fieldsOf<PhotoCrop> = [] {
 /// What is done to a photo before it is laid on the organ; by default nothing. Applied in this order, so that
 /// the field and the strokes lie on the photo as it was taken and the crop on what comes out.
 struct PhotoPreparation {
-    std::optional<RoundField> field;       ///< alpha 0 outside
-    std::vector<PhotoStroke> strokes;      ///< what a brush leaves out and takes back, in order
-    std::optional<int> highlightThreshold; ///< 1 to 255, of the darkest channel: pixels above it are filled
-    double evenLight = 0;                  ///< 0 to 1
+    std::optional<PhotoField> field;       ///< alpha 0 outside
+    std::vector<PhotoStroke> strokes;      ///< what brush and outlines leave out and take back, in order
+    std::optional<int> highlightThreshold; ///< as projects before version 10 say it, see highlightsAbove()
+    std::optional<double>
+        highlightSensitivity; ///< 0 to 1: what shines as much is filled; in place of the threshold
+    double evenLight = 0;     ///< 0 to 1
     std::optional<ColourGains> whiteBalance;
     std::optional<ColourMatch> match; ///< to what lies beneath
     std::optional<Lens> lens;
     std::optional<PhotoCrop> crop; ///< alpha 0 outside
 
     bool isNothing() const;
+    bool fillsHighlights() const { return highlightThreshold || highlightSensitivity; }
 
     bool operator==(const PhotoPreparation&) const = default;
 };
 template<>
 inline constexpr auto fieldsOf<PhotoPreparation> = fieldTable(
-    field("roundField", &PhotoPreparation::field).whenSet(),
+    // A circle stands where older programs look for it, and every other field beside it.
+    field("roundField", &PhotoPreparation::field)
+        .whenSet()
+        .onlyWhere([](const PhotoPreparation& preparation) {
+            return !preparation.field || preparation.field->isCircle();
+        }),
+    field("field", &PhotoPreparation::field).whenSet().onlyWhere([](const PhotoPreparation& preparation) {
+        return !preparation.field || !preparation.field->isCircle();
+    }),
     field("strokes", &PhotoPreparation::strokes).whenSet(),
     field("highlights", &PhotoPreparation::highlightThreshold,
           Limits<int>{"the threshold of highlights", 1, 255})
+        .whenSet(),
+    field("highlightSensitivity", &PhotoPreparation::highlightSensitivity,
+          Limits<double>{"the sensitivity to highlights", 0, 1})
         .whenSet(),
     field("evenLight", &PhotoPreparation::evenLight, Limits<double>{"the strength of even light", 0, 1})
         .whenSet(),
@@ -70,12 +85,24 @@ std::vector<std::string> validate(const PhotoPreparation& preparation, int width
 
 /// Steps whose numbers are to be found in the photo itself.
 struct StepsToFind {
-    bool field = false, whiteBalance = false;
-    bool any() const { return field || whiteBalance; }
+    bool field = false, whiteBalance = false, overlays = false;
+    bool any() const { return field || whiteBalance || overlays; }
 };
 
-/// The preparation with those steps as the photo shows them, absent where nothing is found.
+/// The preparation with those steps as the photo shows them, absent where nothing is found. Each looks only
+/// at what those before it leave: field, overlays, white balance. Outlines of overlays come before its
+/// strokes.
 PhotoPreparation withFound(PhotoPreparation preparation, const Image& photo, StepsToFind steps);
+
+/// The photo without what field and strokes leave out: what later steps look at.
+Image shownOf(const Image& photo, const PhotoPreparation& preparation);
+
+/// Where highlights are filled, of what field and strokes leave. Empty without that step.
+PixelMask highlightsOf(const Image& photo, const PhotoPreparation& preparation);
+
+/// What a preparation does that can hardly be meant, for people: a field that leaves nothing or all of the
+/// photo, strokes that leave none of it.
+std::vector<std::string> warningsOf(const Image& photo, const PhotoPreparation& preparation);
 
 /// The share of what field and strokes leave that counts for highlights and is filled, 0 to 1; 0 without that
 /// step.

@@ -27,7 +27,7 @@ Project perspectiveProject() {
 
 PhotoPreparation versionSevenPreparation() {
     PhotoPreparation preparation;
-    preparation.field = RoundField{{20.25, 1.0 / 3}, 11, 2.5};
+    preparation.field = PhotoField::circle({20.25, 1.0 / 3}, 11, 2.5);
     preparation.highlightThreshold = 200;
     preparation.evenLight = 0.7;
     preparation.whiteBalance = ColourGains{0.9, 1, 1.0 / 0.9};
@@ -57,6 +57,20 @@ Project newestProject() {
     project.layers[1].landmarks = {{{1.0 / 3, 20}, {0.1, -1.0 / 7, 1e-9}}, {{-3, 4.5}, {0, 2, 3}}};
     project.texture.atlas = {64, 4, 1, AtlasLayout::UnfoldedGroups, 1000.0 / 3};
     project.atlas = std::make_shared<Atlas>(packAtlas(*project.mesh, project.texture.atlas));
+    return project;
+}
+
+/// Fields of both shapes that version 10 brought, outlines in a mask, and highlights by their surroundings.
+Project shapedProject() {
+    Project project = richProject();
+    PhotoPreparation ellipse, polygon;
+    ellipse.field = PhotoField{FieldShape::Ellipse, {8.25, 7.0 / 3}, {9, 5}, -100.0 / 3, {}, 2.5};
+    ellipse.highlightSensitivity = 2.0 / 3;
+    polygon.field =
+        PhotoField{FieldShape::Polygon, {0, 0}, {0, 0}, 0, {{0, 1.0 / 3}, {9, 0}, {8, 8}, {1, 9}}, 0};
+    polygon.strokes = {{{{1, 1.0 / 3}, {5, 6}, {2, 4}}, 0.5, 0, false, true}, {{{2, 2}}, 1, 0, true}};
+    prepare(project.layers[0], ellipse);
+    prepare(project.layers[1], polygon);
     return project;
 }
 
@@ -100,6 +114,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-6", perspectiveProject()},
             {"version-7", preparedProject()},
             {"version-8", newestProject()},
+            {"version-10", shapedProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};
@@ -113,7 +128,7 @@ void writeSamples(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder / "packages");
     for (const auto& [name, project] : sampleProjects()) {
         saveProject(project, folder / "projects" / (name + ".esm"));
-        if (name[8] - '0' > newestOfProjects) continue;
+        if (std::stoi(name.substr(8)) > newestOfProjects) continue; // behind "version-"
         exportPackage(project, folder / "packages" / (name + ".glb"),
                       {{}, [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; }});
     }

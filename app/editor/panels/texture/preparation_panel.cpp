@@ -131,11 +131,10 @@ void PreparationPanel::connectKept(Step& step, Part PhotoPreparation::*part, con
 
 void PreparationPanel::connectControls() {
     connect(m_field.box, &QCheckBox::clicked, this, [this](bool on) {
-        m_edits.edit(on ? tr("Mask round field") : tr("Show photo outside its field"),
-                     [=](PreparationWish& wish) {
-                         wish.preparation.field.reset();
-                         wish.find.field = on;
-                     });
+        m_edits.edit(on ? tr("Mask field") : tr("Show photo outside its field"), [=](PreparationWish& wish) {
+            wish.preparation.field.reset();
+            wish.find.field = on;
+        });
     });
     connect(m_whiteBalance.box, &QCheckBox::clicked, this, [this](bool on) {
         m_edits.edit(on ? tr("Balance white") : tr("Undo white balance"), [=](PreparationWish& wish) {
@@ -145,8 +144,9 @@ void PreparationPanel::connectControls() {
     });
     connect(m_highlights.box, &QCheckBox::clicked, this, [this](bool on) {
         m_edits.edit(on ? tr("Fill highlights") : tr("Show highlights"), [=](PreparationWish& wish) {
-            wish.preparation.highlightThreshold =
-                on ? std::optional<int>(usualHighlightThreshold) : std::nullopt;
+            wish.preparation.highlightThreshold.reset();
+            wish.preparation.highlightSensitivity =
+                on ? std::optional<double>(usualSensitivity) : std::nullopt;
         });
     });
     connect(m_evenLight.box, &QCheckBox::clicked, this, [this](bool on) {
@@ -211,8 +211,8 @@ void PreparationPanel::showPictures(const TextureLayer* layer) {
 
 QString PreparationPanel::highlightWords(const PhotoPreparation& wanted) const {
     const PreparedPhoto* shown = m_edits.shown();
-    if (!wanted.highlightThreshold) return {};
-    if (!shown || !shown->preparation.highlightThreshold) return tr("filling…");
+    if (!wanted.fillsHighlights()) return {};
+    if (!shown || !shown->preparation.fillsHighlights()) return tr("filling…");
     if (shown->highlightShare == 0) return tr("none found");
     return tr("%1 % filled").arg(100 * shown->highlightShare, 0, 'f', shown->highlightShare < 0.0995 ? 1 : 0);
 }
@@ -240,14 +240,14 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
     showWords(m_field, wanted.field || wish.find.field,
               wish.find.field ? tr("looking…")
               : wanted.field  ? tr("found, %1 % trimmed").arg(wanted.field->trim, 0, 'g', 3)
-              : missing.field ? tr("not found: no round border")
+              : missing.field ? tr("not found: no dark border")
                               : QString());
-    showWords(m_highlights, wanted.highlightThreshold.has_value(), highlightWords(wanted));
+    showWords(m_highlights, wanted.fillsHighlights(), highlightWords(wanted));
     showWords(m_evenLight, wanted.evenLight > 0, {});
     showWords(m_whiteBalance, wanted.whiteBalance || wish.find.whiteBalance,
               wish.find.whiteBalance ? tr("looking…")
               : wanted.whiteBalance  ? gainsText(*wanted.whiteBalance)
-              : missing.whiteBalance ? tr("not found: nothing is grey")
+              : missing.whiteBalance ? tr("not found: nothing is surely white")
                                      : QString());
     showWords(m_match, wanted.match || wish.find.match,
               wish.find.match ? tr("comparing…")
@@ -264,12 +264,13 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
 
     const QString none = tr("No photo is selected");
     const QString first = layer ? tr("Open the large view first, by the button below") : none;
-    enable(m_field.box, layer, tr("Find the endoscope's round picture and leave out what is dark around it"),
-           none);
+    enable(m_field.box, layer,
+           tr("Find the endoscope's picture, round or not, and leave out what is dark around it"), none);
     enable(m_highlights.box, layer, tr("Fill what the lamp burnt out from the tissue around it"), none);
     enable(m_evenLight.box, layer, tr("Take slow changes of brightness over the photo away"), none);
     enable(m_evenLightField, layer, tr("From 0, as it is, to 1, as even as can be"), none);
-    enable(m_whiteBalance.box, layer, tr("Make grey what is nearly grey, by the colour of the lamp"), none);
+    enable(m_whiteBalance.box, layer,
+           tr("Make white what the lamp shines on, by its mirror images or a grey thing"), none);
     enable(m_match.box, layer,
            tr("Give the photo the mean colour and contrast of what lies beneath it now; tick anew when that "
               "changes"),

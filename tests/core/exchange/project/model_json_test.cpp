@@ -88,6 +88,9 @@ TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
     VersionNeeds split;
     split.splits = true;
     EXPECT_EQ(versionOf(split), 9);
+    VersionNeeds shaped = several;
+    shaped.shapedMasks = true;
+    EXPECT_EQ(versionOf(shaped), 10);
     EXPECT_EQ(versionOf({false, false, false, false, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true, true}), 7);

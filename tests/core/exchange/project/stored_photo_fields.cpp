@@ -66,7 +66,7 @@ void addPainting(Fields& fields) {
 
 PhotoPreparation leastPreparation() {
     PhotoPreparation least;
-    least.field = RoundField{{-1e7, -1e7}, 1, 0};
+    least.field = PhotoField::circle({-1e7, -1e7}, 1, 0);
     least.strokes = {{{{-1e7, -1e7}}, 0.5, 0, false}};
     least.highlightThreshold = 1;
     least.evenLight = smallest;
@@ -79,7 +79,7 @@ PhotoPreparation leastPreparation() {
 
 PhotoPreparation mostPreparation() {
     PhotoPreparation most;
-    most.field = RoundField{{1e7, 1e7}, 1e7, 90};
+    most.field = PhotoField::circle({1e7, 1e7}, 1e7, 90);
     most.strokes = {{{{1e7, 1e7}, {0, 0}}, 5000, 1, true}};
     most.highlightThreshold = 255;
     most.evenLight = 1;
@@ -90,9 +90,28 @@ PhotoPreparation mostPreparation() {
     return most;
 }
 
+/// What a preparation has in place of what the least one has.
+PhotoPreparation leastShaped() {
+    PhotoPreparation least;
+    least.field = PhotoField{FieldShape::Ellipse, {-1e7, -1e7}, {1, 1}, -360, {}, 0};
+    least.strokes = {{{{-1e7, -1e7}, {0, 0}, {1, 0}}, 0.5, 0, false, true}};
+    least.highlightSensitivity = 0;
+    return least;
+}
+
+PhotoPreparation mostShaped() {
+    PhotoPreparation most;
+    most.field =
+        PhotoField{FieldShape::Polygon, {0, 0}, {0, 0}, 0, PhotoOutline(mostFieldCorners, {1e7, -1e7}), 90};
+    most.strokes = {{{{1e7, 1e7}, {0, 0}, {1, 0}}, 5000, 1, true, true}};
+    most.highlightSensitivity = 1;
+    return most;
+}
+
 void addPreparation(Fields& fields) {
     StoredField preparations{"preparation", {}};
-    for (const PhotoPreparation& preparation : {PhotoPreparation(), leastPreparation(), mostPreparation()})
+    for (const PhotoPreparation& preparation :
+         {PhotoPreparation(), leastPreparation(), mostPreparation(), leastShaped(), mostShaped()})
         preparations.settings.push_back([preparation](Project& p) {
             if (p.layers.size() > 1) prepare(p.layers[1], preparation);
         });

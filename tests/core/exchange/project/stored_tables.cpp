@@ -208,15 +208,18 @@ void addPreparationTables(Fields& fields) {
     addTable<PhotoPreparation>(fields, "preparation", preparing);
     addTable<PhotoStroke>(fields, "preparation.strokes", [=](Project& p, const auto& change) {
         preparing(p, [&](PhotoPreparation& preparation) {
-            preparation.strokes = {{{{5, 5}}, 20, 0, false}};
+            preparation.strokes = {{{{5, 5}, {9, 5}, {5, 9}}, 20, 0, false}};
             change(preparation.strokes[0]);
         });
     });
-    addTable<RoundField>(fields, "preparation.roundField", [=](Project& p, const auto& change) {
-        preparing(p, [&](PhotoPreparation& preparation) {
-            change(preparation.field.emplace(RoundField{{5, 5}, 5, 2}));
-        });
-    });
+    addTable<PhotoField>(fields, "preparation.field",
+                         [=](Project& p, const auto& change) {
+                             preparing(p, [&](PhotoPreparation& preparation) {
+                                 const PhotoField ellipse{FieldShape::Ellipse, {5, 5}, {5, 4}, 0, {}, 2};
+                                 change(preparation.field.emplace(ellipse));
+                             });
+                         },
+                         {"shape", "corners"});
     addTable<Lens>(fields, "preparation.lens", [=](Project& p, const auto& change) {
         preparing(p, [&](PhotoPreparation& preparation) { change(preparation.lens.emplace()); });
     });

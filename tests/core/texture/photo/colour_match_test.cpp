@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace esm;
@@ -77,4 +78,26 @@ TEST(ColourMatch, StaysInItsLimits) {
     const auto flat = matchColours(speckled({128, 128, 128}, 0), speckled({200, 100, 90}, 30));
     ASSERT_TRUE(flat);
     EXPECT_EQ(flat->scale, (std::array<double, 3>{1, 1, 1}));
+}
+
+TEST(ColourMatch, NeitherCountsNorTintsBlackCorners) {
+    const auto withCorner = [](Image image) {
+        for (int y = 0; y < 20; ++y)
+            for (int x = 0; x < 30; ++x)
+                std::fill_n(image.at(x, y), 3, std::uint8_t{12});
+        return image;
+    };
+    const Image beneath = speckled({170, 90, 80}, 20);
+    Image photo = withCorner(speckled({120, 140, 150}, 20));
+    const auto match = matchColours(photo, beneath);
+    ASSERT_TRUE(match);
+    applyMatch(photo, *match);
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 30; ++x)
+            EXPECT_EQ(photo.at(x, y)[0], 12);
+    double sum = 0;
+    for (int y = 20; y < 48; ++y)
+        for (int x = 0; x < 64; ++x)
+            sum += photo.at(x, y)[0];
+    EXPECT_NEAR(sum / (28 * 64), 170, 6);
 }

@@ -1,7 +1,10 @@
 #include "core/texture/photo/photo_mask.h"
 
+#include "core/texture/photo/region_growing.h"
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 using namespace esm;
@@ -64,4 +67,51 @@ TEST(PhotoMask, MayLeaveThePhoto) {
     EXPECT_EQ(photo.at(0, 10)[3], 0);
     EXPECT_EQ(photo.at(29, 10)[3], 0);
     EXPECT_EQ(photo.at(15, 1)[3], 255);
+}
+
+TEST(PhotoMask, AnOutlineLeavesOutItsInside) {
+    Image photo = whitePhoto(100, 60);
+    const PhotoStroke box{{{20.5, 10.5}, {79.5, 10.5}, {79.5, 49.5}, {20.5, 49.5}}, 0.5, 0, false, true};
+    const PhotoStroke hole{{{40.5, 20.5}, {59.5, 20.5}, {59.5, 39.5}, {40.5, 39.5}}, 0.5, 0, true, true};
+    maskStrokes(photo, {box, hole});
+    EXPECT_EQ(photo.at(30, 30)[3], 0);
+    EXPECT_EQ(photo.at(20, 10)[3], 0);
+    EXPECT_EQ(photo.at(79, 49)[3], 0);
+    EXPECT_EQ(photo.at(18, 30)[3], 255);
+    EXPECT_EQ(photo.at(50, 30)[3], 255);
+}
+
+TEST(PhotoMask, AnOutlineThatCrossesItselfLeavesAllInsideOut) {
+    Image photo = whitePhoto(60, 60);
+    // Twice around the middle, as a hand does that draws on past its beginning.
+    maskStrokes(photo, {{{{10, 10}, {50, 10}, {50, 50}, {10, 50}, {15, 15}, {45, 15}, {45, 45}, {15, 45}},
+                         0.5,
+                         0,
+                         false,
+                         true}});
+    EXPECT_EQ(photo.at(30, 30)[3], 0);
+    EXPECT_EQ(photo.at(5, 30)[3], 255);
+}
+
+TEST(RegionGrowing, OutlinesAnInstrumentWithItsHoles) {
+    Image photo = whitePhoto(80, 60);
+    const auto isSteel = [](int x, int y) {
+        return x > 20 && x < 60 && y > 10 && y < 50 && std::hypot(x - 40, y - 30) > 8;
+    };
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x) {
+            const int level = isSteel(x, y) ? 90 + y : 0;
+            const std::array<int, 3> colour{isSteel(x, y) ? level : 170, isSteel(x, y) ? level : 60,
+                                            isSteel(x, y) ? level : 50};
+            std::copy(colour.begin(), colour.end(), photo.at(x, y));
+        }
+    Image masked = photo;
+    maskStrokes(masked, growRegion(photo, {25, 15}, 15));
+    int wrong = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x)
+            wrong += (masked.at(x, y)[3] < 128) != isSteel(x, y) ? 1 : 0;
+    EXPECT_LT(wrong, 40);
+    EXPECT_TRUE(growRegion(photo, {-1, 5}, 15).empty());
+    EXPECT_TRUE(growRegion(masked, {25, 15}, 15).empty());
 }

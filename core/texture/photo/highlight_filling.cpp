@@ -14,7 +14,6 @@ namespace esm {
 
 namespace {
 
-constexpr int narrowestRim = 2;
 constexpr double inpaintRadius = 4; ///< pixels around each that is filled, whose colours are mixed
 /// Around a highlight, in which its surroundings are looked for: three times that.
 constexpr int surroundingPixels = 12;
@@ -31,24 +30,6 @@ template<typename Is> cv::Mat maskOf(const Image& photo, const Is& is) {
         for (int x = 0; x < photo.width; ++x)
             mask.at<std::uint8_t>(y, x) = is(photo.at(x, y)) ? 255 : 0;
     });
-    return mask;
-}
-
-/// The soft edge of a highlight, which the camera's optics and its compression leave, grows with the photo.
-int rimOf(const Image& photo) {
-    return std::max(narrowestRim, std::max(photo.width, photo.height) / 480);
-}
-
-/// A lamp's mirror image is white whatever the tissue's colour, so the darkest channel tells it: red tissue
-/// in strong light keeps a low blue one.
-cv::Mat highlightMask(const Image& photo, int threshold) {
-    const cv::Mat bright = maskOf(photo, [&](const std::uint8_t* p) {
-        return isOpaque(p) && std::min({p[0], p[1], p[2]}) > threshold;
-    });
-    const int width = 2 * rimOf(photo) + 1;
-    cv::Mat mask;
-    cv::dilate(bright, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width}));
-    cv::bitwise_and(mask, maskOf(photo, isOpaque), mask);
     return mask;
 }
 
@@ -91,15 +72,11 @@ cv::Rect partAround(const cv::Mat& boxes, int highlight, const cv::Size& size) {
 
 } // namespace
 
-std::size_t countHighlights(const Image& photo, int threshold) {
-    return photo.empty() ? 0 : static_cast<std::size_t>(cv::countNonZero(highlightMask(photo, threshold)));
-}
-
 /// By fast marching (Telea 2004), from the rim inwards, each pixel from those around it that are known
 /// already: the tissue's colours go on into the highlight. A mean of the rim alone would leave a flat spot.
-std::size_t fillHighlights(Image& photo, int threshold, const Progress& progress) {
+std::size_t fillHighlights(Image& photo, const PixelMask& shines, const Progress& progress) {
     if (photo.empty()) return 0;
-    const cv::Mat mask = highlightMask(photo, threshold);
+    const cv::Mat mask(photo.height, photo.width, CV_8U, const_cast<std::uint8_t*>(shines.data()));
     cv::Mat labels, boxes, middles;
     const int count = cv::connectedComponentsWithStats(mask, labels, boxes, middles);
     if (count <= 1) return 0;

@@ -1,0 +1,182 @@
+#include "core/texture/photo/highlights.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tbb/parallel_for.h>
+
+namespace esm {
+
+namespace {
+
+/// At which size surroundings are looked at, and how much shine is asked for there in relation to the
+/// sensitivity: what is far away tells less of the tissue beneath a fleck.
+struct Surrounding {
+    double share; ///< of the photo's size at which it is computed
+    int width;    ///< pixels there, of a window whose median is the surroundings' value
+    double doubt;
+};
+
+/// Half of a window must show tissue: a fleck of 40 pixels needs one of 80 or so.
+std::vector<Surrounding> surroundingsFor(const cv::Size& size) {
+    const double large = std::max(1.0, std::max(size.width, size.height) / 960.0);
+    return {{1 / (2 * large), 11, 1}, {1 / (4 * large), 17, 1.3}, {1 / (8 * large), 19, 2}};
+}
+
+struct Brightness {
+    cv::Mat darkest, brightest, opaque; ///< channel, 8 bit; 255 where the photo has alpha
+};
+
+Brightness brightnessOf(const Image& photo) {
+    const cv::Size size(photo.width, photo.height);
+    Brightness brightness{cv::Mat(size, CV_8U), cv::Mat(size, CV_8U), cv::Mat(size, CV_8U)};
+    tbb::parallel_for(0, photo.height, [&](int y) {
+        for (int x = 0; x < photo.width; ++x) {
+            const std::uint8_t* p = photo.at(x, y);
+            const auto [least, most] = std::minmax({p[0], p[1], p[2]});
+            brightness.darkest.at<std::uint8_t>(y, x) = p[3] > 0 ? least : 0;
+            brightness.brightest.at<std::uint8_t>(y, x) = p[3] > 0 ? most : 0;
+            brightness.opaque.at<std::uint8_t>(y, x) = p[3] > 0 ? 255 : 0;
+        }
+    });
+    return brightness;
+}
+
+/// What is transparent takes the mean of what is not around it, so that it does not count as dark tissue.
+void fillTransparent(cv::Mat& channel, const cv::Mat& opaque, int width) {
+    cv::Mat sum, weight, mean;
+    const cv::Scalar all = cv::mean(channel, opaque > 0);
+    channel.convertTo(sum, CV_32F);
+    opaque.convertTo(weight, CV_32F, 1 / 255.0);
+    sum = sum.mul(weight);
+    cv::blur(sum, sum, {width, width});
+    cv::blur(weight, weight, {width, width});
+    cv::divide(sum + 0.001 * all[0], weight + 0.001, mean);
+    mean.convertTo(mean, CV_8U);
+    mean.copyTo(channel, opaque < 255);
+}
+
+/// The median around each pixel, of the photo's size.
+cv::Mat medianAround(const cv::Mat& channel, const cv::Mat& opaque, const Surrounding& surrounding) {
+    cv::Mat small, smallOpaque;
+    cv::resize(channel, small, {}, surrounding.share, surrounding.share, cv::INTER_AREA);
+    cv::resize(opaque, smallOpaque, small.size(), 0, 0, cv::INTER_AREA);
+    fillTransparent(small, smallOpaque, surrounding.width);
+    cv::medianBlur(small, small, surrounding.width);
+    cv::GaussianBlur(small, small, {}, 1.5);
+    cv::resize(small, small, channel.size(), 0, 0, cv::INTER_LINEAR);
+    return small;
+}
+
+/// How much white lies over a pixel's tissue, 0 to 255. Light D of tissue whose channels stand as q to 1,
+/// with shine S over it, is q·D + S and D + S: S = (darkest − q·brightest) / (1 − q). Pale tissue, with q
+/// near 1, tells little of it, and where a highlight is no brighter than its surroundings it is none: the
+/// lesser of both is taken. What is much brighter counts whatever its colour: under a blue lamp shine is
+/// blue.
+double shineAt(int darkest, int brightest, int darkestAround, int brightestAround) {
+    constexpr double muchBrighter = 30;
+    const double brighter = darkest - darkestAround;
+    if (brighter <= 0 || brightestAround == 0) return brighter;
+    const double ratio = std::min(0.9, static_cast<double>(darkestAround) / brightestAround);
+    const double paler = (darkest - ratio * brightest) / (1 - ratio);
+    return std::max(brighter - muchBrighter, std::min(brighter, paler));
+}
+
+/// The greatest shine that any of the surroundings tells, float.
+cv::Mat shineOf(const Brightness& brightness) {
+    cv::Mat shine = cv::Mat::zeros(brightness.darkest.size(), CV_32F);
+    for (const Surrounding& surrounding : surroundingsFor(shine.size())) {
+        const cv::Mat darkest = medianAround(brightness.darkest, brightness.opaque, surrounding);
+        const cv::Mat brightest = medianAround(brightness.brightest, brightness.opaque, surrounding);
+        tbb::parallel_for(0, shine.rows, [&](int y) {
+            for (int x = 0; x < shine.cols; ++x) {
+                const double found = shineAt(
+                    brightness.darkest.at<std::uint8_t>(y, x), brightness.brightest.at<std::uint8_t>(y, x),
+                    darkest.at<std::uint8_t>(y, x), brightest.at<std::uint8_t>(y, x));
+                float& most = shine.at<float>(y, x);
+                most = std::max(most, static_cast<float>(found / surrounding.doubt));
+            }
+        });
+    }
+    return shine;
+}
+
+/// Those parts of a mask whose strongest shine is as much as is needed. The larger a part, the more is asked
+/// for: large mirror images are strong, and large faint ones nearly always pale tissue.
+cv::Mat strongParts(const cv::Mat& mask, const cv::Mat& shine, double needed) {
+    const double doubling = 30 * std::max(1.0, std::max(mask.cols, mask.rows) / 960.0); // pixels across
+    cv::Mat labels, boxes, middles;
+    const int count = cv::connectedComponentsWithStats(mask, labels, boxes, middles);
+    std::vector<float> strongest(static_cast<std::size_t>(count), 0.0F);
+    for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x) {
+            float& most = strongest[static_cast<std::size_t>(labels.at<int>(y, x))];
+            most = std::max(most, shine.at<float>(y, x));
+        }
+    std::vector<std::uint8_t> isKept(static_cast<std::size_t>(count), 0);
+    for (int label = 1; label < count; ++label) {
+        const double across = std::sqrt(boxes.at<int>(label, cv::CC_STAT_AREA));
+        const auto place = static_cast<std::size_t>(label);
+        isKept[place] = strongest[place] > needed * (1 + across / doubling) ? 255 : 0;
+    }
+    cv::Mat kept(mask.size(), CV_8U);
+    tbb::parallel_for(0, mask.rows, [&](int y) {
+        for (int x = 0; x < mask.cols; ++x)
+            kept.at<std::uint8_t>(y, x) = isKept[static_cast<std::size_t>(labels.at<int>(y, x))];
+    });
+    return kept;
+}
+
+/// The strongest shine near each pixel, within what a large fleck's rim takes.
+cv::Mat peaksOf(const cv::Mat& shine) {
+    constexpr double reduced = 0.25;
+    cv::Mat peaks;
+    cv::resize(shine, peaks, {}, reduced, reduced, cv::INTER_AREA);
+    cv::dilate(peaks, peaks, cv::Mat::ones(7, 7, CV_8U));
+    cv::resize(peaks, peaks, shine.size(), 0, 0, cv::INTER_LINEAR);
+    return peaks;
+}
+
+PixelMask pixelMaskOf(const cv::Mat& mask) {
+    return {mask.datastart, mask.dataend};
+}
+
+/// The soft edge of a highlight, which the camera's optics and its compression leave, grows with the photo.
+int rimFor(const cv::Mat& photo, int pixelsPerRim) {
+    return std::max(2, std::max(photo.cols, photo.rows) / pixelsPerRim);
+}
+
+/// With a rim of so many pixels around it, where the photo has alpha.
+PixelMask withRim(const cv::Mat& mask, const cv::Mat& opaque, int rim) {
+    cv::Mat wider;
+    cv::dilate(mask, wider, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * rim + 1, 2 * rim + 1}));
+    cv::bitwise_and(wider, opaque, wider);
+    return pixelMaskOf(wider);
+}
+
+} // namespace
+
+/// Shine is white over the tissue's own colour, whatever its brightness: it is measured against the median of
+/// what surrounds a pixel at three sizes, which passes over flecks that are smaller than half of the window
+/// (after Arnold et al. 2010, Automatic segmentation and inpainting of specular highlights for endoscopic
+/// imaging, where a median's colours are compared as well). From pixels that surely shine the mask goes on to
+/// fainter ones joined to them (hysteresis, Canny 1986): those are the rims that optics and compression blur.
+PixelMask highlightMask(const Image& photo, double sensitivity) {
+    if (photo.empty()) return {};
+    const Brightness brightness = brightnessOf(photo);
+    cv::Mat shine = shineOf(brightness);
+    constexpr double mostNeeded = 110, leastNeeded = 12, white = 245;
+    const double needed = mostNeeded * std::pow(leastNeeded / mostNeeded, sensitivity);
+    shine.setTo(255, brightness.darkest > white);
+    const cv::Mat rims = (shine > std::max(8.0, 0.5 * needed)) & (shine > 0.12 * peaksOf(shine));
+    return withRim(strongParts(rims, shine, needed), brightness.opaque, rimFor(shine, 640));
+}
+
+PixelMask highlightsAbove(const Image& photo, int threshold) {
+    if (photo.empty()) return {};
+    const Brightness brightness = brightnessOf(photo);
+    return withRim(brightness.darkest > threshold, brightness.opaque, rimFor(brightness.darkest, 480));
+}
+
+} // namespace esm

@@ -1,0 +1,73 @@
+#include "core/texture/photo/outline_cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tbb/parallel_for.h>
+
+namespace esm {
+
+namespace {
+
+constexpr int linesPerRow = 8; ///< that are cut with the outline; the edge has as many levels
+
+/// Where an outline passes a horizontal line, and whether it goes down there.
+struct Crossing {
+    double x;
+    int turn;
+};
+
+std::vector<Crossing> crossingsAt(const PhotoOutline& outline, double y) {
+    std::vector<Crossing> crossings;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Eigen::Vector2d &from = outline[i], &to = outline[(i + 1) % outline.size()];
+        if ((from.y() <= y) == (to.y() <= y)) continue;
+        const double share = (y - from.y()) / (to.y() - from.y());
+        crossings.push_back({from.x() + share * (to.x() - from.x()), from.y() <= y ? 1 : -1});
+    }
+    std::sort(crossings.begin(), crossings.end(),
+              [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+    return crossings;
+}
+
+/// Adds a part of a line to the pixels that it covers, to those at its ends by their share.
+void addSpan(double from, double to, std::vector<float>& row) {
+    const auto width = static_cast<double>(row.size());
+    from = std::clamp(from, 0.0, width);
+    to = std::clamp(to, 0.0, width);
+    for (auto x = static_cast<std::size_t>(from); x < row.size() && static_cast<double>(x) < to; ++x) {
+        const auto place = static_cast<double>(x);
+        row[x] += static_cast<float>((std::min(to, place + 1) - std::max(from, place)) / linesPerRow);
+    }
+}
+
+} // namespace
+
+/// Lines through each row are cut with the outline. Across them the cover is exact, so that only nearly level
+/// edges have steps, of an eighth.
+std::vector<float> rowCoverOf(const PhotoOutline& outline, int width, int y) {
+    std::vector<float> row(static_cast<std::size_t>(width), 0.0F);
+    for (int line = 0; line < linesPerRow; ++line) {
+        const std::vector<Crossing> crossings = crossingsAt(outline, y + (line + 0.5) / linesPerRow);
+        int around = 0;
+        for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+            around += crossings[i].turn;
+            if (around != 0) addSpan(crossings[i].x, crossings[i + 1].x, row);
+        }
+    }
+    for (float& cover : row)
+        cover = std::min(cover, 1.0F);
+    return row;
+}
+
+std::vector<float> coverOf(const PhotoOutline& outline, int width, int height) {
+    std::vector<float> cover(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0F);
+    if (outline.empty()) return cover;
+    tbb::parallel_for(0, height, [&](int y) {
+        const std::vector<float> row = rowCoverOf(outline, width, y);
+        std::copy(row.begin(), row.end(), cover.begin() + static_cast<std::ptrdiff_t>(y) * width);
+    });
+    return cover;
+}
+
+} // namespace esm

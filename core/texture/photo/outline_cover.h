@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace esm {
+
+using PhotoOutline = std::vector<Eigen::Vector2d>; ///< corners of a closed line, in photo pixels
+
+/// The share of each pixel, 0 to 1, that lies within the outline, row by row; what it goes around several
+/// times or in both directions at once lies within as well.
+std::vector<float> coverOf(const PhotoOutline& outline, int width, int height);
+
+/// The same of one row.
+std::vector<float> rowCoverOf(const PhotoOutline& outline, int width, int y);
+
+} // namespace esm

@@ -1,0 +1,81 @@
+#include "core/texture/photo/highlights.h"
+
+#include "tests/core/texture/photo/drawn_photo.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace esm;
+
+TEST(Highlights, AreFilledFromTheirSurroundingsAndNothingElseChanges) {
+    const Image photo = drawnPhoto(80, 60, [](int x, int y) -> Channels {
+        if (std::hypot(x - 40, y - 30) < 5) return {255, 250, 252, 255};
+        return {150 + scattered(x, y, 20), 60 + scattered(y, x, 20), 50, 255};
+    });
+    Image filled = photo;
+    const std::size_t count = fillHighlights(filled, highlightMask(photo, usualSensitivity));
+    std::size_t changed = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x) {
+            const Channels c = colourOf(filled, x, y);
+            EXPECT_TRUE(std::hypot(x - 40, y - 30) <= 9 || c == colourOf(photo, x, y));
+            EXPECT_TRUE(c[0] >= 148 && c[0] <= 172 && c[1] >= 58 && c[1] <= 82) << x << ' ' << y;
+            changed += c != colourOf(photo, x, y) ? 1 : 0;
+        }
+    EXPECT_GE(count, changed);
+    EXPECT_GE(count, 69U);
+    Image white = drawnPhoto(8, 8, [](int, int) -> Channels { return {255, 255, 255, 255}; });
+    EXPECT_EQ(fillHighlights(white, highlightMask(white, usualSensitivity)), 0U);
+}
+
+TEST(Highlights, AtTheRimAreFilledFromTissueAlone) {
+    // A bright spot between tissue at the left and, at the right, what is black or left out.
+    for (const int alpha : {0, 255}) {
+        Image photo = drawnPhoto(80, 60, [&](int x, int y) -> Channels {
+            if (x >= 50) return {0, 0, 0, alpha};
+            if (x >= 38 && std::abs(y - 30) < 8) return {255, 255, 255, 255};
+            return {150, 60, 50, 255};
+        });
+        const PixelMask mask = highlightsAbove(photo, 235);
+        const auto count = static_cast<std::size_t>(std::count(mask.begin(), mask.end(), 255));
+        EXPECT_GE(count, 180U);
+        EXPECT_EQ(fillHighlights(photo, mask), count);
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 50; ++x) {
+                EXPECT_NEAR(photo.at(x, y)[0], 150, 5) << x << ' ' << y;
+                EXPECT_NEAR(photo.at(x, y)[1], 60, 5) << x << ' ' << y;
+            }
+    }
+}
+
+TEST(Highlights, AreMoreTheMoreSensitive) {
+    // Three spots of ever fainter shine over red tissue, and one bright patch of the tissue's own colour.
+    const Image photo = drawnPhoto(200, 80, [](int x, int y) -> Channels {
+        const auto within = [&](int at) { return std::hypot(x - at, y - 40) < 5; };
+        const int shine = within(30) ? 130 : within(80) ? 60 : within(130) ? 24 : 0;
+        if (within(180)) return {180, 90, 75, 255};
+        return {120 + shine, 60 + shine, 50 + shine, 255};
+    });
+    const auto has = [&](double sensitivity, int x) {
+        return highlightMask(photo, sensitivity)[static_cast<std::size_t>(40 * 200 + x)] != 0;
+    };
+    EXPECT_TRUE(has(0.1, 30));
+    EXPECT_FALSE(has(0.1, 80));
+    EXPECT_TRUE(has(0.5, 80));
+    EXPECT_FALSE(has(0.5, 130));
+    EXPECT_TRUE(has(1, 130));
+    EXPECT_FALSE(has(0.8, 180));
+}
+
+TEST(Highlights, AreNotSeenInWhatIsMasked) {
+    Image photo = drawnPhoto(80, 80, [](int x, int y) -> Channels {
+        const int shine = std::hypot(x - 40, y - 40) < 4 ? 150 : 0;
+        return {100 + shine, 40 + shine, 40 + shine, x < 40 ? 0 : 255};
+    });
+    const PixelMask mask = highlightMask(photo, 1);
+    for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 40; ++x)
+            EXPECT_EQ(mask[static_cast<std::size_t>(y * 80 + x)], 0);
+    EXPECT_EQ(mask[40 * 80 + 41], 255);
+}
