@@ -1,5 +1,10 @@
 #include "widgets/texture/photo_canvas.h"
 
+#include "widgets/texture/crop_tool.h"
+#include "widgets/texture/field_tool.h"
+#include "widgets/texture/line_tool.h"
+#include "widgets/texture/mask_tools.h"
+
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -11,18 +16,11 @@ namespace esm {
 
 namespace {
 
-constexpr double grip = 9; ///< widget pixels within which a corner is taken
 constexpr double mostMagnified = 16;
 constexpr int edge = 8; ///< widget pixels around the photo
 
 QColor amber(const QWidget& widget) {
     return widget.palette().color(QPalette::LinkVisited);
-}
-
-std::array<Eigen::Vector2d, 4> cornersOf(const PhotoCrop& crop) {
-    const double left = crop.x, top = crop.y, right = left + crop.width, bottom = top + crop.height;
-    return {Eigen::Vector2d(left, top), Eigen::Vector2d(right, top), Eigen::Vector2d(right, bottom),
-            Eigen::Vector2d(left, bottom)};
 }
 
 /// The way of a brush; a dab is a very short one.
@@ -32,6 +30,33 @@ QPainterPath pathOf(const std::vector<Eigen::Vector2d>& places) {
     for (const Eigen::Vector2d& place : places)
         path.lineTo(place.x() + 1e-3, place.y());
     return path;
+}
+
+FieldTool::Shape shapeOf(FieldShape shape, bool isCircle) {
+    if (shape == FieldShape::Polygon) return FieldTool::Shape::Polygon;
+    return isCircle ? FieldTool::Shape::Circle : FieldTool::Shape::Ellipse;
+}
+
+std::unique_ptr<CanvasTool> makeTool(PhotoTool tool, PhotoCanvas& canvas) {
+    switch (tool) {
+    case PhotoTool::Field:
+        return std::make_unique<FieldTool>(canvas);
+    case PhotoTool::LeaveOut:
+        return std::make_unique<MaskBrush>(canvas, false);
+    case PhotoTool::TakeBack:
+        return std::make_unique<MaskBrush>(canvas, true);
+    case PhotoTool::Outline:
+        return std::make_unique<MaskOutline>(canvas);
+    case PhotoTool::Box:
+        return std::make_unique<MaskBox>(canvas);
+    case PhotoTool::Pick:
+        return std::make_unique<PlacePicker>(canvas);
+    case PhotoTool::Straighten:
+        return std::make_unique<LineTool>(canvas);
+    case PhotoTool::Crop:
+        return std::make_unique<CropTool>(canvas);
+    }
+    return nullptr;
 }
 
 } // namespace
@@ -44,7 +69,10 @@ PhotoCanvas::PhotoCanvas(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
+    m_tool = makeTool(m_kind, *this);
 }
+
+PhotoCanvas::~PhotoCanvas() = default;
 
 void PhotoCanvas::setPicture(const QImage& picture) {
     const bool isAnother = picture.size() != m_picture.size();
@@ -70,18 +98,35 @@ void PhotoCanvas::setCrop(const std::optional<PhotoCrop>& crop) {
     update();
 }
 
+void PhotoCanvas::setField(const std::optional<PhotoField>& field) {
+    m_field = field;
+    tellSpoken(*this);
+    update();
+}
+
+void PhotoCanvas::setMarked(const QImage& mask) {
+    m_marked = mask;
+    update();
+}
+
 void PhotoCanvas::setTool(PhotoTool tool) {
-    m_tool = tool;
-    m_stroke.reset();
-    m_frameCorner.reset();
-    if (!m_lines.empty()) m_lines.back().clear(); // what was not ended
+    m_kind = tool;
+    m_tool.reset(); // before the next is made: it may leave something behind
+    m_tool = makeTool(tool, *this);
+    setFieldShape(m_fieldShape, m_isCircle);
     emit linesChanged();
     update();
 }
 
-void PhotoCanvas::setBrush(double radius, double softness) {
-    m_radius = radius;
-    m_softness = softness;
+void PhotoCanvas::setBrush(const PhotoBrush& brush) {
+    m_brush = brush;
+    update();
+}
+
+void PhotoCanvas::setFieldShape(FieldShape shape, bool isCircle) {
+    m_fieldShape = shape;
+    m_isCircle = isCircle;
+    if (auto* field = dynamic_cast<FieldTool*>(m_tool.get())) field->setShape(shapeOf(shape, isCircle));
     update();
 }
 
@@ -108,6 +153,7 @@ QString PhotoCanvas::spokenValue() const {
                     .arg(m_crop->height)
                     .arg(m_crop->x)
                     .arg(m_crop->y);
+    if (m_field) said << tr("with a field");
     return said.join(QStringLiteral(", "));
 }
 
@@ -165,8 +211,37 @@ void PhotoCanvas::drawStroke(QPainter& painter, const PhotoStroke& stroke) const
                                                 : QPainter::CompositionMode_SourceOver);
     const double wide = 2 * stroke.radius * (1 - 0.5 * stroke.softness);
     painter.setPen(QPen(amber(*this), wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(pathOf(stroke.path));
+    QPainterPath path = pathOf(stroke.path);
+    if (stroke.isFilled) {
+        path.closeSubpath();
+        path.setFillRule(Qt::WindingFill);
+        painter.setBrush(amber(*this));
+    }
+    painter.drawPath(path);
     painter.restore();
+}
+
+bool PhotoCanvas::isAt(const Eigen::Vector2d& place, const QPointF& at) const {
+    return QLineF(toWidget(place), at).length() <= grip;
+}
+
+void PhotoCanvas::addStroke(const PhotoStroke& stroke) {
+    m_strokes.push_back(stroke);
+    redraw();
+    emit strokeDrawn(stroke);
+}
+
+void PhotoCanvas::drawKept(QPainter& painter, const QPainterPath& inside) const {
+    QPainterPath outside;
+    outside.addRect(QRectF(m_origin, QSizeF(m_picture.size()) * m_scale));
+    painter.fillPath(outside - inside, QColor(0, 0, 0, 150));
+    painter.strokePath(inside, QPen(amber(*this), 1.5));
+}
+
+void PhotoCanvas::drawHandle(QPainter& painter, const Eigen::Vector2d& place) const {
+    painter.setPen(QPen(Qt::black, 1));
+    painter.setBrush(Qt::white);
+    painter.drawRect(QRectF(toWidget(place) - QPointF(4, 4), QSizeF(8, 8)));
 }
 
 void PhotoCanvas::paintEvent(QPaintEvent*) {
@@ -174,62 +249,13 @@ void PhotoCanvas::paintEvent(QPaintEvent*) {
     painter.drawPixmap(0, 0, m_shown);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_picture.isNull()) return;
-    paintStrokes(painter);
-    if (m_tool == PhotoTool::Straighten) paintLines(painter);
-    if (m_tool == PhotoTool::Crop) paintCrop(painter);
-    if (isBrush() && m_mouse) {
-        painter.setBrush(Qt::NoBrush);
-        for (const auto& [colour, by] : {std::pair(QColor(Qt::black), 1.0), {QColor(Qt::white), 0.0}}) {
-            painter.setPen(QPen(colour, 1));
-            painter.drawEllipse(*m_mouse, m_radius * m_scale + by, m_radius * m_scale + by);
-        }
-    }
-    m_keyPointer.paintFocus(painter);
-}
-
-void PhotoCanvas::paintStrokes(QPainter& painter) const {
-    QImage overlay = m_overlay;
-    if (m_stroke) {
-        QPainter over(&overlay);
-        over.setRenderHint(QPainter::Antialiasing);
-        drawStroke(over, *m_stroke);
-    }
     painter.setOpacity(0.6);
-    painter.drawImage(0, 0, overlay);
+    painter.drawImage(0, 0, m_overlay);
+    if (!m_marked.isNull()) painter.drawImage(QRectF(m_origin, QSizeF(m_picture.size()) * m_scale), m_marked);
     painter.setOpacity(1);
-}
-
-void PhotoCanvas::paintLines(QPainter& painter) const {
-    const QColor colour = palette().color(QPalette::Highlight).lighter(140);
-    for (const DrawnLine& line : m_lines) {
-        QPolygonF points;
-        for (const Eigen::Vector2d& place : line)
-            points << toWidget(place);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(colour, 1.5));
-        painter.drawPolyline(points);
-        painter.setBrush(colour);
-        painter.setPen(QPen(Qt::black, 1));
-        for (const QPointF& point : points)
-            painter.drawEllipse(point, 4, 4);
-    }
-}
-
-void PhotoCanvas::paintCrop(QPainter& painter) const {
-    if (!m_crop) return;
-    const auto corners = cornersOf(*m_crop);
-    const QRectF frame(toWidget(corners[0]), toWidget(corners[2]));
-    QPainterPath outside;
-    outside.addRect(QRectF(m_origin, QSizeF(m_picture.size()) * m_scale));
-    QPainterPath inside;
-    inside.addRect(frame);
-    painter.fillPath(outside - inside, QColor(0, 0, 0, 150));
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(amber(*this), 1.5));
-    painter.drawRect(frame);
-    painter.setBrush(Qt::white);
-    for (const Eigen::Vector2d& corner : corners)
-        painter.drawRect(QRectF(toWidget(corner) - QPointF(4, 4), QSizeF(8, 8)));
+    m_tool->paint(painter);
+    if (m_mouse) m_tool->paintCursor(painter, *m_mouse);
+    m_keyPointer.paintFocus(painter);
 }
 
 void PhotoCanvas::resizeEvent(QResizeEvent*) {
@@ -237,19 +263,9 @@ void PhotoCanvas::resizeEvent(QResizeEvent*) {
 }
 
 void PhotoCanvas::mousePressEvent(QMouseEvent* event) {
-    const QPointF at = event->localPos();
-    if (event->button() == Qt::MiddleButton) m_panned = at;
-    if (event->button() == Qt::RightButton && m_tool == PhotoTool::Straighten) endLine();
-    if (event->button() != Qt::LeftButton || m_picture.isNull()) return;
-    if (isBrush()) {
-        m_stroke = PhotoStroke{{toPhoto(at)}, m_radius, m_softness, m_tool == PhotoTool::TakeBack};
-    } else if (m_tool == PhotoTool::Straighten) {
-        if (m_lines.empty()) m_lines.emplace_back();
-        m_lines.back().push_back(toPhoto(at));
-        emit linesChanged();
-    } else {
-        beginFrame(at);
-    }
+    if (event->button() == Qt::MiddleButton) m_panned = event->localPos();
+    if (event->button() == Qt::RightButton) m_tool->finish();
+    if (event->button() == Qt::LeftButton && !m_picture.isNull()) m_tool->press(*event);
     update();
 }
 
@@ -260,37 +276,21 @@ void PhotoCanvas::mouseMoveEvent(QMouseEvent* event) {
         place(m_scale, m_origin + at - *m_panned);
         m_panned = at;
     } else if (event->buttons().testFlag(Qt::LeftButton)) {
-        // Places nearer to each other than an eighth of the brush draw the same.
-        const double nearest = std::max(1.0, m_radius / 8);
-        if (m_stroke && (toPhoto(at) - m_stroke->path.back()).norm() >= nearest)
-            m_stroke->path.push_back(toPhoto(at));
-        if (m_frameCorner) dragFrame(toPhoto(at));
+        m_tool->drag(*event);
     }
     update();
 }
 
 void PhotoCanvas::mouseReleaseEvent(QMouseEvent* event) {
     m_panned.reset();
-    if (event->button() != Qt::LeftButton) return;
-    if (m_stroke) {
-        const PhotoStroke stroke = *m_stroke;
-        m_stroke.reset();
-        m_strokes.push_back(stroke); // until it is told otherwise
-        redraw();
-        emit strokeDrawn(stroke);
-    }
-    if (m_frameCorner) {
-        m_frameCorner.reset();
-        emit frameFinished();
-    }
+    if (event->button() == Qt::LeftButton) m_tool->release();
+    update();
 }
 
+/// The first click of the two was a press already.
 void PhotoCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
-    // The first click of the two set a place already.
-    if (m_tool == PhotoTool::Straighten && event->button() == Qt::LeftButton)
-        endLine();
-    else
-        mousePressEvent(event);
+    if (event->button() != Qt::LeftButton || !m_tool->finish()) mousePressEvent(event);
+    update();
 }
 
 void PhotoCanvas::wheelEvent(QWheelEvent* event) {
@@ -309,66 +309,28 @@ void PhotoCanvas::wheelEvent(QWheelEvent* event) {
 void PhotoCanvas::keyPressEvent(QKeyEvent* event) {
     // Enter sets a place where the mark is seen; with Ctrl it ends the line there too.
     if (!event->modifiers().testFlag(Qt::ControlModifier) && m_keyPointer.press(*event)) return;
-    const bool draws = m_tool == PhotoTool::Straighten && !m_lines.empty();
-    const int key = event->key();
-    if (draws && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
-        endLine();
-    } else if (draws && key == Qt::Key_Backspace) {
-        if (!m_lines.back().empty()) m_lines.back().pop_back();
-        if (m_lines.back().empty()) m_lines.pop_back();
-        emit linesChanged();
-        update();
-    } else if (key != Qt::Key_Escape || !dropDrawn()) {
-        QWidget::keyPressEvent(event);
-    }
+    if (!toolTakes(*event)) QWidget::keyPressEvent(event);
+    update();
 }
 
-bool PhotoCanvas::dropDrawn() {
-    if (!m_stroke && !m_frameCorner) return false;
-    m_stroke.reset();
-    if (m_frameCorner) {
-        m_frameCorner.reset();
-        emit frameDropped(m_cropBefore);
+bool PhotoCanvas::toolTakes(const QKeyEvent& event) {
+    switch (event.key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        return m_tool->finish();
+    case Qt::Key_Backspace:
+    case Qt::Key_Delete:
+        return m_tool->takeBack();
+    case Qt::Key_Escape:
+        return m_tool->drop();
+    default:
+        return false;
     }
-    update();
-    return true;
 }
 
 void PhotoCanvas::leaveEvent(QEvent*) {
     m_mouse.reset();
     update();
-}
-
-void PhotoCanvas::endLine() {
-    if (!m_lines.empty() && !m_lines.back().empty()) m_lines.emplace_back();
-    emit linesChanged();
-    update();
-}
-
-/// Takes the frame by a corner, or begins another one.
-void PhotoCanvas::beginFrame(const QPointF& at) {
-    m_cropBefore = m_crop;
-    if (m_crop) {
-        const auto corners = cornersOf(*m_crop);
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            if (QLineF(toWidget(corners[i]), at).length() <= grip) {
-                m_frameCorner = corners[(i + 2) % corners.size()];
-                return;
-            }
-    }
-    m_frameCorner = toPhoto(at);
-}
-
-void PhotoCanvas::dragFrame(const Eigen::Vector2d& to) {
-    const auto within = [](double place, int size) {
-        return static_cast<int>(std::lround(std::clamp(place, 0.0, static_cast<double>(size))));
-    };
-    const Eigen::Vector2d low = m_frameCorner->cwiseMin(to), high = m_frameCorner->cwiseMax(to);
-    const int left = within(low.x(), m_picture.width()), right = within(high.x(), m_picture.width());
-    const int top = within(low.y(), m_picture.height()), bottom = within(high.y(), m_picture.height());
-    if (right - left < 2 || bottom - top < 2) return;
-    m_crop = PhotoCrop{left, top, right - left, bottom - top};
-    emit cropDrawn(*m_crop);
 }
 
 } // namespace esm

@@ -6,33 +6,52 @@
 #include "widgets/inputs/spoken.h"
 
 #include <QImage>
+#include <QPainterPath>
 #include <QWidget>
 
+#include <memory>
 #include <optional>
 
 namespace esm {
 
-/// What the mouse does on a photo.
-enum class PhotoTool { LeaveOut, TakeBack, Straighten, Crop };
+class CanvasTool;
 
-/// A photo, as large as there is room, to paint on, to draw lines on and to frame. It says what was drawn, in
-/// photo pixels, and shows what it is told. The wheel magnifies about the mouse; the middle button moves the
-/// photo.
+/// What the mouse does on a photo.
+enum class PhotoTool { Field, LeaveOut, TakeBack, Outline, Box, Pick, Straighten, Crop };
+
+struct PhotoBrush {
+    double radius = 20;  ///< photo pixels
+    double softness = 0; ///< share of the radius, 0 to 1
+};
+
+/// A photo, as large as there is room, to paint on, to draw lines on and to frame. A tool draws, and the
+/// canvas says what was drawn, in photo pixels, and shows what it is told. The wheel magnifies about the
+/// mouse; the middle button moves the photo.
 class PhotoCanvas : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
+    static constexpr int grip = 9; ///< widget pixels within which a handle is taken
+
     explicit PhotoCanvas(QWidget* parent = nullptr);
+    ~PhotoCanvas() override;
 
     void setPicture(const QImage& picture);
     void setStrokes(const std::vector<PhotoStroke>& strokes);
     void setCrop(const std::optional<PhotoCrop>& crop);
+    void setField(const std::optional<PhotoField>& field);
+    /// A mask that is shown over the photo, of its size; null: none.
+    void setMarked(const QImage& mask);
     void setTool(PhotoTool tool);
-    /// @param radius photo pixels
-    /// @param softness share of the radius, 0 to 1
-    void setBrush(double radius, double softness);
+    void setBrush(const PhotoBrush& brush);
+    /// What is drawn where there is no field, and how one is mended.
+    void setFieldShape(FieldShape shape, bool isCircle);
 
-    PhotoTool tool() const { return m_tool; }
+    PhotoTool tool() const { return m_kind; }
+    const PhotoBrush& brush() const { return m_brush; }
+    const std::optional<PhotoCrop>& crop() const { return m_crop; }
+    const std::optional<PhotoField>& field() const { return m_field; }
+    QSize photoSize() const { return m_picture.size(); }
     /// Lines of three places and more that were drawn, the one at work included.
     std::vector<DrawnLine> lines() const;
     void clearLines();
@@ -42,15 +61,28 @@ public:
 
     QPointF toWidget(const Eigen::Vector2d& place) const;
     Eigen::Vector2d toPhoto(const QPointF& at) const;
+    double magnification() const { return m_scale; } ///< widget pixels per photo pixel
+
+    // For tools.
+    std::vector<DrawnLine>& drawnLines() { return m_lines; } ///< the last one is at work; may be empty
+    bool isAt(const Eigen::Vector2d& place, const QPointF& at) const;
+    void addStroke(const PhotoStroke& stroke); ///< shown until it is told otherwise
+    void drawStroke(QPainter& painter, const PhotoStroke& stroke) const;
+    /// What is kept, its rim amber and all else darkened. @param inside in widget pixels
+    void drawKept(QPainter& painter, const QPainterPath& inside) const;
+    void drawHandle(QPainter& painter, const Eigen::Vector2d& place) const;
 
 signals:
     void strokeDrawn(const esm::PhotoStroke& stroke);
+    void placePicked(const Eigen::Vector2d& place);
     void linesChanged();
-    /// The frame while it is drawn; frameFinished() when it is let go.
+    /// Frame or field while it is drawn; shapeFinished() when it is let go.
     void cropDrawn(const esm::PhotoCrop& crop);
-    void frameFinished();
-    /// Esc while the frame is drawn: how it was before.
-    void frameDropped(const std::optional<esm::PhotoCrop>& before);
+    void fieldDrawn(const esm::PhotoField& field);
+    void shapeFinished();
+    /// Esc while it is drawn: how it was before.
+    void cropDropped(const std::optional<esm::PhotoCrop>& before);
+    void fieldDropped(const std::optional<esm::PhotoField>& before);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -64,35 +96,28 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    bool isBrush() const { return m_tool == PhotoTool::LeaveOut || m_tool == PhotoTool::TakeBack; }
     double fittingScale() const;
     void fit();
     void place(double scale, const QPointF& origin);
     void redraw();
-    void drawStroke(QPainter& painter, const PhotoStroke& stroke) const;
-    void paintStrokes(QPainter& painter) const;
-    void paintLines(QPainter& painter) const;
-    void paintCrop(QPainter& painter) const;
-    void endLine();
-    void beginFrame(const QPointF& at);
-    void dragFrame(const Eigen::Vector2d& to);
-    /// Of what the mouse draws; false where it draws nothing.
-    bool dropDrawn();
+    QImage drawnOver() const;
+    bool toolTakes(const QKeyEvent& event);
 
-    QImage m_picture;
+    QImage m_picture, m_marked;
     QPixmap m_shown;  ///< the picture as the view has it
     QImage m_overlay; ///< what the strokes leave out, likewise
     std::vector<PhotoStroke> m_strokes;
-    std::optional<PhotoStroke> m_stroke; ///< at work
-    std::vector<DrawnLine> m_lines;      ///< the last one is at work; may be empty
+    std::vector<DrawnLine> m_lines;
     std::optional<PhotoCrop> m_crop;
-    std::optional<Eigen::Vector2d> m_frameCorner; ///< opposite to the one that is dragged
-    std::optional<PhotoCrop> m_cropBefore;        ///< that drag
+    std::optional<PhotoField> m_field;
     std::optional<QPointF> m_mouse, m_panned;
-    PhotoTool m_tool = PhotoTool::LeaveOut;
-    double m_radius = 20, m_softness = 0;
-    double m_scale = 1; ///< widget pixels per photo pixel
-    QPointF m_origin;   ///< the photo's top left corner, widget pixels
+    PhotoTool m_kind = PhotoTool::LeaveOut;
+    std::unique_ptr<CanvasTool> m_tool;
+    PhotoBrush m_brush;
+    FieldShape m_fieldShape = FieldShape::Ellipse;
+    bool m_isCircle = true;
+    double m_scale = 1;
+    QPointF m_origin; ///< the photo's top left corner, widget pixels
     KeyPointer m_keyPointer{*this};
 };
 

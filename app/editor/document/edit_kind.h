@@ -30,6 +30,8 @@ enum class EditKind {
     Crop,
     EvenLight,
     FadingBorder,
+    Field,
+    Highlights,
     Landmarks,
     Opacity,
     ProjectorCalibration,

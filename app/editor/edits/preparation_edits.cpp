@@ -129,7 +129,7 @@ void PreparationEdits::finish(const Running& done, const PreparedPhoto& result) 
         m_shown = result;
         const SoughtSteps& sought = done.wish.find;
         if (sought.field || result.preparation.field) m_missing.field = !result.preparation.field;
-        if (sought.whiteBalance || result.preparation.whiteBalance)
+        if (sought.soughtWhite() || result.preparation.whiteBalance)
             m_missing.whiteBalance = !result.preparation.whiteBalance;
         if (sought.match || result.preparation.match) m_missing.match = !result.preparation.match;
     }

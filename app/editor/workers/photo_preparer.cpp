@@ -1,6 +1,8 @@
 #include "app/editor/workers/photo_preparer.h"
 
 #include "core/texture/layers/surface_match.h"
+#include "core/texture/photo/region_growing.h"
+#include "core/texture/photo/white_balance.h"
 #include "widgets/texture/image_conversion.h"
 
 namespace esm {
@@ -21,11 +23,24 @@ std::optional<ColourMatch> matched(const PreparationRequest& request, const Phot
     return matchToSurface(*project.mesh, beneath, project.texture.baseColour, layer, progress);
 }
 
+/// What is found from where the user points, in what the steps before leave of the photo.
+void findPointedAt(const SoughtSteps& find, const Image& photo, PhotoPreparation& preparation) {
+    if (find.region)
+        for (PhotoStroke& stroke :
+             growRegion(shownOf(photo, preparation), find.region->place, find.region->tolerance))
+            preparation.strokes.push_back(std::move(stroke));
+    if (find.whiteSpot)
+        preparation.whiteBalance = whiteBalanceOfSpot(shownOf(photo, preparation), *find.whiteSpot);
+    if (find.whiteLike)
+        preparation.whiteBalance = whiteBalanceLike(shownOf(photo, preparation), *find.whiteLike);
+}
+
 PreparedPhoto answerTo(const PreparationRequest& request, const Progress& goOn) {
     const Image& photo = request.photo->image;
     PreparedPhoto result;
     result.photo = request.photo;
     result.preparation = withFound(request.preparation, photo, request.find);
+    findPointedAt(request.find, photo, result.preparation);
     if (request.find.match) result.preparation.match = matched(request, result.preparation, goOn);
     result.picture = request.known;
     if (!result.picture && !result.preparation.isNothing())

@@ -13,10 +13,21 @@
 
 namespace esm {
 
+/// What hangs together with a place of the photo and is to be left out.
+struct RegionSeed {
+    Eigen::Vector2d place; ///< photo pixels
+    double tolerance;      ///< see `growRegion`
+};
+
 /// Steps that are to be found in the photo, or by the surface that it is laid on.
 struct SoughtSteps : StepsToFind {
     bool match = false;
-    bool any() const { return StepsToFind::any() || match; }
+    std::optional<RegionSeed> region;
+    std::optional<Eigen::Vector2d> whiteSpot; ///< of the photo, pixels: grey or white
+    std::shared_ptr<const Image> whiteLike;   ///< another photo, which is balanced
+
+    bool soughtWhite() const { return whiteBalance || whiteSpot || whiteLike; }
+    bool any() const { return StepsToFind::any() || match || region || soughtWhite(); }
 };
 
 /// A layer where it lies.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <opencv2/imgproc.hpp>
 #include <tbb/parallel_for.h>
 
 namespace esm {
@@ -42,6 +43,20 @@ void addSpan(double from, double to, std::vector<float>& row) {
 }
 
 } // namespace
+
+PhotoOutline simplified(const PhotoOutline& outline, double detail) {
+    if (outline.size() < 3) return outline;
+    std::vector<cv::Point2f> places, fewer;
+    places.reserve(outline.size());
+    for (const Eigen::Vector2d& place : outline)
+        places.emplace_back(static_cast<float>(place.x()), static_cast<float>(place.y()));
+    cv::approxPolyDP(places, fewer, detail, true);
+    PhotoOutline simple;
+    simple.reserve(fewer.size());
+    for (const cv::Point2f& place : fewer)
+        simple.emplace_back(place.x, place.y);
+    return simple;
+}
 
 /// Lines through each row are cut with the outline. Across them the cover is exact, so that only nearly level
 /// edges have steps, of an eighth.

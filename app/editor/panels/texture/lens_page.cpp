@@ -1,12 +1,11 @@
 #include "app/editor/panels/texture/lens_page.h"
 
 #include "app/editor/dialogs/lens_files.h"
+#include "app/editor/panels/texture/page_row.h"
 #include "core/support/errors.h"
 #include "core/texture/photo/straightening.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
-
-#include <QHBoxLayout>
 
 namespace esm {
 
@@ -34,13 +33,8 @@ void LensPage::layOut() {
         tr("A lens that is known: its coefficients in a JSON file, as esmc texture photo --lens "
            "reads it"));
     m_count->setProperty("quiet", true);
-    auto* caption = new QLabel(tr("L&ens"), this);
-    caption->setProperty("quiet", true);
-    caption->setBuddy(m_kind);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    row->addWidget(caption);
+    QHBoxLayout* row = pageRow(this);
+    row->addWidget(quietLabel(tr("L&ens"), m_kind, this));
     row->addWidget(m_kind);
     row->addWidget(m_count);
     for (QPushButton* button : {m_straighten, m_clear, m_load, m_save}) {

@@ -1,5 +1,6 @@
 #include "app/editor/panels/texture/photo_dialog.h"
 
+#include "app/editor/panels/texture/page_row.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
 #include "widgets/inputs/refused_numbers.h"
@@ -14,105 +15,136 @@ namespace esm {
 
 namespace {
 
-NumberFormat radiusFormat() {
-    NumberFormat format = pixelFormat();
-    format.minimum = 1;
-    format.maximum = 2000;
-    return format;
+struct TaskWords {
+    PhotoTask task;
+    QString name;
+    Qt::Key key;
+    QString does, hint;
+};
+
+std::vector<TaskWords> taskWords() {
+    const auto tr = [](const char* text) { return PhotoDialog::tr(text); };
+    const QString inside = tr("Drag around what shall not lie on the organ; with Ctrl it is taken back");
+    return {
+        {PhotoTask::Field, tr("Field"), Qt::Key_F, tr("Set what the endoscope shows"),
+         tr("Find the field, or drag one; squares move, size and turn it, Backspace removes a corner")},
+        {PhotoTask::LeaveOut, tr("Leave out"), Qt::Key_B, tr("Brush over text, overlays and instruments"),
+         tr("Paint over what shall not lie on the organ · wheel magnifies, middle button moves")},
+        {PhotoTask::TakeBack, tr("Take back"), Qt::Key_E, tr("Brush over what was left out to show it again"),
+         tr("Paint over what was left out to show it again")},
+        {PhotoTask::Outline, tr("Outline"), Qt::Key_O, tr("Leave out what a line goes around"), inside},
+        {PhotoTask::Box, tr("Box"), Qt::Key_X, tr("Leave out a rectangle, or text and boxes that are found"),
+         inside},
+        {PhotoTask::Region, tr("Region"), Qt::Key_R, tr("Leave out what hangs together and has one colour"),
+         tr("Click on an instrument, blood or a bubble: what hangs together with it is left out")},
+        {PhotoTask::Highlights, tr("Highlights"), Qt::Key_H,
+         tr("Choose which mirror images of the lamp are filled"),
+         tr("Move the slider until what shines is green")},
+        {PhotoTask::White, tr("White"), Qt::Key_W, tr("Balance white"),
+         tr("Click on something that is white or grey, let it be found, or take the colours of another "
+            "photo")},
+        {PhotoTask::Lens, tr("Lens"), Qt::Key_L,
+         tr("Straighten what the lens bends, by lines along what is straight"),
+         tr("Click three places or more along what should be straight, Enter or a double click ends a line; "
+            "two "
+            "lines or more, near the border")},
+        {PhotoTask::Crop, tr("Crop"), Qt::Key_C, tr("Frame the part that is kept"),
+         tr("Drag a frame, or a corner of the one there is; what lies outside is left out")}};
 }
 
-QHBoxLayout* pageRow(QWidget* page) {
-    auto* row = new QHBoxLayout(page);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    return row;
-}
-
-QLabel* quietLabel(const QString& text, QWidget* buddy, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("quiet", true);
-    label->setBuddy(buddy);
-    return label;
+PhotoTool toolFor(PhotoTask task) {
+    switch (task) {
+    case PhotoTask::Field:
+        return PhotoTool::Field;
+    case PhotoTask::LeaveOut:
+        return PhotoTool::LeaveOut;
+    case PhotoTask::TakeBack:
+        return PhotoTool::TakeBack;
+    case PhotoTask::Outline:
+        return PhotoTool::Outline;
+    case PhotoTask::Box:
+        return PhotoTool::Box;
+    case PhotoTask::Lens:
+        return PhotoTool::Straighten;
+    case PhotoTask::Crop:
+        return PhotoTool::Crop;
+    case PhotoTask::Region:
+    case PhotoTask::Highlights:
+    case PhotoTask::White:
+        break;
+    }
+    return PhotoTool::Pick;
 }
 
 } // namespace
 
 PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* parent)
     : QDialog(parent), m_edits(edits), m_canvas(new PhotoCanvas(this)), m_pages(new QStackedWidget(this)),
-      m_tools(new QButtonGroup(this)), m_radius(new NumberField(radiusFormat(), this)),
-      m_softness(new NumberField(shareFormat(), this)), m_lensPage(new LensPage(edits, *m_canvas, this)),
-      m_whole(new QPushButton(tr("Whole photo"), this)), m_hint(new QLabel(this)) {
+      m_tasks(new QButtonGroup(this)), m_fieldPage(new FieldPage(edits, *m_canvas, this)),
+      m_brushPage(new BrushPage(*m_canvas, this)), m_outlinePage(new OutlinePage(edits, this)),
+      m_regionPage(new RegionPage(edits, this)), m_highlightPage(new HighlightPage(edits, *m_canvas, this)),
+      m_whitePage(new WhitePage(document, edits, this)), m_lensPage(new LensPage(edits, *m_canvas, this)),
+      m_whole(new QPushButton(tr("Whole photo"), this)), m_cropPage(cropPage()), m_hint(new QLabel(this)) {
     setObjectName(QStringLiteral("photoDialog"));
     setWindowFlag(Qt::WindowContextHelpButtonHint, false);
     resize(960, 680);
-    for (QWidget* page : {brushPage(), static_cast<QWidget*>(m_lensPage), cropPage()})
-        m_pages->addWidget(page);
-    m_pages->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    addPages();
     auto* column = new QVBoxLayout(this);
-    column->addLayout(toolRow());
+    column->addLayout(taskRow());
     column->addWidget(m_pages);
     column->addWidget(m_canvas, 1);
     column->addLayout(closeRow(document));
-
-    connect(m_canvas, &PhotoCanvas::strokeDrawn, this, [this](const PhotoStroke& stroke) {
-        m_edits.edit(stroke.takesBack ? tr("Take back part of photo") : tr("Leave out part of photo"),
-                     [=](PreparationWish& wish) { wish.preparation.strokes.push_back(stroke); });
-    });
-    connect(m_canvas, &PhotoCanvas::cropDrawn, this, &PhotoDialog::setCrop);
-    connect(m_canvas, &PhotoCanvas::frameFinished, &m_edits, &PreparationEdits::finishGesture);
-    connect(m_canvas, &PhotoCanvas::frameDropped, this, [this](const std::optional<PhotoCrop>& before) {
-        setCrop(before);
-        m_edits.finishGesture();
-    });
-    connect(m_canvas, &PhotoCanvas::linesChanged, this, [this] { showHint(); });
+    connectCanvas();
     connect(m_lensPage, &LensPage::failed, this, &PhotoDialog::showHint);
     connect(&edits, &PreparationEdits::changed, this, &PhotoDialog::showPhoto);
-    chooseTool(PhotoTool::LeaveOut);
+    choose(PhotoTask::LeaveOut);
     showPhoto();
     m_canvas->setFocus();
 }
 
-QHBoxLayout* PhotoDialog::toolRow() {
+void PhotoDialog::addPages() {
+    for (QWidget* page :
+         std::initializer_list<QWidget*>{m_fieldPage, m_brushPage, m_outlinePage, m_regionPage,
+                                         m_highlightPage, m_whitePage, m_lensPage, m_cropPage})
+        m_pages->addWidget(page);
+    m_pages->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+void PhotoDialog::connectCanvas() {
+    connect(m_canvas, &PhotoCanvas::strokeDrawn, this, [this](const PhotoStroke& stroke) {
+        m_edits.edit(stroke.takesBack ? tr("Take back part of photo") : tr("Leave out part of photo"),
+                     [=](PreparationWish& wish) { wish.preparation.strokes.push_back(stroke); });
+    });
+    connect(m_canvas, &PhotoCanvas::placePicked, this, [this](const Eigen::Vector2d& place) {
+        if (m_task == PhotoTask::Region) m_regionPage->grow(place);
+        if (m_task == PhotoTask::White) m_whitePage->pick(place);
+    });
+    connect(m_canvas, &PhotoCanvas::cropDrawn, this, &PhotoDialog::setCrop);
+    connect(m_canvas, &PhotoCanvas::shapeFinished, &m_edits, &PreparationEdits::finishGesture);
+    connect(m_canvas, &PhotoCanvas::cropDropped, this, [this](const std::optional<PhotoCrop>& before) {
+        setCrop(before);
+        m_edits.finishGesture();
+    });
+    connect(m_canvas, &PhotoCanvas::linesChanged, this, [this] { showHint(); });
+}
+
+QHBoxLayout* PhotoDialog::taskRow() {
     auto* row = new QHBoxLayout;
-    row->setSpacing(6);
-    const auto add = [&](PhotoTool tool, const QString& text, const QKeySequence& key, const QString& does) {
-        auto* button = new QPushButton(text, this);
+    row->setSpacing(2);
+    for (const TaskWords& words : taskWords()) {
+        auto* button = new QPushButton(words.name, this);
+        const QKeySequence key(words.key);
         button->setCheckable(true);
         button->setAutoDefault(false);
         button->setObjectName(QStringLiteral("quietButton"));
-        button->setToolTip(tr("%1 (%2)").arg(does, key.toString(QKeySequence::NativeText)));
-        m_tools->addButton(button, static_cast<int>(tool));
+        button->setToolTip(tr("%1 (%2)").arg(words.does, key.toString(QKeySequence::NativeText)));
+        m_tasks->addButton(button, static_cast<int>(words.task));
         row->addWidget(button);
-        connect(button, &QPushButton::clicked, this, [this, tool] { chooseTool(tool); });
+        connect(button, &QPushButton::clicked, this, [this, task = words.task] { choose(task); });
         connect(new QShortcut(key, this), &QShortcut::activated, button, &QPushButton::click);
-    };
-    add(PhotoTool::LeaveOut, tr("Leave out"), Qt::Key_B, tr("Brush over text, overlays and instruments"));
-    add(PhotoTool::TakeBack, tr("Take back"), Qt::Key_E, tr("Brush over what was left out to show it again"));
-    add(PhotoTool::Straighten, tr("Straighten"), Qt::Key_L, tr("Draw along what should be straight"));
-    add(PhotoTool::Crop, tr("Crop"), Qt::Key_C, tr("Frame the part that is kept"));
+    }
     row->addStretch();
     return row;
-}
-
-QWidget* PhotoDialog::brushPage() {
-    auto* page = new QWidget(this);
-    QHBoxLayout* row = pageRow(page);
-    m_radius->setObjectName(QStringLiteral("photoBrushRadius"));
-    m_radius->setToolTip(tr("Of the brush, in pixels of the photo; [ and ] make it smaller and larger"));
-    m_softness->setToolTip(tr("Share of the radius over which the brush fades"));
-    m_radius->setValue(20);
-    m_softness->setValue(0.3);
-    row->addWidget(quietLabel(tr("&Radius"), m_radius, page));
-    row->addWidget(m_radius);
-    row->addWidget(quietLabel(tr("So&ftness"), m_softness, page));
-    row->addWidget(m_softness);
-    row->addStretch();
-    for (NumberField* field : {m_radius, m_softness})
-        connect(field, &NumberField::valueEdited, this, [this] { changeBrush(1); });
-    for (const auto& [key, factor] : {std::pair(Qt::Key_BracketLeft, 0.8), {Qt::Key_BracketRight, 1.25}})
-        connect(new QShortcut(key, this), &QShortcut::activated, this,
-                [this, factor = factor] { changeBrush(factor); });
-    return page;
 }
 
 QWidget* PhotoDialog::cropPage() {
@@ -172,20 +204,36 @@ QHBoxLayout* PhotoDialog::closeRow(Document& document) {
     return row;
 }
 
-void PhotoDialog::chooseTool(PhotoTool tool) {
-    m_tools->button(static_cast<int>(tool))->setChecked(true);
-    m_canvas->setTool(tool);
-    m_pages->setCurrentIndex(tool == PhotoTool::Crop ? 2 : tool == PhotoTool::Straighten ? 1 : 0);
-    changeBrush(1);
+void PhotoDialog::choose(PhotoTask task) {
+    m_task = task;
+    m_tasks->button(static_cast<int>(task))->setChecked(true);
+    m_canvas->setTool(toolFor(task));
+    const auto page = [&]() -> QWidget* {
+        switch (task) {
+        case PhotoTask::Field:
+            return m_fieldPage;
+        case PhotoTask::LeaveOut:
+        case PhotoTask::TakeBack:
+            return m_brushPage;
+        case PhotoTask::Outline:
+        case PhotoTask::Box:
+            return m_outlinePage;
+        case PhotoTask::Region:
+            return m_regionPage;
+        case PhotoTask::Highlights:
+            return m_highlightPage;
+        case PhotoTask::White:
+            return m_whitePage;
+        case PhotoTask::Lens:
+            return m_lensPage;
+        case PhotoTask::Crop:
+            return m_cropPage;
+        }
+        return nullptr;
+    };
+    m_pages->setCurrentWidget(page());
     showPhoto();
-    showHint(); // what the tool does, whatever was told before
-}
-
-void PhotoDialog::changeBrush(double factor) {
-    const NumberFormat& format = m_radius->format();
-    const double radius = std::clamp(std::round(*m_radius->value() * factor), format.minimum, format.maximum);
-    if (factor != 1) m_radius->setValue(radius);
-    m_canvas->setBrush(radius, *m_softness->value());
+    showHint(); // what the task does, whatever was told before
 }
 
 void PhotoDialog::showPhoto() {
@@ -199,6 +247,9 @@ void PhotoDialog::showPhoto() {
     const PhotoPreparation wanted = m_edits.wanted().preparation;
     m_canvas->setStrokes(wanted.strokes);
     m_canvas->setCrop(wanted.crop);
+    m_fieldPage->showField();
+    m_highlightPage->showHighlights();
+    m_whitePage->showBalance();
     const Image& photo = layer->photo->image;
     const PhotoCrop crop = wanted.crop.value_or(PhotoCrop{0, 0, photo.width, photo.height});
     for (const auto& [part, field] : m_cropFields)
@@ -210,14 +261,12 @@ void PhotoDialog::showPhoto() {
 
 /// The photo as it was taken; for the crop, which lies on what comes out, the straightened one.
 void PhotoDialog::showPicture(const TextureLayer& layer) {
-    const bool isStraight = m_canvas->tool() == PhotoTool::Crop && layer.preparation.lens && layer.prepared;
+    const bool isStraight = m_task == PhotoTask::Crop && layer.preparation.lens && layer.prepared;
     const std::shared_ptr<const Image> prepared = isStraight ? layer.prepared : nullptr;
     if (m_photo == layer.photo && m_prepared == prepared) return;
     if (m_photo != layer.photo) {
         m_canvas->clearLines();
-        const Image& photo = layer.photo->image;
-        m_radius->setValue(std::max(3.0, std::round(std::max(photo.width, photo.height) / 60.0)));
-        changeBrush(1);
+        m_brushPage->fitTo(layer.photo->image);
     }
     m_photo = layer.photo;
     m_prepared = prepared;
@@ -228,14 +277,9 @@ void PhotoDialog::showPicture(const TextureLayer& layer) {
 
 void PhotoDialog::showHint(const QString& problem) {
     m_lensPage->showLines();
-    QString hint = tr("Paint over what shall not lie on the organ · wheel magnifies, middle button moves");
-    if (m_canvas->tool() == PhotoTool::TakeBack) hint = tr("Paint over what was left out to show it again");
-    if (m_canvas->tool() == PhotoTool::Crop)
-        hint = tr("Drag a frame, or a corner of the one there is; what lies outside is left out");
-    if (m_canvas->tool() == PhotoTool::Straighten)
-        hint = tr(
-            "Click three places or more along what should be straight, Enter or a double click ends a line; "
-            "two lines or more, near the border");
+    QString hint;
+    for (const TaskWords& words : taskWords())
+        if (words.task == m_task) hint = words.hint;
     m_hint->setText(problem.isEmpty() ? hint : problem);
     m_hint->setProperty("quiet", problem.isEmpty());
     m_hint->setProperty("warning", !problem.isEmpty());

@@ -1,7 +1,11 @@
 #pragma once
 
 #include "app/editor/edits/preparation_edits.h"
+#include "app/editor/panels/texture/field_page.h"
+#include "app/editor/panels/texture/highlight_page.h"
 #include "app/editor/panels/texture/lens_page.h"
+#include "app/editor/panels/texture/mask_pages.h"
+#include "app/editor/panels/texture/white_page.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/texture/photo_canvas.h"
 
@@ -14,8 +18,12 @@
 
 namespace esm {
 
-/// The selected photo in a window of its own: text and overlays are brushed out, lines drawn along what
-/// should be straight, and a frame cut out. Every change is an edit of the document at once.
+/// What is done to a photo in its own window.
+enum class PhotoTask { Field, LeaveOut, TakeBack, Outline, Box, Region, Highlights, White, Lens, Crop };
+
+/// The selected photo in a window of its own: its field is set, what is no tissue masked, highlights and
+/// white chosen, lines drawn along what should be straight, and a frame cut out. Every change is an edit of
+/// the document at once.
 class PhotoDialog : public QDialog {
     Q_OBJECT
 
@@ -23,12 +31,12 @@ public:
     PhotoDialog(Document& document, PreparationEdits& edits, QWidget* parent = nullptr);
 
 private:
-    QHBoxLayout* toolRow();
-    QWidget* brushPage();
+    void addPages();
+    void connectCanvas();
+    QHBoxLayout* taskRow();
     QWidget* cropPage();
     QHBoxLayout* closeRow(Document& document);
-    void chooseTool(PhotoTool tool);
-    void changeBrush(double factor);
+    void choose(PhotoTask task);
     void showPhoto();
     void showPicture(const TextureLayer& layer);
     void showHint(const QString& problem = {});
@@ -38,12 +46,19 @@ private:
     PreparationEdits& m_edits;
     PhotoCanvas* m_canvas;
     QStackedWidget* m_pages;
-    QButtonGroup* m_tools;
-    NumberField *m_radius, *m_softness;
+    QButtonGroup* m_tasks;
+    FieldPage* m_fieldPage;
+    BrushPage* m_brushPage;
+    OutlinePage* m_outlinePage;
+    RegionPage* m_regionPage;
+    HighlightPage* m_highlightPage;
+    WhitePage* m_whitePage;
     LensPage* m_lensPage;
     QPushButton* m_whole;
-    QLabel* m_hint;
     std::vector<std::pair<int PhotoCrop::*, NumberField*>> m_cropFields;
+    QWidget* m_cropPage;
+    QLabel* m_hint;
+    PhotoTask m_task = PhotoTask::LeaveOut;
     std::shared_ptr<const Photo> m_photo;    ///< that is shown
     std::shared_ptr<const Image> m_prepared; ///< that is shown for the crop; null for the photo itself
 };

@@ -95,8 +95,10 @@ void PhotoPanel::showUse(const TextureLayer* layer) {
            tr("normal hides what lies beneath, multiply darkens it, seamless lets colours pass gradually "
               "into it"),
            why);
-    enable(m_blend, hasPhoto, tr("Photo pixels over which the photo fades in from its border, and from outlines beyond "
-                               "which it does not see the surface"), noPhoto);
+    enable(m_blend, hasPhoto,
+           tr("Photo pixels over which the photo fades in from its border, and from outlines beyond "
+              "which it does not see the surface"),
+           noPhoto);
 }
 
 void PhotoPanel::setOpacity(double opacity) {

@@ -57,7 +57,14 @@ QString lensText(const Lens& lens, const Image& photo) {
 }
 
 QString strokesText(std::size_t strokes) {
-    return strokes == 1 ? PreparationPanel::tr("1 stroke") : PreparationPanel::tr("%1 strokes").arg(strokes);
+    return strokes == 1 ? PreparationPanel::tr("1 part") : PreparationPanel::tr("%1 parts").arg(strokes);
+}
+
+QString fieldText(const PhotoField& field) {
+    const QString shape = field.shape == FieldShape::Polygon ? PreparationPanel::tr("polygon")
+                          : field.isCircle()                 ? PreparationPanel::tr("circle")
+                                                             : PreparationPanel::tr("ellipse");
+    return PreparationPanel::tr("%1, %2 % trimmed").arg(shape).arg(field.trim, 0, 'g', 3);
 }
 
 } // namespace
@@ -67,12 +74,12 @@ PreparationPanel::PreparationPanel(PreparationEdits& edits, QWidget* parent)
       m_before(pictureLabel(QStringLiteral("photoBefore"), this)),
       m_after(pictureLabel(QStringLiteral("photoAfter"), this)), m_warning(new QLabel(this)),
       m_steps(new QGridLayout), m_evenLightField(new NumberField(strengthFormat(), this)),
-      m_field(addStep(tr("Roun&d field"), "roundField")), m_strokes(addStep(tr("Brushed out"), "brushedOut")),
+      m_field(addStep(tr("Fiel&d"), "roundField")), m_strokes(addStep(tr("Left out"), "brushedOut")),
       m_highlights(addStep(tr("Hi&ghlights"), "highlights")),
       m_evenLight(addStep(tr("Even light"), "evenLight", m_evenLightField)),
       m_whiteBalance(addStep(tr("&White balance"), "whiteBalance")),
       m_match(addStep(tr("Match colour beneath"), "matchColour")), m_lens(addStep(tr("Lens"), "lens")),
-      m_crop(addStep(tr("Crop"), "crop")), m_large(new QPushButton(tr("Brush, straighten, crop…"), this)) {
+      m_crop(addStep(tr("Crop"), "crop")), m_large(new QPushButton(tr("Show large…"), this)) {
     layOut();
     connectControls();
     connect(&edits, &PreparationEdits::changed, this, &PreparationPanel::show);
@@ -166,7 +173,7 @@ void PreparationPanel::connectControls() {
             wish.find.match = on;
         });
     });
-    connectKept(m_strokes, &PhotoPreparation::strokes, tr("Use brush mask"));
+    connectKept(m_strokes, &PhotoPreparation::strokes, tr("Use mask"));
     connectKept(m_lens, &PhotoPreparation::lens, tr("Straighten photo"));
     connectKept(m_crop, &PhotoPreparation::crop, tr("Crop photo"));
     connect(m_large, &QPushButton::clicked, this, &PreparationPanel::largeViewAsked);
@@ -239,15 +246,15 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
 
     showWords(m_field, wanted.field || wish.find.field,
               wish.find.field ? tr("looking…")
-              : wanted.field  ? tr("found, %1 % trimmed").arg(wanted.field->trim, 0, 'g', 3)
-              : missing.field ? tr("not found: no dark border")
+              : wanted.field  ? fieldText(*wanted.field)
+              : missing.field ? tr("not found: draw it in the large view")
                               : QString());
     showWords(m_highlights, wanted.fillsHighlights(), highlightWords(wanted));
     showWords(m_evenLight, wanted.evenLight > 0, {});
     showWords(m_whiteBalance, wanted.whiteBalance || wish.find.whiteBalance,
               wish.find.whiteBalance ? tr("looking…")
               : wanted.whiteBalance  ? gainsText(*wanted.whiteBalance)
-              : missing.whiteBalance ? tr("not found: nothing is surely white")
+              : missing.whiteBalance ? tr("unsure: pick a spot in the large view")
                                      : QString());
     showWords(m_match, wanted.match || wish.find.match,
               wish.find.match ? tr("comparing…")
@@ -261,7 +268,10 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
     showWords(m_crop, wanted.crop.has_value(),
               wanted.crop ? tr("%1 × %2 px").arg(wanted.crop->width).arg(wanted.crop->height) : QString());
     m_evenLightField->setValue(layer ? std::optional(wanted.evenLight) : std::nullopt);
+    enableSteps(layer);
+}
 
+void PreparationPanel::enableSteps(const TextureLayer* layer) {
     const QString none = tr("No photo is selected");
     const QString first = layer ? tr("Open the large view first, by the button below") : none;
     enable(m_field.box, layer,
@@ -275,11 +285,14 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
            tr("Give the photo the mean colour and contrast of what lies beneath it now; tick anew when that "
               "changes"),
            none);
-    enable(m_strokes.box, layer && !m_last.strokes.empty(), tr("Leave out what the brush painted over"),
+    enable(m_strokes.box, layer && !m_last.strokes.empty(), tr("Leave out what was painted over or outlined"),
            first);
     enable(m_lens.box, layer && m_last.lens, tr("Straighten what the lens bends"), first);
     enable(m_crop.box, layer && m_last.crop, tr("Keep only a part of the photo"), first);
-    enable(m_large, layer, tr("Show the photo large: brush out text and overlays, straighten lines, crop"),
+    enable(m_large, layer,
+           tr("Show the photo large: set its field, leave out text and instruments, choose highlights and "
+              "white, "
+              "straighten, crop"),
            none);
 }
 

@@ -41,6 +41,7 @@ private:
     void showFailure();
     void showPictures(const TextureLayer* layer);
     void showSteps(const TextureLayer* layer);
+    void enableSteps(const TextureLayer* layer);
     void showWords(Step& step, bool on, const QString& words);
     QString highlightWords(const PhotoPreparation& wanted) const;
 

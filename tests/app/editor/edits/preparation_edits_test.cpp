@@ -67,7 +67,7 @@ TEST(PreparationEdits, ComeWithTheirPictureAsOneStep) {
     EXPECT_FALSE(editing.layer().preparation.field) << "the window does not wait for it";
     ESM_EVENTUALLY(!editing.edits.isWorking());
     ASSERT_TRUE(editing.layer().preparation.field);
-    EXPECT_NEAR(editing.layer().preparation.field->radius, 60, 1);
+    EXPECT_NEAR(editing.layer().preparation.field->radii.x(), 60, 1);
     ASSERT_TRUE(editing.layer().prepared);
     EXPECT_EQ(editing.layer().prepared->at(0, 0)[3], 0);
     ASSERT_NE(editing.edits.shown(), nullptr);
@@ -108,7 +108,7 @@ TEST(PreparationEdits, ThatAreAskedForAtOnceAllHappenInOrder) {
     EXPECT_TRUE(editing.layer(0).preparation.field);
     EXPECT_EQ(editing.layer(0).preparation.evenLight, 0.5);
     ASSERT_TRUE(editing.layer(1).preparation.field);
-    EXPECT_NEAR(editing.layer(1).preparation.field->radius, 50, 1);
+    EXPECT_NEAR(editing.layer(1).preparation.field->radii.x(), 50, 1);
     EXPECT_EQ(editing.layer(1).preparation.evenLight, 0);
 }
 
@@ -168,7 +168,7 @@ TEST_F(PreparationPanelTest, AClickPreparesThePhotoAndSaysWhatWasFound) {
     ESM_EVENTUALLY(field->isVisible() && field->isEnabled());
     const int height = settledHeight(field->parentWidget());
     field->click();
-    ESM_EVENTUALLY(child<QLabel>("roundFieldWords")->text() == "found, 2 % trimmed");
+    ESM_EVENTUALLY(child<QLabel>("roundFieldWords")->text() == "circle, 2 % trimmed");
     EXPECT_TRUE(field->isChecked());
     child<QCheckBox>("evenLight")->click();
     ESM_EVENTUALLY(project().layers[0].preparation.evenLight == 0.7);

@@ -2,10 +2,14 @@
 
 #include "core/exchange/project/preparation_json.h"
 #include "core/samples/samples.h"
+#include "core/texture/photo/highlights.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 
 using namespace esm;
 
@@ -67,7 +71,9 @@ protected:
 } // namespace
 
 TEST_F(PhotoDialogTest, LeavesOutWhatIsBrushedOverAndTakesItBack) {
-    dialog->findChild<NumberField*>("photoBrushRadius")->setValue(15);
+    auto* radius = dialog->findChild<NumberField*>("photoBrushRadius");
+    radius->setValue(15);
+    emit radius->valueEdited(15);
     choose(Qt::Key_B);
     drag(100, 100, 300, 100);
     ESM_EVENTUALLY(!edits.isWorking());
@@ -192,4 +198,155 @@ TEST_F(PhotoDialogTest, SaysWhyAPhotoIsNotPrepared) {
 TEST_F(PhotoDialogTest, ClosesWithItsPhoto) {
     document.edit("Remove", [](Project& project) { project.layers.clear(); });
     EXPECT_FALSE(dialog->isVisible());
+}
+
+TEST_F(PhotoDialogTest, LeavesOutWhatIsOutlinedAndTakesItBackWithCtrl) {
+    choose(Qt::Key_X);
+    drag(50, 50, 150, 120);
+    ESM_EVENTUALLY(!edits.isWorking());
+    ASSERT_EQ(layer().preparation.strokes.size(), 1U);
+    EXPECT_TRUE(layer().preparation.strokes[0].isFilled);
+    EXPECT_EQ(layer().prepared->at(100, 85)[3], 0);
+    EXPECT_EQ(layer().prepared->at(160, 85)[3], 255);
+    choose(Qt::Key_O);
+    QTest::mousePress(canvas, Qt::LeftButton, Qt::ControlModifier, placeOf(80, 70));
+    for (const auto& [x, y] : {std::pair{120, 70}, std::pair{120, 100}, std::pair{80, 100}}) {
+        QMouseEvent move(QEvent::MouseMove, placeOf(x, y), Qt::NoButton, Qt::LeftButton, Qt::ControlModifier);
+        QApplication::sendEvent(canvas, &move);
+    }
+    QTest::mouseRelease(canvas, Qt::LeftButton, Qt::ControlModifier, placeOf(80, 100));
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_EQ(layer().prepared->at(100, 85)[3], 255);
+    EXPECT_EQ(layer().prepared->at(60, 60)[3], 0);
+}
+
+TEST_F(PhotoDialogTest, AClickOrALineOutlinesNothing) {
+    for (const Qt::Key key : {Qt::Key_X, Qt::Key_O}) {
+        choose(key);
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, placeOf(50, 50));
+        drag(50, 50, 150, 50);
+    }
+    EXPECT_FALSE(edits.isWorking());
+    EXPECT_EQ(document.undoStack()->count(), 0);
+}
+
+TEST_F(PhotoDialogTest, DrawsAFieldAndMendsItByItsHandles) {
+    choose(Qt::Key_F);
+    drag(200, 160, 300, 160);
+    ESM_EVENTUALLY(!edits.isWorking());
+    ASSERT_TRUE(layer().preparation.field);
+    EXPECT_TRUE(layer().preparation.field->isCircle());
+    EXPECT_NEAR(layer().preparation.field->radii.x(), 100, 2);
+    EXPECT_EQ(document.undoStack()->count(), 1) << "one drag, one step";
+    drag(300, 160, 320, 160); // the radius
+    drag(200, 160, 190, 150); // the middle
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_NEAR(layer().preparation.field->radii.x(), 120, 2);
+    EXPECT_NEAR(layer().preparation.field->centre.y(), 150, 2);
+    EXPECT_EQ(layer().prepared->at(190, 150)[3], 255);
+    EXPECT_EQ(layer().prepared->at(5, 5)[3], 0);
+    QTest::keyClick(dialog.get(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_NEAR(layer().preparation.field->centre.y(), 160, 2);
+}
+
+TEST_F(PhotoDialogTest, AFieldHasTheShapeThatIsChosen) {
+    const auto shape = [this](const char* name) {
+        for (auto* button : dialog->findChildren<QPushButton*>())
+            if (button->text().remove('&') == name) button->click();
+        ESM_EVENTUALLY(!edits.isWorking());
+    };
+    choose(Qt::Key_F);
+    drag(200, 160, 260, 160);
+    shape("Ellipse");
+    drag(200, 220, 200, 190); // the second radius alone
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_NEAR(layer().preparation.field->radii.x(), 60, 2);
+    EXPECT_NEAR(layer().preparation.field->radii.y(), 30, 2);
+    shape("Polygon");
+    ASSERT_EQ(layer().preparation.field->shape, FieldShape::Polygon);
+    EXPECT_EQ(layer().preparation.field->corners.size(), 12U);
+    drag(260, 160, 300, 160); // its first corner
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_NEAR(layer().preparation.field->corners[0].x(), 300, 2);
+    QTest::keyClick(canvas, Qt::Key_Backspace);
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_EQ(layer().preparation.field->corners.size(), 11U);
+    shape("No field");
+    EXPECT_FALSE(layer().preparation.field);
+}
+
+TEST_F(PhotoDialogTest, EscapePutsTheFieldBackThatWasDragged) {
+    choose(Qt::Key_F);
+    drag(200, 160, 300, 160);
+    ESM_EVENTUALLY(!edits.isWorking());
+    const PhotoField before = *layer().preparation.field;
+    QTest::mousePress(canvas, Qt::LeftButton, {}, placeOf(200, 160));
+    QMouseEvent move(QEvent::MouseMove, placeOf(240, 160), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(canvas, &move);
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_NE(*layer().preparation.field, before);
+    QTest::keyClick(canvas, Qt::Key_Escape);
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_EQ(*layer().preparation.field, before);
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, placeOf(240, 160));
+}
+
+TEST_F(PhotoDialogTest, LeavesOutTheRegionThatIsClicked) {
+    document.edit("Paint", [](Project& project) {
+        auto photo = std::make_shared<Photo>(*project.layers[0].photo);
+        for (int y = 100; y < 200; ++y)
+            for (int x = 100; x < 200; ++x)
+                photo->image.at(x, y)[0] = 90;
+        project.layers[0].photo = photo;
+    });
+    choose(Qt::Key_R);
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, placeOf(150, 150));
+    ESM_EVENTUALLY(!edits.isWorking() && layer().prepared);
+    EXPECT_EQ(layer().prepared->at(150, 150)[3], 0);
+    EXPECT_EQ(layer().prepared->at(50, 50)[3], 255);
+}
+
+TEST_F(PhotoDialogTest, FillsHighlightsAsTheSliderSaysOnceItIsLetGo) {
+    choose(Qt::Key_H);
+    auto* slider = dialog->findChild<ValueSlider*>("highlightSensitivity");
+    ASSERT_TRUE(slider->isVisible());
+    dialog->findChild<QCheckBox*>("fillHighlights")->click();
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_EQ(layer().preparation.highlightSensitivity, usualSensitivity);
+    slider->setValue(80);
+    EXPECT_EQ(layer().preparation.highlightSensitivity, usualSensitivity) << "only marked so far";
+    emit slider->gestureFinished();
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_EQ(layer().preparation.highlightSensitivity, 0.8);
+    EXPECT_EQ(document.undoStack()->count(), 2);
+}
+
+TEST_F(PhotoDialogTest, BalancesWhiteByASpotAndByAnotherPhoto) {
+    document.edit("Warm", [](Project& project) {
+        auto photo = std::make_shared<Photo>(*project.layers[0].photo);
+        for (std::size_t i = 0; i < photo->image.pixels.size(); i += 4) {
+            photo->image.pixels[i] = 180;
+            photo->image.pixels[i + 1] = 120;
+            photo->image.pixels[i + 2] = 100;
+        }
+        TextureLayer other = project.layers[0];
+        project.layers[0].photo = photo;
+        auto redder = std::make_shared<Photo>(*photo);
+        for (std::size_t i = 0; i < redder->image.pixels.size(); i += 4)
+            redder->image.pixels[i] = 200;
+        other.photo = redder;
+        other.name = "other";
+        other.id = {};
+        project.layers.push_back(other);
+    });
+    selection.setPhoto(document.project().layers[0].id);
+    choose(Qt::Key_W);
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, placeOf(150, 150));
+    ESM_EVENTUALLY(!edits.isWorking());
+    ASSERT_TRUE(layer().preparation.whiteBalance);
+    EXPECT_NEAR((*layer().preparation.whiteBalance)[0], 120.0 / 180, 0.01);
+    ASSERT_EQ(dialog->findChild<QComboBox*>("whiteOthers")->currentText(), "other");
+    dialog->findChild<QPushButton*>("whiteLike")->click();
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_NEAR((*layer().preparation.whiteBalance)[0], 200.0 / 180, 0.03);
 }

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/editor/workers/latest_worker.h"
+#include "core/texture/photo/photo.h"
+#include "core/texture/photo/photo_preparation.h"
+
+#include <QImage>
+#include <QObject>
+
+#include <memory>
+
+namespace esm {
+
+/// Shows what a preparation would fill as highlights, on a thread of its own: the mask follows a slider.
+class HighlightFinder : public QObject {
+    Q_OBJECT
+
+public:
+    explicit HighlightFinder(QObject* parent = nullptr);
+
+    /// @param preparation whose field, strokes and highlights count
+    void find(std::shared_ptr<const Photo> photo, const PhotoPreparation& preparation);
+    /// Of the photo's size, transparent where nothing is filled; null while nothing was found yet.
+    QImage mask() const { return m_worker.outcome().answer; }
+
+signals:
+    void found();
+
+private:
+    struct Question {
+        std::shared_ptr<const Photo> photo;
+        PhotoPreparation preparation;
+    };
+
+    LatestWorker<Question, QImage> m_worker;
+};
+
+} // namespace esm
