@@ -93,20 +93,20 @@ void expectSoftEdges(const TriangleMesh& mesh) {
 
 } // namespace
 
-TEST(SoftEdges, LeaveNoStepPastAFold) {
+TEST(OutlineFeather, LeaveNoStepPastAFold) {
     expectSoftEdges(foldedSheet(60, 30));
 }
 
-TEST(SoftEdges, LeaveNoStepPastAFoldOfLargeTriangles) {
+TEST(OutlineFeather, LeaveNoStepPastAFoldOfLargeTriangles) {
     expectSoftEdges(foldedSheet(24, 12));
 }
 
-TEST(SoftEdges, LeaveNoStepAllAroundABody) {
+TEST(OutlineFeather, LeaveNoStepAllAroundABody) {
     expectSoftEdges(lumpySurface(40, 60));
 }
 
 /// The brush is wide beside the triangles and is led around a bend of the surface.
-TEST(SoftEdges, LeaveNoStepInAStrokeOverLargeTriangles) {
+TEST(OutlineFeather, LeaveNoStepInAStrokeOverLargeTriangles) {
     const TriangleMesh mesh = lumpySurface(12, 16);
     const std::vector<Eigen::Vector3d> normals = vertexNormals(mesh.vertices, mesh.triangles);
     TextureLayer layer;
