@@ -1,6 +1,7 @@
 #include "tests/support/made_photo.h"
 
 #include "tests/support/made_field.h"
+#include "tests/support/made_pale.h"
 #include "tests/support/made_tissue.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -18,7 +19,7 @@ namespace {
 /// All that a picture is made of before the camera sees it.
 struct Parts {
     MadeField field;
-    cv::Mat tissue, shine;
+    cv::Mat tissue, shine, pale;
     ColourGains cast;
     double cornerLevel = 0; ///< of 1
     double blur = 0;        ///< pixels
@@ -95,7 +96,12 @@ Parts partsOf(int index, std::uint64_t seed) {
     parts.field = madeField(kind, variant, random);
     const cv::Size size = parts.field.frame;
     parts.tissue = madeTissue(size, kind + variant, random);
+    cv::RNG ofPale(seed * 1000003 + static_cast<std::uint64_t>(index) * 7919 + 18);
+    const bool hasPale = (kind + variant) % 3 == 0; // a third of each kind
+    parts.pale = hasPale ? addPaleObjects(parts.tissue, ofPale) : cv::Mat::zeros(size, CV_8U);
+    lightUnevenly(parts.tissue, random);
     parts.shine = madeShine(size, random);
+    if (hasPale) addFlecksOn(parts.pale, parts.shine, ofPale);
     parts.cast = castOf(kind + variant, random);
     parts.cornerLevel = variant % 2 == 0 ? 0 : random.uniform(5.0, 20.0) / 255;
     parts.blur = random.uniform(0.3, 1.1);
@@ -166,6 +172,7 @@ MadePhoto madePhoto(int index, std::uint64_t seed) {
     photo.cast = parts.cast;
     photo.field = parts.field.mask;
     photo.overlays = parts.overlay;
+    photo.pale = parts.pale;
     photo.shine = meanOf(with - without);
     return photo;
 }

@@ -10,10 +10,8 @@ namespace esm {
 
 namespace {
 
-using Colour = cv::Vec3f; ///< red, green, blue, 0 to 1
-
 struct Palette {
-    Colour dark, pale;
+    TissueColour dark, pale;
 };
 
 const std::array<Palette, 5> palettes{{{{0.62F, 0.30F, 0.27F}, {0.84F, 0.52F, 0.46F}},
@@ -21,31 +19,6 @@ const std::array<Palette, 5> palettes{{{{0.62F, 0.30F, 0.27F}, {0.84F, 0.52F, 0.
                                        {{0.74F, 0.44F, 0.30F}, {0.90F, 0.62F, 0.45F}},
                                        {{0.80F, 0.55F, 0.52F}, {0.94F, 0.77F, 0.72F}},
                                        {{0.58F, 0.32F, 0.34F}, {0.82F, 0.55F, 0.56F}}}};
-
-cv::Mat smoothStep(const cv::Mat& values, double from, double to) {
-    cv::Mat t = (values - from) / (to - from);
-    t = cv::min(cv::max(t, 0.0), 1.0);
-    return t.mul(t).mul(3 - 2 * t);
-}
-
-cv::Mat inThree(const cv::Mat& one) {
-    cv::Mat three;
-    cv::merge(std::array<cv::Mat, 3>{one, one, one}.data(), 3, three);
-    return three;
-}
-
-/// Changes the colours to another one by a share, float 0 to 1.
-void mixIn(cv::Mat& colours, const Colour& other, const cv::Mat& share) {
-    const cv::Mat by = inThree(share);
-    const cv::Mat full(colours.size(), CV_32FC3, cv::Scalar(other[0], other[1], other[2]));
-    colours += by.mul(full - colours);
-}
-
-/// Vessels are where layered noise passes its middle: lines that wind, join and end like them.
-cv::Mat vessels(cv::Size size, double apart, double width, cv::RNG& random) {
-    const cv::Mat noise = layeredNoise(size, apart, 3, random);
-    return 1 - smoothStep(cv::abs(noise - 0.5), 0.3 * width, width);
-}
 
 /// How bright folds are by their slope, around 1.
 cv::Mat foldShade(cv::Size size, cv::RNG& random) {
@@ -79,7 +52,7 @@ void addLumen(cv::Mat& colours, cv::RNG& random) {
     const cv::Point2d middle(size.width * random.uniform(0.2, 0.8), size.height * random.uniform(0.2, 0.8));
     cv::ellipse(hollow, cv::RotatedRect(middle, cv::Size2d(2 * width, 2 * height), 30), 1, cv::FILLED);
     cv::GaussianBlur(hollow, hollow, {}, 0.25 * width);
-    mixIn(colours, Colour(0.09F, 0.03F, 0.03F), hollow);
+    mixIn(colours, TissueColour(0.09F, 0.03F, 0.03F), hollow);
 }
 
 /// A shaft of neutral metal from the lower rim, brighter along its middle.
@@ -95,25 +68,31 @@ void addInstrument(cv::Mat& colours, cv::RNG& random) {
     }
 }
 
-void addFleck(cv::Mat& shine, cv::Point at, double size, cv::RNG& random) {
-    const double strength = std::pow(random.uniform(0.55, 1.5), 2.2);
-    const double soft = random.uniform(0.04, 0.12) * size + 0.5;
-    const int reach = cvCeil(size + 4 * soft);
-    const cv::Rect part =
-        cv::Rect(at.x - reach, at.y - reach, 2 * reach + 1, 2 * reach + 1) & cv::Rect({}, shine.size());
-    if (part.area() == 0) return;
-    cv::Mat fleck = cv::Mat::zeros(part.size(), CV_32F);
-    const cv::Size2d axes(size, size * random.uniform(0.4, 1.0));
-    cv::ellipse(
-        fleck,
-        cv::RotatedRect(cv::Point2d(at - part.tl()), axes, static_cast<float>(random.uniform(0.0, 180.0))), 1,
-        cv::FILLED);
-    if (size > 8) fleck = fleck.mul(smoothStep(layeredNoise(part.size(), 0.7 * size, 3, random), 0.28, 0.4));
-    cv::GaussianBlur(fleck, fleck, {}, soft);
-    shine(part) = cv::max(shine(part), strength * fleck);
+} // namespace
+
+cv::Mat smoothStep(const cv::Mat& values, double from, double to) {
+    cv::Mat t = (values - from) / (to - from);
+    t = cv::min(cv::max(t, 0.0), 1.0);
+    return t.mul(t).mul(3 - 2 * t);
 }
 
-} // namespace
+cv::Mat inThree(const cv::Mat& one) {
+    cv::Mat three;
+    cv::merge(std::array<cv::Mat, 3>{one, one, one}.data(), 3, three);
+    return three;
+}
+
+void mixIn(cv::Mat& colours, const TissueColour& other, const cv::Mat& share) {
+    const cv::Mat by = inThree(share);
+    const cv::Mat full(colours.size(), CV_32FC3, cv::Scalar(other[0], other[1], other[2]));
+    colours += by.mul(full - colours);
+}
+
+/// Where layered noise passes its middle.
+cv::Mat vessels(cv::Size size, double apart, double width, cv::RNG& random) {
+    const cv::Mat noise = layeredNoise(size, apart, 3, random);
+    return 1 - smoothStep(cv::abs(noise - 0.5), 0.3 * width, width);
+}
 
 cv::Mat layeredNoise(cv::Size size, double featureSize, int layers, cv::RNG& random) {
     cv::Mat sum = cv::Mat::zeros(size, CV_32F);
@@ -145,8 +124,29 @@ cv::Mat madeTissue(cv::Size size, int variant, cv::RNG& random) {
     colours = colours.mul(inThree(foldShade(size, random)));
     if (variant % 2 == 0) addLumen(colours, random);
     if (variant % 4 == 1) addInstrument(colours, random);
-    colours = colours.mul(inThree(unevenLight(size, random)));
     return colours;
+}
+
+void lightUnevenly(cv::Mat& tissue, cv::RNG& random) {
+    tissue = tissue.mul(inThree(unevenLight(tissue.size(), random)));
+}
+
+void addFleck(cv::Mat& shine, cv::Point at, double size, cv::RNG& random) {
+    const double strength = std::pow(random.uniform(0.55, 1.5), 2.2);
+    const double soft = random.uniform(0.04, 0.12) * size + 0.5;
+    const int reach = cvCeil(size + 4 * soft);
+    const cv::Rect part =
+        cv::Rect(at.x - reach, at.y - reach, 2 * reach + 1, 2 * reach + 1) & cv::Rect({}, shine.size());
+    if (part.area() == 0) return;
+    cv::Mat fleck = cv::Mat::zeros(part.size(), CV_32F);
+    const cv::Size2d axes(size, size * random.uniform(0.4, 1.0));
+    cv::ellipse(
+        fleck,
+        cv::RotatedRect(cv::Point2d(at - part.tl()), axes, static_cast<float>(random.uniform(0.0, 180.0))), 1,
+        cv::FILLED);
+    if (size > 8) fleck = fleck.mul(smoothStep(layeredNoise(part.size(), 0.7 * size, 3, random), 0.28, 0.4));
+    cv::GaussianBlur(fleck, fleck, {}, soft);
+    shine(part) = cv::max(shine(part), strength * fleck);
 }
 
 cv::Mat madeShine(cv::Size size, cv::RNG& random) {

@@ -10,6 +10,11 @@ namespace esm {
 
 namespace {
 
+/// How much larger than 960 pixels a photo is: flecks grow with it.
+double scaleOf(const cv::Size& size) {
+    return std::max(1.0, std::max(size.width, size.height) / 960.0);
+}
+
 /// At which size surroundings are looked at, and how much shine is asked for there in relation to the
 /// sensitivity: what is far away tells less of the tissue beneath a fleck.
 struct Surrounding {
@@ -20,22 +25,25 @@ struct Surrounding {
 
 /// Half of a window must show tissue: a fleck of 40 pixels needs one of 80 or so.
 std::vector<Surrounding> surroundingsFor(const cv::Size& size) {
-    const double large = std::max(1.0, std::max(size.width, size.height) / 960.0);
+    const double large = scaleOf(size);
     return {{1 / (2 * large), 11, 1}, {1 / (4 * large), 17, 1.3}, {1 / (8 * large), 19, 2}};
 }
 
 struct Brightness {
-    cv::Mat darkest, brightest, opaque; ///< channel, 8 bit; 255 where the photo has alpha
+    cv::Mat darkest, middle, brightest, opaque; ///< channel, 8 bit; 255 where the photo has alpha
 };
 
 Brightness brightnessOf(const Image& photo) {
     const cv::Size size(photo.width, photo.height);
-    Brightness brightness{cv::Mat(size, CV_8U), cv::Mat(size, CV_8U), cv::Mat(size, CV_8U)};
+    Brightness brightness{cv::Mat(size, CV_8U), cv::Mat(size, CV_8U), cv::Mat(size, CV_8U),
+                          cv::Mat(size, CV_8U)};
     tbb::parallel_for(0, photo.height, [&](int y) {
         for (int x = 0; x < photo.width; ++x) {
             const std::uint8_t* p = photo.at(x, y);
             const auto [least, most] = std::minmax({p[0], p[1], p[2]});
+            const int middle = p[0] + p[1] + p[2] - least - most;
             brightness.darkest.at<std::uint8_t>(y, x) = p[3] > 0 ? least : 0;
+            brightness.middle.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(p[3] > 0 ? middle : 0);
             brightness.brightest.at<std::uint8_t>(y, x) = p[3] > 0 ? most : 0;
             brightness.opaque.at<std::uint8_t>(y, x) = p[3] > 0 ? 255 : 0;
         }
@@ -102,23 +110,83 @@ cv::Mat shineOf(const Brightness& brightness) {
     return shine;
 }
 
-/// Those parts of a mask whose strongest shine is as much as is needed. The larger a part, the more is asked
-/// for: large mirror images are strong, and large faint ones nearly always pale tissue.
+cv::Mat disk(double across) {
+    const int width = 2 * cvRound(across / 2) + 1;
+    return cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width});
+}
+
+/// By how much each pixel's darkest channel stands above what is as pale around it and wider than flecks are:
+/// above the opening of the photo by a disk (Serra 1982, Image Analysis and Mathematical Morphology: the
+/// white top-hat). A polyp's paleness is its own level and hides none of the flecks upon it.
+cv::Mat standingOf(const Brightness& brightness) {
+    constexpr double widest = 19.5, finer = 1.5; // pixels of a photo up to 960 wide
+    cv::Mat level, opaque, standing;
+    const double share = 1 / (finer * scaleOf(brightness.darkest.size()));
+    cv::resize(brightness.darkest, level, {}, share, share, cv::INTER_AREA);
+    cv::resize(brightness.opaque, opaque, level.size(), 0, 0, cv::INTER_AREA);
+    fillTransparent(level, opaque, 11);
+    cv::medianBlur(level, level, 5); // pits and vessels do not part what is pale
+    cv::morphologyEx(level, level, cv::MORPH_OPEN, disk(widest / finer));
+    cv::dilate(level, level, cv::Mat::ones(3, 3, CV_8U)); // borders of what is pale are no thin flecks
+    cv::resize(level, level, brightness.darkest.size(), 0, 0, cv::INTER_LINEAR);
+    cv::subtract(brightness.darkest, level, standing, cv::noArray(), CV_32F);
+    return standing;
+}
+
+/// What is nearly white over more than the standing tells, and the soft edge around it. A lamp of any colour
+/// leaves two channels near the end of their range. What is white over more than the largest flecks is a
+/// pale organ near to the lamp.
+cv::Mat widelyWhite(const Brightness& brightness, double level) {
+    constexpr double narrowest = 12, widest = 36, edge = 8; // pixels of a photo up to 960 wide
+    const double share = 1 / (2 * scaleOf(brightness.middle.size()));
+    cv::Mat white, thick, wide;
+    cv::addWeighted(brightness.middle, 0.5, brightness.brightest, 0.5, 0, white);
+    cv::resize(white, white, {}, share, share, cv::INTER_AREA);
+    cv::morphologyEx(white > level, thick, cv::MORPH_OPEN, disk(narrowest / 2));
+    cv::morphologyEx(thick, wide, cv::MORPH_OPEN, disk(widest / 2));
+    cv::dilate(wide, wide, disk(widest / 2));
+    thick.setTo(0, wide);
+    cv::dilate(thick, thick, disk(edge));
+    cv::resize(thick, thick, brightness.middle.size(), 0, 0, cv::INTER_LINEAR);
+    return thick > 127;
+}
+
+/// Shine without that of pale tissue. On a polyp, which is near to white itself, a white fleck stands little
+/// above it and yet is one.
+cv::Mat shineOfFlecks(const Brightness& brightness, double whiteLevel) {
+    constexpr double white = 235, leastStanding = 20, strong = 220;
+    cv::Mat shine = shineOf(brightness);
+    const cv::Mat standing = standingOf(brightness), isWhite = widelyWhite(brightness, whiteLevel);
+    cv::Mat(cv::min(shine, standing)).copyTo(shine, isWhite == 0);
+    shine.setTo(strong, (brightness.darkest > white) & (standing > leastStanding));
+    return shine;
+}
+
+/// Those parts of a mask that shine as much as is needed in a twelfth of their pixels. The larger a part, the
+/// more is asked for: large mirror images are strong, and large faint ones nearly always pale tissue, or a
+/// shaft of metal, which does not count for the one fleck that lies upon it.
 cv::Mat strongParts(const cv::Mat& mask, const cv::Mat& shine, double needed) {
-    const double doubling = 30 * std::max(1.0, std::max(mask.cols, mask.rows) / 960.0); // pixels across
+    constexpr int strongShare = 12;
+    const int fewest = cvRound(2 * std::pow(scaleOf(mask.size()), 2)) - 1; // grain is smaller
+    const double doubling = 30 * scaleOf(mask.size());                     // pixels across
     cv::Mat labels, boxes, middles;
     const int count = cv::connectedComponentsWithStats(mask, labels, boxes, middles);
-    std::vector<float> strongest(static_cast<std::size_t>(count), 0.0F);
+    std::vector<double> neededOf(static_cast<std::size_t>(count));
+    for (int label = 0; label < count; ++label)
+        neededOf[static_cast<std::size_t>(label)] =
+            needed * (1 + std::sqrt(boxes.at<int>(label, cv::CC_STAT_AREA)) / doubling);
+    std::vector<int> strong(static_cast<std::size_t>(count), 0);
     for (int y = 0; y < mask.rows; ++y)
         for (int x = 0; x < mask.cols; ++x) {
-            float& most = strongest[static_cast<std::size_t>(labels.at<int>(y, x))];
-            most = std::max(most, shine.at<float>(y, x));
+            const auto label = static_cast<std::size_t>(labels.at<int>(y, x));
+            strong[label] += shine.at<float>(y, x) > neededOf[label] ? 1 : 0;
         }
     std::vector<std::uint8_t> isKept(static_cast<std::size_t>(count), 0);
     for (int label = 1; label < count; ++label) {
-        const double across = std::sqrt(boxes.at<int>(label, cv::CC_STAT_AREA));
-        const auto place = static_cast<std::size_t>(label);
-        isKept[place] = strongest[place] > needed * (1 + across / doubling) ? 255 : 0;
+        const int pixels = strong[static_cast<std::size_t>(label)];
+        const bool isStrong =
+            pixels >= fewest && strongShare * pixels >= boxes.at<int>(label, cv::CC_STAT_AREA);
+        isKept[static_cast<std::size_t>(label)] = isStrong ? 255 : 0;
     }
     cv::Mat kept(mask.size(), CV_8U);
     tbb::parallel_for(0, mask.rows, [&](int y) {
@@ -160,16 +228,19 @@ PixelMask withRim(const cv::Mat& mask, const cv::Mat& opaque, int rim) {
 /// Shine is white over the tissue's own colour, whatever its brightness: it is measured against the median of
 /// what surrounds a pixel at three sizes, which passes over flecks that are smaller than half of the window
 /// (after Arnold et al. 2010, Automatic segmentation and inpainting of specular highlights for endoscopic
-/// imaging, where a median's colours are compared as well). From pixels that surely shine the mask goes on to
-/// fainter ones joined to them (hysteresis, Canny 1986): those are the rims that optics and compression blur.
+/// imaging, where a median's colours are compared as well). A pale polyp in red tissue is told from a fleck
+/// by its width: but for what is white, shine is only what stands above all that is as wide. From pixels that
+/// surely shine the mask goes on to fainter ones joined to them (hysteresis, Canny 1986), as far as optics
+/// and compression blur.
 PixelMask highlightMask(const Image& photo, double sensitivity) {
     if (photo.empty()) return {};
-    const Brightness brightness = brightnessOf(photo);
-    cv::Mat shine = shineOf(brightness);
-    constexpr double mostNeeded = 110, leastNeeded = 12, white = 245;
+    constexpr double mostNeeded = 68, leastNeeded = 10, blur = 4; // pixels of a photo up to 960 wide
     const double needed = mostNeeded * std::pow(leastNeeded / mostNeeded, sensitivity);
-    shine.setTo(255, brightness.darkest > white);
-    const cv::Mat rims = (shine > std::max(8.0, 0.5 * needed)) & (shine > 0.12 * peaksOf(shine));
+    const Brightness brightness = brightnessOf(photo);
+    const cv::Mat shine = shineOfFlecks(brightness, 250 - 40 * sensitivity);
+    cv::Mat near;
+    cv::dilate(shine > needed, near, disk(blur * scaleOf(shine.size())));
+    const cv::Mat rims = (shine > std::max(8.0, 0.4 * needed)) & (shine > 0.14 * peaksOf(shine)) & near;
     return withRim(strongParts(rims, shine, needed), brightness.opaque, rimFor(shine, 640));
 }
 

@@ -15,7 +15,8 @@ constexpr double usualSensitivity = 0.5;
 using PixelMask = std::vector<std::uint8_t>; ///< 255 where it is so, else 0
 
 /// Where the lamp's mirror images are: brighter and less saturated than what surrounds them, with the soft
-/// rims around them. Only what has alpha is looked at. Takes a fifth of a second at most for 1920 × 1080
+/// rims around them. What is pale and wider than flecks are, as polyps and organs, is spared unless it is
+/// white. Only what has alpha is looked at. Takes a fifth of a second at most for 1920 × 1080
 /// pixels.
 /// @param sensitivity from 0, only what is white, to 1, also faint shine
 PixelMask highlightMask(const Image& photo, double sensitivity);

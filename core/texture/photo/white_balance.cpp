@@ -1,5 +1,7 @@
 #include "core/texture/photo/white_balance.h"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,7 +46,7 @@ double medianOf(std::vector<double>& values) {
     return *middle;
 }
 
-/// LampRatios of red and blue to green, one per pixel.
+/// Ratios of red and blue to green, one per pixel.
 struct LampRatios {
     std::vector<double> red, blue;
 
@@ -63,25 +65,53 @@ struct LampRatios {
     double spread() const { return std::max(spread(red), spread(blue)); }
 };
 
-/// What mirror images add to the tissue beneath them, by the tissue that they are filled with. LampLight adds
-/// up: the difference is the lamp's own colour wherever no channel is cut off, which is in faint flecks and
-/// at the rims of strong ones.
-LampRatios lightOfShine(const Image& photo) {
+/// What each mirror image adds to the tissue beneath it, by the tissue that it is filled with. Light adds up:
+/// the difference is the lamp's own colour wherever no channel is cut off or, near to that, pressed together
+/// as cameras do, which is in faint flecks and at the rims of strong ones.
+std::vector<LampRatios> lightOfFlecks(const Image& photo) {
     constexpr double faintest = 0.06; // of full light; less is the filling's own error
+    constexpr int pressed = 228;      // brightest channel
     const auto& light = lightOfLevels();
     Image filled = photo;
-    const PixelMask mask = highlightMask(photo, usualSensitivity);
+    PixelMask mask = highlightMask(photo, usualSensitivity);
     fillHighlights(filled, mask);
-    LampRatios ratios;
+    cv::Mat labels;
+    const int count = cv::connectedComponents(cv::Mat(photo.height, photo.width, CV_8U, mask.data()), labels);
+    std::vector<LampRatios> flecks(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < mask.size(); ++i) {
         const std::uint8_t *with = &photo.pixels[4 * i], *without = &filled.pixels[4 * i];
-        if (mask[i] == 0 || brightestOf(with) >= burntOut) continue;
+        if (mask[i] == 0 || brightestOf(with) >= pressed) continue;
         const LampLight added{light[with[0]] - light[without[0]], light[with[1]] - light[without[1]],
                               light[with[2]] - light[without[2]]};
         if (*std::min_element(added.begin(), added.end()) > faintest)
-            ratios.add(added[0], added[1], added[2]);
+            flecks[static_cast<std::size_t>(labels.ptr<int>()[i])].add(added[0], added[1], added[2]);
     }
-    return ratios;
+    return flecks;
+}
+
+/// A fleck of many pixels counts more, but not as many times: its errors are of one kind.
+LampRatios lampsOf(std::vector<LampRatios> flecks, std::size_t& counted) {
+    constexpr std::size_t fewestPixels = 5;
+    LampRatios lamps;
+    counted = 0;
+    for (LampRatios& fleck : flecks) {
+        if (fleck.red.size() < fewestPixels) continue;
+        ++counted;
+        const LampLight lamp = fleck.light();
+        for (auto votes = std::lround(std::sqrt(fleck.red.size())); votes > 0; --votes)
+            lamps.add(lamp[0], lamp[1], lamp[2]);
+    }
+    return lamps;
+}
+
+/// Lamps go from warm, whose blue lacks twice what their red has too much, to bluish and greenish. None is
+/// merely red: where gains would take red alone, they would take it from the tissue.
+bool isOfALamp(const ColourGains& gains) {
+    constexpr double leastOfRed = 0.75, mostOfRed = 1.4, leastOfBlue = 0.65, mostOfBlue = 1.5;
+    constexpr double reddest = 0.94;
+    if (gains[0] < leastOfRed || gains[0] > mostOfRed) return false;
+    if (gains[2] < leastOfBlue || gains[2] > mostOfBlue) return false;
+    return gains[0] * std::max(1.0, gains[2]) > reddest;
 }
 
 /// Pixels that are nearly grey, as drapes and metal are, and pale mucosa under some lamps too.
@@ -124,19 +154,26 @@ LampLight tissueOf(const Image& photo, bool& isEnough) {
 
 /// That the world is grey on average does not hold in the body: gains for that would turn tissue grey. By the
 /// dichromatic reflection model (Shafer 1985, Using color to separate reflection components) a mirror image
-/// adds the lamp's own colour to the tissue's, so what flecks add is white. Its middle is taken, as some of
-/// the filling beneath flecks is wrong. Where there are hardly any, grey things tell the lamp, if all that is
-/// nearly grey has one colour: a drape or a shaft has, and pale mucosa varies with its blood.
+/// adds the lamp's own colour to the tissue's, so what flecks add is white. Each fleck gives one lamp, and
+/// those of one photo must agree (Lee 1986, Method for computing the scene-illuminant chromaticity from
+/// specular highlights: the lines of several surfaces meet in the lamp), as where a camera sharpens or blurs
+/// colours what is added takes the tissue's tint. Where there are hardly any, grey things tell the lamp, if
+/// all that is nearly grey has one colour: a drape or a shaft has, and pale mucosa varies with its blood.
 std::optional<ColourGains> findWhiteBalance(const Image& photo) {
-    constexpr std::size_t fewest = 60;
-    constexpr double widestOfShine = 0.25, widestOfGrey = 0.05;
+    constexpr std::size_t fewestFlecks = 3;
+    constexpr double widestOfFlecks = 0.2, widestOfGrey = 0.05;
+    const auto sure = [](LampRatios& ratios) -> std::optional<ColourGains> {
+        const ColourGains gains = gainsFor(ratios.light());
+        return isOfALamp(gains) ? std::optional(gains) : std::nullopt;
+    };
     if (photo.empty()) return std::nullopt;
-    LampRatios shine = lightOfShine(photo);
-    if (shine.red.size() >= fewest && shine.spread() < widestOfShine) return gainsFor(shine.light());
+    std::size_t flecks = 0;
+    LampRatios lamps = lampsOf(lightOfFlecks(photo), flecks);
+    if (flecks >= fewestFlecks) return lamps.spread() < widestOfFlecks ? sure(lamps) : std::nullopt;
     std::size_t seen = 0;
     LampRatios grey = lightOfGrey(photo, seen);
     if (grey.red.empty() || 100 * grey.red.size() < seen || grey.spread() > widestOfGrey) return std::nullopt;
-    return gainsFor(grey.light());
+    return sure(grey);
 }
 
 std::optional<ColourGains> whiteBalanceOfSpot(const Image& photo, const Eigen::Vector2d& place,

@@ -12,8 +12,8 @@ namespace esm {
 
 /// Gains that make grey what is white in the photo: the lamp's mirror images, or where there are none a drape
 /// or an instrument. Green is kept, and each is from 0.5 to 2. Nothing where neither tells the lamp's colour
-/// for sure: mucosa is red, and never taken for grey. Only what has alpha is looked at, before highlights are
-/// filled.
+/// for sure, as where flecks do not agree or no lamp has such a colour: mucosa is red, never taken for grey.
+/// Only what has alpha is looked at, before highlights are filled.
 std::optional<ColourGains> findWhiteBalance(const Image& photo);
 
 /// Gains that make the spot of so many pixels around a place grey. Nothing where it lies outside of what has

@@ -68,6 +68,21 @@ TEST(Highlights, AreMoreTheMoreSensitive) {
     EXPECT_FALSE(has(0.8, 180));
 }
 
+TEST(Highlights, AreFoundOnAPalePolypThatStays) {
+    const auto isPolyp = [](int x, int y) { return std::hypot(x - 100, y - 100) < 25; };
+    const auto fromFleck = [](int x, int y) { return std::hypot(x - 95, y - 105); };
+    const Image photo = drawnPhoto(200, 200, [&](int x, int y) -> Channels {
+        if (fromFleck(x, y) < 4) return {255, 252, 248, 255};
+        return isPolyp(x, y) ? Channels{245, 215, 200, 255} : Channels{220, 105, 80, 255};
+    });
+    const PixelMask mask = highlightMask(photo, usualSensitivity);
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 200; ++x) {
+            const bool isFilled = mask[static_cast<std::size_t>(y * 200 + x)] != 0;
+            EXPECT_TRUE(isFilled ? fromFleck(x, y) < 10 : fromFleck(x, y) >= 4) << x << ' ' << y;
+        }
+}
+
 TEST(Highlights, AreNotSeenInWhatIsMasked) {
     Image photo = drawnPhoto(80, 80, [](int x, int y) -> Channels {
         const int shine = std::hypot(x - 40, y - 40) < 4 ? 150 : 0;

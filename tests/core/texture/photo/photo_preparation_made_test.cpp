@@ -52,8 +52,11 @@ struct Findings {
     bool saysField = false, hasField = false;
     double overlap = 0; ///< of the field found and the true one, intersection over union
     Hits overlays, flecks;
+    double pale = 0, paleTaken = 0;  ///< pixels of pale objects where no fleck is; those taken for one
     double filled = 0, balanced = 0; ///< ΔE₀₀, mean over what is filled, and over what does not shine
     bool isBalanced = false;
+
+    double paleShare() const { return pale > 0 ? paleTaken / pale : 0; }
 };
 
 bool isSet(const cv::Mat& mask, int x, int y) {
@@ -102,6 +105,10 @@ void compareFlecks(const Image& shown, const MadePhoto& photo, Findings& finding
             if (shown.at(x, y)[3] < 128) continue;
             const auto place = static_cast<std::size_t>(y * shown.width + x);
             findings.flecks.count(mask[place] != 0, photo.shine.at<float>(y, x) > 0.1F, isSet(around, x, y));
+            if (isSet(photo.pale, x, y) && !isSet(around, x, y)) {
+                ++findings.pale;
+                findings.paleTaken += mask[place] != 0 ? 1 : 0;
+            }
             if (mask[place] != 0)
                 difference.add(colourDifference(labOf(filled.at(x, y)), labOf(photo.withoutFlecks.at(x, y))));
         }
@@ -166,7 +173,13 @@ double meanOf(const std::vector<Findings>& all, double Findings::*value) {
 TEST(MadePhotos, ArePreparedAsWellAsAimed) {
     const std::vector<Findings> all = allFindings(1);
     Hits overlays, flecks;
+    Findings pale;
+    double worstPale = 0;
     for (const Findings& findings : all) {
+        EXPECT_LE(findings.paleShare(), 0.15) << findings.name;
+        worstPale = std::max(worstPale, findings.paleShare());
+        pale.pale += findings.pale;
+        pale.paleTaken += findings.paleTaken;
         EXPECT_EQ(findings.saysField, findings.hasField) << findings.name;
         EXPECT_GE(findings.overlap, 0.98) << findings.name;
         overlays.add(findings.overlays);
@@ -175,6 +188,8 @@ TEST(MadePhotos, ArePreparedAsWellAsAimed) {
     EXPECT_GE(overlays.recall(), 0.95);
     EXPECT_GE(flecks.recall(), 0.9);
     EXPECT_GE(flecks.precision(), 0.8);
+    EXPECT_GT(pale.pale, 0);
+    EXPECT_LE(pale.paleShare(), 0.05);
     const double filled = meanOf(all, &Findings::filled), balanced = meanOf(all, &Findings::balanced);
     EXPECT_LE(filled, 4);
     EXPECT_LE(worstOf(all, &Findings::filled), 10);
@@ -184,10 +199,10 @@ TEST(MadePhotos, ArePreparedAsWellAsAimed) {
         all.begin(), all.end(), [](const Findings& a, const Findings& b) { return a.overlap < b.overlap; });
     std::printf(
         "field %.4f, worst %.4f; overlays: recall %.3f, precision %.3f; flecks: recall %.3f, precision %.3f; "
-        "filled %.2f, worst %.2f; white %.2f, worst %.2f\n",
+        "pale taken %.4f, worst %.3f; filled %.2f, worst %.2f; white %.2f, worst %.2f\n",
         meanOf(all, &Findings::overlap), worstField->overlap, overlays.recall(), overlays.precision(),
-        flecks.recall(), flecks.precision(), filled, worstOf(all, &Findings::filled), balanced,
-        worstOf(all, &Findings::balanced));
+        flecks.recall(), flecks.precision(), pale.paleShare(), worstPale, filled,
+        worstOf(all, &Findings::filled), balanced, worstOf(all, &Findings::balanced));
 }
 
 TEST(MadePhotos, AreTheSameForTheSameSeed) {

@@ -50,6 +50,23 @@ TEST(WhiteBalance, GoesByWhatHighlightsAdd) {
     EXPECT_NEAR((*gains)[2], std::pow(1 / 1.3, 1 / 2.2), 0.02);
 }
 
+TEST(WhiteBalance, IsUnsureWhereFlecksDisagreeOrNoLampIsAsRed) {
+    const auto lamps = [](double redOfSome, double redOfOthers) {
+        return findWhiteBalance(drawnPhoto(240, 240, [&](int x, int y) -> Channels {
+            const double shine = std::hypot(x % 60 - 30, y % 60 - 30) < 4 ? 0.3 : 0;
+            const double red = (x / 60 + y / 60) % 2 == 0 ? redOfSome : redOfOthers;
+            const auto stored = [&](double tissue, double lamp) {
+                return static_cast<int>(
+                    std::lround(255 * std::pow(std::pow(tissue, 2.2) + lamp * shine, 1 / 2.2)));
+            };
+            return {stored(0.6, red), stored(0.25, 1), stored(0.2, 1), 255};
+        }));
+    };
+    EXPECT_TRUE(lamps(1, 1));
+    EXPECT_FALSE(lamps(0.5, 1.4));
+    EXPECT_FALSE(lamps(1.4, 1.4));
+}
+
 TEST(WhiteBalance, IsUnsureOfPaleMucosa) {
     // Nearly grey under this lamp, and of colours that vary with the blood in it.
     EXPECT_FALSE(findWhiteBalance(drawnPhoto(64, 64, [](int x, int y) -> Channels {
