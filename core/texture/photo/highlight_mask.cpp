@@ -115,12 +115,12 @@ cv::Mat disk(double across) {
     return cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width});
 }
 
-/// By how much each pixel's darkest channel stands above what is as pale around it and wider than flecks are:
-/// above the opening of the photo by a disk (Serra 1982, Image Analysis and Mathematical Morphology: the
+/// The darkest channel of what is as pale around each pixel and wider than flecks are, above which flecks
+/// stand: the opening of the photo by a disk (Serra 1982, Image Analysis and Mathematical Morphology: the
 /// white top-hat). A polyp's paleness is its own level and hides none of the flecks upon it.
-cv::Mat standingOf(const Brightness& brightness) {
+cv::Mat wideLevel(const Brightness& brightness) {
     constexpr double widest = 19.5, finer = 1.5; // pixels of a photo up to 960 wide
-    cv::Mat level, opaque, standing;
+    cv::Mat level, opaque;
     const double share = 1 / (finer * scaleOf(brightness.darkest.size()));
     cv::resize(brightness.darkest, level, {}, share, share, cv::INTER_AREA);
     cv::resize(brightness.opaque, opaque, level.size(), 0, 0, cv::INTER_AREA);
@@ -129,8 +129,7 @@ cv::Mat standingOf(const Brightness& brightness) {
     cv::morphologyEx(level, level, cv::MORPH_OPEN, disk(widest / finer));
     cv::dilate(level, level, cv::Mat::ones(3, 3, CV_8U)); // borders of what is pale are no thin flecks
     cv::resize(level, level, brightness.darkest.size(), 0, 0, cv::INTER_LINEAR);
-    cv::subtract(brightness.darkest, level, standing, cv::noArray(), CV_32F);
-    return standing;
+    return level;
 }
 
 /// What is nearly white over more than the standing tells, and the soft edge around it. A lamp of any colour
@@ -154,11 +153,19 @@ cv::Mat widelyWhite(const Brightness& brightness, double level) {
 /// Shine without that of pale tissue. On a polyp, which is near to white itself, a white fleck stands little
 /// above it and yet is one.
 cv::Mat shineOfFlecks(const Brightness& brightness, double whiteLevel) {
-    constexpr double white = 235, leastStanding = 20, strong = 220;
+    constexpr int white = 235, leastStanding = 20;
+    constexpr float strong = 220;
     cv::Mat shine = shineOf(brightness);
-    const cv::Mat standing = standingOf(brightness), isWhite = widelyWhite(brightness, whiteLevel);
-    cv::Mat(cv::min(shine, standing)).copyTo(shine, isWhite == 0);
-    shine.setTo(strong, (brightness.darkest > white) & (standing > leastStanding));
+    const cv::Mat level = wideLevel(brightness), isWhite = widelyWhite(brightness, whiteLevel);
+    tbb::parallel_for(0, shine.rows, [&](int y) {
+        for (int x = 0; x < shine.cols; ++x) {
+            const int darkest = brightness.darkest.at<std::uint8_t>(y, x);
+            const int standing = darkest - level.at<std::uint8_t>(y, x);
+            float& value = shine.at<float>(y, x);
+            if (isWhite.at<std::uint8_t>(y, x) == 0) value = std::min(value, static_cast<float>(standing));
+            if (darkest > white && standing > leastStanding) value = strong;
+        }
+    });
     return shine;
 }
 
@@ -206,6 +213,23 @@ cv::Mat peaksOf(const cv::Mat& shine) {
     return peaks;
 }
 
+/// What surely shines, and what is fainter near to it.
+cv::Mat rimsOf(const cv::Mat& shine, double needed) {
+    constexpr double blur = 2; // pixels of a photo up to 960 wide
+    const int reach = 2 * cvRound(blur * scaleOf(shine.size())) + 1;
+    const auto least = static_cast<float>(std::max(8.0, 0.4 * needed));
+    const cv::Mat peaks = peaksOf(shine);
+    cv::Mat rims;
+    cv::dilate(shine > needed, rims, cv::Mat::ones(reach, reach, CV_8U));
+    tbb::parallel_for(0, shine.rows, [&](int y) {
+        for (int x = 0; x < shine.cols; ++x) {
+            const float value = shine.at<float>(y, x);
+            if (value <= least || value <= 0.14F * peaks.at<float>(y, x)) rims.at<std::uint8_t>(y, x) = 0;
+        }
+    });
+    return rims;
+}
+
 PixelMask pixelMaskOf(const cv::Mat& mask) {
     return {mask.datastart, mask.dataend};
 }
@@ -234,13 +258,11 @@ PixelMask withRim(const cv::Mat& mask, const cv::Mat& opaque, int rim) {
 /// and compression blur.
 PixelMask highlightMask(const Image& photo, double sensitivity) {
     if (photo.empty()) return {};
-    constexpr double mostNeeded = 68, leastNeeded = 10, blur = 4; // pixels of a photo up to 960 wide
+    constexpr double mostNeeded = 68, leastNeeded = 10;
     const double needed = mostNeeded * std::pow(leastNeeded / mostNeeded, sensitivity);
     const Brightness brightness = brightnessOf(photo);
     const cv::Mat shine = shineOfFlecks(brightness, 250 - 40 * sensitivity);
-    cv::Mat near;
-    cv::dilate(shine > needed, near, disk(blur * scaleOf(shine.size())));
-    const cv::Mat rims = (shine > std::max(8.0, 0.4 * needed)) & (shine > 0.14 * peaksOf(shine)) & near;
+    const cv::Mat rims = rimsOf(shine, needed);
     return withRim(strongParts(rims, shine, needed), brightness.opaque, rimFor(shine, 640));
 }
 
