@@ -62,7 +62,7 @@ COMMANDS = {
     "texture fit organ.esm --photo photo.png --pairs pairs.csv": {
         "project": FILE, "--photo": FILE, "--pairs": FILE, "-o": ["-", "out.png", ""],
         "--intrinsics": ["x", "1,2,3", "0,1,1,1", "1,-1,0,0", "1,1,nan,1", "1e8,1,0,0", "1,1,1e8,0", ""]},
-    "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""]},
+    "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None},
     "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""]},
     "validate organ.esm": {"file": FILE},
     "render organ.esm": {
