@@ -101,7 +101,8 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
     command.add_option("--projector", options.projector, "Where the photograph is projected from (.json)")
         ->required();
     command
-        .add_option("--blend", options.blend, "Pixels of the photograph over which it fades in from its border and from outlines (24)")
+        .add_option("--blend", options.blend,
+                    "Pixels of the photograph over which it fades in from its border and from outlines (24)")
         ->check(nonNegativeNumber());
     addChoice(command, "--blending", options.blending,
               {{wordOf(Blending::Normal), Blending::Normal},
