@@ -1,5 +1,6 @@
 #include "widgets/texture/field_tool.h"
 
+#include "core/geometry/segment_distance.h"
 #include "core/support/angles.h"
 #include "widgets/texture/photo_canvas.h"
 
@@ -35,15 +36,6 @@ QPainterPath pathAround(const PhotoCanvas& canvas, const PhotoField& field) {
     path.addPolygon(rim);
     path.closeSubpath();
     return path;
-}
-
-/// From a place to the nearest of a side.
-double distanceFromSide(const Eigen::Vector2d& place, const Eigen::Vector2d& from,
-                        const Eigen::Vector2d& to) {
-    const Eigen::Vector2d along = to - from;
-    const double length = along.squaredNorm();
-    const double share = length > 0 ? std::clamp((place - from).dot(along) / length, 0.0, 1.0) : 0;
-    return (place - from - share * along).norm();
 }
 
 } // namespace
@@ -95,7 +87,7 @@ void FieldTool::graspPolygon(const QPointF& at) {
         }
     for (std::size_t i = 0; i < field.corners.size() && !m_part; ++i) {
         const Eigen::Vector2d &from = field.corners[i], &to = field.corners[(i + 1) % field.corners.size()];
-        if (distanceFromSide(m_start, from, to) * m_canvas.magnification() > PhotoCanvas::grip / 2.0 ||
+        if (distanceToSegment(m_start, from, to) * m_canvas.magnification() > PhotoCanvas::grip / 2.0 ||
             field.corners.size() >= mostFieldCorners)
             continue;
         m_part = Part::Corner;

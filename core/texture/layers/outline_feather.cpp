@@ -1,5 +1,6 @@
 #include "core/texture/layers/outline_feather.h"
 
+#include "core/geometry/segment_distance.h"
 #include "core/support/smooth_step.h"
 #include "core/texture/layers/photo_ray.h"
 #include "core/texture/parallel_steps.h"
@@ -156,12 +157,6 @@ private:
     SeenVertices m_seen;
 };
 
-double squaredDistance(const OutlinePiece& piece, const Eigen::Vector2d& place) {
-    const Eigen::Vector2d along = piece.end - piece.start;
-    const double fraction = std::clamp((place - piece.start).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return (place - piece.start - fraction * along).squaredNorm();
-}
-
 /// Lets all nodes near the piece fade by it.
 void fade(OutlineFeather& feather, const OutlinePiece& piece, double blendPixels) {
     const auto node = [&](double pixels, int count) {
@@ -173,9 +168,9 @@ void fade(OutlineFeather& feather, const OutlinePiece& piece, double blendPixels
         for (int column = node(low.x(), feather.columns); column <= node(high.x(), feather.columns);
              ++column) {
             const Eigen::Vector2d place = feather.spacing * Eigen::Vector2d(column, row);
-            const double squared = squaredDistance(piece, place);
-            if (squared >= blendPixels * blendPixels) continue;
-            const double left = smoothStep(0, blendPixels, std::sqrt(squared));
+            const double distance = distanceToSegment(place, piece.start, piece.end);
+            if (distance >= blendPixels) continue;
+            const double left = smoothStep(0, blendPixels, distance);
             float& faded =
                 feather.faded[static_cast<std::size_t>(row) * static_cast<std::size_t>(feather.columns) +
                               static_cast<std::size_t>(column)];

@@ -1,5 +1,7 @@
 #include "core/texture/photo/photo_field.h"
 
+#include "core/geometry/segment_distance.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -13,20 +15,12 @@ namespace {
 
 constexpr int ellipseCorners = 256;
 
-double distanceFromSide(const Eigen::Vector2d& place, const Eigen::Vector2d& from,
-                        const Eigen::Vector2d& to) {
-    const Eigen::Vector2d along = to - from;
-    const double square = along.squaredNorm();
-    const double share = square > 0 ? std::clamp((place - from).dot(along) / square, 0.0, 1.0) : 0.0;
-    return (place - from - share * along).norm();
-}
-
 double insidePolygon(const PhotoOutline& corners, const Eigen::Vector2d& place) {
     double nearest = std::numeric_limits<double>::infinity();
     bool isInside = false;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Eigen::Vector2d &from = corners[i], &to = corners[(i + 1) % corners.size()];
-        nearest = std::min(nearest, distanceFromSide(place, from, to));
+        nearest = std::min(nearest, distanceToSegment(place, from, to));
         if ((from.y() <= place.y()) == (to.y() <= place.y())) continue;
         const double share = (place.y() - from.y()) / (to.y() - from.y());
         if (from.x() + share * (to.x() - from.x()) > place.x()) isInside = !isInside;

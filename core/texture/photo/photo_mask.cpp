@@ -1,5 +1,6 @@
 #include "core/texture/photo/photo_mask.h"
 
+#include "core/geometry/segment_distance.h"
 #include "core/texture/photo/outline_cover.h"
 
 #include <algorithm>
@@ -24,14 +25,6 @@ PixelRange reachOf(const Eigen::Vector2d& low, const Eigen::Vector2d& high, doub
             std::max(0, within(low.y() - radius - 1, photo.height)),
             std::min(photo.width - 1, within(high.x() + radius + 1, photo.width)),
             std::min(photo.height - 1, within(high.y() + radius + 1, photo.height))};
-}
-
-double distanceToSegment(const Eigen::Vector2d& place, const Eigen::Vector2d& from,
-                         const Eigen::Vector2d& to) {
-    const Eigen::Vector2d along = to - from;
-    const double square = along.squaredNorm();
-    const double share = square > 0 ? std::clamp((place - from).dot(along) / square, 0.0, 1.0) : 0.0;
-    return (place - from - share * along).norm();
 }
 
 /// How much of the brush lies on a place, 0 to 1. At least a pixel wide, the edge is that of a hard brush
