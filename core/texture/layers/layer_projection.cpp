@@ -86,8 +86,10 @@ TriangleProjection::TriangleProjection(const LayerPhoto& photo, const LitSurface
 }
 
 /// Where all corners turn away, so does every normal between them. A photo without a border ends right at the
-/// edge beyond which a triangle itself turns away.
+/// edge beyond which a triangle itself turns away. What takes colour on both sides turns neither away, not
+/// even where it is seen edge-on.
 bool TriangleProjection::isTurnedAway() const {
+    if (m_side == SeenSide::Both) return false;
     const Eigen::Vector3d outward =
         (m_corners.col(1) - m_corners.col(0)).cross(m_corners.col(2) - m_corners.col(0));
     const double cosine = outward.normalized().dot(towardsLight(m_corners.col(0)));

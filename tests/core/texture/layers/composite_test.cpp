@@ -144,6 +144,22 @@ TEST(Composite, ColoursHiddenAndBackSidesOnlyWithoutOcclusion) {
                        [](auto&, const Colour& colour, std::size_t) { ASSERT_EQ(colour, green); });
 }
 
+/// A sheet on edge: the smooth normals of all its corners stand at right angles to the light.
+TEST(Composite, ColoursWhatIsSeenEdgeOnWithoutOcclusion) {
+    TriangleMesh mesh = flatSquare(0.1, 3);
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+        vertex = {vertex.x(), 0, vertex.y()};
+    const Atlas atlas = packAtlas(mesh, {512, 1, 2});
+    TextureLayer layer = layerFromAbove(plainPhoto(green), 0.3);
+    layer.projector.pose.translation().z() = 0.1;
+    layer.projector.occlusion = false;
+    for (const double blendPixels : {0.0, 0.5}) {
+        layer.blendPixels = blendPixels;
+        forEachTexelInside(mesh, atlas, composite(mesh, atlas, {layer}, baseColour),
+                           [](auto&, const Colour& colour, std::size_t) { ASSERT_EQ(colour, green); });
+    }
+}
+
 TEST(Composite, LeavesWhatLiesBehindThePhotosPlane) {
     const TriangleMesh mesh = squareUnderSquare();
     const Atlas atlas = packAtlas(mesh, {512, 1, 2});
