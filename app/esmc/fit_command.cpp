@@ -26,8 +26,9 @@ void declareFit(CLI::App& command, FitOptions& options) {
     command
         .add_option("--pairs", options.pairs, "Landmarks: photo_x,photo_y,x,y,z, pixels and metres (.csv)")
         ->required();
-    command.add_option("--intrinsics", options.intrinsics,
-                       "FX,FY,CX,CY of the photograph's camera, pixels; without, found from six pairs");
+    command.add_option(
+        "--intrinsics", options.intrinsics,
+        "FX,FY,CX,CY of the photograph's camera, pixels; without, found as far as the pairs tell");
     command.add_option("-o,--output", options.output, "Projector file to write (.json)")
         ->check(writtenAs(".json"));
 }
@@ -45,6 +46,37 @@ std::optional<Intrinsics> parseIntrinsics(const std::string& text) {
     return camera;
 }
 
+const char* inWords(CameraPart part) {
+    switch (part) {
+    case CameraPart::FocalLength:
+        return "the focal length";
+    case CameraPart::PrincipalPoint:
+        return "where the line of sight meets the photograph";
+    case CameraPart::PixelAspect:
+        return "whether pixels are square";
+    }
+    return "";
+}
+
+const char* adviceOn(Weakness weakness) {
+    switch (weakness) {
+    case Weakness::NearlyOnALine:
+        return "the pairs lie nearly on a line, which leaves the turn about it open: add pairs beside it";
+    case Weakness::NearlyPlanar:
+        return "the pairs lie nearly in a plane, which hardly tells near from zoomed: add pairs before or "
+               "behind it";
+    case Weakness::CloseTogether:
+        return "the pairs lie close together in the photograph: add pairs further out";
+    }
+    return "";
+}
+
+/// How many times wider a photo is than square pixels would make it, where the pairs found that out.
+double stretchOf(const PoseFit& fit) {
+    const bool isFound = fit.pixelAspect == PartSource::Found && fit.projector.intrinsics;
+    return isFound ? std::round(1e4 * fit.projector.intrinsics->fx / fit.projector.intrinsics->fy) / 1e4 : 1;
+}
+
 std::vector<std::string> fitWarnings(const PoseFit& fit, const std::vector<LandmarkPair>& pairs,
                                      const TriangleMesh& mesh) {
     std::vector<std::string> warnings;
@@ -54,17 +86,40 @@ std::vector<std::string> fitWarnings(const PoseFit& fit, const std::vector<Landm
     if (std::any_of(pairs.begin(), pairs.end(), isFar))
         warnings.emplace_back(
             "some landmarks lie far from the organ: x, y and z are metres in its own space");
-    if (fit.focalLength == FocalLength::Assumed)
-        warnings.push_back("the pairs do not tell the focal length: a vertical field of view of " +
-                           inText(assumedFieldOfView) +
-                           " degrees was assumed; give six pairs or more, well "
-                           "spread, or --intrinsics");
+    if (fit.dominating)
+        warnings.push_back(
+            "how sure the pose is hangs on " + std::string(inWords(*fit.dominating)) +
+            ", which the pairs hardly tell: it was taken as in usual cameras; give more pairs, "
+            "well spread over the photograph and in depth, or --intrinsics");
+    for (const Weakness weakness : fit.weaknesses)
+        warnings.emplace_back(adviceOn(weakness));
+    if (const double stretch = stretchOf(fit); stretch != 1)
+        warnings.push_back("the photograph is stretched: it is " + inText(stretch) +
+                           " times as wide as square pixels would make it");
     return warnings;
 }
 
-const char* nameOf(FocalLength focalLength) {
-    if (focalLength == FocalLength::Given) return "given";
-    return focalLength == FocalLength::Measured ? "measured" : "assumed";
+const char* nameOf(PartSource source) {
+    if (source == PartSource::Given) return "given";
+    return source == PartSource::Found ? "measured" : "assumed";
+}
+
+const char* nameOf(CameraPart part) {
+    if (part == CameraPart::FocalLength) return "focal_length";
+    return part == CameraPart::PrincipalPoint ? "principal_point" : "pixel_aspect";
+}
+
+const char* nameOf(Weakness weakness) {
+    if (weakness == Weakness::NearlyOnALine) return "nearly_on_a_line";
+    return weakness == Weakness::NearlyPlanar ? "nearly_planar" : "close_together";
+}
+
+/// To three digits.
+std::string roughly(double value) {
+    if (!(value > 0) || !std::isfinite(value)) return inText(value);
+    const double digit = std::pow(10, std::floor(std::log10(value)) - 2);
+    return inText(digit < 1 ? std::round(value / digit) / std::round(1 / digit)
+                            : std::round(value / digit) * digit);
 }
 
 /// Without digits that nobody can see, and without a minus before zero.
@@ -81,14 +136,19 @@ void addCameraText(Report& report, const PoseFit& fit) {
     report.text.push_back("the eye is at " + rounded(camera.pose.translation(), micrometre) + " m");
     report.text.push_back("it looks along " + rounded(-axes.col(2), share) + "; up in the photograph is " +
                           rounded(axes.col(1), share));
+    report.text.push_back("with 95 % certainty the true eye is within " + roughly(1000 * fit.eyeWithin) +
+                          " mm of it, and the true turn within " + roughly(fit.turnWithin) + " degrees");
     const std::string how = std::string(" (") + nameOf(fit.focalLength) + ")";
     if (camera.intrinsics)
         report.text.push_back("focal lengths " + inText(camera.intrinsics->fx) + ", " +
                               inText(camera.intrinsics->fy) + " pixels" + how + ", line of sight through " +
                               inText(camera.intrinsics->cx) + ", " + inText(camera.intrinsics->cy) +
-                              " pixels");
+                              " pixels (" + nameOf(fit.principalPoint) + ")");
     else
-        report.text.push_back("vertical field of view " + inText(camera.fieldOfView) + " degrees" + how);
+        report.text.push_back("vertical field of view " + inText(std::round(100 * camera.fieldOfView) / 100) +
+                              " degrees" + how + ", line of sight in the middle (" +
+                              nameOf(fit.principalPoint) + "), square pixels (" + nameOf(fit.pixelAspect) +
+                              ")");
 }
 
 Report describe(const PoseFit& fit) {
@@ -105,9 +165,18 @@ Report describe(const PoseFit& fit) {
                    {"reprojection_error_px", fit.error},
                    {"errors_px", errors},
                    {"outliers", outliers},
-                   {"focal_length", nameOf(fit.focalLength)}};
+                   {"focal_length", nameOf(fit.focalLength)},
+                   {"principal_point", nameOf(fit.principalPoint)},
+                   {"pixel_aspect", nameOf(fit.pixelAspect)},
+                   {"click_noise_px", fit.clickNoise},
+                   {"eye_within", fit.eyeWithin},
+                   {"turn_within", fit.turnWithin},
+                   {"hangs_on", fit.dominating ? Json(nameOf(*fit.dominating)) : Json()},
+                   {"weak", Json::array()}};
+    for (const Weakness weakness : fit.weaknesses)
+        report.json["weak"].push_back(nameOf(weakness));
     addCameraText(report, fit);
-    report.text.push_back("off by " + inText(fit.error) + " pixels");
+    report.text.push_back("off by " + roughly(fit.error) + " pixels");
     if (!strangers.empty())
         report.text.push_back("pairs that do not fit the others, and do not count: " + strangers);
     return report;

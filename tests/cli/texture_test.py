@@ -338,10 +338,10 @@ class FitTest(Case):
         self.assertEqual(read_png(photo)[:2], (512, 512))
         return ["texture", "fit", project, "--photo", photo, "--pairs", pairs, *options]
 
-    def assertStandsBefore(self, projector):
+    def assertStandsBefore(self, projector, delta=1e-5):
         expected = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, .3, 0, 0, 0, 1]
         for found, true in zip(projector["pose"], expected):
-            self.assertAlmostEqual(found, true, delta=1e-5)
+            self.assertAlmostEqual(found, true, delta=delta)
 
     def test_finds_the_pose_and_writes_it(self):
         pose = self.file("pose.json")
@@ -363,18 +363,34 @@ class FitTest(Case):
         for words in ("the eye is at 0, 0, 0.3 m", "it looks along 0, 0, -1", "up in the photograph is 0, 1, 0",
                       "focal lengths 600, 600 pixels (given)", "line of sight through 256, 256 pixels"):
             self.assertIn(words, process.stdout)
-        self.assertIn("vertical field of view 60 degrees (assumed)", command(*self.line(self.pairs(4))).stdout)
+        unsure = command(*self.line(self.pairs(4))).stdout
+        self.assertRegex(unsure, r"true eye is within [1-9]\d mm of it, and the true turn within \d\.\d+ degrees")
+        self.assertIn("vertical field of view 46.27 degrees (measured), line of sight in the middle (assumed)", unsure)
 
-    def test_finds_the_focal_length_from_six_pairs(self):
+    def test_finds_the_camera_from_six_pairs(self):
         report = self.done(*self.line(self.pairs(6, focal=450)))
         self.assertStandsBefore(report["projector"])
-        self.assertAlmostEqual(report["projector"]["fov"], 2 * math.degrees(math.atan(256 / 450)), places=3)
-        self.assertEqual((report["focal_length"], report["warnings"]), ("measured", []))
+        self.assertAlmostEqual(report["projector"]["fov"], 2 * math.degrees(math.atan(256 / 450)), places=2)
+        self.assertKeys(report, {"eye_within": float, "turn_within": float, "click_noise_px": float, "weak": list})
+        self.assertEqual(report["focal_length"], "measured")
+        self.assertIn(report["hangs_on"], (None, "principal_point"))
+        self.assertEqual(report["weak"], [])
 
-    def test_assumes_a_field_of_view_aloud(self):
-        report = self.done(*self.line(self.pairs(4, focal=256 / math.tan(math.radians(30)))))
-        self.assertEqual((report["focal_length"], report["projector"]["fov"]), ("assumed", 60))
-        self.assertEqual(len(report["warnings"]), 1)
+    def test_says_what_four_pairs_leave_open(self):
+        report = self.done(*self.line(self.pairs(4)))
+        self.assertEqual((report["principal_point"], report["hangs_on"]), ("assumed", "principal_point"))
+        self.assertGreater(report["eye_within"], .01)
+        self.assertIn("line of sight", report["warnings"][0])
+
+    def test_says_that_a_photo_is_stretched(self):
+        """It is 512 pixels wide and shows what one of 410 would with square ones."""
+        lines = self.pairs(10).read_text().splitlines()
+        rows = [line.split(",") for line in lines[1:]]
+        squeezed = [",".join([repr(256 + .8 * (float(u) - 256)), *rest]) for u, *rest in rows]
+        report = self.done(*self.line(self.file("pairs.csv", "\n".join([lines[0], *squeezed]) + "\n")))
+        self.assertStandsBefore(report["projector"], delta=1e-4)
+        self.assertEqual(report["pixel_aspect"], "measured")
+        self.assertIn("stretched: it is 0.8 times as wide", " ".join(report["warnings"]))
 
     def test_names_the_pairs_that_do_not_belong(self):
         wrong = {2: (30, -20), 6: (-15, 25)}

@@ -55,6 +55,7 @@ Projector aimedByCamera(const Projector& before, const Camera& camera, const Ima
     projector.pose.linear() = cameraAxes(seeing);
     projector.pose.translation() = seeing.eye;
     projector.intrinsics.reset();
+    projector.areIntrinsicsFound = false;
     projector.fieldOfView = toDegrees(seeing.verticalFieldOfView);
     return projector;
 }
@@ -67,6 +68,7 @@ Projector ofKind(ProjectorKind kind, const Projector& before, const Image& photo
     if (kind == ProjectorKind::Perspective) {
         projector.fieldOfView = Projector().fieldOfView;
         projector.intrinsics.reset();
+        projector.areIntrinsicsFound = false;
         const double distance = before.height / (2 * std::tan(toRadians(projector.fieldOfView) / 2));
         projector.pose.translation() += (distance - depth) * before.pose.linear().col(2);
         return projector;
@@ -80,6 +82,7 @@ Projector ofKind(ProjectorKind kind, const Projector& before, const Image& photo
     const double setBack = std::max(0.0, std::min(inFront - 0.04 * box.diagonal().norm(), depth));
     projector.pose.translation() = (corners[0] + corners[2]) / 2 + (setBack - depth) * towards;
     projector.intrinsics.reset();
+    projector.areIntrinsicsFound = false;
     return projector;
 }
 

@@ -16,6 +16,7 @@ Projector placedBy(const PoseFit& fit, const Projector& before) {
     placed.pose = fit.projector.pose;
     placed.fieldOfView = fit.projector.fieldOfView;
     placed.intrinsics = fit.projector.intrinsics;
+    placed.areIntrinsicsFound = fit.projector.areIntrinsicsFound;
     return placed;
 }
 
@@ -56,7 +57,8 @@ void Landmarking::follow() {
 /// A camera that was measured stays as it is; a lens that was straightened leaves one.
 PoseQuestion Landmarking::question() const {
     const Image& picture = *pictureOf(*layer());
-    PhotoCamera camera{{picture.width, picture.height}, layer()->projector.intrinsics};
+    PhotoCamera camera{{picture.width, picture.height}, {}};
+    if (!layer()->projector.areIntrinsicsFound) camera.intrinsics = layer()->projector.intrinsics;
     if (!camera.intrinsics && layer()->preparation.lens)
         camera.intrinsics = layer()->preparation.lens->camera;
     return {pairs(), camera};

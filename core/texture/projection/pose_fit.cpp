@@ -2,214 +2,65 @@
 
 #include "core/support/angles.h"
 #include "core/support/errors.h"
-#include "core/texture/projection/pose_search.h"
+#include "core/texture/projection/camera_search.h"
+#include "core/texture/projection/camera_sources.h"
+#include "core/texture/projection/pose_certainty.h"
+#include "core/texture/projection/usable_pairs.h"
 #include "core/texture/texture_limits.h"
 
-#include <algorithm>
 #include <cmath>
-#include <Eigen/SVD>
 
 namespace esm {
 
 namespace {
 
-constexpr std::size_t leastPairs = 4, leastPairsForFocalLength = 6;
+constexpr int noiseRounds = 6;
 
-/// Of the photo's diagonal: how far a pair may be off and still count, at first and at least.
-constexpr double looseShare = 0.01, strictShare = 0.002;
-
-/// Of the same: how far all may be off before one asks whether they are mirrored.
-constexpr double doubtfulShare = 0.001;
-
-/// Of the extent of points: narrower across, they are a line.
-constexpr double lineShare = 1e-3;
-
-/// The most uncertain that a focal length may be to count as measured: the standard deviation of its
-/// logarithm, for clicks as exact as these were. 0.3 is a third more or a quarter less.
-constexpr double mostSlack = 0.3;
-
-/// Candidates that are worth a least-squares fit each.
-constexpr std::size_t candidates = 8;
-
-template<typename Points> bool isOnALine(const Points& points) {
-    const auto centred = (points.colwise() - points.rowwise().mean()).eval();
-    const auto sizes = Eigen::JacobiSVD<Eigen::MatrixXd>(centred).singularValues().eval();
-    return sizes[1] <= lineShare * sizes[0];
-}
-
-std::string numbersOf(std::size_t first, std::size_t second) {
-    return std::to_string(first + 1) + " and " + std::to_string(second + 1);
-}
-
-void requireDistinct(const std::vector<LandmarkPair>& pairs) {
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (pairs[i].photo == pairs[j].photo || pairs[i].organ == pairs[j].organ)
-                throw InvalidModel("the pairs " + numbersOf(j, i) +
-                                   " share a point; each landmark needs its own");
-}
-
-/// A click may miss the border by a little; more, and it is another photo's.
-void requireInside(const Eigen::Vector2d& place, std::size_t pair, const PhotoSize& size) {
-    const double margin = looseShare * std::hypot(size.width, size.height);
-    if (place.minCoeff() >= -margin && place.x() <= size.width + margin && place.y() <= size.height + margin)
-        return;
-    throw InvalidModel("pair " + std::to_string(pair + 1) + " lies outside the photo of " +
-                       std::to_string(size.width) + " × " + std::to_string(size.height) +
-                       " pixels: it is another photo's, or the photo was scaled");
-}
-
-void requireUsable(const std::vector<LandmarkPair>& pairs, const PhotoSize& size) {
-    if (pairs.size() < leastPairs)
-        throw InvalidModel("there are " + std::to_string(pairs.size()) + " pairs; a pose takes 4 or more");
-    Eigen::Matrix2Xd photo(2, pairs.size());
-    Eigen::Matrix3Xd organ(3, pairs.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (!pairs[i].photo.allFinite() || !pairs[i].organ.allFinite())
-            throw InvalidModel("pair " + std::to_string(i + 1) + " is not finite");
-        requireInside(pairs[i].photo, i, size);
-        photo.col(static_cast<Eigen::Index>(i)) = pairs[i].photo;
-        organ.col(static_cast<Eigen::Index>(i)) = pairs[i].organ;
-    }
-    requireDistinct(pairs);
-    for (const bool isInPhoto : {true, false})
-        if (isInPhoto ? isOnALine(photo) : isOnALine(organ))
-            throw InvalidModel(std::string("the points ") + (isInPhoto ? "in the photo" : "on the organ") +
-                               " lie on a line; add pairs beside it");
-}
-
-/// The pairs with the organ's points around the origin and of size 1, as solvers like them.
-struct ScaledPairs {
-    explicit ScaledPairs(const std::vector<LandmarkPair>& given) : pairs(given) {
-        for (const LandmarkPair& pair : pairs)
-            middle += pair.organ / static_cast<double>(pairs.size());
-        for (const LandmarkPair& pair : pairs)
-            size = std::max(size, (pair.organ - middle).norm());
-        for (LandmarkPair& pair : pairs)
-            pair.organ = (pair.organ - middle) / size;
-    }
-
-    std::vector<LandmarkPair> pairs;
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< m
-    double size = 0;                                  ///< m
-};
-
-struct Candidate {
-    PinholeCamera camera;
-    std::vector<bool> counts;
-    double squares = std::numeric_limits<double>::infinity();
-    double slack = 0;
-};
-
-std::vector<bool> within(const std::vector<double>& errors, double tolerance) {
-    std::vector<bool> counts(errors.size());
-    std::transform(errors.begin(), errors.end(), counts.begin(),
-                   [=](double error) { return error <= tolerance; });
-    return counts;
-}
-
-std::size_t countOf(const std::vector<bool>& counts) {
-    return static_cast<std::size_t>(std::count(counts.begin(), counts.end(), true));
-}
-
-/// Fits to those that agree, asks again who agrees, until nothing changes.
-Candidate settled(PinholeCamera camera, const std::vector<LandmarkPair>& pairs, Freedom freedom,
-                  double tolerance) {
-    Candidate candidate;
-    candidate.camera = camera;
-    for (int round = 0; round < 10; ++round) {
-        std::vector<bool> counts = within(pairErrors(candidate.camera, pairs), tolerance);
-        const std::size_t least = freedom == Freedom::Pose ? leastPairs : leastPairsForFocalLength;
-        if (countOf(counts) < least || counts == candidate.counts) break;
-        candidate.counts = std::move(counts);
-        candidate.camera = leastSquares(candidate.camera, pairs, candidate.counts, freedom, &candidate.slack);
-    }
-    if (candidate.counts.empty()) return candidate;
-    const std::vector<double> errors = pairErrors(candidate.camera, pairs);
-    candidate.counts =
-        within(errors, tolerance); // of this camera, where the rounds ended before they settled
-    candidate.squares = cappedSquares(errors, tolerance);
-    return candidate;
-}
-
-/// How far pairs that count may be off, by how far the middle one is. The errors of clicks are normal in both
-/// directions, so their length follows Rayleigh's distribution, whose median is √(2 ln 2) = 1.18 standard
-/// deviations. A fit of k unknowns to n equations leaves errors smaller by √((n − k)/n) than the clicks' own.
-/// Beyond four standard deviations hardly any right pair lies (3 in 10 000); what does is taken for mixed up.
-/// The median, as half of the errors may be wrong without moving it far.
-double strictTolerance(const Candidate& candidate, const std::vector<LandmarkPair>& pairs, Freedom freedom,
-                       double diagonal) {
-    std::vector<double> errors;
-    const std::vector<double> all = pairErrors(candidate.camera, pairs);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (candidate.counts[i]) errors.push_back(all[i]);
-    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-    std::nth_element(errors.begin(), middle, errors.end());
-    const double equations = 2 * static_cast<double>(errors.size());
-    const double free = equations - (freedom == Freedom::Pose ? 6 : 7);
-    // In a plane half of the errors are below 1.18 standard deviations; fitting makes them smaller.
-    const double deviation = *middle / 1.18 * std::sqrt(equations / free);
-    return std::clamp(4 * deviation, strictShare * diagonal, looseShare * diagonal);
-}
-
-/// First with a wide tolerance, in which even a camera from three coarse clicks finds those that agree with
-/// it, then with one that goes by the errors that are left: a pair that is off by ten pixels among others off
-/// by one is an outlier, though 1 % of the diagonal would let it pass.
-Candidate bestCandidate(const std::vector<LandmarkPair>& pairs, const std::vector<Intrinsics>& cameras,
-                        Freedom freedom, double diagonal) {
-    Candidate best;
-    for (const Intrinsics& intrinsics : cameras)
-        for (const PinholeCamera& likely :
-             likelyCameras(pairs, intrinsics, looseShare * diagonal, candidates)) {
-            Candidate candidate = settled(likely, pairs, freedom, looseShare * diagonal);
-            if (candidate.squares < best.squares) best = std::move(candidate);
-        }
-    if (best.counts.empty()) return best;
-    const double strict = strictTolerance(best, pairs, freedom, diagonal);
-    Candidate stricter = settled(best.camera, pairs, freedom, strict);
-    return stricter.counts.empty() ? best : stricter;
-}
-
-Intrinsics fromFieldOfView(double degrees, PhotoSize photo) {
-    Projector projector;
-    projector.fieldOfView = degrees;
-    return intrinsicsOf(projector, photo);
-}
-
-/// Four pairs at least and two in three: any three pairs fit some camera exactly, so that a few that agree
-/// prove nothing.
-bool isConvincing(const Candidate& candidate) {
-    const std::size_t counting = countOf(candidate.counts);
-    return counting >= leastPairs && 3 * counting >= 2 * candidate.counts.size();
-}
+/// Of the photo's diagonal: how far all may be off before one asks whether they are mirrored, and how far a
+/// pair counts for that.
+constexpr double doubtfulShare = 0.001, mirrorShare = 0.01;
 
 struct Solution {
-    Candidate candidate;
-    FocalLength focalLength;
+    CameraCandidate candidate;
+    CameraSources sources;
 };
 
-/// P3P needs a focal length, so without one a row of fields of view is tried, each some 1.2 to 1.5 times the
-/// one before: near enough for least squares to find the true one from. Where pairs do not tell it (few of
-/// them, or all in one depth), a usual one is assumed: the pose is then off along the line of sight, and the
-/// photo still lies where it should.
-std::optional<Solution> solved(const std::vector<LandmarkPair>& pairs, const PhotoCamera& camera) {
-    const double diagonal = std::hypot(camera.size.width, camera.size.height);
-    if (!camera.intrinsics && pairs.size() >= leastPairsForFocalLength) {
-        std::vector<Intrinsics> cameras;
-        for (const double degrees : {8, 12, 18, 25, 33, 42, 52, 63, 75, 90, 105, 120, 140})
-            cameras.push_back(fromFieldOfView(degrees, camera.size));
-        const Candidate found = bestCandidate(pairs, cameras, Freedom::PoseAndFocalLength, diagonal);
-        const double degrees =
-            toDegrees(2 * std::atan(camera.size.height / (2 * found.camera.intrinsics.fy)));
-        if (isConvincing(found) && found.slack <= mostSlack && degrees >= texture_limits::narrowestView &&
-            degrees <= texture_limits::widestView)
-            return Solution{found, FocalLength::Measured};
-    }
-    const Intrinsics known =
-        camera.intrinsics ? *camera.intrinsics : fromFieldOfView(assumedFieldOfView, camera.size);
-    const Candidate found = bestCandidate(pairs, {known}, Freedom::Pose, diagonal);
+CameraProblem problemOf(const std::vector<LandmarkPair>& pairs, const CameraCandidate& candidate,
+                        const UsualCamera& usual, PhotoSize photo) {
+    return {pairs, candidate.counts, usual, usualClickNoise(photo)};
+}
+
+/// A field of view that the program can hold.
+bool isPossible(const PinholeCamera& camera, PhotoSize photo) {
+    const double degrees = toDegrees(2 * std::atan(photo.height / (2 * camera.intrinsics.fy)));
+    return degrees >= texture_limits::narrowestView && degrees <= texture_limits::widestView;
+}
+
+/// A part of the camera counts as found where the pairs say more of it than what is usual does. Principal
+/// point and pixel aspect stay usual where they are not found, and where they are found to be usual, so that
+/// a camera is no odder than the pairs ask for. The focal length is always sought: one that pairs do not tell
+/// (few of them, or all in one depth) stays near a usual one, the pose is then off along the line of sight,
+/// and the photo still lies where it should.
+std::optional<Solution> withUnknownCamera(const std::vector<LandmarkPair>& pairs, PhotoSize photo) {
+    const UsualCamera usual = usualCamera(photo);
+    CameraCandidate found = foundCamera(pairs, photo);
     if (!isConvincing(found)) return std::nullopt;
-    return Solution{found, camera.intrinsics ? FocalLength::Given : FocalLength::Assumed};
+    const CameraProblem problem = problemOf(pairs, found, usual, photo);
+    const CameraFit whole = fitCamera(found.camera, problem, wholeCamera, noiseRounds);
+    const CameraSources sources = sourcesOf(whole, usual);
+    if (!isPossible(whole.camera, photo)) return std::nullopt;
+    const CameraFreedom odd = oddParts(whole, usual, sources);
+    found.camera = fitCamera(withUsualParts(whole.camera, usual, odd), problem, odd, noiseRounds).camera;
+    return Solution{found, sources};
+}
+
+std::optional<Solution> solved(const std::vector<LandmarkPair>& pairs, const PhotoCamera& camera) {
+    if (!camera.intrinsics)
+        if (auto solution = withUnknownCamera(pairs, camera.size)) return solution;
+    const CameraCandidate found = foundPose(
+        pairs, camera.intrinsics ? *camera.intrinsics : usualCamera(camera.size).camera, camera.size);
+    if (!isConvincing(found)) return std::nullopt;
+    return Solution{found, CameraSources(camera.intrinsics ? PartSource::Given : PartSource::Assumed)};
 }
 
 /// What a solution is worth, with none that nothing agrees with.
@@ -225,7 +76,7 @@ double worth(const std::optional<Solution>& solution, const std::vector<Landmark
 void requireUnmirrored(const std::optional<Solution>& found, std::vector<LandmarkPair> pairs,
                        const PhotoCamera& camera) {
     const double diagonal = std::hypot(camera.size.width, camera.size.height);
-    const double tolerance = looseShare * diagonal, squares = worth(found, pairs, tolerance);
+    const double tolerance = mirrorShare * diagonal, squares = worth(found, pairs, tolerance);
     if (squares <= std::pow(doubtfulShare * diagonal, 2) * static_cast<double>(pairs.size())) return;
     PhotoCamera mirrored = camera;
     for (LandmarkPair& pair : pairs)
@@ -238,22 +89,43 @@ void requireUnmirrored(const std::optional<Solution>& found, std::vector<Landmar
 }
 
 /// OpenCV's camera looks along +z with y down, a projector along −z with y up: half a turn around x. The size
-/// taken out by ScaledPairs is given back to the translation.
-Projector projectorOf(const PinholeCamera& camera, const ScaledPairs& scaled, const PhotoCamera& photo,
-                      FocalLength focalLength) {
+/// taken out by ScaledPairs is given back to the translation. A camera with usual parts is said by its field
+/// of view.
+Projector projectorOf(const PinholeCamera& camera, const ScaledPairs& scaled, const PhotoCamera& photo) {
     Projector projector;
     projector.kind = ProjectorKind::Perspective;
     projector.pose.linear() =
         camera.rotation.transpose() * Eigen::Vector3d(1, -1, -1).asDiagonal().toDenseMatrix();
-    projector.pose.translation() =
-        scaled.middle - scaled.size * camera.rotation.transpose() * camera.translation;
-    if (focalLength == FocalLength::Given)
+    projector.pose.translation() = scaled.middle + scaled.size * camera.eye();
+    projector.fieldOfView = toDegrees(2 * std::atan(photo.size.height / (2 * camera.intrinsics.fy)));
+    const Intrinsics usual = usualCamera(photo.size).camera;
+    const Intrinsics& found = camera.intrinsics;
+    const bool isUsual =
+        found.cx == usual.cx && found.cy == usual.cy && std::abs(found.fx / found.fy - 1) < 1e-12;
+    projector.areIntrinsicsFound = !photo.intrinsics && !isUsual;
+    if (photo.intrinsics)
         projector.intrinsics = photo.intrinsics;
-    else if (focalLength == FocalLength::Measured)
-        projector.fieldOfView = toDegrees(2 * std::atan(photo.size.height / (2 * camera.intrinsics.fy)));
-    else
-        projector.fieldOfView = assumedFieldOfView;
+    else if (!isUsual)
+        projector.intrinsics = found;
     return projector;
+}
+
+void judge(PoseFit& fit, const Solution& solution, const ScaledPairs& scaled, const PhotoCamera& camera) {
+    const auto& [candidate, sources] = solution;
+    const UsualCamera usual = usualCamera(camera.size);
+    const CameraProblem problem = problemOf(scaled.pairs, candidate, usual, camera.size);
+    const CameraFreedom unknown = camera.intrinsics ? poseOnly : wholeCamera;
+    const CameraFit likeliest = fitCamera(candidate.camera, problem, unknown, noiseRounds);
+    const PoseCertainty certainty = poseCertainty(likeliest, problem, unknown, candidate.camera);
+    fit.clickNoise = likeliest.clickNoise;
+    fit.eyeWithin = scaled.size * certainty.eye;
+    fit.turnWithin = certainty.turn;
+    fit.focalLength = sources.focalLength;
+    fit.principalPoint = sources.principalPoint;
+    fit.pixelAspect = sources.pixelAspect;
+    fit.dominating = dominatingAssumption(likeliest, sources);
+    fit.weaknesses =
+        weaknessesOf(scaled.pairs, candidate.counts, std::hypot(camera.size.width, camera.size.height));
 }
 
 } // namespace
@@ -266,10 +138,9 @@ PoseFit fitPose(const std::vector<LandmarkPair>& pairs, const PhotoCamera& camer
     if (!found)
         throw InvalidModel("no camera sees these pairs together: some are mixed up, or the focal length is "
                            "another");
-    const auto& [best, focalLength] = *found;
-    PoseFit fit;
-    fit.projector = projectorOf(best.camera, scaled, camera, focalLength);
-    fit.focalLength = focalLength;
+    const CameraCandidate& best = found->candidate;
+    PoseFit fit{};
+    fit.projector = projectorOf(best.camera, scaled, camera);
     fit.errors = pairErrors(best.camera, scaled.pairs);
     double squares = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -277,6 +148,7 @@ PoseFit fitPose(const std::vector<LandmarkPair>& pairs, const PhotoCamera& camer
         squares += best.counts[i] ? fit.errors[i] * fit.errors[i] : 0;
     }
     fit.error = std::sqrt(squares / static_cast<double>(countOf(best.counts)));
+    judge(fit, *found, scaled, camera);
     return fit;
 }
 

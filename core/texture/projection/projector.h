@@ -29,6 +29,7 @@ struct Projector {
     ProjectorKind kind = ProjectorKind::Parallel;
     double fieldOfView = 40;              ///< perspective: vertical, degrees, as a file says it
     std::optional<Intrinsics> intrinsics; ///< perspective: in place of the field of view
+    bool areIntrinsicsFound = false;      ///< by landmarks: with others they are sought anew
     bool falloff = false;                 ///< the weight falls with the angle, see `angleWeight`
 
     bool isParallel() const { return kind == ProjectorKind::Parallel; }
@@ -52,6 +53,7 @@ inline constexpr auto fieldsOf<Projector> = [] {
         field("intrinsics", &Projector::intrinsics).onlyWhere([](const Projector& projector) {
             return projector.hasIntrinsics();
         }),
+        field("intrinsicsFound", &Projector::areIntrinsicsFound).whenSet(),
         field("fov", &Projector::fieldOfView,
               Limits<double>{"the projector's field of view", narrowestView, widestView, "degrees"})
             .onlyWhere(

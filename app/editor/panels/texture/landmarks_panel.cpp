@@ -14,7 +14,7 @@ namespace esm {
 
 namespace {
 
-constexpr std::size_t pairsForPose = 4, pairsForFocalLength = 6;
+constexpr std::size_t pairsForPose = 4;
 const QColor agrees(0x3f, 0xb6, 0xa8), doubtful(0xe3, 0xa3, 0x3b), unknown(0x98, 0xa1, 0xab);
 
 QString pixelText(double pixels) {
@@ -22,14 +22,70 @@ QString pixelText(double pixels) {
     return QObject::tr("%1 px").arg(decimalText(pixels, 1));
 }
 
-QString focalLengthText(const PoseFit& fit) {
-    switch (fit.focalLength) {
-    case FocalLength::Given:
-        return QObject::tr("as measured");
-    case FocalLength::Measured:
-        return QObject::tr("found, %1° high").arg(decimalText(fit.projector.fieldOfView, 1));
-    case FocalLength::Assumed:
-        return QObject::tr("assumed, %1° high").arg(decimalText(assumedFieldOfView, 0));
+QString sourced(PartSource source, const QString& value) {
+    switch (source) {
+    case PartSource::Given:
+        return QObject::tr("%1, as given").arg(value);
+    case PartSource::Found:
+        return QObject::tr("%1, found").arg(value);
+    case PartSource::Assumed:
+        return QObject::tr("%1, assumed").arg(value);
+    }
+    return {};
+}
+
+QString sureText(const PoseFit& fit) {
+    if (!std::isfinite(fit.eyeWithin) || !std::isfinite(fit.turnWithin)) return QObject::tr("unknown");
+    return QObject::tr("± %1 mm, %2°")
+        .arg(numberText(1000 * fit.eyeWithin, 2), numberText(fit.turnWithin, 2));
+}
+
+QString fieldOfViewText(const PoseFit& fit, PhotoSize photo) {
+    const double focalLength = intrinsicsOf(fit.projector, photo).fy;
+    const double degrees = toDegrees(2 * std::atan(photo.height / (2 * focalLength)));
+    return sourced(fit.focalLength, QObject::tr("%1° high").arg(decimalText(degrees, 1)));
+}
+
+/// Where the line of sight meets the photo, from its middle.
+QString lineOfSightText(const PoseFit& fit, PhotoSize photo) {
+    const Intrinsics camera = intrinsicsOf(fit.projector, photo);
+    const double right = camera.cx - photo.width / 2.0, below = camera.cy - photo.height / 2.0;
+    if (right == 0 && below == 0) return sourced(fit.principalPoint, QObject::tr("in the middle"));
+    const QString across = right < 0 ? QObject::tr("%1 px left") : QObject::tr("%1 px right");
+    const QString along = below < 0 ? QObject::tr("%1 px up") : QObject::tr("%1 px down");
+    return sourced(fit.principalPoint, across.arg(decimalText(std::abs(right), 0)) + QStringLiteral(", ") +
+                                           along.arg(decimalText(std::abs(below), 0)));
+}
+
+QString pixelsText(const PoseFit& fit, PhotoSize photo) {
+    const Intrinsics camera = intrinsicsOf(fit.projector, photo);
+    const double stretch = camera.fx / camera.fy;
+    const bool isSquare = std::abs(stretch - 1) < 5e-4;
+    return sourced(fit.pixelAspect,
+                   isSquare ? QObject::tr("square")
+                            : QObject::tr("photo stretched × %1 in width").arg(decimalText(stretch, 3)));
+}
+
+QString hangsOn(CameraPart part) {
+    switch (part) {
+    case CameraPart::FocalLength:
+        return LandmarksPanel::tr("the focal length");
+    case CameraPart::PrincipalPoint:
+        return LandmarksPanel::tr("the line of sight");
+    case CameraPart::PixelAspect:
+        return LandmarksPanel::tr("the shape of the pixels");
+    }
+    return {};
+}
+
+QString adviceOn(Weakness weakness) {
+    switch (weakness) {
+    case Weakness::NearlyOnALine:
+        return LandmarksPanel::tr("The landmarks lie nearly on a line: set some beside it");
+    case Weakness::NearlyPlanar:
+        return LandmarksPanel::tr("The landmarks lie nearly in a plane: set some nearer or further away");
+    case Weakness::CloseTogether:
+        return LandmarksPanel::tr("The landmarks lie close together: set some further out in the photo");
     }
     return {};
 }
@@ -75,8 +131,18 @@ void LandmarksPanel::layOut() {
     auto* rows = new ValueRows(this);
     m_error = rows->addText(tr("Mean error"), QStringLiteral("landmarkError"));
     m_error->setToolTip(tr("In photo pixels, root of the mean square over the landmarks that agree"));
-    m_focalLength = rows->addText(tr("Focal length"), QStringLiteral("landmarkFocalLength"));
-    m_focalLength->setToolTip(tr("Six landmarks or more tell it, where they do not lie in a plane"));
+    m_sure = rows->addText(tr("Sure within"), QStringLiteral("landmarkSure"));
+    m_sure->setToolTip(
+        tr("How near the true camera stands to the projector, and how little it is turned from "
+           "it, with 95 % certainty. The clicks' errors tell it"));
+    m_focalLength = rows->addText(tr("Field of view"), QStringLiteral("landmarkFocalLength"));
+    m_lineOfSight = rows->addText(tr("Line of sight"), QStringLiteral("landmarkLineOfSight"));
+    m_lineOfSight->setToolTip(tr("Where it meets the photo, from the photo's middle"));
+    m_pixels = rows->addText(tr("Pixels"), QStringLiteral("landmarkPixels"));
+    for (QLabel* part : {m_focalLength, m_pixels})
+        part->setToolTip(
+            tr("The more landmarks, spread over the photo and in depth, the more of the camera they "
+               "tell. What they do not tell is assumed to be as usual"));
     m_remark->setObjectName(QStringLiteral("landmarkRemark"));
     m_remark->setWordWrap(true);
     m_remark->setAlignment(Qt::AlignTop);
@@ -126,9 +192,15 @@ void LandmarksPanel::showRows() {
 void LandmarksPanel::showResult() {
     const PoseFit* fit = m_landmarking.fit();
     m_error->setText(fit ? pixelText(fit->error) : QString(QChar(0x2013)));
-    m_focalLength->setText(fit ? focalLengthText(*fit) : QString(QChar(0x2013)));
+    const QString none(QChar(0x2013));
+    const PhotoSize photo = fit ? sizeOf(*pictureOf(*m_landmarking.layer())) : PhotoSize{1, 1};
+    m_sure->setText(fit ? sureText(*fit) : none);
+    m_focalLength->setText(fit ? fieldOfViewText(*fit, photo) : none);
+    m_lineOfSight->setText(fit ? lineOfSightText(*fit, photo) : none);
+    m_pixels->setText(fit ? pixelsText(*fit, photo) : none);
     m_remark->setText(remark());
-    setWarning(m_remark, !m_landmarking.failure().isEmpty());
+    setWarning(m_remark,
+               !m_landmarking.failure().isEmpty() || (fit && (fit->dominating || !fit->weaknesses.empty())));
 }
 
 QString LandmarksPanel::remark() const {
@@ -139,11 +211,12 @@ QString LandmarksPanel::remark() const {
     if (count < pairsForPose) return tr("%1 of %2 that place the photo").arg(count).arg(pairsForPose);
     const PoseFit* fit = m_landmarking.fit();
     if (!fit) return tr("Looking for the pose…");
-    if (fit->focalLength == FocalLength::Assumed)
-        return count < pairsForFocalLength
-                   ? tr("The focal length is assumed: %1 landmarks tell it").arg(pairsForFocalLength)
-                   : tr("The focal length is assumed: these landmarks do not tell it");
-    return m_landmarking.isElsewhere() ? tr("The photo was moved from where they place it") : QString();
+    if (m_landmarking.isElsewhere()) return tr("The photo was moved from where they place it");
+    if (fit->dominating)
+        return tr("How sure it is hangs on %1, which they hardly tell: set more, or choose a calibrated "
+                  "camera")
+            .arg(hangsOn(*fit->dominating));
+    return fit->weaknesses.empty() ? QString() : adviceOn(fit->weaknesses.front());
 }
 
 void LandmarksPanel::showUse() {

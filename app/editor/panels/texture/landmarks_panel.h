@@ -30,7 +30,7 @@ private:
     QString remark() const;
 
     Landmarking& m_landmarking;
-    QLabel *m_count, *m_error, *m_focalLength, *m_remark;
+    QLabel *m_count, *m_error, *m_sure, *m_focalLength, *m_lineOfSight, *m_pixels, *m_remark;
     ItemList* m_list;
     QToolButton *m_tool, *m_remove;
     QPushButton *m_place, *m_load, *m_save;

@@ -56,6 +56,7 @@ Projector ofShownKind(Kind kind, const TextureLayer& layer, const TriangleMesh& 
     const bool isParallel = kind == Kind::Parallel;
     Projector projector = ofKind(isParallel ? ProjectorKind::Parallel : ProjectorKind::Perspective,
                                  layer.projector, layer.photo->image, mesh);
+    projector.areIntrinsicsFound = false;
     if (kind == Kind::Measured) projector.intrinsics = intrinsicsOf(projector, sizeOfPicture(layer));
     if (kind == Kind::Perspective && projector.intrinsics) {
         projector.fieldOfView =
@@ -160,7 +161,11 @@ void ProjectorPanel::connectIntrinsics() {
             const std::array<double*, 4> values{&camera.fx, &camera.fy, &camera.cx, &camera.cy};
             *values[i] = pixels;
             edit(
-                tr("Set calibration"), [=](Projector& projector) { projector.intrinsics = camera; },
+                tr("Set calibration"),
+                [=](Projector& projector) {
+                    projector.intrinsics = camera;
+                    projector.areIntrinsicsFound = false;
+                },
                 EditKind::ProjectorCalibration, i);
         });
         connect(m_intrinsics[i], &NumberField::gestureFinished, &m_document, &Document::finishGesture);

@@ -69,7 +69,7 @@ TEST_F(LandmarkingTest, PlacesThePhotoFromFourPairsOn) {
     for (std::size_t i = 3; i < 8; ++i)
         setPair(i);
     ESM_EVENTUALLY(landmarking.fit() && poseError() < 1e-4);
-    EXPECT_EQ(landmarking.fit()->focalLength, FocalLength::Measured);
+    EXPECT_EQ(landmarking.fit()->focalLength, PartSource::Found);
     EXPECT_EQ(placed().kind, ProjectorKind::Perspective);
     EXPECT_NEAR(placed().fieldOfView, 40, 0.01);
     EXPECT_TRUE(placed().falloff) << "of all else the projector stays as it was";
@@ -146,7 +146,7 @@ TEST_F(LandmarkingTest, AMeasuredCameraStaysAsItIs) {
     for (std::size_t i = 0; i < 4; ++i)
         setPair(i);
     ESM_EVENTUALLY(landmarking.fit() && poseError() < 1e-4);
-    EXPECT_EQ(landmarking.fit()->focalLength, FocalLength::Given);
+    EXPECT_EQ(landmarking.fit()->focalLength, PartSource::Given);
     EXPECT_EQ(placed().intrinsics, intrinsicsOf(truth, size()));
 }
 

@@ -1,6 +1,8 @@
 #include "core/texture/projection/pose_fit.h"
 
 #include "core/support/errors.h"
+#include "core/texture/projection/usual_camera.h"
+#include "tests/core/texture/projection/seen_pairs.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,57 +10,12 @@
 #include <random>
 
 using namespace esm;
+using namespace esm::test;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using testing::HasSubstr;
 
 namespace {
-
-constexpr PhotoSize endoscope{1920, 1080};
-
-/// A camera as the liver's in the test data: an endoscope 0.3 m away with its line of sight off the middle.
-Projector camera() {
-    Projector projector;
-    projector.kind = ProjectorKind::Perspective;
-    projector.intrinsics = Intrinsics{2012.186314, 2017.966019, 944.7173708, 617.1093984};
-    projector.pose = Eigen::Translation3d(0.117, -0.23, -0.172) *
-                     Eigen::AngleAxisd(2, Vector3d(1, -0.4, 0.3).normalized());
-    return projector;
-}
-
-/// Landmarks all over what the camera sees, as deep as an organ is.
-std::vector<LandmarkPair> pairsSeenBy(const Projector& projector, std::size_t count, unsigned seed = 1) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> share(0.05, 0.95), depth(0.25, 0.4);
-    const Intrinsics seen = intrinsicsOf(projector, endoscope);
-    std::vector<LandmarkPair> pairs;
-    while (pairs.size() < count) {
-        const Vector2d pixel(share(random) * endoscope.width, share(random) * endoscope.height);
-        const double z = depth(random);
-        const Vector3d own((pixel.x() - seen.cx) / seen.fx * z, -(pixel.y() - seen.cy) / seen.fy * z, -z);
-        pairs.push_back({pixel, projector.pose * own});
-    }
-    return pairs;
-}
-
-void addNoise(std::vector<LandmarkPair>& pairs, double pixels, unsigned seed = 7) {
-    std::mt19937 random(seed);
-    std::normal_distribution<double> noise(0, pixels);
-    for (LandmarkPair& pair : pairs)
-        pair.photo += Vector2d(noise(random), noise(random));
-}
-
-/// How far off a pose shows points that the true camera sees, pixels, root of the mean square.
-double errorAt(const Projector& found, const Projector& truth) {
-    double squares = 0;
-    const std::vector<LandmarkPair> everywhere = pairsSeenBy(truth, 200, 99);
-    for (const LandmarkPair& pair : everywhere) {
-        const auto place = project(found, endoscope, pair.organ);
-        if (!place) return HUGE_VAL;
-        squares += (place->head<2>() - pair.photo).squaredNorm();
-    }
-    return std::sqrt(squares / double(everywhere.size()));
-}
 
 std::string poseRefusal(const std::vector<LandmarkPair>& pairs,
                         const std::optional<Intrinsics>& intrinsics = camera().intrinsics) {
@@ -79,7 +36,7 @@ TEST(PoseFit, FindsThePoseOfExactPairs) {
             const PoseFit fit = fitPose(pairsSeenBy(camera(), count, seed), {endoscope, camera().intrinsics});
             EXPECT_LT(fit.error, 1e-3) << count;
             EXPECT_LT(errorAt(fit.projector, camera()), 0.1) << count;
-            EXPECT_EQ(fit.focalLength, FocalLength::Given);
+            EXPECT_EQ(fit.focalLength, PartSource::Given);
             EXPECT_EQ(fit.projector.intrinsics, camera().intrinsics);
             EXPECT_EQ(std::count(fit.outliers.begin(), fit.outliers.end(), true), 0);
         }
@@ -108,24 +65,33 @@ TEST(PoseFit, MeasuresTheFocalLengthFromSixPairs) {
             truth.intrinsics.reset();
             truth.fieldOfView = degrees;
             const PoseFit fit = fitPose(pairsSeenBy(truth, 6, seed), {endoscope, std::nullopt});
-            EXPECT_EQ(fit.focalLength, FocalLength::Measured);
+            EXPECT_EQ(fit.focalLength, PartSource::Found);
             EXPECT_NEAR(fit.projector.fieldOfView, degrees, 1e-3 * degrees);
             EXPECT_LT(errorAt(fit.projector, truth), 0.1);
         }
     std::vector<LandmarkPair> noisy = pairsSeenBy(camera(), 12);
     addNoise(noisy, 1);
     const PoseFit fit = fitPose(noisy, {endoscope, std::nullopt});
-    EXPECT_EQ(fit.focalLength, FocalLength::Measured);
+    EXPECT_EQ(fit.focalLength, PartSource::Found);
     EXPECT_LT(fit.error, 5);
 }
 
-TEST(PoseFit, AssumesAFieldOfViewFromFewerPairs) {
+TEST(PoseFit, TakesAUsualFieldOfViewWherePairsDoNotTellIt) {
     Projector truth = camera();
     truth.intrinsics.reset();
     truth.fieldOfView = assumedFieldOfView;
-    const PoseFit fit = fitPose(pairsSeenBy(truth, 5), {endoscope, std::nullopt});
-    EXPECT_EQ(fit.focalLength, FocalLength::Assumed);
-    EXPECT_LT(errorAt(fit.projector, truth), 0.1);
+    std::vector<LandmarkPair> pairs = pairsSeenBy(truth, 8);
+    for (LandmarkPair& pair : pairs) { // all into one depth
+        const Vector3d own = truth.pose.inverse() * pair.organ;
+        pair.organ = truth.pose * Vector3d(own * (-0.3 / own.z()));
+    }
+    addNoise(pairs, 1);
+    const PoseFit fit = fitPose(pairs, {endoscope, std::nullopt});
+    EXPECT_EQ(fit.focalLength, PartSource::Assumed);
+    EXPECT_EQ(fit.dominating, CameraPart::FocalLength);
+    EXPECT_NEAR(fit.projector.fieldOfView, assumedFieldOfView, 15);
+    EXPECT_GT(fit.eyeWithin, 0.05);
+    EXPECT_EQ(fit.weaknesses, std::vector{Weakness::NearlyPlanar});
 }
 
 TEST(PoseFit, FindsThePairsThatDoNotBelong) {
