@@ -4,6 +4,7 @@
 #include "core/exchange/project/pairs_file.h"
 #include "core/exchange/project/projector_file.h"
 #include "core/support/atomic_file.h"
+#include "core/texture/layers/pose_refinement.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ constexpr double farShare = 0.5;
 
 struct FitOptions {
     std::string project, photo, pairs, intrinsics, output;
+    bool refine = false;
 };
 
 void declareFit(CLI::App& command, FitOptions& options) {
@@ -29,6 +31,8 @@ void declareFit(CLI::App& command, FitOptions& options) {
     command.add_option(
         "--intrinsics", options.intrinsics,
         "FX,FY,CX,CY of the photograph's camera, pixels; without, found as far as the pairs tell");
+    command.add_flag("--refine", options.refine,
+                     "Then move the photograph so that it agrees with those on the organ already");
     command.add_option("-o,--output", options.output, "Projector file to write (.json)")
         ->check(writtenAs(".json"));
 }
@@ -190,6 +194,29 @@ void writeProjector(const Projector& projector, const std::filesystem::path& fil
     output.commit();
 }
 
+/// Moves the fit's projector where the photos on the organ tell more; warns where they do not.
+void refine(Report& report, std::vector<std::string>& warnings, PoseFit& fit, const Project& project,
+            const std::shared_ptr<const Photo>& photo, const Context& context) {
+    TextureLayer layer;
+    layer.photo = photo;
+    layer.projector = fit.projector;
+    const auto refined = refinedPose(*project.mesh, project.layers, layer, progressOf(context, "refining"));
+    report.json["refined"] = Json();
+    if (!refined) {
+        warnings.emplace_back("the photograph was not refined: it meets too little of other photographs, or "
+                              "agrees with them as well as it can");
+        return;
+    }
+    fit.projector = refined->projector;
+    report.json["projector"] = toJson(fit.projector);
+    report.json["refined"] = {{"error_before", refined->errorBefore},
+                              {"error_after", refined->errorAfter},
+                              {"moved_px", refined->moved}};
+    report.text.push_back("refined by the photographs on the organ: moved by " + roughly(refined->moved) +
+                          " pixels; it differs from them by " + roughly(100 * refined->errorAfter) +
+                          " % of the contrast, before by " + roughly(100 * refined->errorBefore) + " %");
+}
+
 Report runFit(const FitOptions& options, Context& context) {
     const std::optional<Intrinsics> intrinsics = parseIntrinsics(options.intrinsics);
     context.subject = options.project;
@@ -197,9 +224,11 @@ Report runFit(const FitOptions& options, Context& context) {
     const std::shared_ptr<const Photo> photo = loadPhoto(options.photo);
     const std::vector<LandmarkPair> pairs = readPairsFile(options.pairs);
     context.subject = options.pairs;
-    const PoseFit fit = fitPose(pairs, {{photo->image.width, photo->image.height}, intrinsics});
+    PoseFit fit = fitPose(pairs, {{photo->image.width, photo->image.height}, intrinsics});
     Report report = describe(fit);
-    addWarnings(report, fitWarnings(fit, pairs, *project.mesh));
+    std::vector<std::string> warnings = fitWarnings(fit, pairs, *project.mesh);
+    if (options.refine) refine(report, warnings, fit, project, photo, context);
+    addWarnings(report, warnings);
     if (options.output.empty()) return report;
     writeProjector(fit.projector, options.output, context.interruption);
     addWritten(report, options.output);

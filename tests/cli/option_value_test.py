@@ -60,7 +60,7 @@ COMMANDS = {
         "--even-light": AMOUNT + ["1.01"], "--white-balance": None, "--match-colours": None, "--lens": FILE,
         "--crop": ["x", "1 2 3", "0 0 -1 5", "0.5 0 5 5", "0 0 0 5", "0 0 5 0", "0 0 5 nan", ""]},
     "texture fit organ.esm --photo photo.png --pairs pairs.csv": {
-        "project": FILE, "--photo": FILE, "--pairs": FILE, "-o": ["-", "out.png", ""],
+        "project": FILE, "--photo": FILE, "--pairs": FILE, "-o": ["-", "out.png", ""], "--refine": None,
         "--intrinsics": ["x", "1,2,3", "0,1,1,1", "1,-1,0,0", "1,1,nan,1", "1e8,1,0,0", "1,1,1e8,0", ""]},
     "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None},
     "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""]},

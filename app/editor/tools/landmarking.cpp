@@ -27,6 +27,7 @@ Landmarking::Landmarking(Document& document, Selection& selection, QObject* pare
         if (change.layers || change.landmarks || change.mesh) follow();
     });
     connect(&m_finder, &PoseFinder::answered, this, &Landmarking::takeAnswer);
+    connect(&m_refiner, &PlacementRefiner::answered, this, &Landmarking::takeRefinement);
     follow();
 }
 
@@ -179,6 +180,46 @@ void Landmarking::placeBy(const PoseFit& fit, const QString& text, const MergeKe
     const LayerId photo = layer()->id;
     m_document.edit(
         text, [&](Project& project) { partOf(project.layers, photo).projector = placed; }, mergeKey);
+}
+
+std::vector<TextureLayer> Landmarking::others() const {
+    std::vector<TextureLayer> others;
+    if (!layer()) return others;
+    for (const TextureLayer& other : m_document.project().layers)
+        if (other.id != layer()->id && isShown(other)) others.push_back(other);
+    return others;
+}
+
+void Landmarking::refine() {
+    if (!mayRefine()) return;
+    m_refining = std::pair(layer()->id, layer()->projector);
+    m_inVain.reset();
+    m_refiner.refine({m_document.project().mesh, others(), *layer()});
+    emit changed();
+}
+
+/// An answer for a photo that was moved meanwhile, or is selected no longer, is dropped.
+void Landmarking::takeRefinement() {
+    if (m_refiner.isWorking()) return; // another one was asked for meanwhile
+    const auto asked = std::exchange(m_refining, std::nullopt);
+    if (asked && layer() && asked == std::pair(layer()->id, layer()->projector)) {
+        m_refinement = m_refiner.answer();
+        if (!m_refinement) m_inVain = asked;
+        if (m_refinement)
+            m_document.edit(tr("Refine placement"), [&](Project& project) {
+                partOf(project.layers, asked->first).projector = m_refinement->projector;
+            });
+    }
+    emit changed();
+}
+
+const PoseRefinement* Landmarking::refinement() const {
+    return m_refinement && layer() && layer()->projector == m_refinement->projector ? &*m_refinement
+                                                                                    : nullptr;
+}
+
+bool Landmarking::wasRefinedInVain() const {
+    return m_inVain && layer() && m_inVain == std::pair(layer()->id, layer()->projector);
 }
 
 } // namespace esm

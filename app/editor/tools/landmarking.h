@@ -2,6 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "app/editor/workers/placement_refiner.h"
 #include "app/editor/workers/pose_finder.h"
 
 namespace esm {
@@ -51,6 +52,16 @@ public:
     /// Places the photo by the pose that was found.
     void place();
 
+    /// Moves the photo to where it agrees best with the other layers; a moment later, as one step.
+    void refine();
+    /// Whether there are other layers that it may agree with.
+    bool mayRefine() const { return !others().empty(); }
+    bool isRefining() const { return m_refining.has_value(); }
+    /// What refining came to, for as long as the photo stays there; null before.
+    const PoseRefinement* refinement() const;
+    /// Whether the photo was last refined in vain, and stands where it stood then.
+    bool wasRefinedInVain() const;
+
 signals:
     void changed();
 
@@ -68,6 +79,8 @@ private:
     void completeHalf();
     void edit(const QString& text, const std::function<void(std::vector<LandmarkPair>&)>& change);
     void takeAnswer();
+    std::vector<TextureLayer> others() const;
+    void takeRefinement();
     void placeBy(const PoseFit& fit, const QString& text, const MergeKey& mergeKey);
 
     Document& m_document;
@@ -76,6 +89,9 @@ private:
     std::optional<PoseQuestion> m_asked;
     std::shared_ptr<const PoseAnswer> m_answer;
     std::optional<Wanted> m_wanted;
+    PlacementRefiner m_refiner;
+    std::optional<std::pair<LayerId, Projector>> m_refining, m_inVain; ///< which photo, and where it stood
+    std::optional<PoseRefinement> m_refinement;
     std::optional<LayerId> m_photo;
     std::optional<std::size_t> m_selected;
     Half m_half;

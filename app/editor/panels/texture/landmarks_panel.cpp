@@ -104,7 +104,8 @@ LandmarksPanel::LandmarksPanel(Landmarking& landmarking, QWidget* parent)
     : Section(tr("Landmarks"), parent), m_landmarking(landmarking), m_count(new QLabel(this)),
       m_remark(new QLabel(this)), m_list(new ItemList(QPalette::LinkVisited, this)),
       m_place(new QPushButton(tr("P&lace photo"), this)), m_load(new QPushButton(tr("Load…"), this)),
-      m_save(new QPushButton(tr("Save…"), this)) {
+      m_save(new QPushButton(tr("Save…"), this)),
+      m_refine(new QPushButton(tr("&Refine by the other photos"), this)) {
     layOut();
     connect(m_list, &ItemList::rowSelected, this, [this](int row) {
         m_landmarking.select(row < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(row)));
@@ -112,6 +113,7 @@ LandmarksPanel::LandmarksPanel(Landmarking& landmarking, QWidget* parent)
     connect(m_list, &ItemList::removeRequested, this, &LandmarksPanel::removeSelected);
     connect(m_remove, &QToolButton::clicked, this, &LandmarksPanel::removeSelected);
     connect(m_place, &QPushButton::clicked, &landmarking, &Landmarking::place);
+    connect(m_refine, &QPushButton::clicked, &landmarking, &Landmarking::refine);
     connect(m_load, &QPushButton::clicked, this, &LandmarksPanel::load);
     connect(m_save, &QPushButton::clicked, this, &LandmarksPanel::save);
     connect(&landmarking, &Landmarking::changed, this, &LandmarksPanel::show);
@@ -157,6 +159,8 @@ void LandmarksPanel::layOut() {
     body()->addWidget(m_list);
     body()->addWidget(m_remark);
     body()->addLayout(buttons);
+    m_refine->setObjectName(QStringLiteral("refinePlacement"));
+    body()->addWidget(m_refine);
 }
 
 void LandmarksPanel::setToolAction(QAction* action) {
@@ -208,6 +212,14 @@ QString LandmarksPanel::remark() const {
     const QString failure = m_landmarking.failure();
     if (!failure.isEmpty()) return tr("%1. The photo stays where it is.").arg(failure);
     if (!m_landmarking.layer()) return {};
+    if (m_landmarking.isRefining()) return tr("Comparing the photo with the others…");
+    if (m_landmarking.wasRefinedInVain())
+        return tr("The photo stays: it meets too little of the others, or agrees as well as it can");
+    if (const PoseRefinement* refined = m_landmarking.refinement())
+        return tr("Refined: moved by %1 px. It differs from the others by %2 % of the contrast, before by %3 "
+                  "%")
+            .arg(decimalText(refined->moved, 1), decimalText(100 * refined->errorAfter, 0),
+                 decimalText(100 * refined->errorBefore, 0));
     if (count < pairsForPose) return tr("%1 of %2 that place the photo").arg(count).arg(pairsForPose);
     const PoseFit* fit = m_landmarking.fit();
     if (!fit) return tr("Looking for the pose…");
@@ -230,6 +242,11 @@ void LandmarksPanel::showUse() {
            noPhoto);
     enable(m_save, !m_landmarking.pairs().empty(), tr("Save the landmarks as CSV, for esmc texture fit"),
            hasPhoto ? none : noPhoto);
+    enable(m_refine, hasPhoto && m_landmarking.mayRefine() && !m_landmarking.isRefining(),
+           tr("Move the photo a little, to where it shows what the other photos show there"),
+           !hasPhoto                    ? noPhoto
+           : m_landmarking.isRefining() ? tr("It is being refined")
+                                        : tr("No other photo is shown"));
     enable(m_remove, m_landmarking.selected().has_value(), tr("Remove the landmark (Del)"),
            tr("No landmark is selected"));
 }

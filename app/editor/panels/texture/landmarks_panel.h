@@ -33,7 +33,7 @@ private:
     QLabel *m_count, *m_error, *m_sure, *m_focalLength, *m_lineOfSight, *m_pixels, *m_remark;
     ItemList* m_list;
     QToolButton *m_tool, *m_remove;
-    QPushButton *m_place, *m_load, *m_save;
+    QPushButton *m_place, *m_load, *m_save, *m_refine;
 };
 
 } // namespace esm

@@ -274,3 +274,43 @@ TEST_F(LandmarksInTheWindow, AreLoadedAndSaved) {
 }
 
 } // namespace
+
+TEST_F(LandmarkingTest, RefinesAPlacementByAnotherPhotoAsOneStep) {
+    EXPECT_FALSE(landmarking.mayRefine()) << "there is no other";
+    document.edit(QStringLiteral("Add"), [&](Project& project) {
+        project.layers[0].photo = makeSamplePhoto("vessels");
+        project.layers[0].projector = truth;
+        TextureLayer other = project.layers[0];
+        other.id = {};
+        project.layers.push_back(other);
+        project.layers[0].projector.pose.translation() += Eigen::Vector3d(0.002, -0.0015, 0);
+    });
+    selection.setPhoto(document.project().layers[0].id);
+    const Projector moved = placed();
+    const int steps = document.undoStack()->count();
+    landmarking.refine();
+    EXPECT_TRUE(landmarking.isRefining());
+    ESM_EVENTUALLY(!landmarking.isRefining());
+    ASSERT_TRUE(landmarking.refinement());
+    EXPECT_LT(landmarking.refinement()->errorAfter, landmarking.refinement()->errorBefore / 2);
+    EXPECT_LT(poseError(), 0.0025 / 2) << "far away a turn looks much like a shift";
+    EXPECT_EQ(document.undoStack()->count(), steps + 1);
+    document.undoStack()->undo();
+    EXPECT_TRUE(placed() == moved);
+    EXPECT_FALSE(landmarking.refinement()) << "the photo stands elsewhere";
+}
+
+TEST_F(LandmarkingTest, SaysThatNothingLiesBeneathToRefineBy) {
+    document.edit(QStringLiteral("Add"), [&](Project& project) {
+        TextureLayer other = project.layers[0];
+        other.id = {};
+        other.projector.pose.translation().x() += 10;
+        project.layers.push_back(other);
+    });
+    selection.setPhoto(document.project().layers[0].id);
+    const Projector before = placed();
+    landmarking.refine();
+    ESM_EVENTUALLY(!landmarking.isRefining());
+    EXPECT_TRUE(landmarking.wasRefinedInVain());
+    EXPECT_TRUE(placed() == before);
+}
