@@ -23,6 +23,7 @@ constexpr std::array<int, 4> sizes{100, 200, 400, 800};
 constexpr std::size_t fewestSamples = 300;
 constexpr double leastShareSeen = 0.6;  ///< of the samples that a pose must leave in the photo
 constexpr double usualDifference = 0.5; ///< of evened brightness: from there on a difference counts less
+constexpr double mostDifference = 0.9;  ///< of a photo that shows the same: a correlation of 0.6
 constexpr int mostAlignmentSteps = 40;
 constexpr double smallestGain = 1e-5;
 constexpr std::uint8_t baseShare = 26; ///< of 255: where the base colour takes more, nothing lies beneath
@@ -226,19 +227,21 @@ std::optional<PoseRefinement> refinedPose(const TriangleMesh& mesh, const std::v
     ProgressParts parts(progress);
     PoseRefinement refinement{layer.projector, 0, 0, 0};
     for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const EvenedBrightness small = evenedBrightness(reduced(picture, sizes[i]));
-        const PhotoPlane plane{refinement.projector, photo, {small.width, small.height}};
+        const Image small = reduced(picture, sizes[i]);
+        const PhotoPlane plane{refinement.projector, photo, sizeOf(small)};
         const Image surface = coveredSurface(mesh, beneath, plane, parts.next(0.25));
-        const std::vector<Sample> samples = samplesOf(mesh, evenedBrightness(surface), plane);
+        const std::vector<Sample> samples = samplesOf(mesh, evenedBrightness(surface, surface), plane);
         if (samples.size() < fewestSamples) return std::nullopt;
-        const Alignment alignment(small, photo, samples);
+        const EvenedBrightness evened =
+            evenedBrightness(small, surface); // without what lies behind the organ
+        const Alignment alignment(evened, photo, samples);
         refinement.projector = alignment.aligned(refinement.projector);
         refinement.errorBefore = alignment.error(layer.projector);
         refinement.errorAfter = alignment.error(refinement.projector);
         refinement.moved = alignment.moved(layer.projector, refinement.projector);
     }
     reportProgress(progress, 1);
-    if (!(refinement.errorAfter < refinement.errorBefore)) return std::nullopt;
+    if (!(refinement.errorAfter < std::min(refinement.errorBefore, mostDifference))) return std::nullopt;
     return refinement;
 }
 

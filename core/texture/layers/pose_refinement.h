@@ -20,7 +20,7 @@ struct PoseRefinement {
 
 /// Refines where a photo was taken from by the photo itself: the pose from which it agrees best with the
 /// layers beneath, near the one it has. Nothing where it meets too little of what they colour, or where no
-/// pose near agrees better. Precondition: the layer has a photo.
+/// pose near agrees better and well. Precondition: the layer has a photo.
 /// @param beneath from the lowest to the topmost
 /// @throws Cancelled
 std::optional<PoseRefinement> refinedPose(const TriangleMesh& mesh, const std::vector<TextureLayer>& beneath,

@@ -29,25 +29,26 @@ cv::Mat1f meanAround(const cv::Mat1f& values, const cv::Mat1f& counts, int windo
 
 /// Mean and standard deviation of a window around each pixel are taken out, as in normalised
 /// cross-correlation.
-EvenedBrightness evenedBrightness(const Image& picture) {
-    cv::Mat1f brightness(picture.height, picture.width), counts(picture.height, picture.width);
+EvenedBrightness evenedBrightness(const Image& picture, const Image& surroundings) {
+    cv::Mat1f brightness(picture.height, picture.width), around(picture.height, picture.width);
+    EvenedBrightness evened{picture.width, picture.height, {}, {}};
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const std::uint8_t* pixel = picture.at(x, y);
             brightness(y, x) = 0.299F * pixel[0] + 0.587F * pixel[1] + 0.114F * pixel[2];
-            counts(y, x) = pixel[3] >= opaque ? 1 : 0;
+            const bool isOpaque = pixel[3] >= opaque;
+            evened.counts.push_back(isOpaque ? 1 : 0);
+            around(y, x) = isOpaque && surroundings.at(x, y)[3] >= opaque ? 1 : 0;
         }
     const int window = 2 * (std::max(picture.width, picture.height) / (2 * windowsAcross)) + 1;
-    const cv::Mat1f mean = meanAround(brightness, counts, window);
+    const cv::Mat1f mean = meanAround(brightness, around, window);
     cv::Mat1f off, squares, deviation, values;
     cv::subtract(brightness, mean, off);
     cv::multiply(off, off, squares);
-    cv::add(meanAround(squares, counts, window), leastDeviation * leastDeviation, deviation);
+    cv::add(meanAround(squares, around, window), leastDeviation * leastDeviation, deviation);
     cv::sqrt(deviation, deviation);
     cv::divide(off, deviation, values);
-    EvenedBrightness evened{picture.width, picture.height, {}, {}};
     evened.values.assign(values.begin(), values.end());
-    evened.counts.assign(counts.begin(), counts.end());
     return evened;
 }
 

@@ -21,7 +21,9 @@ struct EvenedBrightness {
                static_cast<std::size_t>(column);
     }
 };
-EvenedBrightness evenedBrightness(const Image& picture);
+
+/// @param surroundings what belongs to the surroundings of a pixel, by its alpha; of the picture's size
+EvenedBrightness evenedBrightness(const Image& picture, const Image& surroundings);
 
 /// Between the pixels around a place, with the derivative by it.
 struct BrightnessAt {
