@@ -202,15 +202,21 @@ void LandmarksPanel::showResult() {
     m_focalLength->setText(fit ? fieldOfViewText(*fit, photo) : none);
     m_lineOfSight->setText(fit ? lineOfSightText(*fit, photo) : none);
     m_pixels->setText(fit ? pixelsText(*fit, photo) : none);
-    m_remark->setText(remark());
-    setWarning(m_remark,
-               !m_landmarking.failure().isEmpty() || (fit && (fit->dominating || !fit->weaknesses.empty())));
+    showRemark();
 }
 
-QString LandmarksPanel::remark() const {
-    const std::size_t count = m_landmarking.pairs().size();
+/// What went wrong comes first, then what is under way, then what keeps the pose from being sure.
+void LandmarksPanel::showRemark() {
     const QString failure = m_landmarking.failure();
-    if (!failure.isEmpty()) return tr("%1. The photo stays where it is.").arg(failure);
+    const QString doubt = failure.isEmpty() && state().isEmpty() ? this->doubt() : QString();
+    m_remark->setText(!failure.isEmpty() ? tr("%1. The photo stays where it is.").arg(failure)
+                      : doubt.isEmpty()  ? state()
+                                         : doubt);
+    setWarning(m_remark, !failure.isEmpty() || !doubt.isEmpty());
+}
+
+QString LandmarksPanel::state() const {
+    const std::size_t count = m_landmarking.pairs().size();
     if (!m_landmarking.layer()) return {};
     if (m_landmarking.isRefining()) return tr("Comparing the photo with the others…");
     if (m_landmarking.wasRefinedInVain())
@@ -221,9 +227,13 @@ QString LandmarksPanel::remark() const {
             .arg(decimalText(refined->moved, 1), decimalText(100 * refined->errorAfter, 0),
                  decimalText(100 * refined->errorBefore, 0));
     if (count < pairsForPose) return tr("%1 of %2 that place the photo").arg(count).arg(pairsForPose);
+    if (!m_landmarking.fit()) return tr("Looking for the pose…");
+    return m_landmarking.isElsewhere() ? tr("The photo was moved from where they place it") : QString();
+}
+
+QString LandmarksPanel::doubt() const {
     const PoseFit* fit = m_landmarking.fit();
-    if (!fit) return tr("Looking for the pose…");
-    if (m_landmarking.isElsewhere()) return tr("The photo was moved from where they place it");
+    if (!fit) return {};
     if (fit->dominating)
         return tr("How sure it is hangs on %1, which they hardly tell: set more, or choose a calibrated "
                   "camera")

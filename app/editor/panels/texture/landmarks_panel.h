@@ -27,7 +27,9 @@ private:
     void removeSelected();
     void load();
     void save();
-    QString remark() const;
+    void showRemark();
+    QString state() const;
+    QString doubt() const;
 
     Landmarking& m_landmarking;
     QLabel *m_count, *m_error, *m_sure, *m_focalLength, *m_lineOfSight, *m_pixels, *m_remark;
