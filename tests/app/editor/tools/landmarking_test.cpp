@@ -111,6 +111,26 @@ TEST_F(LandmarkingTest, ADragIsOneStep) {
     EXPECT_TRUE(placed() == before);
 }
 
+TEST_F(LandmarkingTest, AMoveThatIsDroppedLeavesNothing) {
+    for (std::size_t i = 0; i < 6; ++i)
+        setPair(i);
+    ESM_EVENTUALLY(landmarking.fit() && !landmarking.isElsewhere());
+    const Project before = document.project();
+    const int steps = document.undoStack()->count();
+    landmarking.movePixel(2, seen(vertex(2)) + Eigen::Vector2d(40, 10));
+    ESM_EVENTUALLY(!(placed() == before.layers[0].projector)); // the photo goes along
+    landmarking.movePixel(2, seen(vertex(2)) + Eigen::Vector2d(60, 20));
+    landmarking.dropMove();
+    EXPECT_EQ(document.project(), before);
+    EXPECT_EQ(document.undoStack()->count(), steps);
+    landmarking.dropMove();
+    EXPECT_EQ(document.undoStack()->count(), steps) << "there is no move any more";
+    landmarking.movePoint(1, vertex(9));
+    landmarking.finishMove();
+    landmarking.dropMove();
+    EXPECT_EQ(document.undoStack()->count(), steps + 1) << "what was finished stays";
+}
+
 TEST_F(LandmarkingTest, MarksWhatDoesNotFit) {
     for (std::size_t i = 0; i < 9; ++i)
         setPair(i);
