@@ -18,8 +18,6 @@ public:
     void release() override;
     void cancel() override;
     void leave() override;
-    /// Strokes are painted on the bare organ.
-    void dress(RenderScene& scene) const override { scene.projectors.clear(); }
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
     QString whyNot() const override { return missingLayer(m_selection); }

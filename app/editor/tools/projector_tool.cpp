@@ -2,6 +2,8 @@
 
 #include "widgets/view/overlay.h"
 
+#include <QAction>
+
 namespace esm {
 
 namespace {
@@ -23,7 +25,7 @@ std::optional<std::size_t> photoHandleAt(const ToolMouse& mouse) {
 } // namespace
 
 ProjectorTool::ProjectorTool(const ToolContext& context)
-    : m_document(context.document), m_selection(context.selection) {
+    : m_document(context.document), m_selection(context.selection), m_showProjector(context.showProjector) {
     connect(&m_document, &Document::changed, this, [this](const Change& change) {
         if (m_drag && (change.isOfHistory || !findPart(m_document.project().layers, m_drag->photo)))
             release();
@@ -97,6 +99,11 @@ void ProjectorTool::draw(QPainter& painter, const Sight& sight, const QPalette& 
     for (const Eigen::Vector3d& handle : handles(faceOf(*selected)))
         if (const auto place = sight.placeOf(handle)) painted.push_back({*place});
     paintHandles(painter, painted, palette.color(QPalette::LinkVisited));
+}
+
+QString ProjectorTool::hint() const {
+    return m_showProjector.isChecked() ? QString()
+                                       : tr("The projector's box is hidden: {showProjector} shows it");
 }
 
 } // namespace esm

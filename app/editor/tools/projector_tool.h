@@ -23,6 +23,8 @@ public:
     /// Puts back what is dragged.
     void cancel() override;
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
+    bool showsProjector() const override { return true; }
+    QString hint() const override;
     QString whyNot() const override { return missingPhoto(m_selection); }
 
 private:
@@ -36,6 +38,7 @@ private:
 
     Document& m_document;
     Selection& m_selection;
+    const QAction& m_showProjector;
     std::optional<Drag> m_drag;
 };
 

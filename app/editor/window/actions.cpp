@@ -136,6 +136,10 @@ void ActionMaker::makeShownParts() {
         makeSwitch(make(tr("&Nodes"), QKeySequence(Qt::Key_N), tr("Draw the simulated nodes")), false);
     a.showRegions =
         makeSwitch(make(tr("&Regions"), QKeySequence(Qt::Key_H), tr("Draw the regions' ellipsoids")), true);
+    a.showProjector =
+        makeSwitch(make(tr("Pro&jector"), QKeySequence("Shift+H"),
+                        tr("Draw the box of the selected photo's projector while the tool Photo is in hand")),
+                   true);
 }
 
 void ActionMaker::makeColourings() {

@@ -43,7 +43,8 @@ void fillViewMenu(QMenu* view, const Actions& a) {
 
 void fillShownMenu(QMenu* menu, const Actions& a) {
     menu->setToolTipsVisible(true);
-    menu->addActions({a.showSurface, a.showWireframe, a.showSprings, a.showNodes, a.showRegions});
+    menu->addActions(
+        {a.showSurface, a.showWireframe, a.showSprings, a.showNodes, a.showRegions, a.showProjector});
     QMenu* colours = menu->addMenu(QObject::tr("Colour &by"));
     colours->setToolTipsVisible(true);
     colours->addActions(a.colourings->actions());

@@ -61,8 +61,8 @@ MainWindow::MainWindow(Project project)
       m_preparations(new PreparationEdits(*m_document, *m_selection)), m_preview(new Preview(this)),
       m_actions(createActions(this, m_document->undoStack())), m_view(new OrganView(this)),
       m_landmarking(new Landmarking(*m_document, *m_selection, this)),
-      m_tools(new ToolController(
-          *m_view, {*m_document, *m_selection, *m_preview, *m_landmarking, *m_actions.showRegions})),
+      m_tools(new ToolController(*m_view, {*m_document, *m_selection, *m_preview, *m_landmarking,
+                                           *m_actions.showRegions, *m_actions.showProjector})),
       m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
       m_cameraControls(new CameraControls(*m_view, *m_document, *m_selection)) {
     m_workspaces = new Workspaces(*this, m_actions);

@@ -48,7 +48,8 @@ void addView(RowMaker& rows, const Actions& a) {
                     {"showWireframe", a.showWireframe},
                     {"showSprings", a.showSprings},
                     {"showNodes", a.showNodes},
-                    {"showRegions", a.showRegions}});
+                    {"showRegions", a.showRegions},
+                    {"showProjector", a.showProjector}});
     rows.addNamed(view, QStringLiteral("colourBy/"), a.colourings->actions(),
                   ShortcutTexts::tr("Colour by: %1"));
     rows.add(view, {{"cut", a.cut}, {"frame", a.frame}, {"frameSelection", a.frameSelection}});

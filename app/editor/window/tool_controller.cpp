@@ -34,13 +34,14 @@ void ToolController::connectActions(const Actions& actions) {
     connect(actions.letGo, &QAction::triggered, &m_view, &OrganView::cancel);
     connect(actions.texture, &QAction::toggled, this, &ToolController::updateTools);
     connect(actions.showRegions, &QAction::toggled, this, &ToolController::updateTools);
+    connect(actions.showProjector, &QAction::toggled, this, &ToolController::updateHint);
     connect(&m_document, &Document::changed, this, &ToolController::updateTools);
     connect(&m_selection, &Selection::changed, this, &ToolController::updateTools);
     connect(&m_view, &OrganView::toolChanged, this, &ToolController::updateHint);
     connect(actions.addPhoto, &QAction::changed, this, &ToolController::updateHint);
     // Where their keys are said, others may have been chosen.
-    for (const QAction* said :
-         {actions.tissue, actions.texture, actions.addRegion, actions.showRegions, actions.frame})
+    for (const QAction* said : {actions.tissue, actions.texture, actions.addRegion, actions.showRegions,
+                                actions.showProjector, actions.frame})
         connect(said, &QAction::changed, this, &ToolController::updateTools);
     updateTools();
 }

@@ -76,7 +76,7 @@ private:
     MovingPhoto m_moving{m_composer};
     Theme m_theme = Theme::Dark;
     QTimer m_redrawing; ///< runs while the photos are redrawn
-    bool m_textureWorkspace = false;
+    bool m_textureWorkspace = false, m_showsProjector = true;
     ViewState m_state;                           ///< as the user wants it
     Cut m_cut;                                   ///< while it is cut open
     std::shared_ptr<const TissueModel> m_tissue; ///< as it was evaluated last
