@@ -67,10 +67,13 @@ std::vector<QPointF> ProjectorTool::stops(const Sight& sight) const {
 void ProjectorTool::move(const ToolMouse& mouse) {
     if (!m_drag) return;
     const bool isFree = mouse.keys.testFlag(Qt::ShiftModifier);
+    const bool isControl = mouse.keys.testFlag(Qt::ControlModifier);
     const LayerId photo = m_drag->photo;
     Projector dragged = m_drag->start.projector;
     if (const auto* handle = std::get_if<std::size_t>(&m_drag->held))
-        dragged = scaled(m_drag->start, *handle, mouse.ray(), isFree ? Proportions::Free : Proportions::Kept);
+        dragged = scaled(
+            m_drag->start, *handle, mouse.ray(),
+            {isFree ? Proportions::Free : Proportions::Kept, isControl ? Stays::Middle : Stays::OtherSide});
     else
         dragged.pose.pretranslate(shift(std::get<DragPlane>(m_drag->held), mouse.ray()));
     place(photo, dragged);

@@ -62,7 +62,7 @@ std::vector<ToolRow> toolTable() {
          Options::Column, made<FixTool>},
         {"projector", "photo", translated("P&hoto"), Qt::Key_J,
          translated("Move and size the photo's projector"),
-         translated("Drag the photo to place it · corners scale it, with Shift width and height apart"),
+         translated("Drag the photo to place it · corners scale it, with Ctrl about its middle"),
          translated("the right button turns the view"), Workspace::Texture, Options::None,
          made<ProjectorTool>},
         {"landmarks", "landmark", translated("Land&marks"), Qt::Key_M,

@@ -84,15 +84,21 @@ TEST_F(ToolTest, ProjectorIsMovedAndScaled) {
     EXPECT_EQ(projector().pose.translation(), Vector3d(0, 0, 0.15));
     press(placeOf({0.03, 0.02, 0.15}));
     moveTo(placeOf({0.045, 0.03, 0.15}));
+    EXPECT_NEAR(projector().width, 0.075, 0.002);
+    EXPECT_NEAR(projector().height, 0.05, 0.002);
+    EXPECT_NEAR((projector().pose * Vector3d(-projector().width / 2, 0, 0)).x(), -0.03, 1e-9)
+        << "the other side stays";
+    moveTo(placeOf({0.045, 0.03, 0.15}), Qt::LeftButton, Qt::ControlModifier);
     EXPECT_NEAR(projector().width, 0.09, 0.002);
     EXPECT_NEAR(projector().height, 0.06, 0.002);
+    EXPECT_EQ(projector().pose.translation(), Vector3d(0, 0, 0.15)) << "with Ctrl the middle";
     release({0, 0});
     expectSteps(1);
     document.undoStack()->undo();
     const Vector3d eye = view.camera().eye;
     press(placeOf({0.03, 0.02, 0.15}), Qt::LeftButton, Qt::ShiftModifier);
     moveTo(placeOf({0.05, 0.02, 0.15}), Qt::LeftButton, Qt::ShiftModifier);
-    EXPECT_NEAR(projector().width, 0.10, 0.002);
+    EXPECT_NEAR(projector().width, 0.08, 0.002);
     EXPECT_NEAR(projector().height, 0.04, 0.002);
     EXPECT_EQ(view.camera().eye, eye) << "elsewhere Shift shifts the view";
     release({0, 0});
