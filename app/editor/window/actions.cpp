@@ -181,6 +181,11 @@ void ActionMaker::makeCameraActions() {
         makeSwitch(make(tr("Look from w&ithin"), QKeySequence(Qt::Key_W),
                         tr("Put the eye inside the organ, at the selected region or the middle of the view")),
                    false);
+    a.lookThroughPhoto =
+        makeSwitch(make(tr("Look throu&gh the photo"), QKeySequence("Shift+C"),
+                        tr("Put the eye where the selected photo is projected from, so that both coincide; "
+                           "once more goes back")),
+                   false);
     int key = Qt::Key_1;
     for (const QString& name :
          {tr("&Front"), tr("&Back"), tr("&Left"), tr("&Right"), tr("&Top"), tr("B&ottom")})
@@ -196,7 +201,7 @@ void ActionMaker::makeViewActions() {
     a.fuzzyWindow = makeSwitch(make(tr("F&uzzy system in a window"), QKeySequence(Qt::Key_F8),
                                     tr("Rules and terms in a window of their own, beside the organ")),
                                false);
-    a.lightTheme = makeSwitch(make(tr("Li&ght theme"), {}, tr("Light colours")), false);
+    a.lightTheme = makeSwitch(make(tr("Light the&me"), {}, tr("Light colours")), false);
 }
 
 void ActionMaker::makeTools() {

@@ -22,7 +22,7 @@ struct Actions {
     QAction* shortcuts;
     QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions, *showProjector;
     QActionGroup* colourings; ///< one per ColourBy, in their order
-    QAction *frame, *frameSelection, *orthographic, *cut, *lookFromWithin;
+    QAction *frame, *frameSelection, *orthographic, *cut, *lookFromWithin, *lookThroughPhoto;
     QAction *showLeft, *showRight, *fuzzyWindow, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;

@@ -63,6 +63,7 @@ void addView(RowMaker& rows, const Actions& a) {
     for (std::size_t i = 0; i < sides.size(); ++i)
         rows.addOne(view, sides[i].first, sides[i].second, a.standardViews[i]);
     rows.add(view, {{"lookFromWithin", a.lookFromWithin},
+                    {"lookThroughPhoto", a.lookThroughPhoto},
                     {"orthographic", a.orthographic},
                     {"showLeft", a.showLeft},
                     {"showRight", a.showRight},

@@ -77,7 +77,8 @@ ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget
       m_measuredRows(new ValueRows(this)), m_size(new QWidget(this)),
       m_position(new VectorField(withoutUnit(lengthFormat(-1000)), this)),
       m_turned(new VectorField(withoutUnit(angleFormat()), this)),
-      m_fromCamera(new QPushButton(tr("From &camera"), this)) {
+      m_fromCamera(new QPushButton(tr("From &camera"), this)),
+      m_lookThrough(new QPushButton(tr("Look through"), this)) {
     layOut();
     connectFields();
     connectIntrinsics();
@@ -118,7 +119,11 @@ void ProjectorPanel::layOut() {
     for (QWidget* part :
          std::initializer_list<QWidget*>{kindRows, m_size, m_perspectiveRows, m_measuredRows, rows})
         body()->addWidget(part);
-    body()->addWidget(m_fromCamera, 0, Qt::AlignLeft);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_fromCamera);
+    buttons->addWidget(m_lookThrough);
+    buttons->addStretch();
+    body()->addLayout(buttons);
 }
 
 /// The lock stands beside both fields that it ties together.
@@ -257,6 +262,10 @@ void ProjectorPanel::chooseKind() {
 
 void ProjectorPanel::setFromCameraAction(QAction* action) {
     follow(m_fromCamera, action);
+}
+
+void ProjectorPanel::setLookThroughAction(QAction* action) {
+    follow(m_lookThrough, action);
 }
 
 void ProjectorPanel::edit(const QString& text, const std::function<void(Projector&)>& change, EditKind kind,

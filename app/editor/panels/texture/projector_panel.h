@@ -21,6 +21,8 @@ public:
 
     /// What the button "From camera" does.
     void setFromCameraAction(QAction* action);
+    /// What the button "Look through" does.
+    void setLookThroughAction(QAction* action);
 
 private:
     void layOut();
@@ -45,7 +47,7 @@ private:
     ValueRows *m_sizeRows, *m_perspectiveRows, *m_measuredRows;
     QWidget* m_size; ///< of a parallel projector
     VectorField *m_position, *m_turned;
-    QPushButton* m_fromCamera;
+    QPushButton *m_fromCamera, *m_lookThrough;
 };
 
 } // namespace esm
