@@ -136,6 +136,11 @@ void ActionMaker::makeShownParts() {
         makeSwitch(make(tr("&Nodes"), QKeySequence(Qt::Key_N), tr("Draw the simulated nodes")), false);
     a.showRegions =
         makeSwitch(make(tr("&Regions"), QKeySequence(Qt::Key_H), tr("Draw the regions' ellipsoids")), true);
+    a.showBare =
+        makeSwitch(make(tr("Before an&d after"), QKeySequence(Qt::Key_B),
+                        tr("Show the organ as it is without photos and paint, in its base colour; who "
+                           "holds the key has a look until it comes up")),
+                   false);
     a.showProjector =
         makeSwitch(make(tr("Pro&jector"), QKeySequence("Shift+H"),
                         tr("Draw the box of the selected photo's projector while the tool Photo is in hand")),

@@ -20,7 +20,7 @@ struct Actions {
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
     QAction *undo, *redo, *history, *rename, *duplicateRegion, *removeRegion, *removePhoto;
     QAction* shortcuts;
-    QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions, *showProjector;
+    QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions, *showProjector, *showBare;
     QActionGroup* colourings; ///< one per ColourBy, in their order
     QAction *frame, *frameSelection, *orthographic, *cut, *lookFromWithin, *lookThroughPhoto;
     QAction *showLeft, *showRight, *fuzzyWindow, *lightTheme;

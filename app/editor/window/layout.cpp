@@ -43,8 +43,8 @@ void fillViewMenu(QMenu* view, const Actions& a) {
 
 void fillShownMenu(QMenu* menu, const Actions& a) {
     menu->setToolTipsVisible(true);
-    menu->addActions(
-        {a.showSurface, a.showWireframe, a.showSprings, a.showNodes, a.showRegions, a.showProjector});
+    menu->addActions({a.showSurface, a.showWireframe, a.showSprings, a.showNodes, a.showRegions,
+                      a.showProjector, a.showBare});
     QMenu* colours = menu->addMenu(QObject::tr("Colour &by"));
     colours->setToolTipsVisible(true);
     colours->addActions(a.colourings->actions());

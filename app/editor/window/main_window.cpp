@@ -15,6 +15,7 @@
 #include "app/editor/window/help.h"
 #include "app/editor/window/history_window.h"
 #include "app/editor/window/layout.h"
+#include "app/editor/window/peek_key.h"
 #include "app/editor/window/photo_controller.h"
 #include "app/editor/window/play_controller.h"
 #include "app/editor/window/recovery.h"
@@ -142,6 +143,7 @@ void MainWindow::showLargePhoto() {
 
 void MainWindow::connectParts() {
     m_viewController->connectActions(m_actions);
+    new PeekKey(*m_actions.showBare);
     m_cameraControls->connectActions(m_actions);
     auto* bar = new ViewBar(m_actions, m_view);
     connect(bar, &ViewBar::cutChanged, m_viewController,

@@ -49,7 +49,8 @@ void addView(RowMaker& rows, const Actions& a) {
                     {"showSprings", a.showSprings},
                     {"showNodes", a.showNodes},
                     {"showRegions", a.showRegions},
-                    {"showProjector", a.showProjector}});
+                    {"showProjector", a.showProjector},
+                    {"showBare", a.showBare}});
     rows.addNamed(view, QStringLiteral("colourBy/"), a.colourings->actions(),
                   ShortcutTexts::tr("Colour by: %1"));
     rows.add(view, {{"cut", a.cut}, {"frame", a.frame}, {"frameSelection", a.frameSelection}});

@@ -34,14 +34,15 @@ void ToolController::connectActions(const Actions& actions) {
     connect(actions.letGo, &QAction::triggered, &m_view, &OrganView::cancel);
     connect(actions.texture, &QAction::toggled, this, &ToolController::updateTools);
     connect(actions.showRegions, &QAction::toggled, this, &ToolController::updateTools);
-    connect(actions.showProjector, &QAction::toggled, this, &ToolController::updateHint);
+    for (const QAction* shown : {actions.showProjector, actions.showBare})
+        connect(shown, &QAction::toggled, this, &ToolController::updateHint);
     connect(&m_document, &Document::changed, this, &ToolController::updateTools);
     connect(&m_selection, &Selection::changed, this, &ToolController::updateTools);
     connect(&m_view, &OrganView::toolChanged, this, &ToolController::updateHint);
     connect(actions.addPhoto, &QAction::changed, this, &ToolController::updateHint);
     // Where their keys are said, others may have been chosen.
     for (const QAction* said : {actions.tissue, actions.texture, actions.addRegion, actions.showRegions,
-                                actions.showProjector, actions.frame})
+                                actions.showProjector, actions.showBare, actions.frame})
         connect(said, &QAction::changed, this, &ToolController::updateTools);
     updateTools();
 }
@@ -81,6 +82,9 @@ void ToolController::updateTools() {
 }
 
 void ToolController::updateHint() {
+    if (m_actions.showBare->isChecked())
+        return m_view.setHint(withKeys(
+            tr("Before: the organ without photos and paint · {showBare} shows them again"), m_actions));
     if (m_actions.texture->isChecked() && m_document.project().layers.empty())
         return m_view.setHint(
             m_actions.addPhoto->isEnabled()

@@ -99,6 +99,12 @@ void ViewController::connectShownParts(const Actions& actions) {
         m_showsProjector = on;
         rebuild({&ViewController::showProjector});
     });
+    connect(actions.showBare, &QAction::toggled, this, [this](bool on) {
+        m_isBare = on;
+        rebuild({&ViewController::dressOrgan, &ViewController::showProjector});
+    });
+    connect(this, &ViewController::unseenEdit, actions.showBare,
+            [bare = actions.showBare] { bare->setChecked(false); });
     connect(actions.cut, &QAction::toggled, this, [this](bool on) {
         m_state.cut = on ? std::optional(m_cut) : std::nullopt;
         rebuild({&ViewController::showShownParts});
@@ -131,6 +137,7 @@ void ViewController::followDocument(const Change& change) {
     if (change.mesh || change.scene) m_fixedNodes = fixedNodesOf(*project.network, project.scene);
     if (change.mesh || change.scene) m_view.setInstrumentNames(instrumentNames(project.scene));
     if (change.picture()) composePhotos();
+    if (change.picture() && m_isBare) emit unseenEdit();
     if (change.mesh) {
         m_colourRange.reset();
         rebuildScene();
@@ -200,13 +207,14 @@ void ViewController::rebuild(std::initializer_list<Part> parts) {
 void ViewController::dressOrgan(RenderScene& scene) {
     const Project& project = m_document.project();
     TextureComposer::Composed composed = m_composer.composition();
-    const bool isDressed = composed.atlas && composed.atlas == project.atlas && !project.layers.empty();
+    const bool isDressed =
+        composed.atlas && composed.atlas == project.atlas && !project.layers.empty() && !m_isBare;
     if (!isDressed) composed = {};
     scene.baseColour = project.texture.baseColour;
     scene.atlas = composed.atlas;
     scene.texturePages = composed.pages;
     scene.smallerPages = composed.smallerPages;
-    scene.projectedPhoto = m_moving.projected();
+    scene.projectedPhoto = m_isBare ? std::nullopt : m_moving.projected();
 }
 
 void ViewController::showEllipsoids(RenderScene& scene) {
@@ -232,7 +240,8 @@ void ViewController::markRegion(RenderScene& scene) {
 void ViewController::showProjector(RenderScene& scene) {
     scene.projectors.clear();
     const TextureLayer* selected = m_selection.selectedLayer();
-    const bool isWanted = m_textureWorkspace && m_showsProjector && m_view.tool().showsProjector();
+    const bool isWanted =
+        m_textureWorkspace && m_showsProjector && !m_isBare && m_view.tool().showsProjector();
     if (!isWanted || !selected || !selected->photo) return;
     DrawnProjector drawn = drawnProjector(scene, *selected, true);
     drawn.cover *= faceShare(drawn, m_view.camera());

@@ -220,3 +220,16 @@ TEST_F(LookedThrough, TheViewGoesAlongWithAPhotoThatIsSetByNumbers) {
     move();
     EXPECT_EQ(camera(), whole) << "nobody looks through it any more";
 }
+
+TEST_F(LookedThrough, TheOrganIsSeenBareUntilAPhotoIsEdited) {
+    lay(ProjectorKind::Parallel);
+    ESM_EVENTUALLY(!scene().atlas || scene().texturePages);
+    press(Qt::Key_B);
+    EXPECT_TRUE(actions().showBare->isChecked());
+    EXPECT_FALSE(scene().texturePages);
+    EXPECT_TRUE(scene().projectors.empty());
+    EXPECT_TRUE(window->view().hint().startsWith("Before")) << window->view().hint().toStdString();
+    window->document().edit("fade", [](Project& project) { project.layers[0].opacity = 0.5; });
+    EXPECT_FALSE(actions().showBare->isChecked());
+    EXPECT_EQ(scene().projectors.size(), 1U);
+}
