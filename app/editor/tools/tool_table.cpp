@@ -69,7 +69,7 @@ std::vector<ToolRow> toolTable() {
         {"landmarks", "landmark", translated("Land&marks"), Qt::Key_M,
          translated("Place the photo by points that it shares with the organ"),
          translated("Click a point in the photo, then the same point on the organ · drag a mark to move it"),
-         translated("a drag elsewhere turns the view"), Workspace::Texture, Options::Above,
+         translated("a drag elsewhere turns the view"), Workspace::Texture, Options::Beside,
          made<LandmarkTool>},
         {"brush", "brush", translated("&Brush"), Qt::Key_D,
          translated("Erase and restore the photo, or paint on the organ"),

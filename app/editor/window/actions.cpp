@@ -206,6 +206,9 @@ void ActionMaker::makeViewActions() {
     a.fuzzyWindow = makeSwitch(make(tr("F&uzzy system in a window"), QKeySequence(Qt::Key_F8),
                                     tr("Rules and terms in a window of their own, beside the organ")),
                                false);
+    a.referenceWindow =
+        make(tr("Photo beside the &view…"), QKeySequence("Shift+P"),
+             tr("Keep a photo, or another picture, in sight beside the organ, whatever tool is in hand"));
     a.lightTheme = makeSwitch(make(tr("Light the&me"), {}, tr("Light colours")), false);
 }
 

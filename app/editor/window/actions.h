@@ -23,7 +23,7 @@ struct Actions {
     QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions, *showProjector, *showBare;
     QActionGroup* colourings; ///< one per ColourBy, in their order
     QAction *frame, *frameSelection, *orthographic, *cut, *lookFromWithin, *lookThroughPhoto;
-    QAction *showLeft, *showRight, *fuzzyWindow, *lightTheme;
+    QAction *showLeft, *showRight, *fuzzyWindow, *referenceWindow, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;
     QAction *addPhoto, *addPaint, *fromCamera;

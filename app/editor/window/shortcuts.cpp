@@ -69,6 +69,7 @@ void addView(RowMaker& rows, const Actions& a) {
                     {"showLeft", a.showLeft},
                     {"showRight", a.showRight},
                     {"fuzzyWindow", a.fuzzyWindow},
+                    {"referenceWindow", a.referenceWindow},
                     {"lightTheme", a.lightTheme}});
 }
 

@@ -204,6 +204,32 @@ TEST_F(LandmarksInTheWindow, AreSetInThePhotoAndOnTheOrgan) {
     EXPECT_FALSE(photo->isVisible());
 }
 
+TEST_F(LandmarksInTheWindow, LieBesideEachOtherWhereThereIsRoom) {
+    Project before = makeSample("liver");
+    before.layers.resize(1);
+    before.layers[0].photo = makeSamplePhoto("serosa");
+    open(before);
+    window->windowActions().texture->trigger();
+    QAction& left = *window->windowActions().showLeft;
+    ASSERT_TRUE(left.isChecked());
+    press(Qt::Key_M);
+    EXPECT_FALSE(left.isChecked()) << "the photo takes its place";
+    auto* photo = child<PhotoView>("photoView");
+    const auto inWindow = [&](QWidget* widget) {
+        return QRect(widget->mapTo(window.get(), {}), widget->size());
+    };
+    window->resize(1400, 800);
+    settledHeight(&window->view());
+    EXPECT_LT(inWindow(photo).right(), inWindow(&window->view()).left());
+    EXPECT_NEAR(photo->width(), window->view().width(), 20);
+    window->resize(760, 800);
+    settledHeight(&window->view());
+    EXPECT_LT(inWindow(photo).bottom(), inWindow(&window->view()).top()) << "one above the other";
+    EXPECT_NEAR(photo->height(), window->view().height(), 20);
+    press(Qt::Key_V);
+    EXPECT_TRUE(left.isChecked());
+}
+
 /// Points of the organ that both the photo's camera and the view see, and whose places in the photo lie
 /// apart.
 std::vector<Eigen::Vector3d> landmarksOf(const TriangleMesh& mesh, const Projector& camera, PhotoSize photo,
