@@ -21,6 +21,8 @@ struct Camera {
     std::optional<double> orthographicHeight{};
     double stretch = 1;               ///< how much wider than high a square is drawn
     Eigen::Vector2d centre{0.5, 0.5}; ///< where in the picture the line of sight ends, as in `pickRay`
+
+    bool operator==(const Camera&) const = default;
 };
 
 /// The eye of a perspective projector, for pictures of its photo's aspect: they show what it projects.

@@ -72,8 +72,8 @@ Vector4f withAlpha(const Colour& colour, float alpha) {
 /// Once the photo lies on the organ, the face is the slide it is projected from: not the same picture once
 /// more.
 Vector4f facePaint(const DrawnProjector& drawn) {
-    if (drawn.isLaid) return {1, 0.86F, 0.62F, 0.24F};
-    return {1, 1, 1, drawn.selected ? 0.55F : 0.35F};
+    const auto cover = static_cast<float>(drawn.cover);
+    return drawn.isLaid ? Vector4f(1, 0.86F, 0.62F, cover) : Vector4f(1, 1, 1, cover);
 }
 
 } // namespace

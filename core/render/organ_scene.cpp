@@ -1,6 +1,9 @@
 #include "core/render/organ_scene.h"
 
 #include "core/render/drawn_shape.h"
+#include "core/support/smooth_step.h"
+
+#include <cmath>
 
 namespace esm {
 
@@ -26,9 +29,23 @@ DrawnEllipsoid drawnEllipsoid(const Region& region, bool isSelected) {
 }
 
 DrawnProjector drawnProjector(const RenderScene& scene, const TextureLayer& layer, bool isSelected) {
-    const bool isLaid = scene.texturePages && layer.visible && layer.opacity > 0;
-    return {layer.projector, pictureOf(layer), isSelected, isLaid,
-            shownDepth(layer.projector, boundingBox(scene.mesh->vertices))};
+    constexpr double laidCover = 0.24, bareCover = 0.35;
+    const bool isShown = layer.visible && layer.opacity > 0;
+    DrawnProjector drawn{layer.projector, pictureOf(layer), isSelected};
+    drawn.isLaid = scene.texturePages && isShown;
+    drawn.cover = !isShown ? 0 : drawn.isLaid ? laidCover : bareCover;
+    drawn.depth = shownDepth(layer.projector, boundingBox(scene.mesh->vertices));
+    return drawn;
+}
+
+/// By the angle between the line of sight and the axis: within 25° the face lies before much of what it is
+/// projected on, beyond 60° before little.
+double faceShare(const DrawnProjector& drawn, const Camera& camera) {
+    constexpr double besideCosine = 0.5, alongCosine = 0.9;
+    const Eigen::Isometry3d& pose = drawn.projector.pose;
+    const Eigen::Vector3d middle = pose * Eigen::Vector3d(0, 0, -drawn.depth);
+    const double along = std::abs(towardsViewer(camera, middle).dot(pose.linear().col(2)));
+    return 1 - smoothStep(besideCosine, alongCosine, along);
 }
 
 } // namespace esm

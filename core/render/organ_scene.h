@@ -18,7 +18,12 @@ void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas,
 /// Precondition: the region has an ellipsoid.
 DrawnEllipsoid drawnEllipsoid(const Region& region, bool isSelected);
 
-/// The projector of a photo, before the organ and its texture as the scene has them.
+/// The projector of a photo, before the organ and its texture as the scene has them. Where the photo is
+/// hidden, so is the picture on the box's face.
 DrawnProjector drawnProjector(const RenderScene& scene, const TextureLayer& layer, bool isSelected);
+
+/// How much of its picture a projector's face may show, 0 to 1, lest it hide from the viewer what the photo
+/// looks like on the organ: all from the side, nothing where one looks along the projector's axis.
+double faceShare(const DrawnProjector& drawn, const Camera& camera);
 
 } // namespace esm

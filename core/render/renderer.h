@@ -41,6 +41,7 @@ struct DrawnProjector {
     std::shared_ptr<const Image> photo; ///< shown half-transparently on the box's face; may be null
     bool selected = false;
     bool isLaid = false; ///< the scene's texture shows the photo on the organ
+    double cover = 0.35; ///< how much the photo on the box's face hides of what lies behind it, 0 to 1
     double depth = 0;    ///< m, where the photo is shown: see `shownDepth`
 
     PhotoSize size() const {

@@ -31,17 +31,41 @@ struct Growth {
     double wider, higher;
 };
 
+/// From the place that stays to a border and to the pointer, m, along width and height.
+struct Arms {
+    Eigen::Vector2d border, pointer;
+};
+
+/// From the line of sight to the drawn border; a part of the size where that lies outside the photo.
+Arms armsFromSight(const Eigen::AlignedBox2d& box, const Eigen::Vector2d& point) {
+    Arms arms{{}, point.cwiseAbs()};
+    for (const Eigen::Index axis : {0, 1}) {
+        const double border = std::abs(point[axis] < 0 ? box.min()[axis] : box.max()[axis]);
+        arms.border[axis] = std::max(border, 0.05 * box.sizes()[axis]);
+    }
+    return arms;
+}
+
+/// To which side of the photo's middle a handle lies, −1, 0 or 1 along width and height.
+Eigen::Vector2d sideOf(std::size_t handle) {
+    constexpr std::array<std::array<int, 2>, photoHandles> sides{
+        {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
+    return {sides[handle][0], sides[handle][1]};
+}
+
+/// From the side or corner opposite to a handle. A pointer beyond it asks for nothing.
+Arms armsFromOpposite(const Eigen::AlignedBox2d& box, const Eigen::Vector2d& point, std::size_t handle) {
+    const Eigen::Vector2d side = sideOf(handle), half = box.sizes() / 2;
+    const Eigen::Vector2d pointer = half + side.cwiseProduct(point - box.center());
+    return {box.sizes(), pointer.cwiseMax(0)};
+}
+
 /// Of a corner that keeps proportions, the growth of both sides is their mean weighted by the squares of
 /// their lengths: the place on the diagonal that is nearest to the pointer. An edge changes its own direction
 /// alone.
-Growth growthOf(const Eigen::AlignedBox2d& box, const Eigen::Vector2d& point, std::size_t handle, bool kept) {
-    // From the line of sight to the drawn border; half the size where that lies outside the photo.
-    const auto reach = [&](Eigen::Index axis) {
-        const double border = std::abs(point[axis] < 0 ? box.min()[axis] : box.max()[axis]);
-        return std::max(border, 0.05 * box.sizes()[axis]);
-    };
-    const double width = reach(0), height = reach(1);
-    Growth growth{std::abs(point.x()) / width, std::abs(point.y()) / height};
+Growth growthOf(const Arms& arms, std::size_t handle, bool kept) {
+    const double width = arms.border.x(), height = arms.border.y();
+    Growth growth{arms.pointer.x() / width, arms.pointer.y() / height};
     const bool isEdge = handle >= 4, isAcross = handle % 2 == 1;
     if (isEdge) {
         const double along = isAcross ? growth.wider : growth.higher;
@@ -144,15 +168,24 @@ Ellipsoid scaled(const Ellipsoid& ellipsoid, std::size_t handle, const Ray& ray)
     return result;
 }
 
-Projector scaled(const PhotoFace& photo, std::size_t handle, const Ray& ray, Proportions proportions) {
+/// The middle goes half of the way that the drawn side goes, so that the opposite one stays.
+Projector scaled(const PhotoFace& photo, std::size_t handle, const Ray& ray, const Scaling& scaling) {
     const std::optional<Vector3d> point = meet(ray, photoPlane(photo));
     if (!point) return photo.projector;
-    const Vector3d local = photo.projector.pose.inverse() * *point;
-    const bool hasOneFreedom =
-        photo.projector.kind == ProjectorKind::Perspective && !photo.projector.intrinsics;
-    const bool kept = hasOneFreedom || (handle < 4 && proportions == Proportions::Kept);
+    const Eigen::Vector2d local = (photo.projector.pose.inverse() * *point).head<2>();
+    const bool isParallel = photo.projector.kind == ProjectorKind::Parallel;
+    const bool hasOneFreedom = !isParallel && !photo.projector.intrinsics;
+    const bool kept = hasOneFreedom || (handle < 4 && scaling.proportions == Proportions::Kept);
+    const bool staysOpposite = isParallel && scaling.stays == Stays::OtherSide;
+    const Eigen::AlignedBox2d box = ownBox(photo);
     Projector result = photo.projector;
-    grow(result, growthOf(ownBox(photo), local.head<2>(), handle, kept));
+    grow(result, growthOf(staysOpposite ? armsFromOpposite(box, local, handle) : armsFromSight(box, local),
+                          handle, kept));
+    if (staysOpposite) {
+        const Eigen::Vector2d grown(result.width - box.sizes().x(), result.height - box.sizes().y());
+        const Eigen::Vector2d shift = sideOf(handle).cwiseProduct(grown) / 2;
+        result.pose.translate(Vector3d(shift.x(), shift.y(), 0));
+    }
     return result;
 }
 

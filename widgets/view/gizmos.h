@@ -41,11 +41,19 @@ std::array<Eigen::Vector3d, photoHandles> handles(const PhotoFace& photo);
 /// `handles`.
 Ellipsoid scaled(const Ellipsoid& ellipsoid, std::size_t handle, const Ray& ray);
 enum class Proportions { Kept, Free };
+enum class Stays { OtherSide, Middle };
 
-/// The projector with a handle drawn to the ray; its centre stays, or its eye. A corner whose proportions are
-/// kept goes along its diagonal to where it is nearest to the point that the ray points at; else to that
-/// point, width and height each on its own. The middle of an edge changes only the width or the height. A
-/// field of view has one freedom: all of its handles keep the proportions.
-Projector scaled(const PhotoFace& photo, std::size_t handle, const Ray& ray, Proportions proportions);
+/// How a photo is scaled by a handle.
+struct Scaling {
+    Proportions proportions = Proportions::Kept;
+    Stays stays = Stays::OtherSide; ///< of a parallel projector
+};
+
+/// The projector with a handle drawn to the ray. A corner whose proportions are kept goes along its diagonal
+/// to where it is nearest to the point that the ray points at; else to that point, width and height each on
+/// its own. The middle of an edge changes only the width or the height. Of a perspective projector the eye
+/// and the line of sight stay whatever is asked for; a field of view has one freedom: all of its handles keep
+/// the proportions.
+Projector scaled(const PhotoFace& photo, std::size_t handle, const Ray& ray, const Scaling& scaling);
 
 } // namespace esm

@@ -110,16 +110,19 @@ void OrganView::setCamera(const Camera& camera) {
 void OrganView::putCamera(const Camera& camera, const std::optional<Camera>& outside) {
     m_framed = true;
     m_outside = outside;
+    m_former.reset();
+    m_through.reset();
     m_cameraController.setLookingAround(isWithin());
     applyCamera(camera);
 }
 
-/// As wide as from outside, and of its projection.
+/// With the lens from before it looked from within, or through another one.
 Camera OrganView::outsideCamera() const {
-    Camera result = camera();
-    if (!m_outside) return result;
-    result.verticalFieldOfView = m_outside->verticalFieldOfView;
-    result.orthographicHeight = m_outside->orthographicHeight;
+    const std::optional<Camera>& before = m_outside ? m_outside : m_former;
+    Camera result = before.value_or(camera());
+    result.eye = camera().eye;
+    result.target = camera().target;
+    result.up = camera().up;
     return result;
 }
 
@@ -141,7 +144,7 @@ void OrganView::frame(const Eigen::AlignedBox3d& box) {
 
 void OrganView::setOrthographic(bool on) {
     if (on == isOrthographic()) return;
-    const Camera outside = m_outside.value_or(camera());
+    const Camera outside = m_outside ? *m_outside : m_former.value_or(camera());
     setCamera(on ? orthographic(outside) : perspective(outside));
 }
 
@@ -156,6 +159,22 @@ bool OrganView::lookFromWithin(const std::optional<Eigen::Vector3d>& about) {
 
 void OrganView::leaveWithin() {
     if (m_outside) setCamera(Camera(*m_outside));
+}
+
+void OrganView::lookThrough(const Camera& seeing) {
+    const Camera former = m_outside ? *m_outside : m_former.value_or(camera());
+    putCamera(seeing, std::nullopt);
+    m_former = former;
+    m_through = camera();
+    emit cameraChanged();
+}
+
+void OrganView::leaveThrough() {
+    if (m_former) setCamera(Camera(*m_former));
+}
+
+bool OrganView::isThrough() const {
+    return m_through && *m_through == camera();
 }
 
 void OrganView::applyCamera(const Camera& camera) {

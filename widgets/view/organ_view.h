@@ -56,6 +56,7 @@ public:
     void setTool(ViewTool& tool);
     /// For the moment only.
     Sight sight();
+    bool isHolding() const { return m_hold != Hold::Nothing; }
     /// Ends a drag, as when the button comes up.
     void letGo();
     /// What Esc does.
@@ -80,6 +81,14 @@ public:
     /// To where lookFromWithin() found the camera.
     void leaveWithin();
     bool isWithin() const { return m_outside.has_value(); }
+
+    /// Puts the eye where another lens looked from. What brings the organ into view again, or changes the
+    /// projection, goes back to the lens from before.
+    void lookThrough(const Camera& camera);
+    /// To where lookThrough() found the camera.
+    void leaveThrough();
+    /// Whether it was not moved since.
+    bool isThrough() const;
 
 signals:
     void toolChanged();
@@ -123,6 +132,8 @@ private:
     bool m_isStale = true;   ///< what was asked for last is no longer what is to be shown
     CameraController m_cameraController;
     std::optional<Camera> m_outside; ///< where the camera was before it looked from within
+    /// Where it was before it looked through another lens, and where that put it.
+    std::optional<Camera> m_former, m_through;
     Picker m_picker;
     ViewTool m_noTool;
     ViewTool* m_tool = &m_noTool;

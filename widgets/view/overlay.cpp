@@ -121,6 +121,22 @@ QPolygonF diamondIn(const QRectF& box) {
                                       {box.left(), middle.y()}});
 }
 
+void paintForm(QPainter& painter, const PaintedHandle& handle, const QColor& edge) {
+    const QRectF box(handle.place - QPointF(handleSize, handleSize) / 2, QSizeF(handleSize, handleSize));
+    switch (handle.form) {
+    case PaintedHandle::Form::Square:
+        return painter.drawRect(box);
+    case PaintedHandle::Form::Round:
+        return painter.drawEllipse(box.adjusted(-0.5, -0.5, 0.5, 0.5));
+    case PaintedHandle::Form::Ring:
+        painter.drawEllipse(box.adjusted(-2, -2, 2, 2));
+        painter.setBrush(handle.isLit ? QColor(Qt::white) : edge);
+        return painter.drawEllipse(box.adjusted(2.5, 2.5, -2.5, -2.5));
+    case PaintedHandle::Form::Diamond:
+        return painter.drawPolygon(diamondIn(box.adjusted(-1.5, -1.5, 1.5, 1.5)));
+    }
+}
+
 } // namespace
 
 void paintLegend(QPainter& painter, const OverlayStyle& style, const ViewLegend& legend) {
@@ -169,17 +185,11 @@ void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint
 void paintHandles(QPainter& painter, const std::vector<PaintedHandle>& handles, const QColor& edge) {
     painter.save();
     painter.setPen(QPen(edge, 1.4));
-    painter.setBrush(Qt::white);
     for (const PaintedHandle& handle : handles)
         if (handle.root) painter.drawLine(*handle.root, handle.place);
     for (const PaintedHandle& handle : handles) {
-        const QRectF box(handle.place - QPointF(handleSize, handleSize) / 2, QSizeF(handleSize, handleSize));
-        if (handle.form == PaintedHandle::Form::Round)
-            painter.drawEllipse(box.adjusted(-0.5, -0.5, 0.5, 0.5));
-        else if (handle.form == PaintedHandle::Form::Diamond)
-            painter.drawPolygon(diamondIn(box.adjusted(-1.5, -1.5, 1.5, 1.5)));
-        else
-            painter.drawRect(box);
+        painter.setBrush(handle.isLit ? edge : QColor(Qt::white));
+        paintForm(painter, handle, edge);
     }
     painter.restore();
 }

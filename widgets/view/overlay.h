@@ -36,10 +36,11 @@ void paintHint(QPainter& painter, const OverlayStyle& style, const QString& hint
                const ViewLegend* legend = nullptr);
 /// A small white mark with a coloured edge that can be taken hold of.
 struct PaintedHandle {
-    enum class Form { Square, Round, Diamond };
+    enum class Form { Square, Round, Ring, Diamond };
     QPointF place;
     Form form = Form::Square;
     std::optional<QPointF> root = {}; ///< where the line ends that it hangs on
+    bool isLit = false;               ///< filled with the edge's colour, as what the mouse is over
 };
 void paintHandles(QPainter& painter, const std::vector<PaintedHandle>& handles, const QColor& edge);
 /// A pill with a text beside a place in the picture.

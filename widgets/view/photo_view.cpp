@@ -156,6 +156,14 @@ void PhotoView::mouseReleaseEvent(QMouseEvent* event) {
         emit pixelPicked(pixel);
 }
 
+bool PhotoView::letGo() {
+    const bool hadMark = m_dragged.has_value();
+    m_pressed.reset();
+    m_dragged.reset();
+    m_shiftFrom.reset();
+    return hadMark;
+}
+
 void PhotoView::drop() {
     const bool moved = m_dragged && !m_pressed;
     m_pressed.reset();

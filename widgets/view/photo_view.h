@@ -37,6 +37,9 @@ public:
     void setHint(const QString& hint);
     const QString& hint() const { return m_hint; }
 
+    /// Ends a drag of a mark, which stays where its owner puts it; false where there was none.
+    bool letGo();
+
     /// The photo's size and how many places are marked.
     QString spokenValue() const override;
 

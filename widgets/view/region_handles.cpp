@@ -1,6 +1,5 @@
 #include "widgets/view/region_handles.h"
 
-#include "core/geometry/shortest_turn.h"
 #include "core/render/drawn_shape.h"
 
 #include <algorithm>
@@ -41,21 +40,6 @@ std::optional<Vector3d> rimPlace(const DrawnEllipsoid& region, const Camera& cam
     return best;
 }
 
-struct Ball {
-    Vector3d centre; ///< m
-    double radius;   ///< m
-    double side;     ///< along the ray: −1 where it comes in, 1 where it leaves
-};
-
-/// From the ball's centre to where a ray meets its side, else towards where the ray passes nearest. At the
-/// outline both are the same, so that nothing jumps there.
-Vector3d met(const Ball& ball, const Ray& ray) {
-    const Vector3d direction = ray.direction.normalized(), start = ray.origin - ball.centre;
-    const Vector3d nearest = start - start.dot(direction) * direction;
-    const double depth = ball.radius * ball.radius - nearest.squaredNorm();
-    return depth > 0 ? Vector3d(nearest + ball.side * std::sqrt(depth) * direction) : nearest;
-}
-
 } // namespace
 
 /// An axis that points at the viewer has its end right over the middle: a drag across the picture could not
@@ -76,18 +60,9 @@ std::vector<RegionHandle> regionHandles(const DrawnEllipsoid& region, const Came
     return found;
 }
 
-/// As with Shoemake's arcball (1992), but around the handle's own ball: a handle on its far side is dragged
-/// along the far side, so that what is held stays under the pointer. Outside the ball the nearest place of it
-/// is meant, in the plane through the middle; there a drag turns about the line of sight.
 Ellipsoid turned(const Ellipsoid& ellipsoid, const Grip& grip, const Ray& ray) {
-    const Vector3d arm = grip.place - ellipsoid.centre;
-    const bool isBehind = arm.dot(ellipsoid.centre - grip.ray.origin) >
-                          1e-6 * arm.norm() * (ellipsoid.centre - grip.ray.origin).norm();
-    const Ball ball{ellipsoid.centre, arm.norm(), isBehind ? 1.0 : -1.0};
-    const Vector3d from = met(ball, grip.ray), to = met(ball, ray);
-    if (!(from.norm() > 0) || !(to.norm() > 0)) return ellipsoid;
     Ellipsoid result = ellipsoid;
-    result.orientation = (Eigen::Quaterniond(shortestTurn(from, to)) * ellipsoid.orientation).normalized();
+    result.orientation = (ballTurn(ellipsoid.centre, grip, ray) * ellipsoid.orientation).normalized();
     return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/render/renderer.h"
+#include "widgets/view/ball_turn.h"
 #include "widgets/view/gizmos.h"
 
 #include <vector>
@@ -25,15 +26,7 @@ struct RegionHandle {
 /// @param turnReach how far the turning handles stand off the ends, m
 std::vector<RegionHandle> regionHandles(const DrawnEllipsoid& region, const Camera& camera, double turnReach);
 
-/// A handle taken hold of, by the ray through the mouse.
-struct Grip {
-    Eigen::Vector3d place; ///< m, of the handle
-    Ray ray;
-};
-
-/// The ellipsoid turned about its centre by the shortest way between where two rays meet the ball on which
-/// the handle goes round: the grip's and the present one. Where a ray misses the ball, its edge is met. The
-/// ball is turned at its back where the handle is clearly behind the centre, else at its front.
+/// The ellipsoid turned about its centre: see ballTurn().
 Ellipsoid turned(const Ellipsoid& ellipsoid, const Grip& grip, const Ray& ray);
 
 } // namespace esm

@@ -53,6 +53,8 @@ public:
     virtual void dress(RenderScene&) const {}
     /// Paints over the organ.
     virtual void draw(QPainter&, const Sight&, const QPalette&) const {}
+    /// Whether the box of the selected photo's projector is seen while the tool is in hand.
+    virtual bool showsProjector() const { return false; }
     virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
 
     /// Places, pixels, that a press takes hold of: Tab goes from one to the next where the keys work in place

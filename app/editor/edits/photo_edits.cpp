@@ -86,6 +86,29 @@ Projector ofKind(ProjectorKind kind, const Projector& before, const Image& photo
     return projector;
 }
 
+/// A lens is measured in heights of the photo; the picture is `heights` of them high, so that its other parts
+/// are seen beside the photo, which lies in the picture's middle wherever its line of sight ends.
+Camera cameraThrough(const Projector& projector, PhotoSize photo, const TriangleMesh& mesh, double aspect) {
+    constexpr double photoShare = 0.8; // of the picture's width or height
+    const bool isParallel = projector.kind == ProjectorKind::Parallel;
+    const double photoAspect = isParallel ? projector.width / projector.height : photo.aspect();
+    const double heights = std::max(1.0, photoAspect / aspect) / photoShare;
+    Camera camera;
+    if (isParallel) {
+        camera.orthographicHeight = heights * projector.height;
+    } else {
+        camera = cameraOf(projector, photo);
+        const Eigen::Vector2d beside(photoAspect * (camera.centre.x() - 0.5), camera.centre.y() - 0.5);
+        camera.centre = {0.5 + beside.x() / (heights * aspect), 0.5 + beside.y() / heights};
+        camera.verticalFieldOfView = 2 * std::atan(heights * std::tan(camera.verticalFieldOfView / 2));
+    }
+    const Eigen::Matrix3d axes = projector.pose.linear();
+    camera.eye = projector.pose.translation();
+    camera.target = camera.eye - depthOfOrgan(projector, mesh) * axes.col(2);
+    camera.up = axes.col(1);
+    return camera;
+}
+
 Projector projectorFromCamera(const Camera& camera, const Image& photo, const TriangleMesh& mesh) {
     const auto box = boundingBox(mesh.vertices);
     const Eigen::Vector3d towards = (camera.target - camera.eye).normalized();

@@ -15,6 +15,11 @@ Projector projectorFromCamera(const Camera& camera, const Image& photo, const Tr
 Projector aimedByCamera(const Projector& before, const Camera& camera, const Image& photo,
                         const TriangleMesh& mesh);
 
+/// The camera that sees a projector's whole photo where it is projected, in a picture of this aspect (width
+/// over height): from the eye of a perspective one, with its lens; without perspective along the axis of a
+/// parallel one. Its target is where the axis meets the organ.
+Camera cameraThrough(const Projector& projector, PhotoSize photo, const TriangleMesh& mesh, double aspect);
+
 /// The same projector of another kind, its photo in the same place and size where its middle meets the organ.
 Projector ofKind(ProjectorKind kind, const Projector& before, const Image& photo, const TriangleMesh& mesh);
 

@@ -88,9 +88,8 @@ void BrushPanel::change(const std::function<void(Painting::Brush&)>& change) {
 }
 
 void BrushPanel::resizeBrush(double factor) {
-    change([factor](Painting::Brush& brush) {
-        brush.radius = std::clamp(factor * brush.radius, smallestLength, texture_limits::longestPhoto);
-    });
+    change(
+        [factor](Painting::Brush& brush) { brush.radius = std::max(factor * brush.radius, smallestLength); });
 }
 
 void BrushPanel::chooseColour() {
@@ -113,6 +112,9 @@ void BrushPanel::show() {
     enable(m_radius, hasLayer, tr("Of the brush on the organ; [ and ] make it smaller and larger"), none);
     enable(m_softness, hasLayer, tr("Share of the radius over which the brush fades"), none);
     enable(m_strength, hasLayer, tr("How much the middle of the brush covers"), none);
+    NumberFormat radius = m_radius->format();
+    radius.maximum = m_painting.largestRadius();
+    m_radius->setFormat(radius);
     m_radius->setValue(brush.radius);
     m_softness->setValue(brush.softness);
     m_strength->setValue(brush.strength);

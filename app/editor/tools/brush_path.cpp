@@ -1,5 +1,9 @@
 #include "app/editor/tools/brush_path.h"
 
+#include "core/support/angles.h"
+
+#include <cmath>
+
 namespace esm {
 
 namespace {
@@ -59,6 +63,16 @@ std::optional<BrushPoint> brushPointAt(const Sight& sight, const QPointF& place)
 std::vector<std::optional<BrushPoint>> brushPointsAlong(const Sight& sight, const QPointF& from,
                                                         const QPointF& to, double spacing) {
     return WayFinder(sight, spacing).along(from, to);
+}
+
+bool isNearSurface(const Sight& sight, const QPointF& place) {
+    constexpr int directions = 12;
+    for (const double reach : {0.0, 4.0, 8.0, 12.0}) // pixels
+        for (int i = 0; i < directions; ++i) {
+            const double angle = 2 * pi * i / directions;
+            if (sight.pickAt(place + reach * QPointF(std::cos(angle), std::sin(angle)))) return true;
+        }
+    return false;
 }
 
 } // namespace esm

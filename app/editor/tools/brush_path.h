@@ -17,4 +17,7 @@ std::optional<BrushPoint> brushPointAt(const Sight& sight, const QPointF& place)
 std::vector<std::optional<BrushPoint>> brushPointsAlong(const Sight& sight, const QPointF& from,
                                                         const QPointF& to, double spacing);
 
+/// Whether surface is seen within a few pixels: who begins there to paint has just missed it.
+bool isNearSurface(const Sight& sight, const QPointF& place);
+
 } // namespace esm

@@ -4,6 +4,8 @@
 #include "app/editor/tools/brush_path.h"
 #include "widgets/view/brush_outline.h"
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
@@ -36,9 +38,9 @@ Hold BrushTool::press(const ToolMouse& mouse) {
         if (point) m_painting.setSource(*point);
         return Hold::Stroke;
     }
-    if (!point) return Hold::Nothing;
-    m_down = mouse.place;
-    m_painting.begin(*point);
+    if (!point && !isNearSurface(mouse.sight, mouse.place)) return Hold::Nothing;
+    m_down = Down{mouse.place, point.has_value()};
+    if (point) m_painting.begin(*point);
     return Hold::Stroke;
 }
 
@@ -46,8 +48,20 @@ void BrushTool::move(const ToolMouse& mouse) {
     lookAt(surfaceUnder(mouse));
     if (!m_down) return;
     const double spacing = strokeSpacing * m_painting.brush().radius;
-    m_painting.goOn(brushPointsAlong(mouse.sight, *m_down, mouse.place, spacing));
-    m_down = mouse.place;
+    goOn(brushPointsAlong(mouse.sight, m_down->place, mouse.place, spacing));
+    if (m_down) m_down->place = mouse.place;
+}
+
+/// One that came down beside the organ begins where it reaches the surface.
+void BrushTool::goOn(const std::vector<std::optional<BrushPoint>>& points) {
+    auto next = points.begin();
+    if (!m_down->hasBegun) {
+        next = std::find_if(next, points.end(), [](const auto& point) { return point.has_value(); });
+        if (next == points.end()) return;
+        m_down->hasBegun = true;
+        m_painting.begin(**next++);
+    }
+    m_painting.goOn({next, points.end()});
 }
 
 void BrushTool::release() {

@@ -18,20 +18,25 @@ public:
     void release() override;
     void cancel() override;
     void leave() override;
-    /// Strokes are painted on the bare organ.
-    void dress(RenderScene& scene) const override { scene.projectors.clear(); }
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
     QString whyNot() const override { return missingLayer(m_selection); }
     QWidget* makeOptions() override;
 
 private:
+    /// Of the brush, while it is down.
+    struct Down {
+        QPointF place; ///< pixels, of the mouse as it was last
+        bool hasBegun; ///< it has been on the surface
+    };
+
     void lookAt(const std::optional<PickedPoint>& point);
+    void goOn(const std::vector<std::optional<BrushPoint>>& points);
 
     Selection& m_selection;
     Painting m_painting;
     std::optional<PickedPoint> m_at; ///< under the mouse, as it was last moved
-    std::optional<QPointF> m_down;   ///< where the mouse was last, while the brush is down; pixels
+    std::optional<Down> m_down;
 };
 
 } // namespace esm

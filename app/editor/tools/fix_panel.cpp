@@ -20,7 +20,7 @@ FixPanel::FixPanel(FixTool& tool, Document& document, QWidget* parent)
     body()->addWidget(rows);
     connect(m_radius, &NumberField::valueEdited, &tool, &FixTool::setRadius);
     sizeByBrackets(*this, [this](double factor) {
-        m_tool.setRadius(std::clamp(factor * m_tool.radius(), smallestLength, m_radius->format().maximum));
+        m_tool.setRadius(std::max(factor * m_tool.radius(), smallestLength));
     });
     connect(&tool, &FixTool::changed, this, &FixPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
@@ -31,6 +31,9 @@ FixPanel::FixPanel(FixTool& tool, Document& document, QWidget* parent)
 
 void FixPanel::show() {
     const Project& project = m_document.project();
+    NumberFormat radius = m_radius->format();
+    radius.maximum = m_tool.largestRadius();
+    m_radius->setFormat(radius);
     m_radius->setValue(m_tool.radius());
     m_count->setText(countText(fixedNodesOf(*project.network, project.scene).size()));
 }

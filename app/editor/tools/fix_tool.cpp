@@ -5,6 +5,8 @@
 #include "core/authoring/fixed_nodes.h"
 #include "widgets/view/brush_outline.h"
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
@@ -30,8 +32,13 @@ void FixTool::followDocument(const Change& change) {
 }
 
 void FixTool::setRadius(double metres) {
-    m_radius = metres;
+    m_radius = std::min(metres, largestRadius());
     emit changed();
+}
+
+double FixTool::largestRadius() const {
+    const Project& project = m_document.project();
+    return organBox(*project.mesh, *project.network).diagonal().norm() / 2;
 }
 
 QWidget* FixTool::makeOptions() {
@@ -40,7 +47,7 @@ QWidget* FixTool::makeOptions() {
 
 Hold FixTool::press(const ToolMouse& mouse) {
     lookAt(mouse);
-    if (!m_at) return Hold::Nothing;
+    if (!m_at && !isNearSurface(mouse.sight, mouse.place)) return Hold::Nothing;
     const bool frees = mouse.keys.testFlag(Qt::ControlModifier);
     m_stroke = Stroke{frees ? Does::Free : Does::Fix, m_document.project().scene.fixed, mouse.place};
     move(mouse);

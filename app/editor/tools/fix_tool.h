@@ -14,7 +14,9 @@ public:
     explicit FixTool(const ToolContext& context);
 
     double radius() const { return m_radius; } ///< m
+    /// No larger than the organ: see largestRadius().
     void setRadius(double metres);
+    double largestRadius() const; ///< m, half of the organ's diagonal
 
     Hold press(const ToolMouse& mouse) override;
     void move(const ToolMouse& mouse) override;

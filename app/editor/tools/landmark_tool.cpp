@@ -1,5 +1,7 @@
 #include "app/editor/tools/landmark_tool.h"
 
+#include <utility>
+
 namespace esm {
 
 namespace {
@@ -57,9 +59,12 @@ void LandmarkTool::click(const ToolMouse& mouse) {
     if (const auto picked = mouse.picked()) m_landmarking.pickPoint(picked->spot.point);
 }
 
+/// A mark that is dragged goes back to where it was; else the point that waits for its other half is given
+/// up.
 void LandmarkTool::cancel() {
-    release();
-    m_landmarking.giveUpHalf();
+    const bool isInPhoto = m_photo && m_photo->letGo();
+    m_landmarking.dropMove();
+    if (!std::exchange(m_dragged, std::nullopt) && !isInPhoto) m_landmarking.giveUpHalf();
 }
 
 void LandmarkTool::show() {

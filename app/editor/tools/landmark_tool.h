@@ -22,8 +22,6 @@ public:
     void release() override;
     void click(const ToolMouse& mouse) override;
     void cancel() override;
-    /// Landmarks are set on the bare organ.
-    void dress(RenderScene& scene) const override { scene.projectors.clear(); }
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
     /// Why the landmarks give no camera, where they do not.

@@ -24,6 +24,7 @@ Landmarking::Landmarking(Document& document, Selection& selection, QObject* pare
     : QObject(parent), m_document(document), m_selection(selection) {
     connect(&selection, &Selection::changed, this, &Landmarking::follow);
     connect(&document, &Document::changed, this, [this](const Change& change) {
+        if (change.isOfHistory || change.mesh) m_before.reset();
         if (change.layers || change.landmarks || change.mesh) follow();
     });
     connect(&m_finder, &PoseFinder::answered, this, &Landmarking::takeAnswer);
@@ -120,10 +121,36 @@ void Landmarking::giveUpHalf() {
     emit changed();
 }
 
+void Landmarking::finishMove() {
+    m_before.reset();
+    ++m_gesture;
+}
+
+void Landmarking::beginMove() {
+    if (!m_before) m_before = Before{layer()->id, pairs(), layer()->projector};
+}
+
+/// The step of the move comes to nothing and goes: a pose that is still being sought joins it no more.
+void Landmarking::dropMove() {
+    if (!m_before) return;
+    const Before before = *m_before;
+    m_wanted.reset();
+    if (findPart(m_document.project().layers, before.photo))
+        m_document.edit(tr("Move landmark"),
+                        [&](Project& project) {
+                            TextureLayer& moved = partOf(project.layers, before.photo);
+                            moved.landmarks = before.pairs;
+                            moved.projector = before.projector;
+                        },
+                        {EditKind::Landmarks, before.photo, static_cast<std::uint64_t>(m_gesture)});
+    finishMove();
+}
+
 void Landmarking::movePixel(std::size_t pair, const Eigen::Vector2d& pixel) {
     if (pair == pairs().size() && m_half.photo) return pickPixel(pixel);
     if (pair >= pairs().size()) return;
     m_selected = pair;
+    beginMove();
     edit(tr("Move landmark"), [&](std::vector<LandmarkPair>& pairs) { pairs[pair].photo = pixel; });
 }
 
@@ -131,6 +158,7 @@ void Landmarking::movePoint(std::size_t pair, const Eigen::Vector3d& point) {
     if (pair == pairs().size() && m_half.organ) return pickPoint(point);
     if (pair >= pairs().size()) return;
     m_selected = pair;
+    beginMove();
     edit(tr("Move landmark"), [&](std::vector<LandmarkPair>& pairs) { pairs[pair].organ = point; });
 }
 

@@ -44,7 +44,10 @@ public:
     /// Moves a point of a pair, or of the half one after the last; moves that follow each other are one step.
     void movePixel(std::size_t pair, const Eigen::Vector2d& pixel);
     void movePoint(std::size_t pair, const Eigen::Vector3d& point);
-    void finishMove() { ++m_gesture; }
+    void finishMove();
+    /// Puts back what moved since the last finishMove(), the photo included. Nothing of it stays to be
+    /// undone.
+    void dropMove();
     void remove(std::size_t pair);
     void replace(std::vector<LandmarkPair> pairs);
     /// Forgets a half pair.
@@ -73,7 +76,15 @@ private:
         MergeKey mergeKey;
     };
 
+    /// What a move began with.
+    struct Before {
+        LayerId photo;
+        std::vector<LandmarkPair> pairs;
+        Projector projector;
+    };
+
     void follow();
+    void beginMove();
     PoseQuestion question() const;
     const PoseAnswer* answer() const;
     void completeHalf();
@@ -92,6 +103,7 @@ private:
     PlacementRefiner m_refiner;
     std::optional<std::pair<LayerId, Projector>> m_refining, m_inVain; ///< which photo, and where it stood
     std::optional<PoseRefinement> m_refinement;
+    std::optional<Before> m_before; ///< while a pair moves
     std::optional<LayerId> m_photo;
     std::optional<std::size_t> m_selected;
     Half m_half;

@@ -78,7 +78,15 @@ void Painting::setBrush(const Brush& brush) {
     const BrushKind ofPhotos = paints ? m_brush.kind : brush.kind;
     m_brush = brush;
     m_brush.kind = ofPhotos;
+    m_brush.radius = std::min(brush.radius, largestRadius());
     emit changed();
+}
+
+double Painting::largestRadius() const {
+    const TriangleMesh& mesh = *m_document.project().mesh;
+    if (mesh.vertices.empty()) return texture_limits::longestPhoto;
+    return std::clamp(boundingBox(mesh.vertices).diagonal().norm() / 2, texture_limits::shortestPhoto,
+                      texture_limits::longestPhoto);
 }
 
 void Painting::setSource(const BrushPoint& point) {

@@ -21,7 +21,10 @@ public:
     std::vector<BrushKind> kinds() const;
     /// As it paints on the selected layer; of the kind chosen last among those that the layer takes.
     Brush brush() const;
+    /// No larger than the organ: see largestRadius().
     void setBrush(const Brush& brush);
+    /// m, half of the organ's diagonal: a brush that covers all of it.
+    double largestRadius() const;
     /// Where a clone brush takes its colours, on the organ at rest.
     const std::optional<Eigen::Vector3d>& source() const { return m_source; }
     void setSource(const BrushPoint& point);

@@ -15,7 +15,8 @@ struct ToolContext {
     Selection& selection;
     Preview& preview;
     Landmarking& landmarking;
-    const QAction& showRegions; ///< checked while the regions' ellipsoids are drawn
+    const QAction& showRegions;   ///< checked while the regions' ellipsoids are drawn
+    const QAction& showProjector; ///< the same of the selected photo's projector
 };
 
 /// What a tool that moves tissue says while none moves; empty while it does.

@@ -17,7 +17,7 @@ enum class ToolOptions {
     None,
     Bar,    ///< in the bar on top
     Column, ///< first in the right column of the tool's workspaces
-    Above   ///< above the view, which gives half of its height
+    Beside  ///< beside the view, which gives half of its room
 };
 
 /// All that the window knows of a tool.

@@ -136,6 +136,15 @@ void ActionMaker::makeShownParts() {
         makeSwitch(make(tr("&Nodes"), QKeySequence(Qt::Key_N), tr("Draw the simulated nodes")), false);
     a.showRegions =
         makeSwitch(make(tr("&Regions"), QKeySequence(Qt::Key_H), tr("Draw the regions' ellipsoids")), true);
+    a.showBare =
+        makeSwitch(make(tr("Before an&d after"), QKeySequence(Qt::Key_B),
+                        tr("Show the organ as it is without photos and paint, in its base colour; who "
+                           "holds the key has a look until it comes up")),
+                   false);
+    a.showProjector =
+        makeSwitch(make(tr("Pro&jector"), QKeySequence("Shift+H"),
+                        tr("Draw the box of the selected photo's projector while the tool Photo is in hand")),
+                   true);
 }
 
 void ActionMaker::makeColourings() {
@@ -177,6 +186,11 @@ void ActionMaker::makeCameraActions() {
         makeSwitch(make(tr("Look from w&ithin"), QKeySequence(Qt::Key_W),
                         tr("Put the eye inside the organ, at the selected region or the middle of the view")),
                    false);
+    a.lookThroughPhoto =
+        makeSwitch(make(tr("Look throu&gh the photo"), QKeySequence("Shift+C"),
+                        tr("Put the eye where the selected photo is projected from, so that both coincide; "
+                           "once more goes back")),
+                   false);
     int key = Qt::Key_1;
     for (const QString& name :
          {tr("&Front"), tr("&Back"), tr("&Left"), tr("&Right"), tr("&Top"), tr("B&ottom")})
@@ -192,7 +206,10 @@ void ActionMaker::makeViewActions() {
     a.fuzzyWindow = makeSwitch(make(tr("F&uzzy system in a window"), QKeySequence(Qt::Key_F8),
                                     tr("Rules and terms in a window of their own, beside the organ")),
                                false);
-    a.lightTheme = makeSwitch(make(tr("Li&ght theme"), {}, tr("Light colours")), false);
+    a.referenceWindow =
+        make(tr("Photo beside the &view…"), QKeySequence("Shift+P"),
+             tr("Keep a photo, or another picture, in sight beside the organ, whatever tool is in hand"));
+    a.lightTheme = makeSwitch(make(tr("Light the&me"), {}, tr("Light colours")), false);
 }
 
 void ActionMaker::makeTools() {

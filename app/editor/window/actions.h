@@ -20,10 +20,10 @@ struct Actions {
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
     QAction *undo, *redo, *history, *rename, *duplicateRegion, *removeRegion, *removePhoto;
     QAction* shortcuts;
-    QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions;
+    QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions, *showProjector, *showBare;
     QActionGroup* colourings; ///< one per ColourBy, in their order
-    QAction *frame, *frameSelection, *orthographic, *cut, *lookFromWithin;
-    QAction *showLeft, *showRight, *fuzzyWindow, *lightTheme;
+    QAction *frame, *frameSelection, *orthographic, *cut, *lookFromWithin, *lookThroughPhoto;
+    QAction *showLeft, *showRight, *fuzzyWindow, *referenceWindow, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;
     QAction *addPhoto, *addPaint, *fromCamera;

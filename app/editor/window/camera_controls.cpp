@@ -1,8 +1,14 @@
 #include "app/editor/window/camera_controls.h"
 
+#include "app/editor/edits/photo_edits.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/framed_selection.h"
 #include "widgets/inputs/action_texts.h"
+
+#include <QEvent>
+#include <QTimer>
+
+#include <algorithm>
 
 namespace esm {
 
@@ -21,6 +27,13 @@ void CameraControls::connectActions(const Actions& actions) {
     connect(within, &QAction::triggered, this, [this, within] { lookFromWithin(*within); });
     connect(&m_view, &OrganView::cameraChanged, within,
             [this, within] { within->setChecked(m_view.isWithin()); });
+    QAction* through = actions.lookThroughPhoto;
+    connect(through, &QAction::triggered, this, [this, through] { lookThroughPhoto(*through); });
+    connect(&m_view, &OrganView::cameraChanged, through,
+            [this, through] { through->setChecked(m_view.isThrough()); });
+    connect(&m_document, &Document::changed, this, &CameraControls::followPhoto);
+    connect(&m_selection, &Selection::changed, this, &CameraControls::followPhoto);
+    m_view.installEventFilter(this);
 }
 
 /// Of the workspace that is seen. Without a selection it is the whole organ.
@@ -31,6 +44,41 @@ void CameraControls::frameSelection() {
     if (!m_textureWorkspace && region) box = boxOf(*region);
     if (m_textureWorkspace && layer) box = boxOf(*layer, *m_document.project().mesh);
     box ? m_view.frame(*box) : m_view.frameOrgan();
+}
+
+std::optional<Camera> CameraControls::throughPhoto() const {
+    const TextureLayer* layer = m_selection.selectedLayer();
+    if (!layer || !layer->photo) return std::nullopt;
+    const double aspect = static_cast<double>(m_view.width()) / std::max(1, m_view.height());
+    return cameraThrough(layer->projector, sizeOf(*pictureOf(*layer)), *m_document.project().mesh, aspect);
+}
+
+/// A photo that was dragged meanwhile is looked through anew first.
+void CameraControls::lookThroughPhoto(QAction& action) {
+    const std::optional<Camera> camera = throughPhoto();
+    if (m_view.isThrough() && camera == m_lookedThrough) {
+        m_view.leaveThrough();
+    } else if (camera) {
+        m_lookedThrough = camera;
+        m_view.lookThrough(*camera);
+        emit message(tr("Looking through the photo: %1 goes back").arg(keyOrName(&action)));
+    }
+    action.setChecked(m_view.isThrough());
+}
+
+/// Numbers, undo and another selection take the view along. What the mouse drags would run away from it.
+void CameraControls::followPhoto() {
+    if (!m_view.isThrough() || m_view.isHolding()) return;
+    const std::optional<Camera> camera = throughPhoto();
+    if (!camera) return m_view.leaveThrough();
+    if (camera == m_lookedThrough) return;
+    m_lookedThrough = camera;
+    m_view.lookThrough(*camera);
+}
+
+bool CameraControls::eventFilter(QObject*, QEvent* event) {
+    if (event->type() == QEvent::Resize) QTimer::singleShot(0, this, &CameraControls::followPhoto);
+    return false;
 }
 
 void CameraControls::lookFromWithin(QAction& action) {

@@ -4,6 +4,8 @@
 #include "app/editor/document/selection.h"
 #include "widgets/view/organ_view.h"
 
+#include <optional>
+
 namespace esm {
 
 struct Actions;
@@ -23,11 +25,16 @@ signals:
 private:
     void frameSelection();
     void lookFromWithin(QAction& action);
+    std::optional<Camera> throughPhoto() const;
+    void lookThroughPhoto(QAction& action);
+    void followPhoto();
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
     OrganView& m_view;
     Document& m_document;
     Selection& m_selection;
     bool m_textureWorkspace = false;
+    std::optional<Camera> m_lookedThrough; ///< as the photo was when it was last looked through
 };
 
 } // namespace esm

@@ -61,6 +61,7 @@ void addTexture(Workspaces& workspaces, const ColumnContext& c) {
     QObject::connect(preparation, &PreparationPanel::largeViewAsked, &workspaces, c.showLargePhoto);
     auto* projector = new ProjectorPanel(c.document, c.selection);
     projector->setFromCameraAction(c.actions.fromCamera);
+    projector->setLookThroughAction(c.actions.lookThroughPhoto);
     auto* landmarks = new LandmarksPanel(c.landmarking);
     landmarks->setToolAction(c.actions.tool(QStringLiteral("landmarks")));
     showOfPhotosOnly({preparation, projector, landmarks}, workspaces, c);

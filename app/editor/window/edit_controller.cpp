@@ -54,10 +54,12 @@ void EditController::enable(const Actions& actions) {
     allow(actions.removePhoto, layer, tr("No photo is selected"));
     allow(actions.freeNodes, !project.scene.fixed.empty(), tr("No node is fixed"));
     const bool texture = actions.texture->isChecked();
-    allow(actions.fromCamera, texture && layer && layer->photo,
-          !texture ? withKeys(tr("Photos are placed in the workspace Texture ({texture})"), actions)
-          : layer  ? tr("The selected layer has no photo, it is painted")
-                   : tr("No photo is selected"));
+    const QString noPhoto =
+        !texture ? withKeys(tr("Photos are placed in the workspace Texture ({texture})"), actions)
+        : layer  ? tr("The selected layer has no photo, it is painted")
+                 : tr("No photo is selected");
+    for (QAction* ofPhoto : {actions.fromCamera, actions.lookThroughPhoto})
+        allow(ofPhoto, texture && layer && layer->photo, noPhoto);
     allow(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
           tr("This model has no surface that fewer nodes could carry"));
     const bool splits = !project.scene.splits.empty();

@@ -34,16 +34,50 @@ void fillViewMenu(QMenu* view, const Actions& a) {
     QMenu* sides = view->addMenu(QObject::tr("Loo&k from"));
     for (QAction* side : a.standardViews)
         sides->addAction(side);
-    view->addActions({a.lookFromWithin, a.orthographic});
+    view->addActions({a.lookFromWithin, a.lookThroughPhoto, a.orthographic});
     view->addSeparator();
-    view->addActions({a.showLeft, a.showRight, a.fuzzyWindow, a.lightTheme});
+    view->addActions({a.showLeft, a.showRight, a.fuzzyWindow, a.referenceWindow, a.lightTheme});
 }
+
+/// To all alike, in proportion: of those that are hidden too.
+void shareRoom(QSplitter& splitter) {
+    QList<int> sizes;
+    for (int i = 0; i < splitter.count(); ++i)
+        sizes.append(1000);
+    splitter.setSizes(sizes);
+}
+
+void fillWith(QSplitter& splitter, const std::vector<QWidget*>& views) {
+    splitter.setChildrenCollapsible(false);
+    splitter.setHandleWidth(3);
+    for (QWidget* view : views) {
+        splitter.addWidget(view);
+        splitter.setStretchFactor(splitter.indexOf(view), 1);
+    }
+    shareRoom(splitter);
+}
+
+/// Lies the way in which a photo and an organ, both wider than high, are seen larger.
+class FittingSplitter : public QSplitter {
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        constexpr double usualAspect = 1.15; // of what is shown
+        const bool isWide = width() > usualAspect * height();
+        const Qt::Orientation wanted = isWide ? Qt::Horizontal : Qt::Vertical;
+        if (wanted != orientation()) {
+            setOrientation(wanted);
+            shareRoom(*this);
+        }
+        QSplitter::resizeEvent(event);
+    }
+};
 
 } // namespace
 
 void fillShownMenu(QMenu* menu, const Actions& a) {
     menu->setToolTipsVisible(true);
-    menu->addActions({a.showSurface, a.showWireframe, a.showSprings, a.showNodes, a.showRegions});
+    menu->addActions({a.showSurface, a.showWireframe, a.showSprings, a.showNodes, a.showRegions,
+                      a.showProjector, a.showBare});
     QMenu* colours = menu->addMenu(QObject::tr("Colour &by"));
     colours->setToolTipsVisible(true);
     colours->addActions(a.colourings->actions());
@@ -104,15 +138,13 @@ QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QSt
 
 QWidget* stacked(const std::vector<QWidget*>& views) {
     auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->setChildrenCollapsible(false);
-    splitter->setHandleWidth(3);
-    QList<int> sizes; // in proportion, of those that are hidden too
-    for (QWidget* view : views) {
-        splitter->addWidget(view);
-        splitter->setStretchFactor(splitter->indexOf(view), 1);
-        sizes.append(1000);
-    }
-    splitter->setSizes(sizes);
+    fillWith(*splitter, views);
+    return splitter;
+}
+
+QWidget* beside(const std::vector<QWidget*>& views) {
+    auto* splitter = new FittingSplitter;
+    fillWith(*splitter, views);
     return splitter;
 }
 

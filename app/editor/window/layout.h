@@ -21,4 +21,7 @@ QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QSt
 /// Views that share the middle of the window, one above the other; a hidden one leaves it to the others.
 QWidget* stacked(const std::vector<QWidget*>& views);
 
+/// The same side by side where the room is wide, so that each is large: one above the other where it is high.
+QWidget* beside(const std::vector<QWidget*>& views);
+
 } // namespace esm

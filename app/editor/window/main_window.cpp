@@ -15,9 +15,11 @@
 #include "app/editor/window/help.h"
 #include "app/editor/window/history_window.h"
 #include "app/editor/window/layout.h"
+#include "app/editor/window/peek_key.h"
 #include "app/editor/window/photo_controller.h"
 #include "app/editor/window/play_controller.h"
 #include "app/editor/window/recovery.h"
+#include "app/editor/window/reference_window.h"
 #include "app/editor/window/scene_note.h"
 #include "app/editor/window/shortcut_controller.h"
 #include "app/editor/window/shortcuts.h"
@@ -61,8 +63,8 @@ MainWindow::MainWindow(Project project)
       m_preparations(new PreparationEdits(*m_document, *m_selection)), m_preview(new Preview(this)),
       m_actions(createActions(this, m_document->undoStack())), m_view(new OrganView(this)),
       m_landmarking(new Landmarking(*m_document, *m_selection, this)),
-      m_tools(new ToolController(
-          *m_view, {*m_document, *m_selection, *m_preview, *m_landmarking, *m_actions.showRegions})),
+      m_tools(new ToolController(*m_view, {*m_document, *m_selection, *m_preview, *m_landmarking,
+                                           *m_actions.showRegions, *m_actions.showProjector})),
       m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
       m_cameraControls(new CameraControls(*m_view, *m_document, *m_selection)) {
     m_workspaces = new Workspaces(*this, m_actions);
@@ -115,19 +117,19 @@ MainWindow::~MainWindow() {
     // A field that is left tells the document what was typed: now, while there is one.
     m_actions.fuzzyWindow->setChecked(false);
     delete m_largePhoto;
+    delete m_reference;
     if (QWidget* focus = focusWidget()) focus->clearFocus();
 }
 
 std::vector<QWidget*> MainWindow::buildViews() {
-    auto views = m_tools->makeOptions(ToolOptions::Above);
-    views.push_back(m_view);
+    auto shown = m_tools->makeOptions(ToolOptions::Beside);
+    shown.push_back(m_view);
     auto* accuracy = new AccuracyView(*m_document, *m_accuracy);
     accuracy->hide();
     connect(m_workspaces, &Workspaces::shown, accuracy,
             [accuracy](Workspace shown) { accuracy->setVisible(shown == Workspace::Measure); });
     connect(accuracy, &AccuracyView::message, m_status, &StatusLine::showMessage);
-    views.push_back(accuracy);
-    return views;
+    return {beside(shown), accuracy};
 }
 
 void MainWindow::showLargePhoto() {
@@ -142,6 +144,7 @@ void MainWindow::showLargePhoto() {
 
 void MainWindow::connectParts() {
     m_viewController->connectActions(m_actions);
+    new PeekKey(*m_actions.showBare);
     m_cameraControls->connectActions(m_actions);
     auto* bar = new ViewBar(m_actions, m_view);
     connect(bar, &ViewBar::cutChanged, m_viewController,
@@ -164,6 +167,7 @@ void MainWindow::connectParts() {
     connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
     connect(m_document, &Document::changed, this, &MainWindow::followDocument);
     connect(m_actions.history, &QAction::triggered, this, &MainWindow::showHistory);
+    connect(m_actions.referenceWindow, &QAction::triggered, this, &MainWindow::showReference);
     connect(m_workspaces, &Workspaces::shown, m_journal,
             [this](Workspace workspace) { m_journal->setWorkspace(wordOf(workspace)); });
     auto* exported = new ExportNotice(*m_view, *m_document);
@@ -242,6 +246,11 @@ void MainWindow::showHistory() {
     m_history->show();
     m_history->raise();
     m_history->activateWindow();
+}
+
+void MainWindow::showReference() {
+    if (!m_reference) m_reference = new ReferenceWindow(*m_document, *m_selection, this);
+    m_reference->setVisible(!m_reference->isVisible());
 }
 
 void MainWindow::showTitle() {

@@ -84,6 +84,7 @@ private:
     void connectStart();
     void showAsLeft();
     void showHistory();
+    void showReference();
     void showAgain(const JournalView& view);
     void showTitle();
     void noteScene();
@@ -110,7 +111,7 @@ private:
     ShortcutController* m_shortcuts;
     SlowMotion* m_slowMotion;
     QLabel* m_title;
-    QPointer<QDialog> m_largePhoto, m_history;
+    QPointer<QDialog> m_largePhoto, m_history, m_reference;
     QStackedWidget* m_pages;
     SpeedAndAccuracy* m_accuracy;
     Workspaces* m_workspaces;

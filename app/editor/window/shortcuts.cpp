@@ -48,7 +48,9 @@ void addView(RowMaker& rows, const Actions& a) {
                     {"showWireframe", a.showWireframe},
                     {"showSprings", a.showSprings},
                     {"showNodes", a.showNodes},
-                    {"showRegions", a.showRegions}});
+                    {"showRegions", a.showRegions},
+                    {"showProjector", a.showProjector},
+                    {"showBare", a.showBare}});
     rows.addNamed(view, QStringLiteral("colourBy/"), a.colourings->actions(),
                   ShortcutTexts::tr("Colour by: %1"));
     rows.add(view, {{"cut", a.cut}, {"frame", a.frame}, {"frameSelection", a.frameSelection}});
@@ -62,10 +64,12 @@ void addView(RowMaker& rows, const Actions& a) {
     for (std::size_t i = 0; i < sides.size(); ++i)
         rows.addOne(view, sides[i].first, sides[i].second, a.standardViews[i]);
     rows.add(view, {{"lookFromWithin", a.lookFromWithin},
+                    {"lookThroughPhoto", a.lookThroughPhoto},
                     {"orthographic", a.orthographic},
                     {"showLeft", a.showLeft},
                     {"showRight", a.showRight},
                     {"fuzzyWindow", a.fuzzyWindow},
+                    {"referenceWindow", a.referenceWindow},
                     {"lightTheme", a.lightTheme}});
 }
 

@@ -2,6 +2,9 @@
 
 #include "app/editor/window/shortcuts.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace esm {
 
 ToolController::ToolController(OrganView& view, const ToolContext& context)
@@ -34,13 +37,16 @@ void ToolController::connectActions(const Actions& actions) {
     connect(actions.letGo, &QAction::triggered, &m_view, &OrganView::cancel);
     connect(actions.texture, &QAction::toggled, this, &ToolController::updateTools);
     connect(actions.showRegions, &QAction::toggled, this, &ToolController::updateTools);
+    for (const QAction* shown : {actions.showProjector, actions.showBare})
+        connect(shown, &QAction::toggled, this, &ToolController::updateHint);
     connect(&m_document, &Document::changed, this, &ToolController::updateTools);
     connect(&m_selection, &Selection::changed, this, &ToolController::updateTools);
     connect(&m_view, &OrganView::toolChanged, this, &ToolController::updateHint);
+    connect(&m_view, &OrganView::toolChanged, this, &ToolController::makeRoom);
     connect(actions.addPhoto, &QAction::changed, this, &ToolController::updateHint);
     // Where their keys are said, others may have been chosen.
-    for (const QAction* said :
-         {actions.tissue, actions.texture, actions.addRegion, actions.showRegions, actions.frame})
+    for (const QAction* said : {actions.tissue, actions.texture, actions.addRegion, actions.showRegions,
+                                actions.showProjector, actions.showBare, actions.frame})
         connect(said, &QAction::changed, this, &ToolController::updateTools);
     updateTools();
 }
@@ -58,6 +64,21 @@ std::vector<QWidget*> ToolController::makeOptions(ToolOptions place, ToolWorkspa
         made.push_back(options);
     }
     return made;
+}
+
+/// What stands beside the view takes the place of the left panels, and gives it back with the tool. Who shows
+/// the panels all the same keeps them.
+void ToolController::makeRoom() {
+    QAction& left = *m_actions.showLeft;
+    const bool needsRoom = std::any_of(m_tools.begin(), m_tools.end(), [this](const Tool& tool) {
+        return tool.tool == &m_view.tool() && tool.row.options == ToolOptions::Beside;
+    });
+    if (needsRoom && left.isChecked()) {
+        m_hidLeft = true;
+        left.setChecked(false);
+    } else if (!needsRoom && std::exchange(m_hidLeft, false)) {
+        left.setChecked(true);
+    }
 }
 
 QString ToolController::whyNot(const Tool& tool) const {
@@ -80,6 +101,9 @@ void ToolController::updateTools() {
 }
 
 void ToolController::updateHint() {
+    if (m_actions.showBare->isChecked())
+        return m_view.setHint(withKeys(
+            tr("Before: the organ without photos and paint · {showBare} shows them again"), m_actions));
     if (m_actions.texture->isChecked() && m_document.project().layers.empty())
         return m_view.setHint(
             m_actions.addPhoto->isEnabled()

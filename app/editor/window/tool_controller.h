@@ -30,6 +30,7 @@ private:
 
     QString whyNot(const Tool& tool) const;
     void updateTools();
+    void makeRoom();
     void updateHint();
 
     OrganView& m_view;
@@ -37,6 +38,7 @@ private:
     Selection& m_selection;
     Actions m_actions;
     std::vector<Tool> m_tools;
+    bool m_hidLeft = false; ///< the left panels, for a tool that shows something beside the view
 };
 
 } // namespace esm

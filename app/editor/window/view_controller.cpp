@@ -35,13 +35,15 @@ ViewLegend viewLegend(const ColourLegend& legend) {
 /// Quick work needs no announcement; of long work it is told how far it is.
 constexpr std::chrono::milliseconds redrawingPatience{400}, redrawingNews{100};
 
-/// Photos are seen without what tells of tissue.
-void enableTissueParts(const Actions& actions, bool on) {
+/// Photos are seen without what tells of tissue, and tissue without what tells of photos.
+void enableParts(const Actions& actions, bool ofTexture) {
     QList<QAction*> parts = actions.colourings->actions();
     parts << actions.showSprings << actions.showNodes << actions.showRegions;
     for (QAction* part : parts)
-        enable(part, on, whatItDoes(part),
+        enable(part, !ofTexture, whatItDoes(part),
                withKeys(QObject::tr("This belongs to the workspace Tissue ({tissue})"), actions));
+    enable(actions.showProjector, ofTexture, whatItDoes(actions.showProjector),
+           withKeys(QObject::tr("This belongs to the workspace Texture ({texture})"), actions));
 }
 
 } // namespace
@@ -64,9 +66,10 @@ ViewController::ViewController(OrganView& view, Document& document, Selection& s
 
 void ViewController::connectActions(const Actions& actions) {
     connectShownParts(actions);
+    enableParts(actions, false);
     connect(actions.texture, &QAction::toggled, this, [this, actions](bool on) {
         m_textureWorkspace = on;
-        enableTissueParts(actions, !on);
+        enableParts(actions, on);
         rebuildScene();
     });
     connect(actions.reset, &QAction::triggered, this, [this] { m_colourRange.reset(); });
@@ -92,6 +95,16 @@ void ViewController::connectShownParts(const Actions& actions) {
             m_colourRange.reset();
             rebuild({&ViewController::colourTissue});
         });
+    connect(actions.showProjector, &QAction::toggled, this, [this](bool on) {
+        m_showsProjector = on;
+        rebuild({&ViewController::showProjector});
+    });
+    connect(actions.showBare, &QAction::toggled, this, [this](bool on) {
+        m_isBare = on;
+        rebuild({&ViewController::dressOrgan, &ViewController::showProjector});
+    });
+    connect(this, &ViewController::unseenEdit, actions.showBare,
+            [bare = actions.showBare] { bare->setChecked(false); });
     connect(actions.cut, &QAction::toggled, this, [this](bool on) {
         m_state.cut = on ? std::optional(m_cut) : std::nullopt;
         rebuild({&ViewController::showShownParts});
@@ -108,6 +121,7 @@ void ViewController::setCut(const Cut& cut) {
 
 void ViewController::followCamera() {
     if (m_state.cut && m_state.cut->side == CutSide::Viewer) rebuild({&ViewController::showShownParts});
+    if (!m_view.scene().projectors.empty()) rebuild({&ViewController::showProjector});
 }
 
 void ViewController::setTheme(Theme theme) {
@@ -123,6 +137,7 @@ void ViewController::followDocument(const Change& change) {
     if (change.mesh || change.scene) m_fixedNodes = fixedNodesOf(*project.network, project.scene);
     if (change.mesh || change.scene) m_view.setInstrumentNames(instrumentNames(project.scene));
     if (change.picture()) composePhotos();
+    if (change.picture() && m_isBare) emit unseenEdit();
     if (change.mesh) {
         m_colourRange.reset();
         rebuildScene();
@@ -192,13 +207,14 @@ void ViewController::rebuild(std::initializer_list<Part> parts) {
 void ViewController::dressOrgan(RenderScene& scene) {
     const Project& project = m_document.project();
     TextureComposer::Composed composed = m_composer.composition();
-    const bool isDressed = composed.atlas && composed.atlas == project.atlas && !project.layers.empty();
+    const bool isDressed =
+        composed.atlas && composed.atlas == project.atlas && !project.layers.empty() && !m_isBare;
     if (!isDressed) composed = {};
     scene.baseColour = project.texture.baseColour;
     scene.atlas = composed.atlas;
     scene.texturePages = composed.pages;
     scene.smallerPages = composed.smallerPages;
-    scene.projectedPhoto = m_moving.projected();
+    scene.projectedPhoto = m_isBare ? std::nullopt : m_moving.projected();
 }
 
 void ViewController::showEllipsoids(RenderScene& scene) {
@@ -224,8 +240,12 @@ void ViewController::markRegion(RenderScene& scene) {
 void ViewController::showProjector(RenderScene& scene) {
     scene.projectors.clear();
     const TextureLayer* selected = m_selection.selectedLayer();
-    if (!m_textureWorkspace || !selected || !selected->photo) return;
-    scene.projectors.push_back(drawnProjector(scene, *selected, true));
+    const bool isWanted =
+        m_textureWorkspace && m_showsProjector && !m_isBare && m_view.tool().showsProjector();
+    if (!isWanted || !selected || !selected->photo) return;
+    DrawnProjector drawn = drawnProjector(scene, *selected, true);
+    drawn.cover *= faceShare(drawn, m_view.camera());
+    scene.projectors.push_back(drawn);
 }
 
 void ViewController::showFixedNodes(RenderScene& scene) {

@@ -30,6 +30,8 @@ public:
     void setCut(const Cut& cut);
 
 signals:
+    /// Photos or paint were edited while none of them is shown.
+    void unseenEdit();
     void message(const QString& text);
     /// How far the photos are redrawn, where that takes long; empty when they are.
     void redrawing(const QString& text);
@@ -76,7 +78,8 @@ private:
     MovingPhoto m_moving{m_composer};
     Theme m_theme = Theme::Dark;
     QTimer m_redrawing; ///< runs while the photos are redrawn
-    bool m_textureWorkspace = false;
+    bool m_textureWorkspace = false, m_showsProjector = true;
+    bool m_isBare = false;                       ///< without photos and paint
     ViewState m_state;                           ///< as the user wants it
     Cut m_cut;                                   ///< while it is cut open
     std::shared_ptr<const TissueModel> m_tissue; ///< as it was evaluated last

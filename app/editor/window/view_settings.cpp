@@ -12,6 +12,7 @@ std::vector<std::pair<QString, QAction*>> switches(const Actions& a) {
             {QStringLiteral("view/springs"), a.showSprings},
             {QStringLiteral("view/nodes"), a.showNodes},
             {QStringLiteral("view/regions"), a.showRegions},
+            {QStringLiteral("view/projector"), a.showProjector},
             {QStringLiteral("view/orthographic"), a.orthographic}};
 }
 

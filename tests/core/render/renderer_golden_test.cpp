@@ -99,6 +99,7 @@ TEST(Golden, RegionsProjectorAndInstrument) {
     projector.projector.height = 0.045;
     projector.photo = std::make_shared<Image>(quarters(64));
     projector.selected = true;
+    projector.cover = 0.55;
     scene.projectors = {projector};
     scene.instruments = {sphereAt({0.085, -0.05, 0.05}, 0.018)};
     EXPECT_TRUE(matchesGolden(drawn(scene, 0.4, 0.3), "markers"));

@@ -77,23 +77,43 @@ TEST(Gizmos, AnAxisCannotBeDrawnShut) {
 TEST(Gizmos, ProjectorCornerKeepsTheProportions) {
     const Projector projector = slanted();
     const Vector3d corner(projector.width / 2, projector.height / 2, 0);
-    const Projector twice = scaled(PhotoFace{projector}, 2,
-                                   towards(eye, projector.pose * Vector3d(2 * corner)), Proportions::Kept);
-    EXPECT_NEAR(twice.width, 2 * projector.width, 1e-9);
-    EXPECT_NEAR(twice.height, 2 * projector.height, 1e-9);
-    const Projector beside = scaled(
-        PhotoFace{projector}, 2, towards(eye, projector.pose * Vector3d(0.06, -0.01, 0)), Proportions::Kept);
-    EXPECT_NEAR(beside.width / beside.height, projector.width / projector.height, 1e-9);
-    EXPECT_GT(beside.width, projector.width);
-    const Projector shut =
-        scaled(PhotoFace{projector}, 2, towards(eye, projector.pose.translation()), Proportions::Kept);
-    EXPECT_GT(shut.height, 0);
+    for (const Stays stays : {Stays::Middle, Stays::OtherSide}) {
+        const auto drawnTo = [&](const Vector3d& place) {
+            return scaled(PhotoFace{projector}, 2, towards(eye, projector.pose * place),
+                          {Proportions::Kept, stays});
+        };
+        const Projector twice = drawnTo(stays == Stays::Middle ? 2 * corner : 3 * corner);
+        EXPECT_NEAR(twice.width, 2 * projector.width, 1e-9);
+        EXPECT_NEAR(twice.height, 2 * projector.height, 1e-9);
+        const Projector beside = drawnTo({0.08, 0.02, 0});
+        EXPECT_NEAR(beside.width / beside.height, projector.width / projector.height, 1e-9);
+        EXPECT_GT(beside.width, projector.width);
+        EXPECT_GT(drawnTo({0, 0, 0}).height, 0);
+        EXPECT_GT(drawnTo({-0.5, -0.5, 0}).height, 0) << "it cannot be drawn shut";
+    }
+}
+
+TEST(Gizmos, WhatLiesOppositeToADrawnHandleStays) {
+    const Projector projector = slanted();
+    const auto before = handles(PhotoFace{projector});
+    for (std::size_t handle = 0; handle < photoHandles; ++handle) {
+        const std::size_t opposite = handle < 4 ? (handle + 2) % 4 : 4 + (handle - 2) % 4;
+        const Vector3d wanted = before[handle] + 0.4 * (before[handle] - before[opposite]);
+        const Projector result = scaled(PhotoFace{projector}, handle, towards(eye, wanted), {});
+        const auto after = handles(PhotoFace{result});
+        EXPECT_TRUE(after[opposite].isApprox(before[opposite], 1e-9)) << handle;
+        EXPECT_TRUE(after[handle].isApprox(wanted, 1e-9)) << handle;
+        const Projector about =
+            scaled(PhotoFace{projector}, handle, towards(eye, wanted), {Proportions::Kept, Stays::Middle});
+        EXPECT_TRUE(about.pose.isApprox(projector.pose));
+    }
 }
 
 TEST(Gizmos, ProjectorCornerScalesWidthAndHeightApart) {
     const Projector projector = slanted();
     const Vector3d corner = projector.pose * Vector3d(0.06, -0.01, 0);
-    const Projector result = scaled(PhotoFace{projector}, 2, towards(eye, corner), Proportions::Free);
+    const Projector result =
+        scaled(PhotoFace{projector}, 2, towards(eye, corner), {Proportions::Free, Stays::Middle});
     EXPECT_NEAR(result.width, 0.12, 1e-9);
     EXPECT_NEAR(result.height, 0.02, 1e-9);
     EXPECT_TRUE(result.pose.isApprox(projector.pose));
@@ -104,7 +124,8 @@ TEST(Gizmos, TheMiddleOfAnEdgeScalesWidthOrHeightAlone) {
     const Vector3d place = projector.pose * Vector3d(0.06, 0.04, 0);
     for (const std::size_t handle : {4U, 5U, 6U, 7U}) {
         const bool isAcross = handle % 2 == 1;
-        const Projector result = scaled(PhotoFace{projector}, handle, towards(eye, place), Proportions::Kept);
+        const Projector result =
+            scaled(PhotoFace{projector}, handle, towards(eye, place), {Proportions::Kept, Stays::Middle});
         EXPECT_NEAR(result.width, isAcross ? 0.12 : projector.width, 1e-9);
         EXPECT_NEAR(result.height, isAcross ? projector.height : 0.08, 1e-9);
     }
@@ -121,11 +142,11 @@ TEST(Gizmos, HandlesOfAPerspectivePhotoChangeItsFieldOfView) {
         EXPECT_TRUE(distanceTo(photo, towards(eye, sight + 0.99 * (places[handle] - sight))));
         EXPECT_FALSE(distanceTo(photo, towards(eye, sight + 1.01 * (places[handle] - sight))));
         const Vector3d wanted = sight + 1.5 * (places[handle] - sight);
-        const Projector result = scaled(photo, handle, towards(eye, wanted), Proportions::Free);
+        const Projector result = scaled(photo, handle, towards(eye, wanted), {Proportions::Free});
         EXPECT_TRUE(handles(PhotoFace{result, photo.size, photo.depth})[handle].isApprox(wanted, 1e-9));
         EXPECT_TRUE(result.pose.isApprox(projector.pose));
     }
-    const Projector shut = scaled(photo, 2, towards(eye, sight), Proportions::Kept);
+    const Projector shut = scaled(photo, 2, towards(eye, sight), {});
     EXPECT_GE(shut.fieldOfView, 0.1);
 }
 

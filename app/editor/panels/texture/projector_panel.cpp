@@ -6,6 +6,7 @@
 #include "core/texture/texture_limits.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
+#include "widgets/inputs/icon.h"
 #include "widgets/inputs/quantity_formats.h"
 
 #include <algorithm>
@@ -72,11 +73,13 @@ ProjectorPanel::ProjectorPanel(Document& document, Selection& selection, QWidget
     : Section(tr("Projector"), parent), m_document(document), m_selection(selection),
       m_kind(new QComboBox(this)), m_width(new NumberField(lengthFormat(smallestLength), this)),
       m_height(new NumberField(lengthFormat(smallestLength), this)),
-      m_fieldOfView(new NumberField(viewFormat(), this)), m_intrinsics(), m_parallelRows(new ValueRows(this)),
-      m_perspectiveRows(new ValueRows(this)), m_measuredRows(new ValueRows(this)),
+      m_fieldOfView(new NumberField(viewFormat(), this)), m_keepProportions(new QToolButton(this)),
+      m_intrinsics(), m_sizeRows(new ValueRows(this)), m_perspectiveRows(new ValueRows(this)),
+      m_measuredRows(new ValueRows(this)), m_size(new QWidget(this)),
       m_position(new VectorField(withoutUnit(lengthFormat(-1000)), this)),
       m_turned(new VectorField(withoutUnit(angleFormat()), this)),
-      m_fromCamera(new QPushButton(tr("From &camera"), this)) {
+      m_fromCamera(new QPushButton(tr("From &camera"), this)),
+      m_lookThrough(new QPushButton(tr("Look through"), this)) {
     layOut();
     connectFields();
     connectIntrinsics();
@@ -91,8 +94,7 @@ void ProjectorPanel::layOut() {
     auto* rows = new ValueRows(this);
     auto* kindRows = new ValueRows(this);
     kindRows->addField(tr("&Kind"), m_kind);
-    m_parallelRows->addField(tr("Width"), m_width);
-    m_parallelRows->addField(tr("Height"), m_height);
+    layOutSize();
     m_perspectiveRows->addField(tr("Field of view"), m_fieldOfView);
     const std::array<QString, 4> captions{tr("Focal length x"), tr("Focal length y"), tr("Principal point x"),
                                           tr("Principal point y")};
@@ -115,9 +117,30 @@ void ProjectorPanel::layOut() {
     rows->addWideField(tr("Position, mm"), m_position);
     rows->addWideField(tr("Turned, °"), m_turned);
     m_width->setObjectName(QStringLiteral("projectorWidth"));
-    for (QWidget* part : {kindRows, m_parallelRows, m_perspectiveRows, m_measuredRows, rows})
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{kindRows, m_size, m_perspectiveRows, m_measuredRows, rows})
         body()->addWidget(part);
-    body()->addWidget(m_fromCamera, 0, Qt::AlignLeft);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_fromCamera);
+    buttons->addWidget(m_lookThrough);
+    buttons->addStretch();
+    body()->addLayout(buttons);
+}
+
+/// The lock stands beside both fields that it ties together.
+void ProjectorPanel::layOutSize() {
+    m_sizeRows->addField(tr("Width"), m_width);
+    m_sizeRows->addField(tr("Height"), m_height);
+    m_keepProportions->setObjectName(QStringLiteral("keepProportions"));
+    m_keepProportions->setIcon(icon(QStringLiteral("lock")));
+    m_keepProportions->setAccessibleName(tr("Keep proportions"));
+    m_keepProportions->setCheckable(true);
+    m_keepProportions->setChecked(true);
+    m_keepProportions->setProperty("iconOnly", true);
+    auto* row = new QHBoxLayout(m_size);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_sizeRows, 1);
+    row->addWidget(m_keepProportions);
 }
 
 void ProjectorPanel::connectFields() {
@@ -127,16 +150,10 @@ void ProjectorPanel::connectFields() {
             tr("Set field of view"), [=](Projector& projector) { projector.fieldOfView = degrees; },
             EditKind::ProjectorSize);
     });
-    connect(m_width, &NumberField::valueEdited, this, [this](double width) {
-        edit(
-            tr("Resize projector"), [=](Projector& projector) { projector.width = width; },
-            EditKind::ProjectorSize);
-    });
-    connect(m_height, &NumberField::valueEdited, this, [this](double height) {
-        edit(
-            tr("Resize projector"), [=](Projector& projector) { projector.height = height; },
-            EditKind::ProjectorSize);
-    });
+    connect(m_width, &NumberField::valueEdited, this,
+            [this](double width) { resize(&Projector::width, &Projector::height, width); });
+    connect(m_height, &NumberField::valueEdited, this,
+            [this](double height) { resize(&Projector::height, &Projector::width, height); });
     connect(m_position, &VectorField::valueEdited, this, [this](const Eigen::Vector3d& position) {
         edit(
             tr("Move projector"), [&](Projector& projector) { projector.pose.translation() = position; },
@@ -178,6 +195,8 @@ void ProjectorPanel::show() {
     const QString why = tr("No photo is selected");
     enable(m_width, projector, tr("Width of the projected photo"), why);
     enable(m_height, projector, tr("Height of the projected photo"), why);
+    enable(m_keepProportions, projector,
+           tr("Keep proportions: what is set of width or height is set of the other as well"), why);
     enable(m_position, projector, tr("x, y, z"), why);
     enable(m_turned, projector, turnedToolTip(), why);
     showKind(projector);
@@ -196,7 +215,7 @@ void ProjectorPanel::showKind(const Projector* projector) {
         tr("Projected straight ahead, or from an eye as the camera took it, whose calibration may be known; "
            "the photo stays where it lies"),
         tr("No photo is selected"));
-    m_parallelRows->setVisible(kind == Kind::Parallel);
+    m_size->setVisible(kind == Kind::Parallel);
     m_perspectiveRows->setVisible(kind == Kind::Perspective);
     m_measuredRows->setVisible(kind == Kind::Measured);
     showCamera(projector);
@@ -217,6 +236,20 @@ void ProjectorPanel::showCamera(const Projector* projector) {
     }
 }
 
+void ProjectorPanel::resize(double Projector::*edited, double Projector::*other, double metres) {
+    const bool isKept = m_keepProportions->isChecked();
+    edit(
+        tr("Resize projector"),
+        [=](Projector& projector) {
+            const double share = metres / projector.*edited;
+            projector.*edited = metres;
+            if (isKept)
+                projector.*other = std::clamp(share * projector.*other, texture_limits::shortestPhoto,
+                                              texture_limits::longestPhoto);
+        },
+        EditKind::ProjectorSize);
+}
+
 Intrinsics ProjectorPanel::shownIntrinsics() const {
     const TextureLayer& layer = *m_selection.selectedLayer();
     return intrinsicsOf(layer.projector, sizeOfPicture(layer));
@@ -234,6 +267,10 @@ void ProjectorPanel::chooseKind() {
 
 void ProjectorPanel::setFromCameraAction(QAction* action) {
     follow(m_fromCamera, action);
+}
+
+void ProjectorPanel::setLookThroughAction(QAction* action) {
+    follow(m_lookThrough, action);
 }
 
 void ProjectorPanel::edit(const QString& text, const std::function<void(Projector&)>& change, EditKind kind,

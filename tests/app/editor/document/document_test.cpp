@@ -279,6 +279,39 @@ TEST(PhotoEdits, APerspectivePhotoFromTheCameraShowsWhatIsSeen) {
     }
 }
 
+TEST(PhotoEdits, WhoLooksThroughAPhotoSeesItsPixelsEvenlyInTheMiddle) {
+    const Project project = makeSample("liver");
+    const PhotoSize photo{160, 90};
+    const auto box = boundingBox(project.mesh->vertices);
+    Projector parallel =
+        projectorFromCamera(framedCamera(box, StandardView::Front, 1.5), blankPhoto(160, 90), *project.mesh);
+    Projector perspective = parallel;
+    perspective.kind = ProjectorKind::Perspective;
+    perspective.pose.translation() += 0.2 * perspective.pose.linear().col(2);
+    Projector measured = perspective;
+    measured.intrinsics = Intrinsics{150, 130, 95, 40};
+    for (const Projector& projector : {parallel, perspective, measured})
+        for (const double aspect : {1.0, 2.5}) {
+            const Camera camera = cameraThrough(projector, photo, *project.mesh, aspect);
+            const auto corners = photoCorners(projector, photo, projector.isParallel() ? 0 : 0.1);
+            const auto low = picturePoint(camera, corners[0], aspect),
+                       high = picturePoint(camera, corners[2], aspect);
+            ASSERT_TRUE(low && high);
+            EXPECT_TRUE((*low + *high).isApprox(Eigen::Vector2d(1, 1), 1e-9)) << "in the middle";
+            const Eigen::Vector2d share = (*high - *low).cwiseAbs();
+            EXPECT_NEAR(share.maxCoeff(), 0.8, 1e-9);
+            for (std::size_t i = 0; i < project.mesh->vertices.size(); i += 97) {
+                const Eigen::Vector3d& vertex = project.mesh->vertices[i];
+                const auto seen = picturePoint(camera, vertex, aspect);
+                const auto projected = esm::project(projector, photo, vertex);
+                const Eigen::Vector2d inPhoto(projected->x() / photo.width, projected->y() / photo.height);
+                const Eigen::Vector2d expected =
+                    Eigen::Vector2d(0.5, 0.5) + (inPhoto - Eigen::Vector2d(0.5, 0.5)).cwiseProduct(share);
+                EXPECT_TRUE(seen->isApprox(expected, 1e-6));
+            }
+        }
+}
+
 TEST(PhotoEdits, AProjectorOfAnotherKindLiesInTheSamePlace) {
     const Project project = makeSample("liver");
     const Image photo = blankPhoto(160, 80);

@@ -111,6 +111,26 @@ TEST_F(LandmarkingTest, ADragIsOneStep) {
     EXPECT_TRUE(placed() == before);
 }
 
+TEST_F(LandmarkingTest, AMoveThatIsDroppedLeavesNothing) {
+    for (std::size_t i = 0; i < 6; ++i)
+        setPair(i);
+    ESM_EVENTUALLY(landmarking.fit() && !landmarking.isElsewhere());
+    const Project before = document.project();
+    const int steps = document.undoStack()->count();
+    landmarking.movePixel(2, seen(vertex(2)) + Eigen::Vector2d(40, 10));
+    ESM_EVENTUALLY(!(placed() == before.layers[0].projector)); // the photo goes along
+    landmarking.movePixel(2, seen(vertex(2)) + Eigen::Vector2d(60, 20));
+    landmarking.dropMove();
+    EXPECT_EQ(document.project(), before);
+    EXPECT_EQ(document.undoStack()->count(), steps);
+    landmarking.dropMove();
+    EXPECT_EQ(document.undoStack()->count(), steps) << "there is no move any more";
+    landmarking.movePoint(1, vertex(9));
+    landmarking.finishMove();
+    landmarking.dropMove();
+    EXPECT_EQ(document.undoStack()->count(), steps + 1) << "what was finished stays";
+}
+
 TEST_F(LandmarkingTest, MarksWhatDoesNotFit) {
     for (std::size_t i = 0; i < 9; ++i)
         setPair(i);
@@ -182,6 +202,32 @@ TEST_F(LandmarksInTheWindow, AreSetInThePhotoAndOnTheOrgan) {
     EXPECT_EQ(project().layers[0].landmarks, std::vector<LandmarkPair>{pair});
     window->windowActions().tool("look")->trigger();
     EXPECT_FALSE(photo->isVisible());
+}
+
+TEST_F(LandmarksInTheWindow, LieBesideEachOtherWhereThereIsRoom) {
+    Project before = makeSample("liver");
+    before.layers.resize(1);
+    before.layers[0].photo = makeSamplePhoto("serosa");
+    open(before);
+    window->windowActions().texture->trigger();
+    QAction& left = *window->windowActions().showLeft;
+    ASSERT_TRUE(left.isChecked());
+    press(Qt::Key_M);
+    EXPECT_FALSE(left.isChecked()) << "the photo takes its place";
+    auto* photo = child<PhotoView>("photoView");
+    const auto inWindow = [&](QWidget* widget) {
+        return QRect(widget->mapTo(window.get(), {}), widget->size());
+    };
+    window->resize(1400, 800);
+    settledHeight(&window->view());
+    EXPECT_LT(inWindow(photo).right(), inWindow(&window->view()).left());
+    EXPECT_NEAR(photo->width(), window->view().width(), 20);
+    window->resize(760, 800);
+    settledHeight(&window->view());
+    EXPECT_LT(inWindow(photo).bottom(), inWindow(&window->view()).top()) << "one above the other";
+    EXPECT_NEAR(photo->height(), window->view().height(), 20);
+    press(Qt::Key_V);
+    EXPECT_TRUE(left.isChecked());
 }
 
 /// Points of the organ that both the photo's camera and the view see, and whose places in the photo lie

@@ -237,3 +237,48 @@ TEST_F(PaintingTest, SaysWhereNothingWillBeSeen) {
     EXPECT_TRUE(said.contains("hidden")) << said.toStdString();
     EXPECT_EQ(strokes().size(), 1U);
 }
+
+namespace {
+
+/// Right of the organ's outline in the row of the view's middle, as far as asked for.
+QPoint besideOrgan(OrganView& view, int pixels) {
+    QPoint place = view.rect().center();
+    while (view.sight().pickAt(place))
+        place.rx() += 1;
+    return place + QPoint(pixels - 1, 0);
+}
+
+} // namespace
+
+TEST_F(PaintingTest, WhoJustMissesTheOrganPaintsAndDoesNotTurnTheView) {
+    OrganView& view = window->view();
+    const Camera before = view.camera();
+    const QPoint near = besideOrgan(view, 5);
+    QTest::mousePress(&view, Qt::LeftButton, {}, near);
+    for (int step = 1; step <= 10; ++step)
+        move(near - QPoint(6 * step, 0));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, near - QPoint(60, 0));
+    EXPECT_EQ(view.camera(), before);
+    ASSERT_EQ(strokes().size(), 1U) << "it begins where it reaches the organ";
+    EXPECT_GT(strokes()[0]->path.size(), 1U);
+    const QPoint far = besideOrgan(view, 40);
+    QTest::mousePress(&view, Qt::LeftButton, {}, far);
+    move(far + QPoint(20, 0));
+    move(far + QPoint(40, 0));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, far + QPoint(40, 0));
+    EXPECT_FALSE(view.camera() == before) << "farther off the view turns";
+    EXPECT_EQ(strokes().size(), 1U);
+}
+
+TEST_F(PaintingTest, ABrushIsNoLargerThanTheOrgan) {
+    const double most = boundingBox(project().mesh->vertices).diagonal().norm() / 2;
+    auto* radius = child<NumberField>("brushRadius");
+    for (int i = 0; i < 40; ++i)
+        press(Qt::Key_BracketRight);
+    EXPECT_NEAR(*radius->value(), most, 1e-9);
+    press(Qt::Key_BracketLeft);
+    EXPECT_NEAR(*radius->value(), 0.8 * most, 1e-9);
+    typeInto(radius, "5 m");
+    QTest::keyClick(radius, Qt::Key_Return);
+    EXPECT_FALSE(radius->refusal().isEmpty());
+}

@@ -26,8 +26,9 @@ protected:
     }
 
     template<typename Tool> Tool& take() {
-        auto* tool = new Tool(
-            ToolContext{document, selection, preview, landmarking, *std::as_const(actions.showRegions)});
+        auto* tool =
+            new Tool(ToolContext{document, selection, preview, landmarking,
+                                 *std::as_const(actions.showRegions), *std::as_const(actions.showProjector)});
         tool->setParent(&holder);
         view.setTool(*tool);
         return *tool;

@@ -308,6 +308,15 @@ TEST_F(MainWindowTest, ThePhotosBoxStandsInItsWorkspaceAlone) {
     EXPECT_TRUE(window->view().scene().projectors.empty());
     press(Qt::Key_2, Qt::ControlModifier);
     EXPECT_EQ(window->view().scene().projectors.size(), 1U);
+    press(Qt::Key_H, Qt::ShiftModifier);
+    EXPECT_TRUE(window->view().scene().projectors.empty()) << "switched off";
+    EXPECT_TRUE(window->view().hint().contains("Shift+H")) << window->view().hint().toStdString();
+    press(Qt::Key_H, Qt::ShiftModifier);
+    EXPECT_EQ(window->view().scene().projectors.size(), 1U);
+    press(Qt::Key_V);
+    EXPECT_TRUE(window->view().scene().projectors.empty()) << "of the tool Photo alone";
+    press(Qt::Key_J);
+    EXPECT_EQ(window->view().scene().projectors.size(), 1U);
     press(Qt::Key_1, Qt::ControlModifier);
     EXPECT_TRUE(window->view().scene().projectors.empty());
 }

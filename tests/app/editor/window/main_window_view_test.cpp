@@ -162,3 +162,74 @@ TEST_F(MainWindowViewTest, RemembersWhatWasShown) {
     EXPECT_FALSE(actions().showRegions->isChecked());
     EXPECT_EQ(actions().colourings->checkedAction()->objectName(), "region");
 }
+
+namespace {
+
+/// A liver with a photo of either kind, seen in the workspace Texture.
+class LookedThrough : public MainWindowViewTest {
+protected:
+    void lay(ProjectorKind kind) {
+        Project project = makeSample("liver");
+        project.layers.resize(1);
+        project.layers[0].photo = makeSamplePhoto("serosa");
+        Projector& projector = project.layers[0].projector;
+        projector.kind = kind;
+        projector.pose.translation() =
+            boundingBox(project.mesh->vertices).center() + Eigen::Vector3d(0, 0.3, 0);
+        projector.pose.linear() = Eigen::AngleAxisd(-1.57, Eigen::Vector3d::UnitX()).toRotationMatrix();
+        open(project);
+        press(Qt::Key_2, Qt::ControlModifier);
+    }
+    const Projector& projector() const { return project().layers[0].projector; }
+    Eigen::Vector3d ahead() { return (camera().target - camera().eye).normalized(); }
+};
+
+} // namespace
+
+TEST_F(LookedThrough, APhotoIsAndTheFormerViewComesBack) {
+    for (const auto kind : {ProjectorKind::Parallel, ProjectorKind::Perspective}) {
+        lay(kind);
+        const Camera before = camera();
+        press(Qt::Key_C, Qt::ShiftModifier);
+        EXPECT_TRUE(ahead().isApprox(-projector().pose.linear().col(2), 1e-6));
+        EXPECT_EQ(camera().orthographicHeight.has_value(), kind == ProjectorKind::Parallel);
+        if (kind == ProjectorKind::Perspective) {
+            EXPECT_TRUE(camera().eye.isApprox(projector().pose.translation()));
+        }
+        EXPECT_TRUE(actions().lookThroughPhoto->isChecked());
+        EXPECT_FALSE(actions().orthographic->isChecked()) << "what the user chose";
+        press(Qt::Key_C, Qt::ShiftModifier);
+        EXPECT_EQ(camera(), before);
+        EXPECT_FALSE(actions().lookThroughPhoto->isChecked());
+    }
+}
+
+TEST_F(LookedThrough, TheViewGoesAlongWithAPhotoThatIsSetByNumbers) {
+    lay(ProjectorKind::Perspective);
+    const Camera before = camera();
+    press(Qt::Key_C, Qt::ShiftModifier);
+    const auto move = [&] {
+        window->document().edit(
+            "move", [](Project& project) { project.layers[0].projector.pose.translation().x() += 0.01; });
+    };
+    move();
+    EXPECT_TRUE(camera().eye.isApprox(projector().pose.translation()));
+    press(Qt::Key_Home);
+    EXPECT_NEAR(camera().verticalFieldOfView, before.verticalFieldOfView, 1e-12) << "its own lens is back";
+    const Camera whole = camera();
+    move();
+    EXPECT_EQ(camera(), whole) << "nobody looks through it any more";
+}
+
+TEST_F(LookedThrough, TheOrganIsSeenBareUntilAPhotoIsEdited) {
+    lay(ProjectorKind::Parallel);
+    ESM_EVENTUALLY(!scene().atlas || scene().texturePages);
+    press(Qt::Key_B);
+    EXPECT_TRUE(actions().showBare->isChecked());
+    EXPECT_FALSE(scene().texturePages);
+    EXPECT_TRUE(scene().projectors.empty());
+    EXPECT_TRUE(window->view().hint().startsWith("Before")) << window->view().hint().toStdString();
+    window->document().edit("fade", [](Project& project) { project.layers[0].opacity = 0.5; });
+    EXPECT_FALSE(actions().showBare->isChecked());
+    EXPECT_EQ(scene().projectors.size(), 1U);
+}
