@@ -86,7 +86,7 @@ MainWindow::MainWindow(Project project)
 }
 
 void MainWindow::makeControllers() {
-    m_photos = new PhotoController(*this, *m_document, [this] { return m_view->camera(); });
+    m_photos = new PhotoController(*this, *m_document, *m_selection, [this] { return m_view->camera(); });
     m_files = new FileController(*this, *m_document, *m_photos, [this] {
         return EditorState{m_workspaces->chosen(), m_preview->status().playing};
     });
