@@ -28,19 +28,19 @@ struct TaskWords {
 
 std::vector<TaskWords> taskWords() {
     const auto tr = [](const char* text) { return PhotoDialog::tr(text); };
-    const QString inside = tr("Drag around what shall not lie on the organ; with Ctrl it is taken back");
+    const QString inside = tr("Drag around what shall not lie on the organ; with Ctrl it is restored");
     return {
         {PhotoTask::Field, tr("Field"), Qt::Key_F, tr("Set what the endoscope shows"),
          tr("Find the field, or drag one; squares move, size and turn it, Backspace removes a corner")},
-        {PhotoTask::LeaveOut, tr("Leave out"), Qt::Key_B, tr("Brush over text, overlays and instruments"),
+        {PhotoTask::Erase, tr("Erase"), Qt::Key_E, tr("Brush over text, overlays and instruments"),
          tr("Paint over what shall not lie on the organ · wheel magnifies, middle button moves")},
-        {PhotoTask::TakeBack, tr("Take back"), Qt::Key_E, tr("Brush over what was left out to show it again"),
-         tr("Paint over what was left out to show it again")},
-        {PhotoTask::Outline, tr("Outline"), Qt::Key_O, tr("Leave out what a line goes around"), inside},
-        {PhotoTask::Box, tr("Box"), Qt::Key_X, tr("Leave out a rectangle, or text and boxes that are found"),
+        {PhotoTask::Restore, tr("Restore"), Qt::Key_R, tr("Brush over what was erased to show it again"),
+         tr("Paint over what was erased to show it again")},
+        {PhotoTask::Outline, tr("Outline"), Qt::Key_O, tr("Erase what a line goes around"), inside},
+        {PhotoTask::Box, tr("Box"), Qt::Key_X, tr("Erase a rectangle, or text and boxes that are found"),
          inside},
-        {PhotoTask::Region, tr("Region"), Qt::Key_R, tr("Leave out what hangs together and has one colour"),
-         tr("Click on an instrument, blood or a bubble: what hangs together with it is left out")},
+        {PhotoTask::Region, tr("Region"), Qt::Key_G, tr("Erase what hangs together and has one colour"),
+         tr("Click on an instrument, blood or a bubble: what hangs together with it is erased")},
         {PhotoTask::Highlights, tr("Highlights"), Qt::Key_H,
          tr("Choose which mirror images of the lamp are filled"),
          tr("Move the slider until what shines is green")},
@@ -48,21 +48,21 @@ std::vector<TaskWords> taskWords() {
          tr("Click on something that is white or grey, let it be found, or take the colours of another "
             "photo")},
         {PhotoTask::Lens, tr("Lens"), Qt::Key_L,
-         tr("Straighten what the lens bends, by lines along what is straight"),
+         tr("Correct the distortion of the lens, by lines along what is straight"),
          tr("Click three places or more along what should be straight, Enter or a double click ends a line; "
             "two "
             "lines or more, near the border")},
         {PhotoTask::Crop, tr("Crop"), Qt::Key_C, tr("Frame the part that is kept"),
-         tr("Drag a frame, or a corner of the one there is; what lies outside is left out")}};
+         tr("Drag a frame, or a corner of the one there is; what lies outside is erased")}};
 }
 
 PhotoTool toolFor(PhotoTask task) {
     switch (task) {
     case PhotoTask::Field:
         return PhotoTool::Field;
-    case PhotoTask::LeaveOut:
+    case PhotoTask::Erase:
         return PhotoTool::LeaveOut;
-    case PhotoTask::TakeBack:
+    case PhotoTask::Restore:
         return PhotoTool::TakeBack;
     case PhotoTask::Outline:
         return PhotoTool::Outline;
@@ -102,7 +102,7 @@ PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* p
     connectCanvas();
     connect(m_lensPage, &LensPage::failed, this, &PhotoDialog::showHint);
     connect(&edits, &PreparationEdits::changed, this, &PhotoDialog::showPhoto);
-    choose(PhotoTask::LeaveOut);
+    choose(PhotoTask::Erase);
     showPhoto();
     m_canvas->setFocus();
 }
@@ -117,7 +117,7 @@ void PhotoDialog::addPages() {
 
 void PhotoDialog::connectCanvas() {
     connect(m_canvas, &PhotoCanvas::strokeDrawn, this, [this](const PhotoStroke& stroke) {
-        m_edits.edit(stroke.takesBack ? tr("Take back part of photo") : tr("Leave out part of photo"),
+        m_edits.edit(stroke.takesBack ? tr("Restore part of photo") : tr("Erase part of photo"),
                      [=](PreparationWish& wish) { wish.preparation.strokes.push_back(stroke); });
     });
     connect(m_canvas, &PhotoCanvas::placePicked, this, [this](const Eigen::Vector2d& place) {
@@ -257,8 +257,8 @@ void PhotoDialog::choose(PhotoTask task) {
         switch (task) {
         case PhotoTask::Field:
             return m_fieldPage;
-        case PhotoTask::LeaveOut:
-        case PhotoTask::TakeBack:
+        case PhotoTask::Erase:
+        case PhotoTask::Restore:
             return m_brushPage;
         case PhotoTask::Outline:
         case PhotoTask::Box:
@@ -316,7 +316,7 @@ void PhotoDialog::showPicture(const TextureLayer& layer) {
     m_photo = layer.photo;
     m_prepared = prepared;
     QImage picture = toQImage(prepared ? *prepared : layer.photo->image);
-    picture.reinterpretAsFormat(QImage::Format_RGBX8888); // what is left out is seen as well
+    picture.reinterpretAsFormat(QImage::Format_RGBX8888); // what is erased is seen as well
     m_canvas->setPicture(picture);
 }
 

@@ -20,7 +20,7 @@
 namespace esm {
 
 /// What is done to a photo in its own window.
-enum class PhotoTask { Field, LeaveOut, TakeBack, Outline, Box, Region, Highlights, White, Lens, Crop };
+enum class PhotoTask { Field, Erase, Restore, Outline, Box, Region, Highlights, White, Lens, Crop };
 
 /// The selected photo in a window of its own: its field is set, what is no tissue masked, highlights and
 /// white chosen, lines drawn along what should be straight, and a frame cut out. Every change is an edit of
@@ -69,7 +69,7 @@ private:
     std::vector<std::pair<int PhotoCrop::*, NumberField*>> m_cropFields;
     QWidget* m_cropPage;
     QLabel* m_hint;
-    PhotoTask m_task = PhotoTask::LeaveOut;
+    PhotoTask m_task = PhotoTask::Erase;
     std::shared_ptr<const Photo> m_photo;    ///< that is shown
     std::shared_ptr<const Image> m_prepared; ///< that is shown for the crop; null for the photo itself
 };

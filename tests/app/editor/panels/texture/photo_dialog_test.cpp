@@ -74,7 +74,7 @@ TEST_F(PhotoDialogTest, LeavesOutWhatIsBrushedOverAndTakesItBack) {
     auto* radius = dialog->findChild<NumberField*>("photoBrushRadius");
     radius->setValue(15);
     emit radius->valueEdited(15);
-    choose(Qt::Key_B);
+    choose(Qt::Key_E);
     drag(100, 100, 300, 100);
     ESM_EVENTUALLY(!edits.isWorking());
     ASSERT_EQ(layer().preparation.strokes.size(), 1U);
@@ -82,7 +82,7 @@ TEST_F(PhotoDialogTest, LeavesOutWhatIsBrushedOverAndTakesItBack) {
     ASSERT_TRUE(layer().prepared);
     EXPECT_EQ(layer().prepared->at(200, 100)[3], 0);
     EXPECT_EQ(layer().prepared->at(200, 130)[3], 255);
-    choose(Qt::Key_E);
+    choose(Qt::Key_R);
     drag(200, 100, 201, 100);
     ESM_EVENTUALLY(!edits.isWorking());
     EXPECT_EQ(layer().prepared->at(200, 100)[3], 255);
@@ -232,7 +232,7 @@ TEST_F(PhotoDialogTest, SaysWhyAPhotoIsNotPrepared) {
     });
     ESM_EVENTUALLY(!edits.isWorking());
     EXPECT_TRUE(hint().startsWith("Not prepared: ")) << hint().toStdString();
-    choose(Qt::Key_E);
+    choose(Qt::Key_R);
     EXPECT_FALSE(hint().startsWith("Not prepared: ")) << "what the tool does is to be read too";
 }
 
@@ -340,7 +340,7 @@ TEST_F(PhotoDialogTest, LeavesOutTheRegionThatIsClicked) {
                 photo->image.at(x, y)[0] = 90;
         project.layers[0].photo = photo;
     });
-    choose(Qt::Key_R);
+    choose(Qt::Key_G);
     QTest::mouseClick(canvas, Qt::LeftButton, {}, placeOf(150, 150));
     ESM_EVENTUALLY(!edits.isWorking() && layer().prepared);
     EXPECT_EQ(layer().prepared->at(150, 150)[3], 0);
