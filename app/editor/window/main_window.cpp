@@ -189,6 +189,7 @@ void MainWindow::connectStatusLine() {
     connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);
     connect(m_cameraControls, &CameraControls::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
+    connect(m_viewController, &ViewController::redrawn, m_status, &StatusLine::showAside);
     connect(m_viewController, &ViewController::redrawing, m_status, &StatusLine::showWork);
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_journal, &Journal::message, m_status, &StatusLine::showMessage);
