@@ -105,6 +105,10 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
                        tr("Hide the selected photo or paint layer, or show it again"));
     a.duplicatePhoto = make(tr("Dupli&cate photo"), QKeySequence("Ctrl+J"),
                             tr("Add a copy of the selected photo or paint layer, just above it"));
+    a.replacePhoto =
+        make(tr("Replace p&hoto…"), {},
+             tr("Lay another file in the place of the selected photo, which keeps its placement, "
+                "mask, landmarks and strokes"));
     a.removePhoto = make(tr("Remove &photo"), {}, tr("Remove the selected photo"));
     a.shortcuts = make(tr("&Shortcuts…"), {}, tr("The key of every action, to be changed"));
 }

@@ -19,7 +19,7 @@ struct Actions {
     QMenu* recent;                                         ///< filled by who knows the files
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
     QAction *undo, *redo, *history, *rename, *duplicateRegion, *removeRegion;
-    QAction *hidePhoto, *duplicatePhoto, *removePhoto;
+    QAction *hidePhoto, *duplicatePhoto, *replacePhoto, *removePhoto;
     QAction* shortcuts;
     QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions;
     QActionGroup* colourings; ///< one per ColourBy, in their order

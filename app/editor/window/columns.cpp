@@ -57,7 +57,7 @@ void showOfPhotosOnly(const Panels& panels, Workspaces& workspaces, const Column
 void addTexture(Workspaces& workspaces, const ColumnContext& c) {
     auto* photos = new PhotosPanel(c.document, c.selection);
     photos->setAddAction(c.actions.addPhoto);
-    photos->setMenuActions({c.actions.hidePhoto, c.actions.duplicatePhoto});
+    photos->setMenuActions({c.actions.hidePhoto, c.actions.duplicatePhoto, c.actions.replacePhoto});
     photos->setPaintAction(c.actions.addPaint);
     auto* preparation = new PreparationPanel(c.preparations);
     QObject::connect(preparation, &PreparationPanel::largeViewAsked, &workspaces, c.showLargePhoto);

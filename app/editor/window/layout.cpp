@@ -57,7 +57,7 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     edit->addSeparator();
     edit->addActions({a.duplicateRegion, a.removeRegion, a.rename});
     edit->addSeparator();
-    edit->addActions({a.hidePhoto, a.duplicatePhoto, a.removePhoto});
+    edit->addActions({a.hidePhoto, a.duplicatePhoto, a.replacePhoto, a.removePhoto});
     edit->addSeparator();
     edit->addAction(a.shortcuts);
     fillViewMenu(bar->addMenu(QObject::tr("&View")), a);

@@ -1,6 +1,8 @@
 #include "app/editor/window/photo_controller.h"
 
+#include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/open_dialog.h"
 #include "app/editor/edits/layer_edits.h"
@@ -8,9 +10,12 @@
 #include "app/editor/window/actions.h"
 #include "core/authoring/layers.h"
 #include "core/authoring/packing.h"
+#include "core/authoring/photo_replacement.h"
 #include "core/support/errors.h"
 #include "core/texture/photo/photo_format.h"
 #include "widgets/inputs/action_texts.h"
+
+#include <QPushButton>
 
 namespace esm {
 
@@ -28,6 +33,7 @@ void PhotoController::connectActions(const Actions& actions) {
     connect(actions.duplicatePhoto, &QAction::triggered, this, [this] {
         if (const auto layer = m_selection.photo()) esm::duplicateLayer(m_document, *layer);
     });
+    connect(actions.replacePhoto, &QAction::triggered, this, &PhotoController::chooseReplacement);
     const auto update = [this, actions] { enable(actions); };
     connect(&m_document, &Document::changed, this, update);
     connect(&m_selection, &Selection::changed, this, update);
@@ -37,6 +43,9 @@ void PhotoController::connectActions(const Actions& actions) {
 void PhotoController::enable(const Actions& actions) {
     for (QAction* action : {actions.hidePhoto, actions.duplicatePhoto})
         esm::enable(action, m_selection.selectedLayer(), whatItDoes(action), tr("No photo is selected"));
+    const TextureLayer* layer = m_selection.selectedLayer();
+    esm::enable(actions.replacePhoto, layer && layer->photo, whatItDoes(actions.replacePhoto),
+                layer ? tr("The selected layer has no photo, it is painted") : tr("No photo is selected"));
 }
 
 void PhotoController::choosePhotos() {
@@ -106,6 +115,53 @@ void PhotoController::lay(const std::vector<std::shared_ptr<const Photo>>& photo
     emit message(photos.size() > 1
                      ? tr("Added %1 photos, one over the other: drag them apart").arg(photos.size())
                      : tr("Added %1").arg(QString::fromStdString(photos.front()->fileName)));
+}
+
+void PhotoController::chooseReplacement() {
+    const QString filter = fileFilter(tr("Photos"), photoFileEndings()) + tr(";;All files (*)");
+    const auto file = chooseFile(&m_window, tr("Replace photo"), FileKind::Photo, filter, m_document.path());
+    if (file) replacePhoto(*file);
+}
+
+void PhotoController::replacePhoto(const std::filesystem::path& file) {
+    const TextureLayer* selected = m_selection.selectedLayer();
+    if (!selected || !selected->photo) return;
+    const TextureLayer before = *selected;
+    attempt(&m_window, tr("The photo cannot be replaced"), [&] {
+        const auto photo = computeLong(
+            &m_window, tr("Reading %1").arg(fileName(file)),
+            [&](const Progress& progress) { return loadPhoto(file, progress); }, Cancelling::Offered);
+        if (!haveOneShape(before.photo->image, photo->image) && !mayChangeShape(*before.photo, *photo))
+            return;
+        const TextureLayer after = computeLong(
+            &m_window, tr("Preparing %1").arg(fileName(file)),
+            [&](const Progress& progress) { return withPhoto(before, photo, progress); },
+            Cancelling::Offered);
+        m_document.edit(tr("Replace photo"),
+                        [&](Project& project) { partOf(project.layers, before.id) = after; });
+        const std::vector<std::string> remarks = replacementRemarks(before, after);
+        emit message(remarks.empty() ? tr("Replaced by %1").arg(fileName(file))
+                                     : tr("Replaced: %1").arg(QString::fromStdString(remarks.back())));
+    });
+}
+
+bool PhotoController::mayChangeShape(const Photo& before, const Photo& after) {
+    const auto size = [](const Photo& photo) {
+        return tr("%1 is %2 × %3 pixels")
+            .arg(QString::fromStdString(photo.fileName))
+            .arg(photo.image.width)
+            .arg(photo.image.height);
+    };
+    QMessageBox box(QMessageBox::Question, tr("Replace photo"),
+                    tr("The new photo has another shape. Replace?"), QMessageBox::Cancel, &m_window);
+    QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::AcceptRole);
+    setUpBox(box, "replacePhotoBox");
+    box.setInformativeText(
+        tr("%1, %2. Its height and its middle stay where they are on the organ, and it shows "
+           "more or less at its sides. Mask and landmarks stay on the same tissue.")
+            .arg(size(before), size(after)));
+    ask(m_window, [&] { return box.exec(); });
+    return box.clickedButton() == replace;
 }
 
 void PhotoController::addPaint() {

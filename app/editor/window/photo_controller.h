@@ -14,7 +14,8 @@ namespace esm {
 
 struct Actions;
 
-/// Lays photos on the organ, and layers to paint; hides and duplicates the selected one.
+/// Lays photos on the organ, and layers to paint; hides, duplicates and replaces the
+/// selected one.
 class PhotoController : public QObject {
     Q_OBJECT
 
@@ -28,6 +29,8 @@ public:
     /// All that can be read, as one step; of the others is said why they cannot.
     void addPhotos(const std::vector<std::filesystem::path>& files);
     void addPaint();
+    /// Another file in the place of the selected photo; asks where that has another shape.
+    void replacePhoto(const std::filesystem::path& file);
 
 signals:
     void message(const QString& text);
@@ -41,6 +44,8 @@ private:
     };
 
     void choosePhotos();
+    void chooseReplacement();
+    bool mayChangeShape(const Photo& before, const Photo& after);
     ReadPhotos readPhotos(const std::vector<std::filesystem::path>& files);
     void lay(const std::vector<std::shared_ptr<const Photo>>& photos);
     void enable(const Actions& actions);

@@ -105,6 +105,7 @@ std::vector<ShortcutRow> shortcutRows(const Actions& a) {
                                          {"removeRegion", a.removeRegion},
                                          {"hidePhoto", a.hidePhoto},
                                          {"duplicatePhoto", a.duplicatePhoto},
+                                         {"replacePhoto", a.replacePhoto},
                                          {"removePhoto", a.removePhoto},
                                          {"rename", a.rename},
                                          {"shortcuts", a.shortcuts}});

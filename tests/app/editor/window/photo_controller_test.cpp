@@ -5,10 +5,6 @@
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"
 
-#include <QDropEvent>
-#include <QMimeData>
-#include <QUrl>
-
 #include <fstream>
 
 using namespace esm;
@@ -31,15 +27,12 @@ protected:
             all.push_back(layer.name);
         return all;
     }
-    /// As files are dropped on the window.
-    void drop(const std::vector<std::string>& files) const {
-        QMimeData data;
-        QList<QUrl> urls;
+    /// As files that are dropped on the window, or named on the command line.
+    void add(const std::vector<std::string>& files) const {
+        std::vector<std::filesystem::path> paths;
         for (const std::string& file : files)
-            urls << QUrl::fromLocalFile(QString::fromStdString((folder / file).string()));
-        data.setUrls(urls);
-        QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(window.get(), &event);
+            paths.push_back(folder / file);
+        window->openFiles(paths);
     }
 
     TemporaryFolder folder;
@@ -47,8 +40,8 @@ protected:
 
 } // namespace
 
-TEST_F(PhotoControllerTest, AddsAllFilesThatAreDropped) {
-    drop({"one.png", "two.png"});
+TEST_F(PhotoControllerTest, AddsAllFilesThatAreOpened) {
+    add({"one.png", "two.png"});
     ESM_EVENTUALLY(project().layers.size() == 2);
     EXPECT_EQ(names(), (std::vector<std::string>{"two", "one"})) << "the first lies on top";
     EXPECT_EQ(window->document().undoStack()->count(), 1);
@@ -60,7 +53,7 @@ TEST_F(PhotoControllerTest, SaysWhichPhotoCouldNotBeAdded) {
         said = qobject_cast<QMessageBox*>(box)->informativeText();
         box->accept();
     });
-    drop({"one.png", "bad.png", "two.png"});
+    add({"one.png", "bad.png", "two.png"});
     ESM_EVENTUALLY(dialogs.isDone());
     EXPECT_TRUE(said.contains("bad.png")) << said.toStdString();
     EXPECT_EQ(names(), (std::vector<std::string>{"two", "one"}));
@@ -68,8 +61,57 @@ TEST_F(PhotoControllerTest, SaysWhichPhotoCouldNotBeAdded) {
 
 TEST_F(PhotoControllerTest, WhereNoneCanBeReadNothingIsAdded) {
     dialogs.expectNamed("problemBox", [](QDialog* box) { box->accept(); });
-    drop({"bad.png"});
+    add({"bad.png"});
     ESM_EVENTUALLY(dialogs.isDone());
     EXPECT_TRUE(project().layers.empty());
     EXPECT_EQ(window->document().undoStack()->count(), 0);
+}
+
+TEST_F(PhotoControllerTest, ReplacesThePhotoAndKeepsItsPlace) {
+    add({"one.png"});
+    ESM_EVENTUALLY(project().layers.size() == 1);
+    window->document().edit("crop", [](Project& edited) {
+        edited.layers[0].landmarks.push_back({{10, 20}, {0, 0, 0}});
+        edited.layers[0].name = "Mine";
+    });
+    const TextureLayer before = project().layers[0];
+    const int steps = window->document().undoStack()->count();
+    dialogs.expectFile(folder / "two.png");
+    window->windowActions().replacePhoto->trigger();
+    EXPECT_EQ(project().layers[0].photo->fileName, "two.png");
+    EXPECT_EQ(project().layers[0].name, "Mine");
+    EXPECT_EQ(project().layers[0].projector, before.projector);
+    EXPECT_EQ(project().layers[0].landmarks, before.landmarks);
+    EXPECT_EQ(window->document().undoStack()->count(), steps + 1);
+    window->document().undoStack()->undo();
+    EXPECT_EQ(project().layers[0], before);
+}
+
+TEST_F(PhotoControllerTest, AsksBeforeAPhotoOfAnotherShapeComes) {
+    add({"one.png"});
+    ESM_EVENTUALLY(project().layers.size() == 1);
+    const Image& photo = project().layers[0].photo->image;
+    const Image wide{
+        2 * photo.width, photo.height,
+        std::vector<std::uint8_t>(8 * std::size_t(photo.width) * std::size_t(photo.height), 255)};
+    writePng(wide, folder / "wide.png");
+    dialogs.expectFile(folder / "wide.png");
+    dialogs.expectButton("replacePhotoBox", QMessageBox::Cancel);
+    window->windowActions().replacePhoto->trigger();
+    EXPECT_EQ(project().layers[0].photo->fileName, "one.png");
+    const double width = project().layers[0].projector.width;
+    dialogs.expectFile(folder / "wide.png");
+    dialogs.expectNamed("replacePhotoBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_R); });
+    window->windowActions().replacePhoto->trigger();
+    EXPECT_EQ(project().layers[0].photo->fileName, "wide.png");
+    EXPECT_NEAR(project().layers[0].projector.width, 2 * width, 1e-9);
+}
+
+TEST_F(PhotoControllerTest, APhotoThatCannotBeReadReplacesNothing) {
+    add({"one.png"});
+    ESM_EVENTUALLY(project().layers.size() == 1);
+    dialogs.expectFile(folder / "bad.png");
+    dialogs.expectNamed("problemBox", [](QDialog* box) { box->accept(); });
+    window->windowActions().replacePhoto->trigger();
+    EXPECT_EQ(project().layers[0].photo->fileName, "one.png");
 }
