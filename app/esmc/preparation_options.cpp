@@ -105,7 +105,7 @@ void reportMatch(const std::optional<ColourMatch>& match, Report& report) {
 void declarePreparation(CLI::App& command, PreparationOptions& options) {
     command.add_flag("--field,--round-field", options.field,
                      "Show only the endoscope's field, round or not, where one is found");
-    command.add_flag("--mask-overlays", options.maskOverlays, "Leave out text and boxes that are burnt in");
+    command.add_flag("--mask-overlays", options.maskOverlays, "Erase text and boxes that are burnt in");
     command.add_flag("--fill-highlights", options.fillHighlights,
                      "Fill specular highlights from their surroundings");
     command
@@ -127,7 +127,7 @@ void declarePreparation(CLI::App& command, PreparationOptions& options) {
         ->excludes(balance)
         ->excludes(spot);
     command.add_flag("--match-colours", options.matchColours, "Give it the colours of the surface beneath");
-    command.add_option("--lens", options.lens, "Straighten what this lens bends (.json)");
+    command.add_option("--lens", options.lens, "Correct the distortion of this lens (.json)");
     command.add_option("--crop", options.crop,
                        "Keep only this part, \"x y width height\" in pixels of the photograph");
 }

@@ -4,15 +4,18 @@
 #include "app/esmc/preparation_options.h"
 #include "app/esmc/project_output.h"
 #include "core/authoring/packing.h"
+#include "core/authoring/photo_replacement.h"
 #include "core/exchange/project/project_file.h"
 #include "core/exchange/project/projector_file.h"
 #include "core/support/errors.h"
+#include "core/support/joined.h"
 #include "core/texture/layers/composite.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace esm {
 
@@ -129,7 +132,9 @@ std::vector<std::string> placingWarnings(const TextureLayer& layer) {
     return warnings;
 }
 
-Report describe(const TextureLayer& layer, const LayerCoverage& covered) {
+/// @param remarks further warnings
+Report describe(const TextureLayer& layer, const LayerCoverage& covered,
+                const std::vector<std::string>& remarks = {}) {
     Report report;
     report.json = {{"layer", layer.name}, {"texels", covered.texels}, {"triangles", covered.triangles}};
     report.text.push_back("photo " + layer.name + ": " + counted(covered.triangles, "triangle") + ", " +
@@ -137,6 +142,7 @@ Report describe(const TextureLayer& layer, const LayerCoverage& covered) {
     std::vector<std::string> warnings = placingWarnings(layer);
     const std::vector<std::string> doubts = warningsOf(layer.photo->image, layer.preparation);
     warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+    warnings.insert(warnings.end(), remarks.begin(), remarks.end());
     if (covered.triangles == 0)
         warnings.emplace_back("the photo meets no triangle: check the projector's place, direction and size");
     addWarnings(report, warnings);
@@ -167,6 +173,54 @@ Report runPhoto(const PhotoOptions& options, Context& context) {
     return report;
 }
 
+struct ReplaceOptions {
+    std::string project, output, layer, photo;
+};
+
+void declareReplace(CLI::App& command, ReplaceOptions& options) {
+    command.add_option("project", options.project, "Project to read (.esm)")->required();
+    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
+        ->required()
+        ->check(writtenAs(".esm"));
+    command.add_option("--layer", options.layer, "Name of the photograph's layer")->required();
+    command.add_option("--photo", options.photo, "Photograph to take its place (PNG, JPEG, BMP or TIFF)")
+        ->required();
+}
+
+/// @throws UsageError where no layer with a photograph, or more than one, has the name
+TextureLayer& photoLayerNamed(Project& project, const std::string& name) {
+    TextureLayer* found = nullptr;
+    std::vector<std::string> names;
+    for (TextureLayer& layer : project.layers) {
+        if (!layer.photo) continue;
+        names.push_back('"' + layer.name + '"');
+        if (layer.name != name) continue;
+        if (found)
+            throw UsageError("--layer: several layers are called \"" + name + "\"; give them other names");
+        found = &layer;
+    }
+    if (found) return *found;
+    if (names.empty()) throw UsageError("--layer: the project has no photograph");
+    throw UsageError("--layer: no photograph is called \"" + name + "\"; there are " + joined(names, ", "));
+}
+
+Report runReplace(const ReplaceOptions& options, Context& context) {
+    context.subject = options.project;
+    const ProjectOutput output(options.output);
+    Project project = openedProject(options.project, context);
+    TextureLayer& layer = photoLayerNamed(project, options.layer);
+    context.subject = options.photo;
+    const TextureLayer before = std::exchange(layer, withPhoto(layer, loadPhoto(options.photo)));
+    context.subject = options.project;
+    packIfNeeded(project);
+    const LayerCoverage covered = coverage(*project.mesh, *project.atlas, layer);
+    output.save(project);
+    Report report = describe(layer, covered, replacementRemarks(before, layer));
+    report.json["same_shape"] = haveOneShape(before.photo->image, layer.photo->image);
+    addWritten(report, options.output);
+    return report;
+}
+
 } // namespace
 
 void addTextureCommands(CLI::App& app, Context& context) {
@@ -177,6 +231,9 @@ void addTextureCommands(CLI::App& app, Context& context) {
         Command<PackOptions>{"pack", "Give every triangle its place in the texture", declarePack, runPack});
     addCommand(*texture, context,
                Command<PhotoOptions>{"photo", "Lay a photograph on the organ", declarePhoto, runPhoto});
+    addCommand(*texture, context,
+               Command<ReplaceOptions>{"replace", "Lay another photograph in the place of one",
+                                       declareReplace, runReplace});
     addFitCommand(*texture, context);
     addBakeCommand(*texture, context);
 }

@@ -10,14 +10,25 @@ namespace esm {
 
 namespace {
 
+bool hasName(const Project& project, const std::string& name) {
+    return std::any_of(project.layers.begin(), project.layers.end(),
+                       [&](const TextureLayer& layer) { return layer.name == name; });
+}
+
 /// "Paint 3", the first that no layer is called.
 std::string freePaintName(const Project& project) {
     for (int number = 1;; ++number) {
         std::string name = "Paint " + std::to_string(number);
-        if (std::none_of(project.layers.begin(), project.layers.end(),
-                         [&](const TextureLayer& layer) { return layer.name == name; }))
-            return name;
+        if (!hasName(project, name)) return name;
     }
+}
+
+/// "Polyp copy", "Polyp copy 2", the first that no layer is called.
+std::string freeCopyName(const Project& project, const std::string& original) {
+    std::string name = original + " copy";
+    for (int number = 2; hasName(project, name); ++number)
+        name = original + " copy " + std::to_string(number);
+    return name;
 }
 
 } // namespace
@@ -40,6 +51,14 @@ void addPaintLayer(Project& project, LayerId id, std::shared_ptr<const Atlas> at
     layer.id = id;
     layer.name = freePaintName(project);
     project.layers.push_back(std::move(layer));
+}
+
+void duplicateLayer(Project& project, LayerId layer, LayerId copy) {
+    const std::size_t place = placeOf(project.layers, layer).value();
+    TextureLayer made = project.layers[place];
+    made.id = copy;
+    made.name = freeCopyName(project, made.name);
+    project.layers.insert(project.layers.begin() + static_cast<std::ptrdiff_t>(place) + 1, std::move(made));
 }
 
 void removeLayer(Project& project, LayerId layer) {

@@ -14,6 +14,10 @@ void addPhoto(Project& project, LayerId id, std::shared_ptr<const Photo> photo, 
 /// A layer to paint on, on top of the others; `atlas` as above.
 void addPaintLayer(Project& project, LayerId id, std::shared_ptr<const Atlas> atlas);
 
+/// A copy just above a layer, with all that belongs to it: photo, placement, preparation, landmarks, strokes.
+/// Precondition: the project has that layer.
+void duplicateLayer(Project& project, LayerId layer, LayerId copy);
+
 /// Nothing where it is not there.
 void removeLayer(Project& project, LayerId layer);
 

@@ -59,6 +59,8 @@ COMMANDS = {
         "--white-spot": ["x", "1", "1 2 3", "-1 5", "nan 5", "1e9 5", ""], "--white-like": FILE,
         "--even-light": AMOUNT + ["1.01"], "--white-balance": None, "--match-colours": None, "--lens": FILE,
         "--crop": ["x", "1 2 3", "0 0 -1 5", "0.5 0 5 5", "0 0 0 5", "0 0 5 0", "0 0 5 nan", ""]},
+    "texture replace organ.esm --layer photo --photo photo.png": {
+        "project": FILE, "--layer": ["nobody", ""], "--photo": FILE, "-o": TO_PROJECT},
     "texture fit organ.esm --photo photo.png --pairs pairs.csv": {
         "project": FILE, "--photo": FILE, "--pairs": FILE, "-o": ["-", "out.png", ""], "--refine": None,
         "--intrinsics": ["x", "1,2,3", "0,1,1,1", "1,-1,0,0", "1,1,nan,1", "1e8,1,0,0", "1,1,1e8,0", ""]},

@@ -50,6 +50,14 @@ def predicted(kind, left, up, corner):
     return min((abs(up - corner), 0, left), (abs(left - corner), 1, up), (abs(left + up - 2 * corner), 2, corner))[2]
 
 
+def black_png(width, height):
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    rows = zlib.compress(bytes(height * (1 + 3 * width)))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", rows) + chunk(b"IEND", b"")
+
+
 def thread_name(task):
     """The name of a running thread by its folder in /proc; empty once the thread has ended."""
     try:
@@ -94,6 +102,23 @@ class TextureTest(Case):
         self.fails(1, *given, "--crop", "0 0 64 99999", "-o", project, naming="crop")
         bad = self.file("bad.json", {"kind": "mirror"})
         self.fails(1, *given, "--lens", bad, "-o", project, naming="pinhole")
+
+    def test_replaces_a_photo(self):
+        project, photo = self.sample("liver"), self.file("other.png")
+        self.photographed(project, "--name", "Polyp", "--crop", "0 0 256 256")
+        self.done("sample", "serosa", "-o", photo)
+        given = ("texture", "replace", project, "--layer", "Polyp", "--photo", photo)
+        report = self.done(*given, "-o", self.file("replaced.esm"))
+        self.assertEqual((report["layer"], report["same_shape"], report["warnings"]), ("Polyp", True, []))
+        self.assertGreater(report["texels"], 0)
+        self.assertEqual(self.done("validate", self.file("replaced.esm"))["problems"], [])
+        photo.write_bytes(black_png(300, 200))
+        report = self.done(*given, "-o", project)
+        self.assertFalse(report["same_shape"])
+        self.assertIn("another shape", report["warnings"][0])
+        self.fails(2, *given[:3], "--layer", "Liver", "--photo", photo, "-o", project, naming='"Polyp"')
+        self.photographed(project, "--name", "Polyp")
+        self.fails(2, *given, "-o", project, naming="several")
 
     def test_bad_pictures_leave_the_project_as_it_was(self):
         def chunk(kind, body):

@@ -1,21 +1,48 @@
 #include "widgets/inputs/item_list.h"
 
+#include "widgets/inputs/icon.h"
+
 #include <QDropEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
+#include <QToolTip>
+
+#include <algorithm>
 
 namespace esm {
 
 namespace {
 
-enum Role { NoteRole = Qt::UserRole, ColourRole, PictureRole };
+enum Role { NoteRole = Qt::UserRole, ColourRole, PictureRole, ShownRole };
 constexpr int dotRowHeight = 27, pictureRowHeight = 54, pictureSide = 42;
+constexpr int eyeWidth = 28, eyeSide = 18;
+constexpr double hiddenStrength = 0.45; ///< of what a row says that is hidden
 
 bool hasPicture(const QModelIndex& index) {
     return !index.data(PictureRole).value<QPixmap>().isNull();
+}
+
+bool hasEye(const QModelIndex& index) {
+    return index.data(ShownRole).isValid();
+}
+
+bool isEyeClosed(const QModelIndex& index) {
+    return hasEye(index) && !index.data(ShownRole).toBool();
+}
+
+QRect eyeOf(const QRect& row) {
+    return {row.right() + 1 - eyeWidth, row.top(), eyeWidth, row.height()};
+}
+
+void paintEye(QPainter& painter, const QRect& row, bool isOpen) {
+    const QRect place = eyeOf(row);
+    QRect square(0, 0, eyeSide, eyeSide);
+    square.moveCenter(place.center());
+    icon(isOpen ? QStringLiteral("eye") : QStringLiteral("eye-closed")).paint(&painter, square);
 }
 
 class RowDelegate : public QStyledItemDelegate {
@@ -32,6 +59,8 @@ public:
         painter->setRenderHint(QPainter::Antialiasing);
         const QRect row = option.rect;
         if (option.state & QStyle::State_Selected) paintSelection(painter, option);
+        if (hasEye(index)) paintEye(*painter, row, !isEyeClosed(index));
+        if (isEyeClosed(index)) painter->setOpacity(hiddenStrength);
         if (hasPicture(index))
             paintPicture(painter, option, index);
         else
@@ -63,8 +92,9 @@ private:
 
     static QRect nameRect(const QRect& row, const QModelIndex& index) {
         const int left = textLeft(row, index);
-        if (hasPicture(index)) return {left, row.top() + 9, row.right() - left - 6, 18};
-        return {left, row.top(), row.right() - left - 62, row.height()};
+        const int right = row.right() - (hasEye(index) ? eyeWidth : 0);
+        if (hasPicture(index)) return {left, row.top() + 9, right - left - 6, 18};
+        return {left, row.top(), right - left - 62, row.height()};
     }
 
     void paintSelection(QPainter* painter, const QStyleOptionViewItem& option) const {
@@ -119,7 +149,7 @@ ItemList::ItemList(QPalette::ColorRole mark, QWidget* parent) : QListWidget(pare
     setDragDropMode(QAbstractItemView::DragDrop);
     setDefaultDropAction(Qt::CopyAction);
     setFrameShape(QFrame::NoFrame);
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);
     connect(this, &QListWidget::currentRowChanged, this, &ItemList::rowSelected);
     connect(this, &QListWidget::itemChanged, this,
             [this](QListWidgetItem* item) { emit rowRenamed(row(item), item->text().trimmed()); });
@@ -141,6 +171,7 @@ void ItemList::setRows(const std::vector<ItemRow>& rows, int selected) {
                        row.note.isEmpty() ? row.name : row.name + QStringLiteral(", ") + row.note);
         entry->setData(ColourRole, row.colour);
         entry->setData(PictureRole, row.picture);
+        entry->setData(ShownRole, row.isShown ? QVariant(*row.isShown) : QVariant());
         entry->setFlags(row.renamable ? entry->flags() | Qt::ItemIsEditable
                                       : entry->flags() & ~Qt::ItemIsEditable);
     }
@@ -151,12 +182,54 @@ void ItemList::setRows(const std::vector<ItemRow>& rows, int selected) {
     viewport()->update();
 }
 
-QSize ItemList::sizeHint() const {
+int ItemList::heightOfRows() const {
     int height = 0;
     for (int row = 0; row < count(); ++row)
         height += sizeHintForRow(row);
-    // Longer lists scroll, so that the sections below stay in sight.
-    return {100, qBound(2 * dotRowHeight, height, 8 * dotRowHeight)};
+    return std::max(2 * dotRowHeight, height);
+}
+
+QSize ItemList::sizeHint() const {
+    return {100, heightOfRows()};
+}
+
+/// Longer lists scroll, so that the sections below stay in sight.
+QSize ItemList::minimumSizeHint() const {
+    return {100, std::min(heightOfRows(), 8 * dotRowHeight)};
+}
+
+QRect ItemList::eyeRect(int row) const {
+    const QModelIndex index = model()->index(row, 0);
+    return hasEye(index) ? eyeOf(visualRect(index)) : QRect();
+}
+
+/// The row whose eye is there; -1 where none is.
+int ItemList::eyeAt(const QPoint& place) const {
+    const QModelIndex under = indexAt(place);
+    return under.isValid() && eyeRect(under.row()).contains(place) ? under.row() : -1;
+}
+
+/// An eye neither selects its row nor begins a drag of it.
+void ItemList::mousePressEvent(QMouseEvent* event) {
+    const int row = event->button() == Qt::LeftButton ? eyeAt(event->pos()) : -1;
+    if (row < 0) return QListWidget::mousePressEvent(event);
+    emit eyeClicked(row);
+}
+
+void ItemList::mouseDoubleClickEvent(QMouseEvent* event) {
+    const int row = event->button() == Qt::LeftButton ? eyeAt(event->pos()) : -1;
+    if (row < 0) return QListWidget::mouseDoubleClickEvent(event);
+    emit eyeClicked(row);
+}
+
+bool ItemList::viewportEvent(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QListWidget::viewportEvent(event);
+    const auto& help = static_cast<const QHelpEvent&>(*event);
+    const int row = eyeAt(help.pos());
+    if (row < 0) return QListWidget::viewportEvent(event);
+    QToolTip::showText(help.globalPos(), isEyeClosed(model()->index(row, 0)) ? tr("Show") : tr("Hide"),
+                       viewport());
+    return true;
 }
 
 void ItemList::keyPressEvent(QKeyEvent* event) {

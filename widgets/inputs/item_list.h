@@ -4,6 +4,7 @@
 #include <QListWidget>
 #include <QPixmap>
 
+#include <optional>
 #include <vector>
 
 namespace esm {
@@ -15,6 +16,7 @@ struct ItemRow {
     QColor colour;   ///< of the dot
     QPixmap picture; ///< in place of the dot
     bool renamable = true;
+    std::optional<bool> isShown{}; ///< has an eye, open or closed
 };
 
 /// Where a row lands that is dropped on, above or below another.
@@ -22,8 +24,9 @@ enum class DropPlace { On, Above, Below };
 /// The place that the dropped row gets, once it is taken out of its own.
 int rowAfterDrop(int row, int under, DropPlace place);
 
-/// A short list of named things, one of which is selected; a double click or F2 renames, Delete asks for
-/// removal, a drag or Ctrl with the arrow keys asks for another order.
+/// A list of named things, one of which is selected; a double click or F2 renames, Delete asks for removal, a
+/// drag or Ctrl with the arrow keys asks for another order. It is as high as its rows where there is room,
+/// and scrolls where there is not.
 class ItemList : public QListWidget {
     Q_OBJECT
 
@@ -37,16 +40,23 @@ public:
     void setEmptyText(const QString& text) { m_emptyText = text; }
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    QSize minimumSizeHint() const override;
+    /// Where a row's eye is, in the viewport; empty where it has none.
+    QRect eyeRect(int row) const;
 
 signals:
     void rowSelected(int row);
     void rowRenamed(int row, const QString& name);
     void removeRequested(int row);
+    /// The row's eye was clicked: what is shown is to be hidden, and the other way round.
+    void eyeClicked(int row);
     /// Nothing has moved yet.
     void moveRequested(int row, int to);
 
 protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -57,6 +67,9 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    int eyeAt(const QPoint& place) const;
+    int heightOfRows() const;
+
     QString m_emptyText;
 };
 

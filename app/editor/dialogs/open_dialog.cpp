@@ -29,4 +29,18 @@ std::optional<std::filesystem::path> chooseFile(QWidget* window, const QString& 
     return file;
 }
 
+std::vector<std::filesystem::path> chooseFiles(QWidget* window, const QString& title, FileKind kind,
+                                               const QString& filter,
+                                               const std::optional<std::filesystem::path>& project) {
+    const QStringList chosen = ask(*window, [&] {
+        return QFileDialog::getOpenFileNames(window, title, startFolder(kind, project), filter);
+    });
+    std::vector<std::filesystem::path> files;
+    files.reserve(static_cast<std::size_t>(chosen.size()));
+    for (const QString& file : chosen)
+        files.emplace_back(file.toStdString());
+    if (!files.empty()) rememberFolder(kind, files.front());
+    return files;
+}
+
 } // namespace esm

@@ -20,5 +20,9 @@ QString fileFilter(const QString& name, const std::vector<std::string>& endings)
 std::optional<std::filesystem::path> chooseFile(QWidget* window, const QString& title, FileKind kind,
                                                 const QString& filter,
                                                 const std::optional<std::filesystem::path>& project = {});
+/// The same for any number of files; none when the user decides against it.
+std::vector<std::filesystem::path> chooseFiles(QWidget* window, const QString& title, FileKind kind,
+                                               const QString& filter,
+                                               const std::optional<std::filesystem::path>& project = {});
 
 } // namespace esm

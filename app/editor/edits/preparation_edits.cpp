@@ -32,6 +32,17 @@ void PreparationEdits::edit(const QString& text, const WishChange& change, EditK
     emit changed();
 }
 
+bool PreparationEdits::dropLatest() {
+    if (!isEditing()) return false;
+    if (m_waiting.empty())
+        m_running.reset(); // what is computed comes to nothing
+    else
+        m_waiting.pop_back();
+    begin();
+    emit changed();
+    return true;
+}
+
 PreparationWish PreparationEdits::wanted() const {
     const TextureLayer* selected = layer();
     if (!selected) return {};

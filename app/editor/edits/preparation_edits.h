@@ -41,6 +41,10 @@ public:
     /// Why the last edit of the selected photo could not be made; empty when all is well.
     QString failure() const;
     bool isWorking() const { return m_running || !m_waiting.empty(); }
+    /// Whether an edit waits for its picture.
+    bool isEditing() const { return !m_waiting.empty() || (m_running && m_running->edit); }
+    /// The latest edit that waits for its picture is not made. False where none waits.
+    bool dropLatest();
 
 signals:
     void changed();

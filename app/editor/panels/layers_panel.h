@@ -11,13 +11,16 @@ class QAction;
 namespace esm {
 
 /// What the lists of regions and of photos share: layers that lie over each other, the topmost first, one of
-/// them selected; they are moved, renamed and removed, and one more is added by an action.
+/// them selected; they are moved, renamed and removed, by buttons, keys and a menu, and one more is added by
+/// an action.
 class LayersPanel : public Section {
     Q_OBJECT
 
 public:
     /// What the button "+ add" does.
     void setAddAction(QAction* action);
+    /// What else the menu of the selected layer offers.
+    void setMenuActions(const QList<QAction*>& actions) { m_menuActions = actions; }
 
 protected:
     /// What the buttons do.
@@ -45,8 +48,10 @@ protected:
     virtual void removeLayer(std::size_t layer) = 0;
     virtual void renameLayer(std::size_t layer, const std::string& name) = 0;
 
-private:
     std::optional<std::size_t> layerOf(int row) const;
+
+private:
+    void showMenu(const QPoint& place);
     void move(int above);
     void moveRow(int row, int to);
     void removeSelected();
@@ -54,6 +59,7 @@ private:
 
     ToolTips m_toolTips;
     ItemList* m_list;
+    QList<QAction*> m_menuActions;
     QToolButton *m_up, *m_down, *m_remove, *m_add;
 };
 

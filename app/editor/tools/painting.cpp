@@ -1,6 +1,7 @@
 #include "app/editor/tools/painting.h"
 
 #include "app/editor/document/project_command.h"
+#include "core/texture/layers/covering_layer.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>
@@ -50,6 +51,7 @@ void Painting::follow(const Change& change) {
         const TriangleMesh& mesh = *m_document.project().mesh;
         if (!mesh.vertices.empty()) m_brush.radius = fittingRadius(mesh);
         m_source.reset();
+        m_surface.reset();
     }
     // To grow what was undone in the middle of it would take the place of the stroke before.
     if (m_movement && (change.mesh || !isLaid())) finish();
@@ -107,16 +109,28 @@ QString Painting::refusal() const {
     return {};
 }
 
-QString Painting::warning() const {
+QString Painting::warning(const BrushPoint& point) {
     if (!layer()->visible) return tr("Nothing of it is seen: the layer is hidden");
     if (layer()->opacity <= 0) return tr("Nothing of it is seen: the layer's opacity is 0 %");
-    return {};
+    const auto& layers = m_document.project().layers;
+    if (layers.back().id == layer()->id) return {}; // nothing lies above
+    const SurfacePoint place{point.place, point.normal.normalized()};
+    const TextureLayer* above = coveringLayer(layers, layer()->id, place, surface());
+    return above ? tr("Nothing of it is seen here: %1 covers it").arg(QString::fromStdString(above->name))
+                 : QString();
+}
+
+const SurfaceQuery& Painting::surface() {
+    const TriangleMesh& mesh = *m_document.project().mesh;
+    if (!m_surface) m_surface.emplace(mesh.vertices, mesh.triangles);
+    return *m_surface;
 }
 
 void Painting::begin(const BrushPoint& point) {
     const QString why = refusal();
     if (!why.isEmpty()) return emit message(why);
-    if (!warning().isEmpty()) emit message(warning());
+    const QString unseen = warning(point);
+    if (!unseen.isEmpty()) emit message(unseen);
     ++m_gesture;
     BrushStroke stroke = brush();
     if (stroke.kind == BrushKind::Clone) stroke.shift = *m_source - point.place;

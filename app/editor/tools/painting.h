@@ -2,6 +2,7 @@
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/selection.h"
+#include "core/surface/surface_query.h"
 
 namespace esm {
 
@@ -52,7 +53,9 @@ private:
 
     void follow(const Change& change);
     QString refusal() const;
-    QString warning() const;
+    /// Why nothing of the stroke is seen that begins there; empty where something is.
+    QString warning(const BrushPoint& point);
+    const SurfaceQuery& surface();
     bool extend(const std::optional<BrushPoint>& point);
     bool isFull() const;
     void edit();
@@ -66,6 +69,7 @@ private:
     BrushKind m_paintKind = BrushKind::Colour; ///< of a layer without photo
     std::optional<Eigen::Vector3d> m_source;
     std::optional<Movement> m_movement;
+    std::optional<SurfaceQuery> m_surface; ///< of the organ at rest, once it was asked for
     int m_gesture = 0;
 };
 

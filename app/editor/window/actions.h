@@ -18,7 +18,8 @@ struct Actions {
     QAction *open, *save, *saveAs, *import, *exportPackage, *quit;
     QMenu* recent;                                         ///< filled by who knows the files
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
-    QAction *undo, *redo, *history, *rename, *duplicateRegion, *removeRegion, *removePhoto;
+    QAction *undo, *redo, *history, *rename, *duplicateRegion, *removeRegion;
+    QAction *hidePhoto, *duplicatePhoto, *replacePhoto, *removePhoto;
     QAction* shortcuts;
     QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions, *showProjector, *showBare;
     QActionGroup* colourings; ///< one per ColourBy, in their order

@@ -29,6 +29,7 @@ Panels underOptions(const ColumnContext& c, ToolWorkspace workspace, const Panel
 void addTissue(Workspaces& workspaces, const ColumnContext& c) {
     auto* regions = new RegionsPanel(c.document, c.selection);
     regions->setAddAction(c.actions.addRegion);
+    regions->setMenuActions({c.actions.duplicateRegion});
     auto* reach = new SystemReach(c.document, c.selection, &workspaces);
     auto* workbench = new FuzzyWorkbench(c.document, c.selection, *reach);
     workbench->setWindowAction(c.actions.fuzzyWindow);
@@ -56,6 +57,7 @@ void showOfPhotosOnly(const Panels& panels, Workspaces& workspaces, const Column
 void addTexture(Workspaces& workspaces, const ColumnContext& c) {
     auto* photos = new PhotosPanel(c.document, c.selection);
     photos->setAddAction(c.actions.addPhoto);
+    photos->setMenuActions({c.actions.hidePhoto, c.actions.duplicatePhoto, c.actions.replacePhoto});
     photos->setPaintAction(c.actions.addPaint);
     auto* preparation = new PreparationPanel(c.preparations);
     QObject::connect(preparation, &PreparationPanel::largeViewAsked, &workspaces, c.showLargePhoto);

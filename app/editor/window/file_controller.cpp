@@ -24,6 +24,8 @@
 #include <QPointer>
 #include <QPushButton>
 
+#include <utility>
+
 namespace esm {
 
 namespace {
@@ -41,6 +43,14 @@ QStringList photoEndings() {
 
 QStringList meshEndings() {
     return listOf(meshFileEndings());
+}
+
+QString endingOf(const std::filesystem::path& file) {
+    return QFileInfo(QString::fromStdString(file.string())).suffix().toLower();
+}
+
+bool isPhoto(const std::filesystem::path& file) {
+    return photoEndings().contains(endingOf(file));
 }
 
 std::filesystem::path toPath(const QString& file) {
@@ -105,9 +115,9 @@ bool FileController::mayLoseUnfinished() {
 }
 
 void FileController::openAny(const std::filesystem::path& file) {
-    const QString ending = QFileInfo(QString::fromStdString(file.string())).suffix().toLower();
+    const QString ending = endingOf(file);
     if (ending == QLatin1String("esm")) return openProject(file);
-    if (photoEndings().contains(ending)) return m_photos.addPhoto(file);
+    if (isPhoto(file)) return m_photos.addPhotos({file});
     if (meshEndings().contains(ending)) return m_imports->importMesh(file);
     attempt(&m_window, tr("This file cannot be opened"), [&] {
         throw FileError(file, tr("neither a project (.esm), nor a surface (.%1), nor a photo (.%2)")
@@ -118,8 +128,18 @@ void FileController::openAny(const std::filesystem::path& file) {
 }
 
 void FileController::openAll(const std::vector<std::filesystem::path>& files) {
-    for (const auto& file : files)
+    // Photos that follow each other are added together.
+    std::vector<std::filesystem::path> photos;
+    const auto addPhotos = [&] { m_photos.addPhotos(std::exchange(photos, {})); };
+    for (const auto& file : files) {
+        if (isPhoto(file)) {
+            photos.push_back(std::filesystem::absolute(file));
+            continue;
+        }
+        addPhotos();
         openAny(std::filesystem::absolute(file));
+    }
+    addPhotos();
 }
 
 void FileController::openRecent(const QString& file) {

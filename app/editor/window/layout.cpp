@@ -89,7 +89,9 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     QMenu* edit = bar->addMenu(QObject::tr("&Edit"));
     edit->addActions({a.undo, a.redo, a.history});
     edit->addSeparator();
-    edit->addActions({a.duplicateRegion, a.removeRegion, a.removePhoto, a.rename});
+    edit->addActions({a.duplicateRegion, a.removeRegion, a.rename});
+    edit->addSeparator();
+    edit->addActions({a.hidePhoto, a.duplicatePhoto, a.replacePhoto, a.removePhoto});
     edit->addSeparator();
     edit->addAction(a.shortcuts);
     fillViewMenu(bar->addMenu(QObject::tr("&View")), a);

@@ -88,7 +88,7 @@ MainWindow::MainWindow(Project project)
 }
 
 void MainWindow::makeControllers() {
-    m_photos = new PhotoController(*this, *m_document, [this] { return m_view->camera(); });
+    m_photos = new PhotoController(*this, *m_document, *m_selection, [this] { return m_view->camera(); });
     m_files = new FileController(*this, *m_document, *m_photos, [this] {
         return EditorState{m_workspaces->chosen(), m_preview->status().playing};
     });
@@ -193,6 +193,7 @@ void MainWindow::connectStatusLine() {
     connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);
     connect(m_cameraControls, &CameraControls::message, m_status, &StatusLine::showMessage);
     connect(m_viewController, &ViewController::message, m_status, &StatusLine::showMessage);
+    connect(m_viewController, &ViewController::redrawn, m_status, &StatusLine::showAside);
     connect(m_viewController, &ViewController::redrawing, m_status, &StatusLine::showWork);
     connect(m_viewController, &ViewController::pictureFailed, m_status, &StatusLine::showPictureFailure);
     connect(m_journal, &Journal::message, m_status, &StatusLine::showMessage);

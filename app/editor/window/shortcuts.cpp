@@ -107,6 +107,9 @@ std::vector<ShortcutRow> shortcutRows(const Actions& a) {
     rows.add(ShortcutTexts::tr("Edit"), {{"history", a.history},
                                          {"duplicateRegion", a.duplicateRegion},
                                          {"removeRegion", a.removeRegion},
+                                         {"hidePhoto", a.hidePhoto},
+                                         {"duplicatePhoto", a.duplicatePhoto},
+                                         {"replacePhoto", a.replacePhoto},
                                          {"removePhoto", a.removePhoto},
                                          {"rename", a.rename},
                                          {"shortcuts", a.shortcuts}});

@@ -219,7 +219,14 @@ void StatusLine::showLasting() {
 void StatusLine::showMessage(const QString& text) {
     if (text.isEmpty()) return showLasting();
     showText(text, text, false);
+    m_isAside = false;
     m_messageTimer.start(6000);
+}
+
+void StatusLine::showAside(const QString& text) {
+    if (m_messageTimer.isActive() && !m_isAside) return;
+    showMessage(text);
+    m_isAside = true;
 }
 
 void StatusLine::showText(const QString& text, const QString& toolTip, bool warning) {

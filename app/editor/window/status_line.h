@@ -39,6 +39,8 @@ public:
     void showStatus(const PreviewStatus& status);
     /// Something that was done; goes by itself.
     void showMessage(const QString& text);
+    /// The same of what the program did by itself, where no message of another kind is still to be read.
+    void showAside(const QString& text);
     /// Why the photos are not on the organ; stays until it is empty.
     void showPictureFailure(const QString& reason);
     /// Why unsaved work is not written down; stays until it is empty.
@@ -68,6 +70,7 @@ private:
     PassingTime m_clock;
     qint64 m_since; ///< ms, pictures are counted
     int m_pictures = 0;
+    bool m_isAside = false; ///< what is shown in passing
     QString m_failure, m_pictureFailure, m_journalFailure, m_recovery, m_shortening, m_work, m_note,
         m_noteExplained;
 };

@@ -293,7 +293,7 @@ void ViewController::showTexture() {
     const TextureComposer::Composed composed = m_composer.composition();
     endRedrawing();
     if (composed.pages)
-        emit message(tr("Photos redrawn in %1 s").arg(numberText(composed.milliseconds / 1000, 2)));
+        emit redrawn(tr("Photos redrawn in %1 s").arg(numberText(composed.milliseconds / 1000, 2)));
     if (m_composer.isWorking()) m_redrawing.start(redrawingPatience);
     const QString failure = QString::fromStdString(composed.failure);
     emit pictureFailed(failure.isEmpty() ? QString() : tr("The photos cannot be composed: %1").arg(failure));

@@ -35,6 +35,8 @@ signals:
     void message(const QString& text);
     /// How far the photos are redrawn, where that takes long; empty when they are.
     void redrawing(const QString& text);
+    /// That they were, and how long it took.
+    void redrawn(const QString& text);
     /// Why the photos are not on the organ; empty when they are.
     void pictureFailed(const QString& reason);
 

@@ -119,7 +119,7 @@ std::vector<std::string> warningsOf(const Image& photo, const PhotoPreparation& 
     if (preparation.field && inField == all && all > 0)
         warnings.emplace_back("the field leaves all of the photo; make it smaller or remove it");
     if (!preparation.strokes.empty() && inField > 0 && shownPixels(shownOf(photo, preparation)) == 0)
-        warnings.emplace_back("the mask leaves no pixel of the photo; take back a part of it");
+        warnings.emplace_back("the mask leaves no pixel of the photo; restore a part of it");
     return warnings;
 }
 

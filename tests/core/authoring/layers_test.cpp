@@ -55,4 +55,22 @@ TEST(Layers, MoveAsFarAsThereAreOthers) {
     EXPECT_THAT(numbersOf(project), ElementsAre(2, 1));
 }
 
+TEST(Layers, AreCopiedWithAllThatBelongsToThem) {
+    Project project = withThreeLayers();
+    TextureLayer& original = project.layers[0];
+    original.opacity = 0.4;
+    original.projector.width = 0.07;
+    original.preparation.crop = PhotoCrop{1, 2, 3, 4};
+    original.landmarks.emplace_back();
+    original.strokes.push_back(std::make_shared<const BrushStroke>());
+    duplicateLayer(project, {1}, {9});
+    EXPECT_THAT(numbersOf(project), ElementsAre(1, 9, 2, 3));
+    TextureLayer copy = project.layers[1];
+    EXPECT_EQ(copy.name, project.layers[0].name + " copy");
+    copy.name = project.layers[0].name;
+    EXPECT_EQ(copy, project.layers[0]);
+    duplicateLayer(project, {1}, {10});
+    EXPECT_EQ(project.layers[1].name, project.layers[0].name + " copy 2");
+}
+
 } // namespace

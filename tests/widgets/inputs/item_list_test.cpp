@@ -104,3 +104,27 @@ TEST_F(ItemListTest, ADropFromElsewhereIsNoRow) {
     EXPECT_EQ(moved.count(), 0) << "what comes from elsewhere is no row";
     EXPECT_EQ(list.count(), 2);
 }
+
+TEST_F(ItemListTest, ItIsAsHighAsItsRowsAndMayBeLower) {
+    EXPECT_EQ(list.sizeHint(), list.minimumSizeHint());
+    list.setRows(std::vector<ItemRow>(20, {"Lobe", "212", Qt::red, {}, true}), 0);
+    EXPECT_GT(list.sizeHint().height(), 2 * list.minimumSizeHint().height());
+}
+
+TEST_F(ItemListTest, AClickOnAnEyeSelectsNothing) {
+    QSignalSpy eye(&list, &ItemList::eyeClicked), selected(&list, &ItemList::rowSelected);
+    list.setRows({{"First", "", Qt::red, {}, true, true}, {"Second", "", Qt::red, {}, true, false}}, 0);
+    EXPECT_TRUE(list.eyeRect(1).isValid());
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.eyeRect(1).center());
+    QTest::mouseDClick(list.viewport(), Qt::LeftButton, {}, list.eyeRect(1).center());
+    ASSERT_EQ(eye.count(), 2) << "the second click of a double one counts too";
+    EXPECT_EQ(eye[0][0].toInt(), 1);
+    EXPECT_EQ(selected.count(), 0);
+    EXPECT_EQ(list.findChild<QLineEdit*>(), nullptr) << "nor does it rename";
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(1)).center());
+    EXPECT_EQ(selected.count(), 1);
+}
+
+TEST_F(ItemListTest, RowsOfAnotherListHaveNoEye) {
+    EXPECT_TRUE(list.eyeRect(0).isEmpty());
+}

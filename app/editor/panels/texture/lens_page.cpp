@@ -11,7 +11,7 @@ namespace esm {
 
 LensPage::LensPage(PreparationEdits& edits, PhotoCanvas& canvas, QWidget* parent)
     : QWidget(parent), m_edits(edits), m_canvas(canvas), m_kind(new QComboBox(this)),
-      m_count(new QLabel(this)), m_straighten(new QPushButton(tr("&Straighten"), this)),
+      m_count(new QLabel(this)), m_straighten(new QPushButton(tr("&Correct lens"), this)),
       m_clear(new QPushButton(tr("Clear lines"), this)), m_load(new QPushButton(tr("Load lens…"), this)),
       m_save(new QPushButton(tr("Save lens…"), this)) {
     layOut();
@@ -47,11 +47,13 @@ void LensPage::layOut() {
 void LensPage::showLines() {
     const std::size_t lines = m_canvas.lines().size();
     m_count->setText(lines == 1 ? tr("1 line") : tr("%1 lines").arg(lines));
-    enable(m_straighten, lines >= 2, tr("Find the lens that makes these lines straight"),
+    enable(m_straighten, lines >= 2,
+           tr("Find the lens that makes these lines straight, and take its distortion away; it does not "
+              "turn the photo"),
            tr("Draw two lines of three places each first"));
     enable(m_clear, lines > 0, tr("Draw anew"), tr("No line is drawn"));
     enable(m_save, m_edits.wanted().preparation.lens.has_value(),
-           tr("Save the lens for other photos of the same endoscope"), tr("No lens is straightened yet"));
+           tr("Save the lens for other photos of the same endoscope"), tr("No lens is corrected yet"));
 }
 
 void LensPage::straighten() {
@@ -59,7 +61,7 @@ void LensPage::straighten() {
     const auto kind = static_cast<LensKind>(m_kind->currentData().toInt());
     try {
         const Lens lens = straighteningLens(kind, {photo.width, photo.height}, m_canvas.lines());
-        m_edits.edit(tr("Straighten photo"), [=](PreparationWish& wish) { wish.preparation.lens = lens; });
+        m_edits.edit(tr("Correct lens"), [=](PreparationWish& wish) { wish.preparation.lens = lens; });
     } catch (const InvalidModel& error) {
         QString reason = QString::fromStdString(error.problems().front());
         emit failed(reason.replace(0, 1, reason.at(0).toUpper()));
@@ -68,7 +70,7 @@ void LensPage::straighten() {
 
 void LensPage::load() {
     openLens(window(), [this](const Lens& lens) {
-        m_edits.edit(tr("Straighten photo"), [=](PreparationWish& wish) { wish.preparation.lens = lens; });
+        m_edits.edit(tr("Correct lens"), [=](PreparationWish& wish) { wish.preparation.lens = lens; });
     });
 }
 

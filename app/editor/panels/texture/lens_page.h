@@ -9,7 +9,7 @@
 
 namespace esm {
 
-/// What stands above a photo while its lens is straightened: by lines that are drawn on it, or by a lens that
+/// What stands above a photo while its lens is corrected: by lines that are drawn on it, or by a lens that
 /// is known from a file.
 class LensPage : public QWidget {
     Q_OBJECT

@@ -73,11 +73,11 @@ OutlinePage::OutlinePage(PreparationEdits& edits, QWidget* parent) : QWidget(par
     auto* find = new QPushButton(tr("&Find text and boxes"), this);
     find->setObjectName(QStringLiteral("findOverlays"));
     find->setAutoDefault(false);
-    find->setToolTip(tr("Leave out what a camera's software wrote into the photo"));
+    find->setToolTip(tr("Erase what a camera's software wrote into the photo"));
     row->addWidget(find);
     row->addStretch();
     connect(find, &QPushButton::clicked, this, [&edits] {
-        edits.edit(tr("Leave out text and boxes"), [](PreparationWish& wish) { wish.find.overlays = true; });
+        edits.edit(tr("Erase text and boxes"), [](PreparationWish& wish) { wish.find.overlays = true; });
     });
 }
 
@@ -97,7 +97,7 @@ RegionPage::RegionPage(PreparationEdits& edits, QWidget* parent)
 
 void RegionPage::grow(const Eigen::Vector2d& place) {
     const RegionSeed seed{place, *m_tolerance->value()};
-    m_edits.edit(tr("Leave out region"), [=](PreparationWish& wish) { wish.find.region = seed; });
+    m_edits.edit(tr("Erase region of photo"), [=](PreparationWish& wish) { wish.find.region = seed; });
 }
 
 } // namespace esm

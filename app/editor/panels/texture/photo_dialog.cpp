@@ -1,11 +1,15 @@
 #include "app/editor/panels/texture/photo_dialog.h"
 
+#include "app/editor/dialogs/ask.h"
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/panels/texture/page_row.h"
+#include "widgets/inputs/action_texts.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
 #include "widgets/inputs/refused_numbers.h"
 #include "widgets/texture/image_conversion.h"
 
+#include <QMessageBox>
 #include <QShortcut>
 
 #include <algorithm>
@@ -24,19 +28,19 @@ struct TaskWords {
 
 std::vector<TaskWords> taskWords() {
     const auto tr = [](const char* text) { return PhotoDialog::tr(text); };
-    const QString inside = tr("Drag around what shall not lie on the organ; with Ctrl it is taken back");
+    const QString inside = tr("Drag around what shall not lie on the organ; with Ctrl it is restored");
     return {
         {PhotoTask::Field, tr("Field"), Qt::Key_F, tr("Set what the endoscope shows"),
          tr("Find the field, or drag one; squares move, size and turn it, Backspace removes a corner")},
-        {PhotoTask::LeaveOut, tr("Leave out"), Qt::Key_B, tr("Brush over text, overlays and instruments"),
+        {PhotoTask::Erase, tr("Erase"), Qt::Key_E, tr("Brush over text, overlays and instruments"),
          tr("Paint over what shall not lie on the organ · wheel magnifies, middle button moves")},
-        {PhotoTask::TakeBack, tr("Take back"), Qt::Key_E, tr("Brush over what was left out to show it again"),
-         tr("Paint over what was left out to show it again")},
-        {PhotoTask::Outline, tr("Outline"), Qt::Key_O, tr("Leave out what a line goes around"), inside},
-        {PhotoTask::Box, tr("Box"), Qt::Key_X, tr("Leave out a rectangle, or text and boxes that are found"),
+        {PhotoTask::Restore, tr("Restore"), Qt::Key_R, tr("Brush over what was erased to show it again"),
+         tr("Paint over what was erased to show it again")},
+        {PhotoTask::Outline, tr("Outline"), Qt::Key_O, tr("Erase what a line goes around"), inside},
+        {PhotoTask::Box, tr("Box"), Qt::Key_X, tr("Erase a rectangle, or text and boxes that are found"),
          inside},
-        {PhotoTask::Region, tr("Region"), Qt::Key_R, tr("Leave out what hangs together and has one colour"),
-         tr("Click on an instrument, blood or a bubble: what hangs together with it is left out")},
+        {PhotoTask::Region, tr("Region"), Qt::Key_G, tr("Erase what hangs together and has one colour"),
+         tr("Click on an instrument, blood or a bubble: what hangs together with it is erased")},
         {PhotoTask::Highlights, tr("Highlights"), Qt::Key_H,
          tr("Choose which mirror images of the lamp are filled"),
          tr("Move the slider until what shines is green")},
@@ -44,21 +48,21 @@ std::vector<TaskWords> taskWords() {
          tr("Click on something that is white or grey, let it be found, or take the colours of another "
             "photo")},
         {PhotoTask::Lens, tr("Lens"), Qt::Key_L,
-         tr("Straighten what the lens bends, by lines along what is straight"),
+         tr("Correct the distortion of the lens, by lines along what is straight"),
          tr("Click three places or more along what should be straight, Enter or a double click ends a line; "
             "two "
             "lines or more, near the border")},
         {PhotoTask::Crop, tr("Crop"), Qt::Key_C, tr("Frame the part that is kept"),
-         tr("Drag a frame, or a corner of the one there is; what lies outside is left out")}};
+         tr("Drag a frame, or a corner of the one there is; what lies outside is erased")}};
 }
 
 PhotoTool toolFor(PhotoTask task) {
     switch (task) {
     case PhotoTask::Field:
         return PhotoTool::Field;
-    case PhotoTask::LeaveOut:
+    case PhotoTask::Erase:
         return PhotoTool::LeaveOut;
-    case PhotoTask::TakeBack:
+    case PhotoTask::Restore:
         return PhotoTool::TakeBack;
     case PhotoTask::Outline:
         return PhotoTool::Outline;
@@ -79,10 +83,11 @@ PhotoTool toolFor(PhotoTask task) {
 } // namespace
 
 PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* parent)
-    : QDialog(parent), m_edits(edits), m_canvas(new PhotoCanvas(this)), m_pages(new QStackedWidget(this)),
-      m_tasks(new QButtonGroup(this)), m_fieldPage(new FieldPage(edits, *m_canvas, this)),
-      m_brushPage(new BrushPage(*m_canvas, this)), m_outlinePage(new OutlinePage(edits, this)),
-      m_regionPage(new RegionPage(edits, this)), m_highlightPage(new HighlightPage(edits, *m_canvas, this)),
+    : QDialog(parent), m_edits(edits), m_session(document, edits), m_canvas(new PhotoCanvas(this)),
+      m_pages(new QStackedWidget(this)), m_tasks(new QButtonGroup(this)),
+      m_fieldPage(new FieldPage(edits, *m_canvas, this)), m_brushPage(new BrushPage(*m_canvas, this)),
+      m_outlinePage(new OutlinePage(edits, this)), m_regionPage(new RegionPage(edits, this)),
+      m_highlightPage(new HighlightPage(edits, *m_canvas, this)),
       m_whitePage(new WhitePage(document, edits, this)), m_lensPage(new LensPage(edits, *m_canvas, this)),
       m_whole(new QPushButton(tr("Whole photo"), this)), m_cropPage(cropPage()), m_hint(new QLabel(this)) {
     setObjectName(QStringLiteral("photoDialog"));
@@ -93,11 +98,11 @@ PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* p
     column->addLayout(taskRow());
     column->addWidget(m_pages);
     column->addWidget(m_canvas, 1);
-    column->addLayout(closeRow(document));
+    column->addLayout(closeRow());
     connectCanvas();
     connect(m_lensPage, &LensPage::failed, this, &PhotoDialog::showHint);
     connect(&edits, &PreparationEdits::changed, this, &PhotoDialog::showPhoto);
-    choose(PhotoTask::LeaveOut);
+    choose(PhotoTask::Erase);
     showPhoto();
     m_canvas->setFocus();
 }
@@ -112,7 +117,7 @@ void PhotoDialog::addPages() {
 
 void PhotoDialog::connectCanvas() {
     connect(m_canvas, &PhotoCanvas::strokeDrawn, this, [this](const PhotoStroke& stroke) {
-        m_edits.edit(stroke.takesBack ? tr("Take back part of photo") : tr("Leave out part of photo"),
+        m_edits.edit(stroke.takesBack ? tr("Restore part of photo") : tr("Erase part of photo"),
                      [=](PreparationWish& wish) { wish.preparation.strokes.push_back(stroke); });
     });
     connect(m_canvas, &PhotoCanvas::placePicked, this, [this](const Eigen::Vector2d& place) {
@@ -176,32 +181,72 @@ QWidget* PhotoDialog::cropPage() {
     return page;
 }
 
-QHBoxLayout* PhotoDialog::closeRow(Document& document) {
+QHBoxLayout* PhotoDialog::closeRow() {
     auto* row = new QHBoxLayout;
     m_hint->setObjectName(QStringLiteral("photoHint"));
     m_hint->setWordWrap(true);
     m_hint->setMinimumHeight(2 * fontMetrics().lineSpacing());
     row->addWidget(m_hint, 1);
-    QUndoStack* stack = document.undoStack();
-    const auto add = [&](QAction* action, const QKeySequence& key) {
-        action->setShortcut(key);
-        addAction(action);
-        auto* button = new QPushButton(this);
-        button->setAutoDefault(false);
-        button->setText(action == actions().first() ? tr("Undo") : tr("Redo"));
-        follow(button, action);
-        row->addWidget(button);
-    };
-    add(stack->createUndoAction(this, tr("Undo")), QKeySequence::Undo);
-    add(stack->createRedoAction(this, tr("Redo")), QKeySequence::Redo);
-    auto* close = new QPushButton(tr("Close"), this);
+    m_undo = addStepAction(row, tr("Undo"), QKeySequence::Undo);
+    m_redo = addStepAction(row, tr("Redo"), QKeySequence::Redo);
+    connect(m_undo, &QAction::triggered, &m_session, &PreparationSession::undo);
+    connect(m_redo, &QAction::triggered, &m_session, &PreparationSession::redo);
+    connect(&m_session, &PreparationSession::changed, this, &PhotoDialog::showSteps);
+    showSteps();
+    auto* cancel = addRowButton(row, tr("Cancel"));
+    cancel->setObjectName(QStringLiteral("cancelPhoto"));
+    cancel->setToolTip(tr("Put back all that was done in this window, and go back to the organ"));
+    connect(cancel, &QPushButton::clicked, this, &PhotoDialog::putBack);
+    auto* close = addRowButton(row, tr("OK"));
+    close->setObjectName(QStringLiteral("keepPhoto"));
     close->setToolTip(tr("Go back to the organ; what was done to the photo stays"));
-    close->setAutoDefault(false);
-    connect(close, &QPushButton::clicked, this, [this] {
-        if (takesAllNumbers(*this)) QDialog::close();
-    });
-    row->addWidget(close);
+    connect(close, &QPushButton::clicked, this, &PhotoDialog::keep);
     return row;
+}
+
+QPushButton* PhotoDialog::addRowButton(QHBoxLayout* row, const QString& text) {
+    auto* button = new QPushButton(text, this);
+    button->setAutoDefault(false);
+    row->addWidget(button);
+    return button;
+}
+
+QAction* PhotoDialog::addStepAction(QHBoxLayout* row, const QString& text, const QKeySequence& key) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(key);
+    addAction(action);
+    follow(addRowButton(row, text), action);
+    return action;
+}
+
+void PhotoDialog::showSteps() {
+    enable(m_undo, m_session.canUndo(), tr("Undo what was done last in this window"),
+           tr("Nothing was done in this window, or something else since"));
+    enable(m_redo, m_session.canRedo(), tr("Do again what was undone in this window"),
+           tr("Nothing was undone in this window"));
+}
+
+void PhotoDialog::keep() {
+    if (takesAllNumbers(*this)) accept();
+}
+
+void PhotoDialog::putBack() {
+    m_session.putBack();
+    accept();
+}
+
+void PhotoDialog::reject() {
+    if (!m_edits.layer() || !m_session.isChanged()) return QDialog::reject();
+    QMessageBox box(QMessageBox::Question, tr("Photo"), tr("Keep what was done to the photo?"),
+                    QMessageBox::Cancel, this);
+    const auto* kept = box.addButton(tr("&Keep"), QMessageBox::AcceptRole);
+    const auto* dropped = box.addButton(tr("Put back"), QMessageBox::DestructiveRole);
+    setUpBox(box, "keepPhotoBox");
+    box.button(QMessageBox::Cancel)->setText(tr("&Go on"));
+    box.setInformativeText(tr("What is put back can be brought again with Redo."));
+    ask(*this, [&] { return box.exec(); });
+    if (box.clickedButton() == kept) keep();
+    if (box.clickedButton() == dropped) putBack();
 }
 
 void PhotoDialog::choose(PhotoTask task) {
@@ -212,8 +257,8 @@ void PhotoDialog::choose(PhotoTask task) {
         switch (task) {
         case PhotoTask::Field:
             return m_fieldPage;
-        case PhotoTask::LeaveOut:
-        case PhotoTask::TakeBack:
+        case PhotoTask::Erase:
+        case PhotoTask::Restore:
             return m_brushPage;
         case PhotoTask::Outline:
         case PhotoTask::Box:
@@ -239,7 +284,7 @@ void PhotoDialog::choose(PhotoTask task) {
 void PhotoDialog::showPhoto() {
     const TextureLayer* layer = m_edits.layer();
     if (!layer) {
-        close(); // no photo is selected any more
+        accept(); // no photo is selected any more
         return;
     }
     setWindowTitle(tr("Photo · %1").arg(QString::fromStdString(layer->name)));
@@ -271,7 +316,7 @@ void PhotoDialog::showPicture(const TextureLayer& layer) {
     m_photo = layer.photo;
     m_prepared = prepared;
     QImage picture = toQImage(prepared ? *prepared : layer.photo->image);
-    picture.reinterpretAsFormat(QImage::Format_RGBX8888); // what is left out is seen as well
+    picture.reinterpretAsFormat(QImage::Format_RGBX8888); // what is erased is seen as well
     m_canvas->setPicture(picture);
 }
 

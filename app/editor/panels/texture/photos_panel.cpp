@@ -1,5 +1,6 @@
 #include "app/editor/panels/texture/photos_panel.h"
 
+#include "app/editor/edits/layer_edits.h"
 #include "core/authoring/layers.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/icon.h"
@@ -16,6 +17,7 @@ PhotosPanel::PhotosPanel(Document& document, Selection& selection, QWidget* pare
       m_paint(addHeaderIcon(icon(QStringLiteral("brush")), tr("Add paint layer"))) {
     list()->setObjectName(QStringLiteral("photoList"));
     list()->setEmptyText(tr("No photo yet. Add one, or drop a picture on the organ."));
+    connect(list(), &ItemList::eyeClicked, this, &PhotosPanel::showOrHide);
     connect(&selection, &Selection::changed, this, &PhotosPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
         if (change.layers) show();
@@ -67,12 +69,17 @@ void PhotosPanel::show() {
                         note,
                         {},
                         layer.photo ? inUse[layer.photo] : painted(layer),
-                        true});
+                        true,
+                        layer.visible});
     }
     m_pictures = std::move(inUse);
     const auto selected = selectedLayer();
     list()->setRows(rows, selected ? rowOf(*selected) : -1);
     showButtons(obstacles());
+}
+
+void PhotosPanel::showOrHide(int row) {
+    if (const auto layer = layerOf(row)) esm::showOrHide(m_document, layerAt(*layer));
 }
 
 LayersPanel::Obstacles PhotosPanel::obstacles() const {

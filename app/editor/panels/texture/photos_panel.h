@@ -29,6 +29,7 @@ protected:
     void renameLayer(std::size_t layer, const std::string& name) override;
 
 private:
+    void showOrHide(int row);
     Obstacles obstacles() const;
     LayerId layerAt(std::size_t layer) const { return m_document.project().layers[layer].id; }
     QPixmap picture(const std::shared_ptr<const Photo>& photo);

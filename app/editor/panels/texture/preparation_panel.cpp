@@ -1,5 +1,6 @@
 #include "app/editor/panels/texture/preparation_panel.h"
 
+#include "widgets/inputs/elided_label.h"
 #include "widgets/inputs/enabling.h"
 
 #include <QPainter>
@@ -73,9 +74,9 @@ PreparationPanel::PreparationPanel(PreparationEdits& edits, QWidget* parent)
     : Section(tr("Photo"), parent), m_edits(edits),
       m_before(pictureLabel(QStringLiteral("photoBefore"), this)),
       m_after(pictureLabel(QStringLiteral("photoAfter"), this)), m_warning(new QLabel(this)),
-      m_steps(new QGridLayout), m_evenLightField(new NumberField(strengthFormat(), this)),
-      m_field(addStep(tr("Fiel&d"), "roundField")), m_strokes(addStep(tr("Left out"), "brushedOut")),
-      m_highlights(addStep(tr("Hi&ghlights"), "highlights")),
+      m_remark(new QLabel(this)), m_steps(new QGridLayout),
+      m_evenLightField(new NumberField(strengthFormat(), this)), m_field(addStep(tr("Fiel&d"), "roundField")),
+      m_strokes(addStep(tr("Erased"), "brushedOut")), m_highlights(addStep(tr("Hi&ghlights"), "highlights")),
       m_evenLight(addStep(tr("Even light"), "evenLight", m_evenLightField)),
       m_whiteBalance(addStep(tr("&White balance"), "whiteBalance")),
       m_match(addStep(tr("Match colour beneath"), "matchColour")), m_lens(addStep(tr("Lens"), "lens")),
@@ -88,12 +89,11 @@ PreparationPanel::PreparationPanel(PreparationEdits& edits, QWidget* parent)
 
 PreparationPanel::Step PreparationPanel::addStep(const QString& text, const char* name, QWidget* beside) {
     auto* box = new QCheckBox(text, this);
-    auto* words = new QLabel(this);
+    auto* words = new ElidedLabel(this);
     box->setObjectName(QLatin1String(name));
     words->setObjectName(QLatin1String(name) + QLatin1String("Words"));
     words->setProperty("quiet", true);
     words->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    words->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     const int row = m_steps->rowCount();
     m_steps->addWidget(box, row, 0);
     if (beside) {
@@ -124,7 +124,11 @@ void PreparationPanel::layOut() {
     m_warning->setWordWrap(true);
     body()->addLayout(pictures);
     body()->addWidget(m_warning);
+    m_remark->setObjectName(QStringLiteral("preparationRemark"));
+    m_remark->setProperty("quiet", true);
+    m_remark->setWordWrap(true);
     body()->addLayout(m_steps);
+    body()->addWidget(m_remark);
     body()->addWidget(m_large, 0, Qt::AlignLeft);
 }
 
@@ -173,8 +177,8 @@ void PreparationPanel::connectControls() {
             wish.find.match = on;
         });
     });
-    connectKept(m_strokes, &PhotoPreparation::strokes, tr("Use mask"));
-    connectKept(m_lens, &PhotoPreparation::lens, tr("Straighten photo"));
+    connectKept(m_strokes, &PhotoPreparation::strokes, tr("Erase parts of photo"));
+    connectKept(m_lens, &PhotoPreparation::lens, tr("Correct lens"));
     connectKept(m_crop, &PhotoPreparation::crop, tr("Crop photo"));
     connect(m_large, &QPushButton::clicked, this, &PreparationPanel::largeViewAsked);
 }
@@ -230,6 +234,21 @@ void PreparationPanel::showWords(Step& step, bool on, const QString& words) {
     step.words->setToolTip(words);
 }
 
+/// What was looked for in vain, and what to do about it, in as many lines as it takes.
+void PreparationPanel::showRemark(const PreparationWish& wish) {
+    const SoughtSteps missing = m_edits.missing();
+    const PhotoPreparation& wanted = wish.preparation;
+    QStringList remarks;
+    if (missing.field && !wanted.field && !wish.find.field)
+        remarks << tr("No field is found. Draw it in the large view.");
+    if (missing.whiteBalance && !wanted.whiteBalance && !wish.find.whiteBalance)
+        remarks << tr("Nothing shows the lamp's colour for sure. Pick something white in the large view.");
+    if (missing.match && !wanted.match && !wish.find.match)
+        remarks << tr("The photo meets too little of the surface to match its colour.");
+    m_remark->setText(remarks.join('\n'));
+    m_remark->setVisible(!remarks.isEmpty());
+}
+
 void PreparationPanel::showSteps(const TextureLayer* layer) {
     const PreparationWish wish = m_edits.wanted();
     const PhotoPreparation& wanted = wish.preparation;
@@ -247,19 +266,19 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
     showWords(m_field, wanted.field || wish.find.field,
               wish.find.field ? tr("looking…")
               : wanted.field  ? fieldText(*wanted.field)
-              : missing.field ? tr("not found: draw it in the large view")
+              : missing.field ? tr("not found")
                               : QString());
     showWords(m_highlights, wanted.fillsHighlights(), highlightWords(wanted));
     showWords(m_evenLight, wanted.evenLight > 0, {});
     showWords(m_whiteBalance, wanted.whiteBalance || wish.find.whiteBalance,
               wish.find.whiteBalance ? tr("looking…")
               : wanted.whiteBalance  ? gainsText(*wanted.whiteBalance)
-              : missing.whiteBalance ? tr("unsure: pick a spot in the large view")
+              : missing.whiteBalance ? tr("unsure")
                                      : QString());
     showWords(m_match, wanted.match || wish.find.match,
               wish.find.match ? tr("comparing…")
               : wanted.match  ? tr("matched")
-              : missing.match ? tr("meets no surface")
+              : missing.match ? tr("not matched")
                               : QString());
     showWords(m_strokes, !wanted.strokes.empty(),
               wanted.strokes.empty() ? QString() : strokesText(wanted.strokes.size()));
@@ -267,6 +286,7 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
               wanted.lens && layer ? lensText(*wanted.lens, layer->photo->image) : QString());
     showWords(m_crop, wanted.crop.has_value(),
               wanted.crop ? tr("%1 × %2 px").arg(wanted.crop->width).arg(wanted.crop->height) : QString());
+    showRemark(wish);
     m_evenLightField->setValue(layer ? std::optional(wanted.evenLight) : std::nullopt);
     enableSteps(layer);
 }
@@ -275,7 +295,7 @@ void PreparationPanel::enableSteps(const TextureLayer* layer) {
     const QString none = tr("No photo is selected");
     const QString first = layer ? tr("Open the large view first, by the button below") : none;
     enable(m_field.box, layer,
-           tr("Find the endoscope's picture, round or not, and leave out what is dark around it"), none);
+           tr("Find the endoscope's picture, round or not, and erase what is dark around it"), none);
     enable(m_highlights.box, layer, tr("Fill what the lamp burnt out from the tissue around it"), none);
     enable(m_evenLight.box, layer, tr("Take slow changes of brightness over the photo away"), none);
     enable(m_evenLightField, layer, tr("From 0, as it is, to 1, as even as can be"), none);
@@ -285,14 +305,14 @@ void PreparationPanel::enableSteps(const TextureLayer* layer) {
            tr("Give the photo the mean colour and contrast of what lies beneath it now; tick anew when that "
               "changes"),
            none);
-    enable(m_strokes.box, layer && !m_last.strokes.empty(), tr("Leave out what was painted over or outlined"),
+    enable(m_strokes.box, layer && !m_last.strokes.empty(), tr("Erase what was painted over or outlined"),
            first);
-    enable(m_lens.box, layer && m_last.lens, tr("Straighten what the lens bends"), first);
+    enable(m_lens.box, layer && m_last.lens,
+           tr("Correct the distortion of the lens; it does not turn the photo"), first);
     enable(m_crop.box, layer && m_last.crop, tr("Keep only a part of the photo"), first);
     enable(m_large, layer,
-           tr("Show the photo large: set its field, leave out text and instruments, choose highlights and "
-              "white, "
-              "straighten, crop"),
+           tr("Show the photo large: set its field, erase text and instruments, choose highlights and "
+              "white, correct its lens, crop"),
            none);
 }
 

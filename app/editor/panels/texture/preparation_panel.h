@@ -19,7 +19,7 @@ public:
     explicit PreparationPanel(PreparationEdits& edits, QWidget* parent = nullptr);
 
 signals:
-    /// The photo is to be shown in a window of its own, where it is masked, straightened and cropped.
+    /// The photo is to be shown in a window of its own, where it is masked, cropped and its lens corrected.
     void largeViewAsked();
 
 protected:
@@ -39,6 +39,7 @@ private:
     template<typename Part> void connectKept(Step& step, Part PhotoPreparation::*part, const QString& text);
     void show();
     void showFailure();
+    void showRemark(const PreparationWish& wish);
     void showPictures(const TextureLayer* layer);
     void showSteps(const TextureLayer* layer);
     void enableSteps(const TextureLayer* layer);
@@ -46,7 +47,7 @@ private:
     QString highlightWords(const PhotoPreparation& wanted) const;
 
     PreparationEdits& m_edits;
-    QLabel *m_before, *m_after, *m_warning;
+    QLabel *m_before, *m_after, *m_warning, *m_remark;
     QGridLayout* m_steps;
     NumberField* m_evenLightField;
     Step m_field, m_strokes, m_highlights, m_evenLight, m_whiteBalance, m_match, m_lens, m_crop;

@@ -282,3 +282,25 @@ TEST_F(PaintingTest, ABrushIsNoLargerThanTheOrgan) {
     QTest::keyClick(radius, Qt::Key_Return);
     EXPECT_FALSE(radius->refusal().isEmpty());
 }
+
+TEST_F(PaintingTest, SaysWhichLayerCoversTheStroke) {
+    QString said;
+    QObject::connect(window->findChild<Painting*>(), &Painting::message,
+                     [&](const QString& text) { said = text; });
+    window->document().edit("cover", [&](Project& p) {
+        TextureLayer cover = p.layers[0];
+        cover.id = window->document().newLayerId();
+        cover.name = "Cover";
+        cover.projector.occlusion = false;
+        cover.projector.width = cover.projector.height = 2;
+        cover.projector.pose.translation() = Eigen::Vector3d(0, 0, 5);
+        p.layers.push_back(cover);
+    });
+    window->findChild<Selection*>()->setPhoto(project().layers[0].id);
+    stroke();
+    EXPECT_TRUE(said.contains("Cover")) << said.toStdString();
+    said.clear();
+    window->document().edit("hide", [](Project& p) { p.layers[1].visible = false; });
+    stroke();
+    EXPECT_TRUE(said.isEmpty()) << said.toStdString();
+}

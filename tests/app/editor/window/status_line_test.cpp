@@ -103,6 +103,19 @@ TEST_F(StatusLineTest, TellsOfWorkBesideTheWindowUntilItIsDone) {
     EXPECT_EQ(message(), "a note");
 }
 
+TEST_F(StatusLineTest, WhatIsDoneByItselfLetsAMessageBeRead) {
+    line->showAside("Photos redrawn in 1 s");
+    EXPECT_EQ(message(), "Photos redrawn in 1 s");
+    line->showAside("Photos redrawn in 2 s");
+    EXPECT_EQ(message(), "Photos redrawn in 2 s");
+    line->showMessage("Saved organ.esm.");
+    line->showAside("Photos redrawn in 3 s");
+    EXPECT_EQ(message(), "Saved organ.esm.");
+    line->showMessage({});
+    line->showAside("Photos redrawn in 4 s");
+    EXPECT_EQ(message(), "Photos redrawn in 4 s");
+}
+
 TEST_F(StatusLineTest, AMessageHasRoomInANarrowWindowAndTheRestComesBack) {
     bar.show();
     bar.resize(784, 24);

@@ -74,7 +74,7 @@ TEST_F(PhotoDialogTest, LeavesOutWhatIsBrushedOverAndTakesItBack) {
     auto* radius = dialog->findChild<NumberField*>("photoBrushRadius");
     radius->setValue(15);
     emit radius->valueEdited(15);
-    choose(Qt::Key_B);
+    choose(Qt::Key_E);
     drag(100, 100, 300, 100);
     ESM_EVENTUALLY(!edits.isWorking());
     ASSERT_EQ(layer().preparation.strokes.size(), 1U);
@@ -82,7 +82,7 @@ TEST_F(PhotoDialogTest, LeavesOutWhatIsBrushedOverAndTakesItBack) {
     ASSERT_TRUE(layer().prepared);
     EXPECT_EQ(layer().prepared->at(200, 100)[3], 0);
     EXPECT_EQ(layer().prepared->at(200, 130)[3], 255);
-    choose(Qt::Key_E);
+    choose(Qt::Key_R);
     drag(200, 100, 201, 100);
     ESM_EVENTUALLY(!edits.isWorking());
     EXPECT_EQ(layer().prepared->at(200, 100)[3], 255);
@@ -184,6 +184,47 @@ TEST_F(PhotoDialogTest, EscapeDropsWhatIsDrawnAndThenClosesTheDialog) {
     EXPECT_FALSE(dialog->isVisible());
 }
 
+TEST_F(PhotoDialogTest, CancelPutsBackWhatWasDone) {
+    drag(100, 100, 300, 100);
+    drag(100, 200, 300, 200); // waits for its picture
+    dialog->findChild<QPushButton*>("cancelPhoto")->click();
+    EXPECT_FALSE(dialog->isVisible());
+    EXPECT_TRUE(layer().preparation.isNothing());
+    ESM_EVENTUALLY(!edits.isWorking());
+    EXPECT_TRUE(layer().preparation.isNothing());
+    EXPECT_EQ(document.undoStack()->index(), 0);
+}
+
+TEST_F(PhotoDialogTest, AsksBeforeWhatWasDoneIsPutBack) {
+    DialogScript dialogs;
+    drag(100, 100, 300, 100);
+    ESM_EVENTUALLY(!edits.isWorking());
+    dialogs.expectButton("keepPhotoBox", QMessageBox::Cancel);
+    QTest::keyClick(canvas, Qt::Key_Escape);
+    EXPECT_TRUE(dialog->isVisible());
+    dialogs.expectNamed("keepPhotoBox", [](QDialog* box) { QTest::keyClick(box, Qt::Key_K); });
+    QTest::keyClick(canvas, Qt::Key_Escape);
+    EXPECT_FALSE(dialog->isVisible());
+    EXPECT_EQ(layer().preparation.strokes.size(), 1U);
+}
+
+TEST_F(PhotoDialogTest, UndoesOnlyWhatWasDoneInIt) {
+    dialog->findChild<QPushButton*>("keepPhoto")->click();
+    document.edit("Hide", [](Project& project) { project.layers[0].visible = false; });
+    dialog = std::make_unique<PhotoDialog>(document, edits);
+    dialog->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog.get(), patience));
+    QApplication::setActiveWindow(dialog.get());
+    canvas = dialog->findChild<PhotoCanvas*>();
+    drag(100, 100, 300, 100);
+    ESM_EVENTUALLY(!edits.isWorking());
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(dialog.get(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(layer().preparation.isNothing());
+    EXPECT_FALSE(layer().visible);
+    EXPECT_EQ(document.undoStack()->index(), 1);
+}
+
 TEST_F(PhotoDialogTest, SaysWhyAPhotoIsNotPrepared) {
     const auto hint = [this] { return dialog->findChild<QLabel*>("photoHint")->text(); };
     edits.edit("Crop", [](PreparationWish& wish) {
@@ -191,7 +232,7 @@ TEST_F(PhotoDialogTest, SaysWhyAPhotoIsNotPrepared) {
     });
     ESM_EVENTUALLY(!edits.isWorking());
     EXPECT_TRUE(hint().startsWith("Not prepared: ")) << hint().toStdString();
-    choose(Qt::Key_E);
+    choose(Qt::Key_R);
     EXPECT_FALSE(hint().startsWith("Not prepared: ")) << "what the tool does is to be read too";
 }
 
@@ -299,7 +340,7 @@ TEST_F(PhotoDialogTest, LeavesOutTheRegionThatIsClicked) {
                 photo->image.at(x, y)[0] = 90;
         project.layers[0].photo = photo;
     });
-    choose(Qt::Key_R);
+    choose(Qt::Key_G);
     QTest::mouseClick(canvas, Qt::LeftButton, {}, placeOf(150, 150));
     ESM_EVENTUALLY(!edits.isWorking() && layer().prepared);
     EXPECT_EQ(layer().prepared->at(150, 150)[3], 0);
