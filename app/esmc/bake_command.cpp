@@ -86,7 +86,7 @@ std::vector<EncodedPage> encoded(const SmallerPages& pages, const fs::path& fold
     std::vector<EncodedPage> files;
     for (std::size_t page = 0; page < pages.size(); ++page)
         for (std::size_t i = 0; i < pages[page].size(); ++i) {
-            const Image& smaller = pages[page][i];
+            const Image smaller = pages[page][i].image();
             files.push_back({smallerFile(folder, page, smaller.width),
                              encodePng(smaller, std::ldexp(texelsPerMetre, -static_cast<int>(i) - 1))});
         }
@@ -141,8 +141,9 @@ std::vector<double> seamErrors(const Project& project, const std::vector<Image>&
     std::vector<double> errors{seamError(*project.mesh, *project.atlas, pages)};
     for (int halvings = 1; halvings <= usableLevels(project.atlas->options); ++halvings) {
         std::vector<Image> level;
-        for (const std::vector<Image>& page : smaller)
-            level.push_back(page[static_cast<std::size_t>(halvings - 1)]);
+        level.reserve(smaller.size());
+        for (const std::vector<TiledImage>& page : smaller)
+            level.push_back(page[static_cast<std::size_t>(halvings - 1)].image());
         errors.push_back(seamError(*project.mesh, *project.atlas, level, halvings));
     }
     return errors;
@@ -170,6 +171,13 @@ struct Baked {
     std::vector<double> seamErrors;
 };
 
+SmallerPages halved(const Atlas& atlas, const std::vector<Image>& pages, CompositionCache& cache,
+                    const Progress& progress) {
+    if (usableLevels(atlas.options) == 0) return SmallerPages(pages.size());
+    ProgressParts parts(progress);
+    return smallerPages(atlas, *cache.ownersOf(atlas, parts.next(0.5)), tiled(pages), {}, parts.rest());
+}
+
 Baked bake(const Project& project, const BakeOptions& options, const Context& context) {
     const Progress baking = progressOf(context, "baking");
     const double texelsPerMetre = project.atlas->texelsPerMetre;
@@ -184,7 +192,7 @@ Baked bake(const Project& project, const BakeOptions& options, const Context& co
         pages = composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, cache,
                           baking);
     }
-    const SmallerPages smaller = smallerPages(*project.atlas, pages, progressOf(context, "halving"));
+    const SmallerPages smaller = halved(*project.atlas, pages, cache, progressOf(context, "halving"));
     const Progress writing = progressOf(context, "writing");
     Baked baked{options.deep ? encoded(deep, options.folder, texelsPerMetre, writing)
                              : encoded(pages, options.folder, texelsPerMetre, writing),

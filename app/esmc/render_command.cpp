@@ -152,9 +152,8 @@ Subject projectSubject(const Project& project, bool showsProjectors, Context& co
     RenderScene& scene = subject.scene;
     if (project.atlas && !project.layers.empty())
         layTexture(scene, project.atlas,
-                   std::make_shared<const std::vector<Image>>(
-                       composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
-                                 progressOf(context, "baking"))));
+                   composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
+                             progressOf(context, "baking")));
     if (showsProjectors)
         for (const TextureLayer& layer : project.layers)
             if (layer.visible && layer.photo) scene.projectors.push_back(drawnProjector(scene, layer, false));
@@ -164,9 +163,7 @@ Subject projectSubject(const Project& project, bool showsProjectors, Context& co
 Subject packageSubject(ModelPackage package) {
     RenderScene scene = organScene(std::make_shared<const TriangleMesh>(std::move(package.mesh)),
                                    package.tissue.network, package.baseColour);
-    if (package.atlas)
-        layTexture(scene, package.atlas,
-                   std::make_shared<const std::vector<Image>>(std::move(package.textures)));
+    if (package.atlas) layTexture(scene, package.atlas, package.textures);
     return {std::move(scene), std::move(package.tissue), std::move(package.regions), {}};
 }
 

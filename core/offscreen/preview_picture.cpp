@@ -12,7 +12,7 @@ Image previewPicture(const Project& project, const std::shared_ptr<const std::ve
     std::optional<ValueRange> range;
     if (scene.showSprings)
         colourScene(scene, ColourBy::SpringConstant, {evaluateModel(project), project.regions, {}}, range);
-    if (pages) layTexture(scene, project.atlas, pages);
+    if (pages) layTexture(scene, project.atlas, *pages);
     const Camera camera = framedCamera(organBox(*project.mesh, *project.network), StandardView::Front, 1);
     return renderOffscreen(scene, camera, size, size);
 }

@@ -123,6 +123,17 @@ void GlVertexArray::addFloats(GLuint index, GLint components, GLsizei stride, st
                              reinterpret_cast<const void*>(offset));
 }
 
+Image shrunk(const Image& image, int longestSide) {
+    const auto isTooLarge = [&](const Image& picture) {
+        return std::max(picture.width, picture.height) > longestSide;
+    };
+    if (!isTooLarge(image)) return image;
+    Image smaller = halved(image);
+    while (isTooLarge(smaller))
+        smaller = halved(smaller);
+    return smaller;
+}
+
 GlTexture::GlTexture(const GlFunctions& gl) : m_gl(gl) {
     m_gl.GenTextures(1, &m_id);
 }
@@ -132,23 +143,33 @@ GlTexture::~GlTexture() {
 }
 
 void GlTexture::upload(const Image& image, int levels) {
-    if (!fits(image)) return upload(halved(image), std::max(levels - 1, 0));
+    if (!fits(image.width, image.height)) return upload(halved(image), std::max(levels - 1, 0));
+    m_tiled.clear();
     filter(levels);
     put(image, 0);
     if (levels > 0) m_gl.GenerateMipmap(GL_TEXTURE_2D);
 }
 
-void GlTexture::upload(const Image& image, const std::vector<Image>& smaller) {
-    if (smaller.empty()) return upload(image, 0);
-    if (!fits(image)) return upload(smaller.front(), {smaller.begin() + 1, smaller.end()});
+void GlTexture::upload(const TiledImage& image, const std::vector<TiledImage>& smaller) {
+    if (!fits(image.width(), image.height())) {
+        if (smaller.empty()) return upload(image.image(), 0);
+        return upload(smaller.front(), {smaller.begin() + 1, smaller.end()});
+    }
+    std::vector<TiledImage> levels{image};
+    levels.insert(levels.end(), smaller.begin(), smaller.end());
+    const bool goesOn = std::equal(levels.begin(), levels.end(), m_tiled.begin(), m_tiled.end(),
+                                   [](const auto& now, const auto& before) { return now.isLike(before); });
     filter(static_cast<int>(smaller.size()));
-    put(image, 0);
-    for (std::size_t i = 0; i < smaller.size(); ++i)
-        put(smaller[i], static_cast<int>(i) + 1);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const int level = static_cast<int>(i);
+        if (!goesOn) allocate(levels[i], level);
+        put(levels[i], goesOn ? &m_tiled[i] : nullptr, level);
+    }
+    m_tiled = std::move(levels);
 }
 
-bool GlTexture::fits(const Image& image) const {
-    return std::max(image.width, image.height) <= limitOf(m_gl, GL_MAX_TEXTURE_SIZE);
+bool GlTexture::fits(int width, int height) const {
+    return std::max(width, height) <= limitOf(m_gl, GL_MAX_TEXTURE_SIZE);
 }
 
 void GlTexture::filter(int levels) {
@@ -165,6 +186,25 @@ void GlTexture::filter(int levels) {
 void GlTexture::put(const Image& image, int level) {
     m_gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                     image.pixels.data());
+}
+
+void GlTexture::allocate(const TiledImage& image, int level) {
+    m_gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, image.width(), image.height(), 0, GL_RGBA,
+                    GL_UNSIGNED_BYTE, nullptr);
+}
+
+void GlTexture::put(const TiledImage& image, const TiledImage* before, int level) {
+    const TileSize tile = image.tileSize();
+    m_gl.PixelStorei(GL_UNPACK_ROW_LENGTH, tile.width);
+    for (int row = 0; row < image.rows(); ++row)
+        for (int column = 0; column < image.columns(); ++column) {
+            if (before && image.sharesTile(*before, column, row)) continue;
+            const int left = column * tile.width, top = row * tile.height;
+            m_gl.TexSubImage2D(GL_TEXTURE_2D, level, left, top, std::min(tile.width, image.width() - left),
+                               std::min(tile.height, image.height() - top), GL_RGBA, GL_UNSIGNED_BYTE,
+                               image.tile(column, row).data());
+        }
+    m_gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 void GlTexture::attach(const GlBuffer& buffer) {

@@ -2,6 +2,7 @@
 
 #include "core/render/gl_functions.h"
 #include "core/texture/image.h"
+#include "core/texture/tiled_image.h"
 
 #include <Eigen/Core>
 
@@ -69,6 +70,13 @@ private:
     GLuint m_id = 0;
 };
 
+/// Pixels of the longer side that are uploaded of a photo, so that a large one does not take its size several
+/// times over. No picture of the window shows more of it.
+constexpr int largestDrawnPhoto = 4096;
+
+/// The picture, halved until no side is longer.
+Image shrunk(const Image& image, int longestSide);
+
 /// A picture for shaders, rows from the top: (0, 0) is its top left corner.
 class GlTexture {
 public:
@@ -80,19 +88,24 @@ public:
     /// Bilinear, with smaller copies down to `levels` halvings. A picture larger than the driver takes is
     /// halved until it fits.
     void upload(const Image& image, int levels);
-    /// The same with smaller copies that are given, each half the size of the one before.
-    void upload(const Image& image, const std::vector<Image>& smaller);
+    /// The same of a picture in tiles, with smaller copies that are given, each half the size of the one
+    /// before. Where pictures of the same sizes lie there already, only tiles that are others are uploaded.
+    void upload(const TiledImage& image, const std::vector<TiledImage>& smaller);
     /// Shaders read the buffer as `vec4` texels. @throws std::runtime_error for more than the driver takes
     void attach(const GlBuffer& buffer);
     void bind(GLenum target, int unit) const;
 
 private:
-    bool fits(const Image& image) const;
+    bool fits(int width, int height) const;
     void filter(int levels);
     void put(const Image& image, int level);
+    void allocate(const TiledImage& image, int level);
+    /// @param before what lies there; null for nothing
+    void put(const TiledImage& image, const TiledImage* before, int level);
 
     const GlFunctions& m_gl;
     GLuint m_id = 0;
+    std::vector<TiledImage> m_tiled; ///< as uploaded last, the largest first; empty for another kind
 };
 
 } // namespace esm

@@ -277,7 +277,7 @@ const GlTexture* MarkerDrawer::photoTexture(const std::shared_ptr<const Image>& 
     if (!texture) {
         constexpr int photoLevels = 4;
         texture = std::make_unique<GlTexture>(m_gl);
-        texture->upload(*photo, photoLevels);
+        texture->upload(shrunk(*photo, largestDrawnPhoto), photoLevels);
     }
     return texture.get();
 }

@@ -17,11 +17,11 @@ RenderScene organScene(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr
     return scene;
 }
 
-void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas,
-                std::shared_ptr<const std::vector<Image>> pages) {
-    scene.smallerPages = std::make_shared<const SmallerPages>(smallerPages(*atlas, *pages));
+void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas, const std::vector<Image>& pages) {
+    const auto inTiles = std::make_shared<const TiledPages>(tiled(pages));
+    scene.smallerPages = std::make_shared<const SmallerPages>(smallerPages(*atlas, *inTiles));
     scene.atlas = std::move(atlas);
-    scene.texturePages = std::move(pages);
+    scene.texturePages = inTiles;
 }
 
 DrawnEllipsoid drawnEllipsoid(const Region& region, bool isSelected) {

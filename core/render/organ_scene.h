@@ -11,9 +11,8 @@ namespace esm {
 RenderScene organScene(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const SpringNetwork> network,
                        const Colour& baseColour);
 
-/// Lays a texture on it, neither of whose parts is null.
-void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas,
-                std::shared_ptr<const std::vector<Image>> pages);
+/// Lays a texture on it. @param atlas not null
+void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas, const std::vector<Image>& pages);
 
 /// Precondition: the region has an ellipsoid.
 DrawnEllipsoid drawnEllipsoid(const Region& region, bool isSelected);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace esm {
 namespace {
@@ -19,8 +20,7 @@ bool isPerspective(const ProjectedPhoto& projected) {
 
 /// Colours weighed by alpha, so that filters mix in nothing of what is transparent (Porter and Duff 1984);
 /// the shader divides it out again.
-Image premultiplied(const Image& photo) {
-    Image weighed = photo;
+Image premultiplied(Image weighed) {
     for (std::size_t i = 0; i < weighed.pixels.size(); i += 4) {
         const unsigned alpha = weighed.pixels[i + 3];
         if (alpha == 255) continue;
@@ -91,7 +91,7 @@ void GlDepthMap::bind(int unit) const {
 PhotoProjection::PhotoProjection(const GlFunctions& gl)
     : m_gl(gl), m_depthProgram(gl, shaders::photoDepthVertex(), shaders::photoDepthFragment()),
       m_vertexBuffer(gl), m_indexBuffer(gl), m_vertexTexture(gl), m_array(gl), m_seen(gl),
-      m_outlineTexture(gl) {
+      m_outlineTexture(gl), m_bandTexture(gl) {
     m_array.bind();
     m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
 }
@@ -107,6 +107,7 @@ void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_pt
                          projected.blendPixels == m_projected->blendPixels;
     takeMesh(mesh, frame);
     takePhoto(projected.photo);
+    takeBands(projected.bands);
     m_projected = projected;
     Eigen::Matrix4d fromOrigin = Eigen::Matrix4d::Identity();
     fromOrigin.topRightCorner<3, 1>() = frame.origin;
@@ -148,14 +149,20 @@ void PhotoProjection::takePhoto(const std::shared_ptr<const Image>& photo) {
     if (photo == m_photo) return;
     m_photo = photo;
     m_photoTexture = std::make_unique<GlTexture>(m_gl);
-    m_photoTexture->upload(premultiplied(*photo),
-                           static_cast<int>(std::log2(std::max(photo->width, photo->height))));
+    const Image shown = premultiplied(shrunk(*photo, largestDrawnPhoto));
+    m_photoTexture->upload(shown, static_cast<int>(std::log2(std::max(shown.width, shown.height))));
+}
+
+void PhotoProjection::takeBands(const std::shared_ptr<const Image>& bands) {
+    if (bands == m_bands) return;
+    m_bands = bands;
+    if (bands) m_bandTexture.upload(*bands, 0);
 }
 
 /// The same as composing has, so that nothing changes when the drag ends.
 void PhotoProjection::takeOutlines() {
     m_outlines = nullptr;
-    m_side = commonSide(seenSides(*m_mesh, m_projected->projector));
+    m_side = commonSide(m_cache.sidesOf(m_projected->projector, *m_mesh));
     if (!m_projected->projector.occlusion) return;
     m_outlines =
         m_cache.outlinesOf({m_projected->projector, sizeOf(*m_photo)}, m_projected->blendPixels, *m_mesh, {});
@@ -214,6 +221,8 @@ void PhotoProjection::bind(const GlProgram& program) const {
     program.set("photo", 3);
     program.set("seen", 4);
     program.set("outlines", 5);
+    program.set("bands", 6);
+    program.set("hasBands", m_bands != nullptr);
     const bool fades = m_outlines && !m_outlines->faded.empty();
     program.set("outlineNodes", fades ? Eigen::Vector2f(float(m_outlines->columns), float(m_outlines->rows))
                                       : Eigen::Vector2f(0, 0));
@@ -222,6 +231,7 @@ void PhotoProjection::bind(const GlProgram& program) const {
     m_photoTexture->bind(GL_TEXTURE_2D, 3);
     m_seen.bind(4);
     m_outlineTexture.bind(GL_TEXTURE_2D, 5);
+    m_bandTexture.bind(GL_TEXTURE_2D, 6);
 }
 
 } // namespace esm

@@ -54,6 +54,7 @@ public:
 private:
     void takeMesh(const std::shared_ptr<const TriangleMesh>& mesh, const Frame& frame);
     void takePhoto(const std::shared_ptr<const Image>& photo);
+    void takeBands(const std::shared_ptr<const Image>& bands);
     void takeOutlines();
     void measureDepth();
     void drawDepth();
@@ -67,7 +68,8 @@ private:
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::shared_ptr<const Image> m_photo;
     std::unique_ptr<GlTexture> m_photoTexture;
-    GlTexture m_outlineTexture;
+    std::shared_ptr<const Image> m_bands;
+    GlTexture m_outlineTexture, m_bandTexture;
     std::shared_ptr<const OutlineFeather>
         m_outlines;                   ///< null where the projector does not ask what is hidden
     SeenSide m_side = SeenSide::Both; ///< that is coloured, of the whole surface

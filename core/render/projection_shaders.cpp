@@ -16,12 +16,12 @@ namespace {
 constexpr const char* photoWeights = R"(
 in vec4 photoPlace; // the place in the photo (x w, y w, w), pixels, and the depth before the projector
 in vec3 rest, restNormal; // on the organ at rest
-uniform sampler2D photo, outlines;
+uniform sampler2D photo, outlines, bands;
 uniform sampler2DShadow seen;
 uniform vec2 photoPixels, depths, outlineNodes;
 uniform vec4 light;
 uniform int seenSide; // 0: the outside, 1: the inside, 2: both
-uniform bool isPerspective, occlusion, falloff, multiplies;
+uniform bool isPerspective, occlusion, falloff, multiplies, hasBands;
 uniform float blendPixels, opacity, tolerance, outlineSpacing;
 
 // As the depth map holds it.
@@ -74,17 +74,18 @@ float lightWeight(vec2 pixel, vec3 outward) {
 
 std::string photoColourSource() {
     return photoWeights + std::string(R"(
-vec3 withPhoto(vec3 beneath) {
+vec3 withPhoto(vec3 beneath, float left) {
     vec3 across = cross(dFdx(rest), dFdy(rest));
     vec3 outward = normalize(gl_FrontFacing ? across : -across);
     vec2 pixel = photoPlace.xy / max(photoPlace.z, 1e-12);
     vec2 place = pixel / photoPixels;
     vec4 photoColour = texture(photo, place);
     if (photoPlace.z <= 0.0 || photoPlace.w < -tolerance) return beneath;
-    float weight = opacity * photoColour.a * borderWeight(pixel);
+    float weight = left * opacity * photoColour.a * borderWeight(pixel);
     if (weight <= 0.0) return beneath;
     weight *= lightWeight(pixel, outward);
     vec3 colour = photoColour.rgb / photoColour.a; // it is stored multiplied by alpha
+    if (hasBands) colour = clamp(colour + (texture(bands, place).rgb * 255.0 - 128.0) / 127.5, 0.0, 1.0);
     return mix(beneath, multiplies ? beneath * colour : colour, weight);
 }
 )");

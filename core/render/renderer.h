@@ -9,6 +9,7 @@
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/image.h"
 #include "core/texture/layers/page_levels.h"
+#include "core/texture/layers/tiled_pages.h"
 #include "core/texture/projection/projector.h"
 
 #include <array>
@@ -56,6 +57,8 @@ struct ProjectedPhoto {
     double blendPixels = 0;  ///< photo pixels over which the weight rises from 0 at the border to 1
     double opacity = 1;      ///< 0 to 1
     bool multiplies = false; ///< what lies beneath, instead of hiding it
+    bool isMasked = false;   ///< the texture's alpha is how much of it strokes have left
+    std::shared_ptr<const Image> bands{}; ///< added to the photo, see `bandsAddedTo`; null for nothing
 };
 
 /// Everything one picture shows. Shared parts are compared by pointer and uploaded only when they change.
@@ -64,8 +67,8 @@ struct RenderScene {
     std::shared_ptr<const SpringNetwork> network;
     /// m, one per node (without a network per vertex); else the rest shape
     std::vector<Eigen::Vector3d> nodePositions;
-    std::shared_ptr<const Atlas> atlas;                     ///< null: base colour only
-    std::shared_ptr<const std::vector<Image>> texturePages; ///< null: base colour only
+    std::shared_ptr<const Atlas> atlas;             ///< null: base colour only
+    std::shared_ptr<const TiledPages> texturePages; ///< null: base colour only
     /// Of each page, as `smallerPages` makes them; null: small surface flickers
     std::shared_ptr<const SmallerPages> smallerPages;
     Colour baseColour{186, 92, 84};

@@ -129,8 +129,9 @@ void main() {
 }
 
 std::string surfaceFragment(WithPhoto photo) {
-    const std::string ofPhoto =
-        photo == WithPhoto::No ? "vec3 withPhoto(vec3 beneath) { return beneath; }\n" : photoColourSource();
+    const std::string ofPhoto = photo == WithPhoto::No
+                                    ? "vec3 withPhoto(vec3 beneath, float left) { return beneath; }\n"
+                                    : photoColourSource();
     return version() + viewing + lighting + ofPhoto + R"(
 in vec3 position, normal;
 in vec4 tint;
@@ -139,7 +140,7 @@ flat in vec2 first, second, third; // where the triangle's corners lie in the pa
 flat in vec3 perTexel;
 uniform float pageSize, halfGap; // texels
 uniform int levels;
-uniform bool painted, unlit, plainInside;
+uniform bool painted, masked, unlit, plainInside;
 uniform vec3 baseColour;
 uniform sampler2D page;
 out vec4 colour;
@@ -163,7 +164,8 @@ vec2 place() {
 
 void main() {
     vec4 paint = painted ? texture(page, place()) : vec4(0.0);
-    vec3 own = withPhoto(mix(baseColour, paint.rgb, paint.a));
+    // Beneath a photo in motion alpha is what strokes have left of it.
+    vec3 own = withPhoto(mix(baseColour, paint.rgb, masked ? 1.0 : paint.a), masked ? paint.a : 1.0);
     if (plainInside && !gl_FrontFacing) own = baseColour;
     vec3 albedo = own * (1.0 - tint.a) + tint.rgb;
     if (unlit) {

@@ -72,7 +72,7 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
         program.set("halfGap", static_cast<float>(filledGap(scene.atlas->options) / 2));
         program.set("levels", levelsOf(scene.smallerPages));
         m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
-        drawPages(program);
+        drawPages(program, photo && scene.projectedPhoto->isMasked);
     } else {
         drawPlain(program);
     }
@@ -91,16 +91,18 @@ bool SurfaceDrawer::hidesItsInside(const RenderScene& scene, const Frame& frame)
 
 void SurfaceDrawer::drawPlain(const GlProgram& program) const {
     program.set("painted", false);
+    program.set("masked", false);
     m_plainArray.bind();
     m_gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * m_mesh->triangles.size()), GL_UNSIGNED_INT,
                       nullptr);
 }
 
-void SurfaceDrawer::drawPages(const GlProgram& program) const {
+void SurfaceDrawer::drawPages(const GlProgram& program, bool areMasked) const {
     m_texturedArray.bind();
     for (const PageRange& range : m_ranges) {
         const bool known = range.page < m_pageTextures.size() && m_pageTextures[range.page];
         program.set("painted", known);
+        program.set("masked", known && areMasked);
         if (known) m_pageTextures[range.page]->bind(GL_TEXTURE_2D, 1);
         m_gl.DrawArrays(GL_TRIANGLES, range.first, range.count);
     }
@@ -176,13 +178,17 @@ void SurfaceDrawer::takePages(const RenderScene& scene) {
     if (scene.texturePages == m_pages && scene.smallerPages == m_smallerPages) return;
     m_pages = scene.texturePages;
     m_smallerPages = scene.smallerPages;
-    m_pageTextures.clear();
+    m_pageTextures.resize(m_pages->size());
     for (std::size_t i = 0; i < m_pages->size(); ++i) {
-        const Image& page = (*m_pages)[i];
-        m_pageTextures.push_back(page.empty() ? nullptr : std::make_unique<GlTexture>(m_gl));
+        const TiledImage& page = (*m_pages)[i];
+        std::unique_ptr<GlTexture>& texture = m_pageTextures[i];
+        if (page.empty()) {
+            texture.reset();
+            continue;
+        }
+        if (!texture) texture = std::make_unique<GlTexture>(m_gl);
         const bool hasSmaller = m_smallerPages && i < m_smallerPages->size();
-        if (!page.empty())
-            m_pageTextures.back()->upload(page, hasSmaller ? (*m_smallerPages)[i] : std::vector<Image>());
+        texture->upload(page, hasSmaller ? (*m_smallerPages)[i] : std::vector<TiledImage>());
     }
 }
 

@@ -32,7 +32,8 @@ private:
     void takePages(const RenderScene& scene);
     bool hidesItsInside(const RenderScene& scene, const Frame& frame) const;
     void drawPlain(const GlProgram& program) const;
-    void drawPages(const GlProgram& program) const;
+    /// @param areMasked their alpha is what is left of the photo over them
+    void drawPages(const GlProgram& program, bool areMasked) const;
 
     const GlFunctions& m_gl;
     GlProgram m_program, m_photoProgram;
@@ -41,7 +42,7 @@ private:
     GlVertexArray m_plainArray, m_texturedArray;
     std::shared_ptr<const TriangleMesh> m_mesh;
     std::shared_ptr<const Atlas> m_atlas;
-    std::shared_ptr<const std::vector<Image>> m_pages;
+    std::shared_ptr<const TiledPages> m_pages;
     std::shared_ptr<const SmallerPages> m_smallerPages;
     std::vector<std::unique_ptr<GlTexture>> m_pageTextures;
     std::vector<PageRange> m_ranges;

@@ -46,12 +46,32 @@ std::vector<TextureLayer> layersAround() {
     return layers;
 }
 
+/// The same photos by eyes that see as much of the organ's middle.
+std::vector<TextureLayer> perspectiveOf(std::vector<TextureLayer> layers, bool falloff) {
+    for (TextureLayer& layer : layers) {
+        layer.projector.kind = ProjectorKind::Perspective;
+        layer.projector.falloff = falloff;
+    }
+    return layers;
+}
+
+/// Every second of them, blended in bands.
+std::vector<TextureLayer> bandedOf(const std::vector<TextureLayer>& layers) {
+    std::vector<TextureLayer> banded;
+    for (std::size_t i = 0; i < layers.size(); i += 2) {
+        banded.push_back(layers[i]);
+        banded.back().blending = Blending::MultiBand;
+    }
+    return banded;
+}
+
 /// An organ of 20 k triangles and what is laid on it, the same for all that is measured.
 struct Work {
     TriangleMesh mesh = lumpySurface(100, 100);
     Atlas atlas = packAtlas(mesh, {pageSize, 1, 2, AtlasLayout::UnfoldedGroups});
     std::vector<TextureLayer> layers = layersAround(), single{layers[0]}, translucent = layers,
-                              moved = layers, fainter = layers;
+                              moved = layers, fainter = layers, perspective = perspectiveOf(layers, false),
+                              falloff = perspectiveOf(layers, true), banded = bandedOf(layers);
     std::vector<BarePyramid> pyramids;
     Composition before;
     CompositionCache cache;
@@ -64,7 +84,7 @@ struct Work {
         for (const TextureLayer& layer : layers)
             pyramids.push_back(barePyramid(layer.photo->image));
         before = {layers, base,
-                  std::make_shared<const std::vector<Image>>(composite(mesh, atlas, layers, base, cache))};
+                  std::make_shared<const TiledPages>(recomposite(mesh, atlas, {}, layers, base, cache))};
     }
 };
 
@@ -86,12 +106,12 @@ void registerComposition(const std::string& name, Layers layers, std::size_t thr
     });
 }
 
-void registerFromNothing() {
-    registerWork("composing 8 layers from nothing", compositions, [] {
+void registerFromNothing(const std::string& name, Layers layers) {
+    registerWork(name, compositions, [layers] {
         sharedWork();
-        return [] {
+        return [layers] {
             const Work& work = sharedWork();
-            benchmark::DoNotOptimize(composite(work.mesh, work.atlas, work.layers, base));
+            benchmark::DoNotOptimize(composite(work.mesh, work.atlas, work.*layers, base));
         };
     });
 }
@@ -131,8 +151,8 @@ Ratio memoryRatio(const std::string& name, bool again) {
             const MemoryPeak peak;
             CompositionCache cache;
             Composition before{work.layers, base, nullptr};
-            before.pages = std::make_shared<const std::vector<Image>>(
-                composite(work.mesh, work.atlas, work.layers, base, cache));
+            before.pages = std::make_shared<const TiledPages>(
+                recomposite(work.mesh, work.atlas, {}, work.layers, base, cache));
             if (again)
                 benchmark::DoNotOptimize(recomposite(work.mesh, work.atlas, before, work.moved, base, cache));
             *ratio = static_cast<double>(peak.bytes()) / (4.0 * pageSize * pageSize);
@@ -151,7 +171,10 @@ std::vector<Ratio> registerLayerComposition() {
     registerComposition("composing 8 layers, 1 thread", &Work::layers, 1);
     registerComposition("composing 8 layers, 2 threads", &Work::layers, 2);
     registerComposition("composing 8 half opaque layers, 1 thread", &Work::translucent, 1);
-    registerFromNothing();
+    registerFromNothing("composing 8 layers from nothing", &Work::layers);
+    registerFromNothing("composing 8 perspective layers from nothing", &Work::perspective);
+    registerFromNothing("composing 8 perspective layers with falloff from nothing", &Work::falloff);
+    registerFromNothing("composing 4 banded layers from nothing", &Work::banded);
     registerRecomposition("moving 1 of 8 layers", &Work::moved);
     registerRecomposition("making 1 of 8 layers fainter", &Work::fainter);
     registerBareLoop("bare loop, 1 layer", &Work::single);
@@ -169,6 +192,12 @@ std::vector<Ratio> registerLayerComposition() {
          Clock::Wall, 1.6},
         {"8 layers from nothing: to the bare loop", "composing 8 layers from nothing", "bare loop, 8 layers",
          Clock::Wall},
+        {"8 perspective layers from nothing: to the bare loop", "composing 8 perspective layers from nothing",
+         "bare loop, 8 layers", Clock::Wall},
+        {"8 perspective layers with falloff from nothing: to the bare loop",
+         "composing 8 perspective layers with falloff from nothing", "bare loop, 8 layers", Clock::Wall},
+        {"4 banded layers from nothing: to the bare loop", "composing 4 banded layers from nothing",
+         "bare loop, 8 layers", Clock::Wall},
         {"1 of 8 layers moved: to all", "moving 1 of 8 layers", "composing 8 layers, 2 threads", Clock::Wall},
         {"1 of 8 layers fainter: to all", "making 1 of 8 layers fainter", "composing 8 layers, 2 threads",
          Clock::Wall},

@@ -1,8 +1,9 @@
 // Measures how a window keeps up while its tissue plays and is edited: how soon it answers, how far frames
 // lie apart, and how long a slider's move takes to be seen; how many pictures a second a large organ is
-// turned by; and of mesh files, how it answers while they are imported. In a virtual display it draws by
-// software.
-//   responsiveness [turn|colours|NODES|MESH…]   turn, 10000 and 16000 nodes and colours unless given
+// turned by, or a photo is moved by on it; how soon a stroke is seen on a large page; and of mesh files, how
+// it answers while they are imported. In a virtual display it draws by software.
+//   responsiveness [turn|photo|stroke|colours|NODES|MESH…]   all but meshes, 10000 and 16000 nodes unless
+//   given
 
 #include "app/editor/document/document.h"
 #include "app/editor/document/edit_kind.h"
@@ -164,23 +165,97 @@ void turn(esm::MainWindow& window, const char* phase) {
                 computed / double(std::max<std::size_t>(watch.pictureGaps().size(), 1)));
 }
 
-/// In a view of 1280 x 800 pixels, without panels.
-void measureTurning(std::size_t triangles, std::size_t nodes) {
-    esm::MainWindow window(drawnBallOf(triangles, nodes));
+/// A window with a view of 1280 x 800 pixels, without panels.
+void showLargeView(esm::MainWindow& window) {
     window.windowActions().showLeft->setChecked(false);
     window.windowActions().showRight->setChecked(false);
     window.show();
     window.resize(window.size() + QSize(1280, 800) - window.view().size());
     window.preview().setPlaying(false);
     wait(500);
-    const esm::Project& project = window.document().project();
-    std::printf("%zu triangles, %zu nodes, a view of %d x %d pixels\n", project.mesh->triangles.size(),
-                project.network->restPositions.size(), window.view().width(), window.view().height());
+    std::printf("%zu triangles, a view of %d x %d pixels\n",
+                window.document().project().mesh->triangles.size(), window.view().width(),
+                window.view().height());
+}
+
+void measureTurning(std::size_t triangles, std::size_t nodes) {
+    esm::MainWindow window(drawnBallOf(triangles, nodes));
+    showLargeView(window);
     turn(window, "turned");
     window.preview().setGentleMotion(true);
     window.preview().setPlaying(true);
     waitFor("motion", [&] { return window.preview().status().realTimeFactor > 0; });
     turn(window, "turned while it plays");
+}
+
+/// The projector of a photo that is blended in bands and masked by a stroke, moved as often as a mouse moves.
+void measurePhoto(std::size_t triangles) {
+    esm::MainWindow window(photographedBallOf(triangles, 3, 4096));
+    showLargeView(window);
+    window.windowActions().texture->setChecked(true);
+    waitFor("photos", [&] { return window.view().scene().texturePages != nullptr; });
+    wait(1000);
+    const esm::LayerId moved{3};
+    const auto move = [&](int tick) {
+        window.document().edit(QStringLiteral("projector"),
+                               [&](esm::Project& project) {
+                                   esm::Pose& pose = partOf(project.layers, moved).projector.pose;
+                                   pose.translation().x() += tick % 40 < 20 ? 2e-4 : -2e-4;
+                               },
+                               {esm::EditKind::ProjectorDrag, moved, 0});
+    };
+    for (int tick = 0; tick < 40; ++tick) {
+        move(tick);
+        wait(betweenTicks);
+    }
+    const WindowWatch watch(window);
+    const std::clock_t start = std::clock();
+    for (int tick = 0; tick < ticks; ++tick) {
+        move(tick);
+        wait(betweenTicks);
+    }
+    const double computed = 1000.0 * double(std::clock() - start) / CLOCKS_PER_SEC;
+    printAll("a projector moved", watch);
+    std::printf("  %.1f pictures a second by the median; %.1f ms of all processors for each\n",
+                1000 / std::max(share(watch.pictureGaps(), 0.5), 1e-3),
+                computed / double(std::max<std::size_t>(watch.pictureGaps().size(), 1)));
+}
+
+/// Dabs of paint, each until the page that has it is in the view's picture.
+void measureStrokes(std::size_t triangles, int pageSize) {
+    esm::MainWindow window(photographedBallOf(triangles, 2, pageSize));
+    showLargeView(window);
+    window.windowActions().texture->setChecked(true);
+    waitFor("photos", [&] { return window.view().scene().texturePages != nullptr; });
+    wait(3000);
+    int pictures = 0;
+    QObject::connect(&window.view(), &esm::OrganView::drawn, &window, [&] { ++pictures; });
+    Times seen, computed;
+    for (int i = 0; i < moves; ++i) {
+        const auto before = window.view().scene().texturePages;
+        esm::BrushStroke stroke;
+        stroke.kind = esm::BrushKind::Colour;
+        stroke.radius = 0.004;
+        stroke.colour = {20, 200, std::uint8_t(10 * i)};
+        const double angle = 0.05 * i;
+        const Eigen::Vector3d normal(std::sin(angle), 0, std::cos(angle));
+        stroke.path = {{0.06 * normal, normal}};
+        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t started = std::clock();
+        window.document().edit(QStringLiteral("stroke"), [&](esm::Project& project) {
+            project.layers.back().strokes.push_back(std::make_shared<const esm::BrushStroke>(stroke));
+        });
+        waitFor("the page", [&] { return window.view().scene().texturePages != before; });
+        pictures = 0;
+        waitFor("its picture", [&] { return pictures > 0; });
+        computed.push_back(1000.0 * double(std::clock() - started) / CLOCKS_PER_SEC);
+        seen.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        wait(300);
+    }
+    std::printf(" strokes on a page of %d x %d texels\n", pageSize, pageSize);
+    print("from a stroke to its picture", seen);
+    print("of all processors meanwhile", computed);
 }
 
 /// Takes what the import's dialog proposes, once it was seen for a while, with both repairs.
@@ -216,6 +291,8 @@ void measureImport(const std::string& file) {
 
 void measureSubject(std::string_view subject) {
     if (subject == "turn") return measureTurning(200000, 10000);
+    if (subject == "photo") return measurePhoto(60000);
+    if (subject == "stroke") return measureStrokes(20000, 8192);
     if (subject == "colours") return measureColours(16000);
     std::size_t nodes = 0;
     const char* end = subject.data() + subject.size();
@@ -231,7 +308,7 @@ int main(int argc, char** argv) {
     esm::Application application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("esm"));
     QCoreApplication::setApplicationName(QStringLiteral("esm-responsiveness"));
-    std::vector<std::string_view> subjects{"turn", "10000", "16000", "colours"};
+    std::vector<std::string_view> subjects{"turn", "photo", "stroke", "10000", "16000", "colours"};
     if (argc > 1) subjects.assign(argv + 1, argv + argc);
     for (const std::string_view subject : subjects)
         measureSubject(subject);

@@ -1,5 +1,6 @@
 #include "tests/responsiveness/organ.h"
 
+#include "core/authoring/packing.h"
 #include "core/geometry/repair.h"
 #include "core/samples/samples.h"
 
@@ -60,6 +61,30 @@ esm::Project drawnBallOf(std::size_t triangles, std::size_t nodes) {
     const esm::Detail detail{esm::Detail::Kind::Nodes, nodes};
     return esm::makeProject("ball", esm::repair(ball(triangles / 2), {.weldDistance = 1e-9}), std::nullopt,
                             detail);
+}
+
+esm::Project photographedBallOf(std::size_t triangles, int photos, int pageSize) {
+    esm::Project project = drawnBallOf(triangles, 1000);
+    project.texture.atlas.size = pageSize;
+    esm::pack(project);
+    for (int i = 0; i <= photos; ++i) {
+        esm::TextureLayer layer;
+        layer.id = {static_cast<std::uint32_t>(i) + 1};
+        layer.name = "layer " + std::to_string(i + 1);
+        if (i < photos) layer.photo = esm::makeSamplePhoto(esm::samplePhotoNames().front());
+        const Eigen::AngleAxisd turn(2 * M_PI * (i - photos + 1) / photos, Eigen::Vector3d::UnitY());
+        layer.projector.pose = turn * Eigen::Translation3d(0, 0, 4 * radius);
+        layer.projector.kind = esm::ProjectorKind::Perspective;
+        layer.projector.fieldOfView = 25;
+        project.layers.push_back(layer);
+    }
+    esm::TextureLayer& last = project.layers[static_cast<std::size_t>(photos) - 1];
+    last.blending = esm::Blending::MultiBand;
+    esm::BrushStroke erasing;
+    erasing.radius = radius / 6;
+    erasing.path = {{{0, 0, radius}, {0, 0, 1}}, {{radius / 4, 0, 0.97 * radius}, {0.25, 0, 1}}};
+    last.strokes.push_back(std::make_shared<const esm::BrushStroke>(erasing));
+    return project;
 }
 
 } // namespace responsiveness

@@ -13,5 +13,8 @@ enum class Tissue { Published, WeaklyDamped };
 esm::Project ballOf(std::size_t nodes, Tissue tissue);
 /// A ball drawn with about so many triangles, of which so many nodes are simulated.
 esm::Project drawnBallOf(std::size_t triangles, std::size_t nodes);
+/// The same, with so many photos laid around it on a page of so many texels, of which the last is masked by a
+/// stroke and blended in bands, and a layer of paint over them.
+esm::Project photographedBallOf(std::size_t triangles, int photos, int pageSize);
 
 } // namespace responsiveness

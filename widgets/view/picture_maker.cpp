@@ -6,6 +6,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <stdexcept>
@@ -20,6 +21,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int smoothSamples = 4; ///< per pixel
 /// What a picture may take and still be made smooth at once: half a frame of a display.
 constexpr std::chrono::milliseconds patience{8};
+/// What a picture may take and still follow the hand.
+constexpr std::chrono::milliseconds motionPatience{25};
 /// A scene that did not change for so long is taken to rest. Frames of a slow motion come oftener.
 constexpr std::chrono::milliseconds restTime{120};
 
@@ -132,19 +135,33 @@ void PictureMaker::work() {
     }
 }
 
-QImage PictureMaker::drawn(const PictureDrawing& draw, const PictureContent& content, int samples) {
+DrawnPicture PictureMaker::drawn(const PictureDrawing& draw, const PictureContent& content, int samples) {
     DrawnPicture picture = draw(content, samples);
     m_isSlow = (samples > 0 ? picture.time : smoothSamples * picture.time) > patience;
+    return picture;
+}
+
+/// Without smooth edges. A photo in motion has to follow the hand: a picture of a quarter of the pixels is
+/// better than a whole one too late.
+QImage PictureMaker::drawnQuickly(const PictureDrawing& draw, const PictureContent& content) {
+    if (m_isVerySlow && content.scene.projectedPhoto) {
+        PictureContent coarser = content;
+        coarser.size = {std::max(1, content.size.width / 2), std::max(1, content.size.height / 2),
+                        content.size.pixelRatio / 2, content.size.left / 2, content.size.bottom / 2};
+        return drawn(draw, coarser, 0).image;
+    }
+    DrawnPicture picture = drawn(draw, content, 0);
+    m_isVerySlow = picture.time > motionPatience;
     return std::move(picture.image);
 }
 
 void PictureMaker::answer(const PictureDrawing& draw, const Asked& asked) {
     const auto& [content, number] = asked;
     if (m_isSlow) {
-        publish({number, drawn(draw, content, 0), content.camera, false, {}});
+        publish({number, drawnQuickly(draw, content), content.camera, false, {}});
         if (m_asked.becomesObsoleteWithin(restTime)) return;
     }
-    publish({number, drawn(draw, content, smoothSamples), content.camera, true, {}});
+    publish({number, drawn(draw, content, smoothSamples).image, content.camera, true, {}});
 }
 
 void PictureMaker::publish(MadePicture picture) {

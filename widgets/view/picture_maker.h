@@ -43,7 +43,8 @@ using PictureDrawing = std::function<DrawnPicture(const PictureContent& content,
 
 /// Draws pictures on a thread of its own, so that no organ, however large, and no slow graphics keep the
 /// window waiting. The newest content wins. Where a picture with smooth edges takes long, as without a
-/// graphics card, one without comes first, and the smooth one only once nothing newer waits.
+/// graphics card, one without comes first, and the smooth one only once nothing newer waits. Where that takes
+/// long too, a photo in motion is drawn with half of the pixels a side.
 class PictureMaker : public QObject {
     Q_OBJECT
 
@@ -69,11 +70,13 @@ private:
 
     void work();
     void answer(const PictureDrawing& draw, const Asked& asked);
-    QImage drawn(const PictureDrawing& draw, const PictureContent& content, int samples);
+    DrawnPicture drawn(const PictureDrawing& draw, const PictureContent& content, int samples);
+    QImage drawnQuickly(const PictureDrawing& draw, const PictureContent& content);
     void publish(MadePicture picture);
 
     PictureDrawing m_drawing;
     bool m_isSlow = false;       ///< the thread's own: a picture with smooth edges takes long
+    bool m_isVerySlow = false;   ///< the same: one without takes too long for a photo in motion
     QOffscreenSurface m_surface; ///< made by the window's thread, which platforms ask for
     LatestInput<Asked> m_asked;
     int m_lastNumber = 0;

@@ -1,5 +1,7 @@
 #include "app/editor/window/first_steps.h"
 
+#include <QVariant>
+
 #include <algorithm>
 
 namespace esm {

@@ -214,7 +214,7 @@ void ViewController::dressOrgan(RenderScene& scene) {
     scene.atlas = composed.atlas;
     scene.texturePages = composed.pages;
     scene.smallerPages = composed.smallerPages;
-    scene.projectedPhoto = m_isBare ? std::nullopt : m_moving.projected();
+    scene.projectedPhoto = m_isBare ? std::nullopt : m_moving.projected(composed);
 }
 
 void ViewController::showEllipsoids(RenderScene& scene) {

@@ -1,6 +1,7 @@
 #include "app/editor/workers/moving_photo.h"
 
 #include "app/editor/document/change.h"
+#include "core/texture/layers/photo_in_motion.h"
 
 #include <chrono>
 
@@ -50,12 +51,11 @@ void MovingPhoto::follow(const Project& project) {
 
 void MovingPhoto::move(LayerId layer) {
     m_rest.start(restTime);
-    if (m_layer == layer && !m_isResting) return;
+    const bool isBanded = partOf(m_project.layers, layer).blending == Blending::MultiBand;
+    if (m_layer == layer && !m_isResting && !isBanded) return;
     m_layer = layer;
     m_isResting = false;
-    Project around = m_project;
-    partOf(around.layers, layer).visible = false;
-    m_composer.compose(around);
+    m_composer.compose(m_project, layer);
 }
 
 void MovingPhoto::rest() {
@@ -68,11 +68,15 @@ void MovingPhoto::takeTexture() {
     if (m_isResting && !m_composer.isWorking()) m_layer.reset();
 }
 
-std::optional<ProjectedPhoto> MovingPhoto::projected() const {
+std::optional<ProjectedPhoto> MovingPhoto::projected(const TextureComposer::Composed& over) const {
     if (!m_layer) return std::nullopt;
     const TextureLayer& layer = partOf(m_project.layers, *m_layer);
-    return ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity,
-                          layer.blending == Blending::Multiply};
+    ProjectedPhoto projected{layer.projector, pictureOf(layer), borderInMotion(layer), layer.opacity,
+                             layer.blending == Blending::Multiply};
+    if (over.moving != m_layer) return projected;
+    projected.isMasked = over.isMasked;
+    projected.bands = over.bands;
+    return projected;
 }
 
 } // namespace esm

@@ -18,7 +18,9 @@ public:
     /// Looks at what became of the photos, and has composed what is to be seen.
     void follow(const Project& project);
     /// What the renderer is to project; nothing while all lies in the texture.
-    std::optional<ProjectedPhoto> projected() const;
+    /// @param over what is shown of the composer
+    std::optional<ProjectedPhoto> projected(const TextureComposer::Composed& over) const;
+    std::optional<ProjectedPhoto> projected() const { return projected(m_composer.composition()); }
     /// Whether what is composed now is only what lies around the moving photo.
     bool isMoving() const { return m_layer && !m_isResting; }
 

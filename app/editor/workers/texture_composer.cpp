@@ -1,9 +1,11 @@
 #include "app/editor/workers/texture_composer.h"
 
 #include "core/support/errors.h"
+#include "core/texture/layers/photo_in_motion.h"
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace esm {
 
@@ -27,52 +29,104 @@ bool TextureComposer::lies(const Project& project) const {
                       looksTheSame);
 }
 
+void TextureComposer::compose(const Project& project, std::optional<LayerId> moving) {
+    Asked asked{project, std::nullopt, {}};
+    if (moving) {
+        std::vector<TextureLayer>& layers = asked.project.layers;
+        const auto place = std::find_if(layers.begin(), layers.end(),
+                                        [&](const TextureLayer& layer) { return layer.id == *moving; });
+        asked.moving = *place;
+        asked.beneath.assign(layers.begin(), place);
+        place->visible = false;
+    }
+    m_worker.ask(std::move(asked));
+}
+
 /// Brings what is kept up to date with a project's layers.
 void TextureComposer::keepPages(const Worker::Task& task) {
-    const Project& project = task.question;
-    if (m_kept.mesh != project.mesh) m_kept = {project.mesh, nullptr, {}, nullptr, {}};
+    const Project& project = task.question.project;
+    if (m_kept.mesh != project.mesh) m_kept = {project.mesh, nullptr, {}, nullptr, {}, {}};
     if (m_kept.atlas != project.atlas) {
         m_kept.composition = {};
         m_kept.smaller = nullptr;
+        m_kept.masked = {};
     }
     m_kept.atlas = project.atlas;
-    const Progress goOn = task.progress(
-        [&](const Project& next) { return next.atlas != project.atlas || (lies(next) && !lies(project)); });
+    const Progress goOn = task.progress([&](const Asked& next) {
+        return next.project.atlas != project.atlas || (lies(next.project) && !lies(project));
+    });
     ProgressParts parts([&](double fraction) {
         m_progress = fraction;
         return goOn(fraction);
     });
-    auto pages = std::make_shared<const std::vector<Image>>(
+    auto pages = std::make_shared<const TiledPages>(
         recomposite(*project.mesh, *project.atlas, m_kept.composition, project.layers,
                     project.texture.baseColour, m_kept.cache, parts.next(0.95)));
-    const Progress reducing = parts.rest();
-    m_kept.smaller = std::make_shared<const SmallerPages>(
-        m_kept.smaller
-            ? esm::smallerPages(*project.atlas, *pages, *m_kept.composition.pages, *m_kept.smaller, reducing)
-            : esm::smallerPages(*project.atlas, *pages, reducing));
+    m_kept.smaller = halved(*project.atlas, *pages, parts.rest());
     m_kept.composition = {project.layers, project.texture.baseColour, pages};
+}
+
+std::shared_ptr<const SmallerPages> TextureComposer::halved(const Atlas& atlas, const TiledPages& pages,
+                                                            const Progress& progress) {
+    ProgressParts parts(progress);
+    if (usableLevels(atlas.options) == 0) return std::make_shared<const SmallerPages>(pages.size());
+    HalvedPages before;
+    if (m_kept.smaller && m_kept.composition.pages) before = {*m_kept.composition.pages, *m_kept.smaller};
+    const auto owners = m_kept.cache.ownersOf(atlas, parts.next(0.5));
+    return std::make_shared<const SmallerPages>(smallerPages(atlas, *owners, pages, before, parts.rest()));
 }
 
 TextureComposer::Composed TextureComposer::compositionOf(const Worker::Task& task) {
     using Milliseconds = std::chrono::duration<double, std::milli>;
     m_progress = 0;
-    const Project& project = task.question;
+    const Project& project = task.question.project;
     if (!project.atlas || project.layers.empty()) {
         m_kept = {};
         return {};
     }
     const auto start = std::chrono::steady_clock::now();
     try {
-        keepPages(task);
+        if (!isKept(task.question)) keepPages(task);
     } catch (const std::bad_alloc&) {
         m_kept = {};
         throw InvalidModel("there is not enough memory; choose a smaller size of the atlas");
     }
-    return {project.atlas,
-            m_kept.composition.pages,
-            m_kept.smaller,
-            Milliseconds(std::chrono::steady_clock::now() - start).count(),
-            {}};
+    Composed composed{project.atlas,
+                      m_kept.composition.pages,
+                      m_kept.smaller,
+                      Milliseconds(std::chrono::steady_clock::now() - start).count(),
+                      {}};
+    if (task.question.moving) addMotion(task, composed);
+    return composed;
+}
+
+/// While a photo moves, all around it stays as it was composed when it began to.
+bool TextureComposer::isKept(const Asked& asked) const {
+    return asked.moving && m_kept.mesh == asked.project.mesh && m_kept.atlas == asked.project.atlas &&
+           lies(asked.project);
+}
+
+void TextureComposer::mask(const Project& project, const BrushStrokes& strokes, Composed& composed) {
+    MaskedPages& masked = m_kept.masked;
+    if (masked.of != composed.pages || !(masked.strokes == strokes)) {
+        masked = {composed.pages, strokes, nullptr, nullptr};
+        masked.pages = std::make_shared<const TiledPages>(
+            maskedPages(*project.mesh, *project.atlas, *composed.pages, strokes, m_kept.cache));
+        masked.smaller = halved(*project.atlas, *masked.pages, {});
+    }
+    composed.pages = masked.pages;
+    composed.smallerPages = masked.smaller;
+    composed.isMasked = true;
+}
+
+void TextureComposer::addMotion(const Worker::Task& task, Composed& composed) {
+    const Project& project = task.question.project;
+    const TextureLayer& layer = *task.question.moving;
+    composed.moving = layer.id;
+    if (!layer.strokes.empty()) mask(project, layer.strokes, composed);
+    if (layer.blending == Blending::MultiBand)
+        composed.bands = std::make_shared<const Image>(bandsInMotion(
+            *project.mesh, task.question.beneath, project.texture.baseColour, layer, m_kept.cache));
 }
 
 } // namespace esm

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ class TextureComposer : public QObject {
     Q_OBJECT
 
 public:
-    using Pages = std::shared_ptr<const std::vector<Image>>;
+    using Pages = std::shared_ptr<const TiledPages>;
 
     /// What came of one composition.
     struct Composed {
@@ -29,12 +30,17 @@ public:
         Pages pages;                                      ///< null where nothing is composed
         std::shared_ptr<const SmallerPages> smallerPages; ///< of those pages
         double milliseconds = 0;                          ///< it took
-        std::string failure; ///< why there is nothing composed; empty when all is well
+        std::optional<LayerId> moving{}; ///< which is left out of the pages, as its photo moves
+        bool isMasked = false;           ///< the pages' alpha is what strokes have left of that
+        std::shared_ptr<const Image>
+            bands{};           ///< added to that by bands, see `bandsInMotion`; null for nothing
+        std::string failure{}; ///< why there is nothing composed; empty when all is well
     };
 
     explicit TextureComposer(QObject* parent = nullptr);
 
-    void compose(const Project& project) { m_worker.ask(project); }
+    /// @param moving a layer whose photo the renderer projects meanwhile
+    void compose(const Project& project, std::optional<LayerId> moving = std::nullopt);
 
     /// Whether a composition is under way or waits.
     bool isWorking() const { return m_worker.isWorking(); }
@@ -47,18 +53,38 @@ signals:
     void composed();
 
 private:
+    /// Pages with what strokes leave of a moving photo.
+    struct MaskedPages {
+        Pages of; ///< null for none
+        BrushStrokes strokes;
+        Pages pages;
+        std::shared_ptr<const SmallerPages> smaller;
+    };
     /// What the thread keeps for the next composition.
     struct Kept {
         std::shared_ptr<const TriangleMesh> mesh;
         std::shared_ptr<const Atlas> atlas;
         Composition composition;
         std::shared_ptr<const SmallerPages> smaller; ///< of the composition's pages
+        MaskedPages masked;
         CompositionCache cache;
     };
-    using Worker = LatestWorker<Project, Composed>;
+    struct Asked {
+        Project project; ///< without the moving photo
+        std::optional<TextureLayer> moving;
+        std::vector<TextureLayer> beneath; ///< the moving one
+    };
+    using Worker = LatestWorker<Asked, Composed>;
 
     Composed compositionOf(const Worker::Task& task);
     void keepPages(const Worker::Task& task);
+    /// Adds what the renderer needs to project the moving photo.
+    void addMotion(const Worker::Task& task, Composed& composed);
+    void mask(const Project& project, const BrushStrokes& strokes, Composed& composed);
+    bool isKept(const Asked& asked) const;
+    /// The smaller pages of what is composed now, from those of what is kept.
+    std::shared_ptr<const SmallerPages> halved(const Atlas& atlas, const TiledPages& pages,
+                                               const Progress& progress);
 
     bool lies(const Project& project) const;
 

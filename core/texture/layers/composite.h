@@ -5,6 +5,7 @@
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/layers/composition_cache.h"
 #include "core/texture/layers/texture_layer.h"
+#include "core/texture/layers/tiled_pages.h"
 
 #include <array>
 #include <vector>
@@ -36,15 +37,15 @@ std::vector<DeepImage> compositeDeep(const TriangleMesh& mesh, const Atlas& atla
 struct Composition {
     std::vector<TextureLayer> layers;
     std::array<std::uint8_t, 3> baseColour{};
-    std::shared_ptr<const std::vector<Image>> pages; ///< null before anything was composed
+    std::shared_ptr<const TiledPages> pages; ///< null before anything was composed
 };
 
 /// The pages that composite() makes, bit by bit, but only what changed is composed: the triangles that a
-/// changed layer reaches before or after. Takes what composite() takes.
-std::vector<Image> recomposite(const TriangleMesh& mesh, const Atlas& atlas, const Composition& before,
-                               const std::vector<TextureLayer>& layers,
-                               std::array<std::uint8_t, 3> baseColour, CompositionCache& cache,
-                               const Progress& progress = {});
+/// changed layer reaches before or after. Tiles in which nothing changed are those before. Takes what
+/// composite() takes.
+TiledPages recomposite(const TriangleMesh& mesh, const Atlas& atlas, const Composition& before,
+                       const std::vector<TextureLayer>& layers, std::array<std::uint8_t, 3> baseColour,
+                       CompositionCache& cache, const Progress& progress = {});
 
 /// What one layer covers.
 struct LayerCoverage {

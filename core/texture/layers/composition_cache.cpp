@@ -54,7 +54,7 @@ std::shared_ptr<const SurfaceLighting> CompositionCache::lightingOf(const Projec
     reportProgress(progress, 0);
     const auto& [projector, photo] = projected;
     auto lighting = std::make_shared<const SurfaceLighting>(SurfaceLighting{
-        certainLighting(shadowCaster(mesh), projector, photo, progress), seenSides(mesh, projector)});
+        certainLighting(shadowCaster(mesh), projector, photo, progress), sidesOf(projector, mesh)});
     m_lighting.used.push_back({projected, lighting});
     return lighting;
 }
@@ -73,6 +73,11 @@ std::shared_ptr<const OutlineFeather> CompositionCache::outlinesOf(const Project
         outlineFeather(shadowCaster(mesh), *queryOf(mesh), projector, photo, blendPixels, progress));
     m_outlines.used.push_back({projected, blendPixels, feather});
     return feather;
+}
+
+std::vector<SeenSide> CompositionCache::sidesOf(const Projector& projector, const TriangleMesh& mesh) {
+    if (!m_parts) m_parts = connectedParts(mesh.triangles, mesh.vertices.size());
+    return seenSides(mesh, *m_parts, projector);
 }
 
 ShadowCaster CompositionCache::shadowCaster(const TriangleMesh& mesh) {

@@ -9,6 +9,7 @@
 #include "core/texture/photo/photo_sampler.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace esm {
@@ -68,6 +69,8 @@ public:
     /// @param blendPixels over which the photo fades. @throws Cancelled
     std::shared_ptr<const OutlineFeather> outlinesOf(const ProjectedSize& projected, double blendPixels,
                                                      const TriangleMesh& mesh, const Progress& progress);
+    /// See `seenSides`.
+    std::vector<SeenSide> sidesOf(const Projector& projector, const TriangleMesh& mesh);
     /// Of the vertices, see `vertexNormals`.
     std::shared_ptr<const std::vector<Eigen::Vector3d>> normalsOf(const TriangleMesh& mesh);
 
@@ -86,6 +89,7 @@ private:
 
     std::shared_ptr<const SurfaceQuery> m_query;
     std::vector<Triangle> m_across; ///< of the mesh, once asked for
+    std::optional<Parts> m_parts;   ///< the same
     std::shared_ptr<const std::vector<Eigen::Vector3d>> m_normals;
     std::shared_ptr<const TexelOwners> m_owners;
     Generation<SampledPicture> m_sampled;

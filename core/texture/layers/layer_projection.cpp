@@ -44,6 +44,14 @@ double pyramidDepth(double pixelsPerTexel) {
     return pixelsPerTexel > 1 ? std::log2(pixelsPerTexel) : 0;
 }
 
+/// What is read of the photo, pixels, by texels in a patch and a little around it. Precondition: all corners
+/// lie before the eye.
+Eigen::AlignedBox2d boxInPhoto(const Eigen::Matrix<double, 4, 3>& places, const Eigen::Vector3d& densities) {
+    const Eigen::Matrix<double, 2, 3> pixels = places.topRows<2>().array().rowwise() / places.row(2).array();
+    const double margin = 3 * densities.maxCoeff();
+    return {pixels.rowwise().minCoeff().array() - margin, pixels.rowwise().maxCoeff().array() + margin};
+}
+
 /// Of the angle from which on surface loses a photo with a border even without falloff, 80°: at an outline it
 /// would end along the edges of triangles.
 constexpr double grazingCosine = 0.17365;
@@ -70,6 +78,8 @@ std::optional<TriangleProjection> TriangleProjection::make(const LayerPhoto& pho
     projection.m_isDepthLinear =
         projection.m_places.row(2).minCoeff() > 0 &&
         projection.m_depths.maxCoeff() - projection.m_depths.minCoeff() < nearlyLinear;
+    projection.m_facesLight = projection.facesLight();
+    projection.findClearPart(densities);
     return projection;
 }
 
@@ -99,15 +109,45 @@ bool TriangleProjection::isTurnedAway() const {
     return true;
 }
 
+/// Normals and ways to the light between the corners' are mixtures of them, by shares that are not below 0.
+/// The product of two mixtures is at least the least product of what is mixed, and mixing makes both no
+/// longer: nowhere is the cosine smaller than the least of those nine. Most triangles are known so at once,
+/// and spare their texels two roots.
+bool TriangleProjection::facesLight() const {
+    constexpr double rounding = 1e-9;
+    const Projector& projector = m_layer.projector;
+    if (!projector.falloff && !(projector.occlusion && m_layer.blendPixels > 0)) return true;
+    Eigen::Matrix3d ways;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        ways.col(i) = towardsLight(m_corners.col(i));
+    const Eigen::Matrix3d cosines = m_normals.transpose() * ways;
+    if (!cosines.allFinite()) return false;
+    const double outside = cosines.minCoeff(), inside = -cosines.maxCoeff();
+    const double least = m_side == SeenSide::Both     ? std::max(outside, inside)
+                         : m_side == SeenSide::Inside ? inside
+                                                      : outside;
+    return least > rounding && weightOfCosine(least - rounding) >= 1;
+}
+
+/// What texels in and around the patch read of a photo, where none of it is near an outline.
+void TriangleProjection::findClearPart(const Eigen::Vector3d& densities) {
+    if (!m_photo.outlines || !(m_places.row(2).minCoeff() > 0)) return;
+    const Eigen::AlignedBox2d box = boxInPhoto(m_places, densities);
+    if (!m_photo.outlines->isClear(box)) return;
+    m_clearLow = box.min();
+    m_clearHigh = box.max();
+}
+
+bool TriangleProjection::isInClearPart(double x, double y) const {
+    return x >= m_clearLow.x() && x <= m_clearHigh.x() && y >= m_clearLow.y() && y <= m_clearHigh.y();
+}
+
 bool TriangleProjection::mayTakeColour(const Eigen::Vector3d& densities) const {
     if (m_places.row(3).maxCoeff() < (isParallel() ? -m_surface.tolerance : 0)) return false;
     if (!(m_places.row(2).minCoeff() > 0)) return true; // reaches behind the eye: corners bound nothing
-    const Eigen::Matrix<double, 2, 3> pixels =
-        m_places.topRows<2>().array().rowwise() / m_places.row(2).array();
-    const double margin = 3 * densities.maxCoeff(); // texels around the patch read a little beyond it
-    const Eigen::Vector2d low = pixels.rowwise().minCoeff(), high = pixels.rowwise().maxCoeff();
-    return !(high.x() < -margin || high.y() < -margin || low.x() > m_sampler.width() + margin ||
-             low.y() > m_sampler.height() + margin);
+    const Eigen::AlignedBox2d box = boxInPhoto(m_places, densities);
+    return !(box.max().x() < 0 || box.max().y() < 0 || box.min().x() > m_sampler.width() ||
+             box.min().y() > m_sampler.height());
 }
 
 /// In the order of the price: a product, the border, a reading of the photo, and a ray only where all others
@@ -137,22 +177,28 @@ double TriangleProjection::borderWeight(double x, double y) const {
     const double inside = std::min(std::min(x, y), std::min(m_sampler.width() - x, m_sampler.height() - y));
     if (!(inside >= 0)) return 0; // nor for a place that is not finite
     const double fromSide = m_layer.blendPixels > 0 ? std::min(1.0, inside / m_layer.blendPixels) : 1;
-    return m_photo.outlines ? fromSide * m_photo.outlines->weightAt(x, y) : fromSide;
+    if (!m_photo.outlines || isInClearPart(x, y)) return fromSide;
+    return fromSide * m_photo.outlines->weightAt(x, y);
 }
 
 double TriangleProjection::lightWeight(const Eigen::Vector3d& nearest) const {
     const Projector& projector = m_layer.projector;
-    if (!projector.falloff && !projector.occlusion) return 1;
+    const bool mayBeHidden = projector.occlusion && !m_isLit;
+    if (m_facesLight && !mayBeHidden) return 1;
     const Eigen::Vector3d way = towardsLight(m_corners * nearest);
-    const double weight = angleWeightAt(nearest, way);
-    return weight > 0 && projector.occlusion && !m_isLit ? weight * seenShare(nearest, way) : weight;
+    const double weight = m_facesLight ? 1 : angleWeightAt(nearest, way);
+    return weight > 0 && mayBeHidden ? weight * seenShare(nearest, way) : weight;
 }
 
 /// By a normal that passes smoothly from corner to corner, as in shading (Phong 1975): the triangle's own
 /// would give each triangle a weight of its own, and their edges would show.
 double TriangleProjection::angleWeightAt(const Eigen::Vector3d& nearest,
                                          const Eigen::Vector3d& towardsLight) const {
-    const double cosine = cosineSeen(m_side, (m_normals * nearest).normalized().dot(towardsLight));
+    return weightOfCosine(cosineSeen(m_side, (m_normals * nearest).normalized().dot(towardsLight)));
+}
+
+/// @param cosine on the side that is seen
+double TriangleProjection::weightOfCosine(double cosine) const {
     if (m_layer.projector.falloff) return angleWeight(cosine);
     return m_layer.blendPixels > 0 ? smoothStep(0, grazingCosine, cosine) : 1;
 }

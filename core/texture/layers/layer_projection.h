@@ -56,11 +56,15 @@ private:
 
     bool isParallel() const { return m_layer.projector.kind == ProjectorKind::Parallel; }
     bool isTurnedAway() const;
+    bool facesLight() const;
+    void findClearPart(const Eigen::Vector3d& densities);
+    bool isInClearPart(double x, double y) const;
     bool mayTakeColour(const Eigen::Vector3d& densities) const;
     double depthAt(const Eigen::Vector4d& seen, const Eigen::Vector3d& weights) const;
     double borderWeight(double x, double y) const;
     double lightWeight(const Eigen::Vector3d& nearest) const;
     double angleWeightAt(const Eigen::Vector3d& nearest, const Eigen::Vector3d& towardsLight) const;
+    double weightOfCosine(double cosine) const;
     double seenShare(const Eigen::Vector3d& nearest, const Eigen::Vector3d& towardsLight) const;
     Eigen::Vector3d towardsLight(const Eigen::Vector3d& point) const; ///< of length 1
 
@@ -76,6 +80,9 @@ private:
     Eigen::Vector3d m_depths;     ///< in the pyramid, at the corners
     bool m_isDepthLinear = false; ///< over the patch, nearly
     bool m_isLit = false;         ///< nothing hides any of it
+    bool m_facesLight = false;    ///< the angle takes nothing from any of it
+    /// Corners of a part of the photo, pixels, without an outline near; at first of none.
+    Eigen::Vector2d m_clearLow{1, 1}, m_clearHigh{0, 0};
 };
 
 } // namespace esm

@@ -13,10 +13,6 @@ namespace {
 /// Texels around a patch whose colours are asked for, in which a stroke may begin.
 constexpr double strokeMargin = 3;
 
-/// A photo that is blended in bands fades in over so many of its pixels: there the bands have made its
-/// colours agree with what lies beneath.
-constexpr double bandedBorder = 4;
-
 bool clones(const TextureLayer& layer) {
     return std::any_of(layer.strokes.begin(), layer.strokes.end(),
                        [](const auto& stroke) { return stroke->kind == BrushKind::Clone; });
@@ -45,19 +41,6 @@ std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const Li
 
 constexpr std::array<std::uint8_t, 3> black{0, 0, 0}, white{255, 255, 255};
 
-/// What a photo's strokes make of its mask, painted over white: black where it is erased. As a layer of paint
-/// it is seen in the photo's plane by what sees layers there already.
-TextureLayer paintedMask(const BrushStrokes& strokes) {
-    TextureLayer mask;
-    for (const auto& stroke : strokes) {
-        BrushStroke painted = *stroke;
-        painted.kind = BrushKind::Colour;
-        painted.colour = stroke->kind == BrushKind::Erase ? black : white;
-        mask.strokes.push_back(std::make_shared<const BrushStroke>(std::move(painted)));
-    }
-    return mask;
-}
-
 /// Where a photo has faded by half at an outline, what it shows ends for the bands: colours on either side
 /// have nothing to do with each other.
 void eraseOutlines(Image& mask, PhotoSize photo, const OutlineFeather& outlines) {
@@ -82,6 +65,18 @@ double metresPerTexel(const Eigen::Matrix3d& corners, const Patch& patch) {
 }
 
 } // namespace
+
+/// As a layer of paint it is seen in the photo's plane by what sees layers there already.
+TextureLayer paintedMask(const BrushStrokes& strokes) {
+    TextureLayer mask;
+    for (const auto& stroke : strokes) {
+        BrushStroke painted = *stroke;
+        painted.kind = BrushKind::Colour;
+        painted.colour = stroke->kind == BrushKind::Erase ? black : white;
+        mask.strokes.push_back(std::make_shared<const BrushStroke>(std::move(painted)));
+    }
+    return mask;
+}
 
 /// From the lowest up, since a photo that is blended in bands needs all beneath it finished: `shown` and the
 /// stack so far are what it is blended into. Its own border fades over four pixels at most, because the bands

@@ -23,6 +23,9 @@ struct PreparedLayer {
     std::vector<Eigen::AlignedBox3d> strokeReach;    ///< of each stroke
 };
 
+/// What a photo's strokes make of its mask, painted over white: black where it is erased.
+TextureLayer paintedMask(const BrushStrokes& strokes);
+
 class LayerOnTriangle;
 class TriangleLayers;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace esm {
 
@@ -114,9 +115,8 @@ bool isPartedFromPart(const View& a, const View& b) {
     return false;
 }
 
-/// @param a before the eye as a whole
+/// Of two whose boxes intersect. @param a before the eye as a whole
 bool overlap(const View& a, const View& b) {
-    if (!a.box.intersects(b.box)) return false;
     return b.isWhole ? !isParted(a, b) && !isParted(b, a) : !isPartedFromPart(a, b);
 }
 
@@ -145,8 +145,16 @@ bool contains(const View& view, const Eigen::Vector2d& point) {
     return view.area != 0;
 }
 
+/// What is asked first of a triangle that may lie in the way.
+struct SeenPart {
+    Box box; ///< as View has it
+    double nearest;
+    std::uint32_t triangle;
+};
+
 /// Triangles by the cells of a grid over their views. Two triangles for each cell on the mean; views of an
-/// organ's triangles are of much the same size, for which a grid is quicker made and asked than a tree.
+/// organ's triangles are of much the same size, for which a grid is quicker made and asked than a tree. The
+/// triangles of a cell lie side by side in memory, with what rules most of them out.
 class ViewGrid {
 public:
     ViewGrid(const std::vector<View>& views, const Box& region) {
@@ -154,37 +162,48 @@ public:
             if (!view.box.isEmpty()) m_box.extend(view.box.intersection(region));
         m_cells = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(views.size()) / 2)), 1, 512);
         m_perCell = (m_box.sizes() / m_cells).cwiseMax(1e-300);
-        m_members.resize(static_cast<std::size_t>(m_cells) * static_cast<std::size_t>(m_cells));
+        m_ends.assign(static_cast<std::size_t>(m_cells) * static_cast<std::size_t>(m_cells) + 1, 0);
+        for (const View& view : views)
+            if (!view.box.isEmpty()) forEachCell(view.box, [&](std::size_t cell) { ++m_ends[cell + 1]; });
+        std::partial_sum(m_ends.begin(), m_ends.end(), m_ends.begin());
+        m_parts.resize(m_ends.back());
+        std::vector<std::size_t> next(m_ends.begin(), m_ends.end() - 1);
         for (std::uint32_t i = 0; i < views.size(); ++i)
             if (!views[i].box.isEmpty())
-                forEachCell(views[i].box, [&](std::vector<std::uint32_t>& cell) { cell.push_back(i); });
+                forEachCell(views[i].box, [&](std::size_t cell) {
+                    m_parts[next[cell]++] = {views[i].box, views[i].nearest, i};
+                });
     }
 
-    /// Whether `holds(triangle)` for any that may overlap a box.
+    /// Whether `holds(part)` for any triangle that may overlap a box.
     template<typename Holds> bool anyOf(const Box& box, const Holds& holds) const {
         bool found = false;
-        const_cast<ViewGrid*>(this)->forEachCell(box, [&](const std::vector<std::uint32_t>& cell) {
-            found = found || std::any_of(cell.begin(), cell.end(), holds);
+        forEachCell(box, [&](std::size_t cell) {
+            const auto part = [&](std::size_t place) {
+                return m_parts.begin() + static_cast<std::ptrdiff_t>(place);
+            };
+            found = found || std::any_of(part(m_ends[cell]), part(m_ends[cell + 1]), holds);
         });
         return found;
     }
 
 private:
-    template<typename Visit> void forEachCell(const Box& box, const Visit& visit) {
+    template<typename Visit> void forEachCell(const Box& box, const Visit& visit) const {
         const auto cell = [&](const Eigen::Vector2d& place, int axis) {
             return static_cast<int>(
                 std::clamp((place[axis] - m_box.min()[axis]) / m_perCell[axis], 0.0, m_cells - 1.0));
         };
         for (int y = cell(box.min(), 1); y <= cell(box.max(), 1); ++y)
             for (int x = cell(box.min(), 0); x <= cell(box.max(), 0); ++x)
-                visit(m_members[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_cells) +
-                                static_cast<std::size_t>(x)]);
+                visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(m_cells) +
+                      static_cast<std::size_t>(x));
     }
 
     Box m_box;
     Eigen::Vector2d m_perCell;
     int m_cells = 1;
-    std::vector<std::vector<std::uint32_t>> m_members;
+    std::vector<std::size_t> m_ends; ///< of each cell's parts, after a 0
+    std::vector<SeenPart> m_parts;   ///< cell by cell
 };
 
 /// Without this, rays take half of the time of composing, and most of them only find what all of their
@@ -202,15 +221,15 @@ public:
     Lighting of(std::uint32_t triangle) const {
         const View& view = m_views[triangle];
         if (!view.isWhole || view.box.isEmpty()) return Lighting::Unknown;
-        const auto mayHide = [&](std::uint32_t other) {
-            return other != triangle && m_views[other].nearest < view.farthest &&
-                   overlap(view, m_views[other]);
+        const auto mayHide = [&](const SeenPart& other) {
+            return other.nearest < view.farthest && other.triangle != triangle &&
+                   other.box.intersects(view.box) && overlap(view, m_views[other.triangle]);
         };
         if (!m_grid.anyOf(view.box, mayHide)) return Lighting::Lit;
         const Eigen::Vector2d middle = (view.corners[0] + view.corners[1] + view.corners[2]) / 3;
-        const auto begins = [&](std::uint32_t other) {
-            return isBefore(m_views[other], view) && contains(m_views[other], middle) &&
-                   isCoveredFrom(other, view);
+        const auto begins = [&](const SeenPart& other) {
+            return other.nearest < view.nearest && isBefore(m_views[other.triangle], view) &&
+                   contains(m_views[other.triangle], middle) && isCoveredFrom(other.triangle, view);
         };
         return m_grid.anyOf({middle, middle}, begins) ? Lighting::Hidden : Lighting::Unknown;
     }

@@ -148,6 +148,17 @@ void correctRow(const Image& photo, const cv::Mat& added, int y, Image& picture)
     }
 }
 
+/// What all bands add to a photo, in the size of `beneath`.
+cv::Mat addedByBands(const PhotoSampler& sampler, const Image& beneath, const Image& mask, double border) {
+    const cv::Size size(beneath.width, beneath.height);
+    cv::Mat small = reduced(sampler, size);
+    const cv::Mat difference = differenceFrom(small, beneath); // also of what is erased: filters read beyond
+    if (!mask.empty()) erase(small, mask);
+    const double widest =
+        std::max(0.25 * std::min(size.width, size.height), border * size.width / sampler.width());
+    return correction(difference, depthInside(small), coarsestLevel(size, widest));
+}
+
 } // namespace
 
 PhotoSize comparedSize(PhotoSize photo) {
@@ -158,16 +169,21 @@ PhotoSize comparedSize(PhotoSize photo) {
 
 Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, const Image& mask,
                      double border, const Progress& progress) {
-    const cv::Size size(beneath.width, beneath.height);
-    cv::Mat small = reduced(sampler, size);
-    const cv::Mat difference = differenceFrom(small, beneath); // also of what is erased: filters read beyond
-    if (!mask.empty()) erase(small, mask);
-    const double widest =
-        std::max(0.25 * std::min(size.width, size.height), border * size.width / photo.width);
-    const cv::Mat added = correction(difference, depthInside(small), coarsestLevel(size, widest));
+    const cv::Mat added = addedByBands(sampler, beneath, mask, border);
     Image picture{photo.width, photo.height, std::vector<std::uint8_t>(photo.pixels.size())};
     forEachInParallel(static_cast<std::size_t>(photo.height), progress,
                       [&](std::size_t y) { correctRow(photo, added, static_cast<int>(y), picture); });
+    return picture;
+}
+
+Image bandsAddedTo(const PhotoSampler& sampler, const Image& beneath, const Image& mask, double border) {
+    const cv::Mat added = addedByBands(sampler, beneath, mask, border);
+    Image picture{beneath.width, beneath.height, std::vector<std::uint8_t>(beneath.pixels.size(), 255)};
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            for (int channel = 0; channel < 3; ++channel)
+                picture.at(x, y)[channel] = static_cast<std::uint8_t>(
+                    std::clamp(added.at<cv::Vec3f>(y, x)[channel] / 2 + 128.5F, 0.0F, 255.0F));
     return picture;
 }
 

@@ -25,4 +25,13 @@ PhotoSize comparedSize(PhotoSize photo);
 Image blendedInBands(const Image& photo, const PhotoSampler& sampler, const Image& beneath, const Image& mask,
                      double border, const Progress& progress = {});
 
+/// A photo that is blended in bands fades in over so many of its pixels: there the bands have made its
+/// colours agree with what lies beneath.
+constexpr double bandedBorder = 4;
+
+/// What blending in bands would add to a photo, for a picture of it in motion: in the size of `beneath`,
+/// halved and from 128 on, so that a byte holds what is taken away as well. Takes what blendedInBands()
+/// takes, but `beneath` in any size.
+Image bandsAddedTo(const PhotoSampler& sampler, const Image& beneath, const Image& mask, double border);
+
 } // namespace esm

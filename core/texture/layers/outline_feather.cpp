@@ -5,6 +5,7 @@
 #include "core/texture/layers/photo_ray.h"
 #include "core/texture/parallel_steps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tbb/enumerable_thread_specific.h>
 
@@ -157,6 +158,11 @@ private:
     SeenVertices m_seen;
 };
 
+/// The first of the two nodes between which a place lies in a row or column of `count`.
+int nodeBefore(double place, int count) {
+    return std::min(static_cast<int>(std::clamp(place, 0.0, count - 1.0)), count - 2);
+}
+
 /// Lets all nodes near the piece fade by it.
 void fade(OutlineFeather& feather, const OutlinePiece& piece, double blendPixels) {
     const auto node = [&](double pixels, int count) {
@@ -184,13 +190,24 @@ double OutlineFeather::weightAt(double x, double y) const {
     if (faded.empty()) return 1;
     const double column = std::clamp(x / spacing, 0.0, columns - 1.0),
                  row = std::clamp(y / spacing, 0.0, rows - 1.0);
-    const int left = std::min(static_cast<int>(column), columns - 2),
-              top = std::min(static_cast<int>(row), rows - 2);
+    const int left = nodeBefore(column, columns), top = nodeBefore(row, rows);
     const double u = column - left, v = row - top;
     const float* upper = &faded[static_cast<std::size_t>(top) * static_cast<std::size_t>(columns) +
                                 static_cast<std::size_t>(left)];
     const float* lower = upper + columns;
     return 1 - ((1 - v) * ((1 - u) * upper[0] + u * upper[1]) + v * ((1 - u) * lower[0] + u * lower[1]));
+}
+
+bool OutlineFeather::isClear(const Eigen::AlignedBox2d& box) const {
+    if (faded.empty()) return true;
+    const int left = nodeBefore(box.min().x() / spacing, columns),
+              right = nodeBefore(box.max().x() / spacing, columns) + 1;
+    const int bottom = nodeBefore(box.max().y() / spacing, rows) + 1;
+    for (int row = nodeBefore(box.min().y() / spacing, rows); row <= bottom; ++row) {
+        const auto first = faded.begin() + std::ptrdiff_t{row} * columns;
+        if (std::any_of(first + left, first + right + 1, [](float share) { return share > 0; })) return false;
+    }
+    return true;
 }
 
 /// Each piece of an outline fades the nodes within its reach, and the greatest fading counts, so that the

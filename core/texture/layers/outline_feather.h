@@ -3,6 +3,10 @@
 #include "core/surface/surface_query.h"
 #include "core/texture/layers/lit_triangles.h"
 
+#include <Eigen/Geometry>
+
+#include <vector>
+
 namespace esm {
 
 /// How much of a photo is left near the outlines that its projector sees, on a grid over the photo. Without
@@ -14,6 +18,8 @@ struct OutlineFeather {
 
     /// 0 to 1 at a place of the photo, pixels. Precondition: it lies within the photo.
     double weightAt(double x, double y) const;
+    /// Whether the weight is 1 at each place of a box, pixels.
+    bool isClear(const Eigen::AlignedBox2d& box) const;
 };
 
 /// Fades a photo out towards every outline over `blendPixels`, from either side: there the surface turns away

@@ -15,7 +15,15 @@ namespace {
 /// Blocks of texels that become one must not reach across the strips in which pages are scanned, of 2⁵ rows.
 constexpr int mostLevels = 5;
 
-/// A square of texels that becomes one.
+/// A tile of a page, and who owns its texels, row by row.
+struct OwnedTile {
+    const TiledImage::Tile& pixels;
+    const std::uint32_t* owners;
+
+    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * pageTile.width + x); }
+};
+
+/// A square of a tile's texels that becomes one.
 struct Block {
     int x, y, size;
 };
@@ -24,16 +32,16 @@ struct Block {
 /// all four mixes whatever lies side by side in the page, which is not what lies side by side on the surface:
 /// the grid of triangles would show from afar [R 4.3.2.4]. The middle decides whose block it is. Each level
 /// is made from the page itself and not from the level before, where who owned what is lost.
-void takeMean(const Image& page, const StripOwners& owners, const Block& block, std::uint8_t* texel) {
-    const std::uint32_t owner = owners.at(block.x + block.size / 2, block.y + block.size / 2);
+void takeMean(const OwnedTile& tile, const Block& block, std::uint8_t* texel) {
+    const std::uint32_t owner = tile.owners[tile.index(block.x + block.size / 2, block.y + block.size / 2)];
     std::array<std::uint32_t, 4> sum{};
     std::uint32_t count = 0;
     for (int y = block.y; y < block.y + block.size; ++y) {
         for (int x = block.x; x < block.x + block.size; ++x) {
-            if (owners.at(x, y) != owner) continue;
-            const std::uint8_t* pixel = page.at(x, y);
+            const std::size_t i = tile.index(x, y);
+            if (tile.owners[i] != owner) continue;
             for (std::size_t channel = 0; channel < 4; ++channel)
-                sum[channel] += pixel[channel];
+                sum[channel] += tile.pixels[4 * i + channel];
             ++count;
         }
     }
@@ -41,33 +49,89 @@ void takeMean(const Image& page, const StripOwners& owners, const Block& block, 
         texel[channel] = static_cast<std::uint8_t>((sum[channel] + count / 2) / count);
 }
 
-void reduceStrip(const Image& page, const StripOwners& owners, const PageStrip& strip, int level,
-                 Image& smaller) {
-    const int size = 1 << level;
-    for (int y = strip.firstRow / size; y < strip.endRow / size; ++y)
-        for (int x = 0; x < smaller.width; ++x)
-            takeMean(page, owners, {x * size, y * size, size}, smaller.at(x, y));
+/// Fills what one tile of the page becomes in a level.
+void reduceTile(const OwnedTile& tile, int column, int row, TiledImage& smaller, TileRowPainter& painter) {
+    const TileSize part = smaller.tileSize();
+    const int size = pageTile.width / part.width;
+    const int right = std::min(smaller.width(), (column + 1) * part.width),
+              bottom = std::min(smaller.height(), (row + 1) * part.height);
+    for (int y = row * part.height; y < bottom; ++y) {
+        const int left = column * part.width;
+        if (left >= right) break;
+        std::uint8_t* texel = painter.run(left, right, y).pixels;
+        for (int x = left; x < right; ++x, texel += 4)
+            takeMean(tile, {(x - left) * size, (y - row * part.height) * size, size}, texel);
+    }
 }
 
-/// While somebody paints, most strips of a page stay as they are: to compare one costs a walk through it, to
-/// halve it several.
-bool isSame(const Image& page, const Image& before, const PageStrip& strip) {
-    const std::uint8_t* first = page.at(0, strip.firstRow);
-    return std::equal(first, first + 4 * std::ptrdiff_t{page.width} * (strip.endRow - strip.firstRow),
-                      before.at(0, strip.firstRow));
+/// Who owns the texels of some tiles of a strip, one tile behind the other.
+class StripTileOwners {
+public:
+    /// @param columns of the tiles, rising
+    StripTileOwners(const OwnedStrip& strip, const std::vector<int>& columns, int columnsOfPage)
+        : m_places(static_cast<std::size_t>(columnsOfPage), -1),
+          m_owners(columns.size() * tileTexels, nobody) {
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            m_places[static_cast<std::size_t>(columns[i])] = static_cast<int>(i);
+        for (const TexelSpan& span : strip.spans)
+            for (int column = span.first / pageTile.width; column * pageTile.width < span.end; ++column)
+                if (m_places[static_cast<std::size_t>(column)] >= 0) fill(span, column);
+    }
+
+    const std::uint32_t* of(int column) const { return &m_owners[firstOf(column)]; }
+
+private:
+    static constexpr std::uint32_t nobody = StripOwners::nobody;
+    static constexpr std::size_t tileTexels =
+        std::size_t{pageTile.width} * static_cast<std::size_t>(pageTile.height);
+
+    std::size_t firstOf(int column) const {
+        return static_cast<std::size_t>(m_places[static_cast<std::size_t>(column)]) * tileTexels;
+    }
+
+    void fill(const TexelSpan& span, int column) {
+        const int left = column * pageTile.width, first = std::max<int>(span.first, left),
+                  end = std::min<int>(span.end, left + pageTile.width);
+        const int row = span.row % pageTile.height;
+        const auto start = static_cast<std::size_t>(row * pageTile.width + first - left);
+        std::fill_n(&m_owners[firstOf(column) + start], end - first, span.triangle);
+    }
+
+    std::vector<int> m_places; ///< of each column among the tiles; −1 of one that is not asked for
+    std::vector<std::uint32_t> m_owners;
+};
+
+std::vector<int> changedColumns(const TiledImage& page, const TiledImage* before, int row) {
+    std::vector<int> columns;
+    for (int column = 0; column < page.columns(); ++column)
+        if (!before || !page.sharesTile(*before, column, row)) columns.push_back(column);
+    return columns;
 }
 
-Image emptyPage(int size) {
-    Image page;
-    page.width = page.height = size;
-    page.pixels.resize(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-    return page;
+void reduceStrip(const TiledImage& page, const TiledImage* before, const OwnedStrip& strip,
+                 std::vector<TiledImage>& smaller) {
+    const std::vector<int> columns = changedColumns(page, before, strip.row);
+    if (columns.empty()) return;
+    const StripTileOwners owners(strip, columns, page.columns());
+    for (TiledImage& level : smaller) {
+        if (strip.row >= level.rows()) continue;
+        TileRowPainter painter(level, strip.row);
+        for (const int column : columns)
+            reduceTile({page.tile(column, strip.row), owners.of(column)}, column, strip.row, level, painter);
+    }
 }
 
-void check(const Atlas& atlas, const std::vector<Image>& pages) {
+/// A page halved so often, of which nothing is known yet.
+TiledImage emptyLevel(int size, int level) {
+    return {size >> level, size >> level, {pageTile.width >> level, pageTile.height >> level}, {0, 0, 0, 0}};
+}
+
+void check(const Atlas& atlas, const TiledPages& pages) {
     std::vector<std::string> problems = validate(atlas, atlas.corners.size());
     const int size = atlas.options.size;
-    const auto isForeign = [&](const Image& page) { return page.width != size || page.height != size; };
+    const auto isForeign = [&](const TiledImage& page) {
+        return page.width() != size || page.height() != size || !(page.tileSize() == pageTile);
+    };
     if (pages.size() != static_cast<std::size_t>(atlas.options.pages) ||
         std::any_of(pages.begin(), pages.end(), isForeign))
         problems.emplace_back("the texture's pages do not belong to its layout");
@@ -96,29 +160,27 @@ double levelInset(const AtlasOptions& options, int halvings) {
     return halvings > 0 ? std::max(0.0, reach - filledGap(options) / 2) : 0;
 }
 
-SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages, const Progress& progress) {
-    SmallerPages smaller(pages.size());
-    for (std::vector<Image>& page : smaller)
-        for (int level = 1; level <= usableLevels(atlas.options); ++level)
-            page.push_back(emptyPage(atlas.options.size >> level));
-    return smallerPages(atlas, pages, {}, std::move(smaller), progress);
+SmallerPages smallerPages(const Atlas& atlas, const TiledPages& pages, const Progress& progress) {
+    check(atlas, pages);
+    ProgressParts parts(progress);
+    const TexelOwners owners(atlas, parts.next(0.5));
+    return smallerPages(atlas, owners, pages, {}, parts.rest());
 }
 
-SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages,
-                          const std::vector<Image>& before, SmallerPages smallerBefore,
-                          const Progress& progress) {
+SmallerPages smallerPages(const Atlas& atlas, const TexelOwners& owners, const TiledPages& pages,
+                          const HalvedPages& before, const Progress& progress) {
     check(atlas, pages);
     const int levels = usableLevels(atlas.options);
-    SmallerPages smaller = std::move(smallerBefore);
-    const std::vector<PageStrip> strips = pageStrips(atlas);
+    SmallerPages smaller = before.smaller;
+    smaller.resize(pages.size());
+    for (std::vector<TiledImage>& page : smaller)
+        for (int level = static_cast<int>(page.size()) + 1; level <= levels; ++level)
+            page.push_back(emptyLevel(atlas.options.size, level));
+    const std::vector<OwnedStrip>& strips = owners.strips();
     forEachInParallel(levels > 0 ? strips.size() : 0, progress, [&](std::size_t i) {
-        const PageStrip& strip = strips[i];
-        const auto page = static_cast<std::size_t>(strip.page);
-        if (page < before.size() && isSame(pages[page], before[page], strip)) return;
-        const StripOwners owners(atlas, strip, fillReach(atlas.options));
-        for (int level = 1; level <= levels; ++level)
-            reduceStrip(pages[page], owners, strip, level,
-                        smaller[page][static_cast<std::size_t>(level - 1)]);
+        const auto page = static_cast<std::size_t>(strips[i].page);
+        reduceStrip(pages[page], page < before.pages.size() ? &before.pages[page] : nullptr, strips[i],
+                    smaller[page]);
     });
     reportProgress(progress, 1);
     return smaller;

@@ -2,7 +2,8 @@
 
 #include "core/support/progress.h"
 #include "core/texture/atlas/atlas.h"
-#include "core/texture/image.h"
+#include "core/texture/layers/texel_owners.h"
+#include "core/texture/layers/tiled_pages.h"
 
 #include <vector>
 
@@ -19,18 +20,24 @@ int usableLevels(const AtlasOptions& options);
 /// texels around it still show the patch; 0 where the page itself is read.
 double levelInset(const AtlasOptions& options, int halvings);
 
-using SmallerPages = std::vector<std::vector<Image>>; ///< of each page, the largest first
+using SmallerPages = std::vector<std::vector<TiledImage>>; ///< of each page, the largest first
+
+/// Pages and what was made of them.
+struct HalvedPages {
+    TiledPages pages;
+    SmallerPages smaller;
+};
 
 /// The pages of a texture, each at half its size, at a quarter and so on as far as the gap allows. A texel
 /// shows the patch nearest to its centre, by the mean of those texels in it that belong to that patch, so
 /// that no patch mixes with another [R 4.3.2.4]. Pure, and the same with any number of threads.
 /// @throws InvalidModel for a layout beyond its pages or pages of another size; Cancelled
-SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages, const Progress& progress = {});
+SmallerPages smallerPages(const Atlas& atlas, const TiledPages& pages, const Progress& progress = {});
 
-/// The same, where `before` and `smallerBefore` are other pages of the same atlas and what was made of them:
-/// only where they differ is anything computed.
-SmallerPages smallerPages(const Atlas& atlas, const std::vector<Image>& pages,
-                          const std::vector<Image>& before, SmallerPages smallerBefore,
-                          const Progress& progress = {});
+/// The same, where `before` are other pages of the same atlas and what was made of them, or nothing: only
+/// where their tiles differ is anything computed.
+/// @param owners of the atlas
+SmallerPages smallerPages(const Atlas& atlas, const TexelOwners& owners, const TiledPages& pages,
+                          const HalvedPages& before, const Progress& progress = {});
 
 } // namespace esm

@@ -4,6 +4,7 @@
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/layers/layer_stack.h"
 #include "core/texture/layers/texel_owners.h"
+#include "core/texture/layers/tiled_pages.h"
 
 namespace esm {
 
@@ -20,6 +21,14 @@ using TriangleMarks = std::vector<std::uint8_t>;
 template<typename Channel>
 void paintPages(const LayerStack& stack, const Atlas& atlas, const TexelOwners& owners,
                 const TriangleMarks& only, std::vector<ImageOf<Channel>>& pages, const Progress& progress);
+
+/// The same into tiles; those in which nothing is painted stay.
+void paintPages(const LayerStack& stack, const Atlas& atlas, const TexelOwners& owners,
+                const TriangleMarks& only, TiledPages& pages, const Progress& progress);
+
+/// Makes the red of what the layers come to the alpha of the texels that they reach.
+void paintAlpha(const LayerStack& stack, const Atlas& atlas, const TexelOwners& owners, TiledPages& pages,
+                const Progress& progress);
 
 extern template void paintPages(const LayerStack&, const Atlas&, const TexelOwners&, const TriangleMarks&,
                                 std::vector<Image>&, const Progress&);

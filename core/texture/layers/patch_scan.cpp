@@ -8,8 +8,6 @@ namespace esm {
 
 namespace {
 
-constexpr int rowsPerStrip = 32;
-
 /// A centre farther out than this is no neighbour in bilinear filtering and takes the patch's border colour.
 constexpr double extension = 1.5;
 

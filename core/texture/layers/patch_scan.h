@@ -10,6 +10,8 @@
 
 namespace esm {
 
+constexpr int rowsPerStrip = 32; ///< but in the last one of a page
+
 /// Some rows of a page and the patches whose surroundings reach into them. Every texel lies in exactly one
 /// strip, so that strips can be filled by any number of threads with the same result.
 struct PageStrip {

@@ -1,7 +1,5 @@
 #include "core/texture/layers/seen_sides.h"
 
-#include "core/geometry/adjacency.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,13 +42,18 @@ std::vector<SeenSide> sidesOfParts(const TriangleMesh& mesh, const Parts& parts,
 } // namespace
 
 std::vector<SeenSide> seenSides(const TriangleMesh& mesh, const Projector& projector) {
+    const bool asksForParts = projector.occlusion && !projector.isParallel();
+    return seenSides(mesh, asksForParts ? connectedParts(mesh.triangles, mesh.vertices.size()) : Parts(),
+                     projector);
+}
+
+std::vector<SeenSide> seenSides(const TriangleMesh& mesh, const Parts& parts, const Projector& projector) {
     std::vector<SeenSide> sides(mesh.triangles.size(), SeenSide::Both);
     if (!projector.occlusion) return sides;
     if (projector.isParallel()) {
         std::fill(sides.begin(), sides.end(), SeenSide::Outside);
         return sides;
     }
-    const Parts parts = connectedParts(mesh.triangles, mesh.vertices.size());
     const std::vector<SeenSide> ofPart = sidesOfParts(mesh, parts, projector.pose.translation());
     for (std::size_t i = 0; i < sides.size(); ++i)
         sides[i] = ofPart[parts.ofTriangle[i]];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/adjacency.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/texture/projection/projector.h"
 
@@ -16,6 +17,8 @@ enum class SeenSide : std::uint8_t { Outside, Inside, Both };
 /// parts a parallel one sees the outside, and an eye both. One that does not ask what is hidden colours all
 /// from both.
 std::vector<SeenSide> seenSides(const TriangleMesh& mesh, const Projector& projector);
+/// The same. @param parts of the mesh
+std::vector<SeenSide> seenSides(const TriangleMesh& mesh, const Parts& parts, const Projector& projector);
 
 /// Between the way to the light and the normal on the side that is seen, 0 on the other side.
 /// @param cosine of the outward normal

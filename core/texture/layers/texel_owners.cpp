@@ -45,7 +45,7 @@ TexelOwners::TexelOwners(const Atlas& atlas, const Progress& progress)
     reportProgress(parts.next(0.1), 1);
     m_strips.resize(strips.size());
     forEachInParallel(strips.size(), parts.rest(), [&](std::size_t i) {
-        m_strips[i] = {strips[i].page, spansOf(atlas, strips[i])};
+        m_strips[i] = {strips[i].page, strips[i].firstRow / rowsPerStrip, spansOf(atlas, strips[i])};
     });
 }
 

@@ -17,7 +17,7 @@ struct TexelSpan {
 /// Some rows of a page. Every texel lies in at most one span of one strip, so that strips can be filled by
 /// any number of threads with the same result.
 struct OwnedStrip {
-    int page;
+    int page, row;                ///< from the top, counted in strips
     std::vector<TexelSpan> spans; ///< in the mesh's order, those of a triangle from the top left
 };
 

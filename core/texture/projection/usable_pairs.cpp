@@ -11,7 +11,7 @@ namespace esm {
 namespace {
 
 /// Of the photo's diagonal: how far beyond the photo's border a click may lie.
-constexpr double borderShare = 0.01;
+constexpr double beyondBorder = 0.01;
 
 std::string numbersOf(std::size_t first, std::size_t second) {
     return std::to_string(first + 1) + " and " + std::to_string(second + 1);
@@ -27,7 +27,7 @@ void requireDistinct(const std::vector<LandmarkPair>& pairs) {
 
 /// A click may miss the border by a little; more, and it is another photo's.
 void requireInside(const Eigen::Vector2d& place, std::size_t pair, const PhotoSize& size) {
-    const double margin = borderShare * std::hypot(size.width, size.height);
+    const double margin = beyondBorder * std::hypot(size.width, size.height);
     if (place.minCoeff() >= -margin && place.x() <= size.width + margin && place.y() <= size.height + margin)
         return;
     throw InvalidModel("pair " + std::to_string(pair + 1) + " lies outside the photo of " +

@@ -29,7 +29,7 @@ TEST(OrganScene, TellsWhetherAPhotoIsLaid) {
     RenderScene scene = bareBall();
     TextureLayer layer;
     EXPECT_FALSE(drawnProjector(scene, layer, true).isLaid);
-    scene.texturePages = std::make_shared<const std::vector<Image>>();
+    scene.texturePages = std::make_shared<const TiledPages>();
     EXPECT_TRUE(drawnProjector(scene, layer, true).isLaid);
     EXPECT_TRUE(drawnProjector(scene, layer, true).selected);
     layer.opacity = 0;

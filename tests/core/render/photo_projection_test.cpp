@@ -1,5 +1,6 @@
 #include "core/offscreen/offscreen.h"
 #include "core/texture/layers/composite.h"
+#include "core/texture/layers/photo_in_motion.h"
 #include "tests/core/render/subjects.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ protected:
         scene.atlas = atlas;
         scene.unlit = true;
         scene.texturePages =
-            std::make_shared<const std::vector<Image>>(composite(*mesh, *atlas, layers, scene.baseColour));
+            std::make_shared<const TiledPages>(tiled(composite(*mesh, *atlas, layers, scene.baseColour)));
         return scene;
     }
     Image projected() const {
@@ -158,6 +159,50 @@ TEST_F(PhotoInMotion, IsProjectedOnTheOrganAtRest) {
     scene.projectedPhoto =
         ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity, false};
     EXPECT_LT(compared(moved(scene), bakedMoved, bareMoved).mean, 2);
+}
+
+TEST_F(PhotoInMotion, ShowsWhatStrokesHaveLeft) {
+    place(ProjectorKind::Perspective, 20);
+    const Image whole = projected();
+    BrushStroke erasing;
+    const Eigen::AlignedBox3d box = boundingBox(mesh->vertices);
+    erasing.radius = 0.12 * size;
+    erasing.path = {{box.center() + Eigen::Vector3d(0, 0, 0.5 * box.sizes().z()), Eigen::Vector3d::UnitZ()}};
+    layer.strokes = {std::make_shared<const BrushStroke>(erasing)};
+    RenderScene scene = sceneOf({});
+    CompositionCache cache;
+    scene.texturePages = std::make_shared<const TiledPages>(
+        maskedPages(*mesh, *atlas, *scene.texturePages, layer.strokes, cache));
+    scene.projectedPhoto =
+        ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity, false, true, {}};
+    const Image masked = renderOffscreen(scene, camera, side, side);
+    EXPECT_LT(compared(masked, baked(), bare()).mean, 2);
+    EXPECT_GT(compared(whole, baked(), bare()).mean, 5);
+}
+
+TEST_F(PhotoInMotion, IsNearlyWhatBlendingInBandsMakesOfIt) {
+    place(ProjectorKind::Perspective, 0);
+    TextureLayer under = layer;
+    auto green = std::make_shared<Photo>();
+    green->image = {1, 1, {40, 180, 90, 255}};
+    under.photo = green;
+    under.projector.fieldOfView = 80;
+    under.blendPixels = 0;
+    layer.blending = Blending::MultiBand;
+    layer.projector.fieldOfView = 12; // outlines, at which bands end too, lie beside the photo
+    layer.opacity = 1;
+    const Image beneath = renderOffscreen(sceneOf({under}), camera, side, side);
+    const Image blended = renderOffscreen(sceneOf({under, layer}), camera, side, side);
+    RenderScene scene = sceneOf({under});
+    CompositionCache cache;
+    scene.projectedPhoto = ProjectedPhoto{
+        layer.projector, pictureOf(layer), borderInMotion(layer), layer.opacity, false, false, {}};
+    const double without = compared(renderOffscreen(scene, camera, side, side), blended, beneath).mean;
+    scene.projectedPhoto->bands =
+        std::make_shared<const Image>(bandsInMotion(*mesh, {under}, scene.baseColour, layer, cache));
+    const double with = compared(renderOffscreen(scene, camera, side, side), blended, beneath).mean;
+    EXPECT_LT(with, 5);
+    EXPECT_GT(without, 4 * with);
 }
 
 TEST_F(PhotoInMotion, WithoutAPhotoProjectsNothing) {

@@ -59,7 +59,7 @@ TEST(KnownCamera, GivesItsPictureBackFromTheOrgan) {
     scene.backgroundTop = scene.backgroundBottom = {255, 0, 0};
     const auto drawn = [&](const TextureLayer& shown) {
         scene.texturePages =
-            std::make_shared<const std::vector<Image>>(composite(*mesh, *atlas, {shown}, scene.baseColour));
+            std::make_shared<const TiledPages>(tiled(composite(*mesh, *atlas, {shown}, scene.baseColour)));
         return renderOffscreen(scene, cameraOf(layer.projector, size), size.width, size.height);
     };
     auto green = std::make_shared<Photo>(*layer.photo);

@@ -47,7 +47,7 @@ RenderScene texturedSquare(const Image& picture) {
     RenderScene scene;
     scene.mesh = std::make_shared<TriangleMesh>(mesh);
     scene.atlas = std::make_shared<Atlas>(atlas);
-    scene.texturePages = std::make_shared<std::vector<Image>>(1, picture);
+    scene.texturePages = std::make_shared<TiledPages>(tiled({picture}));
     return scene;
 }
 

@@ -215,7 +215,7 @@ TEST_F(OrganViewTest, TextureIsNotReadBeyondItsPatches) {
             std::fill_n(page.at(texel.x, texel.y), 3, std::uint8_t{128});
         });
     scene.atlas = atlas;
-    scene.texturePages = std::make_shared<const std::vector<Image>>(std::vector<Image>{page});
+    scene.texturePages = std::make_shared<const TiledPages>(tiled({page}));
     scene.unlit = true;
     scene.backgroundTop = scene.backgroundBottom = {128, 128, 128};
     view.setScene(scene);

@@ -27,11 +27,12 @@ protected:
     }
     ~PictureMakerTest() override { mayGoOn.release(100); }
 
-    DrawnPicture draw(int samples) {
+    DrawnPicture draw(const PictureContent& content, int samples) {
         begun.release();
         mayGoOn.tryAcquire(1, patience);
         if (fails) throw std::bad_alloc();
         drawnSamples.push_back(samples);
+        drawnWidths.push_back(content.size.width);
         return {QImage(1, 1, QImage::Format_RGB32), time};
     }
     /// Waits until a drawing begins.
@@ -49,9 +50,9 @@ protected:
     QSemaphore begun, mayGoOn, made;
     std::chrono::steady_clock::duration time{0}; ///< that each drawing says it took
     bool fails = false;
-    std::vector<int> drawnSamples;
+    std::vector<int> drawnSamples, drawnWidths;
     std::vector<std::pair<int, bool>> shown; ///< number of the content, and whether it was smooth
-    PictureMaker maker{[this](const PictureContent&, int samples) { return draw(samples); }};
+    PictureMaker maker{[this](const PictureContent& content, int samples) { return draw(content, samples); }};
 };
 
 using Shown = std::vector<std::pair<int, bool>>;
@@ -95,6 +96,26 @@ TEST_F(PictureMakerTest, SmoothEdgesGiveWayToNewerContent) {
     drawOne();
     drawOne();
     EXPECT_EQ(shown, (Shown{{1, true}, {2, false}, {3, false}, {3, true}}));
+}
+
+TEST_F(PictureMakerTest, APhotoInMotionIsDrawnCoarselyWhereWholePicturesAreLate) {
+    time = std::chrono::hours(1);
+    PictureContent content;
+    content.size = {100, 80, 1};
+    maker.ask(content);
+    drawOne();
+    content.scene.projectedPhoto.emplace();
+    for (int i = 0; i < 2; ++i) {
+        maker.ask(content);
+        drawOne();
+        drawOne();
+    }
+    EXPECT_EQ(drawnWidths, (std::vector<int>{100, 100, 100, 50, 100})) << "the smooth one at rest is whole";
+    content.scene.projectedPhoto.reset();
+    maker.ask(content);
+    drawOne();
+    drawOne();
+    EXPECT_EQ(drawnWidths[5], 100);
 }
 
 TEST_F(PictureMakerTest, SaysWhyThereIsNoPictureAndGoesOn) {

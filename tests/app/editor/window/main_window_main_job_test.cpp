@@ -134,11 +134,11 @@ public:
         ASSERT_EQ(project().layers.size(), 1U);
         ASSERT_NE(project().atlas, nullptr);
         ESM_EVENTUALLY(window->view().scene().texturePages);
-        const auto& pages = *window->view().scene().texturePages;
+        const Image page = window->view().scene().texturePages->front().image();
         const auto& base = project().texture.baseColour;
         std::size_t painted = 0;
-        for (std::size_t i = 0; i < pages[0].pixels.size(); i += 4)
-            painted += pages[0].pixels[i] != base[0] || pages[0].pixels[i + 1] != base[1];
+        for (std::size_t i = 0; i < page.pixels.size(); i += 4)
+            painted += page.pixels[i] != base[0] || page.pixels[i + 1] != base[1];
         EXPECT_GT(painted, 1000U);
     }
 

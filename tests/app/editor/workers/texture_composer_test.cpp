@@ -51,7 +51,7 @@ TEST(TextureComposer, ShowsAfterEveryEditWhatAWholeCompositionShows) {
         ASSERT_TRUE(composed.pages);
         const auto whole =
             composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour);
-        EXPECT_EQ(composed.pages->front().pixels, whole.front().pixels);
+        EXPECT_EQ(composed.pages->front().image().pixels, whole.front().pixels);
     };
     expectWhole();
     project.layers[1].projector.pose.translation().x() = 0.02;
@@ -79,9 +79,9 @@ TEST(TextureComposer, GivesPagesThatBelongTogetherWhileItWorks) {
             goesOn = composer.isWorking();
             const TextureComposer::Composed composed = composer.composition();
             if (!composed.pages) continue;
-            const Image& page = composed.pages->front();
-            ASSERT_EQ(page.width, composed.atlas->options.size);
-            ASSERT_EQ(composed.smallerPages->front().front().width, page.width / 2);
+            const TiledImage& page = composed.pages->front();
+            ASSERT_EQ(page.width(), composed.atlas->options.size);
+            ASSERT_EQ(composed.smallerPages->front().front().width(), page.width() / 2);
         }
         EXPECT_EQ(composer.composition().atlas, project.atlas);
     }
@@ -121,5 +121,5 @@ TEST(TextureComposer, StopsWhatIsTakenBack) {
     ESM_EVENTUALLY(!composer.isWorking() && composed > 0);
     QCoreApplication::processEvents();
     EXPECT_EQ(composed, 1) << "nobody waits for what was taken back";
-    EXPECT_EQ(composer.composition().pages->front().pixels, pages->front().pixels);
+    EXPECT_EQ(composer.composition().pages->front().image().pixels, pages->front().image().pixels);
 }

@@ -43,7 +43,7 @@ TEST(CompositeProgress, OfComposingAnewIsSteady) {
     CompositionCache cache;
     const Layers layers = twoPhotos();
     const Composition before{
-        layers, red, std::make_shared<const std::vector<Image>>(composite(mesh, atlas, layers, red, cache))};
+        layers, red, std::make_shared<const TiledPages>(tiled(composite(mesh, atlas, layers, red, cache)))};
     Layers changed = layers;
     changed[0].opacity = 0.5;
     test::expectGoodProgress(
@@ -53,7 +53,7 @@ TEST(CompositeProgress, OfComposingAnewIsSteady) {
 TEST(CompositeProgress, OfSmallerPagesIsSteady) {
     const TriangleMesh mesh = lumpySurface(24, 30);
     const Atlas atlas = packAtlas(mesh, {512, 2, 8});
-    const std::vector<Image> pages = composite(mesh, atlas, {}, red);
+    const TiledPages pages = tiled(composite(mesh, atlas, {}, red));
     test::expectGoodProgress([&](const Progress& progress) { smallerPages(atlas, pages, progress); });
 }
 

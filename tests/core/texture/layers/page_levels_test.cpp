@@ -57,11 +57,11 @@ TEST(PageLevels, ShowEachTriangleInItsOwnColourAlone) {
         options.layout = layout;
         const Atlas atlas = packAtlas(mesh, options);
         const std::vector<Image> pages{pageInTriangleColours(atlas)};
-        const auto smaller = smallerPages(atlas, pages);
+        const auto smaller = smallerPages(atlas, tiled(pages));
         ASSERT_EQ(smaller.size(), 1U);
         ASSERT_EQ(smaller[0].size(), 2U);
         for (int level = 1; level <= 2; ++level) {
-            const Image& page = smaller[0][std::size_t(level - 1)];
+            const Image page = smaller[0][std::size_t(level - 1)].image();
             ASSERT_EQ(page.width, 512 >> level);
             for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
                 // Texels whose centres lie in the patch: never a mixture, though their blocks reach beyond
@@ -89,10 +89,10 @@ TEST(PageLevels, KeepSeamsUnseenOnASmoothPhoto) {
     for (const AtlasLayout layout : atlasLayouts) {
         const Atlas atlas = packAtlas(mesh, {1024, 1, 8, layout});
         const std::vector<Image> pages = composite(mesh, atlas, {layerFromAbove(photo, 0.11)}, baseColour);
-        const auto smaller = smallerPages(atlas, pages);
+        const auto smaller = smallerPages(atlas, tiled(pages));
         EXPECT_LE(seamError(mesh, atlas, pages), 2) << wordOf(layout);
         for (int level = 1; level <= 2; ++level)
-            EXPECT_LE(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)]}, level), 2)
+            EXPECT_LE(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)].image()}, level), 2)
                 << wordOf(layout) << ' ' << level;
     }
 }
@@ -103,9 +103,9 @@ TEST(PageLevels, ReadNothingButFilledTexelsHoweverWideTheGap) {
         const Atlas atlas = packAtlas(mesh, {2048, 1, gap});
         const std::vector<Image> pages =
             composite(mesh, atlas, {layerFromAbove(plainPhoto(green), 0.3)}, baseColour);
-        const auto smaller = smallerPages(atlas, pages);
+        const auto smaller = smallerPages(atlas, tiled(pages));
         for (int level = 1; level <= usableLevels(atlas.options); ++level)
-            EXPECT_LT(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)]}, level), 0.5)
+            EXPECT_LT(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)].image()}, level), 0.5)
                 << gap << ' ' << level;
     }
 }
@@ -113,13 +113,18 @@ TEST(PageLevels, ReadNothingButFilledTexelsHoweverWideTheGap) {
 TEST(PageLevels, ComputeOnlyWhatChangedWithTheSameResult) {
     const TriangleMesh mesh = flatSquare(0.1, 6);
     const Atlas atlas = packAtlas(mesh, {512, 1, 8});
-    const std::vector<Image> before = composite(mesh, atlas, {}, baseColour);
-    const std::vector<Image> now =
-        composite(mesh, atlas, {layerFromAbove(plainPhoto(green), 0.03)}, baseColour);
+    CompositionCache cache;
+    const auto before =
+        std::make_shared<const TiledPages>(recomposite(mesh, atlas, {}, {}, baseColour, cache));
+    const TiledPages now = recomposite(mesh, atlas, {{}, baseColour, before},
+                                       {layerFromAbove(plainPhoto(green), 0.03)}, baseColour, cache);
     const auto whole = smallerPages(atlas, now);
-    const auto changed = smallerPages(atlas, now, before, smallerPages(atlas, before));
-    for (std::size_t level = 0; level < 2; ++level)
-        EXPECT_EQ(changed[0][level].pixels, whole[0][level].pixels);
+    const auto halved = smallerPages(atlas, *before);
+    const auto changed = smallerPages(atlas, TexelOwners(atlas), now, {*before, halved});
+    for (std::size_t level = 0; level < 2; ++level) {
+        EXPECT_EQ(changed[0][level].image().pixels, whole[0][level].image().pixels);
+        EXPECT_TRUE(changed[0][level].sharesTile(halved[0][level], 0, 0)) << "where nothing was laid";
+    }
 }
 
 TEST(PageLevels, RefuseForeignPages) {
@@ -127,6 +132,6 @@ TEST(PageLevels, RefuseForeignPages) {
     Image small;
     small.width = small.height = 16;
     small.pixels.resize(4 * 16 * 16);
-    EXPECT_THROW(smallerPages(atlas, {small}), InvalidModel);
+    EXPECT_THROW(smallerPages(atlas, tiled({small})), InvalidModel);
     EXPECT_THROW(smallerPages(atlas, {}), InvalidModel);
 }

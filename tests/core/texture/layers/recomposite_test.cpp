@@ -80,7 +80,7 @@ TEST(Recomposite, MakesWhatAWholeCompositionMakesAfterEveryEdit) {
     Composition composition{{projected(0.02, 0.1), projected(-0.02, 0.08)}, baseColour, nullptr};
     const auto compose = [&](const Layers& layers) {
         auto pages = recomposite(mesh, atlas, composition, layers, baseColour, cache);
-        composition = {layers, baseColour, std::make_shared<const std::vector<Image>>(std::move(pages))};
+        composition = {layers, baseColour, std::make_shared<const TiledPages>(std::move(pages))};
     };
     Layers layers = composition.layers;
     compose(layers);
@@ -90,7 +90,7 @@ TEST(Recomposite, MakesWhatAWholeCompositionMakesAfterEveryEdit) {
         const std::vector<Image> whole = composite(mesh, atlas, layers, baseColour);
         ASSERT_EQ(composition.pages->size(), whole.size());
         for (std::size_t page = 0; page < whole.size(); ++page)
-            ASSERT_EQ((*composition.pages)[page].pixels, whole[page].pixels) << name;
+            ASSERT_EQ((*composition.pages)[page].image().pixels, whole[page].pixels) << name;
     }
 }
 
@@ -107,18 +107,40 @@ TEST(Recomposite, LeavesWhatNoChangeReaches) {
     small.path.resize(1);
     after[0].strokes[0] = std::make_shared<const BrushStroke>(small);
     CompositionCache cache;
-    const auto pages = recomposite(
-        mesh, atlas, {before, baseColour, std::make_shared<const std::vector<Image>>(1, untouched)}, after,
-        baseColour, cache);
+    const auto pages =
+        recomposite(mesh, atlas, {before, baseColour, std::make_shared<const TiledPages>(tiled({untouched}))},
+                    after, baseColour, cache);
     std::size_t touched = 0;
-    forEachTexelInside(mesh, atlas, pages, [&](const Eigen::Vector3d& point, const Colour& colour, auto) {
-        const bool isTouched = colour != Colour{7, 7, 7, 7};
-        touched += isTouched ? 1 : 0;
-        if (isTouched) {
-            ASSERT_LT((point - small.path[0].place).norm(), 0.02);
-        }
-    });
+    forEachTexelInside(mesh, atlas, {pages[0].image()},
+                       [&](const Eigen::Vector3d& point, const Colour& colour, auto) {
+                           const bool isTouched = colour != Colour{7, 7, 7, 7};
+                           touched += isTouched ? 1 : 0;
+                           if (isTouched) {
+                               ASSERT_LT((point - small.path[0].place).norm(), 0.02);
+                           }
+                       });
     EXPECT_GT(touched, 100U);
+}
+
+TEST(Recomposite, SharesTheTilesInWhichNothingChanged) {
+    const TriangleMesh mesh = lumpySurface(24, 30);
+    const Atlas atlas = packAtlas(mesh, {1024, 1, 2});
+    CompositionCache cache;
+    const Layers first{projected(0.02, 0.1)};
+    Layers layers = first;
+    const auto before =
+        std::make_shared<const TiledPages>(recomposite(mesh, atlas, {}, layers, baseColour, cache));
+    BrushStroke dab = *stroke(BrushKind::Erase, {0, 0, 0.1});
+    dab.radius = 0.004;
+    dab.path.resize(1);
+    layers[0].strokes = {std::make_shared<const BrushStroke>(dab)};
+    const TiledPages after = recomposite(mesh, atlas, {first, baseColour, before}, layers, baseColour, cache);
+    int shared = 0;
+    for (int row = 0; row < after[0].rows(); ++row)
+        for (int column = 0; column < after[0].columns(); ++column)
+            shared += after[0].sharesTile(before->front(), column, row) ? 1 : 0;
+    EXPECT_GT(shared, after[0].rows() * after[0].columns() / 2);
+    EXPECT_LT(shared, after[0].rows() * after[0].columns());
 }
 
 TEST(Recomposite, ComposesAnewWithoutPagesOrOverAnotherColour) {
@@ -127,9 +149,10 @@ TEST(Recomposite, ComposesAnewWithoutPagesOrOverAnotherColour) {
     const Layers layers{layerFromAbove(plainPhoto(green), 0.05)};
     const std::vector<Image> whole = composite(mesh, atlas, layers, {1, 2, 3});
     CompositionCache cache;
-    const auto other = std::make_shared<const std::vector<Image>>(composite(mesh, atlas, layers, baseColour));
+    const auto other = std::make_shared<const TiledPages>(tiled(composite(mesh, atlas, layers, baseColour)));
     for (const Composition& before : {Composition{}, Composition{layers, baseColour, other}})
-        EXPECT_EQ(recomposite(mesh, atlas, before, layers, {1, 2, 3}, cache)[0].pixels, whole[0].pixels);
+        EXPECT_EQ(recomposite(mesh, atlas, before, layers, {1, 2, 3}, cache)[0].image().pixels,
+                  whole[0].pixels);
 }
 
 TEST(Recomposite, UsesNothingOfAnAtlasThatWasPackedAnew) {

@@ -1,11 +1,16 @@
 #include "core/texture/photo/photo_mask.h"
 
+#include "core/geometry/segment_distance.h"
+#include "core/texture/photo/outline_cover.h"
 #include "core/texture/photo/region_growing.h"
+#include "core/texture/photo/stroke_cover.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 using namespace esm;
 
@@ -17,7 +22,55 @@ Image whitePhoto(int width, int height) {
     return image;
 }
 
+/// A path of places that lie where they fall, some of them twice.
+PhotoStroke scribble(std::mt19937& random, int places) {
+    std::uniform_real_distribution<double> within(-30, 180), share(0, 1);
+    PhotoStroke stroke;
+    stroke.radius = 0.5 + 40 * share(random) * share(random);
+    stroke.softness = share(random);
+    for (int i = 0; i < places; ++i)
+        stroke.path.emplace_back(within(random), within(random));
+    stroke.path.push_back(stroke.path.back());
+    return stroke;
+}
+
+/// Asked of every segment.
+float plainCover(const PhotoStroke& stroke, int x, int y) {
+    double nearest = 1e9;
+    for (std::size_t i = 0; i + 1 < stroke.path.size(); ++i)
+        nearest =
+            std::min(nearest, distanceToSegment({x + 0.5, y + 0.5}, stroke.path[i], stroke.path[i + 1]));
+    const double fade = std::max(1.0, stroke.softness * stroke.radius);
+    return static_cast<float>(std::clamp((stroke.radius + 0.5 - nearest) / fade, 0.0, 1.0));
+}
+
 } // namespace
+
+TEST(PhotoMask, CoversByTheNearestOfManySegments) {
+    std::mt19937 random(5);
+    for (const int places : {1, 2, 7, 60, 400}) {
+        const PhotoStroke stroke = scribble(random, places);
+        const StrokeCover cover = coverOf(stroke, {0, 0, 149, 129});
+        for (int y = 0; y < 130; ++y)
+            for (int x = 0; x < 150; ++x) {
+                const PixelRange& range = cover.range;
+                const bool isWithin =
+                    x >= range.left && x <= range.right && y >= range.top && y <= range.bottom;
+                ASSERT_EQ(isWithin ? cover.at(x, y) : 0, plainCover(stroke, x, y))
+                    << places << ": " << x << ' ' << y;
+            }
+    }
+}
+
+TEST(PhotoMask, CoversTheInsideOfAnOutlineRowByRow) {
+    std::mt19937 random(6);
+    const PhotoStroke stroke = scribble(random, 50);
+    const std::vector<float> cover = coverOf(stroke.path, 150, 130);
+    for (int y = 0; y < 130; ++y) {
+        const std::vector<float> row = rowCoverOf(stroke.path, 150, y);
+        ASSERT_TRUE(std::equal(row.begin(), row.end(), cover.begin() + 150 * y)) << y;
+    }
+}
 
 TEST(PhotoMask, LeavesOutWhatTheBrushTouches) {
     Image photo = whitePhoto(100, 60);
