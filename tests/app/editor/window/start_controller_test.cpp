@@ -8,6 +8,7 @@
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"
 
+#include <QDockWidget>
 #include <QMenuBar>
 #include <QToolBar>
 
