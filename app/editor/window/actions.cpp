@@ -101,12 +101,12 @@ void ActionMaker::makeEditActions(QUndoStack* undoStack) {
     a.duplicateRegion =
         make(tr("&Duplicate region"), QKeySequence("Ctrl+D"), tr("Add a copy of the selected region"));
     a.removeRegion = make(tr("Remove re&gion"), {}, tr("Remove the selected region"));
-    a.hidePhoto = make(tr("&Hide or show photo"), QKeySequence("Ctrl+Shift+H"),
+    a.hidePhoto = make(tr("Hide or sho&w photo"), QKeySequence("Ctrl+Shift+H"),
                        tr("Hide the selected photo or paint layer, or show it again"));
     a.duplicatePhoto = make(tr("Dupli&cate photo"), QKeySequence("Ctrl+J"),
                             tr("Add a copy of the selected photo or paint layer, just above it"));
     a.replacePhoto =
-        make(tr("Replace p&hoto…"), {},
+        make(tr("Rep&lace photo…"), {},
              tr("Lay another file in the place of the selected photo, which keeps its placement, "
                 "mask, landmarks and strokes"));
     a.removePhoto = make(tr("Remove &photo"), {}, tr("Remove the selected photo"));

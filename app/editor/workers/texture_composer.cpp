@@ -68,8 +68,11 @@ void TextureComposer::keepPages(const Worker::Task& task) {
 
 std::shared_ptr<const SmallerPages> TextureComposer::halved(const Atlas& atlas, const TiledPages& pages,
                                                             const Progress& progress) {
+    if (usableLevels(atlas.options) == 0) {
+        reportProgress(progress, 1);
+        return std::make_shared<const SmallerPages>(pages.size());
+    }
     ProgressParts parts(progress);
-    if (usableLevels(atlas.options) == 0) return std::make_shared<const SmallerPages>(pages.size());
     HalvedPages before;
     if (m_kept.smaller && m_kept.composition.pages) before = {*m_kept.composition.pages, *m_kept.smaller};
     const auto owners = m_kept.cache.ownersOf(atlas, parts.next(0.5));

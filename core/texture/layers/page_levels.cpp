@@ -20,7 +20,10 @@ struct OwnedTile {
     const TiledImage::Tile& pixels;
     const std::uint32_t* owners;
 
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * pageTile.width + x); }
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(pageTile.width) +
+               static_cast<std::size_t>(x);
+    }
 };
 
 /// A square of a tile's texels that becomes one.
