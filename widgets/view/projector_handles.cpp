@@ -65,11 +65,12 @@ Ray photoSight(const PhotoFace& photo) {
 std::vector<ProjectorHandle> projectorHandles(const PhotoFace& photo, const Camera& camera, double reach) {
     std::vector<ProjectorHandle> found;
     const auto places = handles(photo);
+    found.reserve(places.size() + 3);
     for (std::size_t place = 0; place < places.size(); ++place)
         found.push_back({PhotoHandle::Size, place, places[place], places[place]});
     const Vector3d middle = photoMiddle(photo), ahead = photoSight(photo).direction;
     const Vector3d towards = towardsViewer(camera, middle), upwards = photo.projector.pose.linear().col(1);
-    const Vector3d below = places[4], above = places[6];
+    const Vector3d &below = places[4], &above = places[6];
     if (std::abs(photo.projector.pose.linear().col(2).dot(towards)) > flatPhoto)
         found.push_back({PhotoHandle::Roll, 0, above + reach * upwards, above});
     found.push_back({PhotoHandle::Turn, 0, below - reach * upwards, below});
