@@ -4,6 +4,7 @@
 #include "core/exchange/project/pairs_file.h"
 #include "core/exchange/project/projector_file.h"
 #include "core/support/atomic_file.h"
+#include "core/support/numbers.h"
 #include "core/texture/layers/pose_refinement.h"
 #include "core/texture/texture_limits.h"
 
@@ -103,29 +104,6 @@ std::vector<std::string> fitWarnings(const PoseFit& fit, const std::vector<Landm
     return warnings;
 }
 
-const char* nameOf(PartSource source) {
-    if (source == PartSource::Given) return "given";
-    return source == PartSource::Found ? "measured" : "assumed";
-}
-
-const char* nameOf(CameraPart part) {
-    if (part == CameraPart::FocalLength) return "focal_length";
-    return part == CameraPart::PrincipalPoint ? "principal_point" : "pixel_aspect";
-}
-
-const char* nameOf(Weakness weakness) {
-    if (weakness == Weakness::NearlyOnALine) return "nearly_on_a_line";
-    return weakness == Weakness::NearlyPlanar ? "nearly_planar" : "close_together";
-}
-
-/// To three digits.
-std::string roughly(double value) {
-    if (!(value > 0) || !std::isfinite(value)) return inText(value);
-    const double digit = std::pow(10, std::floor(std::log10(value)) - 2);
-    return inText(digit < 1 ? std::round(value / digit) / std::round(1 / digit)
-                            : std::round(value / digit) * digit);
-}
-
 /// Without digits that nobody can see, and without a minus before zero.
 std::string rounded(const Eigen::Vector3d& value, double unit) {
     const Eigen::Vector3d whole = (value / unit).array().round() + 0.0;
@@ -140,18 +118,19 @@ void addCameraText(Report& report, const PoseFit& fit) {
     report.text.push_back("the eye is at " + rounded(camera.pose.translation(), micrometre) + " m");
     report.text.push_back("it looks along " + rounded(-axes.col(2), share) + "; up in the photograph is " +
                           rounded(axes.col(1), share));
-    report.text.push_back("with 95 % certainty the true eye is within " + roughly(1000 * fit.eyeWithin) +
-                          " mm of it, and the true turn within " + roughly(fit.turnWithin) + " degrees");
-    const std::string how = std::string(" (") + nameOf(fit.focalLength) + ")";
+    report.text.push_back("with 95 % certainty the true eye is within " +
+                          roundedText(1000 * fit.eyeWithin, 3) + " mm of it, and the true turn within " +
+                          roundedText(fit.turnWithin, 3) + " degrees");
+    const std::string how = std::string(" (") + wordOf(fit.focalLength) + ")";
     if (camera.intrinsics)
         report.text.push_back("focal lengths " + inText(camera.intrinsics->fx) + ", " +
                               inText(camera.intrinsics->fy) + " pixels" + how + ", line of sight through " +
                               inText(camera.intrinsics->cx) + ", " + inText(camera.intrinsics->cy) +
-                              " pixels (" + nameOf(fit.principalPoint) + ")");
+                              " pixels (" + wordOf(fit.principalPoint) + ")");
     else
         report.text.push_back("vertical field of view " + inText(std::round(100 * camera.fieldOfView) / 100) +
                               " degrees" + how + ", line of sight in the middle (" +
-                              nameOf(fit.principalPoint) + "), square pixels (" + nameOf(fit.pixelAspect) +
+                              wordOf(fit.principalPoint) + "), square pixels (" + wordOf(fit.pixelAspect) +
                               ")");
 }
 
@@ -169,18 +148,18 @@ Report describe(const PoseFit& fit) {
                    {"reprojection_error_px", fit.error},
                    {"errors_px", errors},
                    {"outliers", outliers},
-                   {"focal_length", nameOf(fit.focalLength)},
-                   {"principal_point", nameOf(fit.principalPoint)},
-                   {"pixel_aspect", nameOf(fit.pixelAspect)},
+                   {"focal_length", wordOf(fit.focalLength)},
+                   {"principal_point", wordOf(fit.principalPoint)},
+                   {"pixel_aspect", wordOf(fit.pixelAspect)},
                    {"click_noise_px", fit.clickNoise},
                    {"eye_within", fit.eyeWithin},
                    {"turn_within", fit.turnWithin},
-                   {"hangs_on", fit.dominating ? Json(nameOf(*fit.dominating)) : Json()},
+                   {"hangs_on", fit.dominating ? Json(wordOf(*fit.dominating)) : Json()},
                    {"weak", Json::array()}};
     for (const Weakness weakness : fit.weaknesses)
-        report.json["weak"].push_back(nameOf(weakness));
+        report.json["weak"].push_back(wordOf(weakness));
     addCameraText(report, fit);
-    report.text.push_back("off by " + roughly(fit.error) + " pixels");
+    report.text.push_back("off by " + roundedText(fit.error, 3) + " pixels");
     if (!strangers.empty())
         report.text.push_back("pairs that do not fit the others, and do not count: " + strangers);
     return report;
@@ -212,9 +191,10 @@ void refine(Report& report, std::vector<std::string>& warnings, PoseFit& fit, co
     report.json["refined"] = {{"error_before", refined->errorBefore},
                               {"error_after", refined->errorAfter},
                               {"moved_px", refined->moved}};
-    report.text.push_back("refined by the photographs on the organ: moved by " + roughly(refined->moved) +
-                          " pixels; it differs from them by " + roughly(100 * refined->errorAfter) +
-                          " % of the contrast, before by " + roughly(100 * refined->errorBefore) + " %");
+    report.text.push_back("refined by the photographs on the organ: moved by " +
+                          roundedText(refined->moved, 3) + " pixels; it differs from them by " +
+                          roundedText(100 * refined->errorAfter, 3) + " % of the contrast, before by " +
+                          roundedText(100 * refined->errorBefore, 3) + " %");
 }
 
 Report runFit(const FitOptions& options, Context& context) {

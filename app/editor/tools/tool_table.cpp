@@ -62,8 +62,7 @@ std::vector<ToolRow> toolTable() {
          Options::Column, made<FixTool>},
         {"projector", "photo", translated("P&hoto"), Qt::Key_J,
          translated("Move, size, turn, roll and push the photo's projector"),
-         translated("Drag the photo to place it · squares scale, the dot rolls, the ring turns, the diamond "
-                    "pushes it"),
+         translated("Drag the photo or its handles to place it"),
          translated("Ctrl and wheel push it · the right button turns the view"), Workspace::Texture,
          Options::None, made<ProjectorTool>},
         {"landmarks", "landmark", translated("Land&marks"), Qt::Key_M,

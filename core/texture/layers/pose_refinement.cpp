@@ -5,11 +5,11 @@
 #include "core/texture/layers/surface_beneath.h"
 #include "core/texture/photo/evened_brightness.h"
 #include "core/texture/photo/photo_sampler.h"
+#include "core/texture/projection/damped_descent.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <Eigen/Cholesky>
 #include <limits>
 
 namespace esm {
@@ -24,8 +24,7 @@ constexpr std::size_t fewestSamples = 300;
 constexpr double leastShareSeen = 0.6;  ///< of the samples that a pose must leave in the photo
 constexpr double usualDifference = 0.5; ///< of evened brightness: from there on a difference counts less
 constexpr double mostDifference = 0.9;  ///< of a photo that shows the same: a correlation of 0.6
-constexpr int mostAlignmentSteps = 40;
-constexpr double smallestGain = 1e-5;
+constexpr DescentLimits alignmentLimits{40, 1e-5, 1e6};
 constexpr std::uint8_t baseShare = 26; ///< of 255: where the base colour takes more, nothing lies beneath
 
 /// A point of the surface, and how the layers beneath show it.
@@ -126,29 +125,13 @@ public:
     Alignment(const EvenedBrightness& picture, PhotoSize photo, const std::vector<Sample>& samples)
         : m_picture(picture), m_photo(photo), m_samples(samples), m_space(samples) {}
 
-    /// Gauss and Newton's method with Marquardt's damping. Differences that are large against what is usual
-    /// (a highlight, an instrument) count by their size and no longer by its square (Huber 1964).
-    Projector aligned(Projector projector) const {
-        AlignmentEquations here = equationsAt(projector);
-        double damping = 1e-3;
-        for (int i = 0; i < mostAlignmentSteps && damping < 1e6 && std::isfinite(here.cost); ++i) {
-            Eigen::Matrix<double, 6, 6> damped = here.normal;
-            damped.diagonal() *= 1 + damping;
-            const PoseStep step = -damped.ldlt().solve(here.gradient);
-            if (!step.allFinite()) break;
-            const Projector there = m_space.moved(projector, step);
-            const AlignmentEquations next = equationsAt(there);
-            if (!(next.cost < here.cost)) {
-                damping *= 10;
-                continue;
-            }
-            const double gained = here.cost - next.cost;
-            projector = there;
-            here = next;
-            if (gained < smallestGain * here.cost) break;
-            damping = std::max(damping / 10, 1e-9);
-        }
-        return projector;
+    /// Differences that are large against what is usual (a highlight, an instrument) count by their size and
+    /// no longer by its square (Huber 1964).
+    Projector aligned(const Projector& projector) const {
+        return descended(
+            projector, [&](const Projector& at) { return equationsAt(at); },
+            [&](const Projector& at, const PoseStep& step) { return m_space.moved(at, step); },
+            alignmentLimits);
     }
 
     /// See `PoseRefinement::errorBefore`.

@@ -1,35 +1,35 @@
 #include "core/texture/projection/camera_fit.h"
 
+#include "core/texture/projection/damped_descent.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <limits>
+#include <numeric>
 
 namespace esm {
 
 namespace {
 
-/// Levenberg-Marquardt's damping, relative to the diagonal.
-constexpr double firstDamping = 1e-3, leastDamping = 1e-12, mostDamping = 1e12;
-constexpr int mostSteps = 100;
+constexpr DescentLimits fitLimits{100, 1e-14, 1e12};
 
 constexpr double longestLog = 0.5; ///< of a step of a logarithm
 
 using Normal = Eigen::Matrix<double, camera_step::count, camera_step::count>;
 using Free = std::array<bool, camera_step::count>;
 
-Free freeNumbers(const CameraFreedom& freedom) {
+Free marked(const std::vector<Eigen::Index>& numbers) {
     Free free{};
-    std::fill(free.begin(), free.begin() + camera_step::focalLength, true);
-    free[camera_step::focalLength] = freedom.focalLength;
-    free[camera_step::principalPoint] = free[camera_step::principalPoint + 1] = freedom.principalPoint;
-    free[camera_step::pixelAspect] = freedom.pixelAspect;
+    for (const Eigen::Index number : numbers)
+        free[static_cast<std::size_t>(number)] = true;
     return free;
 }
 
 struct Equations {
-    Normal normal = Normal::Zero();            ///< JᵀJ
-    CameraStep gradient = CameraStep::Zero();  ///< Jᵀr
+    Normal normal = Normal::Zero();            ///< JᵀJ and, on the diagonal, the curvature
+    CameraStep gradient = CameraStep::Zero();  ///< Jᵀr, with that of what is unusual
     CameraStep curvature = CameraStep::Zero(); ///< of what is unusual
     double squares = 0, cost = 0;              ///< of the pairs alone, and of all; infinite where a pair that
                                                ///< counts is not before the camera
@@ -90,46 +90,40 @@ Equations equationsAt(const PinholeCamera& camera, const CameraProblem& problem,
             equations.gradient[i] = 0;
             equations.curvature[i] = 1;
         }
+    equations.normal.diagonal() += equations.curvature;
     return equations;
 }
 
-Normal withCurvature(const Equations& equations) {
-    Normal all = equations.normal;
-    all.diagonal() += equations.curvature;
-    return all;
-}
-
-/// Levenberg and Marquardt's method. Damping scales the diagonal instead of adding to it (Marquardt 1963), so
-/// that turns, shifts and lengths are held back alike, whatever their units.
-PinholeCamera descended(PinholeCamera camera, const CameraProblem& problem, const Free& free,
-                        double clickNoise) {
-    Equations here = equationsAt(camera, problem, free, clickNoise);
-    double damping = firstDamping;
-    for (int i = 0; i < mostSteps && damping < mostDamping && std::isfinite(here.cost); ++i) {
-        Normal damped = withCurvature(here);
-        damped.diagonal() *= 1 + damping;
-        CameraStep step = -damped.ldlt().solve(here.gradient);
-        for (const Eigen::Index logarithm : {camera_step::focalLength, camera_step::pixelAspect})
-            step[logarithm] = std::clamp(step[logarithm], -longestLog, longestLog);
-        const PinholeCamera there = moved(camera, step);
-        const Equations next = equationsAt(there, problem, free, clickNoise);
-        if (!step.allFinite() || !(next.cost <= here.cost)) {
-            damping *= 10;
-            continue;
-        }
-        const double gained = here.cost - next.cost;
-        camera = there;
-        here = next;
-        if (gained <= 1e-14 * here.cost) break;
-        damping = std::max(damping / 10, leastDamping);
-    }
-    return camera;
+PinholeCamera movedWithin(const PinholeCamera& camera, CameraStep step) {
+    for (const Eigen::Index logarithm : {camera_step::focalLength, camera_step::pixelAspect})
+        step[logarithm] = std::clamp(step[logarithm], -longestLog, longestLog);
+    return moved(camera, step);
 }
 
 } // namespace
 
-int unknownsOf(const CameraFreedom& freedom) {
-    return 6 + int{freedom.focalLength} + 2 * int{freedom.principalPoint} + int{freedom.pixelAspect};
+std::vector<Eigen::Index> numbersOf(CameraPart part) {
+    switch (part) {
+    case CameraPart::FocalLength:
+        return {camera_step::focalLength};
+    case CameraPart::PrincipalPoint:
+        return {camera_step::principalPoint, camera_step::principalPoint + 1};
+    case CameraPart::PixelAspect:
+        return {camera_step::pixelAspect};
+    }
+    return {};
+}
+
+std::vector<Eigen::Index> freeNumbers(const CameraFreedom& freedom) {
+    std::vector<Eigen::Index> numbers(camera_step::focalLength); // those of the pose
+    std::iota(numbers.begin(), numbers.end(), Eigen::Index{0});
+    for (const auto& [part, isFree] : {std::pair(CameraPart::FocalLength, freedom.focalLength),
+                                       {CameraPart::PrincipalPoint, freedom.principalPoint},
+                                       {CameraPart::PixelAspect, freedom.pixelAspect}}) {
+        const std::vector<Eigen::Index> ofPart = isFree ? numbersOf(part) : std::vector<Eigen::Index>();
+        numbers.insert(numbers.end(), ofPart.begin(), ofPart.end());
+    }
+    return numbers;
 }
 
 double usualClickNoise(PhotoSize photo) {
@@ -142,15 +136,19 @@ double usualClickNoise(PhotoSize photo) {
 /// are left, since few of them may be small by chance.
 CameraFit fitCamera(PinholeCamera start, const CameraProblem& problem, const CameraFreedom& freedom,
                     int rounds) {
-    const Free free = freeNumbers(freedom);
+    const Free free = marked(freeNumbers(freedom));
     const auto counting = static_cast<double>(std::count(problem.counts.begin(), problem.counts.end(), true));
     CameraFit fit{start, problem.usualNoise, 0, {}};
     for (int round = 0; round < rounds; ++round) {
-        fit.camera = descended(fit.camera, problem, free, fit.clickNoise);
-        const Equations here = equationsAt(fit.camera, problem, free, fit.clickNoise);
-        const Normal all = withCurvature(here);
-        fit.precision = all / (fit.clickNoise * fit.clickNoise);
-        fit.told = all.ldlt().solve(here.normal).trace();
+        const auto equations = [&](const PinholeCamera& camera) {
+            return equationsAt(camera, problem, free, fit.clickNoise);
+        };
+        fit.camera = descended(fit.camera, equations, movedWithin, fitLimits);
+        const Equations here = equations(fit.camera);
+        Normal ofPairs = here.normal;
+        ofPairs.diagonal() -= here.curvature;
+        fit.precision = here.normal / (fit.clickNoise * fit.clickNoise);
+        fit.told = here.normal.ldlt().solve(ofPairs).trace();
         fit.clickNoise = std::sqrt((here.squares + std::pow(problem.usualNoise, 2)) /
                                    std::max(1.0, 2 * counting + 1 - fit.told));
     }

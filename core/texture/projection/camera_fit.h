@@ -1,6 +1,10 @@
 #pragma once
 
+#include "core/support/words.h"
 #include "core/texture/projection/usual_camera.h"
+
+#include <array>
+#include <vector>
 
 namespace esm {
 
@@ -12,8 +16,16 @@ struct CameraFreedom {
 };
 constexpr CameraFreedom poseOnly{}, poseAndFocalLength{true, false, false}, wholeCamera{true, true, true};
 
-/// Numbers that a freedom leaves open, 6 to 10.
-int unknownsOf(const CameraFreedom& freedom);
+/// Parts of a camera that may be sought beside where it stands.
+enum class CameraPart { FocalLength, PrincipalPoint, PixelAspect };
+template<>
+inline constexpr auto wordsOf<CameraPart> = std::array{Word{CameraPart::FocalLength, "focal_length"},
+                                                       Word{CameraPart::PrincipalPoint, "principal_point"},
+                                                       Word{CameraPart::PixelAspect, "pixel_aspect"}};
+
+/// Which numbers of a `CameraStep` a part consists of, and which a freedom leaves open, in their order.
+std::vector<Eigen::Index> numbersOf(CameraPart part);
+std::vector<Eigen::Index> freeNumbers(const CameraFreedom& freedom);
 
 /// How far clicks miss their landmarks: photo pixels, one standard deviation in each direction.
 double usualClickNoise(PhotoSize photo);

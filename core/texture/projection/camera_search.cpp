@@ -1,6 +1,6 @@
 #include "core/texture/projection/camera_search.h"
 
-#include "core/texture/projection/pose_search.h"
+#include "core/texture/projection/likely_cameras.h"
 #include "core/texture/projection/usable_pairs.h"
 
 #include <algorithm>

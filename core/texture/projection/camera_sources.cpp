@@ -14,8 +14,8 @@ constexpr double foundShare = 0.25;
 /// Of χ² with one and two degrees of freedom, 99 %.
 constexpr double surelyOne = 6.63, surelyTwo = 9.21;
 
-Eigen::MatrixXd covarianceOf(const CameraFit& fit) {
-    return fit.precision.ldlt().solve(Eigen::MatrixXd::Identity(fit.precision.rows(), fit.precision.cols()));
+Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& precision) {
+    return precision.ldlt().solve(Eigen::MatrixXd::Identity(precision.rows(), precision.cols()));
 }
 
 /// How unsure eye and turn are: variances, all directions together. The eye −Rᵀt moves by −Rᵀ (δ + t × ω) for
@@ -25,25 +25,12 @@ struct PoseVariance {
 };
 
 PoseVariance varianceOf(const CameraFit& fit, const Eigen::MatrixXd& precision) {
-    const Eigen::MatrixXd covariance =
-        precision.ldlt().solve(Eigen::MatrixXd::Identity(precision.rows(), precision.cols()));
+    const Eigen::MatrixXd covariance = covarianceOf(precision);
     const Eigen::Vector3d& t = fit.camera.translation;
     Eigen::Matrix<double, 3, 6> eye;
     eye << 0, -t.z(), t.y(), 1, 0, 0, t.z(), 0, -t.x(), 0, 1, 0, -t.y(), t.x(), 0, 0, 0, 1;
     return {(eye * covariance.topLeftCorner<6, 6>() * eye.transpose()).trace(),
             covariance.topLeftCorner<3, 3>().trace()};
-}
-
-std::vector<Eigen::Index> numbersOf(CameraPart part) {
-    switch (part) {
-    case CameraPart::FocalLength:
-        return {camera_step::focalLength};
-    case CameraPart::PrincipalPoint:
-        return {camera_step::principalPoint, camera_step::principalPoint + 1};
-    case CameraPart::PixelAspect:
-        return {camera_step::pixelAspect};
-    }
-    return {};
 }
 
 /// As if these parts were known.
@@ -61,7 +48,7 @@ PoseVariance varianceKnowing(const CameraFit& fit, const std::vector<CameraPart>
 } // namespace
 
 CameraSources sourcesOf(const CameraFit& whole, const UsualCamera& usual) {
-    const Eigen::VectorXd variance = covarianceOf(whole).diagonal();
+    const Eigen::VectorXd variance = covarianceOf(whole.precision).diagonal();
     const CameraStep known = unlikeliness(usual, whole.camera.intrinsics).curvature;
     const auto isFound = [&](Eigen::Index i) { return variance[i] * known[i] < foundShare; };
     const auto sourceIf = [](bool found) { return found ? PartSource::Found : PartSource::Assumed; };
@@ -74,7 +61,7 @@ CameraSources sourcesOf(const CameraFit& whole, const UsualCamera& usual) {
 }
 
 CameraFreedom oddParts(const CameraFit& whole, const UsualCamera& usual, const CameraSources& sources) {
-    const Eigen::MatrixXd covariance = covarianceOf(whole);
+    const Eigen::MatrixXd covariance = covarianceOf(whole.precision);
     const Intrinsics& camera = whole.camera.intrinsics;
     const Eigen::Vector2d off(camera.cx - usual.camera.cx, camera.cy - usual.camera.cy);
     const Eigen::Matrix2d spread =

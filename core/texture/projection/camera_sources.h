@@ -13,14 +13,16 @@ enum class PartSource {
     Assumed, ///< as usual cameras have it: the pairs do not tell it
 };
 
+template<>
+inline constexpr auto wordsOf<PartSource> =
+    std::array{Word{PartSource::Given, "given"}, Word{PartSource::Found, "measured"},
+               Word{PartSource::Assumed, "assumed"}};
+
 struct CameraSources {
     PartSource focalLength, principalPoint, pixelAspect;
 
     explicit CameraSources(PartSource all) : focalLength(all), principalPoint(all), pixelAspect(all) {}
 };
-
-/// Parts of a camera that may have to be assumed.
-enum class CameraPart { FocalLength, PrincipalPoint, PixelAspect };
 
 /// What the pairs tell of a camera of which nothing was given.
 /// @param whole the likeliest camera, all of it being free

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/support/words.h"
 #include "core/texture/projection/landmark_pair.h"
 
+#include <array>
 #include <vector>
 
 namespace esm {
@@ -12,6 +14,11 @@ enum class Weakness {
     NearlyPlanar,  ///< they hardly tell near and zoomed apart, and may be seen from either side
     CloseTogether, ///< they fill little of the photo
 };
+
+template<>
+inline constexpr auto wordsOf<Weakness> = std::array{Word{Weakness::NearlyOnALine, "nearly_on_a_line"},
+                                                     Word{Weakness::NearlyPlanar, "nearly_planar"},
+                                                     Word{Weakness::CloseTogether, "close_together"}};
 
 /// How the pairs that count are weak; empty where they are well spread.
 std::vector<Weakness> weaknessesOf(const std::vector<LandmarkPair>& pairs, const std::vector<bool>& counts,

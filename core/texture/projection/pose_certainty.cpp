@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -17,17 +16,6 @@ namespace {
 constexpr double probability = 0.95;
 constexpr int rounds = 5, perRound = 3000;
 constexpr double tailFreedom = 5; ///< of the Student's distribution that is drawn from
-
-/// Which numbers of a `CameraStep` are unknown, in their order.
-std::vector<Eigen::Index> unknownNumbers(const CameraFreedom& unknown) {
-    std::vector<Eigen::Index> numbers(camera_step::focalLength);
-    std::iota(numbers.begin(), numbers.end(), Eigen::Index{0});
-    if (unknown.focalLength) numbers.push_back(camera_step::focalLength);
-    if (unknown.principalPoint)
-        numbers.insert(numbers.end(), {camera_step::principalPoint, camera_step::principalPoint + 1});
-    if (unknown.pixelAspect) numbers.push_back(camera_step::pixelAspect);
-    return numbers;
-}
 
 /// Student's distribution in the unknowns: normal in the middle, with tails that no truth outruns.
 struct Proposal {
@@ -86,7 +74,7 @@ double effectiveCount(const Draws& draws) {
 class CameraSampler {
 public:
     CameraSampler(const CameraFit& fit, const CameraProblem& problem, const CameraFreedom& unknown)
-        : m_fit(fit), m_problem(problem), m_numbers(unknownNumbers(unknown)) {}
+        : m_fit(fit), m_problem(problem), m_numbers(freeNumbers(unknown)) {}
 
     /// Importance sampling from a distribution that is fitted to its own draws, round by round (Cappé et al.
     /// 2004, Population Monte Carlo): how the depth and the focal length hang together is bent, and no normal

@@ -1,4 +1,4 @@
-#include "core/texture/projection/pose_search.h"
+#include "core/texture/projection/likely_cameras.h"
 
 #include <algorithm>
 #include <array>
