@@ -8,7 +8,8 @@ using AccuracyJson = nlohmann::ordered_json;
 TEST_F(ProjectFile, LeavesOutMeasuredRunsOfIntegratorsThatItDoesNotKnowAndSaysSo) {
     changeManifest("/accuracy/runs/0/integrator", [](AccuracyJson& name) { name = "leapfrog"; });
     const OpenedProject opened = openProject(m_file);
-    const auto& all = richProject().accuracy->runs;
+    const Project original = richProject();
+    const auto& all = original.accuracy->runs;
     ASSERT_TRUE(opened.project.accuracy);
     EXPECT_EQ(opened.project.accuracy->runs, std::vector<TradeoffRun>(all.begin() + 1, all.end()));
     ASSERT_FALSE(opened.warnings.empty());
