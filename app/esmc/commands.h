@@ -18,6 +18,7 @@ void addStabilityCommand(CLI::App& app, Context& context);
 void addTradeoffCommand(CLI::App& app, Context& context);
 void addExtremesCommand(CLI::App& app, Context& context);
 void addTextureCommands(CLI::App& app, Context& context);
+void addFinishCommand(CLI::App& texture, Context& context);
 void addFitCommand(CLI::App& texture, Context& context);
 void addBakeCommand(CLI::App& texture, Context& context);
 void addExportCommand(CLI::App& app, Context& context);

@@ -10,6 +10,7 @@
 #include "core/render/organ_scene.h"
 #include "core/render/view_state.h"
 #include "core/texture/layers/composite.h"
+#include "core/texture/maps/finish_pages.h"
 
 #include <algorithm>
 #include <cctype>
@@ -26,6 +27,7 @@ struct RenderOptions {
     std::optional<std::string> cut;
     std::optional<double> time; // s
     bool unlit = false, orthographic = false;
+    SceneLight light = SceneLight::Room;
 };
 
 void declareRender(CLI::App& command, RenderOptions& options) {
@@ -55,7 +57,11 @@ void declareRender(CLI::App& command, RenderOptions& options) {
     command.add_option("--at", options.time, "Time in the trajectory, s (its end)")
         ->needs(motion)
         ->check(nonNegativeNumber());
-    command.add_flag("--unlit", options.unlit, "Colours of the texture without light");
+    CLI::Option* unlit = command.add_flag("--unlit", options.unlit, "Colours of the texture without light");
+    addChoice(command, "--light", options.light,
+              {{"room", SceneLight::Room}, {"endoscope", SceneLight::Endoscope}},
+              "Lamps of a room, or the endoscope's own at the camera (room)")
+        ->excludes(unlit);
 }
 
 PictureSize parseSize(const std::string& text) {
@@ -154,6 +160,13 @@ Subject projectSubject(const Project& project, bool showsProjectors, Context& co
         layTexture(scene, project.atlas,
                    composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
                              progressOf(context, "baking")));
+    if (hasFinish(project.layers, project.texture.finish)) {
+        std::shared_ptr<const TiledPages> pages;
+        if (project.atlas)
+            pages = finishPages(*project.mesh, *project.atlas, project.layers, project.texture.finish,
+                                progressOf(context, "wet look"));
+        layFinish(scene, project.layers, project.texture.finish, std::move(pages));
+    }
     if (showsProjectors)
         for (const TextureLayer& layer : project.layers)
             if (layer.visible && layer.photo) scene.projectors.push_back(drawnProjector(scene, layer, false));
@@ -164,6 +177,8 @@ Subject packageSubject(ModelPackage package) {
     RenderScene scene = organScene(std::make_shared<const TriangleMesh>(std::move(package.mesh)),
                                    package.tissue.network, package.baseColour);
     if (package.atlas) layTexture(scene, package.atlas, package.textures);
+    if (package.finish || package.finishPages) scene.finish = package.finish.value_or(SurfaceFinish{});
+    scene.finishPages = package.finishPages;
     return {std::move(scene), std::move(package.tissue), std::move(package.regions), {}};
 }
 
@@ -198,6 +213,7 @@ ViewState requestedState(const RenderOptions& options) {
     state.nodes = shows(named, "nodes");
     state.regions = shows(named, "regions");
     state.colourBy = requestedColouring(options);
+    state.light = options.light;
     if (options.cut) state.cut = requestedCut(*options.cut);
     return state;
 }

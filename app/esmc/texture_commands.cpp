@@ -235,6 +235,7 @@ void addTextureCommands(CLI::App& app, Context& context) {
                Command<ReplaceOptions>{"replace", "Lay another photograph in the place of one",
                                        declareReplace, runReplace});
     addFitCommand(*texture, context);
+    addFinishCommand(*texture, context);
     addBakeCommand(*texture, context);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/exchange/package/packaged_tissue.h"
 #include "core/exchange/simulators/handover.h"
+#include "core/texture/layers/tiled_pages.h"
 
 #include <filesystem>
 #include <functional>
@@ -15,7 +16,10 @@ struct ModelPackage : PackagedTissue {
     std::array<std::uint8_t, 3> baseColour{}; ///< of a surface without texture
     std::shared_ptr<const Atlas> atlas{};     ///< null without textures
     std::vector<Image> textures{};            ///< one per page of the atlas
-    Image preview{};                          ///< of the organ, for lists of packages; empty without one
+    std::optional<SurfaceFinish> finish{};    ///< of all the surface; none where pages say it, or nothing
+    std::shared_ptr<const TiledPages>
+        finishPages{}; ///< like the textures, see `composedFinish`; null without
+    Image preview{};   ///< of the organ, for lists of packages; empty without one
 };
 
 /// Bakes the textures and writes the package atomically, with a preview where one can be drawn.

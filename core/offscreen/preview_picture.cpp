@@ -3,6 +3,7 @@
 #include "core/offscreen/offscreen.h"
 #include "core/render/colouring.h"
 #include "core/render/organ_scene.h"
+#include "core/texture/maps/finish_pages.h"
 
 namespace esm {
 
@@ -13,6 +14,9 @@ Image previewPicture(const Project& project, const std::shared_ptr<const std::ve
     if (scene.showSprings)
         colourScene(scene, ColourBy::SpringConstant, {evaluateModel(project), project.regions, {}}, range);
     if (pages) layTexture(scene, project.atlas, *pages);
+    layFinish(scene, project.layers, project.texture.finish,
+              pages ? finishPages(*project.mesh, *project.atlas, project.layers, project.texture.finish)
+                    : nullptr);
     const Camera camera = framedCamera(organBox(*project.mesh, *project.network), StandardView::Front, 1);
     return renderOffscreen(scene, camera, size, size);
 }

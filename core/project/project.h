@@ -38,13 +38,15 @@ inline constexpr auto fieldsOf<BaseTissue> = fieldTable(
 struct TextureSettings {
     AtlasOptions atlas;
     std::array<std::uint8_t, 3> baseColour{186, 92, 84}; ///< where no photo lies
+    std::optional<SurfaceFinish> finish{}; ///< where no layer has one; none: as before version 11
 
     bool operator==(const TextureSettings&) const = default;
 };
 /// Files have it beside the fields of the atlas.
 template<>
-inline constexpr auto fieldsOf<TextureSettings> = fieldTable(field("baseColour",
-                                                                   &TextureSettings::baseColour));
+inline constexpr auto
+    fieldsOf<TextureSettings> = fieldTable(field("baseColour", &TextureSettings::baseColour),
+                                           field("finish", &TextureSettings::finish).whenSet());
 
 /// One organ and all that was said about it. A value: a copy costs a few pointers and small lists; an edit
 /// makes a new value.

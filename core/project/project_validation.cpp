@@ -39,6 +39,7 @@ Problems photoProblems(const TextureLayer& layer) {
     add(problems, fieldProblems(layer.projector));
     if (layer.projector.hasIntrinsics()) add(problems, fieldProblems(*layer.projector.intrinsics));
     add(problems, fieldProblems(layer));
+    if (layer.finish) add(problems, validate(*layer.finish));
     if (layer.landmarks.size() > texture_limits::mostLandmarks)
         problems.push_back("has more than " + std::to_string(texture_limits::mostLandmarks) + " landmarks");
     if (layer.photo)
@@ -61,6 +62,7 @@ std::uint64_t photoPixels(const Project& project) {
 
 Problems textureProblems(const Project& project) {
     Problems problems = validate(project.texture.atlas);
+    if (project.texture.finish) add(problems, fieldProblems(*project.texture.finish));
     if (project.atlas) add(problems, validate(*project.atlas, project.mesh->triangles.size()));
     if (photoPixels(project) > texture_limits::mostPixelsOfAllPhotos)
         problems.push_back("the photos have more than " +

@@ -10,6 +10,8 @@ namespace esm {
 struct Frame {
     Eigen::Vector3d origin; ///< m; the shown organ's middle at rest, so that float suffices anywhere in space
     Eigen::Vector3d eye;    ///< m; far off without perspective: see `viewpoint`
+    float
+        exposedDistance; ///< m from the eye, at which an endoscope's light is neither too bright nor too dark
     Eigen::Matrix4f view, projection; ///< `view` takes positions relative to `origin`
     Eigen::Vector4f cut{0, 0, 0, 1};  ///< in the view's space: what it gives below 0 is hidden
     Eigen::Vector2f pixels;           ///< of the whole picture

@@ -2,6 +2,7 @@
 
 #include "core/render/drawn_shape.h"
 #include "core/support/smooth_step.h"
+#include "core/texture/maps/finish_layers.h"
 
 #include <cmath>
 
@@ -22,6 +23,13 @@ void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas, const st
     scene.smallerPages = std::make_shared<const SmallerPages>(smallerPages(*atlas, *inTiles));
     scene.atlas = std::move(atlas);
     scene.texturePages = inTiles;
+}
+
+void layFinish(RenderScene& scene, const std::vector<TextureLayer>& layers,
+               const std::optional<SurfaceFinish>& base, std::shared_ptr<const TiledPages> pages) {
+    scene.finish.reset();
+    if (hasFinish(layers, base)) scene.finish = base.value_or(SurfaceFinish{});
+    scene.finishPages = std::move(pages);
 }
 
 DrawnEllipsoid drawnEllipsoid(const Region& region, bool isSelected) {

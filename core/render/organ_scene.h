@@ -14,6 +14,11 @@ RenderScene organScene(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr
 /// Lays a texture on it. @param atlas not null
 void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas, const std::vector<Image>& pages);
 
+/// How it shines, see `finishPages`; as it always did where nothing has a finish. @param base of the surface
+/// where layers have none
+void layFinish(RenderScene& scene, const std::vector<TextureLayer>& layers,
+               const std::optional<SurfaceFinish>& base, std::shared_ptr<const TiledPages> pages);
+
 /// Precondition: the region has an ellipsoid.
 DrawnEllipsoid drawnEllipsoid(const Region& region, bool isSelected);
 

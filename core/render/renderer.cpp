@@ -9,6 +9,7 @@
 #include "core/render/wireframe_drawer.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace esm {
@@ -46,6 +47,23 @@ Eigen::Vector4f seenCut(const CutPlane& cut, const Camera& camera) {
     const Eigen::Vector3d hidden = cameraAxes(camera).transpose() * cut.normal;
     const double left = cut.offset - cut.normal.dot(camera.eye);
     return Eigen::Vector4d(-hidden.x(), -hidden.y(), -hidden.z(), left).cast<float>();
+}
+
+/// As an endoscope sets its exposure: what is seen is as bright in the mean as it would be at this distance.
+/// Light falls with the square of the distance, so that near tissue counts most. A thousand vertices tell it
+/// well enough.
+double exposedDistance(const Camera& camera, const std::vector<Eigen::Vector3d>& vertices) {
+    constexpr double widestSeen = 0.7; // cosine of the angle to the line of sight
+    const Eigen::Vector3d sight = (camera.target - camera.eye).normalized();
+    double brightness = 0;
+    int seen = 0;
+    for (std::size_t i = 0; i < vertices.size(); i += 1 + vertices.size() / 1000) {
+        const Eigen::Vector3d way = vertices[i] - camera.eye;
+        if (!(way.dot(sight) > widestSeen * way.norm())) continue;
+        brightness += 1 / way.squaredNorm();
+        ++seen;
+    }
+    return seen > 0 ? std::sqrt(seen / brightness) : (camera.target - camera.eye).norm();
 }
 
 bool hasProjectedPhoto(const RenderScene& scene) {
@@ -149,6 +167,7 @@ Frame Renderer::Implementation::frameFor(const RenderScene& scene, const Camera&
     frame.pixelRatio = static_cast<float>(size.pixelRatio);
     frame.size = rest.isEmpty() ? 1.0F : static_cast<float>(rest.diagonal().norm());
     frame.eye = viewpoint(camera, frame.size);
+    frame.exposedDistance = static_cast<float>(exposedDistance(camera, organ.vertices));
     return frame;
 }
 
@@ -186,8 +205,8 @@ void Renderer::Implementation::tidy() const {
     gl.UseProgram(0);
     for (const GLenum target : std::array<GLenum, 2>{GL_ARRAY_BUFFER, GL_TEXTURE_BUFFER})
         gl.BindBuffer(target, 0);
-    for (const GLenum unit :
-         std::array<GLenum, 5>{GL_TEXTURE4, GL_TEXTURE3, GL_TEXTURE2, GL_TEXTURE1, GL_TEXTURE0}) {
+    constexpr GLenum units = 8; // the photo's and the finish's among them
+    for (GLenum unit = GL_TEXTURE0 + units; unit-- > GL_TEXTURE0;) {
         gl.ActiveTexture(unit);
         gl.BindTexture(GL_TEXTURE_2D, 0);
         gl.BindTexture(GL_TEXTURE_BUFFER, 0);

@@ -7,6 +7,7 @@
 #include "core/render/camera.h"
 #include "core/render/cut_plane.h"
 #include "core/texture/atlas/atlas.h"
+#include "core/texture/finish/surface_finish.h"
 #include "core/texture/image.h"
 #include "core/texture/layers/page_levels.h"
 #include "core/texture/layers/tiled_pages.h"
@@ -61,6 +62,12 @@ struct ProjectedPhoto {
     std::shared_ptr<const Image> bands{}; ///< added to the photo, see `bandsAddedTo`; null for nothing
 };
 
+/// What light falls on the organ.
+enum class SceneLight {
+    Room,     ///< a soft sky and two lamps, as over a table
+    Endoscope ///< the lamp at the eye, weaker with the square of the distance, in a dark cavity
+};
+
 /// Everything one picture shows. Shared parts are compared by pointer and uploaded only when they change.
 struct RenderScene {
     std::shared_ptr<const TriangleMesh> mesh;
@@ -72,6 +79,10 @@ struct RenderScene {
     /// Of each page, as `smallerPages` makes them; null: small surface flickers
     std::shared_ptr<const SmallerPages> smallerPages;
     Colour baseColour{186, 92, 84};
+    SceneLight light = SceneLight::Room;
+    std::optional<SurfaceFinish> finish; ///< where pages have none; none: tissue shines as it always did
+    std::shared_ptr<const TiledPages>
+        finishPages; ///< like the texture's, see `composedFinish`; null for none
     bool showSurface = true;
     bool showWireframe = false; ///< the triangles' edges, over the surface or in its place
     bool showSprings = false;   ///< a network without triangles always shows them, and its nodes

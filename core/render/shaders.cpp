@@ -44,6 +44,17 @@ vec3 lit(vec3 albedo, vec3 n, vec3 toEye, Sheen sheen) {
     colour += sheen.rim * rim * (0.35 + 0.65 * sky) * mix(vec3(0.8, 0.9, 1.0), albedo * 3.0, 0.5);
     return colour;
 }
+
+// Tissue of which nobody said how it shines. Colours that mean something are not reddened, shine little, and are read
+// in the shade as well.
+vec3 plainlyLit(vec3 albedo, vec4 tint, vec3 n, vec3 toEye) {
+    vec3 inside = mix(vec3(0.62, 0.50, 0.50), vec3(0.62), tint.a);
+    vec3 linear = albedo * (gl_FrontFacing ? vec3(1.0) : inside);
+    Sheen sheen = gl_FrontFacing ? Sheen(0.085, 0.20, 0.085) : Sheen(0.03, 0.05, 0.02);
+    float less = 1.0 - 0.8 * tint.a;
+    sheen = Sheen(sheen.broad * less, sheen.wet * less, sheen.rim * less);
+    return lit(linear, n, toEye, sheen) + 0.35 * tint.a * linear;
+}
 )";
 
 } // namespace
@@ -132,7 +143,7 @@ std::string surfaceFragment(WithPhoto photo) {
     const std::string ofPhoto = photo == WithPhoto::No
                                     ? "vec3 withPhoto(vec3 beneath, float left) { return beneath; }\n"
                                     : photoColourSource();
-    return version() + viewing + lighting + ofPhoto + R"(
+    return version() + viewing + lighting + finishSource() + ofPhoto + R"(
 in vec3 position, normal;
 in vec4 tint;
 in vec3 shares;
@@ -174,13 +185,8 @@ void main() {
     }
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 n = normalize(normal) * side;
-    // Colours that mean something are not reddened, and shine little.
-    vec3 inside = mix(vec3(0.62, 0.50, 0.50), vec3(0.62), tint.a);
-    vec3 linear = toLinear(albedo) * (gl_FrontFacing ? vec3(1.0) : inside);
-    Sheen sheen = gl_FrontFacing ? Sheen(0.085, 0.20, 0.085) : Sheen(0.03, 0.05, 0.02);
-    sheen = Sheen(sheen.broad * (1.0 - 0.8 * tint.a), sheen.wet * (1.0 - 0.8 * tint.a), sheen.rim * (1.0 - 0.8 * tint.a));
-    // They are read in the shade as well.
-    vec3 shaded = lit(linear, n, towardsEye(position), sheen) + 0.35 * tint.a * linear;
+    vec3 shaded = hasFinish || endoscope ? shining(toLinear(albedo), tint, n, position, place(), placeOf(shares))
+                                         : plainlyLit(toLinear(albedo), tint, n, towardsEye(position));
     colour = vec4(toDisplay(shaded), 1.0);
 }
 )";

@@ -31,4 +31,7 @@ std::string photoDepthFragment();
 std::string photoPlaceSource();
 std::string photoColourSource();
 
+/// The same: `Finish finishAt(…)`, and light on a surface that has one.
+std::string finishSource();
+
 } // namespace esm::shaders

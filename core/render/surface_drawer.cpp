@@ -21,6 +21,11 @@ bool isTextured(const RenderScene& scene) {
            scene.atlas->page.size() == scene.mesh->triangles.size();
 }
 
+constexpr int finishUnit = 7; ///< behind those of a projected photo
+
+/// What tissue is taken for in an endoscope's light where nobody said.
+constexpr SurfaceFinish usualFinish{0.45, 0.5};
+
 int levelsOf(const std::shared_ptr<const SmallerPages>& smallerPages) {
     return smallerPages && !smallerPages->empty() ? static_cast<int>(smallerPages->front().size()) : 0;
 }
@@ -63,11 +68,13 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
     program.set("perCorner", textured);
     program.set("vertices", 0);
     program.set("page", 1);
+    setFinish(program, scene, frame);
     m_vertexTexture.bind(GL_TEXTURE_BUFFER, 0);
     if (hidesItsInside(scene, frame)) m_gl.Enable(GL_CULL_FACE);
     if (textured) {
         takeAtlas(scene.atlas);
         takePages(scene);
+        takeFinish(scene.finishPages);
         program.set("pageSize", static_cast<float>(scene.atlas->options.size));
         program.set("halfGap", static_cast<float>(filledGap(scene.atlas->options) / 2));
         program.set("levels", levelsOf(scene.smallerPages));
@@ -77,6 +84,17 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
         drawPlain(program);
     }
     m_gl.Disable(GL_CULL_FACE);
+}
+
+void SurfaceDrawer::setFinish(const GlProgram& program, const RenderScene& scene, const Frame& frame) {
+    const SurfaceFinish plain = scene.finish.value_or(usualFinish);
+    program.set("finishPage", finishUnit);
+    program.set("hasFinish", scene.finish.has_value());
+    program.set("plainFinish",
+                Eigen::Vector2f(static_cast<float>(plain.wetness), static_cast<float>(plain.roughness)));
+    program.set("endoscope", scene.light == SceneLight::Endoscope);
+    program.set("exposedDistance", frame.exposedDistance);
+    program.set("filmRoughness", static_cast<float>(filmRoughness));
 }
 
 /// From outside, every line of sight through a closed surface meets a front before a back, so half the
@@ -92,6 +110,7 @@ bool SurfaceDrawer::hidesItsInside(const RenderScene& scene, const Frame& frame)
 void SurfaceDrawer::drawPlain(const GlProgram& program) const {
     program.set("painted", false);
     program.set("masked", false);
+    program.set("finishPainted", false);
     m_plainArray.bind();
     m_gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * m_mesh->triangles.size()), GL_UNSIGNED_INT,
                       nullptr);
@@ -104,6 +123,9 @@ void SurfaceDrawer::drawPages(const GlProgram& program, bool areMasked) const {
         program.set("painted", known);
         program.set("masked", known && areMasked);
         if (known) m_pageTextures[range.page]->bind(GL_TEXTURE_2D, 1);
+        const bool hasFinish = range.page < m_finishTextures.size();
+        program.set("finishPainted", hasFinish);
+        if (hasFinish) m_finishTextures[range.page]->bind(GL_TEXTURE_2D, finishUnit);
         m_gl.DrawArrays(GL_TRIANGLES, range.first, range.count);
     }
 }
@@ -189,6 +211,17 @@ void SurfaceDrawer::takePages(const RenderScene& scene) {
         if (!texture) texture = std::make_unique<GlTexture>(m_gl);
         const bool hasSmaller = m_smallerPages && i < m_smallerPages->size();
         texture->upload(page, hasSmaller ? (*m_smallerPages)[i] : std::vector<TiledImage>());
+    }
+}
+
+/// Without smaller copies: a mean of normals is none, and the film's mirror images are flecks from afar too.
+void SurfaceDrawer::takeFinish(const std::shared_ptr<const TiledPages>& pages) {
+    if (pages == m_finishPages) return;
+    m_finishPages = pages;
+    m_finishTextures.resize(pages ? pages->size() : 0);
+    for (std::size_t i = 0; i < m_finishTextures.size(); ++i) {
+        if (!m_finishTextures[i]) m_finishTextures[i] = std::make_unique<GlTexture>(m_gl);
+        m_finishTextures[i]->upload((*pages)[i], {});
     }
 }
 

@@ -30,6 +30,8 @@ private:
     void takeTriangles(const std::shared_ptr<const TriangleMesh>& mesh);
     void takeAtlas(const std::shared_ptr<const Atlas>& atlas);
     void takePages(const RenderScene& scene);
+    void takeFinish(const std::shared_ptr<const TiledPages>& pages);
+    static void setFinish(const GlProgram& program, const RenderScene& scene, const Frame& frame);
     bool hidesItsInside(const RenderScene& scene, const Frame& frame) const;
     void drawPlain(const GlProgram& program) const;
     /// @param areMasked their alpha is what is left of the photo over them
@@ -44,7 +46,8 @@ private:
     std::shared_ptr<const Atlas> m_atlas;
     std::shared_ptr<const TiledPages> m_pages;
     std::shared_ptr<const SmallerPages> m_smallerPages;
-    std::vector<std::unique_ptr<GlTexture>> m_pageTextures;
+    std::shared_ptr<const TiledPages> m_finishPages;
+    std::vector<std::unique_ptr<GlTexture>> m_pageTextures, m_finishTextures;
     std::vector<PageRange> m_ranges;
     bool m_closed = false;                   ///< the surface has no border and agrees in orientation
     std::vector<Eigen::Vector3d> m_vertices; ///< as last uploaded

@@ -10,6 +10,7 @@ namespace esm {
 struct ViewState {
     bool surface = true, wireframe = false, springs = false, nodes = false, regions = true;
     ColourBy colourBy = ColourBy::Texture;
+    SceneLight light = SceneLight::Room;
     std::optional<Cut> cut;
 
     bool operator==(const ViewState&) const = default;

@@ -7,7 +7,7 @@ from pathlib import Path
 from esmc import ESMC, Case, command
 
 COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scale", "scene", "simulate", "stability", "extremes", "tradeoff",
-            "texture", "export", "validate", "render", "fuzzy eval", "fuzzy convert", "texture pack", "texture photo", "texture replace", "texture fit", "texture bake"]
+            "texture", "export", "validate", "render", "fuzzy eval", "fuzzy convert", "texture pack", "texture photo", "texture replace", "texture fit", "texture finish", "texture bake"]
 
 
 class HelpTest(Case):
@@ -104,7 +104,7 @@ class HelpTest(Case):
         message = self.fails(2, "learn", "a.esm", "--scene", "b.json")
         for name in COMMANDS[:14]:
             self.assertIn(name, message)
-        self.assertIn("pack, photo, replace, fit, bake", self.fails(2, "texture", "warp", "a.esm"))
+        self.assertIn("pack, photo, replace, fit, finish, bake", self.fails(2, "texture", "warp", "a.esm"))
 
     def test_json_and_threads_stand_before_or_after_the_command(self):
         project = self.sample("tube")

@@ -64,6 +64,10 @@ COMMANDS = {
     "texture fit organ.esm --photo photo.png --pairs pairs.csv": {
         "project": FILE, "--photo": FILE, "--pairs": FILE, "-o": ["-", "out.png", ""], "--refine": None,
         "--intrinsics": ["x", "1,2,3", "0,1,1,1", "1,-1,0,0", "1,1,nan,1", "1e8,1,0,0", "1,1,1e8,0", ""]},
+    "texture finish organ.esm --layer photo --preset fat": {
+        "project": FILE, "-o": TO_PROJECT, "--layer": ["nobody", ""], "--preset": ["bone", ""],
+        "--roughness": AMOUNT + ["1.01"], "--wetness": AMOUNT + ["1.01"], "--wet-at-highlights": AMOUNT + ["1.01"],
+        "--relief": AMOUNT + ["5.01"], "--without-colour": None, "--remove": None},
     "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None},
     "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""]},
     "validate organ.esm": {"file": FILE},
@@ -72,7 +76,8 @@ COMMANDS = {
         "--view": ["behind", "FRONT", "1 2 3", "0 0 0 0 0 0", "nan 0 0 0 0 0", "1e31 0 0 0 0 0", ""], "--camera": FILE,
         "--orthographic": None, "--colour-by": ["beauty", "Mass", "strain", "speed", ""],
         "--cut": ["x", "viewer", "viewer:", "x:0.5", "+x:1.1", "+x:-0.1", "+x:nan", "+x:0.5 0.5", ""],
-        "--show": ["bones", "surface,", ",", ""], "--motion": FILE, "--at": ["1"], "--unlit": None},
+        "--show": ["bones", "surface,", ",", ""], "--motion": FILE, "--at": ["1"], "--unlit": None,
+        "--light": ["sun", ""]},
 }
 OUTPUTS = {"simulate": "out.csv", "texture fit": "out.json", "texture bake": "pages", "export": "out.glb",
            "render": "out.png", "extremes": "out.md"}

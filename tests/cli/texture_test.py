@@ -120,6 +120,27 @@ class TextureTest(Case):
         self.photographed(project, "--name", "Polyp")
         self.fails(2, *given, "-o", project, naming="several")
 
+    def test_shines_as_said(self):
+        organ, wet, dry = self.sample("liver"), self.file("wet.esm"), self.file("dry.esm")
+        self.file("black.png", black_png(256, 256))
+        self.done("texture", "photo", organ, "--photo", self.file("black.png"), "--projector",
+                  self.file("pose.json", PROJECTOR), "--name", "above", "-o", organ)
+        report = self.done("texture", "finish", organ, "--preset", "mucosa", "--roughness", "0.2", "-o", wet)
+        self.assertEqual((report["roughness"], report["wetness"]), (0.2, 1))
+        report = self.done("texture", "finish", wet, "--layer", "above", "--relief", "1", "-o", wet)
+        self.assertIn("of one colour", report["warnings"][0])
+        self.done("texture", "finish", wet, "--layer", "above", "--remove", "-o", wet)
+        self.done("texture", "finish", wet, "--remove", "-o", dry)
+        pictures = []
+        for project in (organ, dry, wet):
+            self.done("render", project, "--size", "96x96", "-o", self.file("seen.png"))
+            pictures.append(self.file("seen.png").read_bytes())
+        self.assertEqual(pictures[0], pictures[1])
+        self.assertNotEqual(pictures[0], pictures[2])
+        self.fails(2, "texture", "finish", organ, "-o", wet, naming="--preset")
+        self.fails(2, "texture", "finish", organ, "--relief", "1", "-o", wet, naming="name it with --layer")
+        self.fails(2, "texture", "finish", organ, "--layer", "no", "--remove", "-o", wet, naming='there are "above"')
+
     def test_bad_pictures_leave_the_project_as_it_was(self):
         def chunk(kind, body):
             return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
@@ -534,6 +555,7 @@ class RenderTest(Case):
         self.done("sample", "vessels", "-o", self.file("photo.png"))
         self.done("texture", "photo", project, "--photo", self.file("photo.png"), "--projector",
                   self.file("pose.json", PROJECTOR), "-o", project)
+        self.done("texture", "finish", project, "--layer", "photo", "--preset", "serosa", "--relief", "0.3", "-o", project)
         self.done("export", project, "-o", package, "--to", "glb")
         ours, theirs = ([value for row in self.rendered(file) for pixel in row for value in pixel]
                         for file in (project, package))

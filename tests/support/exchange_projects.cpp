@@ -264,4 +264,12 @@ Project bareProject() {
     return project;
 }
 
+Project shiningProject() {
+    Project project = richProject();
+    project.texture.finish = SurfaceFinish{1.0 / 3, 0.75};
+    project.layers[0].finish = LayerFinish{{0.3, 2.0 / 3}, 0.8, 0.01 / 3, false};
+    project.layers[1].finish = LayerFinish{{0.95, 0}, 0, 0, true};
+    return project;
+}
+
 } // namespace esm

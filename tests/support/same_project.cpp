@@ -115,6 +115,7 @@ void expectSamePhotos(const Project& a, const Project& b) {
         EXPECT_EQ(p.blending, q.blending);
         EXPECT_TRUE(p.strokes == q.strokes);
         EXPECT_EQ(p.landmarks, q.landmarks);
+        EXPECT_EQ(p.finish, q.finish);
     }
 }
 
@@ -125,6 +126,7 @@ void expectSameTexture(const Project& a, const Project& b) {
     };
     EXPECT_TRUE(sameOptions(a.texture.atlas, b.texture.atlas));
     EXPECT_EQ(a.texture.baseColour, b.texture.baseColour);
+    EXPECT_EQ(a.texture.finish, b.texture.finish);
     ASSERT_EQ(a.atlas == nullptr, b.atlas == nullptr);
     if (!a.atlas) return;
     EXPECT_TRUE(sameOptions(a.atlas->options, b.atlas->options));

@@ -31,6 +31,7 @@ enum class EditKind {
     EvenLight,
     FadingBorder,
     Field,
+    Finish,
     Highlights,
     Landmarks,
     Opacity,

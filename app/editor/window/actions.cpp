@@ -187,6 +187,10 @@ void ActionMaker::makeCameraActions() {
     a.orthographic = makeSwitch(make(tr("Ort&hographic"), QKeySequence(Qt::Key_T),
                                      tr("Look without perspective: what is as large is seen as large")),
                                 false);
+    a.endoscopeLight =
+        makeSwitch(make(tr("En&doscope's light"), QKeySequence("Shift+E"),
+                        tr("Light the organ by a lamp at the eye, as in a body, in place of a room's lamps")),
+                   false);
     a.cut = makeSwitch(
         make(tr("&Cut open"), QKeySequence(Qt::Key_X), tr("Hide what lies before a plane, to look inside")),
         false);

@@ -23,7 +23,7 @@ struct Actions {
     QAction* shortcuts;
     QAction *showSurface, *showWireframe, *showSprings, *showNodes, *showRegions, *showProjector, *showBare;
     QActionGroup* colourings; ///< one per ColourBy, in their order
-    QAction *frame, *frameSelection, *orthographic, *cut, *lookFromWithin, *lookThroughPhoto;
+    QAction *frame, *frameSelection, *orthographic, *endoscopeLight, *cut, *lookFromWithin, *lookThroughPhoto;
     QAction *showLeft, *showRight, *fuzzyWindow, *referenceWindow, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail;

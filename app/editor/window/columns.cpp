@@ -9,6 +9,7 @@
 #include "app/editor/panels/texture/photos_panel.h"
 #include "app/editor/panels/texture/preparation_panel.h"
 #include "app/editor/panels/texture/projector_panel.h"
+#include "app/editor/panels/texture/wet_look_panel.h"
 #include "app/editor/panels/tissue/ellipsoid_panel.h"
 #include "app/editor/panels/tissue/regions_panel.h"
 #include "app/editor/panels/tissue/tissue_panel.h"
@@ -67,11 +68,11 @@ void addTexture(Workspaces& workspaces, const ColumnContext& c) {
     auto* landmarks = new LandmarksPanel(c.landmarking);
     landmarks->setToolAction(c.actions.tool(QStringLiteral("landmarks")));
     showOfPhotosOnly({preparation, projector, landmarks}, workspaces, c);
-    workspaces.add(
-        Workspace::Texture, {Workspaces::tr("Photos"), {photos, new AtlasPanel(c.document)}},
-        {{Workspaces::tr("Photo"),
-          underOptions(c, ToolWorkspace::Texture,
-                       {preparation, new PhotoPanel(c.document, c.selection), projector, landmarks})}});
+    workspaces.add(Workspace::Texture, {Workspaces::tr("Photos"), {photos, new AtlasPanel(c.document)}},
+                   {{Workspaces::tr("Photo"),
+                     underOptions(c, ToolWorkspace::Texture,
+                                  {preparation, new PhotoPanel(c.document, c.selection),
+                                   new WetLookPanel(c.document, c.selection), projector, landmarks})}});
 }
 
 } // namespace

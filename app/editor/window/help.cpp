@@ -35,8 +35,8 @@ QString rowOf(const ShortcutRow& entry) {
 
 bool isOfCamera(const ShortcutRow& entry) {
     return entry.id == "frame" || entry.id == "frameSelection" || entry.id == "cut" ||
-           entry.id == "orthographic" || entry.id == "lookFromWithin" || entry.id == "lookThroughPhoto" ||
-           entry.id.startsWith("lookFrom/");
+           entry.id == "orthographic" || entry.id == "endoscopeLight" || entry.id == "lookFromWithin" ||
+           entry.id == "lookThroughPhoto" || entry.id.startsWith("lookFrom/");
 }
 
 QString viewRows(const std::vector<ShortcutRow>& actions) {

@@ -34,7 +34,7 @@ void fillViewMenu(QMenu* view, const Actions& a) {
     QMenu* sides = view->addMenu(QObject::tr("Loo&k from"));
     for (QAction* side : a.standardViews)
         sides->addAction(side);
-    view->addActions({a.lookFromWithin, a.lookThroughPhoto, a.orthographic});
+    view->addActions({a.lookFromWithin, a.lookThroughPhoto, a.orthographic, a.endoscopeLight});
     view->addSeparator();
     view->addActions({a.showLeft, a.showRight, a.fuzzyWindow, a.referenceWindow, a.lightTheme});
 }

@@ -66,6 +66,7 @@ void addView(RowMaker& rows, const Actions& a) {
     rows.add(view, {{"lookFromWithin", a.lookFromWithin},
                     {"lookThroughPhoto", a.lookThroughPhoto},
                     {"orthographic", a.orthographic},
+                    {"endoscopeLight", a.endoscopeLight},
                     {"showLeft", a.showLeft},
                     {"showRight", a.showRight},
                     {"fuzzyWindow", a.fuzzyWindow},

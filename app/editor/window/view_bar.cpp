@@ -35,7 +35,8 @@ ViewBar::ViewBar(const Actions& actions, QWidget* view)
     auto* menu = new QMenu(show);
     fillShownMenu(menu, actions);
     menu->addSeparator();
-    menu->addActions({actions.cut, actions.lookFromWithin, actions.lookThroughPhoto, actions.orthographic});
+    menu->addActions({actions.cut, actions.lookFromWithin, actions.lookThroughPhoto, actions.orthographic,
+                      actions.endoscopeLight});
     show->setMenu(menu);
     column->addWidget(show, 0, Qt::AlignLeft);
     column->addWidget(m_cut);

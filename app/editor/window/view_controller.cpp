@@ -105,6 +105,10 @@ void ViewController::connectShownParts(const Actions& actions) {
     });
     connect(this, &ViewController::unseenEdit, actions.showBare,
             [bare = actions.showBare] { bare->setChecked(false); });
+    connect(actions.endoscopeLight, &QAction::toggled, this, [this](bool on) {
+        m_state.light = on ? SceneLight::Endoscope : SceneLight::Room;
+        rebuild({&ViewController::showShownParts});
+    });
     connect(actions.cut, &QAction::toggled, this, [this](bool on) {
         m_state.cut = on ? std::optional(m_cut) : std::nullopt;
         rebuild({&ViewController::showShownParts});
@@ -214,6 +218,10 @@ void ViewController::dressOrgan(RenderScene& scene) {
     scene.atlas = composed.atlas;
     scene.texturePages = composed.pages;
     scene.smallerPages = composed.smallerPages;
+    if (m_isBare)
+        layFinish(scene, {}, std::nullopt, nullptr);
+    else
+        layFinish(scene, project.layers, project.texture.finish, composed.finishPages);
     scene.projectedPhoto = m_isBare ? std::nullopt : m_moving.projected(composed);
 }
 

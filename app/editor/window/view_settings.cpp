@@ -13,7 +13,8 @@ std::vector<std::pair<QString, QAction*>> switches(const Actions& a) {
             {QStringLiteral("view/nodes"), a.showNodes},
             {QStringLiteral("view/regions"), a.showRegions},
             {QStringLiteral("view/projector"), a.showProjector},
-            {QStringLiteral("view/orthographic"), a.orthographic}};
+            {QStringLiteral("view/orthographic"), a.orthographic},
+            {QStringLiteral("view/endoscopeLight"), a.endoscopeLight}};
 }
 
 } // namespace

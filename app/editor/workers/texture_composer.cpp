@@ -25,6 +25,7 @@ TextureComposer::Composed TextureComposer::composition() const {
 bool TextureComposer::lies(const Project& project) const {
     const Composition& kept = m_kept.composition;
     return kept.pages && kept.baseColour == project.texture.baseColour &&
+           m_kept.base == project.texture.finish &&
            std::equal(kept.layers.begin(), kept.layers.end(), project.layers.begin(), project.layers.end(),
                       looksTheSame);
 }
@@ -45,11 +46,13 @@ void TextureComposer::compose(const Project& project, std::optional<LayerId> mov
 /// Brings what is kept up to date with a project's layers.
 void TextureComposer::keepPages(const Worker::Task& task) {
     const Project& project = task.question.project;
-    if (m_kept.mesh != project.mesh) m_kept = {project.mesh, nullptr, {}, nullptr, {}, {}};
+    if (m_kept.mesh != project.mesh) m_kept = {};
+    m_kept.mesh = project.mesh;
     if (m_kept.atlas != project.atlas) {
         m_kept.composition = {};
         m_kept.smaller = nullptr;
         m_kept.masked = {};
+        m_kept.finish = {};
     }
     m_kept.atlas = project.atlas;
     const Progress goOn = task.progress([&](const Asked& next) {
@@ -59,11 +62,26 @@ void TextureComposer::keepPages(const Worker::Task& task) {
         m_progress = fraction;
         return goOn(fraction);
     });
-    auto pages = std::make_shared<const TiledPages>(
-        recomposite(*project.mesh, *project.atlas, m_kept.composition, project.layers,
-                    project.texture.baseColour, m_kept.cache, parts.next(0.95)));
-    m_kept.smaller = halved(*project.atlas, *pages, parts.rest());
+    auto pages = std::make_shared<const TiledPages>(recomposite(
+        *project.mesh, *project.atlas, m_kept.composition, project.layers, project.texture.baseColour,
+        m_kept.cache, parts.next(hasFinish(project.layers, std::nullopt) ? 0.5 : 0.95)));
+    m_kept.smaller = halved(*project.atlas, *pages, parts.next(0.05));
+    keepFinish(project, parts.rest());
     m_kept.composition = {project.layers, project.texture.baseColour, pages};
+}
+
+void TextureComposer::keepFinish(const Project& project, const Progress& progress) {
+    if (!hasFinish(project.layers, std::nullopt)) {
+        m_kept.finish = {};
+    } else {
+        ProgressParts parts(progress);
+        const FinishLayers layers =
+            finishLayers(project.layers, project.texture.finish, m_kept.finishPictures, parts.next(0.3));
+        m_kept.finish = composedFinish(*project.mesh, *project.atlas, m_kept.finish, layers,
+                                       m_kept.finishCache, parts.rest());
+    }
+    m_kept.base = project.texture.finish;
+    reportProgress(progress, 1);
 }
 
 std::shared_ptr<const SmallerPages> TextureComposer::halved(const Atlas& atlas, const TiledPages& pages,
@@ -97,6 +115,7 @@ TextureComposer::Composed TextureComposer::compositionOf(const Worker::Task& tas
     Composed composed{project.atlas,
                       m_kept.composition.pages,
                       m_kept.smaller,
+                      m_kept.finish.pages,
                       Milliseconds(std::chrono::steady_clock::now() - start).count(),
                       {}};
     if (task.question.moving) addMotion(task, composed);

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/texture/layers/composite.h"
 #include "core/texture/layers/page_levels.h"
+#include "core/texture/maps/finish_pages.h"
 
 #include <QObject>
 
@@ -29,6 +30,7 @@ public:
         std::shared_ptr<const Atlas> atlas;               ///< the one the pages belong to
         Pages pages;                                      ///< null where nothing is composed
         std::shared_ptr<const SmallerPages> smallerPages; ///< of those pages
+        Pages finishPages;                                ///< how they shine; null where layers do not say it
         double milliseconds = 0;                          ///< it took
         std::optional<LayerId> moving{}; ///< which is left out of the pages, as its photo moves
         bool isMasked = false;           ///< the pages' alpha is what strokes have left of that
@@ -68,6 +70,11 @@ private:
         std::shared_ptr<const SmallerPages> smaller; ///< of the composition's pages
         MaskedPages masked;
         CompositionCache cache;
+        // Of the finish, whose layers are others.
+        std::optional<SurfaceFinish> base;
+        FinishComposition finish;
+        FinishPictures finishPictures;
+        CompositionCache finishCache;
     };
     struct Asked {
         Project project; ///< without the moving photo
@@ -78,6 +85,7 @@ private:
 
     Composed compositionOf(const Worker::Task& task);
     void keepPages(const Worker::Task& task);
+    void keepFinish(const Project& project, const Progress& progress);
     /// Adds what the renderer needs to project the moving photo.
     void addMotion(const Worker::Task& task, Composed& composed);
     void mask(const Project& project, const BrushStrokes& strokes, Composed& composed);

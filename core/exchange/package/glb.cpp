@@ -19,7 +19,7 @@ constexpr std::size_t headerSize = 12, chunkHeaderSize = 8;
 constexpr unsigned uint32Component = 5125, float32Component = 5126;
 
 const char* nameOf(GltfType type) {
-    constexpr std::array names{"SCALAR", "VEC2", "VEC3"};
+    constexpr std::array names{"SCALAR", "VEC2", "VEC3", "VEC4"};
     return names[static_cast<std::size_t>(type)];
 }
 

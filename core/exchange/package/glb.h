@@ -29,7 +29,7 @@ struct GlbParts {
 GlbParts glbParts(const Bytes& file);
 
 /// glTF's names for what an array holds.
-enum class GltfType { Scalar, Vec2, Vec3 };
+enum class GltfType { Scalar, Vec2, Vec3, Vec4 };
 enum class GltfTarget { None = 0, Vertices = 34962, Indices = 34963 };
 
 /// Appends arrays to a GLB, each in a buffer view of its own, and gives their places in the file.

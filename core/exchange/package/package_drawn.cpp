@@ -1,8 +1,10 @@
 #include "core/exchange/package/package_drawn.h"
 
 #include "core/exchange/package/package_layout.h"
+#include "core/exchange/package/package_materials.h"
 #include "core/exchange/project/model_json.h"
 #include "core/support/errors.h"
+#include "core/texture/maps/finish_pages.h"
 #include "core/texture/photo/photo_format.h"
 #include "core/texture/texture_limits.h"
 
@@ -35,20 +37,25 @@ private:
     void placePart(const JsonReader& drawn, const DrawnPart& part, std::size_t page, Atlas& atlas) const;
     std::shared_ptr<Atlas> readAtlas(const JsonReader& texture, std::size_t pages,
                                      std::size_t triangles) const;
-    JsonReader imageOf(const JsonReader& primitive) const;
+    JsonReader materialOf(const JsonReader& primitive) const;
+    JsonReader imageOf(const JsonReader& texture) const;
     template<class SizeProblem> Image readImage(const JsonReader& image, SizeProblem&& sizeProblem) const;
     Image readPage(const JsonReader& image, int size) const;
     void readPages(const std::vector<JsonReader>& primitives, ModelPackage& package) const;
+    void readFinish(const std::vector<JsonReader>& primitives, ModelPackage& package) const;
 
     const GltfArrayReader& m_arrays;
     std::vector<std::string>& m_problems;
 };
 
-JsonReader DrawnReader::imageOf(const JsonReader& primitive) const {
-    const JsonReader material = m_arrays.element("materials", primitive.member("material"));
-    const JsonReader colour = material.member("pbrMetallicRoughness").member("baseColorTexture");
-    const JsonReader texture = m_arrays.element("textures", colour.member("index"));
-    return m_arrays.element("images", texture.member("source"));
+JsonReader DrawnReader::materialOf(const JsonReader& primitive) const {
+    return m_arrays.element("materials", primitive.member("material"));
+}
+
+/// @param texture as a material names it
+JsonReader DrawnReader::imageOf(const JsonReader& texture) const {
+    const JsonReader named = m_arrays.element("textures", texture.member("index"));
+    return m_arrays.element("images", named.member("source"));
 }
 
 /// Decodes nothing but what has the size. @param sizeProblem of width and height, pixels; empty when all is
@@ -91,12 +98,39 @@ Image DrawnReader::readPreview(const JsonReader& preview) const {
 void DrawnReader::readPages(const std::vector<JsonReader>& primitives, ModelPackage& package) const {
     std::set<std::string> named;
     for (const JsonReader& primitive : primitives) {
-        const JsonReader image = imageOf(primitive);
+        const JsonReader surface = materialOf(primitive).member("pbrMetallicRoughness");
+        const JsonReader image = imageOf(surface.member("baseColorTexture"));
         if (!image.json().is_null() && !named.insert(image.place()).second)
             image.addProblem("is the picture of two pages");
         else
             package.textures.push_back(readPage(image, package.atlas->options.size));
     }
+}
+
+/// What else materials may hold of other programs is theirs: a finish is read where the film's extension
+/// stands, which our packages have wherever they have one.
+void DrawnReader::readFinish(const std::vector<JsonReader>& primitives, ModelPackage& package) const {
+    TiledPages pages;
+    for (const JsonReader& primitive : primitives) {
+        const JsonReader material = materialOf(primitive);
+        if (!material.has("extensions") || !material.member("extensions").has(clearcoatExtension)) continue;
+        const JsonReader surface = material.member("pbrMetallicRoughness");
+        const JsonReader film = material.member("extensions").member(clearcoatExtension);
+        if (!surface.has("metallicRoughnessTexture")) {
+            package.finish = SurfaceFinish{surface.member("roughnessFactor").number(),
+                                           film.member("clearcoatFactor").number()};
+            for (const std::string& problem : fieldProblems(*package.finish))
+                material.addProblem(problem);
+            continue;
+        }
+        MaterialPage page{
+            readPage(imageOf(surface.member("metallicRoughnessTexture")), package.atlas->options.size), {}};
+        if (material.has("normalTexture"))
+            page.normals = readPage(imageOf(material.member("normalTexture")), package.atlas->options.size);
+        if (m_problems.empty()) pages.push_back(finishPage(page));
+    }
+    if (!m_problems.empty() || pages.size() != primitives.size()) return;
+    if (!pages.empty()) package.finishPages = std::make_shared<const TiledPages>(std::move(pages));
 }
 
 /// The primitive of the glTF file that an entry of `drawn` speaks of; null where there is none.
@@ -190,14 +224,14 @@ void DrawnReader::read(const JsonReader& extension, ModelPackage& package) const
         for (const std::uint32_t triangle : part.triangles)
             ++timesDrawn[triangle];
         checkPart(drawn[page], part, package);
-        if (!atlas) continue;
-        placePart(drawn[page], part, page, *atlas);
         primitives.push_back(part.primitive);
+        if (atlas) placePart(drawn[page], part, page, *atlas);
     }
     if (std::any_of(timesDrawn.begin(), timesDrawn.end(), [](int times) { return times != 1; }))
         extension.member("drawn").addProblem("should show every triangle of the surface once");
     package.atlas = atlas;
-    if (m_problems.empty()) readPages(primitives, package);
+    if (m_problems.empty() && atlas) readPages(primitives, package);
+    if (m_problems.empty()) readFinish(primitives, package);
 }
 
 } // namespace

@@ -2,10 +2,12 @@
 #include "core/exchange/model_package.h"
 #include "core/exchange/package/glb.h"
 #include "core/exchange/package/package_layout.h"
+#include "core/exchange/package/package_materials.h"
+#include "core/exchange/package/package_pages.h"
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/region_json.h"
 #include "core/support/errors.h"
-#include "core/texture/layers/composite.h"
+#include "core/texture/maps/finish_pages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +23,8 @@ namespace {
 struct Ingredients {
     const Project& project;
     const TissueModel& tissue;
-    std::shared_ptr<const std::vector<Image>> pages; ///< null: no texture
-    Image preview;                                   ///< empty: none
+    PackagePages pages;
+    Image preview; ///< empty: none
 };
 
 constexpr double pagesShare = 0.8; ///< of building, that the pictures of pages take
@@ -54,7 +56,6 @@ private:
     Json fixedNodes();
     Json surface();
     Json binding();
-    Json texture() const;
     int version() const;
     Json extension();
 
@@ -70,7 +71,8 @@ private:
                    Json& drawn);
     Json drawnSurface(Json& drawn);
     Json drawnNetwork(Json& drawn);
-    void addMaterial(const Json& colour);
+    void addMaterial(const MaterialTextures& textures);
+    MaterialTextures addTextures(std::size_t page, const Progress& progress);
     std::size_t addImage(const Image& image, double texelsPerMetre, const Progress& progress);
     std::size_t addTexture(const Image& page, const Progress& progress);
     std::size_t addPreview();
@@ -188,14 +190,6 @@ Json PackageBuilder::binding() {
     return json;
 }
 
-Json PackageBuilder::texture() const {
-    const Atlas& atlas = *m_from.project.atlas;
-    return {{"size", atlas.options.size},
-            {"gap", atlas.options.gap},
-            {"texelsPerMetre", atlas.texelsPerMetre},
-            {"utilisation", atlas.utilisation}};
-}
-
 int PackageBuilder::version() const {
     if (hasOwnValues(m_from.tissue)) return package_layout::versionOfOwnValues;
     if (isBound() && needsStarts(*m_network.binding)) return package_layout::versionOfWideBindings;
@@ -222,14 +216,13 @@ Json PackageBuilder::extension() {
     json["regions"] = std::move(regions.regions);
     if (project.stepping) json["stepping"] = toJson(*project.stepping);
     json["baseColour"] = project.texture.baseColour;
-    if (m_from.pages) json["texture"] = texture();
+    if (m_from.pages.colours) json["texture"] = textureOf(*m_from.project.atlas);
     return json;
 }
 
-void PackageBuilder::addMaterial(const Json& colour) {
-    Json surface{{"metallicFactor", 0}, {"roughnessFactor", 0.6}};
-    surface.update(colour);
-    m_glb.json["materials"].push_back({{"pbrMetallicRoughness", std::move(surface)}, {"doubleSided", true}});
+void PackageBuilder::addMaterial(const MaterialTextures& textures) {
+    const TextureSettings& settings = m_from.project.texture;
+    m_glb.json["materials"].push_back(materialOf(textures, settings.baseColour, settings.finish));
 }
 
 std::size_t PackageBuilder::addImage(const Image& image, double texelsPerMetre, const Progress& progress) {
@@ -243,6 +236,17 @@ std::size_t PackageBuilder::addTexture(const Image& page, const Progress& progre
     const std::size_t image = addImage(page, m_from.project.atlas->texelsPerMetre, progress);
     m_glb.json["textures"].push_back({{"sampler", 0}, {"source", image}});
     return m_glb.json["textures"].size() - 1;
+}
+
+MaterialTextures PackageBuilder::addTextures(std::size_t page, const Progress& progress) {
+    ProgressParts parts(progress);
+    MaterialTextures textures;
+    textures.colour = addTexture((*m_from.pages.colours)[page], parts.next(m_from.pages.finish ? 0.4 : 1));
+    if (!m_from.pages.finish) return textures;
+    const MaterialPage finish = materialPage((*m_from.pages.finish)[page]);
+    textures.wetnessAndRoughness = addTexture(finish.wetnessAndRoughness, parts.next(0.3));
+    if (!finish.normals.empty()) textures.normals = addTexture(finish.normals, parts.rest());
+    return textures;
 }
 
 std::size_t PackageBuilder::addPreview() {
@@ -286,9 +290,13 @@ Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t
     reportProgress(parts.next(0.1), 1);
     attributes["TEXCOORD_0"] = m_arrays.addFloats(vertices.places, GltfType::Vec2, GltfTarget::Vertices);
     const std::size_t order = m_arrays.addIndices(indices, GltfTarget::Indices);
-    const std::size_t texture = addTexture((*m_from.pages)[page], parts.next(0.6));
+    const MaterialTextures textures = addTextures(page, parts.next(0.6));
+    if (textures.normals)
+        attributes["TANGENT"] =
+            m_arrays.addFloats(cornerTangents(m_mesh, *m_from.project.atlas, m_normals, triangles),
+                               GltfType::Vec4, GltfTarget::Vertices);
     reportProgress(parts.rest(), 0);
-    addMaterial({{"baseColorTexture", {{"index", texture}}}});
+    addMaterial(textures);
     drawn.push_back({{"mesh", 0},
                      {"primitive", drawn.size()},
                      {"vertexNodes", m_arrays.addIndices(vertices.nodes)},
@@ -301,7 +309,7 @@ Json PackageBuilder::drawnPages(Json& drawn) {
     constexpr int linear = 9729, clampToEdge = 33071; // mip-maps would mix patches that are not neighbours
     m_glb.json["samplers"].push_back(
         {{"magFilter", linear}, {"minFilter", linear}, {"wrapS", clampToEdge}, {"wrapT", clampToEdge}});
-    std::vector<std::vector<std::uint32_t>> pages(m_from.pages->size());
+    std::vector<std::vector<std::uint32_t>> pages(m_from.pages.colours->size());
     for (std::uint32_t triangle = 0; triangle < m_mesh.triangles.size(); ++triangle)
         pages[m_from.project.atlas->page[triangle]].push_back(triangle);
     Json primitives = Json::array();
@@ -312,16 +320,8 @@ Json PackageBuilder::drawnPages(Json& drawn) {
     return primitives;
 }
 
-/// glTF's colour factors are linear light, the project's colour is sRGB.
-double linearLight(std::uint8_t channel) {
-    const double value = channel / 255.0;
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 Json PackageBuilder::drawnSurface(Json& drawn) {
-    const auto& colour = m_from.project.texture.baseColour;
-    addMaterial(
-        {{"baseColorFactor", {linearLight(colour[0]), linearLight(colour[1]), linearLight(colour[2]), 1.0}}});
+    addMaterial({});
     std::vector<std::uint32_t> triangles(m_mesh.triangles.size());
     std::iota(triangles.begin(), triangles.end(), 0U);
     const Json attributes{{"POSITION", m_shared.vertexPositions},
@@ -357,10 +357,12 @@ Glb PackageBuilder::build() {
     gltf["asset"] = {{"version", "2.0"},
                      {"generator", std::string("Elastodynamic Shape Modeler ") + ESM_VERSION}};
     gltf["extensionsUsed"] = Json::array({package_layout::extension});
+    if (m_from.pages.finish || m_from.project.texture.finish)
+        gltf["extensionsUsed"].push_back(clearcoatExtension);
     Json springMass = extension(), drawn = Json::array();
     reportProgress(m_parts.next(1 - pagesShare), 1);
     Json primitives = m_mesh.triangles.empty() ? drawnNetwork(drawn)
-                      : m_from.pages           ? drawnPages(drawn)
+                      : m_from.pages.colours   ? drawnPages(drawn)
                                                : drawnSurface(drawn);
     springMass["drawn"] = std::move(drawn);
     if (!m_from.preview.empty()) springMass["preview"] = addPreview();
@@ -375,19 +377,13 @@ Glb PackageBuilder::build() {
     return std::move(m_glb);
 }
 
-std::shared_ptr<const std::vector<Image>> bakedPages(const Project& project, const Progress& progress) {
-    if (!project.atlas) return nullptr;
-    return std::make_shared<const std::vector<Image>>(
-        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, progress));
-}
-
 } // namespace
 
 void writePackage(const Handover& handover, const std::filesystem::path& file, const HandoverMeans& means) {
     const auto& [project, tissue] = handover;
     ProgressParts parts(means.progress);
-    Ingredients ingredients{project, tissue, bakedPages(project, parts.next(project.atlas ? 0.6 : 0)), {}};
-    if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages);
+    Ingredients ingredients{project, tissue, packagePages(project, parts.next(project.atlas ? 0.6 : 0)), {}};
+    if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages.colours);
     reportProgress(parts.next(0.05), 1);
     PackageBuilder builder(ingredients, parts.next(0.3));
     const Glb glb = builder.build();

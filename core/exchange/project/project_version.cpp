@@ -52,6 +52,8 @@ int projectVersionOf(const Project& project) {
     needs.landmarks = any(needsLandmarks);
     needs.maskedPhotos = any(needsMask);
     needs.shapedMasks = any(needsShapedMask);
+    needs.finish =
+        project.texture.finish || any([](const TextureLayer& layer) { return layer.finish.has_value(); });
     needs.instruments = !hasPlainInstrument(project.scene);
     needs.splits = !project.scene.splits.empty();
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <string>
 
 namespace esm {
@@ -213,8 +214,12 @@ Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options, const Pro
     return atlas;
 }
 
-double seamShare(const TriangleMesh& mesh, const Atlas& atlas) {
-    std::size_t shared = 0, joined = 0;
+namespace {
+
+/// Calls `visit(first, second, areJoined)` for both sides of every edge that triangles share, of more than
+/// two the first ones, which are never joined.
+template<typename Visit>
+void forEachSharedEdge(const TriangleMesh& mesh, const Atlas& atlas, const Visit& visit) {
     const auto placeOf = [&](const TriangleSide& side, std::uint32_t vertex) {
         const Triangle& corners = mesh.triangles[side.triangle];
         const auto corner = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
@@ -222,15 +227,42 @@ double seamShare(const TriangleMesh& mesh, const Atlas& atlas) {
     };
     forEachEdge(sidesByEdge(mesh.triangles), [&](auto first, auto last) {
         if (last - first < 2) return;
-        ++shared;
         const auto second = first + 1;
-        joined += last - first == 2 && atlas.page[first->triangle] == atlas.page[second->triangle] &&
-                          placeOf(*first, first->edge.first) == placeOf(*second, first->edge.first) &&
-                          placeOf(*first, first->edge.second) == placeOf(*second, first->edge.second)
-                      ? 1
-                      : 0;
+        visit(first->triangle, second->triangle,
+              last - first == 2 && atlas.page[first->triangle] == atlas.page[second->triangle] &&
+                  placeOf(*first, first->edge.first) == placeOf(*second, first->edge.first) &&
+                  placeOf(*first, first->edge.second) == placeOf(*second, first->edge.second));
+    });
+}
+
+} // namespace
+
+double seamShare(const TriangleMesh& mesh, const Atlas& atlas) {
+    std::size_t shared = 0, joined = 0;
+    forEachSharedEdge(mesh, atlas, [&](std::uint32_t, std::uint32_t, bool areJoined) {
+        ++shared;
+        joined += areJoined ? 1 : 0;
     });
     return shared > 0 ? 1 - static_cast<double>(joined) / static_cast<double>(shared) : 0;
+}
+
+/// Every triangle is led towards the first of its patch (union-find), and takes that one's number.
+std::vector<std::uint32_t> patchNumbers(const TriangleMesh& mesh, const Atlas& atlas) {
+    std::vector<std::uint32_t> leads(mesh.triangles.size());
+    std::iota(leads.begin(), leads.end(), 0U);
+    const auto first = [&](std::uint32_t triangle) {
+        while (leads[triangle] != triangle)
+            triangle = leads[triangle] = leads[leads[triangle]];
+        return triangle;
+    };
+    forEachSharedEdge(mesh, atlas, [&](std::uint32_t one, std::uint32_t other, bool areJoined) {
+        if (!areJoined) return;
+        const auto [low, high] = std::minmax({first(one), first(other)});
+        leads[high] = low;
+    });
+    for (std::uint32_t triangle = 0; triangle < leads.size(); ++triangle)
+        leads[triangle] = first(triangle);
+    return leads;
 }
 
 } // namespace esm

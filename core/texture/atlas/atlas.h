@@ -74,4 +74,8 @@ Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options, const Pro
 /// Of the edges that two triangles share, the part that is a seam: the two do not lie at it side by side.
 double seamShare(const TriangleMesh& mesh, const Atlas& atlas);
 
+/// Of each triangle the number of its patch: triangles whose shared edge is one in the page as well lie in
+/// the same.
+std::vector<std::uint32_t> patchNumbers(const TriangleMesh& mesh, const Atlas& atlas);
+
 } // namespace esm

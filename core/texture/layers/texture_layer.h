@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/id.h"
+#include "core/texture/finish/surface_finish.h"
 #include "core/texture/layers/brush_stroke.h"
 #include "core/texture/photo/photo.h"
 #include "core/texture/photo/photo_preparation.h"
@@ -44,6 +45,7 @@ struct TextureLayer : Identified<TextureLayer> {
     /// clone brushes are for layers without a photo, where painting over what was erased shows again.
     BrushStrokes strokes;
     std::vector<LandmarkPair> landmarks; ///< that place the photo, in pixels of the projected picture
+    std::optional<LayerFinish> finish;   ///< of what it covers; without one that of what lies beneath shows
 
     bool operator==(const TextureLayer&) const = default;
 };
@@ -56,7 +58,7 @@ inline constexpr auto fieldsOf<TextureLayer> = fieldTable(
     field("opacity", &TextureLayer::opacity, Limits<double>{"the opacity", 0, 1}),
     field("visible", &TextureLayer::visible), field("preparation", &TextureLayer::preparation).whenSet(),
     field("blending", &TextureLayer::blending).whenSet(), field("strokes", &TextureLayer::strokes).whenSet(),
-    field("landmarks", &TextureLayer::landmarks).whenSet());
+    field("landmarks", &TextureLayer::landmarks).whenSet(), field("finish", &TextureLayer::finish).whenSet());
 
 /// What is projected: the prepared picture, or the photo's own; null without a photo.
 std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);
@@ -67,7 +69,7 @@ bool projectsTheSame(const TextureLayer& a, const TextureLayer& b);
 /// Whether two layers look the same, whatever their names.
 bool looksTheSame(const TextureLayer& a, const TextureLayer& b);
 
-/// Whether a layer can be seen anywhere.
+/// Whether a layer's colour can be seen anywhere.
 bool isShown(const TextureLayer& layer);
 
 /// Every problem of how a layer blends and of what was painted on it. Empty when all is well.

@@ -115,6 +115,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-7", preparedProject()},
             {"version-8", newestProject()},
             {"version-10", shapedProject()},
+            {"version-11-finish", shiningProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};
@@ -133,6 +134,7 @@ void writeSamples(const std::filesystem::path& folder) {
                       {{}, [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; }});
     }
     exportPackage(untextured(latticeProject()), folder / "packages" / "version-6-wide-binding.glb");
+    exportPackage(shiningProject(), folder / "packages" / "version-1-finish.glb");
     const Project soft = untextured(softProject());
     writePackage(withOwnSprings(soft), folder / "packages" / "version-6-own-springs.glb", {});
 }

@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <set>
 
 namespace esm {
@@ -18,8 +19,10 @@ using PackageJson = nlohmann::ordered_json;
 
 /// The project that a sample was exported from: of its name, or of what a newer version of projects brought.
 std::filesystem::path projectOf(const std::filesystem::path& package) {
-    const std::string name =
-        package.stem() == "version-6-wide-binding" ? "version-9-wide-binding" : package.stem();
+    static const std::map<std::string, std::string> ofNewer{
+        {"version-1-finish", "version-11-finish"}, {"version-6-wide-binding", "version-9-wide-binding"}};
+    const auto newer = ofNewer.find(package.stem());
+    const std::string name = newer == ofNewer.end() ? package.stem().string() : newer->second;
     return package.parent_path() / ".." / "projects" / (name + ".esm");
 }
 

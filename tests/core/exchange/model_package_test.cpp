@@ -6,6 +6,7 @@
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/project_file.h"
 #include "core/texture/layers/composite.h"
+#include "core/texture/maps/finish_pages.h"
 #include "tests/core/exchange/overwrite.h"
 #include "tests/core/exchange/rounded_tissue.h"
 #include "tests/support/exchange_projects.h"
@@ -111,6 +112,20 @@ TEST_F(ModelPackageFile, HoldsTheBakedTextureAndItsPlaces) {
     for (std::size_t i = 0; i < project.atlas->corners.size(); ++i)
         for (std::size_t corner = 0; corner < 3; ++corner)
             EXPECT_LT((package.atlas->corners[i][corner] - project.atlas->corners[i][corner]).norm(), 1e-4);
+}
+
+TEST_F(ModelPackageFile, HoldsHowTheSurfaceShines) {
+    const Project project = shiningProject();
+    const ModelPackage package = exported(project);
+    const auto pages = finishPages(*project.mesh, *project.atlas, project.layers, project.texture.finish);
+    ASSERT_TRUE(package.finishPages);
+    EXPECT_EQ(package.finishPages->front().image().pixels, pages->front().image().pixels);
+    EXPECT_FALSE(package.finish); // pages say it
+    Project plain = project;
+    plain.layers.clear();
+    EXPECT_EQ(exported(plain).finish, project.texture.finish);
+    plain.texture.finish.reset();
+    EXPECT_FALSE(exported(plain).finish);
 }
 
 TEST_F(ModelPackageFile, PacksAnAtlasForPhotosThatHaveNone) {

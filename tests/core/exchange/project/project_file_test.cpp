@@ -122,6 +122,9 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     project.layers[0].blending = Blending::Multiply;
     EXPECT_EQ(version(project), 8);
     EXPECT_EQ(version(paintedProject()), 8);
+    EXPECT_EQ(version(shiningProject()), 11);
+    project.texture.finish.emplace();
+    EXPECT_EQ(version(project), 11);
     Project marked = richProject();
     marked.layers[0].landmarks = {{{1, 2}, {3, 4, 5}}};
     EXPECT_EQ(version(marked), 8);
@@ -146,7 +149,7 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     outline.strokes = {{{{1, 1}, {5, 6}, {2, 9}}, 0.5, 0, false, true}};
     EXPECT_EQ(versionWith(outline), 10);
     sensitive.highlightSensitivity = 0.5;
-    EXPECT_EQ(versionWith(sensitive), projectFileVersion);
+    EXPECT_EQ(versionWith(sensitive), 10);
 }
 
 TEST_F(ProjectFile, OfAVersionTooLowOpensWithAWarning) {

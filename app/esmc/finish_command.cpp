@@ -1,0 +1,138 @@
+#include "app/esmc/arguments.h"
+#include "app/esmc/commands.h"
+#include "app/esmc/opened_file.h"
+#include "app/esmc/project_output.h"
+#include "core/support/errors.h"
+#include "core/support/joined.h"
+#include "core/texture/maps/finish_layers.h"
+
+#include <optional>
+
+namespace esm {
+
+namespace {
+
+struct FinishOptions {
+    std::string project, output;
+    std::optional<std::string> layer; ///< none: the organ itself
+    const FinishPreset* preset = nullptr;
+    std::optional<double> roughness, wetness, wetAtHighlights;
+    std::optional<double> relief; ///< mm
+    bool keepsColour = false, removes = false;
+
+    bool saysAnything() const {
+        return preset || roughness || wetness || wetAtHighlights || relief || keepsColour || removes;
+    }
+};
+
+constexpr double millimetres = 1000; ///< in a metre
+
+void declareFinish(CLI::App& command, FinishOptions& options) {
+    command.add_option("project", options.project, "Project to read (.esm)")->required();
+    command.add_option("-o,--output", options.output, "Project to write; may be the one that is read")
+        ->required()
+        ->check(writtenAs(".esm"));
+    command.add_option("--layer", options.layer,
+                       "Name of the layer that shines so (default: the organ itself)");
+    Words<const FinishPreset*> presets;
+    for (const FinishPreset& preset : finishPresets)
+        presets.emplace_back(preset.word, &preset);
+    addChoice(command, "--preset", options.preset, presets, "A kind of tissue, for roughness and wetness");
+    command.add_option("--roughness", options.roughness, "Of the tissue, 0 mirrors to 1 dull")
+        ->check(numberWithin(0, 1));
+    command.add_option("--wetness", options.wetness, "Part that a film of fluid covers, 0 to 1")
+        ->check(numberWithin(0, 1));
+    command
+        .add_option("--wet-at-highlights", options.wetAtHighlights,
+                    "How much wetter it is where the photograph has highlights, 0 to 1")
+        ->check(numberWithin(0, 1));
+    command
+        .add_option(
+            "--relief", options.relief,
+            "How high what is half as bright again as its surroundings in the photograph stands, mm: a guess")
+        ->check(numberWithin(0, deepestRelief * millimetres));
+    command.add_flag("--without-colour", options.keepsColour,
+                     "The layer's own colour is not shown: it lends nothing but its shine");
+    command.add_flag("--remove", options.removes, "Takes the layer's or the organ's shine away");
+}
+
+TextureLayer& layerNamed(Project& project, const std::string& name) {
+    TextureLayer* found = nullptr;
+    std::vector<std::string> names;
+    for (TextureLayer& layer : project.layers) {
+        names.push_back('"' + layer.name + '"');
+        if (layer.name != name) continue;
+        if (found)
+            throw UsageError("--layer: several layers are called \"" + name + "\"; give them other names");
+        found = &layer;
+    }
+    if (found) return *found;
+    if (names.empty()) throw UsageError("--layer: the project has no layer");
+    throw UsageError("--layer: no layer is called \"" + name + "\"; there are " + joined(names, ", "));
+}
+
+void applySurface(const FinishOptions& options, SurfaceFinish& finish) {
+    if (options.preset) finish = options.preset->surface;
+    finish.roughness = options.roughness.value_or(finish.roughness);
+    finish.wetness = options.wetness.value_or(finish.wetness);
+}
+
+void finishOrgan(const FinishOptions& options, Project& project) {
+    if (options.wetAtHighlights || options.relief || options.keepsColour)
+        throw UsageError(
+            "--wet-at-highlights, --relief and --without-colour are a layer's; name it with --layer");
+    std::optional<SurfaceFinish>& finish = project.texture.finish;
+    if (options.removes) return finish.reset();
+    if (!finish) finish.emplace();
+    applySurface(options, *finish);
+}
+
+void finishLayer(const FinishOptions& options, TextureLayer& layer) {
+    if (options.removes) return layer.finish.reset();
+    if (!layer.finish) layer.finish.emplace();
+    applySurface(options, layer.finish->surface);
+    layer.finish->wetAtHighlights = options.wetAtHighlights.value_or(layer.finish->wetAtHighlights);
+    if (options.relief) layer.finish->relief = *options.relief / millimetres;
+    layer.finish->keepsColour = layer.finish->keepsColour || options.keepsColour;
+}
+
+std::string shineText(const std::optional<SurfaceFinish>& finish) {
+    if (!finish) return "no shine of its own";
+    return "roughness " + inText(finish->roughness) + ", wetness " + inText(finish->wetness);
+}
+
+Report runFinish(const FinishOptions& options, Context& context) {
+    if (!options.saysAnything())
+        throw UsageError("say how it shines: --preset, --roughness, --wetness, or --remove");
+    context.subject = options.project;
+    const ProjectOutput output(options.output);
+    Project project = openedProject(options.project, context);
+    Report report;
+    std::optional<SurfaceFinish> finish;
+    std::vector<std::string> warnings;
+    if (options.layer) {
+        TextureLayer& layer = layerNamed(project, *options.layer);
+        finishLayer(options, layer);
+        if (layer.finish) finish = layer.finish->surface;
+        warnings = finishWarnings(layer);
+    } else {
+        finishOrgan(options, project);
+        finish = project.texture.finish;
+    }
+    output.save(project);
+    if (finish) report.json.update({{"roughness", finish->roughness}, {"wetness", finish->wetness}});
+    report.text.push_back((options.layer ? "layer " + *options.layer : "organ") + ": " + shineText(finish));
+    addWarnings(report, warnings);
+    addWritten(report, options.output);
+    return report;
+}
+
+} // namespace
+
+void addFinishCommand(CLI::App& texture, Context& context) {
+    addCommand(
+        texture, context,
+        Command<FinishOptions>{"finish", "Say how the organ or a layer shines", declareFinish, runFinish});
+}
+
+} // namespace esm

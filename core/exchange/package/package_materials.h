@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+#include "core/support/json_reader.h"
+#include "core/texture/atlas/atlas.h"
+#include "core/texture/finish/surface_finish.h"
+
+#include <optional>
+#include <vector>
+
+namespace esm {
+
+/// glTF's extension for the film of fluid on the surface.
+constexpr const char* clearcoatExtension = "KHR_materials_clearcoat";
+
+/// What the package's extension says of the texture's pages.
+nlohmann::ordered_json textureOf(const Atlas& atlas);
+
+/// Places of a page's pictures among the file's textures.
+struct MaterialTextures {
+    std::optional<std::size_t> colour, wetnessAndRoughness, normals;
+};
+
+/// A material of glTF, seen from both sides.
+/// @param colour of what has no picture of colours, sRGB
+/// @param finish of what has no picture of it; none: tissue as packages have always shown it
+nlohmann::ordered_json materialOf(const MaterialTextures& textures, const std::array<std::uint8_t, 3>& colour,
+                                  const std::optional<SurfaceFinish>& finish);
+
+/// Of every corner of some triangles: in which direction on the surface its normal map's x points, of length
+/// 1 and at right angles to the vertex's normal, and the side on which y is, 1 or −1, as glTF has it.
+/// @param normals of the mesh's vertices
+std::vector<float> cornerTangents(const TriangleMesh& mesh, const Atlas& atlas,
+                                  const std::vector<Eigen::Vector3d>& normals,
+                                  const std::vector<std::uint32_t>& triangles);
+
+} // namespace esm

@@ -1,0 +1,121 @@
+#include "core/texture/finish/finish_picture.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr int noHeight = 128;
+constexpr float heightSteps = 127; ///< of blue, from none to the greatest
+
+// In parts of the picture's diagonal, so that the same photo in another size has the same finish.
+constexpr double filmSpread = 0.006; ///< by which the film goes on around a highlight
+constexpr float strengthened = 4;    ///< flecks are small, and would vanish in what they spread over
+constexpr double detailWidth = 0.01; ///< what is wider is no detail but form and light
+
+constexpr double noiseWidth = 0.8;    ///< pixels, below which is noise of the camera
+constexpr float darkestSurround = 16; ///< of 255: what is darker has too much noise in relation
+constexpr float heightAtHalf = 2;     ///< half as bright again is as high as the relief says
+constexpr float leastDetail =
+    0.01F; ///< of the brightness: the step of 8 bits in a photo of medium brightness
+constexpr float smoothUnderFilm = 0.6F; ///< of the roughness, that a film takes away at most
+
+double diagonalOf(const Image& picture) {
+    return std::hypot(picture.width, picture.height);
+}
+
+std::uint8_t rounded(double share) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+}
+
+cv::Mat1f blurred(const cv::Mat1f& values, double deviation) {
+    cv::Mat1f result;
+    cv::GaussianBlur(values, result, {}, deviation, deviation, cv::BORDER_REFLECT);
+    return result;
+}
+
+/// How much of the film is added at every pixel, 0 to 1. Where the lamp's mirror image is seen there is
+/// fluid, and a film goes on around it; that elsewhere is none cannot be told, as a mirror image needs the
+/// right angle. The mask takes the way through the lens that the picture took.
+cv::Mat1f filmAround(const Image& photo, const PhotoPreparation& preparation) {
+    const PixelMask mask = highlightMask(shownOf(photo, preparation),
+                                         preparation.highlightSensitivity.value_or(usualSensitivity));
+    Image drawn{photo.width, photo.height, std::vector<std::uint8_t>(photo.pixels.size(), 255)};
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        std::fill_n(&drawn.pixels[4 * i], 3, mask[i]);
+    PhotoPreparation lens;
+    lens.lens = preparation.lens;
+    if (preparation.lens) drawn = prepared(drawn, lens);
+    cv::Mat1f film(drawn.height, drawn.width);
+    for (int y = 0; y < drawn.height; ++y)
+        for (int x = 0; x < drawn.width; ++x)
+            film(y, x) = static_cast<float>(drawn.at(x, y)[0]) / 255;
+    cv::Mat1f spread = blurred(film, std::max(1.0, filmSpread * diagonalOf(photo)));
+    for (float& value : spread)
+        value = std::min(1.0F, strengthened * value);
+    return spread;
+}
+
+/// How much brighter each pixel is than its surroundings, as a share of their brightness; 0 without alpha.
+/// What is transparent takes no part in its surroundings.
+cv::Mat1f detailOf(const Image& shown) {
+    cv::Mat1f brightness(shown.height, shown.width), counts(shown.height, shown.width);
+    for (int y = 0; y < shown.height; ++y)
+        for (int x = 0; x < shown.width; ++x) {
+            const std::uint8_t* pixel = shown.at(x, y);
+            counts(y, x) = static_cast<float>(pixel[3]) / 255;
+            brightness(y, x) = counts(y, x) * (0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2]);
+        }
+    const auto meanOver = [&](double width) {
+        cv::Mat1f mean;
+        cv::divide(blurred(brightness, width), cv::max(blurred(counts, width), 1e-3), mean);
+        return mean;
+    };
+    const cv::Mat1f around = meanOver(std::max(2 * noiseWidth, detailWidth * diagonalOf(shown)));
+    cv::Mat1f detail;
+    cv::divide(meanOver(noiseWidth) - around, around + darkestSurround, detail);
+    cv::multiply(detail, counts, detail);
+    return detail;
+}
+
+} // namespace
+
+FinishColour finishColour(const SurfaceFinish& finish) {
+    return {rounded(finish.wetness), rounded(finish.roughness), noHeight};
+}
+
+Image finishPicture(const Image& photo, const PhotoPreparation& preparation, const Image& shown,
+                    const LayerFinish& finish, double greatestHeight, const Progress& progress) {
+    reportProgress(progress, 0);
+    cv::Mat1f film(shown.height, shown.width, 0.0F), detail(shown.height, shown.width, 0.0F);
+    if (finish.wetAtHighlights > 0) film = finish.wetAtHighlights * filmAround(photo, preparation);
+    reportProgress(progress, 0.5);
+    if (finish.relief > 0)
+        detail =
+            cv::min(cv::max(heightAtHalf * detailOf(shown), -1.0), 1.0) * (finish.relief / greatestHeight);
+    Image picture{shown.width, shown.height, std::vector<std::uint8_t>(shown.pixels.size())};
+    const SurfaceFinish& own = finish.surface;
+    for (int y = 0; y < shown.height; ++y)
+        for (int x = 0; x < shown.width; ++x) {
+            const float wet = film(y, x);
+            std::uint8_t* pixel = picture.at(x, y);
+            pixel[0] = rounded(own.wetness + (1 - own.wetness) * wet);
+            pixel[1] = rounded(own.roughness * (1 - smoothUnderFilm * wet));
+            pixel[2] = static_cast<std::uint8_t>(noHeight + std::lround(heightSteps * detail(y, x)));
+            pixel[3] = shown.at(x, y)[3];
+        }
+    reportProgress(progress, 1);
+    return picture;
+}
+
+bool hasDetail(const Image& shown) {
+    const cv::Mat1f detail = detailOf(shown);
+    return std::any_of(detail.begin(), detail.end(),
+                       [](float value) { return std::abs(value) > leastDetail; });
+}
+
+} // namespace esm

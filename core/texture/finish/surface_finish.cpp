@@ -1,0 +1,14 @@
+#include "core/texture/finish/surface_finish.h"
+
+#include "core/support/offenders.h"
+
+namespace esm {
+
+std::vector<std::string> validate(const LayerFinish& finish) {
+    std::vector<std::string> problems = fieldProblems(finish.surface);
+    for (std::string& problem : fieldProblems(finish))
+        problems.push_back(std::move(problem));
+    return problems;
+}
+
+} // namespace esm

@@ -1,0 +1,105 @@
+#include "core/texture/maps/finish_layers.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+/// Whether it can be seen, though perhaps not its colour.
+bool lendsFinish(const TextureLayer& layer) {
+    if (!layer.finish) return false;
+    TextureLayer coloured = layer;
+    coloured.finish.reset();
+    return isShown(coloured);
+}
+
+/// All that is laid has the layer's finish, whatever its colour and wherever that comes from.
+BrushStrokes strokesOf(const TextureLayer& layer) {
+    const FinishColour colour = finishColour(layer.finish->surface);
+    BrushStrokes strokes;
+    strokes.reserve(layer.strokes.size());
+    for (const auto& stroke : layer.strokes) {
+        if (!laysColour(stroke->kind)) {
+            strokes.push_back(stroke);
+            continue;
+        }
+        BrushStroke laid = *stroke;
+        laid.kind = BrushKind::Colour;
+        laid.colour = colour;
+        laid.shift.setZero();
+        strokes.push_back(std::make_shared<const BrushStroke>(std::move(laid)));
+    }
+    return strokes;
+}
+
+} // namespace
+
+std::shared_ptr<const Image> FinishPictures::of(const TextureLayer& layer, double greatestHeight,
+                                                const Progress& progress) {
+    const std::shared_ptr<const Image> shown = pictureOf(layer);
+    const auto isOfThis = [&](const Made& made) {
+        return made.shown == shown && made.preparation == layer.preparation && made.finish == *layer.finish &&
+               (made.greatestHeight == greatestHeight || !(layer.finish->relief > 0));
+    };
+    for (const std::vector<Made>& known : {std::cref(m_used), std::cref(m_before)}) {
+        const auto made = std::find_if(known.begin(), known.end(), isOfThis);
+        if (made == known.end()) continue;
+        std::shared_ptr<const Image> picture = made->picture;
+        if (&known == &m_before) m_used.push_back(*made);
+        return picture;
+    }
+    auto picture = std::make_shared<const Image>(finishPicture(layer.photo->image, layer.preparation, *shown,
+                                                               *layer.finish, greatestHeight, progress));
+    m_used.push_back({shown, layer.preparation, *layer.finish, greatestHeight, picture});
+    return picture;
+}
+
+void FinishPictures::forgetUnused() {
+    m_before = std::move(m_used);
+    m_used.clear();
+}
+
+bool hasFinish(const std::vector<TextureLayer>& layers, const std::optional<SurfaceFinish>& base) {
+    return base || std::any_of(layers.begin(), layers.end(), lendsFinish);
+}
+
+/// A layer's own blending mixes colours; a finish always takes the place of what lies beneath by the same
+/// weight.
+FinishLayers finishLayers(const std::vector<TextureLayer>& layers, const std::optional<SurfaceFinish>& base,
+                          FinishPictures& pictures, const Progress& progress) {
+    FinishLayers made;
+    made.base = finishColour(base.value_or(SurfaceFinish{}));
+    for (const TextureLayer& layer : layers)
+        if (lendsFinish(layer)) made.greatestHeight = std::max(made.greatestHeight, layer.finish->relief);
+    ProgressParts parts(progress);
+    for (const TextureLayer& layer : layers) {
+        const Progress ofLayer = parts.next(1.0 / static_cast<double>(layers.size()));
+        if (!lendsFinish(layer)) continue;
+        TextureLayer lends = layer;
+        lends.blending = Blending::Normal;
+        if (layer.photo)
+            lends.prepared = pictures.of(layer, made.greatestHeight, ofLayer);
+        else
+            lends.strokes = strokesOf(layer);
+        lends.finish.reset();
+        made.layers.push_back(std::move(lends));
+    }
+    pictures.forgetUnused();
+    reportProgress(progress, 1);
+    return made;
+}
+
+std::vector<std::string> finishWarnings(const TextureLayer& layer) {
+    if (!layer.finish) return {};
+    const LayerFinish& finish = *layer.finish;
+    std::vector<std::string> warnings;
+    if (!layer.photo && (finish.relief > 0 || finish.wetAtHighlights > 0))
+        warnings.emplace_back("relief and wetness at highlights come from a photo, and this layer has none");
+    if (layer.photo && finish.relief > 0 && !hasDetail(*pictureOf(layer)))
+        warnings.emplace_back(
+            "its photo is of one colour: there is no detail from which a relief could be guessed");
+    return warnings;
+}
+
+} // namespace esm
