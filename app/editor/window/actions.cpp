@@ -188,7 +188,7 @@ void ActionMaker::makeCameraActions() {
                                      tr("Look without perspective: what is as large is seen as large")),
                                 false);
     a.endoscopeLight =
-        makeSwitch(make(tr("En&doscope's light"), QKeySequence("Shift+E"),
+        makeSwitch(make(tr("Endoscope's light"), QKeySequence("Shift+E"),
                         tr("Light the organ by a lamp at the eye, as in a body, in place of a room's lamps")),
                    false);
     a.cut = makeSwitch(

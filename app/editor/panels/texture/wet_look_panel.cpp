@@ -45,7 +45,7 @@ WetLookPanel::WetLookPanel(Document& document, Selection& selection, QWidget* pa
     : Section(tr("Wet look"), parent), m_document(document), m_selection(selection),
       m_subject(new QComboBox(this)), m_tissue(new QComboBox(this)),
       m_relief(new NumberField(reliefFormat(), this)),
-      m_keepsColour(new QCheckBox(tr("Shine without colo&ur"), this)) {
+      m_keepsColour(new QCheckBox(tr("Shine without colour"), this)) {
     m_subject->setObjectName(QStringLiteral("wetLookSubject"));
     m_subject->addItems({tr("selected layer"), tr("whole organ")});
     m_tissue->setObjectName(QStringLiteral("wetLookTissue"));
@@ -56,18 +56,18 @@ WetLookPanel::WetLookPanel(Document& document, Selection& selection, QWidget* pa
     for (QComboBox* choice : {m_subject, m_tissue})
         guardFromWheel(*choice);
     auto* rows = new ValueRows(this);
-    rows->addField(tr("&Shine of"), m_subject);
-    rows->addField(tr("&Tissue"), m_tissue);
+    rows->addField(tr("Shine of"), m_subject);
+    rows->addField(tr("Tissue"), m_tissue);
     body()->addWidget(rows);
-    addShare(tr("Rou&ghness"), QStringLiteral("wetLookRoughness"), tr("Set roughness"),
+    addShare(tr("Roughness"), QStringLiteral("wetLookRoughness"), tr("Set roughness"),
              [](LayerFinish& finish) -> double& { return finish.surface.roughness; });
-    addShare(tr("&Wetness"), QStringLiteral("wetLookWetness"), tr("Set wetness"),
+    addShare(tr("Wetness"), QStringLiteral("wetLookWetness"), tr("Set wetness"),
              [](LayerFinish& finish) -> double& { return finish.surface.wetness; });
-    addShare(tr("Wet at hi&ghlights"), QStringLiteral("wetLookAtHighlights"), tr("Set wetness at highlights"),
+    addShare(tr("Wet at highlights"), QStringLiteral("wetLookAtHighlights"), tr("Set wetness at highlights"),
              [](LayerFinish& finish) -> double& { return finish.wetAtHighlights; });
     m_relief->setObjectName(QStringLiteral("wetLookRelief"));
     auto* reliefRow = new ValueRows(this);
-    reliefRow->addField(tr("&Relief"), m_relief);
+    reliefRow->addField(tr("Relief"), m_relief);
     body()->addWidget(reliefRow);
     body()->addWidget(m_keepsColour);
     connectControls();
@@ -79,7 +79,7 @@ void WetLookPanel::addShare(const QString& caption, const QString& name, const Q
     const Share share{new NumberField(shareFormat(), this), new ValueSlider(this), edit, std::move(part)};
     share.field->setObjectName(name);
     share.slider->setObjectName(name + QStringLiteral("Slider"));
-    share.slider->setAccessibleName(QString(caption).remove(QLatin1Char('&')));
+    share.slider->setAccessibleName(caption);
     share.slider->setRange(0, 100);
     share.slider->setScale(0, 100);
     auto* row = new ValueRows(this);
