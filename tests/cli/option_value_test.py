@@ -64,8 +64,10 @@ COMMANDS = {
     "texture fit organ.esm --photo photo.png --pairs pairs.csv": {
         "project": FILE, "--photo": FILE, "--pairs": FILE, "-o": ["-", "out.png", ""], "--refine": None,
         "--intrinsics": ["x", "1,2,3", "0,1,1,1", "1,-1,0,0", "1,1,nan,1", "1e8,1,0,0", "1,1,1e8,0", ""]},
-    "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None},
-    "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""]},
+    "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None,
+                               "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"]},
+    "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""],
+                               "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"]},
     "validate organ.esm": {"file": FILE},
     "render organ.esm": {
         "project": FILE, "-o": ["-", "out.jpg", ""], "--size": ["x", "10", "10x", "0x10", "10x99999", "1e2x9", ""],
