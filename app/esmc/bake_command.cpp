@@ -1,6 +1,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/opened_file.h"
+#include "app/esmc/picture_options.h"
 #include "core/authoring/packing.h"
 #include "core/exchange/image_file.h"
 #include "core/exchange/project/project_file.h"
@@ -8,6 +9,7 @@
 #include "core/support/errors.h"
 #include "core/texture/layers/composite.h"
 #include "core/texture/layers/page_levels.h"
+#include "core/texture/photo/photo_format.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +29,7 @@ struct BakeOptions {
     std::string project, folder;
     bool deep = false;    ///< 16 bits a channel
     bool smaller = false; ///< as well
+    PictureOptions pictures;
 };
 
 void declareBake(CLI::App& command, BakeOptions& options) {
@@ -37,6 +40,14 @@ void declareBake(CLI::App& command, BakeOptions& options) {
     addChoice(command, "--bits", options.deep, {{"8", false}, {"16", true}}, "Bits of each channel (8)");
     command.add_flag("--smaller", options.smaller,
                      "Each page as well at half its size, a quarter and so on, as far as the gap allows");
+    declarePictures(command, options.pictures);
+}
+
+/// @throws UsageError
+void checkUse(const BakeOptions& options) {
+    checkPictures(options.pictures);
+    if (options.deep && options.pictures.encoding.format == PictureFormat::Jpeg)
+        throw UsageError("--bits: a JPEG has 8 bits a channel; 16 go with --pictures png");
 }
 
 /// The folder itself, or the nearest one above it that is there.
@@ -57,38 +68,51 @@ void removeEmpty(const fs::path& folder, const fs::path& below) {
         fs::remove(part, error);
 }
 
-fs::path pageFile(const fs::path& folder, std::size_t page) {
-    return folder / ("texture-" + std::to_string(page + 1) + ".png");
-}
+/// Where pages are written, and as what.
+struct PageFiles {
+    fs::path folder;
+    PictureEncoding encoding;
+    double texelsPerMetre;
 
-/// @param width pixels, by which the sizes of a page are told apart
-fs::path smallerFile(const fs::path& folder, std::size_t page, int width) {
-    return folder / ("texture-" + std::to_string(page + 1) + "-" + std::to_string(width) + ".png");
-}
+    /// @param part of the name: "-1024" of a smaller size
+    fs::path of(std::size_t page, const std::string& part = "") const {
+        return folder / ("texture-" + std::to_string(page + 1) + part + endingOf(encoding.format));
+    }
+};
 
 struct EncodedPage {
     fs::path file;
     Bytes bytes;
 };
 
+Bytes encodedPage(const Image& page, const PageFiles& files) {
+    return encodePicture(page, files.encoding, files.texelsPerMetre);
+}
+
+Bytes encodedPage(const DeepImage& page, const PageFiles& files) {
+    return encodePng(page, files.texelsPerMetre);
+}
+
 template<typename Channel>
-std::vector<EncodedPage> encoded(const std::vector<ImageOf<Channel>>& pages, const fs::path& folder,
-                                 double texelsPerMetre, const Progress& progress) {
+std::vector<EncodedPage> encoded(const std::vector<ImageOf<Channel>>& pages, const PageFiles& where,
+                                 const Progress& progress) {
     std::vector<EncodedPage> files;
     for (const ImageOf<Channel>& page : pages) {
         reportProgress(progress, static_cast<double>(files.size()) / static_cast<double>(pages.size()));
-        files.push_back({pageFile(folder, files.size()), encodePng(page, texelsPerMetre)});
+        files.push_back({where.of(files.size()), encodedPage(page, where)});
     }
     return files;
 }
 
-std::vector<EncodedPage> encoded(const SmallerPages& pages, const fs::path& folder, double texelsPerMetre) {
+/// Sizes of a page are told apart by their width in pixels.
+std::vector<EncodedPage> encoded(const SmallerPages& pages, const PageFiles& where) {
     std::vector<EncodedPage> files;
     for (std::size_t page = 0; page < pages.size(); ++page)
         for (std::size_t i = 0; i < pages[page].size(); ++i) {
             const Image smaller = pages[page][i].image();
-            files.push_back({smallerFile(folder, page, smaller.width),
-                             encodePng(smaller, std::ldexp(texelsPerMetre, -static_cast<int>(i) - 1))});
+            const double density = std::ldexp(where.texelsPerMetre, -static_cast<int>(i) - 1);
+            files.push_back({where.of(page, "-" + std::to_string(smaller.width)),
+                             encodePicture(smaller, where.encoding, density)});
         }
     return files;
 }
@@ -123,7 +147,7 @@ void writePages(const std::vector<EncodedPage>& pages, const fs::path& folder, I
 
 /// Pages that an earlier bake left in the folder would be taken for pages of this one.
 std::vector<std::string> staleWarnings(const fs::path& folder, const std::vector<EncodedPage>& written) {
-    static const std::regex isPage("texture-[0-9]+(-[0-9]+)?\\.png");
+    static const std::regex isPage("texture-[0-9]+(-[0-9]+)?\\.(png|jpg)");
     std::set<std::string> found;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (std::regex_match(entry.path().filename().string(), isPage)) found.insert(entry.path().string());
@@ -135,16 +159,24 @@ std::vector<std::string> staleWarnings(const fs::path& folder, const std::vector
             " of an earlier bake and no part of this texture; remove or rename"};
 }
 
+/// As whoever reads the file sees it.
+Image asStored(Image page, const PictureEncoding& encoding) {
+    if (encoding.format == PictureFormat::Png) return page;
+    return decodePhoto("the texture", encodePicture(page, encoding))->image;
+}
+
 /// Of the pages, and of each size to which a renderer may halve them.
 std::vector<double> seamErrors(const Project& project, const std::vector<Image>& pages,
-                               const SmallerPages& smaller) {
-    std::vector<double> errors{seamError(*project.mesh, *project.atlas, pages)};
+                               const SmallerPages& smaller, const PictureEncoding& encoding) {
+    std::vector<Image> stored;
+    stored.reserve(pages.size());
+    for (const Image& page : pages)
+        stored.push_back(asStored(page, encoding));
+    std::vector<double> errors{seamError(*project.mesh, *project.atlas, stored)};
     for (int halvings = 1; halvings <= usableLevels(project.atlas->options); ++halvings) {
-        std::vector<Image> level;
-        level.reserve(smaller.size());
-        for (const std::vector<TiledImage>& page : smaller)
-            level.push_back(page[static_cast<std::size_t>(halvings - 1)].image());
-        errors.push_back(seamError(*project.mesh, *project.atlas, level, halvings));
+        for (std::size_t page = 0; page < smaller.size(); ++page)
+            stored[page] = asStored(smaller[page][static_cast<std::size_t>(halvings - 1)].image(), encoding);
+        errors.push_back(seamError(*project.mesh, *project.atlas, stored, halvings));
     }
     return errors;
 }
@@ -180,7 +212,7 @@ SmallerPages halved(const Atlas& atlas, const std::vector<Image>& pages, Composi
 
 Baked bake(const Project& project, const BakeOptions& options, const Context& context) {
     const Progress baking = progressOf(context, "baking");
-    const double texelsPerMetre = project.atlas->texelsPerMetre;
+    const PageFiles files{options.folder, options.pictures.encoding, project.atlas->texelsPerMetre};
     CompositionCache cache;
     std::vector<Image> pages;
     std::vector<DeepImage> deep;
@@ -194,16 +226,16 @@ Baked bake(const Project& project, const BakeOptions& options, const Context& co
     }
     const SmallerPages smaller = halved(*project.atlas, pages, cache, progressOf(context, "halving"));
     const Progress writing = progressOf(context, "writing");
-    Baked baked{options.deep ? encoded(deep, options.folder, texelsPerMetre, writing)
-                             : encoded(pages, options.folder, texelsPerMetre, writing),
-                seamErrors(project, pages, smaller)};
+    Baked baked{options.deep ? encoded(deep, files, writing) : encoded(pages, files, writing),
+                seamErrors(project, pages, smaller, options.pictures.encoding)};
     if (!options.smaller) return baked;
-    for (EncodedPage& file : encoded(smaller, options.folder, texelsPerMetre))
+    for (EncodedPage& file : encoded(smaller, files))
         baked.files.push_back(std::move(file));
     return baked;
 }
 
 Report runBake(const BakeOptions& options, Context& context) {
+    checkUse(options);
     existingPartOf(options.folder); // refused now rather than after the work
     context.subject = options.project;
     Project project = openedProject(options.project, context);
@@ -227,7 +259,7 @@ Report runBake(const BakeOptions& options, Context& context) {
 
 void addBakeCommand(CLI::App& texture, Context& context) {
     addCommand(texture, context,
-               Command<BakeOptions>{"bake", "Write the textures as PNG", declareBake, runBake});
+               Command<BakeOptions>{"bake", "Write the textures as PNG or JPEG", declareBake, runBake});
 }
 
 } // namespace esm

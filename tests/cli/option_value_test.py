@@ -68,8 +68,10 @@ COMMANDS = {
         "project": FILE, "-o": TO_PROJECT, "--layer": ["nobody", ""], "--preset": ["bone", ""],
         "--roughness": AMOUNT + ["1.01"], "--wetness": AMOUNT + ["1.01"], "--wet-at-highlights": AMOUNT + ["1.01"],
         "--relief": AMOUNT + ["5.01"], "--without-colour": None, "--remove": None},
-    "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None},
-    "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""]},
+    "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None,
+                               "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"]},
+    "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""],
+                               "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"]},
     "validate organ.esm": {"file": FILE},
     "render organ.esm": {
         "project": FILE, "-o": ["-", "out.jpg", ""], "--size": ["x", "10", "10x", "0x10", "10x99999", "1e2x9", ""],

@@ -103,6 +103,17 @@ def check_png(content, size, name):
     check(len(zlib.decompress(chunks[b"IDAT"])) == height * (1 + channels * width), name + " is not whole")
 
 
+def check_jpeg(content, size, name):
+    if not check(content[:2] == b"\xff\xd8" and content[-2:] == b"\xff\xd9", name + " is no JPEG"):
+        return
+    place = 2
+    while content[place + 1] not in (0xC0, 0xC1, 0xC2):
+        place += 2 + struct.unpack_from(">H", content, place + 2)[0]
+    depth, height, width, channels = struct.unpack_from(">BHHB", content, place + 4)
+    check((width, height) == (size, size), "%s is %d x %d" % (name, width, height))
+    check((depth, channels) == (8, 3), name + " is not of 8 bits and three channels")
+
+
 def check_primitive(gltf, primitive, name):
     attributes = primitive["attributes"]
     accessors = gltf.json["accessors"]
@@ -157,8 +168,8 @@ def check_gltf(gltf):
         check(sampler["minFilter"] == 9729, "a texture has mip-maps, which mix neighbouring patches")
         image = document["images"][texture["source"]]
         size = document["extensions"]["ESM_spring_mass"]["texture"]["size"]
-        check(image["mimeType"] == "image/png", "a texture is no PNG")
-        check_png(gltf.file(image["bufferView"]), size, "texture page %d" % texture["source"])
+        check_picture = {"image/png": check_png, "image/jpeg": check_jpeg}[image["mimeType"]]
+        check_picture(gltf.file(image["bufferView"]), size, "texture page %d" % texture["source"])
     preview = document["extensions"]["ESM_spring_mass"].get("preview")
     if preview is not None:
         check_png(gltf.file(document["images"][preview]["bufferView"]), 512, "the preview picture")

@@ -324,6 +324,36 @@ class TextureTest(Case):
         self.assertTrue(any(deep % 257 for value, deep in channels))
         self.fails(2, "texture", "bake", project, "--bits", "12", "-o", self.file("textures"))
 
+    def test_bakes_and_hands_over_jpegs(self):
+        project, folder = self.sample("liver"), self.file("textures")
+        self.photographed(project)
+        self.done("texture", "pack", project, "--size", "512", "--gap", "4", "-o", project)
+        exact = self.done("texture", "bake", project, "-o", folder)
+        sizes = {}
+        for quality in ("50", "92"):
+            baked = self.done("texture", "bake", project, "-o", folder, "--pictures", "jpeg", "--quality", quality, "--smaller")
+            self.assertEqual([Path(file).name for file in baked["files"]], ["texture-1.jpg", "texture-1-256.jpg"])
+            self.assertEqual(baked["warnings"], [f"{folder / 'texture-1.png'} is of an earlier bake and no part of this texture; remove or rename"])
+            content = Path(baked["files"][0]).read_bytes()
+            self.assertEqual((content[:3], content[-2:]), (b"\xff\xd8\xff", b"\xff\xd9"))
+            self.assertGreater(baked["seam_error"], exact["seam_error"])
+            package = self.file("liver.glb")
+            handed = self.done("export", project, "--to", "glb", "--pictures", "jpeg", "--quality", quality, "-o", package)
+            self.assertEqual(handed["bytes"], package.stat().st_size)
+            self.assertEqual(self.done("validate", package)["problems"], [])
+            sizes[quality] = handed["bytes"]
+        self.assertLess(sizes["50"], sizes["92"])
+        self.assertLess(sizes["92"], self.done("export", project, "--to", "glb", "-o", package)["bytes"])
+
+    def test_what_jpeg_cannot_be_is_said(self):
+        project, out = self.sample("tube"), self.file("out")
+        for line, message in ((["texture", "bake", project, "--pictures", "jpeg", "--bits", "16"], "16 go with --pictures png"),
+                              (["texture", "bake", project, "--quality", "80"], "goes with --pictures jpeg"),
+                              (["export", project, "--to", "glb", "--quality", "80"], "goes with --pictures jpeg"),
+                              (["export", project, "--to", "vtp", "--pictures", "jpeg"], "a .vtp holds no pictures")):
+            self.assertIn(message, self.fails(2, *line, "-o", out))
+        self.assertFalse(out.exists())
+
     def test_does_not_depend_on_the_threads(self):
         project = self.sample("liver")
         self.photographed(project)

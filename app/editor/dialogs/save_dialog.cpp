@@ -50,7 +50,7 @@ NewFile fileForOthers(const Document& document, const QString& title, const QStr
     return {title, suggestedPath(document, folder, endings.front()), filter, endings};
 }
 
-std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFile& wanted) {
+std::optional<ChosenFile> chooseNewFileAndKind(QWidget* window, const NewFile& wanted) {
     QFileDialog dialog(window, wanted.title, QFileInfo(wanted.suggestedPath).path(), wanted.filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setFileMode(QFileDialog::AnyFile);
@@ -63,12 +63,17 @@ std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFil
                           wanted.endings.value(dialog.nameFilters().indexOf(filter)));
     });
     while (dialog.exec() == QDialog::Accepted) {
-        const QString file = withEnding(dialog.selectedFiles().value(0), wanted.endings,
-                                        dialog.nameFilters().indexOf(dialog.selectedNameFilter()));
+        const int filter = dialog.nameFilters().indexOf(dialog.selectedNameFilter());
+        const QString file = withEnding(dialog.selectedFiles().value(0), wanted.endings, filter);
         if (!QFileInfo::exists(file) || mayReplace(window, file))
-            return std::filesystem::path(file.toStdString());
+            return ChosenFile{std::filesystem::path(file.toStdString()), filter};
     }
     return std::nullopt;
+}
+
+std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFile& wanted) {
+    const auto chosen = chooseNewFileAndKind(window, wanted);
+    return chosen ? std::optional(chosen->path) : std::nullopt;
 }
 
 } // namespace esm

@@ -25,8 +25,16 @@ QString suggestedPath(const Document& document, const QString& folder, const QSt
 NewFile fileForOthers(const Document& document, const QString& title, const QString& filter,
                       const QStringList& endings);
 
+struct ChosenFile {
+    std::filesystem::path path;
+    int filter; ///< place of the one that was chosen in `NewFile::filter`
+};
+
 /// Asks where to write. The name is complete before the question whether an existing file may be replaced,
 /// so that the file asked about is the file written. Nothing when the user gives up.
+std::optional<ChosenFile> chooseNewFileAndKind(QWidget* window, const NewFile& wanted);
+
+/// The same for who offers one kind, or tells them by their endings.
 std::optional<std::filesystem::path> chooseNewFile(QWidget* window, const NewFile& wanted);
 
 } // namespace esm

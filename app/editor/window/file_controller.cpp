@@ -24,6 +24,7 @@
 #include <QPointer>
 #include <QPushButton>
 
+#include <algorithm>
 #include <utility>
 
 namespace esm {
@@ -55,6 +56,24 @@ bool isPhoto(const std::filesystem::path& file) {
 
 std::filesystem::path toPath(const QString& file) {
     return std::filesystem::path(file.toStdString());
+}
+
+/// One line of the list of types in the export dialog.
+struct ExportKind {
+    const Exporter* exporter;
+    QString title;
+    PictureEncoding pictures;
+};
+
+std::vector<ExportKind> exportKinds() {
+    std::vector<ExportKind> kinds;
+    for (const Exporter& exporter : exporters()) {
+        const QString title = QString::fromStdString(exporter.title);
+        kinds.push_back({&exporter, title, {}});
+        if (exporter.holdsPictures)
+            kinds.push_back({&exporter, QObject::tr("%1, photos as JPEG").arg(title), {PictureFormat::Jpeg}});
+    }
+    return kinds;
 }
 
 } // namespace
@@ -222,7 +241,7 @@ void FileController::write(const std::filesystem::path& file, const std::optiona
     emit message((tr("Saved %1.").arg(fileName(file)) + ' ' + m_document.unfinished()).trimmed());
 }
 
-void FileController::exportTo(const std::filesystem::path& file) {
+void FileController::exportTo(const std::filesystem::path& file, const PictureEncoding& pictures) {
     commitTyping();
     attempt(&m_window, tr("The organ was not exported"), [&] {
         const Exporter& exporter = exporterFor(file);
@@ -230,7 +249,7 @@ void FileController::exportTo(const std::filesystem::path& file) {
         runLongWork(
             &m_window, tr("Exporting %1").arg(fileName(file)),
             [&](const Progress& progress) {
-                exportProject(project, exporter, file, {progress, previewPicture});
+                exportProject(project, exporter, file, {progress, previewPicture, pictures});
             },
             Cancelling::UntilDone);
         emit exported(QString::fromStdString(file.string()));
@@ -263,18 +282,18 @@ bool FileController::saveAs() {
 }
 
 void FileController::chooseExport() {
+    const std::vector<ExportKind> kinds = exportKinds();
     QStringList filters, endings;
-    for (const Exporter& exporter : exporters()) {
-        endings.append(QString::fromStdString(exporter.ending));
-        filters.append(
-            QStringLiteral("%1 (*%2)").arg(QString::fromStdString(exporter.title), endings.back()));
+    for (const ExportKind& kind : kinds) {
+        endings.append(QString::fromStdString(kind.exporter->ending));
+        filters.append(QStringLiteral("%1 (*%2)").arg(kind.title, endings.back()));
     }
     const NewFile asked =
         fileForOthers(m_document, tr("Export"), filters.join(QStringLiteral(";;")), endings);
-    const auto file = ask(m_window, [&] { return chooseNewFile(&m_window, asked); });
+    const auto file = ask(m_window, [&] { return chooseNewFileAndKind(&m_window, asked); });
     if (!file) return;
-    rememberFolder(FileKind::Package, *file);
-    exportTo(*file);
+    rememberFolder(FileKind::Package, file->path);
+    exportTo(file->path, kinds.at(static_cast<std::size_t>(std::max(file->filter, 0))).pictures);
 }
 
 } // namespace esm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/document/document.h"
+#include "core/exchange/picture_encoding.h"
 
 #include <QObject>
 #include <QWidget>
@@ -36,7 +37,8 @@ public:
     void openRecent(const QString& file);
     bool saveTo(const std::filesystem::path& file);
     /// In the format that the file's ending says; the first there is where it says none.
-    void exportTo(const std::filesystem::path& file);
+    /// @param pictures how the texture is stored, where the format holds one
+    void exportTo(const std::filesystem::path& file, const PictureEncoding& pictures = {});
 
     /// True when nothing would be lost: nothing is unsaved, it was saved now, or the user gives it up.
     bool mayLeaveProject();

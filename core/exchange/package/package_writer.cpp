@@ -1,9 +1,10 @@
-#include "core/exchange/image_file.h"
 #include "core/exchange/model_package.h"
 #include "core/exchange/package/glb.h"
 #include "core/exchange/package/package_layout.h"
 #include "core/exchange/package/package_materials.h"
 #include "core/exchange/package/package_pages.h"
+#include "core/exchange/package/page_vertices.h"
+#include "core/exchange/picture_encoding.h"
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/region_json.h"
 #include "core/support/errors.h"
@@ -24,7 +25,8 @@ struct Ingredients {
     const Project& project;
     const TissueModel& tissue;
     PackagePages pages;
-    Image preview; ///< empty: none
+    Image preview;            ///< empty: none
+    PictureEncoding pictures; ///< of the pages' colours
 };
 
 constexpr double pagesShare = 0.8; ///< of building, that the pictures of pages take
@@ -59,13 +61,7 @@ private:
     int version() const;
     Json extension();
 
-    struct PageVertices {
-        std::vector<Eigen::Vector3d> positions, normals;
-        std::vector<float> places;                  ///< in the texture; two per vertex
-        std::vector<std::uint32_t> nodes, vertices; ///< of the surface
-    };
     bool isBound() const { return m_network.binding && !m_mesh.vertices.empty(); }
-    PageVertices pageVertices(const std::vector<std::uint32_t>& triangles) const;
     Json drawnPages(Json& drawn);
     Json drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles, const Progress& progress,
                    Json& drawn);
@@ -73,8 +69,9 @@ private:
     Json drawnNetwork(Json& drawn);
     void addMaterial(const MaterialTextures& textures);
     MaterialTextures addTextures(std::size_t page, const Progress& progress);
-    std::size_t addImage(const Image& image, double texelsPerMetre, const Progress& progress);
-    std::size_t addTexture(const Image& page, const Progress& progress);
+    std::size_t addImage(const Image& image, const PictureEncoding& encoding, double texelsPerMetre,
+                         const Progress& progress);
+    std::size_t addTexture(const Image& page, const PictureEncoding& encoding, const Progress& progress);
     std::size_t addPreview();
 
     const Ingredients& m_from;
@@ -225,59 +222,45 @@ void PackageBuilder::addMaterial(const MaterialTextures& textures) {
     m_glb.json["materials"].push_back(materialOf(textures, settings.baseColour, settings.finish));
 }
 
-std::size_t PackageBuilder::addImage(const Image& image, double texelsPerMetre, const Progress& progress) {
+std::size_t PackageBuilder::addImage(const Image& image, const PictureEncoding& encoding,
+                                     double texelsPerMetre, const Progress& progress) {
     Json& images = m_glb.json["images"];
-    const Bytes png = encodePng(image, texelsPerMetre, progress);
-    images.push_back({{"bufferView", m_arrays.addFile(png)}, {"mimeType", "image/png"}});
+    const Bytes file = encodePicture(image, encoding, texelsPerMetre, progress);
+    images.push_back({{"bufferView", m_arrays.addFile(file)}, {"mimeType", mediaTypeOf(encoding.format)}});
     return images.size() - 1;
 }
 
-std::size_t PackageBuilder::addTexture(const Image& page, const Progress& progress) {
-    const std::size_t image = addImage(page, m_from.project.atlas->texelsPerMetre, progress);
+std::size_t PackageBuilder::addTexture(const Image& page, const PictureEncoding& encoding,
+                                       const Progress& progress) {
+    const std::size_t image = addImage(page, encoding, m_from.project.atlas->texelsPerMetre, progress);
     m_glb.json["textures"].push_back({{"sampler", 0}, {"source", image}});
     return m_glb.json["textures"].size() - 1;
 }
 
+/// What is no colour stays exact: a JPEG would tilt normals and mix wetness with roughness.
 MaterialTextures PackageBuilder::addTextures(std::size_t page, const Progress& progress) {
     ProgressParts parts(progress);
     MaterialTextures textures;
-    textures.colour = addTexture((*m_from.pages.colours)[page], parts.next(m_from.pages.finish ? 0.4 : 1));
+    textures.colour =
+        addTexture((*m_from.pages.colours)[page], m_from.pictures, parts.next(m_from.pages.finish ? 0.4 : 1));
     if (!m_from.pages.finish) return textures;
     const MaterialPage finish = materialPage((*m_from.pages.finish)[page]);
-    textures.wetnessAndRoughness = addTexture(finish.wetnessAndRoughness, parts.next(0.3));
-    if (!finish.normals.empty()) textures.normals = addTexture(finish.normals, parts.rest());
+    textures.wetnessAndRoughness = addTexture(finish.wetnessAndRoughness, {}, parts.next(0.3));
+    if (!finish.normals.empty()) textures.normals = addTexture(finish.normals, {}, parts.rest());
     return textures;
 }
 
 std::size_t PackageBuilder::addPreview() {
-    const std::size_t image = addImage(m_from.preview, 0, {});
+    const std::size_t image = addImage(m_from.preview, {}, 0, {});
     m_glb.json["images"][image]["name"] = "preview";
     return image;
-}
-
-/// Every corner has a vertex of its own, since every triangle has a texture patch of its own.
-PackageBuilder::PageVertices PackageBuilder::pageVertices(const std::vector<std::uint32_t>& triangles) const {
-    PageVertices vertices;
-    for (const std::uint32_t triangle : triangles)
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t vertex = m_mesh.triangles[triangle][corner];
-            vertices.positions.push_back(m_mesh.vertices[vertex]);
-            vertices.normals.push_back(m_normals[vertex]);
-            vertices.nodes.push_back(m_network.vertexNodes[vertex]);
-            vertices.vertices.push_back(vertex);
-            const Eigen::Vector2d place =
-                m_from.project.atlas->corners[triangle][corner] / m_from.project.atlas->options.size;
-            for (const double value : {place.x(), place.y()})
-                vertices.places.push_back(static_cast<float>(std::clamp(value, 0.0, 1.0)));
-        }
-    return vertices;
 }
 
 Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles,
                                const Progress& progress, Json& drawn) {
     ProgressParts parts(progress);
     reportProgress(progress, 0);
-    const PageVertices vertices = pageVertices(triangles);
+    const PageVertices vertices = pageVertices(m_from.project, m_normals, triangles);
     reportProgress(parts.next(0.1), 1);
     std::vector<std::uint32_t> indices(vertices.nodes.size());
     std::iota(indices.begin(), indices.end(), 0U);
@@ -382,7 +365,8 @@ Glb PackageBuilder::build() {
 void writePackage(const Handover& handover, const std::filesystem::path& file, const HandoverMeans& means) {
     const auto& [project, tissue] = handover;
     ProgressParts parts(means.progress);
-    Ingredients ingredients{project, tissue, packagePages(project, parts.next(project.atlas ? 0.6 : 0)), {}};
+    Ingredients ingredients{
+        project, tissue, packagePages(project, parts.next(project.atlas ? 0.6 : 0)), {}, means.pictures};
     if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages.colours);
     reportProgress(parts.next(0.05), 1);
     PackageBuilder builder(ingredients, parts.next(0.3));

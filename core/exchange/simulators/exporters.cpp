@@ -11,7 +11,7 @@ namespace esm {
 const std::vector<Exporter>& exporters() {
     static const std::vector<Exporter> all{
         {"glb", ".glb", "Model packages", "the model package for simulators, a textured mesh to any viewer",
-         writePackage},
+         writePackage, true},
         {"vtp", ".vtp", "VTK surfaces",
          "surface and springs with their parameters as arrays, for ParaView and 3D Slicer", writeVtp}};
     return all;
@@ -36,7 +36,7 @@ void exportProject(const Project& project, const Exporter& exporter, const std::
         ProgressParts parts(means.progress);
         const bool packs = !project.atlas && !project.layers.empty();
         const Handover handover = handoverOf(project, parts.next(packs ? 0.3 : 0.02));
-        exporter.write(handover, file, {parts.rest(), means.drawPreview});
+        exporter.write(handover, file, {parts.rest(), means.drawPreview, means.pictures});
     } catch (const InvalidModel& error) {
         throw FileError(file, std::string("was not exported: ") + error.what());
     }

@@ -18,6 +18,7 @@ struct Exporter {
     std::function<void(const Handover& handover, const std::filesystem::path& file,
                        const HandoverMeans& means)>
         write;
+    bool holdsPictures = false; ///< of the texture
 };
 
 const std::vector<Exporter>& exporters();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/exchange/picture_encoding.h"
 #include "core/project/project.h"
 #include "core/support/progress.h"
 #include "core/texture/image.h"
@@ -26,6 +27,7 @@ Handover handoverOf(const Project& project, const Progress& progress = {});
 struct HandoverMeans {
     Progress progress;
     DrawPreview drawPreview; ///< none: without a picture
+    PictureEncoding pictures = {};
 };
 
 } // namespace esm

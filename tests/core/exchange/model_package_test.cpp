@@ -22,10 +22,11 @@ using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 
 /// The reader that shares no code with the program, on the package and the project it was made from.
-void expectReadIndependently(const Project& project, const std::filesystem::path& folder) {
+void expectReadIndependently(const Project& project, const std::filesystem::path& folder,
+                             const HandoverMeans& means = {}) {
     const std::filesystem::path package = folder / "organ.glb", saved = folder / "organ.esm",
                                 expected = folder / "tissue.json";
-    exportPackage(project, package);
+    exportPackage(project, package, means);
     saveProject(project, saved);
     const TissueModel tissue = evaluateModel(project);
     Json json{{"mass", tissue.mass},
@@ -126,6 +127,29 @@ TEST_F(ModelPackageFile, HoldsHowTheSurfaceShines) {
     EXPECT_EQ(exported(plain).finish, project.texture.finish);
     plain.texture.finish.reset();
     EXPECT_FALSE(exported(plain).finish);
+}
+
+TEST_F(ModelPackageFile, HoldsItsPagesAsJpegWhereAsked) {
+    const Project project = richProject();
+    const ModelPackage exact = exported(project);
+    HandoverMeans means;
+    means.drawPreview = [](const Project&, const auto&) { return Image{1, 1, {1, 2, 3, 255}}; };
+    means.pictures = {PictureFormat::Jpeg, 95};
+    exportPackage(project, m_file, means);
+    EXPECT_THAT(validatePackage(m_file), testing::IsEmpty());
+    const ModelPackage package = loadPackage(m_file);
+    ASSERT_EQ(package.textures.size(), exact.textures.size());
+    double difference = 0;
+    for (std::size_t i = 0; i < exact.textures[0].pixels.size(); ++i)
+        difference += std::abs(exact.textures[0].pixels[i] - package.textures[0].pixels[i]);
+    EXPECT_LT(difference / static_cast<double>(exact.textures[0].pixels.size()), 4);
+    const Json images = parseGlb(readFile(m_file)).json["images"];
+    EXPECT_EQ(images[0]["mimeType"], "image/jpeg");
+    EXPECT_EQ(images[1]["mimeType"], "image/png") << "the preview";
+    means.drawPreview = {};
+    expectReadIndependently(project, m_folder.path(), means);
+    means.pictures.quality = 0;
+    EXPECT_THROW(exportPackage(project, m_file, means), FileError);
 }
 
 TEST_F(ModelPackageFile, PacksAnAtlasForPhotosThatHaveNone) {

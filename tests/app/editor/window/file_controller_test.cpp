@@ -1,6 +1,7 @@
 #include "app/editor/window/file_controller.h"
 #include "app/editor/workers/preview.h"
 #include "core/exchange/image_file.h"
+#include "core/exchange/package/glb.h"
 #include "core/exchange/project/project_file.h"
 #include "core/samples/samples.h"
 #include "core/support/file_lock.h"
@@ -310,4 +311,22 @@ TEST_F(FileControllerTest, AProjectOpensAsItWasLeft) {
     EXPECT_TRUE(window->windowActions().texture->isChecked());
     ESM_EVENTUALLY(!window->preview().status().playing);
     EXPECT_FALSE(window->document().isModified());
+}
+
+TEST_F(FileControllerTest, ExportsPhotosAsJpegWhereThatTypeIsChosen) {
+    writePng({8, 8, std::vector<std::uint8_t>(256, 255)}, folder / "photo.png");
+    window->openFiles({folder / "photo.png"});
+    const auto exportedAs = [&](const QString& filter, const std::string& name) {
+        dialogs.expect([](QWidget* dialog) { return qobject_cast<QFileDialog*>(dialog) != nullptr; },
+                       [&](QDialog* dialog) {
+                           qobject_cast<QFileDialog*>(dialog)->selectNameFilter(filter);
+                           auto* field = dialog->findChild<QLineEdit*>("fileNameEdit");
+                           field->setText(QString::fromStdString((folder / name).string()));
+                           QTest::keyClick(field, Qt::Key_Return);
+                       });
+        window->windowActions().exportPackage->trigger();
+        return parseGlb(readFile(folder / (name + ".glb"))).json["images"][0]["mimeType"].get<std::string>();
+    };
+    EXPECT_EQ(exportedAs("Model packages (*.glb)", "exact"), "image/png");
+    EXPECT_EQ(exportedAs("Model packages, photos as JPEG (*.glb)", "small"), "image/jpeg");
 }
