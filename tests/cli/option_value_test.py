@@ -58,6 +58,8 @@ COMMANDS = {
         "--mask-overlays": None, "--fill-highlights": None, "--highlights": AMOUNT + ["1.01"],
         "--white-spot": ["x", "1", "1 2 3", "-1 5", "nan 5", "1e9 5", ""], "--white-like": FILE,
         "--even-light": AMOUNT + ["1.01"], "--white-balance": None, "--match-colours": None, "--lens": FILE,
+        "--levels": ["x", "10 200", "0 255 0", "0 255 11", "-1 255 1", "0 256 1", "100 100.5 1", "0 nan 1", ""],
+        "--contrast": AMOUNT + ["2.01"], "--saturation": AMOUNT + ["2.01"], "--hue": NUMBER + ["-181", "181"],
         "--crop": ["x", "1 2 3", "0 0 -1 5", "0.5 0 5 5", "0 0 0 5", "0 0 5 0", "0 0 5 nan", ""]},
     "texture replace organ.esm --layer photo --photo photo.png": {
         "project": FILE, "--layer": ["nobody", ""], "--photo": FILE, "-o": TO_PROJECT},

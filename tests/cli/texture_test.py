@@ -103,6 +103,23 @@ class TextureTest(Case):
         bad = self.file("bad.json", {"kind": "mirror"})
         self.fails(1, *given, "--lens", bad, "-o", project, naming="pinhole")
 
+    def test_adjusts_the_colours_of_a_photo(self):
+        project, pages = self.sample("liver"), {}
+        def photographed(name, *options):
+            out = self.file(f"{name}.esm")
+            self.done("sample", "vessels", "-o", self.file("photo.png"))
+            self.done("texture", "photo", project, "--photo", self.file("photo.png"), "--projector",
+                      self.file("projector.json", PROJECTOR), *options, "-o", out)
+            self.done("texture", "pack", out, "--size", "256", "-o", out)
+            self.done("texture", "bake", out, "-o", self.file(name))
+            pages[name] = next(self.file(name).glob("*.png")).read_bytes()
+            return self.done("validate", out)["problems"]
+        self.assertEqual(photographed("plain"), [])
+        self.assertEqual(photographed("neutral", "--levels", "0 255 1", "--hue", "0", "--saturation", "1"), [])
+        self.assertEqual(photographed("turned", "--levels", "10 240 1.2", "--contrast", "1.1", "--hue", "-40"), [])
+        self.assertEqual(pages["plain"], pages["neutral"])
+        self.assertNotEqual(pages["plain"], pages["turned"])
+
     def test_replaces_a_photo(self):
         project, photo = self.sample("liver"), self.file("other.png")
         self.photographed(project, "--name", "Polyp", "--crop", "0 0 256 256")

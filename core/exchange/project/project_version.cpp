@@ -32,6 +32,10 @@ bool needsShapedMask(const TextureLayer& layer) {
                        [](const PhotoStroke& stroke) { return stroke.isFilled; });
 }
 
+bool needsRetouching(const TextureLayer& layer) {
+    return layer.preparation.adjustment != ColourAdjustment();
+}
+
 bool needsLandmarks(const TextureLayer& layer) {
     return !layer.landmarks.empty();
 }
@@ -52,6 +56,7 @@ int projectVersionOf(const Project& project) {
     needs.landmarks = any(needsLandmarks);
     needs.maskedPhotos = any(needsMask);
     needs.shapedMasks = any(needsShapedMask);
+    needs.retouching = any(needsRetouching);
     needs.instruments = !hasPlainInstrument(project.scene);
     needs.splits = !project.scene.splits.empty();
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);

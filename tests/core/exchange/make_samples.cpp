@@ -74,6 +74,17 @@ Project shapedProject() {
     return project;
 }
 
+/// Colours adjusted as version 11 brought it.
+Project adjustedProject() {
+    Project project = richProject();
+    PhotoPreparation all, hue;
+    all.adjustment = {10.0 / 3, 250.5, 1.0 / 3, 1.25, 0.5, -100.0 / 3};
+    hue.adjustment.hue = 20;
+    prepare(project.layers[0], all);
+    prepare(project.layers[1], hue);
+    return project;
+}
+
 /// As the first packed textures were laid out.
 Project projectInRows() {
     Project project = richProject();
@@ -115,6 +126,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-7", preparedProject()},
             {"version-8", newestProject()},
             {"version-10", shapedProject()},
+            {"version-11-adjusted", adjustedProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};

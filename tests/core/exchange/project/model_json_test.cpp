@@ -91,6 +91,9 @@ TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
     VersionNeeds shaped = several;
     shaped.shapedMasks = true;
     EXPECT_EQ(versionOf(shaped), 10);
+    VersionNeeds retouched = shaped;
+    retouched.retouching = true;
+    EXPECT_EQ(versionOf(retouched), 11);
     EXPECT_EQ(versionOf({false, false, false, false, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true, true}), 7);

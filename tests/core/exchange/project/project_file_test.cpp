@@ -138,7 +138,7 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
         shaped.layers[0].preparation = preparation;
         return version(shaped);
     };
-    PhotoPreparation circle, ellipse, outline, sensitive;
+    PhotoPreparation circle, ellipse, outline, sensitive, adjusted;
     circle.field = PhotoField::circle({5, 5}, 4);
     EXPECT_EQ(versionWith(circle), 7);
     ellipse.field = PhotoField{FieldShape::Ellipse, {5, 5}, {4, 3}, 0, {}, 2};
@@ -146,7 +146,9 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     outline.strokes = {{{{1, 1}, {5, 6}, {2, 9}}, 0.5, 0, false, true}};
     EXPECT_EQ(versionWith(outline), 10);
     sensitive.highlightSensitivity = 0.5;
-    EXPECT_EQ(versionWith(sensitive), projectFileVersion);
+    EXPECT_EQ(versionWith(sensitive), 10);
+    adjusted.adjustment.hue = 5;
+    EXPECT_EQ(versionWith(adjusted), projectFileVersion);
 }
 
 TEST_F(ProjectFile, OfAVersionTooLowOpensWithAWarning) {

@@ -74,6 +74,7 @@ PhotoPreparation leastPreparation() {
     least.match = ColourMatch{{0.5, 0.5, 0.5}, {-300, -300, -300}};
     least.lens = Lens{LensKind::Fisheye, {1, 1, -1e7, -1e7}, {-1000, -1000, -1000, -1000, 0}};
     least.crop = PhotoCrop{0, 0, 1, 1};
+    least.adjustment = {0, 1, 0.1, 0, 0, -180};
     return least;
 }
 
@@ -87,6 +88,7 @@ PhotoPreparation mostPreparation() {
     most.match = ColourMatch{{2, 2, 2}, {300, 300, 300}};
     most.lens = Lens{LensKind::Pinhole, {1e7, 1e7, 1e7, 1e7}, {1000, 1000, 1000, 1000, 1000}};
     most.crop = PhotoCrop{15, 15, 1, 1};
+    most.adjustment = {254, 255, 10, 2, 2, 180};
     return most;
 }
 
