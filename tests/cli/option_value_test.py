@@ -54,7 +54,7 @@ COMMANDS = {
         "--gap": WHOLE + ["-1", "16385"], "--texels-per-metre": AMOUNT + ["1e10"], "--layout": ["spiral", ""]},
     "texture photo organ.esm --photo photo.png --projector pose.json": {
         "project": FILE, "--photo": FILE, "--projector": FILE, "-o": TO_PROJECT, "--blend": AMOUNT,
-        "--blending": ["screen", ""], "--name": [""], "--field": None,
+        "--blending": ["lighten", "Screen", ""], "--name": [""], "--field": None,
         "--mask-overlays": None, "--fill-highlights": None, "--highlights": AMOUNT + ["1.01"],
         "--white-spot": ["x", "1", "1 2 3", "-1 5", "nan 5", "1e9 5", ""], "--white-like": FILE,
         "--even-light": AMOUNT + ["1.01"], "--white-balance": None, "--match-colours": None, "--lens": FILE,

@@ -224,16 +224,18 @@ class TextureTest(Case):
         bare = self.sample("liver")
         self.done("texture", "pack", bare, "--size", "256", "-o", bare)
         pages = {"none": self.baked(bare)[3]}
-        for blending in ("normal", "multiply", "multi-band"):
+        for blending in ("normal", "multiply", "screen", "overlay", "colour", "multi-band"):
             project = self.file(blending + ".esm")
             project.write_bytes(bare.read_bytes())
             self.photographed(project, "--blending", blending)
             self.assertEqual([photo["blending"] for photo in self.done("info", project)["photos"]], [blending])
             pages[blending] = self.baked(project)[3]
-        self.assertEqual(len({b"".join(rows) for rows in pages.values()}), 4)
+        self.assertEqual(len({b"".join(rows) for rows in pages.values()}), 7)
         # No product of two colours is brighter than either of them.
         for before, after in zip(pages["none"], pages["multiply"]):
             self.assertTrue(all(a <= b for a, b in zip(after, before)))
+        for before, after in zip(pages["none"], pages["screen"]):
+            self.assertTrue(all(a >= b for a, b in zip(after, before)))
         # In bands a photo comes nearer to what lies beneath it.
         change = {kind: sum(abs(a - b) for before, after in zip(pages["none"], pages[kind])
                             for a, b in zip(after, before)) for kind in ("normal", "multi-band")}
@@ -242,7 +244,7 @@ class TextureTest(Case):
     def test_an_unknown_blending_is_refused_with_those_there_are(self):
         project = self.sample("liver")
         before = project.read_bytes()
-        self.fails(2, "texture", "photo", project, "--photo", "p.png", "--projector", "p.json", "--blending", "screen",
+        self.fails(2, "texture", "photo", project, "--photo", "p.png", "--projector", "p.json", "--blending", "lighten",
                    "-o", project, naming="multi-band")
         self.assertEqual(project.read_bytes(), before)
 

@@ -33,7 +33,9 @@ bool needsShapedMask(const TextureLayer& layer) {
 }
 
 bool needsRetouching(const TextureLayer& layer) {
-    return layer.preparation.adjustment != ColourAdjustment();
+    const bool blendsAnew = layer.blending == Blending::Screen || layer.blending == Blending::Overlay ||
+                            layer.blending == Blending::Colour;
+    return blendsAnew || layer.preparation.adjustment != ColourAdjustment();
 }
 
 bool needsLandmarks(const TextureLayer& layer) {

@@ -262,23 +262,34 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
 }
 
 /// Laying a layer of colour c and weight w over what lies beneath gives w·c + (1 − w)·beneath; multiplying
-/// gives beneath · (1 − w + w·c/255). Both are linear in what lies beneath, so the sum can be taken from the
-/// topmost down: `passing` is the factor that the rest still has. An opaque layer ends it, and what it hides
-/// is never read. Of eight photos on an organ that halves the work (docs/performance.md).
-Eigen::Vector3f TriangleLayers::colour(const PatchTexel& texel) const {
-    // From the topmost down, so that nothing is read that does not show.
+/// gives beneath · (1 − w + w·c/255), a screen w·c + beneath · (1 − w·c/255). All are linear in what lies
+/// beneath, so the sum can be taken from the topmost down: `passing` is the factor that the rest still has.
+/// An opaque layer ends it, and what it hides is never read. Of eight photos on an organ that halves the work
+/// (docs/performance.md). What an overlay or a colour makes of the rest is not linear in it: there the rest
+/// is finished first.
+Eigen::Vector3f TriangleLayers::colourOfLowest(std::size_t layers, const PatchTexel& texel) const {
     Eigen::Array4f colour = Eigen::Array4f::Zero();
     Eigen::Array4f passing = Eigen::Array4f::Ones(); // the share that what lies beneath has in each channel
-    for (auto layer = m_layers.rbegin(); layer != m_layers.rend(); ++layer) {
-        const LayerColour laid = layer->at(texel);
+    for (std::size_t place = layers; place-- > 0;) {
+        const LayerColour laid = m_layers[place].at(texel);
         const Eigen::Array4f own = laid.colour;
         const float weight = laid.weight;
         if (!(weight > 0)) continue;
-        if (layer->blending() == Blending::Multiply) {
+        const Blending blending = m_layers[place].blending();
+        if (blending == Blending::Multiply) {
             passing *= 1 - weight + weight / 255 * own;
             continue;
         }
+        if (!isLinear(blending)) {
+            const Eigen::Array3f beneath = colourOfLowest(place, texel);
+            const Eigen::Array3f mixed = 255 * blended(blending, beneath / 255, own.head<3>() / 255);
+            return colour.head<3>() + passing.head<3>() * (beneath + weight * (mixed - beneath));
+        }
         colour += weight * passing * own;
+        if (blending == Blending::Screen) {
+            passing *= 1 - weight / 255 * own;
+            continue;
+        }
         if (weight >= 1) return colour.head<3>();
         passing *= 1 - weight;
     }

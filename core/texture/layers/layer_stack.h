@@ -109,9 +109,10 @@ public:
     const std::vector<LayerOnTriangle>& layers() const { return m_layers; }
 
     /// Red, green, blue, 0 to 255. Mixed in sRGB values, as the source does and as picture editors do.
-    Eigen::Vector3f colour(const PatchTexel& texel) const;
+    Eigen::Vector3f colour(const PatchTexel& texel) const { return colourOfLowest(m_layers.size(), texel); }
 
 private:
+    Eigen::Vector3f colourOfLowest(std::size_t layers, const PatchTexel& texel) const;
     std::optional<LayerOnTriangle> reaching(std::size_t place, std::uint32_t triangle, int follows) const;
 
     const LayerStack* m_stack;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/id.h"
+#include "core/texture/layers/blending.h"
 #include "core/texture/layers/brush_stroke.h"
 #include "core/texture/photo/photo.h"
 #include "core/texture/photo/photo_preparation.h"
@@ -13,20 +14,6 @@
 #include <vector>
 
 namespace esm {
-
-/// How a layer's colour mixes with what lies beneath.
-enum class Blending {
-    Normal,    ///< hides it
-    Multiply,  ///< darkens it: the product of both, sRGB values from 0 to 1
-    MultiBand, ///< passes into it without a seam: coarse differences of colour over a wide border, details
-               ///< over a narrow one; of photos only
-};
-
-inline constexpr std::array<Blending, 3> blendings{Blending::Normal, Blending::Multiply, Blending::MultiBand};
-template<>
-inline constexpr auto wordsOf<Blending> =
-    std::array{Word{Blending::Normal, "normal"}, Word{Blending::Multiply, "multiply"},
-               Word{Blending::MultiBand, "multi-band"}};
 
 /// A photo on the organ, or what was painted there. Never baked in: layers are composed anew when one
 /// changes.

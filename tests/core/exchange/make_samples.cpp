@@ -85,6 +85,15 @@ Project adjustedProject() {
     return project;
 }
 
+/// Every blending that version 11 brought.
+Project blendedProject() {
+    Project project = richProject();
+    project.layers[0].blending = Blending::Screen;
+    project.layers[1].blending = Blending::Overlay;
+    project.layers[2].blending = Blending::Colour;
+    return project;
+}
+
 /// As the first packed textures were laid out.
 Project projectInRows() {
     Project project = richProject();
@@ -127,6 +136,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-8", newestProject()},
             {"version-10", shapedProject()},
             {"version-11-adjusted", adjustedProject()},
+            {"version-11-blended", blendedProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};

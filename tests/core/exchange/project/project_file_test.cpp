@@ -149,6 +149,11 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(versionWith(sensitive), 10);
     adjusted.adjustment.hue = 5;
     EXPECT_EQ(versionWith(adjusted), projectFileVersion);
+    Project blended = richProject();
+    for (const Blending blending : {Blending::Screen, Blending::Overlay, Blending::Colour}) {
+        blended.layers[0].blending = blending;
+        EXPECT_EQ(version(blended), 11) << wordOf(blending);
+    }
 }
 
 TEST_F(ProjectFile, OfAVersionTooLowOpensWithAWarning) {

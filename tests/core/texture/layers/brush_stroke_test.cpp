@@ -47,13 +47,6 @@ TriangleMesh thinPlate() {
     return mesh;
 }
 
-/// Visits every texel's surface point and colour after composing.
-template<class Visit>
-void onPages(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<TextureLayer>& layers,
-             Visit visit) {
-    forEachTexelInside(mesh, atlas, composite(mesh, atlas, layers, baseColour), visit);
-}
-
 std::vector<std::string> problemsWith(const std::function<void(BrushStroke&)>& change) {
     BrushStroke stroke = strokeAt(BrushKind::Colour, {0, 0, 0});
     change(stroke);
@@ -166,23 +159,6 @@ TEST(BrushStroke, FollowsClonesOfClonesAndEndsSomewhere) {
             mesh, atlas, composite(mesh, atlas, some, baseColour),
             [&](const Eigen::Vector3d&, const Colour& colour, std::size_t) { ASSERT_EQ(colour, green); });
     }
-}
-
-TEST(Blending, MultipliesValuesFromZeroToOne) {
-    const TriangleMesh mesh = flatSquare(0.1, 3);
-    const Atlas atlas = packAtlas(mesh, {256, 1, 2});
-    TextureLayer layer = layerFromAbove(plainPhoto({128, 255, 0, 255}), 0.3);
-    layer.blending = Blending::Multiply;
-    layer.opacity = 0.5;
-    onPages(mesh, atlas, {layer}, [](const Eigen::Vector3d&, const Colour& colour, std::size_t) {
-        ASSERT_TRUE(isNear(colour, {150, 101, 25, 255}, 1)) << int(colour[0]); // 200 · (½ + ½ · 128 / 255)
-    });
-}
-
-TEST(Blending, IsFoundByItsName) {
-    for (const Blending blending : blendings)
-        EXPECT_EQ(fromWord<Blending>(wordOf(blending)), blending);
-    EXPECT_EQ(fromWord<Blending>("screen"), std::nullopt);
 }
 
 TEST(BrushStroke, SaysWhatIsWrongWithIt) {

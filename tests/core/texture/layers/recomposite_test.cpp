@@ -52,6 +52,9 @@ const std::vector<std::pair<const char*, std::function<void(Layers&)>>> edits{
     {"move beneath the clone", [](Layers& l) { l[1].projector.pose.translation().x() -= 0.02; }},
     {"add", [](Layers& l) { l.insert(l.begin() + 1, projected(-0.03, 0.07)); }},
     {"multiply", [](Layers& l) { l[1].blending = Blending::Multiply; }},
+    {"screen", [](Layers& l) { l[0].blending = Blending::Screen; }},
+    {"overlay", [](Layers& l) { l[1].blending = Blending::Overlay; }},
+    {"colour", [](Layers& l) { l[0].blending = Blending::Colour; }},
     {"bands", [](Layers& l) { l[2].blending = Blending::MultiBand; }},
     {"erase beneath the bands",
      [](Layers& l) {
