@@ -2,6 +2,8 @@
 #include "widgets/view/axis_cube.h"
 #include "widgets/view/organ_view.h"
 
+#include <QTabletEvent>
+
 namespace esm {
 namespace {
 
@@ -46,6 +48,14 @@ void OrganView::mouseReleaseEvent(QMouseEvent* event) {
     if (wasClick) m_tool->click(mouseOf(*event));
 }
 
+/// Only the pressure is kept: of an event that is not accepted Qt makes one of the mouse, at the same place
+/// and next, so that a pen does all that the mouse does.
+void OrganView::tabletEvent(QTabletEvent* event) {
+    const bool isDown = event->type() != QEvent::TabletRelease && event->buttons() != Qt::NoButton;
+    m_pressure = isDown ? std::optional(event->pressure()) : std::nullopt;
+    event->ignore();
+}
+
 void OrganView::wheelEvent(QWheelEvent* event) {
     if (m_tool->wheel({sight(), event->position(), event->modifiers()}, wheelNotches(*event))) return;
     applyCamera(approached(sight(), event->position(), zoomFactor(wheelNotches(*event))));
@@ -67,7 +77,7 @@ void OrganView::leaveEvent(QEvent* event) {
 }
 
 ToolMouse OrganView::mouseOf(const QMouseEvent& event) {
-    return {sight(), event.localPos(), event.modifiers()};
+    return {sight(), event.localPos(), event.modifiers(), m_pressure};
 }
 
 void OrganView::moveTool(const ToolMouse& mouse) {

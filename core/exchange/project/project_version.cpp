@@ -35,7 +35,9 @@ bool needsShapedMask(const TextureLayer& layer) {
 bool needsRetouching(const TextureLayer& layer) {
     const bool blendsAnew = layer.blending == Blending::Screen || layer.blending == Blending::Overlay ||
                             layer.blending == Blending::Colour;
-    return blendsAnew || layer.preparation.adjustment != ColourAdjustment();
+    const bool isPressed = std::any_of(layer.strokes.begin(), layer.strokes.end(),
+                                       [](const auto& stroke) { return !stroke->shares.empty(); });
+    return blendsAnew || isPressed || layer.preparation.adjustment != ColourAdjustment();
 }
 
 bool needsLandmarks(const TextureLayer& layer) {

@@ -41,6 +41,13 @@ struct BrushPoint {
     bool operator==(const BrushPoint&) const = default;
 };
 
+/// What is left of a brush at a point of its path, as where a pen presses lightly.
+struct BrushShares {
+    double radius = 1, strength = 1; ///< of the stroke's, 0 to 1
+
+    bool operator==(const BrushShares&) const = default;
+};
+
 /// What one movement of a brush does to the surface around its path, in space and not in texels: it lies
 /// where it lay however the texture is packed. Its weight is greatest over the path, so that nothing builds
 /// up where it crosses itself.
@@ -53,6 +60,8 @@ struct BrushStroke {
     Eigen::Vector3d shift{
         Eigen::Vector3d::Zero()}; ///< m, of a clone brush, from where it paints to its source
     std::vector<BrushPoint> path; ///< at least one point; joined by straight lines
+    /// Of each point, passing evenly from one to the next; empty where all is left of the brush everywhere.
+    std::vector<BrushShares> shares;
 
     bool operator==(const BrushStroke&) const = default;
 };
@@ -64,7 +73,7 @@ inline constexpr auto fieldsOf<BrushStroke> =
                                     texture_limits::longestPhoto, "m"}),
                field("softness", &BrushStroke::softness, Limits<double>{"the brush's softness", 0, 1}),
                field("strength", &BrushStroke::strength, Limits<double>{"the brush's strength", 0, 1}),
-               field("points", &BrushStroke::path),
+               field("points", &BrushStroke::path), field("shares", &BrushStroke::shares).whenSet(),
                field("colour", &BrushStroke::colour).onlyWhere([](const BrushStroke& stroke) {
                    return stroke.kind == BrushKind::Colour;
                }),
@@ -93,7 +102,7 @@ Eigen::AlignedBox3d reachOf(const BrushStroke& stroke);
 
 /// The weight at a distance (m) from the path: `strength` up to the soft part of the radius, from there down
 /// to 0 as 3t² − 2t³.
-double strokeProfile(const BrushStroke& stroke, double distance);
+double strokeProfile(const BrushStroke& stroke, double distance, const BrushShares& shares = {});
 
 /// A stroke as one triangle meets it.
 class StrokeOnTriangle {
@@ -115,6 +124,7 @@ private:
         Eigen::Vector3d start, along;
         double squaredLength;
         Eigen::Vector3d startNormal, endNormal; ///< of the surface under the brush, of length 1
+        BrushShares startShares, endShares;
     };
 
     const BrushStroke* m_stroke = nullptr;

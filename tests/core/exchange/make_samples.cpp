@@ -94,6 +94,19 @@ Project blendedProject() {
     return project;
 }
 
+/// Strokes of a pen beside those of a mouse.
+Project pressedProject() {
+    Project project = paintedProject();
+    for (TextureLayer& layer : project.layers)
+        for (std::size_t i = 0; i < layer.strokes.size(); i += 2) {
+            BrushStroke pressed = *layer.strokes[i];
+            for (std::size_t point = 0; point < pressed.path.size(); ++point)
+                pressed.shares.push_back({1.0 / static_cast<double>(point + 1), 2.0 / 3});
+            layer.strokes[i] = std::make_shared<const BrushStroke>(std::move(pressed));
+        }
+    return project;
+}
+
 /// As the first packed textures were laid out.
 Project projectInRows() {
     Project project = richProject();
@@ -137,6 +150,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-10", shapedProject()},
             {"version-11-adjusted", adjustedProject()},
             {"version-11-blended", blendedProject()},
+            {"version-11-pressure", pressedProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};

@@ -149,6 +149,14 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(versionWith(sensitive), 10);
     adjusted.adjustment.hue = 5;
     EXPECT_EQ(versionWith(adjusted), projectFileVersion);
+    Project pressed = paintedProject();
+    for (TextureLayer& layer : pressed.layers)
+        for (auto& stroke : layer.strokes) {
+            BrushStroke light = *stroke;
+            light.shares.assign(light.path.size(), {0.5, 1});
+            stroke = std::make_shared<const BrushStroke>(light);
+        }
+    EXPECT_EQ(version(pressed), 11);
     Project blended = richProject();
     for (const Blending blending : {Blending::Screen, Blending::Overlay, Blending::Colour}) {
         blended.layers[0].blending = blending;

@@ -47,6 +47,8 @@ std::shared_ptr<const BrushStroke> strokeAt(BrushKind kind, bool most) {
     stroke.softness = stroke.strength = most ? 1 : 0;
     const double place = most ? largest : -largest, normal = most ? largest : smallest;
     stroke.path = {{Eigen::Vector3d::Constant(place), {normal, 0, 0}}};
+    if (kind == BrushKind::Colour || kind == BrushKind::Erase)
+        stroke.shares = {most ? BrushShares{1, 0} : BrushShares{0, 1}};
     if (kind == BrushKind::Colour) stroke.colour.fill(most ? 255 : 0);
     if (kind == BrushKind::Clone) stroke.shift.setConstant(place);
     return std::make_shared<const BrushStroke>(stroke);
