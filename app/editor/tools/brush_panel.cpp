@@ -25,6 +25,8 @@ QString kindName(BrushKind kind) {
         return BrushPanel::tr("colour");
     case BrushKind::Clone:
         return BrushPanel::tr("clone");
+    case BrushKind::Heal:
+        return BrushPanel::tr("heal");
     }
     return {};
 }
@@ -176,9 +178,12 @@ QString BrushPanel::remark() const {
     if (m_painting.layer()->photo)
         return tr(
             "A photo is erased and restored. Colours are laid on a paint layer, which the menu Model adds.");
-    if (m_painting.brush().kind != BrushKind::Clone) return {};
-    return m_painting.source() ? tr("Each stroke begins at the cross. Ctrl and a click move it.")
-                               : tr("Ctrl and a click on the organ say where it takes its colours.");
+    const BrushKind kind = m_painting.brush().kind;
+    if (!copies(kind)) return {};
+    if (!m_painting.source()) return tr("Ctrl and a click on the organ say where it takes its colours.");
+    return kind == BrushKind::Heal ? tr("Takes details from the cross, and the shade from around the stroke. "
+                                        "Ctrl and a click move it.")
+                                   : tr("Each stroke begins at the cross. Ctrl and a click move it.");
 }
 
 } // namespace esm

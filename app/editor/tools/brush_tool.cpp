@@ -99,7 +99,7 @@ void BrushTool::lookAt(const std::optional<PickedPoint>& point) {
 
 void BrushTool::draw(QPainter& painter, const Sight& sight, const QPalette&) const {
     const Painting::Brush brush = m_painting.brush();
-    if (brush.kind == BrushKind::Clone && m_painting.source())
+    if (copies(brush.kind) && m_painting.source())
         if (const auto place = sight.placeOf(*m_painting.source())) paintSource(painter, *place);
     if (!m_at) return;
     const auto circle = [&](double radius) {

@@ -6,7 +6,7 @@
 
 namespace esm {
 
-/// Paints on the surface; a click with Ctrl says where a clone brush takes its colours.
+/// Paints on the surface; a click with Ctrl says where a brush that copies takes its colours.
 class BrushTool : public ViewTool {
     Q_OBJECT
 

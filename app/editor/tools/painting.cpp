@@ -40,6 +40,8 @@ QString stepName(BrushKind kind) {
         return Painting::tr("Paint with the brush");
     case BrushKind::Clone:
         return Painting::tr("Clone with the brush");
+    case BrushKind::Heal:
+        return Painting::tr("Heal with the brush");
     }
     return {};
 }
@@ -81,7 +83,7 @@ const TextureLayer* Painting::layer() const {
 std::vector<BrushKind> Painting::kinds() const {
     if (!layer()) return {};
     if (layer()->photo) return {BrushKind::Erase, BrushKind::Restore};
-    return {BrushKind::Colour, BrushKind::Clone, BrushKind::Erase, BrushKind::Restore};
+    return {BrushKind::Colour, BrushKind::Clone, BrushKind::Heal, BrushKind::Erase, BrushKind::Restore};
 }
 
 Painting::Brush Painting::brush() const {
@@ -114,8 +116,8 @@ void Painting::setSource(const BrushPoint& point) {
 
 QString Painting::refusal() const {
     if (!layer()) return tr("No layer is selected that could be painted on");
-    if (brush().kind == BrushKind::Clone && !m_source)
-        return tr("Ctrl and a click say first where the clone brush takes its colours");
+    if (copies(brush().kind) && !m_source)
+        return tr("Ctrl and a click say first where the brush takes its colours");
     std::size_t points = 0;
     for (const auto& stroke : layer()->strokes)
         points += stroke->path.size();
@@ -159,7 +161,7 @@ void Painting::begin(const BrushTouch& touch) {
     if (!unseen.isEmpty()) emit message(unseen);
     ++m_gesture;
     BrushStroke stroke = brush();
-    if (stroke.kind == BrushKind::Clone) stroke.shift = *m_source - touch.point.place;
+    if (copies(stroke.kind)) stroke.shift = *m_source - touch.point.place;
     const bool isPressed = touch.pressure && (m_pressureUse.size || m_pressureUse.strength);
     m_movement = Movement{*m_selection.photo(), {stroke}, {}, false, isPressed};
     append(touch);

@@ -37,7 +37,7 @@ public:
     void setBrush(const Brush& brush);
     /// m, half of the organ's diagonal: a brush that covers all of it.
     double largestRadius() const;
-    /// Where a clone brush takes its colours, on the organ at rest.
+    /// Where a brush that copies takes its colours, on the organ at rest.
     const std::optional<Eigen::Vector3d>& source() const { return m_source; }
     void setSource(const BrushPoint& point);
 

@@ -35,9 +35,11 @@ bool needsShapedMask(const TextureLayer& layer) {
 bool needsRetouching(const TextureLayer& layer) {
     const bool blendsAnew = layer.blending == Blending::Screen || layer.blending == Blending::Overlay ||
                             layer.blending == Blending::Colour;
-    const bool isPressed = std::any_of(layer.strokes.begin(), layer.strokes.end(),
-                                       [](const auto& stroke) { return !stroke->shares.empty(); });
-    return blendsAnew || isPressed || layer.preparation.adjustment != ColourAdjustment();
+    const bool isPaintedAnew =
+        std::any_of(layer.strokes.begin(), layer.strokes.end(), [](const auto& stroke) {
+            return !stroke->shares.empty() || stroke->kind == BrushKind::Heal;
+        });
+    return blendsAnew || isPaintedAnew || layer.preparation.adjustment != ColourAdjustment();
 }
 
 bool needsLandmarks(const TextureLayer& layer) {

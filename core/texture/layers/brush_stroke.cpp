@@ -56,6 +56,11 @@ std::vector<std::string> validate(const BrushStroke& stroke) {
     return problems;
 }
 
+BrushShares sharesBetween(const BrushStroke& stroke, std::size_t point, double t) {
+    if (stroke.shares.empty()) return {};
+    return between(stroke.shares[point], stroke.shares[std::min(point + 1, stroke.shares.size() - 1)], t);
+}
+
 Eigen::AlignedBox3d reachOf(const BrushStroke& stroke) {
     Eigen::AlignedBox3d box;
     for (const BrushPoint& point : stroke.path)

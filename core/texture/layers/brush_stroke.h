@@ -21,16 +21,23 @@ enum class BrushKind {
     Restore, ///< brings back what was erased
     Colour,  ///< lays a colour
     Clone,   ///< lays what lies beneath the layer at another place
+    Heal,    ///< the same, but adapted to what lies around the stroke, see HealingRim
 };
 
 template<>
 inline constexpr auto wordsOf<BrushKind> =
     std::array{Word{BrushKind::Erase, "erase"}, Word{BrushKind::Restore, "restore"},
-               Word{BrushKind::Colour, "colour"}, Word{BrushKind::Clone, "clone"}};
+               Word{BrushKind::Colour, "colour"}, Word{BrushKind::Clone, "clone"},
+               Word{BrushKind::Heal, "heal"}};
+
+/// Whether a brush lays what lies beneath its layer elsewhere.
+constexpr bool copies(BrushKind kind) {
+    return kind == BrushKind::Clone || kind == BrushKind::Heal;
+}
 
 /// Whether a brush lays colour instead of changing the layer's mask.
-inline bool laysColour(BrushKind kind) {
-    return kind == BrushKind::Colour || kind == BrushKind::Clone;
+constexpr bool laysColour(BrushKind kind) {
+    return kind == BrushKind::Colour || copies(kind);
 }
 
 /// A place on the surface over which a brush was led.
@@ -58,7 +65,7 @@ struct BrushStroke {
     double strength = 1;                  ///< weight in the middle, 0 to 1
     std::array<std::uint8_t, 3> colour{}; ///< sRGB, of a colour brush
     Eigen::Vector3d shift{
-        Eigen::Vector3d::Zero()}; ///< m, of a clone brush, from where it paints to its source
+        Eigen::Vector3d::Zero()}; ///< m, of one that copies, from where it paints to its source
     std::vector<BrushPoint> path; ///< at least one point; joined by straight lines
     /// Of each point, passing evenly from one to the next; empty where all is left of the brush everywhere.
     std::vector<BrushShares> shares;
@@ -77,8 +84,8 @@ inline constexpr auto fieldsOf<BrushStroke> =
                field("colour", &BrushStroke::colour).onlyWhere([](const BrushStroke& stroke) {
                    return stroke.kind == BrushKind::Colour;
                }),
-               field("shift", &BrushStroke::shift, finiteLimits("the way to the place that is cloned"))
-                   .onlyWhere([](const BrushStroke& stroke) { return stroke.kind == BrushKind::Clone; }));
+               field("shift", &BrushStroke::shift, finiteLimits("the way to the place that is copied"))
+                   .onlyWhere([](const BrushStroke& stroke) { return copies(stroke.kind); }));
 
 /// Never null; shared, so that a copy of a layer costs little.
 using BrushStrokes = std::vector<ByValue<BrushStroke>>;
@@ -96,6 +103,9 @@ struct SurfacePoint {
 struct TriangleCorners {
     Eigen::Matrix3d places, normals;
 };
+
+/// What is left of a brush at a share of the way from a point of its path to the next.
+BrushShares sharesBetween(const BrushStroke& stroke, std::size_t point, double t);
 
 /// All that a stroke may reach.
 Eigen::AlignedBox3d reachOf(const BrushStroke& stroke);

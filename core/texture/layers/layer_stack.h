@@ -21,6 +21,7 @@ struct PreparedLayer {
     std::shared_ptr<const SurfaceLighting> lighting; ///< null where none is asked for
     std::shared_ptr<const OutlineFeather> outlines;  ///< the same
     std::vector<Eigen::AlignedBox3d> strokeReach;    ///< of each stroke
+    std::vector<std::shared_ptr<const HealingRim>> rims; ///< the same; null but of those that heal
 };
 
 /// What a photo's strokes make of its mask, painted over white: black where it is erased.
@@ -62,6 +63,13 @@ private:
     SampledPicture blendedInBands(const PreparedLayer& layer, CompositionCache& cache,
                                   const Progress& progress) const;
 
+    HealingRim rimOf(const BrushStroke& stroke) const;
+    /// Of each stroke that heals what the layers so far show, which are `beneath`.
+    std::vector<std::shared_ptr<const HealingRim>> rimsOf(const BrushStrokes& strokes,
+                                                          const std::vector<TextureLayer>& beneath,
+                                                          std::array<std::uint8_t, 3> baseColour,
+                                                          CompositionCache& cache) const;
+
     LitSurface m_surface;
     const std::vector<Patch>& m_patches;
     Eigen::Vector3f m_baseColour;
@@ -83,7 +91,7 @@ private:
     LayerColour painted(const SurfacePoint& point) const;
     float mask(const SurfacePoint& point) const;
     SurfacePoint pointAt(const Eigen::Vector3d& weights) const;
-    Eigen::Vector3f colourOf(const BrushStroke& stroke, const Eigen::Vector3d& point) const;
+    Eigen::Vector3f colourOf(std::size_t stroke, const Eigen::Vector3d& point) const;
 
     const LayerStack* m_stack = nullptr;
     const PreparedLayer* m_prepared = nullptr;
@@ -92,6 +100,7 @@ private:
     Eigen::Matrix3d m_corners, m_normals; ///< as columns
     std::optional<TriangleProjection> m_projection;
     std::vector<StrokeOnTriangle> m_strokes;
+    std::vector<const HealingRim*> m_rims; ///< of each of them; null but of those that heal
     mutable std::unordered_map<std::uint32_t, std::unique_ptr<TriangleLayers>> m_sources; ///< of clones
 };
 

@@ -107,6 +107,19 @@ Project pressedProject() {
     return project;
 }
 
+/// What was cloned is healed.
+Project healedProject() {
+    Project project = paintedProject();
+    for (TextureLayer& layer : project.layers)
+        for (auto& stroke : layer.strokes)
+            if (stroke->kind == BrushKind::Clone) {
+                BrushStroke healing = *stroke;
+                healing.kind = BrushKind::Heal;
+                stroke = std::make_shared<const BrushStroke>(std::move(healing));
+            }
+    return project;
+}
+
 /// As the first packed textures were laid out.
 Project projectInRows() {
     Project project = richProject();
@@ -150,6 +163,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-10", shapedProject()},
             {"version-11-adjusted", adjustedProject()},
             {"version-11-blended", blendedProject()},
+            {"version-11-healed", healedProject()},
             {"version-11-pressure", pressedProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},

@@ -157,6 +157,12 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
             stroke = std::make_shared<const BrushStroke>(light);
         }
     EXPECT_EQ(version(pressed), 11);
+    Project healed = paintedProject();
+    BrushStroke healing;
+    healing.kind = BrushKind::Heal;
+    healing.path = {{{0, 0, 0}, {0, 0, 1}}};
+    healed.layers.back().strokes = {std::make_shared<const BrushStroke>(healing)};
+    EXPECT_EQ(version(healed), 11);
     Project blended = richProject();
     for (const Blending blending : {Blending::Screen, Blending::Overlay, Blending::Colour}) {
         blended.layers[0].blending = blending;

@@ -50,7 +50,7 @@ std::shared_ptr<const BrushStroke> strokeAt(BrushKind kind, bool most) {
     if (kind == BrushKind::Colour || kind == BrushKind::Erase)
         stroke.shares = {most ? BrushShares{1, 0} : BrushShares{0, 1}};
     if (kind == BrushKind::Colour) stroke.colour.fill(most ? 255 : 0);
-    if (kind == BrushKind::Clone) stroke.shift.setConstant(place);
+    if (copies(kind)) stroke.shift.setConstant(place);
     return std::make_shared<const BrushStroke>(stroke);
 }
 
@@ -63,7 +63,8 @@ void addPainting(Fields& fields) {
         return field("strokes", settings, layerPart(layer, [](TextureLayer& l) { return &l.strokes; }));
     };
     fields.push_back(painted(0, {BrushKind::Erase, BrushKind::Restore}));
-    fields.push_back(painted(3, {BrushKind::Erase, BrushKind::Restore, BrushKind::Colour, BrushKind::Clone}));
+    fields.push_back(painted(
+        3, {BrushKind::Erase, BrushKind::Restore, BrushKind::Colour, BrushKind::Clone, BrushKind::Heal}));
 }
 
 PhotoPreparation leastPreparation() {

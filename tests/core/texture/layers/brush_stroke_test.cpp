@@ -199,7 +199,7 @@ TEST(BrushStroke, SaysWhatIsWrongWithIt) {
         s.kind = BrushKind::Clone;
         s.shift.x() = nan;
     };
-    EXPECT_THAT(problemsWith(clonesFromNowhere), ElementsAre(HasSubstr("cloned")));
+    EXPECT_THAT(problemsWith(clonesFromNowhere), ElementsAre(HasSubstr("copied")));
     EXPECT_THAT(problemsWith([](BrushStroke& s) {
                     s.shares = {{1, 1}, {1, 1}};
                 }),
