@@ -18,10 +18,11 @@ struct FinishOptions {
     const FinishPreset* preset = nullptr;
     std::optional<double> roughness, wetness, wetAtHighlights;
     std::optional<double> relief; ///< mm
-    bool keepsColour = false, removes = false;
+    std::optional<bool> hidesColour;
+    bool removes = false;
 
     bool saysAnything() const {
-        return preset || roughness || wetness || wetAtHighlights || relief || keepsColour || removes;
+        return preset || roughness || wetness || wetAtHighlights || relief || hidesColour || removes;
     }
 };
 
@@ -33,7 +34,7 @@ void declareFinish(CLI::App& command, FinishOptions& options) {
         ->required()
         ->check(writtenAs(".esm"));
     command.add_option("--layer", options.layer,
-                       "Name of the layer that shines so (default: the organ itself)");
+                       "Name of the layer that lends it (default: the organ itself)");
     Words<const FinishPreset*> presets;
     for (const FinishPreset& preset : finishPresets)
         presets.emplace_back(preset.word, &preset);
@@ -51,9 +52,13 @@ void declareFinish(CLI::App& command, FinishOptions& options) {
             "--relief", options.relief,
             "How high what is half as bright again as its surroundings in the photograph stands, mm: a guess")
         ->check(numberWithin(0, deepestRelief * millimetres));
-    command.add_flag("--without-colour", options.keepsColour,
-                     "The layer's own colour is not shown: it lends nothing but its shine");
-    command.add_flag("--remove", options.removes, "Takes the layer's or the organ's shine away");
+    addChoice(command, "--colour", options.hidesColour, {{"shown", false}, {"hidden", true}},
+              "Hidden, the layer shows nothing but its finish (shown)");
+    CLI::Option* remove =
+        command.add_flag("--remove", options.removes, "Takes the layer's or the organ's finish away");
+    for (const char* other :
+         {"--preset", "--roughness", "--wetness", "--wet-at-highlights", "--relief", "--colour"})
+        remove->excludes(command.get_option(other));
 }
 
 TextureLayer& layerNamed(Project& project, const std::string& name) {
@@ -78,9 +83,8 @@ void applySurface(const FinishOptions& options, SurfaceFinish& finish) {
 }
 
 void finishOrgan(const FinishOptions& options, Project& project) {
-    if (options.wetAtHighlights || options.relief || options.keepsColour)
-        throw UsageError(
-            "--wet-at-highlights, --relief and --without-colour are a layer's; name it with --layer");
+    if (options.wetAtHighlights || options.relief || options.hidesColour)
+        throw UsageError("--wet-at-highlights, --relief and --colour are a layer's; name it with --layer");
     std::optional<SurfaceFinish>& finish = project.texture.finish;
     if (options.removes) return finish.reset();
     if (!finish) finish.emplace();
@@ -93,17 +97,19 @@ void finishLayer(const FinishOptions& options, TextureLayer& layer) {
     applySurface(options, layer.finish->surface);
     layer.finish->wetAtHighlights = options.wetAtHighlights.value_or(layer.finish->wetAtHighlights);
     if (options.relief) layer.finish->relief = *options.relief / millimetres;
-    layer.finish->keepsColour = layer.finish->keepsColour || options.keepsColour;
+    layer.finish->hidesColour = options.hidesColour.value_or(layer.finish->hidesColour);
 }
 
-std::string shineText(const std::optional<SurfaceFinish>& finish) {
-    if (!finish) return "no shine of its own";
+std::string finishText(const std::optional<SurfaceFinish>& finish) {
+    if (!finish) return "no finish of its own";
     return "roughness " + inText(finish->roughness) + ", wetness " + inText(finish->wetness);
 }
 
 Report runFinish(const FinishOptions& options, Context& context) {
     if (!options.saysAnything())
-        throw UsageError("say how it shines: --preset, --roughness, --wetness, or --remove");
+        throw UsageError("say what finish: --preset, --roughness, --wetness, of a layer also "
+                         "--wet-at-highlights, --relief, "
+                         "--colour; or --remove");
     context.subject = options.project;
     const ProjectOutput output(options.output);
     Project project = openedProject(options.project, context);
@@ -121,7 +127,7 @@ Report runFinish(const FinishOptions& options, Context& context) {
     }
     output.save(project);
     if (finish) report.json.update({{"roughness", finish->roughness}, {"wetness", finish->wetness}});
-    report.text.push_back((options.layer ? "layer " + *options.layer : "organ") + ": " + shineText(finish));
+    report.text.push_back((options.layer ? "layer " + *options.layer : "organ") + ": " + finishText(finish));
     addWarnings(report, warnings);
     addWritten(report, options.output);
     return report;
@@ -130,9 +136,9 @@ Report runFinish(const FinishOptions& options, Context& context) {
 } // namespace
 
 void addFinishCommand(CLI::App& texture, Context& context) {
-    addCommand(
-        texture, context,
-        Command<FinishOptions>{"finish", "Say how the organ or a layer shines", declareFinish, runFinish});
+    addCommand(texture, context,
+               Command<FinishOptions>{"finish", "Say how the organ or a layer shines: its finish",
+                                      declareFinish, runFinish});
 }
 
 } // namespace esm

@@ -25,6 +25,18 @@ PhotoCrop parseCrop(const std::string& text) {
 }
 
 /// @throws UsageError
+void parseLevels(const std::string& text, ColourAdjustment& adjustment) {
+    const std::vector<double> numbers = parseNumbers(text, "--levels");
+    if (numbers.size() != 3)
+        throw UsageError("--levels: give three numbers, \"black white gamma\", as \"10 240 1.2\"");
+    adjustment.blackPoint = numbers[0];
+    adjustment.whitePoint = numbers[1];
+    adjustment.gamma = numbers[2];
+    const std::vector<std::string> problems = validate(adjustment);
+    if (!problems.empty()) throw UsageError("--levels: " + problems.front());
+}
+
+/// @throws UsageError
 Eigen::Vector2d parseSpot(const std::string& text, const Image& photo) {
     const std::vector<double> numbers = parseNumbers(text, "--white-spot");
     if (numbers.size() != 2 || !(numbers[0] >= 0) || !(numbers[1] >= 0) || numbers[0] > photo.width ||
@@ -100,6 +112,24 @@ void reportMatch(const std::optional<ColourMatch>& match, Report& report) {
     }
 }
 
+void declareAdjustment(CLI::App& command, PreparationOptions& options) {
+    command.add_option("--levels", options.levels,
+                       "Take these values to black and white and bend what lies between by gamma, \"black "
+                       "white gamma\"; \"0 255 1\" changes nothing");
+    command
+        .add_option("--contrast", options.adjustment.contrast,
+                    "Multiply what differs from middle grey, from 0 to 2")
+        ->check(numberWithin(0, 2));
+    command
+        .add_option("--saturation", options.adjustment.saturation,
+                    "Multiply how colourful it is, from 0 (grey) to 2")
+        ->check(numberWithin(0, 2));
+    command
+        .add_option("--hue", options.adjustment.hue,
+                    "Turn its hues by so many degrees, from -180 to 180, red towards yellow")
+        ->check(numberWithin(-180, 180));
+}
+
 } // namespace
 
 void declarePreparation(CLI::App& command, PreparationOptions& options) {
@@ -127,6 +157,7 @@ void declarePreparation(CLI::App& command, PreparationOptions& options) {
         ->excludes(balance)
         ->excludes(spot);
     command.add_flag("--match-colours", options.matchColours, "Give it the colours of the surface beneath");
+    declareAdjustment(command, options);
     command.add_option("--lens", options.lens, "Correct the distortion of this lens (.json)");
     command.add_option("--crop", options.crop,
                        "Keep only this part, \"x y width height\" in pixels of the photograph");
@@ -141,6 +172,8 @@ Report prepareLayer(const Project& project, TextureLayer& layer, const Preparati
     if (options.fillHighlights) preparation.highlightSensitivity = usualSensitivity;
     if (options.highlights) preparation.highlightSensitivity = options.highlights;
     preparation.evenLight = options.evenLight;
+    preparation.adjustment = options.adjustment;
+    if (!options.levels.empty()) parseLevels(options.levels, preparation.adjustment);
     // What steps find in the photo is stored as numbers, so that it stays what it was seen to be.
     preparation = withFound(preparation, photo, {options.field, false, options.maskOverlays});
     preparation.whiteBalance = whiteBalanceFor(options, photo, preparation);

@@ -15,7 +15,8 @@ struct PreparationOptions {
          matchColours = false;
     double evenLight = 0;
     std::optional<double> highlights; ///< sensitivity
-    std::string whiteSpot, whiteLike, lens, crop;
+    std::string whiteSpot, whiteLike, lens, crop, levels;
+    ColourAdjustment adjustment; ///< all but the levels
 };
 
 void declarePreparation(CLI::App& command, PreparationOptions& options);

@@ -58,7 +58,8 @@ Report runScale(const ScaleOptions& options, Context& context) {
     const double factor = wantedFactor(options);
     context.subject = options.project;
     const ProjectOutput output(options.output);
-    const Project project = scaled(openedProject(options.project, context), factor, options.kept);
+    const Project opened = openedProject(options.project, context);
+    const Project project = scaled(opened, factor, options.kept);
     output.save(project);
     Report report = modelReport(project);
     report.json["factor"] = factor;
@@ -70,6 +71,12 @@ Report runScale(const ScaleOptions& options, Context& context) {
     if (options.kept == KeptByScaling::Density && infersMass(project))
         warnings.emplace_back(
             "masses that fuzzy systems infer stay as they are: hold them by hand to scale them");
+    const auto isCut = [&](const TextureLayer& layer) {
+        return layer.finish && layer.finish->relief * factor > deepestRelief;
+    };
+    if (std::any_of(opened.layers.begin(), opened.layers.end(), isCut))
+        warnings.push_back("reliefs are cut to " + inText(1000 * deepestRelief) +
+                           " mm, the most there may be");
     addWarnings(report, warnings);
     addWritten(report, options.output);
     return report;

@@ -64,6 +64,7 @@ void scale(TextureLayer& layer, double factor) {
     layer.projector.pose.translation() *= factor;
     layer.projector.width *= factor;
     layer.projector.height *= factor;
+    // No file holds a deeper one.
     if (layer.finish) layer.finish->relief = std::min(layer.finish->relief * factor, deepestRelief);
     for (auto& stroke : layer.strokes)
         stroke = scaled(*stroke, factor);

@@ -98,7 +98,9 @@ bool writeRows(JpegWriter& writer, const Image& image, const Progress& progress)
         reportProgress(progress, static_cast<double>(y) / image.height);
         if (!writeRow(writer, image, y)) return false;
     }
-    return finishWriting(writer);
+    if (!finishWriting(writer)) return false;
+    reportProgress(progress, 1);
+    return true;
 }
 
 } // namespace

@@ -3,20 +3,17 @@
 #include "core/offscreen/offscreen.h"
 #include "core/render/colouring.h"
 #include "core/render/organ_scene.h"
-#include "core/texture/maps/finish_pages.h"
 
 namespace esm {
 
-Image previewPicture(const Project& project, const std::shared_ptr<const std::vector<Image>>& pages) {
+Image previewPicture(const Project& project, const PackagePages& pages) {
     constexpr int size = 512; // pixels
     RenderScene scene = organScene(project.mesh, project.network, project.texture.baseColour);
     std::optional<ValueRange> range;
     if (scene.showSprings)
         colourScene(scene, ColourBy::SpringConstant, {evaluateModel(project), project.regions, {}}, range);
-    if (pages) layTexture(scene, project.atlas, *pages);
-    layFinish(scene, project.layers, project.texture.finish,
-              pages ? finishPages(*project.mesh, *project.atlas, project.layers, project.texture.finish)
-                    : nullptr);
+    if (pages.colours) layTexture(scene, project.atlas, *pages.colours);
+    layFinish(scene, project.layers, project.texture.finish, pages.finish);
     const Camera camera = framedCamera(organBox(*project.mesh, *project.network), StandardView::Front, 1);
     return renderOffscreen(scene, camera, size, size);
 }

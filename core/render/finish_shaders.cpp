@@ -4,7 +4,7 @@ namespace esm::shaders {
 namespace {
 
 // What a place's finish is, and which way its relief tilts the surface.
-const char* const reading = R"(
+const char* const finishReading = R"(
 uniform bool endoscope, hasFinish, finishPainted;
 uniform vec2 plainFinish; // wetness, roughness
 uniform float exposedDistance; // m, at which the endoscope's light is as bright as the room's
@@ -37,7 +37,7 @@ Finish finishAt(vec2 place, vec3 n, vec3 p, vec2 onPage) {
 )";
 
 // Mirroring a room: an environment of a sky and a few broad lamps in closed form.
-const char* const room = R"(
+const char* const roomLight = R"(
 // By Schlick 1994; rough surface mirrors less where it is seen from the side.
 float fresnel(float facing, float roughness) {
     return 0.04 + max(0.96 - roughness, 0.0) * squared(squared(1.0 - facing)) * (1.0 - facing);
@@ -65,7 +65,7 @@ vec3 litInRoom(vec3 albedo, Finish finish, vec3 n, vec3 toEye) {
 )";
 
 // Mirroring the lamp at the eye.
-const char* const cavity = R"(
+const char* const endoscopeLight = R"(
 // What a lamp at the eye's own place sends back from a surface of a roughness, for an irradiance of 1.
 float mirroredLamp(float facing, float roughness) {
     float alpha = max(squared(roughness), 1e-3);
@@ -104,7 +104,7 @@ vec3 shining(vec3 albedo, vec4 tint, vec3 n, vec3 p, vec2 place, vec2 onPage) {
 /// roughness, as a processor draws these pictures: no maps are read. In a body the lamp is at the eye, so
 /// half-vector and line of sight are one.
 std::string finishSource() {
-    return std::string(reading) + room + cavity;
+    return std::string(finishReading) + roomLight + endoscopeLight;
 }
 
 } // namespace esm::shaders

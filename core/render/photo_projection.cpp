@@ -216,7 +216,7 @@ void PhotoProjection::bind(const GlProgram& program) const {
     program.set("falloff", m_projected->projector.falloff);
     program.set("blendPixels", static_cast<float>(m_projected->blendPixels));
     program.set("opacity", static_cast<float>(m_projected->opacity));
-    program.set("multiplies", m_projected->multiplies);
+    program.set("blending", static_cast<int>(m_projected->blending));
     program.set("restVertices", 2);
     program.set("photo", 3);
     program.set("seen", 4);

@@ -1,4 +1,7 @@
 #include "core/render/shaders.h"
+#include "core/texture/layers/blending.h"
+
+#include <string>
 
 namespace esm::shaders {
 
@@ -21,7 +24,8 @@ uniform sampler2DShadow seen;
 uniform vec2 photoPixels, depths, outlineNodes;
 uniform vec4 light;
 uniform int seenSide; // 0: the outside, 1: the inside, 2: both
-uniform bool isPerspective, occlusion, falloff, multiplies, hasBands;
+uniform bool isPerspective, occlusion, falloff, hasBands;
+uniform int blending; // a Blending
 uniform float blendPixels, opacity, tolerance, outlineSpacing;
 
 // As the depth map holds it.
@@ -70,10 +74,45 @@ float lightWeight(vec2 pixel, vec3 outward) {
 
 )";
 
+/// As blended() in core/texture/layers/blending.h has them.
+std::string blendingSource() {
+    const auto is = [](Blending blending) {
+        return "blending == " + std::to_string(static_cast<int>(blending));
+    };
+    return R"(
+float luminosity(vec3 colour) { return dot(colour, vec3(0.3, 0.59, 0.11)); }
+
+vec3 clipped(vec3 colour) {
+    float grey = luminosity(colour), below = grey - min(colour.r, min(colour.g, colour.b));
+    float above = max(colour.r, max(colour.g, colour.b)) - grey;
+    if (below > grey && below > 0.0) colour = grey + (colour - grey) * (grey / below);
+    if (above > 1.0 - grey && above > 0.0) colour = grey + (colour - grey) * ((1.0 - grey) / above);
+    return clamp(colour, 0.0, 1.0);
+}
+
+vec3 overlaid(vec3 beneath, vec3 own) {
+    vec3 product = 2.0 * beneath * own;
+    return mix(2.0 * (beneath + own) - product - 1.0, product, lessThanEqual(beneath, vec3(0.5)));
+}
+
+vec3 blended(vec3 beneath, vec3 own) {
+    if ()" +
+           is(Blending::Multiply) + R"() return beneath * own;
+    if ()" +
+           is(Blending::Screen) + R"() return beneath + own - beneath * own;
+    if ()" +
+           is(Blending::Overlay) + R"() return overlaid(beneath, own);
+    if ()" +
+           is(Blending::Colour) + R"() return clipped(own + luminosity(beneath) - luminosity(own));
+    return own;
+}
+)";
+}
+
 } // namespace
 
 std::string photoColourSource() {
-    return photoWeights + std::string(R"(
+    return photoWeights + blendingSource() + std::string(R"(
 vec3 withPhoto(vec3 beneath, float left) {
     vec3 across = cross(dFdx(rest), dFdy(rest));
     vec3 outward = normalize(gl_FrontFacing ? across : -across);
@@ -86,7 +125,7 @@ vec3 withPhoto(vec3 beneath, float left) {
     weight *= lightWeight(pixel, outward);
     vec3 colour = photoColour.rgb / photoColour.a; // it is stored multiplied by alpha
     if (hasBands) colour = clamp(colour + (texture(bands, place).rgb * 255.0 - 128.0) / 127.5, 0.0, 1.0);
-    return mix(beneath, multiplies ? beneath * colour : colour, weight);
+    return mix(beneath, blended(beneath, colour), weight);
 }
 )");
 }

@@ -49,9 +49,9 @@ Eigen::Vector4f seenCut(const CutPlane& cut, const Camera& camera) {
     return Eigen::Vector4d(-hidden.x(), -hidden.y(), -hidden.z(), left).cast<float>();
 }
 
-/// As an endoscope sets its exposure: what is seen is as bright in the mean as it would be at this distance.
-/// Light falls with the square of the distance, so that near tissue counts most. A thousand vertices tell it
-/// well enough.
+/// As an endoscope sets its exposure: what lies within 45° of the line of sight, hidden or not, is as bright
+/// in the mean as it would be at this distance. Light falls with the square of the distance, so that near
+/// tissue counts most. A thousand vertices tell it well enough.
 double exposedDistance(const Camera& camera, const std::vector<Eigen::Vector3d>& vertices) {
     constexpr double widestSeen = 0.7; // cosine of the angle to the line of sight
     const Eigen::Vector3d sight = (camera.target - camera.eye).normalized();

@@ -9,6 +9,7 @@
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/finish/surface_finish.h"
 #include "core/texture/image.h"
+#include "core/texture/layers/blending.h"
 #include "core/texture/layers/page_levels.h"
 #include "core/texture/layers/tiled_pages.h"
 #include "core/texture/projection/projector.h"
@@ -55,10 +56,10 @@ struct DrawnProjector {
 struct ProjectedPhoto {
     Projector projector;
     std::shared_ptr<const Image> photo; ///< may be null: nothing is projected
-    double blendPixels = 0;  ///< photo pixels over which the weight rises from 0 at the border to 1
-    double opacity = 1;      ///< 0 to 1
-    bool multiplies = false; ///< what lies beneath, instead of hiding it
-    bool isMasked = false;   ///< the texture's alpha is how much of it strokes have left
+    double blendPixels = 0; ///< photo pixels over which the weight rises from 0 at the border to 1
+    double opacity = 1;     ///< 0 to 1
+    Blending blending = Blending::Normal;
+    bool isMasked = false;                ///< the texture's alpha is how much of it strokes have left
     std::shared_ptr<const Image> bands{}; ///< added to the photo, see `bandsAddedTo`; null for nothing
 };
 

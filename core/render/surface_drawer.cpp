@@ -214,7 +214,8 @@ void SurfaceDrawer::takePages(const RenderScene& scene) {
     }
 }
 
-/// Without smaller copies: a mean of normals is none, and the film's mirror images are flecks from afar too.
+/// No smaller copies: a mean of normals is no normal, and it would blur reflections, which stay sharp from
+/// afar.
 void SurfaceDrawer::takeFinish(const std::shared_ptr<const TiledPages>& pages) {
     if (pages == m_finishPages) return;
     m_finishPages = pages;

@@ -54,10 +54,12 @@ COMMANDS = {
         "--gap": WHOLE + ["-1", "16385"], "--texels-per-metre": AMOUNT + ["1e10"], "--layout": ["spiral", ""]},
     "texture photo organ.esm --photo photo.png --projector pose.json": {
         "project": FILE, "--photo": FILE, "--projector": FILE, "-o": TO_PROJECT, "--blend": AMOUNT,
-        "--blending": ["screen", ""], "--name": [""], "--field": None,
+        "--blending": ["lighten", "Screen", ""], "--name": [""], "--field": None,
         "--mask-overlays": None, "--fill-highlights": None, "--highlights": AMOUNT + ["1.01"],
         "--white-spot": ["x", "1", "1 2 3", "-1 5", "nan 5", "1e9 5", ""], "--white-like": FILE,
         "--even-light": AMOUNT + ["1.01"], "--white-balance": None, "--match-colours": None, "--lens": FILE,
+        "--levels": ["x", "10 200", "0 255 0", "0 255 11", "-1 255 1", "0 256 1", "100 100.5 1", "0 nan 1", ""],
+        "--contrast": AMOUNT + ["2.01"], "--saturation": AMOUNT + ["2.01"], "--hue": NUMBER + ["-181", "181"],
         "--crop": ["x", "1 2 3", "0 0 -1 5", "0.5 0 5 5", "0 0 0 5", "0 0 5 0", "0 0 5 nan", ""]},
     "texture replace organ.esm --layer photo --photo photo.png": {
         "project": FILE, "--layer": ["nobody", ""], "--photo": FILE, "-o": TO_PROJECT},
@@ -67,7 +69,7 @@ COMMANDS = {
     "texture finish organ.esm --layer photo --preset fat": {
         "project": FILE, "-o": TO_PROJECT, "--layer": ["nobody", ""], "--preset": ["bone", ""],
         "--roughness": AMOUNT + ["1.01"], "--wetness": AMOUNT + ["1.01"], "--wet-at-highlights": AMOUNT + ["1.01"],
-        "--relief": AMOUNT + ["5.01"], "--without-colour": None, "--remove": None},
+        "--relief": AMOUNT + ["5.01"], "--colour": ["red", ""], "--remove": None},
     "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None,
                                "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"]},
     "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""],

@@ -103,6 +103,23 @@ class TextureTest(Case):
         bad = self.file("bad.json", {"kind": "mirror"})
         self.fails(1, *given, "--lens", bad, "-o", project, naming="pinhole")
 
+    def test_adjusts_the_colours_of_a_photo(self):
+        project, pages = self.sample("liver"), {}
+        def photographed(name, *options):
+            out = self.file(f"{name}.esm")
+            self.done("sample", "vessels", "-o", self.file("photo.png"))
+            self.done("texture", "photo", project, "--photo", self.file("photo.png"), "--projector",
+                      self.file("projector.json", PROJECTOR), *options, "-o", out)
+            self.done("texture", "pack", out, "--size", "256", "-o", out)
+            self.done("texture", "bake", out, "-o", self.file(name))
+            pages[name] = next(self.file(name).glob("*.png")).read_bytes()
+            return self.done("validate", out)["problems"]
+        self.assertEqual(photographed("plain"), [])
+        self.assertEqual(photographed("neutral", "--levels", "0 255 1", "--hue", "0", "--saturation", "1"), [])
+        self.assertEqual(photographed("turned", "--levels", "10 240 1.2", "--contrast", "1.1", "--hue", "-40"), [])
+        self.assertEqual(pages["plain"], pages["neutral"])
+        self.assertNotEqual(pages["plain"], pages["turned"])
+
     def test_replaces_a_photo(self):
         project, photo = self.sample("liver"), self.file("other.png")
         self.photographed(project, "--name", "Polyp", "--crop", "0 0 256 256")
@@ -228,16 +245,18 @@ class TextureTest(Case):
         bare = self.sample("liver")
         self.done("texture", "pack", bare, "--size", "256", "-o", bare)
         pages = {"none": self.baked(bare)[3]}
-        for blending in ("normal", "multiply", "multi-band"):
+        for blending in ("normal", "multiply", "screen", "overlay", "colour", "multi-band"):
             project = self.file(blending + ".esm")
             project.write_bytes(bare.read_bytes())
             self.photographed(project, "--blending", blending)
             self.assertEqual([photo["blending"] for photo in self.done("info", project)["photos"]], [blending])
             pages[blending] = self.baked(project)[3]
-        self.assertEqual(len({b"".join(rows) for rows in pages.values()}), 4)
+        self.assertEqual(len({b"".join(rows) for rows in pages.values()}), 7)
         # No product of two colours is brighter than either of them.
         for before, after in zip(pages["none"], pages["multiply"]):
             self.assertTrue(all(a <= b for a, b in zip(after, before)))
+        for before, after in zip(pages["none"], pages["screen"]):
+            self.assertTrue(all(a >= b for a, b in zip(after, before)))
         # In bands a photo comes nearer to what lies beneath it.
         change = {kind: sum(abs(a - b) for before, after in zip(pages["none"], pages[kind])
                             for a, b in zip(after, before)) for kind in ("normal", "multi-band")}
@@ -246,7 +265,7 @@ class TextureTest(Case):
     def test_an_unknown_blending_is_refused_with_those_there_are(self):
         project = self.sample("liver")
         before = project.read_bytes()
-        self.fails(2, "texture", "photo", project, "--photo", "p.png", "--projector", "p.json", "--blending", "screen",
+        self.fails(2, "texture", "photo", project, "--photo", "p.png", "--projector", "p.json", "--blending", "lighten",
                    "-o", project, naming="multi-band")
         self.assertEqual(project.read_bytes(), before)
 

@@ -11,9 +11,10 @@ std::shared_ptr<const Photo> gradientPhoto(const std::string& fileName, int size
 
 /// An organ that uses everything a project can hold, with numbers that no decimal notation keeps by chance.
 /// The organ is a ring of `rings` · 12 triangles, 0.07 m in radius.
+Project richProject(std::uint32_t rings = 8);
+
 /// With a wet look: of the organ, of photos with relief and highlights, of a layer that lends no colour.
 Project shiningProject();
-Project richProject(std::uint32_t rings = 8);
 
 /// The same organ carried by fewer nodes than it has vertices, or moved rigidly.
 Project boundProject(const Detail& detail);

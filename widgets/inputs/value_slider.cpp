@@ -7,6 +7,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <cmath>
 
 namespace esm {
 
@@ -28,6 +29,24 @@ ValueSlider::ValueSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
 void ValueSlider::setScale(double least, double most) {
     m_least = least;
     m_most = most;
+    m_isLogarithmic = false;
+}
+
+void ValueSlider::setLogarithmicScale(double least, double most) {
+    setScale(least, most);
+    m_isLogarithmic = true;
+}
+
+double ValueSlider::scaledAt(int position) const {
+    const double share = (position - minimum()) / std::max(1.0, static_cast<double>(maximum()) - minimum());
+    return m_isLogarithmic ? m_least * std::pow(m_most / m_least, share)
+                           : m_least + share * (m_most - m_least);
+}
+
+void ValueSlider::setScaledValue(double number) {
+    const double share = m_isLogarithmic ? std::log(number / m_least) / std::log(m_most / m_least)
+                                         : (number - m_least) / (m_most - m_least);
+    setValue(minimum() + qRound(share * (maximum() - minimum())));
 }
 
 void ValueSlider::setSpoken(const QString& value) {
@@ -37,13 +56,8 @@ void ValueSlider::setSpoken(const QString& value) {
 }
 
 std::optional<SpokenNumber> ValueSlider::spokenNumber() const {
-    const double perStep = (m_most - m_least) / std::max(1, maximum() - minimum());
-    return SpokenNumber{m_least + perStep * (value() - minimum()), m_least, m_most, perStep * singleStep()};
-}
-
-void ValueSlider::setSpokenNumber(double number) {
-    const double share = (number - m_least) / (m_most - m_least);
-    setValue(minimum() + qRound(share * (maximum() - minimum())));
+    const double step = scaledAt(value() + singleStep()) - scaledValue();
+    return SpokenNumber{scaledValue(), m_least, m_most, step};
 }
 
 QRect ValueSlider::handleRect() const {

@@ -24,11 +24,17 @@ public:
 
     /// What its ends stand for, in the unit that is shown: a screen reader is told that, and no position.
     void setScale(double least, double most);
+    /// The same where every step multiplies by one factor.
+    void setLogarithmicScale(double least, double most);
+    /// The number at the handle.
+    double scaledValue() const { return scaledAt(value()); }
+    /// Brings the handle as near to a number as steps allow.
+    void setScaledValue(double number);
     /// The value as it is said: "1.2 N/m, flexible 0.92".
     void setSpoken(const QString& value);
     QString spokenValue() const override { return m_spoken; }
     std::optional<SpokenNumber> spokenNumber() const override;
-    void setSpokenNumber(double number) override;
+    void setSpokenNumber(double number) override { setScaledValue(number); }
     QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
 
 signals:
@@ -45,10 +51,12 @@ protected:
 
 private:
     QRect handleRect() const;
+    double scaledAt(int position) const;
     void bringHandleTo(int left);
 
     KeyRun m_keys{[this] { emit gestureFinished(); }};
     double m_least = 0, m_most = 1;
+    bool m_isLogarithmic = false;
     QString m_spoken;
     int m_grabbedAt = 0; ///< from the handle's left to where the mouse holds it, pixels
 };

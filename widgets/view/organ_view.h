@@ -102,6 +102,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool focusNextPrevChild(bool next) override;
@@ -138,6 +139,7 @@ private:
     ViewTool m_noTool;
     ViewTool* m_tool = &m_noTool;
     Hold m_hold = Hold::Nothing;      ///< of the tool's last press
+    std::optional<double> m_pressure; ///< of a tablet's pen while it is down
     std::optional<QPointF> m_pressed; ///< where the left button went down, while it may still become a click
     std::optional<ViewLegend> m_legend;
     QString m_hint;

@@ -2,6 +2,8 @@
 #include "widgets/view/axis_cube.h"
 #include "widgets/view/organ_view.h"
 
+#include <QTabletEvent>
+
 namespace esm {
 namespace {
 
@@ -44,6 +46,15 @@ void OrganView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) letGo();
     m_cameraController.release(*event);
     if (wasClick) m_tool->click(mouseOf(*event));
+    m_pressure.reset(); // a pen that is taken out of reach sends no release of its own
+}
+
+/// Only the pressure is kept: of an event that is not accepted Qt makes one of the mouse, at the same place
+/// and next, so that a pen does all that the mouse does.
+void OrganView::tabletEvent(QTabletEvent* event) {
+    const bool isDown = event->type() != QEvent::TabletRelease && event->buttons() != Qt::NoButton;
+    m_pressure = isDown ? std::optional(event->pressure()) : std::nullopt;
+    event->ignore();
 }
 
 void OrganView::wheelEvent(QWheelEvent* event) {
@@ -67,7 +78,7 @@ void OrganView::leaveEvent(QEvent* event) {
 }
 
 ToolMouse OrganView::mouseOf(const QMouseEvent& event) {
-    return {sight(), event.localPos(), event.modifiers()};
+    return {sight(), event.localPos(), event.modifiers(), m_pressure};
 }
 
 void OrganView::moveTool(const ToolMouse& mouse) {

@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QPalette>
 
+#include <optional>
+
 namespace esm {
 
 /// Where the mouse is in the view, and the organ as it is seen there.
@@ -13,6 +15,7 @@ struct ToolMouse {
     Sight sight;
     QPointF place; ///< pixels
     Qt::KeyboardModifiers keys;
+    std::optional<double> pressure{}; ///< of a tablet's pen, 0 to 1, while it is down; none of a mouse
 
     Ray ray() const { return sight.rayAt(place); }
     std::optional<PickedPoint> picked() const { return sight.pickAt(place); }

@@ -26,6 +26,7 @@ enum class EditKind {
     TermShape,
     VariableRange,
     // A photo or painted layer.
+    Adjustment,
     BrushStroke,
     Crop,
     EvenLight,

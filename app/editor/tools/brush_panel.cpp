@@ -25,6 +25,8 @@ QString kindName(BrushKind kind) {
         return BrushPanel::tr("colour");
     case BrushKind::Clone:
         return BrushPanel::tr("clone");
+    case BrushKind::Heal:
+        return BrushPanel::tr("heal");
     }
     return {};
 }
@@ -39,7 +41,9 @@ BrushPanel::BrushPanel(Painting& painting, QWidget* parent)
     : Section(tr("Brush"), parent), m_painting(painting), m_kind(new QComboBox(this)),
       m_radius(new NumberField(lengthFormat(texture_limits::shortestPhoto), this)),
       m_softness(new NumberField(shareFormat(), this)), m_strength(new NumberField(shareFormat(), this)),
-      m_colour(new QPushButton(this)), m_remark(new QLabel(this)) {
+      m_pressureSize(new QCheckBox(tr("size"), this)),
+      m_pressureStrength(new QCheckBox(tr("strength"), this)), m_colour(new QPushButton(this)),
+      m_remark(new QLabel(this)) {
     layOut();
     connectFields();
     connect(&painting, &Painting::changed, this, &BrushPanel::show);
@@ -52,6 +56,7 @@ void BrushPanel::layOut() {
     rows->addField(tr("Radius"), m_radius);
     rows->addField(tr("Softness"), m_softness);
     rows->addField(tr("Strength"), m_strength);
+    rows->addField(tr("Pen pressure"), pressureBoxes());
     rows->addField(tr("Colour"), m_colour);
     m_kind->setObjectName(QStringLiteral("brushKind"));
     m_radius->setObjectName(QStringLiteral("brushRadius"));
@@ -64,6 +69,26 @@ void BrushPanel::layOut() {
     guardFromWheel(*m_kind);
     body()->addWidget(rows);
     body()->addWidget(m_remark);
+}
+
+QWidget* BrushPanel::pressureBoxes() {
+    auto* boxes = new QWidget(this);
+    auto* row = new QHBoxLayout(boxes);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    m_pressureSize->setObjectName(QStringLiteral("pressureSize"));
+    m_pressureSize->setAccessibleName(tr("Pen pressure changes size"));
+    m_pressureStrength->setObjectName(QStringLiteral("pressureStrength"));
+    m_pressureStrength->setAccessibleName(tr("Pen pressure changes strength"));
+    for (QCheckBox* box : {m_pressureSize, m_pressureStrength}) {
+        row->addWidget(box);
+        connect(box, &QCheckBox::clicked, this, &BrushPanel::usePressure);
+    }
+    return boxes;
+}
+
+void BrushPanel::usePressure() {
+    m_painting.setPressureUse({m_pressureSize->isChecked(), m_pressureStrength->isChecked()});
 }
 
 void BrushPanel::connectFields() {
@@ -118,6 +143,12 @@ void BrushPanel::show() {
     m_radius->setValue(brush.radius);
     m_softness->setValue(brush.softness);
     m_strength->setValue(brush.strength);
+    m_pressureSize->setChecked(m_painting.pressureUse().size);
+    m_pressureStrength->setChecked(m_painting.pressureUse().strength);
+    enable(m_pressureSize, hasLayer,
+           tr("The lighter a tablet's pen presses, the smaller the brush; the mouse paints in full"), none);
+    enable(m_pressureStrength, hasLayer,
+           tr("The lighter a tablet's pen presses, the less it covers; the mouse paints in full"), none);
     enable(m_colour, hasLayer && brush.kind == BrushKind::Colour, tr("The colour that is laid on the organ"),
            hasLayer ? tr("Only the colour brush has one") : none);
     showColour(brush.colour);
@@ -147,9 +178,12 @@ QString BrushPanel::remark() const {
     if (m_painting.layer()->photo)
         return tr(
             "A photo is erased and restored. Colours are laid on a paint layer, which the menu Model adds.");
-    if (m_painting.brush().kind != BrushKind::Clone) return {};
-    return m_painting.source() ? tr("Each stroke begins at the cross. Ctrl and a click move it.")
-                               : tr("Ctrl and a click on the organ say where it takes its colours.");
+    const BrushKind kind = m_painting.brush().kind;
+    if (!copies(kind)) return {};
+    if (!m_painting.source()) return tr("Ctrl and a click on the organ say where it takes its colours.");
+    return kind == BrushKind::Heal ? tr("Takes details from the cross, and the shade from around the stroke. "
+                                        "Ctrl and a click move it.")
+                                   : tr("Each stroke begins at the cross. Ctrl and a click move it.");
 }
 
 } // namespace esm

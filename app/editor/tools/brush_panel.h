@@ -4,6 +4,7 @@
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/section.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QPushButton>
 
@@ -21,6 +22,8 @@ private:
     void connectFields();
     void show();
     void showKinds();
+    QWidget* pressureBoxes();
+    void usePressure();
     void showColour(const std::array<std::uint8_t, 3>& colour);
     QString remark() const;
     void change(const std::function<void(Painting::Brush&)>& change);
@@ -30,6 +33,7 @@ private:
     Painting& m_painting;
     QComboBox* m_kind;
     NumberField *m_radius, *m_softness, *m_strength;
+    QCheckBox *m_pressureSize, *m_pressureStrength;
     QPushButton* m_colour;
     QLabel* m_remark;
 };

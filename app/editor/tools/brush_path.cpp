@@ -19,8 +19,10 @@ class WayFinder {
 public:
     WayFinder(const Sight& sight, double spacing) : m_sight(sight), m_spacing(spacing) {}
 
-    std::vector<std::optional<BrushPoint>> along(const QPointF& from, const QPointF& to) {
+    std::vector<WayPoint> along(const QPointF& from, const QPointF& to) {
         m_points.clear();
+        m_from = from;
+        m_length = distance(from, to);
         refine(at(from), at(to));
         return std::move(m_points);
     }
@@ -37,8 +39,8 @@ private:
             refine(from, between);
             return refine(between, to);
         }
-        if (!areClose && isEdge(from, to, way)) m_points.emplace_back();
-        m_points.push_back(to.point);
+        if (!areClose && isEdge(from, to, way)) m_points.push_back({std::nullopt, shareAt(from.place)});
+        m_points.push_back({to.point, shareAt(to.place)});
     }
 
     /// Surface that is seen at a slant takes more than the spacing in a pixel too, though not much more.
@@ -47,9 +49,15 @@ private:
         return from.point && to.point && way > mostOfOneSurface * m_spacing;
     }
 
+    double shareAt(const QPointF& place) const {
+        return m_length > 0 ? distance(m_from, place) / m_length : 1;
+    }
+
     const Sight& m_sight;
     double m_spacing;
-    std::vector<std::optional<BrushPoint>> m_points;
+    QPointF m_from;
+    double m_length = 0; ///< pixels
+    std::vector<WayPoint> m_points;
 };
 
 } // namespace
@@ -60,8 +68,8 @@ std::optional<BrushPoint> brushPointAt(const Sight& sight, const QPointF& place)
     return BrushPoint{picked->spot.point, picked->normal};
 }
 
-std::vector<std::optional<BrushPoint>> brushPointsAlong(const Sight& sight, const QPointF& from,
-                                                        const QPointF& to, double spacing) {
+std::vector<WayPoint> brushPointsAlong(const Sight& sight, const QPointF& from, const QPointF& to,
+                                       double spacing) {
     return WayFinder(sight, spacing).along(from, to);
 }
 

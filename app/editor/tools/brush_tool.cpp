@@ -14,6 +14,11 @@ namespace {
 /// them: those that are kept lie half a radius apart at most.
 constexpr double strokeSpacing = 0.25;
 
+/// A pen tells its pressure at few places of a fast stroke, as it does where it is.
+std::optional<double> pressureBetween(std::optional<double> from, std::optional<double> to, double share) {
+    return from && to ? *from + share * (*to - *from) : to;
+}
+
 std::optional<PickedPoint> surfaceUnder(const ToolMouse& mouse) {
     const auto& mesh = mouse.sight.scene.mesh;
     return mesh && !mesh->triangles.empty() ? mouse.picked() : std::nullopt;
@@ -39,29 +44,37 @@ Hold BrushTool::press(const ToolMouse& mouse) {
         return Hold::Stroke;
     }
     if (!point && !isNearSurface(mouse.sight, mouse.place)) return Hold::Nothing;
-    m_down = Down{mouse.place, point.has_value()};
-    if (point) m_painting.begin(*point);
+    m_down = Down{mouse.place, mouse.pressure, point.has_value()};
+    if (point) m_painting.begin({*point, mouse.pressure});
     return Hold::Stroke;
 }
 
 void BrushTool::move(const ToolMouse& mouse) {
     lookAt(surfaceUnder(mouse));
     if (!m_down) return;
-    const double spacing = strokeSpacing * m_painting.brush().radius;
-    goOn(brushPointsAlong(mouse.sight, m_down->place, mouse.place, spacing));
-    if (m_down) m_down->place = mouse.place;
+    const double spacing =
+        strokeSpacing * m_painting.sharesAt(mouse.pressure).radius * m_painting.brush().radius;
+    std::vector<std::optional<BrushTouch>> touches;
+    for (const auto& [point, share] : brushPointsAlong(mouse.sight, m_down->place, mouse.place, spacing)) {
+        const auto pressure = pressureBetween(m_down->pressure, mouse.pressure, share);
+        touches.push_back(point ? std::optional(BrushTouch{*point, pressure}) : std::nullopt);
+    }
+    goOn(touches);
+    if (!m_down) return;
+    m_down->place = mouse.place;
+    m_down->pressure = mouse.pressure;
 }
 
 /// One that came down beside the organ begins where it reaches the surface.
-void BrushTool::goOn(const std::vector<std::optional<BrushPoint>>& points) {
-    auto next = points.begin();
+void BrushTool::goOn(const std::vector<std::optional<BrushTouch>>& touches) {
+    auto next = touches.begin();
     if (!m_down->hasBegun) {
-        next = std::find_if(next, points.end(), [](const auto& point) { return point.has_value(); });
-        if (next == points.end()) return;
+        next = std::find_if(next, touches.end(), [](const auto& touch) { return touch.has_value(); });
+        if (next == touches.end()) return;
         m_down->hasBegun = true;
         m_painting.begin(**next++);
     }
-    m_painting.goOn({next, points.end()});
+    m_painting.goOn({next, touches.end()});
 }
 
 void BrushTool::release() {
@@ -86,13 +99,14 @@ void BrushTool::lookAt(const std::optional<PickedPoint>& point) {
 
 void BrushTool::draw(QPainter& painter, const Sight& sight, const QPalette&) const {
     const Painting::Brush brush = m_painting.brush();
-    if (brush.kind == BrushKind::Clone && m_painting.source())
+    if (copies(brush.kind) && m_painting.source())
         if (const auto place = sight.placeOf(*m_painting.source())) paintSource(painter, *place);
     if (!m_at) return;
     const auto circle = [&](double radius) {
         return sight.placesOf(circleAround(m_at->point, m_at->spot.outward, radius));
     };
-    paintBrush(painter, circle(brush.radius), circle((1 - brush.softness) * brush.radius));
+    const double radius = m_painting.sharesAt(m_down ? m_down->pressure : std::nullopt).radius * brush.radius;
+    paintBrush(painter, circle(radius), circle((1 - brush.softness) * radius));
 }
 
 } // namespace esm

@@ -6,7 +6,7 @@
 
 namespace esm {
 
-/// Paints on the surface; a click with Ctrl says where a clone brush takes its colours.
+/// Paints on the surface; a click with Ctrl says where a brush that copies takes its colours.
 class BrushTool : public ViewTool {
     Q_OBJECT
 
@@ -26,12 +26,13 @@ public:
 private:
     /// Of the brush, while it is down.
     struct Down {
-        QPointF place; ///< pixels, of the mouse as it was last
-        bool hasBegun; ///< it has been on the surface
+        QPointF place;                  ///< pixels, of the mouse as it was last
+        std::optional<double> pressure; ///< likewise, of a pen
+        bool hasBegun;                  ///< it has been on the surface
     };
 
     void lookAt(const std::optional<PickedPoint>& point);
-    void goOn(const std::vector<std::optional<BrushPoint>>& points);
+    void goOn(const std::vector<std::optional<BrushTouch>>& touches);
 
     Selection& m_selection;
     Painting m_painting;

@@ -75,7 +75,7 @@ std::vector<std::uint32_t> FixTool::nodesTo(const ToolMouse& mouse) const {
         path.clear();
     };
     if (const auto from = brushPointAt(mouse.sight, m_stroke->place)) path.push_back(from->place);
-    for (const auto& point :
+    for (const auto& [point, share] :
          brushPointsAlong(mouse.sight, m_stroke->place, mouse.place, fixSpacing * m_radius)) {
         if (point)
             path.push_back(point->place);

@@ -14,6 +14,22 @@ namespace {
 /// Share of the radius that points of a path keep between them: the brush joins them by straight lines.
 constexpr double pointSpacing = 0.25;
 
+/// Share of the size that the lightest touch of a pen has.
+constexpr double leastSize = 0.1;
+
+/// Whether a point is too close to a stroke's last one to be kept.
+bool isClose(const BrushPoint& point, const BrushStroke& stroke) {
+    const double share = stroke.shares.empty() ? 1 : std::max(leastSize, stroke.shares.back().radius);
+    return (point.place - stroke.path.back().place).norm() < pointSpacing * share * stroke.radius;
+}
+
+/// False where the pen does not.
+bool pressHarder(BrushShares& shares, const BrushShares& now) {
+    const BrushShares before = shares;
+    shares = {std::max(before.radius, now.radius), std::max(before.strength, now.strength)};
+    return shares != before;
+}
+
 QString stepName(BrushKind kind) {
     switch (kind) {
     case BrushKind::Erase:
@@ -24,6 +40,8 @@ QString stepName(BrushKind kind) {
         return Painting::tr("Paint with the brush");
     case BrushKind::Clone:
         return Painting::tr("Clone with the brush");
+    case BrushKind::Heal:
+        return Painting::tr("Heal with the brush");
     }
     return {};
 }
@@ -65,7 +83,7 @@ const TextureLayer* Painting::layer() const {
 std::vector<BrushKind> Painting::kinds() const {
     if (!layer()) return {};
     if (layer()->photo) return {BrushKind::Erase, BrushKind::Restore};
-    return {BrushKind::Colour, BrushKind::Clone, BrushKind::Erase, BrushKind::Restore};
+    return {BrushKind::Colour, BrushKind::Clone, BrushKind::Heal, BrushKind::Erase, BrushKind::Restore};
 }
 
 Painting::Brush Painting::brush() const {
@@ -98,8 +116,8 @@ void Painting::setSource(const BrushPoint& point) {
 
 QString Painting::refusal() const {
     if (!layer()) return tr("No layer is selected that could be painted on");
-    if (brush().kind == BrushKind::Clone && !m_source)
-        return tr("Ctrl and a click say first where the clone brush takes its colours");
+    if (copies(brush().kind) && !m_source)
+        return tr("Ctrl and a click say first where the brush takes its colours");
     std::size_t points = 0;
     for (const auto& stroke : layer()->strokes)
         points += stroke->path.size();
@@ -126,45 +144,62 @@ const SurfaceQuery& Painting::surface() {
     return *m_surface;
 }
 
-void Painting::begin(const BrushPoint& point) {
+void Painting::setPressureUse(const PressureUse& use) {
+    m_pressureUse = use;
+    emit changed();
+}
+
+BrushShares Painting::sharesAt(std::optional<double> pressure) const {
+    const double share = std::clamp(pressure.value_or(1), 0.0, 1.0);
+    return {m_pressureUse.size ? std::max(leastSize, share) : 1, m_pressureUse.strength ? share : 1};
+}
+
+void Painting::begin(const BrushTouch& touch) {
     const QString why = refusal();
     if (!why.isEmpty()) return emit message(why);
-    const QString unseen = warning(point);
+    const QString unseen = warning(touch.point);
     if (!unseen.isEmpty()) emit message(unseen);
     ++m_gesture;
     BrushStroke stroke = brush();
-    if (stroke.kind == BrushKind::Clone) stroke.shift = *m_source - point.place;
-    stroke.path = {point};
-    m_movement = Movement{*m_selection.photo(), {stroke}, {}};
+    if (copies(stroke.kind)) stroke.shift = *m_source - touch.point.place;
+    const bool isPressed = touch.pressure && (m_pressureUse.size || m_pressureUse.strength);
+    m_movement = Movement{*m_selection.photo(), {stroke}, {}, false, isPressed};
+    append(touch);
     edit();
 }
 
-void Painting::goOn(const std::vector<std::optional<BrushPoint>>& points) {
+void Painting::goOn(const std::vector<std::optional<BrushTouch>>& touches) {
     if (!m_movement) return;
     bool grows = false;
-    for (const auto& point : points)
-        grows = extend(point) || grows;
+    for (const auto& touch : touches)
+        grows = extend(touch) || grows;
     if (grows) edit();
 }
 
+void Painting::append(const BrushTouch& touch) {
+    BrushStroke& stroke = m_movement->strokes.back();
+    stroke.path.push_back(touch.point);
+    if (m_movement->isPressed) stroke.shares.push_back(sharesAt(touch.pressure));
+}
+
 /// False when nothing is added.
-bool Painting::extend(const std::optional<BrushPoint>& point) {
-    if (!point) m_movement->isOff = true;
-    if (!point || isFull()) return false;
+bool Painting::extend(const std::optional<BrushTouch>& touch) {
+    if (!touch) m_movement->isOff = true;
+    if (!touch || isFull()) return false;
     std::vector<BrushStroke>& strokes = m_movement->strokes;
     if (std::exchange(m_movement->isOff, false)) {
         strokes.push_back(strokes.back());
         strokes.back().path.clear();
-    } else if ((point->place - strokes.back().path.back().place).norm() <
-               pointSpacing * strokes.back().radius)
-        return false;
-    strokes.back().path.push_back(*point);
+        strokes.back().shares.clear();
+    } else if (isClose(touch->point, strokes.back()))
+        return m_movement->isPressed && pressHarder(strokes.back().shares.back(), sharesAt(touch->pressure));
+    append(*touch);
     return true;
 }
 
 /// Whether the layer takes no more of this movement.
 bool Painting::isFull() const {
-    const auto& [layer, strokes, laid, isOff] = *m_movement;
+    const auto& [layer, strokes, laid, isOff, isPressed] = *m_movement;
     std::size_t points = 0;
     for (const BrushStroke& stroke : strokes)
         points += stroke.path.size();
@@ -219,7 +254,7 @@ bool Painting::isLastStep() const {
 
 /// The last stroke that was laid has grown, those before it stay, those after it are new.
 void Painting::edit() {
-    auto& [layer, strokes, laid, isOff] = *m_movement;
+    auto& [layer, strokes, laid, isOff, isPressed] = *m_movement;
     const std::size_t before = laid.size();
     if (!laid.empty()) laid.pop_back();
     while (laid.size() < strokes.size())

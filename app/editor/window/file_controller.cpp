@@ -71,7 +71,8 @@ std::vector<ExportKind> exportKinds() {
         const QString title = QString::fromStdString(exporter.title);
         kinds.push_back({&exporter, title, {}});
         if (exporter.holdsPictures)
-            kinds.push_back({&exporter, QObject::tr("%1, photos as JPEG").arg(title), {PictureFormat::Jpeg}});
+            kinds.push_back(
+                {&exporter, QObject::tr("%1, texture as JPEG").arg(title), {PictureFormat::Jpeg}});
     }
     return kinds;
 }

@@ -2,6 +2,8 @@
 
 #include "app/editor/window/layout.h"
 
+#include <QEvent>
+
 namespace esm {
 
 namespace {

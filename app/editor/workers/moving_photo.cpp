@@ -72,7 +72,7 @@ std::optional<ProjectedPhoto> MovingPhoto::projected(const TextureComposer::Comp
     if (!m_layer) return std::nullopt;
     const TextureLayer& layer = partOf(m_project.layers, *m_layer);
     ProjectedPhoto projected{layer.projector, pictureOf(layer), borderInMotion(layer), layer.opacity,
-                             layer.blending == Blending::Multiply};
+                             layer.blending};
     if (over.moving != m_layer) return projected;
     projected.isMasked = over.isMasked;
     projected.bands = over.bands;

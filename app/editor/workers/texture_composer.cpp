@@ -27,7 +27,9 @@ bool TextureComposer::lies(const Project& project) const {
     return kept.pages && kept.baseColour == project.texture.baseColour &&
            m_kept.base == project.texture.finish &&
            std::equal(kept.layers.begin(), kept.layers.end(), project.layers.begin(), project.layers.end(),
-                      looksTheSame);
+                      [](const TextureLayer& a, const TextureLayer& b) {
+                          return looksTheSame(a, b) && a.finish == b.finish;
+                      });
 }
 
 void TextureComposer::compose(const Project& project, std::optional<LayerId> moving) {
@@ -65,23 +67,25 @@ void TextureComposer::keepPages(const Worker::Task& task) {
     auto pages = std::make_shared<const TiledPages>(recomposite(
         *project.mesh, *project.atlas, m_kept.composition, project.layers, project.texture.baseColour,
         m_kept.cache, parts.next(hasFinish(project.layers, std::nullopt) ? 0.5 : 0.95)));
-    m_kept.smaller = halved(*project.atlas, *pages, parts.next(0.05));
-    keepFinish(project, parts.rest());
+    auto smaller = halved(*project.atlas, *pages, parts.next(0.05));
+    FinishComposition finish = finishOf(project, parts.rest());
+    // All together: stopped before, what is kept still belongs together.
+    m_kept.smaller = std::move(smaller);
+    m_kept.finish = std::move(finish);
+    m_kept.base = project.texture.finish;
     m_kept.composition = {project.layers, project.texture.baseColour, pages};
 }
 
-void TextureComposer::keepFinish(const Project& project, const Progress& progress) {
+FinishComposition TextureComposer::finishOf(const Project& project, const Progress& progress) {
     if (!hasFinish(project.layers, std::nullopt)) {
-        m_kept.finish = {};
-    } else {
-        ProgressParts parts(progress);
-        const FinishLayers layers =
-            finishLayers(project.layers, project.texture.finish, m_kept.finishPictures, parts.next(0.3));
-        m_kept.finish = composedFinish(*project.mesh, *project.atlas, m_kept.finish, layers,
-                                       m_kept.finishCache, parts.rest());
+        reportProgress(progress, 1);
+        return {};
     }
-    m_kept.base = project.texture.finish;
-    reportProgress(progress, 1);
+    ProgressParts parts(progress);
+    const FinishLayers layers =
+        finishLayers(project.layers, project.texture.finish, m_kept.finishPictures, parts.next(0.3));
+    return composedFinish(*project.mesh, *project.atlas, m_kept.finish, layers, m_kept.finishCache,
+                          parts.rest());
 }
 
 std::shared_ptr<const SmallerPages> TextureComposer::halved(const Atlas& atlas, const TiledPages& pages,

@@ -85,7 +85,7 @@ private:
 
     Composed compositionOf(const Worker::Task& task);
     void keepPages(const Worker::Task& task);
-    void keepFinish(const Project& project, const Progress& progress);
+    FinishComposition finishOf(const Project& project, const Progress& progress);
     /// Adds what the renderer needs to project the moving photo.
     void addMotion(const Worker::Task& task, Composed& composed);
     void mask(const Project& project, const BrushStrokes& strokes, Composed& composed);

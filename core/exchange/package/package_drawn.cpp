@@ -42,6 +42,8 @@ private:
     template<class SizeProblem> Image readImage(const JsonReader& image, SizeProblem&& sizeProblem) const;
     Image readPage(const JsonReader& image, int size) const;
     void readPages(const std::vector<JsonReader>& primitives, ModelPackage& package) const;
+    std::optional<TiledImage> readFinishPage(const JsonReader& material, const ModelPackage& package,
+                                             std::set<std::string>& named) const;
     void readFinish(const std::vector<JsonReader>& primitives, ModelPackage& package) const;
 
     const GltfArrayReader& m_arrays;
@@ -62,16 +64,16 @@ JsonReader DrawnReader::imageOf(const JsonReader& texture) const {
 /// well
 template<class SizeProblem>
 Image DrawnReader::readImage(const JsonReader& image, SizeProblem&& sizeProblem) const {
-    const Bytes png = m_arrays.file(image.member("bufferView"));
-    if (png.empty()) return {};
-    const PhotoFormat format = inspectPhoto(png);
+    const Bytes file = m_arrays.file(image.member("bufferView"));
+    if (file.empty()) return {};
+    const PhotoFormat format = inspectPhoto(file);
     const std::string problem = format.problem.empty() ? sizeProblem(format.width, format.height) : "";
     if (!problem.empty()) {
         image.addProblem(problem);
         return {};
     }
     try {
-        return decodePhoto(image.place(), png)->image;
+        return decodePhoto(image.place(), file)->image;
     } catch (const FileError& error) {
         m_problems.emplace_back(error.what());
         return {};
@@ -108,29 +110,50 @@ void DrawnReader::readPages(const std::vector<JsonReader>& primitives, ModelPack
 }
 
 /// What else materials may hold of other programs is theirs: a finish is read where the film's extension
-/// stands, which our packages have wherever they have one.
+/// stands, which our packages have wherever they have one. @param named pictures of the finish so far
+std::optional<TiledImage> DrawnReader::readFinishPage(const JsonReader& material, const ModelPackage& package,
+                                                      std::set<std::string>& named) const {
+    const JsonReader surface = material.member("pbrMetallicRoughness");
+    const auto pageOf = [&](const JsonReader& texture) -> Image {
+        const JsonReader image = imageOf(texture);
+        if (image.json().is_null() || named.insert(image.place()).second)
+            return readPage(image, package.atlas->options.size);
+        image.addProblem("is the picture of two pages");
+        return {};
+    };
+    MaterialPage page{pageOf(surface.member("metallicRoughnessTexture")), {}};
+    if (material.has("normalTexture")) page.normals = pageOf(material.member("normalTexture"));
+    if (!m_problems.empty()) return std::nullopt;
+    return finishPage(page);
+}
+
 void DrawnReader::readFinish(const std::vector<JsonReader>& primitives, ModelPackage& package) const {
     TiledPages pages;
+    std::set<std::string> named;
     for (const JsonReader& primitive : primitives) {
         const JsonReader material = materialOf(primitive);
         if (!material.has("extensions") || !material.member("extensions").has(clearcoatExtension)) continue;
         const JsonReader surface = material.member("pbrMetallicRoughness");
         const JsonReader film = material.member("extensions").member(clearcoatExtension);
-        if (!surface.has("metallicRoughnessTexture")) {
-            package.finish = SurfaceFinish{surface.member("roughnessFactor").number(),
-                                           film.member("clearcoatFactor").number()};
-            for (const std::string& problem : fieldProblems(*package.finish))
-                material.addProblem(problem);
+        if (surface.has("metallicRoughnessTexture")) {
+            if (!package.atlas) return material.addProblem("has a picture of the finish without a texture");
+            auto page = readFinishPage(material, package, named);
+            if (!page) return;
+            pages.push_back(std::move(*page));
             continue;
         }
-        MaterialPage page{
-            readPage(imageOf(surface.member("metallicRoughnessTexture")), package.atlas->options.size), {}};
-        if (material.has("normalTexture"))
-            page.normals = readPage(imageOf(material.member("normalTexture")), package.atlas->options.size);
-        if (m_problems.empty()) pages.push_back(finishPage(page));
+        const SurfaceFinish finish{surface.member("roughnessFactor").number(),
+                                   film.member("clearcoatFactor").number()};
+        for (const std::string& problem : fieldProblems(finish))
+            material.addProblem(problem);
+        if (package.finish && !(*package.finish == finish))
+            material.addProblem("shines otherwise than the page before");
+        package.finish = finish;
     }
-    if (!m_problems.empty() || pages.size() != primitives.size()) return;
-    if (!pages.empty()) package.finishPages = std::make_shared<const TiledPages>(std::move(pages));
+    if (pages.empty() || !m_problems.empty()) return;
+    if (pages.size() != primitives.size() || package.finish)
+        return primitives.front().addProblem("should have a picture of the finish, as every page or none");
+    package.finishPages = std::make_shared<const TiledPages>(std::move(pages));
 }
 
 /// The primitive of the glTF file that an entry of `drawn` speaks of; null where there is none.

@@ -1,19 +1,8 @@
 #pragma once
 
-#include "core/project/project.h"
-#include "core/support/progress.h"
-#include "core/texture/layers/tiled_pages.h"
-
-#include <memory>
-#include <vector>
+#include "core/exchange/simulators/handover.h"
 
 namespace esm {
-
-/// What the layers come to on the pages of a project's atlas.
-struct PackagePages {
-    std::shared_ptr<const std::vector<Image>> colours; ///< null without an atlas
-    std::shared_ptr<const TiledPages> finish;          ///< null where all shines alike, see `finishPages`
-};
 
 /// @throws Cancelled
 PackagePages packagePages(const Project& project, const Progress& progress);

@@ -340,7 +340,7 @@ Glb PackageBuilder::build() {
     gltf["asset"] = {{"version", "2.0"},
                      {"generator", std::string("Elastodynamic Shape Modeler ") + ESM_VERSION}};
     gltf["extensionsUsed"] = Json::array({package_layout::extension});
-    if (m_from.pages.finish || m_from.project.texture.finish)
+    if (m_from.pages.finish || (m_from.project.texture.finish && !m_mesh.triangles.empty()))
         gltf["extensionsUsed"].push_back(clearcoatExtension);
     Json springMass = extension(), drawn = Json::array();
     reportProgress(m_parts.next(1 - pagesShare), 1);
@@ -367,7 +367,7 @@ void writePackage(const Handover& handover, const std::filesystem::path& file, c
     ProgressParts parts(means.progress);
     Ingredients ingredients{
         project, tissue, packagePages(project, parts.next(project.atlas ? 0.6 : 0)), {}, means.pictures};
-    if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages.colours);
+    if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages);
     reportProgress(parts.next(0.05), 1);
     PackageBuilder builder(ingredients, parts.next(0.3));
     const Glb glb = builder.build();

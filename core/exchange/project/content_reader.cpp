@@ -258,8 +258,7 @@ using PhotoFiles = std::vector<std::shared_ptr<const Photo>>;
 /// What of layers stands elsewhere in the file.
 struct LayerReading {
     const PhotoFiles& files;
-    const std::vector<double>& brushPoints;
-    std::size_t& nextPoint;
+    StrokeArrays& strokeArrays;
 
     void read(const JsonReader& reader, std::shared_ptr<const Photo>& photo) const {
         const std::size_t place = reader.count();
@@ -270,7 +269,7 @@ struct LayerReading {
                               std::to_string(files.size()));
     }
     void read(const JsonReader& reader, BrushStrokes& strokes) const {
-        strokes = strokesFromJson(reader, brushPoints, nextPoint);
+        strokes = strokesFromJson(reader, strokeArrays);
     }
 };
 
@@ -278,13 +277,14 @@ std::vector<TextureLayer> readLayers(const JsonReader& reader, const JsonReader&
     PhotoFiles files;
     for (const JsonReader& file : reader.member("files").elements())
         files.push_back(readPhotoFile(file, source));
-    std::vector<double> points;
+    StrokeArrays ofStrokes;
     if (arrays.has(layout::brushPoints))
-        points = source.numbers(arrays, layout::brushPoints, numbersPerBrushPoint);
-    std::size_t nextPoint = 0;
+        ofStrokes.points = source.numbers(arrays, layout::brushPoints, numbersPerBrushPoint);
+    if (arrays.has(layout::brushShares))
+        ofStrokes.shares = source.numbers(arrays, layout::brushShares, numbersPerBrushShares);
     std::vector<TextureLayer> layers;
     for (const JsonReader& json : reader.member("layers").elements()) {
-        layers.push_back(valueFrom<TextureLayer>(json, LayerReading{files, points, nextPoint}));
+        layers.push_back(valueFrom<TextureLayer>(json, LayerReading{files, ofStrokes}));
         if (json.has("preparation")) source.prepare(json.member("preparation"), layers.back());
     }
     return layers;

@@ -22,6 +22,7 @@ struct VersionNeeds {
     bool wideBinding = false;       ///< more than three nodes that carry one vertex: version 9
     bool shapedMasks = false;       ///< fields and masks of any shape, highlights by surroundings: version 10
     bool finish = false;            ///< how the surface shines: version 11
+    bool retouching = false; ///< adjusted colours, newer blendings, strokes that heal or of a pen: version 11
 };
 
 /// Whether older programs would misread a system: version 4.

@@ -158,6 +158,11 @@ Json addPhotos(const std::vector<TextureLayer>& layers, Arrays& arrays) {
     for (const TextureLayer& layer : layers)
         for (const std::shared_ptr<const BrushStroke>& stroke : layer.strokes)
             arrays.add(layout::brushPoints, stroke, numbersPerBrushPoint * stroke->path.size(), pointNumbers);
+    for (const TextureLayer& layer : layers)
+        for (const std::shared_ptr<const BrushStroke>& stroke : layer.strokes)
+            if (!stroke->shares.empty())
+                arrays.add(layout::brushShares, stroke, numbersPerBrushShares * stroke->shares.size(),
+                           shareNumbers);
     return {{"files", std::move(files)}, {"layers", std::move(list)}};
 }
 

@@ -21,6 +21,7 @@ constexpr const char* bindingLines = "binding/lines.u32";
 constexpr const char* atlasCorners = "atlas/corners.f64";
 constexpr const char* atlasPages = "atlas/pages.u32";
 constexpr const char* brushPoints = "painting/points.f64";
+constexpr const char* brushShares = "painting/shares.f64";
 
 /// Texels per metre that were asked for, beside what a packed atlas achieved, whose key has always been the
 /// shorter one.

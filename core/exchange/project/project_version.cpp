@@ -32,6 +32,16 @@ bool needsShapedMask(const TextureLayer& layer) {
                        [](const PhotoStroke& stroke) { return stroke.isFilled; });
 }
 
+bool needsRetouching(const TextureLayer& layer) {
+    const bool blendsAnew = layer.blending == Blending::Screen || layer.blending == Blending::Overlay ||
+                            layer.blending == Blending::Colour;
+    const bool isPaintedAnew =
+        std::any_of(layer.strokes.begin(), layer.strokes.end(), [](const auto& stroke) {
+            return !stroke->shares.empty() || stroke->kind == BrushKind::Heal;
+        });
+    return blendsAnew || isPaintedAnew || layer.preparation.adjustment != ColourAdjustment();
+}
+
 bool needsLandmarks(const TextureLayer& layer) {
     return !layer.landmarks.empty();
 }
@@ -54,6 +64,7 @@ int projectVersionOf(const Project& project) {
     needs.shapedMasks = any(needsShapedMask);
     needs.finish =
         project.texture.finish || any([](const TextureLayer& layer) { return layer.finish.has_value(); });
+    needs.retouching = any(needsRetouching);
     needs.instruments = !hasPlainInstrument(project.scene);
     needs.splits = !project.scene.splits.empty();
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);

@@ -42,8 +42,9 @@ cv::Mat1f blurred(const cv::Mat1f& values, double deviation) {
 /// fluid, and a film goes on around it; that elsewhere is none cannot be told, as a mirror image needs the
 /// right angle. The mask takes the way through the lens that the picture took.
 cv::Mat1f filmAround(const Image& photo, const PhotoPreparation& preparation) {
-    const PixelMask mask = highlightMask(shownOf(photo, preparation),
-                                         preparation.highlightSensitivity.value_or(usualSensitivity));
+    const PixelMask mask = preparation.fillsHighlights()
+                               ? highlightsOf(photo, preparation)
+                               : highlightMask(shownOf(photo, preparation), usualSensitivity);
     Image drawn{photo.width, photo.height, std::vector<std::uint8_t>(photo.pixels.size(), 255)};
     for (std::size_t i = 0; i < mask.size(); ++i)
         std::fill_n(&drawn.pixels[4 * i], 3, mask[i]);

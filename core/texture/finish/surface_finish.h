@@ -34,7 +34,7 @@ struct LayerFinish {
     /// m, how high a spot stands that is half as bright again as its surroundings in the photo. That bright
     /// is high is a guess: a photo does not tell form from colour.
     double relief = 0;
-    bool keepsColour = false; ///< the layer's own colour is not shown: it lends nothing but its finish
+    bool hidesColour = false; ///< the layer shows nothing but its finish
 
     bool operator==(const LayerFinish&) const = default;
 };
@@ -44,7 +44,7 @@ inline constexpr auto fieldsOf<LayerFinish> = fieldTable(
     field("wetAtHighlights", &LayerFinish::wetAtHighlights, Limits<double>{"the wetness at highlights", 0, 1})
         .whenSet(),
     field("relief", &LayerFinish::relief, Limits<double>{"the relief", 0, deepestRelief, "m"}).whenSet(),
-    field("keepsColour", &LayerFinish::keepsColour).whenSet());
+    field("hidesColour", &LayerFinish::hidesColour).whenSet());
 
 /// Every problem of a finish. Empty when all is well.
 std::vector<std::string> validate(const LayerFinish& finish);

@@ -23,6 +23,19 @@ double fractionNearest(const Eigen::Vector3d& fromStart, const Eigen::Vector3d& 
     return squaredLength > 0 ? std::clamp(fromStart.dot(along) / squaredLength, 0.0, 1.0) : 0;
 }
 
+BrushShares sharesAt(const BrushStroke& stroke, std::size_t point) {
+    return stroke.shares.empty() ? BrushShares() : stroke.shares[point];
+}
+
+BrushShares between(const BrushShares& start, const BrushShares& end, double t) {
+    return {start.radius + t * (end.radius - start.radius),
+            start.strength + t * (end.strength - start.strength)};
+}
+
+bool isShare(double value) {
+    return value >= 0 && value <= 1;
+}
+
 bool isSound(const BrushPoint& point) {
     return point.place.allFinite() && point.normal.allFinite() && !point.normal.isZero(0);
 }
@@ -34,7 +47,18 @@ std::vector<std::string> validate(const BrushStroke& stroke) {
     if (stroke.path.empty()) problems.emplace_back("the path has no point");
     if (!std::all_of(stroke.path.begin(), stroke.path.end(), isSound))
         problems.emplace_back("the path has a point without a finite place or a direction");
+    if (!stroke.shares.empty() && stroke.shares.size() != stroke.path.size())
+        problems.emplace_back("its shares must be as many as its points, or none");
+    if (!std::all_of(stroke.shares.begin(), stroke.shares.end(), [](const BrushShares& shares) {
+            return isShare(shares.radius) && isShare(shares.strength);
+        }))
+        problems.emplace_back("its shares of radius and strength must be from 0 to 1");
     return problems;
+}
+
+BrushShares sharesBetween(const BrushStroke& stroke, std::size_t point, double t) {
+    if (stroke.shares.empty()) return {};
+    return between(stroke.shares[point], stroke.shares[std::min(point + 1, stroke.shares.size() - 1)], t);
 }
 
 Eigen::AlignedBox3d reachOf(const BrushStroke& stroke) {
@@ -45,10 +69,11 @@ Eigen::AlignedBox3d reachOf(const BrushStroke& stroke) {
     return {box.min() - radius, box.max() + radius};
 }
 
-double strokeProfile(const BrushStroke& stroke, double distance) {
-    if (distance > stroke.radius) return 0;
-    const double soft = stroke.softness * stroke.radius;
-    return soft > 0 ? stroke.strength * smoothStep(0, soft, stroke.radius - distance) : stroke.strength;
+double strokeProfile(const BrushStroke& stroke, double distance, const BrushShares& shares) {
+    const double radius = shares.radius * stroke.radius, strength = shares.strength * stroke.strength;
+    if (distance > radius) return 0;
+    const double soft = stroke.softness * radius;
+    return soft > 0 ? strength * smoothStep(0, soft, radius - distance) : strength;
 }
 
 /// A triangle lies within a ball around its middle. A segment that stays farther from the middle than that
@@ -62,12 +87,17 @@ std::optional<StrokeOnTriangle> StrokeOnTriangle::make(const BrushStroke& stroke
     StrokeOnTriangle on;
     on.m_stroke = &stroke;
     for (std::size_t i = 0; i < stroke.path.size(); ++i) {
-        const BrushPoint& start = stroke.path[i];
-        const BrushPoint& end = stroke.path[std::min(i + 1, stroke.path.size() - 1)];
+        const std::size_t next = std::min(i + 1, stroke.path.size() - 1);
+        const BrushPoint &start = stroke.path[i], &end = stroke.path[next];
         if (i > 0 && i + 1 == stroke.path.size()) break; // the last point ends the segment before
         if (!faces(corners.normals, start, end)) continue;
-        const Segment segment{start.place, end.place - start.place, (end.place - start.place).squaredNorm(),
-                              start.normal.normalized(), end.normal.normalized()};
+        const Segment segment{start.place,
+                              end.place - start.place,
+                              (end.place - start.place).squaredNorm(),
+                              start.normal.normalized(),
+                              end.normal.normalized(),
+                              sharesAt(stroke, i),
+                              sharesAt(stroke, next)};
         const Eigen::Vector3d fromStart = middle - start.place;
         const double t = fractionNearest(fromStart, segment.along, segment.squaredLength);
         if ((fromStart - t * segment.along).squaredNorm() <= reach * reach) on.m_segments.push_back(segment);
@@ -85,7 +115,8 @@ double StrokeOnTriangle::weightAt(const SurfacePoint& point) const {
     for (const Segment& segment : m_segments) {
         const Eigen::Vector3d fromStart = point.place - segment.start;
         const double t = fractionNearest(fromStart, segment.along, segment.squaredLength);
-        const double profile = strokeProfile(*m_stroke, (fromStart - t * segment.along).norm());
+        const double profile = strokeProfile(*m_stroke, (fromStart - t * segment.along).norm(),
+                                             between(segment.startShares, segment.endShares, t));
         if (!(profile > weight)) continue;
         const Eigen::Vector3d towardsBrush =
             ((1 - t) * segment.startNormal + t * segment.endNormal).normalized();

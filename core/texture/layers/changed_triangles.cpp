@@ -39,7 +39,14 @@ std::vector<std::vector<std::size_t>> commonLengths(const Layers& before, const 
 bool looksAround(const TextureLayer& layer) {
     return layer.blending == Blending::MultiBand ||
            std::any_of(layer.strokes.begin(), layer.strokes.end(),
-                       [](const auto& stroke) { return stroke->kind == BrushKind::Clone; });
+                       [](const auto& stroke) { return copies(stroke->kind); });
+}
+
+/// A stroke that reaches as far, and looks nowhere else.
+std::shared_ptr<const BrushStroke> asColour(const BrushStroke& stroke) {
+    BrushStroke painted = stroke;
+    painted.kind = BrushKind::Colour;
+    return std::make_shared<const BrushStroke>(std::move(painted));
 }
 
 /// What strokes were added or taken away. They come and go at the end of the list, so all behind the first
@@ -52,11 +59,8 @@ void addChangedStrokes(const TextureLayer& before, const TextureLayer& after, La
     BrushStrokes differing(mine, before.strokes.end());
     differing.insert(differing.end(), theirs, after.strokes.end());
     TextureLayer reach;
-    for (const auto& stroke : differing) {
-        BrushStroke painted = *stroke;
-        painted.kind = BrushKind::Colour;
-        reach.strokes.push_back(std::make_shared<const BrushStroke>(std::move(painted)));
-    }
+    for (const auto& stroke : differing)
+        reach.strokes.push_back(asColour(*stroke));
     changed.push_back(std::move(reach));
 }
 
@@ -83,8 +87,11 @@ Layers changedLayers(const Layers& before, const Layers& after) {
             changed.push_back(after[j++]);
         }
     }
-    for (TextureLayer& layer : changed)
+    for (TextureLayer& layer : changed) {
         layer.blending = Blending::Normal; // which decides no reach
+        for (auto& stroke : layer.strokes)
+            if (copies(stroke->kind)) stroke = asColour(*stroke);
+    }
     return changed;
 }
 

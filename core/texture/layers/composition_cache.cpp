@@ -92,6 +92,18 @@ std::shared_ptr<const std::vector<Eigen::Vector3d>> CompositionCache::normalsOf(
     return m_normals;
 }
 
+std::shared_ptr<const HealingRim> CompositionCache::healed(const BrushStroke& stroke,
+                                                           const std::vector<TextureLayer>& beneath,
+                                                           std::array<std::uint8_t, 3> baseColour) {
+    const auto same = [&](const HealedStroke& item) {
+        return item.baseColour == baseColour && (item.stroke.get() == &stroke || *item.stroke == stroke) &&
+               std::equal(beneath.begin(), beneath.end(), item.beneath.begin(), item.beneath.end(),
+                          looksTheSame);
+    };
+    const HealedStroke* known = usedAgain(m_healed.used, m_healed.before, same);
+    return known ? known->rim : nullptr;
+}
+
 /// What is blended in bands depends on all that lies beneath it. Names, and whatever else looksTheSame()
 /// leaves out, must not blend it anew.
 std::optional<SampledPicture> CompositionCache::banded(const TextureLayer& layer,
@@ -110,6 +122,7 @@ std::optional<SampledPicture> CompositionCache::banded(const TextureLayer& layer
 void CompositionCache::finish() {
     m_sampled = {{}, std::move(m_sampled.used)};
     m_banded = {{}, std::move(m_banded.used)};
+    m_healed = {{}, std::move(m_healed.used)};
     m_lighting = {{}, std::move(m_lighting.used)};
     m_outlines = {{}, std::move(m_outlines.used)};
 }

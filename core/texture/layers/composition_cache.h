@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/surface/surface_query.h"
+#include "core/texture/layers/healing.h"
 #include "core/texture/layers/lit_triangles.h"
 #include "core/texture/layers/outline_feather.h"
 #include "core/texture/layers/seen_sides.h"
@@ -26,6 +27,14 @@ struct BandedPicture {
     std::vector<TextureLayer> beneath; ///< all that are shown
     std::array<std::uint8_t, 3> baseColour;
     SampledPicture blended;
+};
+
+/// What a stroke that heals adapts to.
+struct HealedStroke {
+    std::shared_ptr<const BrushStroke> stroke;
+    std::vector<TextureLayer> beneath; ///< all that are shown
+    std::array<std::uint8_t, 3> baseColour;
+    std::shared_ptr<const HealingRim> rim;
 };
 
 /// What is certain of a projector's light, see `certainLighting`, and what it falls on, see `seenSides`.
@@ -79,6 +88,12 @@ public:
                                          std::array<std::uint8_t, 3> baseColour);
     void keep(BandedPicture picture) { m_banded.used.push_back(std::move(picture)); }
 
+    /// Null where the stroke was not healed so.
+    std::shared_ptr<const HealingRim> healed(const BrushStroke& stroke,
+                                             const std::vector<TextureLayer>& beneath,
+                                             std::array<std::uint8_t, 3> baseColour);
+    void keep(HealedStroke stroke) { m_healed.used.push_back(std::move(stroke)); }
+
     /// Forgets what was not used since this was called before.
     void finish();
 
@@ -94,6 +109,7 @@ private:
     std::shared_ptr<const TexelOwners> m_owners;
     Generation<SampledPicture> m_sampled;
     Generation<BandedPicture> m_banded;
+    Generation<HealedStroke> m_healed;
     Generation<ProjectorLighting> m_lighting;
     Generation<ProjectorOutlines> m_outlines;
 };

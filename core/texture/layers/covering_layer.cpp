@@ -75,7 +75,7 @@ const TextureLayer* coveringLayer(const std::vector<TextureLayer>& layers, Layer
     if (!place) return nullptr;
     for (std::size_t i = *place + 1; i < layers.size(); ++i) {
         const TextureLayer& above = layers[i];
-        const bool mayHide = isShown(above) && above.blending != Blending::Multiply;
+        const bool mayHide = isShown(above) && hides(above.blending);
         if (mayHide && above.opacity * shareAt(above, point, surface) >= hidingWeight) return &above;
     }
     return nullptr;

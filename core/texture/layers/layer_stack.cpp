@@ -13,13 +13,13 @@ namespace {
 /// Texels around a patch whose colours are asked for, in which a stroke may begin.
 constexpr double strokeMargin = 3;
 
-bool clones(const TextureLayer& layer) {
+bool looksElsewhere(const TextureLayer& layer) {
     return std::any_of(layer.strokes.begin(), layer.strokes.end(),
-                       [](const auto& stroke) { return stroke->kind == BrushKind::Clone; });
+                       [](const auto& stroke) { return copies(stroke->kind); });
 }
 
 bool needsQuery(const TextureLayer& layer) {
-    return (layer.photo && layer.projector.occlusion) || clones(layer) ||
+    return (layer.photo && layer.projector.occlusion) || looksElsewhere(layer) ||
            layer.blending == Blending::MultiBand;
 }
 
@@ -105,6 +105,7 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
             made->projected = std::move(*blended);
             made->layer.blendPixels = std::min(layer.blendPixels, bandedBorder);
         }
+        made->rims = rimsOf(layer.strokes, shown, baseColour, cache);
         if (layer.photo)
             made->photo.emplace(LayerPhoto{made->layer, *made->projected.sampler,
                                            photoMatrix(layer.projector, sizeOf(*made->projected.picture)),
@@ -187,24 +188,30 @@ float LayerOnTriangle::mask(const SurfacePoint& point) const {
 LayerColour LayerOnTriangle::painted(const SurfacePoint& point) const {
     Eigen::Vector3f colour = Eigen::Vector3f::Zero();
     float cover = 0, mask = 1;
-    for (const StrokeOnTriangle& stroke : m_strokes) {
+    for (std::size_t i = 0; i < m_strokes.size(); ++i) {
+        const StrokeOnTriangle& stroke = m_strokes[i];
         const auto weight = static_cast<float>(stroke.weightAt(point));
         if (!(weight > 0)) continue;
         const float target = stroke.stroke().kind == BrushKind::Erase ? 0 : 1;
         mask += weight * (target - mask);
         if (!laysColour(stroke.stroke().kind)) continue;
         const float together = cover + weight * (1 - cover);
-        colour += weight / together * (colourOf(stroke.stroke(), point.place) - colour);
+        colour += weight / together * (colourOf(i, point.place) - colour);
         cover = together;
     }
     return {colour.homogeneous(), cover * mask * static_cast<float>(m_prepared->layer.opacity)};
 }
 
-Eigen::Vector3f LayerOnTriangle::colourOf(const BrushStroke& stroke, const Eigen::Vector3d& point) const {
-    if (stroke.kind == BrushKind::Clone)
-        return m_stack->colourNear(point + stroke.shift, m_place, m_follows - 1, m_sources);
-    return {static_cast<float>(stroke.colour[0]), static_cast<float>(stroke.colour[1]),
-            static_cast<float>(stroke.colour[2])};
+Eigen::Vector3f LayerOnTriangle::colourOf(std::size_t place, const Eigen::Vector3d& point) const {
+    const BrushStroke& stroke = m_strokes[place].stroke();
+    if (!copies(stroke.kind))
+        return {static_cast<float>(stroke.colour[0]), static_cast<float>(stroke.colour[1]),
+                static_cast<float>(stroke.colour[2])};
+    const Eigen::Vector3f copied =
+        m_stack->colourNear(point + stroke.shift, m_place, m_follows - 1, m_sources);
+    const HealingRim* rim = m_rims[place];
+    if (!rim) return copied;
+    return (copied + rim->at(point)).cwiseMax(0).cwiseMin(255);
 }
 
 TriangleLayers::TriangleLayers(const LayerStack& stack, std::uint32_t triangle, std::size_t layers,
@@ -251,34 +258,46 @@ std::optional<LayerOnTriangle> TriangleLayers::reaching(std::size_t place, std::
     for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
         const BrushStroke& stroke = *layer.strokes[i];
         if (!on.m_prepared->strokeReach[i].intersects(asked)) continue;
-        if (stroke.kind == BrushKind::Clone && follows == 0) continue;
+        if (copies(stroke.kind) && follows == 0) continue;
         auto met = StrokeOnTriangle::make(stroke, {on.m_corners, on.m_normals}, margin);
         if (!met) continue;
         laysColour = laysColour || esm::laysColour(stroke.kind);
         on.m_strokes.push_back(std::move(*met));
+        on.m_rims.push_back(on.m_prepared->rims[i].get());
     }
     if (!layer.photo && !laysColour) return std::nullopt;
     return on;
 }
 
 /// Laying a layer of colour c and weight w over what lies beneath gives w·c + (1 − w)·beneath; multiplying
-/// gives beneath · (1 − w + w·c/255). Both are linear in what lies beneath, so the sum can be taken from the
-/// topmost down: `passing` is the factor that the rest still has. An opaque layer ends it, and what it hides
-/// is never read. Of eight photos on an organ that halves the work (docs/performance.md).
-Eigen::Vector3f TriangleLayers::colour(const PatchTexel& texel) const {
-    // From the topmost down, so that nothing is read that does not show.
+/// gives beneath · (1 − w + w·c/255), a screen w·c + beneath · (1 − w·c/255). All are linear in what lies
+/// beneath, so the sum can be taken from the topmost down: `passing` is the factor that the rest still has.
+/// An opaque layer ends it, and what it hides is never read. Of eight photos on an organ that halves the work
+/// (docs/performance.md). What an overlay or a colour makes of the rest is not linear in it: there the rest
+/// is finished first.
+Eigen::Vector3f TriangleLayers::colourOfLowest(std::size_t layers, const PatchTexel& texel) const {
     Eigen::Array4f colour = Eigen::Array4f::Zero();
     Eigen::Array4f passing = Eigen::Array4f::Ones(); // the share that what lies beneath has in each channel
-    for (auto layer = m_layers.rbegin(); layer != m_layers.rend(); ++layer) {
-        const LayerColour laid = layer->at(texel);
+    for (std::size_t place = layers; place-- > 0;) {
+        const LayerColour laid = m_layers[place].at(texel);
         const Eigen::Array4f own = laid.colour;
         const float weight = laid.weight;
         if (!(weight > 0)) continue;
-        if (layer->blending() == Blending::Multiply) {
+        const Blending blending = m_layers[place].blending();
+        if (blending == Blending::Multiply) {
             passing *= 1 - weight + weight / 255 * own;
             continue;
         }
+        if (!isLinear(blending)) {
+            const Eigen::Array3f beneath = colourOfLowest(place, texel);
+            const Eigen::Array3f mixed = 255 * blended(blending, beneath / 255, own.head<3>() / 255);
+            return colour.head<3>() + passing.head<3>() * (beneath + weight * (mixed - beneath));
+        }
         colour += weight * passing * own;
+        if (blending == Blending::Screen) {
+            passing *= 1 - weight / 255 * own;
+            continue;
+        }
         if (weight >= 1) return colour.head<3>();
         passing *= 1 - weight;
     }

@@ -21,6 +21,7 @@ struct PreparedLayer {
     std::shared_ptr<const SurfaceLighting> lighting; ///< null where none is asked for
     std::shared_ptr<const OutlineFeather> outlines;  ///< the same
     std::vector<Eigen::AlignedBox3d> strokeReach;    ///< of each stroke
+    std::vector<std::shared_ptr<const HealingRim>> rims; ///< the same; null but of those that heal
 };
 
 /// What a photo's strokes make of its mask, painted over white: black where it is erased.
@@ -48,7 +49,7 @@ public:
 
     /// Red, green, blue, 0 to 255, of the surface nearest to a point, made by the lowest layers.
     /// @param layers how many
-    /// @param follows how many clones of clones are followed
+    /// @param follows how many copies of copies are followed
     /// @param known triangles that were asked for before
     Eigen::Vector3f
     colourNear(const Eigen::Vector3d& point, std::size_t layers, int follows,
@@ -61,6 +62,13 @@ private:
     LayerStack(const LayerStack& stack, const std::vector<Patch>& patches);
     SampledPicture blendedInBands(const PreparedLayer& layer, CompositionCache& cache,
                                   const Progress& progress) const;
+
+    HealingRim rimOf(const BrushStroke& stroke) const;
+    /// Of each stroke that heals what the layers so far show, which are `beneath`.
+    std::vector<std::shared_ptr<const HealingRim>> rimsOf(const BrushStrokes& strokes,
+                                                          const std::vector<TextureLayer>& beneath,
+                                                          std::array<std::uint8_t, 3> baseColour,
+                                                          CompositionCache& cache) const;
 
     LitSurface m_surface;
     const std::vector<Patch>& m_patches;
@@ -83,22 +91,23 @@ private:
     LayerColour painted(const SurfacePoint& point) const;
     float mask(const SurfacePoint& point) const;
     SurfacePoint pointAt(const Eigen::Vector3d& weights) const;
-    Eigen::Vector3f colourOf(const BrushStroke& stroke, const Eigen::Vector3d& point) const;
+    Eigen::Vector3f colourOf(std::size_t stroke, const Eigen::Vector3d& point) const;
 
     const LayerStack* m_stack = nullptr;
     const PreparedLayer* m_prepared = nullptr;
     std::size_t m_place = 0;              ///< in the stack
-    int m_follows = 0;                    ///< clones of clones
+    int m_follows = 0;                    ///< copies of copies
     Eigen::Matrix3d m_corners, m_normals; ///< as columns
     std::optional<TriangleProjection> m_projection;
     std::vector<StrokeOnTriangle> m_strokes;
+    std::vector<const HealingRim*> m_rims; ///< of each of them; null but of those that heal
     mutable std::unordered_map<std::uint32_t, std::unique_ptr<TriangleLayers>> m_sources; ///< of clones
 };
 
 /// The layers that may reach one triangle, from the lowest to the topmost. For one thread.
 class TriangleLayers {
 public:
-    /// Clones of clones that are followed: enough for any painting, and a bound for what a file may ask for.
+    /// Copies of copies that are followed: enough for any painting, and a bound for what a file may ask for.
     static constexpr int deepestClone = 3;
 
     TriangleLayers(const LayerStack& stack, std::uint32_t triangle)
@@ -109,9 +118,10 @@ public:
     const std::vector<LayerOnTriangle>& layers() const { return m_layers; }
 
     /// Red, green, blue, 0 to 255. Mixed in sRGB values, as the source does and as picture editors do.
-    Eigen::Vector3f colour(const PatchTexel& texel) const;
+    Eigen::Vector3f colour(const PatchTexel& texel) const { return colourOfLowest(m_layers.size(), texel); }
 
 private:
+    Eigen::Vector3f colourOfLowest(std::size_t layers, const PatchTexel& texel) const;
     std::optional<LayerOnTriangle> reaching(std::size_t place, std::uint32_t triangle, int follows) const;
 
     const LayerStack* m_stack;

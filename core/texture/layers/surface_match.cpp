@@ -12,13 +12,14 @@ constexpr int enoughPixels = 512; ///< of the longer side, for means and spreads
 
 } // namespace
 
-/// Prepared as the layer is but for the match itself: matching what is matched already would find nothing
-/// left to do.
+/// Prepared as the layer is but for the match itself, since matching what is matched already would find
+/// nothing left to do, and for what comes after it: an adjustment is not to be taken back by the match.
 std::optional<ColourMatch> matchToSurface(const TriangleMesh& mesh, const std::vector<TextureLayer>& beneath,
                                           std::array<std::uint8_t, 3> baseColour, const TextureLayer& layer,
                                           const Progress& progress) {
     PhotoPreparation unmatched = layer.preparation;
     unmatched.match.reset();
+    unmatched.adjustment = {};
     ProgressParts parts(progress);
     Image photo = prepared(layer.photo->image, unmatched, parts.next(0.4));
     const PhotoSize whole = sizeOf(photo);

@@ -36,12 +36,12 @@ bool projectsTheSame(const TextureLayer& a, const TextureLayer& b) {
 
 bool looksTheSame(const TextureLayer& a, const TextureLayer& b) {
     return projectsTheSame(a, b) && a.opacity == b.opacity && a.visible == b.visible &&
-           a.blending == b.blending && a.strokes == b.strokes && a.finish == b.finish;
+           a.blending == b.blending && a.strokes == b.strokes;
 }
 
 bool isShown(const TextureLayer& layer) {
     if (!layer.visible || !(layer.opacity > 0)) return false;
-    if (layer.finish && layer.finish->keepsColour) return false;
+    if (layer.finish && layer.finish->hidesColour) return false;
     if (layer.photo) return !layer.photo->image.empty();
     return std::any_of(layer.strokes.begin(), layer.strokes.end(), paints);
 }

@@ -2,6 +2,7 @@
 
 #include "core/support/id.h"
 #include "core/texture/finish/surface_finish.h"
+#include "core/texture/layers/blending.h"
 #include "core/texture/layers/brush_stroke.h"
 #include "core/texture/photo/photo.h"
 #include "core/texture/photo/photo_preparation.h"
@@ -14,20 +15,6 @@
 #include <vector>
 
 namespace esm {
-
-/// How a layer's colour mixes with what lies beneath.
-enum class Blending {
-    Normal,    ///< hides it
-    Multiply,  ///< darkens it: the product of both, sRGB values from 0 to 1
-    MultiBand, ///< passes into it without a seam: coarse differences of colour over a wide border, details
-               ///< over a narrow one; of photos only
-};
-
-inline constexpr std::array<Blending, 3> blendings{Blending::Normal, Blending::Multiply, Blending::MultiBand};
-template<>
-inline constexpr auto wordsOf<Blending> =
-    std::array{Word{Blending::Normal, "normal"}, Word{Blending::Multiply, "multiply"},
-               Word{Blending::MultiBand, "multi-band"}};
 
 /// A photo on the organ, or what was painted there. Never baked in: layers are composed anew when one
 /// changes.
@@ -66,7 +53,7 @@ std::shared_ptr<const Image> pictureOf(const TextureLayer& layer);
 /// Whether two layers project the same picture in the same way.
 bool projectsTheSame(const TextureLayer& a, const TextureLayer& b);
 
-/// Whether two layers look the same, whatever their names.
+/// Whether two layers show the same colours, whatever their names and their finish.
 bool looksTheSame(const TextureLayer& a, const TextureLayer& b);
 
 /// Whether a layer's colour can be seen anywhere.

@@ -51,7 +51,10 @@ std::shared_ptr<const Image> FinishPictures::of(const TextureLayer& layer, doubl
     }
     auto picture = std::make_shared<const Image>(finishPicture(layer.photo->image, layer.preparation, *shown,
                                                                *layer.finish, greatestHeight, progress));
-    m_used.push_back({shown, layer.preparation, *layer.finish, greatestHeight, picture});
+    // Stopped work goes on with the next wish: of a photo only the newest is of use.
+    const auto ofThis = [&](const Made& made) { return made.shown == shown && made.layer == layer.id; };
+    m_used.erase(std::remove_if(m_used.begin(), m_used.end(), ofThis), m_used.end());
+    m_used.push_back({layer.id, shown, layer.preparation, *layer.finish, greatestHeight, picture});
     return picture;
 }
 

@@ -19,8 +19,8 @@ struct FinishLayers {
     double greatestHeight = 0; ///< m, that blue can say; 0 without a relief
 };
 
-/// The pictures of finishes that were made before, so that each is made once. Nothing that was not asked for
-/// since forgetUnused() is kept.
+/// The pictures of finishes that were made before, so that each is made once: those asked for since
+/// forgetUnused() was called last, and those of the round before.
 class FinishPictures {
 public:
     /// Precondition: the layer has a photo and a finish. @throws Cancelled
@@ -30,6 +30,7 @@ public:
 
 private:
     struct Made {
+        LayerId layer;
         std::shared_ptr<const Image> shown;
         PhotoPreparation preparation;
         LayerFinish finish;

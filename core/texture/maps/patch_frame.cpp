@@ -44,6 +44,7 @@ PatchFrame patchFrame(const TriangleMesh& mesh, const Atlas& atlas, std::uint32_
     const Eigen::Vector3d bitangent = frame.handedness * across;
     const double perRight = 1 / right.norm(), perDown = 1 / bitangent.dot(down);
     frame.slopesOf << perRight, 0, -frame.tangent.dot(down) * perRight * perDown, perDown;
+    if (!frame.slopesOf.allFinite()) frame.slopesOf.setZero();
     return frame;
 }
 

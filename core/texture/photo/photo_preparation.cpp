@@ -84,6 +84,7 @@ std::vector<std::string> validate(const PhotoPreparation& preparation, int width
             problems.push_back(std::move(problem));
     if (preparation.lens) checkLens(*preparation.lens, problems);
     if (preparation.crop) checkCrop(*preparation.crop, width, height, problems);
+    addUnder(problems, "the adjustment", validate(preparation.adjustment));
     return problems;
 }
 
@@ -133,8 +134,9 @@ double highlightShare(const Image& photo, const PhotoPreparation& preparation) {
 }
 
 /// The order matters. Highlights are filled while they still are white: evened light and white balance would
-/// take them below the threshold. Colours are changed on the photo as it was taken, and the lens comes last,
-/// so that field and strokes lie where they were drawn.
+/// take them below the threshold. Colours are found on the photo as it was taken, and the lens comes after
+/// them, so that field and strokes lie where they were drawn. What people like comes last: a picture that is
+/// known without it is adjusted at once, see PhotoPreparer.
 Image prepared(const Image& photo, const PhotoPreparation& preparation, const Progress& progress) {
     const Problems problems = validate(preparation, photo.width, photo.height);
     if (!problems.empty()) throw InvalidModel(problems);
@@ -150,6 +152,7 @@ Image prepared(const Image& photo, const PhotoPreparation& preparation, const Pr
     reportProgress(matching, 1);
     if (preparation.lens) picture = undistorted(picture, *preparation.lens, parts.rest());
     if (preparation.crop) keepOnly(*preparation.crop, picture);
+    adjustColours(picture, preparation.adjustment);
     reportProgress(progress, 1);
     return picture;
 }

@@ -3,6 +3,7 @@
 #include "core/support/fields.h"
 #include "core/support/progress.h"
 #include "core/texture/image.h"
+#include "core/texture/photo/colour_adjustment.h"
 #include "core/texture/photo/colour_match.h"
 #include "core/texture/photo/even_light.h"
 #include "core/texture/photo/highlights.h"
@@ -48,6 +49,7 @@ struct PhotoPreparation {
     std::optional<ColourMatch> match; ///< to what lies beneath
     std::optional<Lens> lens;
     std::optional<PhotoCrop> crop; ///< alpha 0 outside
+    ColourAdjustment adjustment;   ///< as people like it; of what all before leaves
 
     bool isNothing() const;
     bool fillsHighlights() const { return highlightThreshold || highlightSensitivity; }
@@ -78,7 +80,8 @@ inline constexpr auto fieldsOf<PhotoPreparation> = fieldTable(
           Limits<double>{"the gains of white balance", smallestGain, largestGain})
         .whenSet(),
     field("colourMatch", &PhotoPreparation::match).whenSet(),
-    field("lens", &PhotoPreparation::lens).whenSet(), field("crop", &PhotoPreparation::crop).whenSet());
+    field("lens", &PhotoPreparation::lens).whenSet(), field("crop", &PhotoPreparation::crop).whenSet(),
+    field("adjustment", &PhotoPreparation::adjustment).whenSet());
 
 /// Every problem of a preparation for a photo of that size. Empty when all is well.
 std::vector<std::string> validate(const PhotoPreparation& preparation, int width, int height);

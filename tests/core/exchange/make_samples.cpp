@@ -74,6 +74,52 @@ Project shapedProject() {
     return project;
 }
 
+/// Colours adjusted as version 11 brought it.
+Project adjustedProject() {
+    Project project = richProject();
+    PhotoPreparation all, hue;
+    all.adjustment = {10.0 / 3, 250.5, 1.0 / 3, 1.25, 0.5, -100.0 / 3};
+    hue.adjustment.hue = 20;
+    prepare(project.layers[0], all);
+    prepare(project.layers[1], hue);
+    return project;
+}
+
+/// Every blending that version 11 brought.
+Project blendedProject() {
+    Project project = richProject();
+    project.layers[0].blending = Blending::Screen;
+    project.layers[1].blending = Blending::Overlay;
+    project.layers[2].blending = Blending::Colour;
+    return project;
+}
+
+/// Strokes of a pen beside those of a mouse.
+Project pressedProject() {
+    Project project = paintedProject();
+    for (TextureLayer& layer : project.layers)
+        for (std::size_t i = 0; i < layer.strokes.size(); i += 2) {
+            BrushStroke pressed = *layer.strokes[i];
+            for (std::size_t point = 0; point < pressed.path.size(); ++point)
+                pressed.shares.push_back({1.0 / static_cast<double>(point + 1), 2.0 / 3});
+            layer.strokes[i] = std::make_shared<const BrushStroke>(std::move(pressed));
+        }
+    return project;
+}
+
+/// What was cloned is healed.
+Project healedProject() {
+    Project project = paintedProject();
+    for (TextureLayer& layer : project.layers)
+        for (auto& stroke : layer.strokes)
+            if (stroke->kind == BrushKind::Clone) {
+                BrushStroke healing = *stroke;
+                healing.kind = BrushKind::Heal;
+                stroke = std::make_shared<const BrushStroke>(std::move(healing));
+            }
+    return project;
+}
+
 /// As the first packed textures were laid out.
 Project projectInRows() {
     Project project = richProject();
@@ -116,6 +162,10 @@ std::map<std::string, Project> sampleProjects() {
             {"version-8", newestProject()},
             {"version-10", shapedProject()},
             {"version-11-finish", shiningProject()},
+            {"version-11-adjusted", adjustedProject()},
+            {"version-11-blended", blendedProject()},
+            {"version-11-healed", healedProject()},
+            {"version-11-pressure", pressedProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};

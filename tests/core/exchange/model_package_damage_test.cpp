@@ -234,6 +234,31 @@ TEST_F(ModelPackageFile, PagesHaveAPictureEach) {
     EXPECT_THAT(loadingError(), HasSubstr("images/1 is the picture of two pages"));
 }
 
+TEST_F(ModelPackageFile, AFinishOfPagesThatAreNotThereIsRefused) {
+    Project plain = richProject();
+    plain.layers.clear();
+    plain.atlas = nullptr;
+    plain.texture.finish.emplace();
+    exportPackage(plain, m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    Json& surface = glb.json["materials"][0]["pbrMetallicRoughness"];
+    surface["metallicRoughnessTexture"] = {{"index", 0}};
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("without a texture"));
+    surface.erase("metallicRoughnessTexture");
+    surface["roughnessFactor"] = 1.5;
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("the roughness must be from 0 to 1"));
+}
+
+TEST_F(ModelPackageFile, PicturesOfAFinishAreEachOfOnePage) {
+    exportPackage(shiningProject(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    glb.json["textures"][2]["source"] = glb.json["textures"][1]["source"]; // normals
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("is the picture of two pages"));
+}
+
 TEST_F(ModelPackageFile, PagesThatDrawATriangleTwiceAreNotDecoded) {
     exportPackage(richProject(), m_file);
     Glb glb = parseGlb(readFile(m_file));

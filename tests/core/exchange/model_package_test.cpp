@@ -59,7 +59,7 @@ TEST_F(ModelPackageFile, ShowsAPictureOfItsOrganBesideTheTexture) {
     const Project project = richProject();
     Image drawn{2, 1, {10, 20, 30, 255, 40, 50, 60, 255}};
     exportPackage(project, m_file, {{}, [&](const Project& packed, const auto& pages) {
-                                        EXPECT_EQ(pages->size(),
+                                        EXPECT_EQ(pages.colours->size(),
                                                   static_cast<std::size_t>(packed.atlas->options.pages));
                                         return drawn;
                                     }});

@@ -30,7 +30,7 @@ std::shared_ptr<const std::vector<Image>> greenPages(Project& project) {
 } // namespace
 
 TEST(PreviewPicture, ShowsTheWholeOrganInItsColour) {
-    const Image picture = previewPicture(ballProject(), nullptr);
+    const Image picture = previewPicture(ballProject(), {});
     ASSERT_EQ(picture.width, 512);
     ASSERT_EQ(picture.height, 512);
     const auto isOrgan = [&](int x, int y) { return picture.at(x, y)[0] > picture.at(x, y)[1] + 30; };
@@ -41,6 +41,6 @@ TEST(PreviewPicture, ShowsTheWholeOrganInItsColour) {
 
 TEST(PreviewPicture, ShowsTheTexture) {
     Project project = ballProject();
-    const Image picture = previewPicture(project, greenPages(project));
+    const Image picture = previewPicture(project, {greenPages(project), nullptr});
     EXPECT_GT(picture.at(256, 256)[1], picture.at(256, 256)[0] + 30);
 }

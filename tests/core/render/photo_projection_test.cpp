@@ -73,7 +73,7 @@ protected:
     Image projected() const {
         RenderScene scene = sceneOf({});
         scene.projectedPhoto = ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels,
-                                              layer.opacity, layer.blending == Blending::Multiply};
+                                              layer.opacity, layer.blending};
         return renderOffscreen(scene, camera, side, side);
     }
     Image baked() const { return renderOffscreen(sceneOf({layer}), camera, side, side); }
@@ -140,10 +140,18 @@ TEST_F(PhotoInMotion, GoesThroughTheOrganWhereItIsAskedTo) {
     EXPECT_LT(found.mean, 2);
 }
 
-TEST_F(PhotoInMotion, MultipliesAsTheLayerDoes) {
+TEST_F(PhotoInMotion, BlendsAsTheLayerDoes) {
     place(ProjectorKind::Perspective, 20);
-    layer.blending = Blending::Multiply;
-    EXPECT_LT(compared(projected(), baked(), bare()).mean, 2);
+    const Image hidden = projected();
+    for (const Blending blending :
+         {Blending::Multiply, Blending::Screen, Blending::Overlay, Blending::Colour}) {
+        layer.blending = blending;
+        const Comparison found = compared(projected(), baked(), bare());
+        EXPECT_GT(found.covered, 0.04 * side * side) << wordOf(blending);
+        EXPECT_LT(found.mean, 2) << wordOf(blending);
+        EXPECT_LT(found.far, 0.02) << wordOf(blending);
+        EXPECT_NE(projected().pixels, hidden.pixels) << wordOf(blending);
+    }
 }
 
 TEST_F(PhotoInMotion, IsProjectedOnTheOrganAtRest) {
@@ -157,7 +165,7 @@ TEST_F(PhotoInMotion, IsProjectedOnTheOrganAtRest) {
     RenderScene scene = sceneOf({});
     const Image bareMoved = moved(scene), bakedMoved = moved(sceneOf({layer}));
     scene.projectedPhoto =
-        ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity, false};
+        ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity, Blending::Normal};
     EXPECT_LT(compared(moved(scene), bakedMoved, bareMoved).mean, 2);
 }
 
@@ -173,8 +181,8 @@ TEST_F(PhotoInMotion, ShowsWhatStrokesHaveLeft) {
     CompositionCache cache;
     scene.texturePages = std::make_shared<const TiledPages>(
         maskedPages(*mesh, *atlas, *scene.texturePages, layer.strokes, cache));
-    scene.projectedPhoto =
-        ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity, false, true, {}};
+    scene.projectedPhoto = ProjectedPhoto{
+        layer.projector, pictureOf(layer), layer.blendPixels, layer.opacity, Blending::Normal, true, {}};
     const Image masked = renderOffscreen(scene, camera, side, side);
     EXPECT_LT(compared(masked, baked(), bare()).mean, 2);
     EXPECT_GT(compared(whole, baked(), bare()).mean, 5);
@@ -196,7 +204,7 @@ TEST_F(PhotoInMotion, IsNearlyWhatBlendingInBandsMakesOfIt) {
     RenderScene scene = sceneOf({under});
     CompositionCache cache;
     scene.projectedPhoto = ProjectedPhoto{
-        layer.projector, pictureOf(layer), borderInMotion(layer), layer.opacity, false, false, {}};
+        layer.projector, pictureOf(layer), borderInMotion(layer), layer.opacity, Blending::Normal, false, {}};
     const double without = compared(renderOffscreen(scene, camera, side, side), blended, beneath).mean;
     scene.projectedPhoto->bands =
         std::make_shared<const Image>(bandsInMotion(*mesh, {under}, scene.baseColour, layer, cache));

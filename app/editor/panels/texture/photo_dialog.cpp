@@ -47,6 +47,8 @@ std::vector<TaskWords> taskWords() {
         {PhotoTask::White, tr("White"), Qt::Key_W, tr("Balance white"),
          tr("Click on something that is white or grey, let it be found, or take the colours of another "
             "photo")},
+        {PhotoTask::Adjust, tr("Adjust"), Qt::Key_A, tr("Adjust hue, saturation, contrast and levels"),
+         tr("Move the sliders; the photo is shown as it is laid on the organ")},
         {PhotoTask::Lens, tr("Lens"), Qt::Key_L,
          tr("Correct the distortion of the lens, by lines along what is straight"),
          tr("Click three places or more along what should be straight, Enter or a double click ends a line; "
@@ -75,6 +77,7 @@ PhotoTool toolFor(PhotoTask task) {
     case PhotoTask::Region:
     case PhotoTask::Highlights:
     case PhotoTask::White:
+    case PhotoTask::Adjust:
         break;
     }
     return PhotoTool::Pick;
@@ -88,8 +91,9 @@ PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* p
       m_fieldPage(new FieldPage(edits, *m_canvas, this)), m_brushPage(new BrushPage(*m_canvas, this)),
       m_outlinePage(new OutlinePage(edits, this)), m_regionPage(new RegionPage(edits, this)),
       m_highlightPage(new HighlightPage(edits, *m_canvas, this)),
-      m_whitePage(new WhitePage(document, edits, this)), m_lensPage(new LensPage(edits, *m_canvas, this)),
-      m_whole(new QPushButton(tr("Whole photo"), this)), m_cropPage(cropPage()), m_hint(new QLabel(this)) {
+      m_whitePage(new WhitePage(document, edits, this)), m_adjustPage(new AdjustPage(edits, this)),
+      m_lensPage(new LensPage(edits, *m_canvas, this)), m_whole(new QPushButton(tr("Whole photo"), this)),
+      m_cropPage(cropPage()), m_hint(new QLabel(this)) {
     setObjectName(QStringLiteral("photoDialog"));
     setWindowFlag(Qt::WindowContextHelpButtonHint, false);
     resize(960, 680);
@@ -110,7 +114,7 @@ PhotoDialog::PhotoDialog(Document& document, PreparationEdits& edits, QWidget* p
 void PhotoDialog::addPages() {
     for (QWidget* page :
          std::initializer_list<QWidget*>{m_fieldPage, m_brushPage, m_outlinePage, m_regionPage,
-                                         m_highlightPage, m_whitePage, m_lensPage, m_cropPage})
+                                         m_highlightPage, m_whitePage, m_adjustPage, m_lensPage, m_cropPage})
         m_pages->addWidget(page);
     m_pages->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
@@ -269,6 +273,8 @@ void PhotoDialog::choose(PhotoTask task) {
             return m_highlightPage;
         case PhotoTask::White:
             return m_whitePage;
+        case PhotoTask::Adjust:
+            return m_adjustPage;
         case PhotoTask::Lens:
             return m_lensPage;
         case PhotoTask::Crop:
@@ -295,6 +301,7 @@ void PhotoDialog::showPhoto() {
     m_fieldPage->showField();
     m_highlightPage->showHighlights();
     m_whitePage->showBalance();
+    m_adjustPage->showAdjustment();
     const Image& photo = layer->photo->image;
     const PhotoCrop crop = wanted.crop.value_or(PhotoCrop{0, 0, photo.width, photo.height});
     for (const auto& [part, field] : m_cropFields)
@@ -304,10 +311,12 @@ void PhotoDialog::showPhoto() {
     showHint(failure.isEmpty() ? QString() : tr("Not prepared: %1").arg(failure));
 }
 
-/// The photo as it was taken; for the crop, which lies on what comes out, the straightened one.
+/// The photo as it was taken; the straightened one for the crop, which lies on what comes out, and all that
+/// comes out where colours are adjusted.
 void PhotoDialog::showPicture(const TextureLayer& layer) {
     const bool isStraight = m_task == PhotoTask::Crop && layer.preparation.lens && layer.prepared;
-    const std::shared_ptr<const Image> prepared = isStraight ? layer.prepared : nullptr;
+    const bool showsPrepared = isStraight || m_task == PhotoTask::Adjust;
+    const std::shared_ptr<const Image> prepared = showsPrepared ? layer.prepared : nullptr;
     if (m_photo == layer.photo && m_prepared == prepared) return;
     if (m_photo != layer.photo) {
         m_canvas->clearLines();

@@ -2,6 +2,7 @@
 
 #include "app/editor/edits/preparation_edits.h"
 #include "app/editor/edits/preparation_session.h"
+#include "app/editor/panels/texture/adjust_page.h"
 #include "app/editor/panels/texture/field_page.h"
 #include "app/editor/panels/texture/highlight_page.h"
 #include "app/editor/panels/texture/lens_page.h"
@@ -20,11 +21,11 @@
 namespace esm {
 
 /// What is done to a photo in its own window.
-enum class PhotoTask { Field, Erase, Restore, Outline, Box, Region, Highlights, White, Lens, Crop };
+enum class PhotoTask { Field, Erase, Restore, Outline, Box, Region, Highlights, White, Adjust, Lens, Crop };
 
 /// The selected photo in a window of its own: its field is set, what is no tissue masked, highlights and
-/// white chosen, lines drawn along what should be straight, and a frame cut out. Every change is an edit of
-/// the document at once; all of them can be put back while the window is open.
+/// white chosen, colours adjusted, lines drawn along what should be straight, and a frame cut out. Every
+/// change is an edit of the document at once; all of them can be put back while the window is open.
 class PhotoDialog : public QDialog {
     Q_OBJECT
 
@@ -64,6 +65,7 @@ private:
     RegionPage* m_regionPage;
     HighlightPage* m_highlightPage;
     WhitePage* m_whitePage;
+    AdjustPage* m_adjustPage;
     LensPage* m_lensPage;
     QPushButton* m_whole;
     std::vector<std::pair<int PhotoCrop::*, NumberField*>> m_cropFields;
@@ -71,7 +73,7 @@ private:
     QLabel* m_hint;
     PhotoTask m_task = PhotoTask::Erase;
     std::shared_ptr<const Photo> m_photo;    ///< that is shown
-    std::shared_ptr<const Image> m_prepared; ///< that is shown for the crop; null for the photo itself
+    std::shared_ptr<const Image> m_prepared; ///< that is shown; null for the photo itself
 };
 
 } // namespace esm

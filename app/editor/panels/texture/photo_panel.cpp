@@ -8,6 +8,24 @@
 
 namespace esm {
 
+QString blendingText(Blending blending) {
+    switch (blending) {
+    case Blending::Normal:
+        return PhotoPanel::tr("normal");
+    case Blending::Multiply:
+        return PhotoPanel::tr("multiply");
+    case Blending::Screen:
+        return PhotoPanel::tr("screen");
+    case Blending::Overlay:
+        return PhotoPanel::tr("overlay");
+    case Blending::Colour:
+        return PhotoPanel::tr("colour");
+    case Blending::MultiBand:
+        return PhotoPanel::tr("seamless");
+    }
+    return {};
+}
+
 PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent)
     : Section(tr("Layer"), parent), m_document(document), m_selection(selection),
       m_visible(new QCheckBox(tr("V&isible"), this)),
@@ -32,8 +50,8 @@ void PhotoPanel::layOut() {
     rows->addField(tr("&Opacity"), m_opacityField);
     body()->addWidget(rows);
     body()->addWidget(m_opacity);
-    // In the order of `blendings`.
-    m_blending->addItems({tr("normal"), tr("multiply"), tr("seamless")});
+    for (const Blending blending : blendings)
+        m_blending->addItem(blendingText(blending));
     guardFromWheel(*m_blending);
     m_blending->setObjectName(QStringLiteral("blending"));
     auto* blendRow = new ValueRows(this);
@@ -92,8 +110,8 @@ void PhotoPanel::showUse(const TextureLayer* layer) {
     enable(m_opacity, layer, opacity, why);
     enable(m_opacityField, layer, opacity, why);
     enable(m_blending, layer,
-           tr("normal hides what lies beneath, multiply darkens it, seamless lets colours pass gradually "
-              "into it"),
+           tr("normal hides what lies beneath, multiply darkens it, screen brightens it, overlay does both, "
+              "colour leaves its brightness, seamless lets colours pass gradually into it"),
            why);
     enable(m_blend, hasPhoto,
            tr("Photo pixels over which the photo fades in from its border, and from outlines beyond "

@@ -11,6 +11,9 @@
 
 namespace esm {
 
+/// As the window names it.
+QString blendingText(Blending blending);
+
 /// The selected photo as a layer: how strongly and where it shows.
 class PhotoPanel : public Section {
     Q_OBJECT

@@ -1,6 +1,7 @@
 #include "app/editor/panels/texture/photos_panel.h"
 
 #include "app/editor/edits/layer_edits.h"
+#include "app/editor/panels/texture/photo_panel.h"
 #include "core/authoring/layers.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/icon.h"
@@ -41,9 +42,8 @@ namespace {
 QString noteOf(const TextureLayer& layer) {
     if (!layer.visible) return PhotosPanel::tr("hidden");
     QString opacity = PhotosPanel::tr("%1 %").arg(qRound(layer.opacity * 100));
-    if (layer.blending == Blending::Multiply) return PhotosPanel::tr("multiply, %1").arg(opacity);
-    if (layer.blending == Blending::MultiBand) return PhotosPanel::tr("seamless, %1").arg(opacity);
-    return opacity;
+    if (layer.blending == Blending::Normal) return opacity;
+    return PhotosPanel::tr("%1, %2").arg(blendingText(layer.blending), opacity);
 }
 
 /// The first colour that is painted on a layer without photo.

@@ -1,5 +1,6 @@
 #include "app/editor/panels/texture/preparation_panel.h"
 
+#include "app/editor/panels/texture/adjust_page.h"
 #include "widgets/inputs/elided_label.h"
 #include "widgets/inputs/enabling.h"
 
@@ -80,7 +81,8 @@ PreparationPanel::PreparationPanel(PreparationEdits& edits, QWidget* parent)
       m_evenLight(addStep(tr("Even light"), "evenLight", m_evenLightField)),
       m_whiteBalance(addStep(tr("&White balance"), "whiteBalance")),
       m_match(addStep(tr("Match colour beneath"), "matchColour")), m_lens(addStep(tr("Lens"), "lens")),
-      m_crop(addStep(tr("Crop"), "crop")), m_large(new QPushButton(tr("Show large…"), this)) {
+      m_crop(addStep(tr("Crop"), "crop")), m_adjustment(addStep(tr("Adjusted"), "adjustColours")),
+      m_large(new QPushButton(tr("Show large…"), this)) {
     layOut();
     connectControls();
     connect(&edits, &PreparationEdits::changed, this, &PreparationPanel::show);
@@ -180,6 +182,7 @@ void PreparationPanel::connectControls() {
     connectKept(m_strokes, &PhotoPreparation::strokes, tr("Erase parts of photo"));
     connectKept(m_lens, &PhotoPreparation::lens, tr("Correct lens"));
     connectKept(m_crop, &PhotoPreparation::crop, tr("Crop photo"));
+    connectKept(m_adjustment, &PhotoPreparation::adjustment, tr("Adjust colours"));
     connect(m_large, &QPushButton::clicked, this, &PreparationPanel::largeViewAsked);
 }
 
@@ -262,6 +265,8 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
     if (wanted.evenLight > 0) m_last.evenLight = wanted.evenLight;
     if (wanted.lens) m_last.lens = wanted.lens;
     if (wanted.crop) m_last.crop = wanted.crop;
+    const bool isAdjusted = wanted.adjustment != ColourAdjustment();
+    if (isAdjusted) m_last.adjustment = wanted.adjustment;
 
     showWords(m_field, wanted.field || wish.find.field,
               wish.find.field ? tr("looking…")
@@ -286,6 +291,7 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
               wanted.lens && layer ? lensText(*wanted.lens, layer->photo->image) : QString());
     showWords(m_crop, wanted.crop.has_value(),
               wanted.crop ? tr("%1 × %2 px").arg(wanted.crop->width).arg(wanted.crop->height) : QString());
+    showWords(m_adjustment, isAdjusted, adjustmentText(wanted.adjustment));
     showRemark(wish);
     m_evenLightField->setValue(layer ? std::optional(wanted.evenLight) : std::nullopt);
     enableSteps(layer);
@@ -310,9 +316,11 @@ void PreparationPanel::enableSteps(const TextureLayer* layer) {
     enable(m_lens.box, layer && m_last.lens,
            tr("Correct the distortion of the lens; it does not turn the photo"), first);
     enable(m_crop.box, layer && m_last.crop, tr("Keep only a part of the photo"), first);
+    enable(m_adjustment.box, layer && m_last.adjustment != ColourAdjustment(),
+           tr("Hue, saturation, contrast and levels as they were chosen"), first);
     enable(m_large, layer,
-           tr("Show the photo large: set its field, erase text and instruments, choose highlights and "
-              "white, correct its lens, crop"),
+           tr("Show the photo large: set its field, erase text and instruments, choose highlights, white "
+              "and colours, correct its lens, crop"),
            none);
 }
 

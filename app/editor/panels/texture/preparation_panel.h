@@ -50,7 +50,7 @@ private:
     QLabel *m_before, *m_after, *m_warning, *m_remark;
     QGridLayout* m_steps;
     NumberField* m_evenLightField;
-    Step m_field, m_strokes, m_highlights, m_evenLight, m_whiteBalance, m_match, m_lens, m_crop;
+    Step m_field, m_strokes, m_highlights, m_evenLight, m_whiteBalance, m_match, m_lens, m_crop, m_adjustment;
     QPushButton* m_large;
     PhotoPreparation m_last; ///< what the check boxes bring back
     std::shared_ptr<const Photo> m_lastOf;

@@ -5,6 +5,7 @@
 #include "widgets/inputs/quantity_formats.h"
 
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 
 #include <algorithm>
 
@@ -45,18 +46,19 @@ WetLookPanel::WetLookPanel(Document& document, Selection& selection, QWidget* pa
     : Section(tr("Wet look"), parent), m_document(document), m_selection(selection),
       m_subject(new QComboBox(this)), m_tissue(new QComboBox(this)),
       m_relief(new NumberField(reliefFormat(), this)),
-      m_keepsColour(new QCheckBox(tr("Shine without colour"), this)) {
+      m_hidesColour(new QCheckBox(tr("Hide the layer's colour"), this)) {
     m_subject->setObjectName(QStringLiteral("wetLookSubject"));
     m_subject->addItems({tr("selected layer"), tr("whole organ")});
     m_tissue->setObjectName(QStringLiteral("wetLookTissue"));
-    m_tissue->addItem(tr("not said"));
+    m_tissue->addItem(tr("none"));
     for (const FinishPreset& preset : finishPresets)
         m_tissue->addItem(tr(preset.name).toLower());
-    m_tissue->addItem(tr("own numbers"));
+    m_tissue->addItem(tr("own numbers")); // says what is, and is not chosen
+    qobject_cast<QStandardItemModel*>(m_tissue->model())->item(ownNumbers)->setEnabled(false);
     for (QComboBox* choice : {m_subject, m_tissue})
         guardFromWheel(*choice);
     auto* rows = new ValueRows(this);
-    rows->addField(tr("Shine of"), m_subject);
+    rows->addField(tr("Wet look of"), m_subject);
     rows->addField(tr("Tissue"), m_tissue);
     body()->addWidget(rows);
     addShare(tr("Roughness"), QStringLiteral("wetLookRoughness"), tr("Set roughness"),
@@ -69,7 +71,7 @@ WetLookPanel::WetLookPanel(Document& document, Selection& selection, QWidget* pa
     auto* reliefRow = new ValueRows(this);
     reliefRow->addField(tr("Relief"), m_relief);
     body()->addWidget(reliefRow);
-    body()->addWidget(m_keepsColour);
+    body()->addWidget(m_hidesColour);
     connectControls();
     takeSelection();
 }
@@ -96,9 +98,9 @@ void WetLookPanel::connectControls() {
     connect(m_tissue, qOverload<int>(&QComboBox::activated), this, &WetLookPanel::choose);
     connect(m_relief, &NumberField::valueEdited, this, &WetLookPanel::setRelief);
     connect(m_relief, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
-    connect(m_keepsColour, &QCheckBox::clicked, this, [this](bool on) {
+    connect(m_hidesColour, &QCheckBox::clicked, this, [this](bool on) {
         change(on ? tr("Hide the layer's colour") : tr("Show the layer's colour"),
-               [=](LayerFinish& finish) { finish.keepsColour = on; });
+               [=](LayerFinish& finish) { finish.hidesColour = on; });
     });
     connect(&m_selection, &Selection::changed, this, &WetLookPanel::takeSelection);
     connect(&m_document, &Document::changed, this, [this](const Change& changed) {
@@ -128,7 +130,7 @@ void WetLookPanel::show() {
     const auto shown = finish();
     LayerFinish parts = shown.value_or(LayerFinish());
     m_tissue->setCurrentIndex(tissueOf(shown));
-    m_tissue->setItemText(noFinish, isOfLayer() ? tr("as what lies beneath") : tr("not said"));
+    m_tissue->setItemText(noFinish, isOfLayer() ? tr("as the layers beneath") : tr("none"));
     for (const Share& share : m_shares) {
         const QSignalBlocker quiet(share.slider);
         const double part = share.part(parts);
@@ -137,7 +139,7 @@ void WetLookPanel::show() {
         share.slider->setSpoken(tr("%1 %").arg(share.slider->value()));
     }
     m_relief->setValue(shown ? std::optional(parts.relief) : std::nullopt);
-    m_keepsColour->setChecked(parts.keepsColour);
+    m_hidesColour->setChecked(parts.hidesColour);
     showUse(shown);
 }
 
@@ -149,9 +151,8 @@ void WetLookPanel::showUse(const std::optional<LayerFinish>& finish) {
     const QString none = hasSurface ? tr("No layer is selected") : tr("This model has no surface");
     const QString why = hasSubject ? tr("Choose a tissue first") : none;
     const QString noPhoto = finish ? tr("Comes from a layer's photo") : why;
-    m_subject->setToolTip(tr("A layer lends its shine to what it covers; elsewhere the organ's shows"));
-    enable(m_tissue, hasSubject, tr("Roughness and wetness as of such tissue, by eye; nobody measured them"),
-           none);
+    m_subject->setToolTip(tr("A layer lends its wet look to what it covers; elsewhere the organ's shows"));
+    enable(m_tissue, hasSubject, tr("Roughness and wetness of such tissue, estimated by eye"), none);
     const std::array<QString, 3> uses{tr("Of the tissue beneath the fluid: 0 mirrors, 100 % is dull"),
                                       tr("How much of the surface a film of fluid covers"),
                                       tr("How much wetter it is where the photo mirrors the lamp")};
@@ -167,16 +168,15 @@ void WetLookPanel::showUse(const std::optional<LayerFinish>& finish) {
               "bright "
               "is high is a guess: a photo does not tell form from colour"),
            noPhoto);
-    enable(m_keepsColour, finish && layer,
-           tr("The layer lends nothing but its shine, as where wet or charred spots are painted"),
+    enable(m_hidesColour, finish && layer,
+           tr("The layer shows nothing but its wet look, as where wet or charred spots are painted"),
            layer ? why : tr("Of a layer only"));
 }
 
 void WetLookPanel::choose(int tissue) {
-    if (tissue == noFinish) return put(tr("Take the shine away"), std::nullopt, {});
-    if (tissue == ownNumbers) return change(tr("Set shine"), [](LayerFinish&) {});
+    if (tissue == noFinish) return put(tr("Remove wet look"), std::nullopt, {});
     const SurfaceFinish& chosen = finishPresets.at(static_cast<std::size_t>(tissue - firstPreset)).surface;
-    change(tr("Set shine"), [&](LayerFinish& finish) { finish.surface = chosen; });
+    change(tr("Set wet look"), [&](LayerFinish& finish) { finish.surface = chosen; });
 }
 
 void WetLookPanel::setRelief(double metres) {

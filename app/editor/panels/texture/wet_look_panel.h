@@ -52,7 +52,7 @@ private:
     QComboBox *m_subject, *m_tissue;
     std::vector<Share> m_shares; ///< roughness, wetness, wetness at highlights
     NumberField* m_relief;
-    QCheckBox* m_keepsColour;
+    QCheckBox* m_hidesColour;
 };
 
 } // namespace esm

@@ -88,11 +88,12 @@ void RandomEdits::paint() {
     const auto& vertices = m_document.project().mesh->vertices;
     const BrushPoint point{vertices[below(static_cast<std::uint32_t>(vertices.size()))],
                            Eigen::Vector3d::UnitZ()};
+    const BrushTouch touch{point, below(2) != 0 ? std::optional(0.1 * below(11)) : std::nullopt};
     if (!m_isPainting) {
         m_selection.setPhoto(layers.front().id);
-        m_painting.begin(point);
+        m_painting.begin(touch);
     } else {
-        m_painting.goOn({point});
+        m_painting.goOn({touch});
     }
     m_isPainting = below(6) != 0;
     if (!m_isPainting) m_painting.finish();

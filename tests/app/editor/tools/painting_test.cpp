@@ -196,7 +196,7 @@ TEST_F(PaintingTest, ALayerOffersWhatCanBeDoneToIt) {
     EXPECT_FALSE(project().layers[1].photo);
     EXPECT_EQ(toolInHand(), "brush");
     EXPECT_FALSE(window->windowActions().tool("projector")->isEnabled()) << "there is no photo to place";
-    EXPECT_EQ(kind->count(), 4);
+    EXPECT_EQ(kind->count(), 5);
     EXPECT_TRUE(child<QWidget>("projectorKind")->parentWidget()->parentWidget()->isHidden());
     stroke();
     ASSERT_EQ(strokes(1).size(), 1U);
@@ -204,16 +204,22 @@ TEST_F(PaintingTest, ALayerOffersWhatCanBeDoneToIt) {
     EXPECT_TRUE(validate(project()).empty());
 }
 
-TEST_F(PaintingTest, CloningNeedsAPlaceToTakeColoursFrom) {
+TEST_F(PaintingTest, CopyingNeedsAPlaceToTakeColoursFrom) {
     window->windowActions().addPaint->trigger();
     choose(BrushKind::Clone);
     stroke();
     EXPECT_TRUE(strokes(1).empty());
     QTest::mouseClick(&window->view(), Qt::LeftButton, Qt::ControlModifier, middle() + QPoint(-60, 0));
     EXPECT_TRUE(strokes(1).empty());
-    stroke();
-    ASSERT_EQ(strokes(1).size(), 1U);
-    EXPECT_LT(strokes(1)[0]->shift.x(), 0) << "the source lies to the left";
+    for (const BrushKind kind : {BrushKind::Clone, BrushKind::Heal}) {
+        choose(kind);
+        stroke();
+        ASSERT_FALSE(strokes(1).empty());
+        EXPECT_EQ(strokes(1).back()->kind, kind);
+        EXPECT_LT(strokes(1).back()->shift.x(), 0) << "the source lies to the left";
+    }
+    EXPECT_EQ(strokes(1).size(), 2U);
+    EXPECT_EQ(window->document().undoStack()->undoText(), "Heal with the brush");
 }
 
 TEST_F(PaintingTest, BracketsSizeTheBrush) {

@@ -328,5 +328,5 @@ TEST_F(FileControllerTest, ExportsPhotosAsJpegWhereThatTypeIsChosen) {
         return parseGlb(readFile(folder / (name + ".glb"))).json["images"][0]["mimeType"].get<std::string>();
     };
     EXPECT_EQ(exportedAs("Model packages (*.glb)", "exact"), "image/png");
-    EXPECT_EQ(exportedAs("Model packages, photos as JPEG (*.glb)", "small"), "image/jpeg");
+    EXPECT_EQ(exportedAs("Model packages, texture as JPEG (*.glb)", "small"), "image/jpeg");
 }

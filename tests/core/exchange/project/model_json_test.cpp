@@ -91,8 +91,11 @@ TEST(ModelJson, TakesTheOldestVersionThatHoldsAll) {
     VersionNeeds shaped = several;
     shaped.shapedMasks = true;
     EXPECT_EQ(versionOf(shaped), 10);
-    shaped.finish = true;
-    EXPECT_EQ(versionOf(shaped), 11);
+    VersionNeeds retouched = shaped, finished = shaped;
+    retouched.retouching = true;
+    EXPECT_EQ(versionOf(retouched), 11);
+    finished.finish = true;
+    EXPECT_EQ(versionOf(finished), 11);
     EXPECT_EQ(versionOf({false, false, false, false, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true}), 6);
     EXPECT_EQ(versionOf({true, true, true, true, true, true}), 7);

@@ -176,7 +176,7 @@ TEST_F(ProjectFile, ABiphasicLawThatIsNoneIsRefusedByItsName) {
 TEST_F(ProjectFile, StrokesAndBlendingThatAreNoneAreRefusedByTheirName) {
     const std::string place = "/photos/layers/";
     const std::vector<std::pair<std::string, std::pair<Json, const char*>>> cases{
-        {"0/blending", {"screen", "blending should be normal, multiply"}},
+        {"0/blending", {"lighten", "blending should be normal, multiply"}},
         {"0/blending", {3, "blending"}},
         {"3/blending", {"multi-band", "only a photo"}},
         {"0/strokes", {7, "strokes"}},

@@ -21,6 +21,7 @@ TEST_F(ProjectFile, KeepsHowPhotosAreMadeReady) {
     pinhole.lens = Lens{LensKind::Pinhole, {30, 31, 20, 19}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0.002}};
     pinhole.crop = PhotoCrop{1, 2, 12, 11};
     fisheye.lens = Lens{LensKind::Fisheye, {9, 9, 8, 8}, {-0.1, 0.01, 0.001, 1.0 / 3000, 0}};
+    fisheye.adjustment = {10.0 / 3, 254.5, 1.0 / 3, 1.1, 0, -179.9};
     prepare(project.layers[0], pinhole);
     prepare(project.layers[1], fisheye);
     saveProject(project, m_file);
@@ -63,6 +64,9 @@ TEST_F(ProjectFile, NamesWhatIsWrongWithAPreparation) {
             {R"({"strokes": [{"path": [1, 2, 3, 4], "radius": 1, "softness": 0, "takesBack": false, "filled": true}]})",
              "at least 3 places"},
             {R"({"highlightSensitivity": 1.5})", "the sensitivity to highlights"},
+            {R"({"adjustment": {"hue": 181}})", "the turn of hue must be from -180 to 180 degrees"},
+            {R"({"adjustment": {"blackPoint": 99.5, "whitePoint": 100}})", "above the black point"},
+            {R"({"adjustment": {"gamma": "bright"}})", "adjustment.gamma"},
             {R"({"lens": {"kind": "mirror", "fx": 1, "fy": 1, "cx": 0, "cy": 0, "coefficients": [0,0,0,0,0]}})",
              "pinhole"},
             {R"({"lens": {"kind": "fisheye", "fx": 0, "fy": 1, "cx": 0, "cy": 0, "coefficients": [0,0,0,0]}})",

@@ -141,7 +141,7 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
         shaped.layers[0].preparation = preparation;
         return version(shaped);
     };
-    PhotoPreparation circle, ellipse, outline, sensitive;
+    PhotoPreparation circle, ellipse, outline, sensitive, adjusted;
     circle.field = PhotoField::circle({5, 5}, 4);
     EXPECT_EQ(versionWith(circle), 7);
     ellipse.field = PhotoField{FieldShape::Ellipse, {5, 5}, {4, 3}, 0, {}, 2};
@@ -150,6 +150,27 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(versionWith(outline), 10);
     sensitive.highlightSensitivity = 0.5;
     EXPECT_EQ(versionWith(sensitive), 10);
+    adjusted.adjustment.hue = 5;
+    EXPECT_EQ(versionWith(adjusted), projectFileVersion);
+    Project pressed = paintedProject();
+    for (TextureLayer& layer : pressed.layers)
+        for (auto& stroke : layer.strokes) {
+            BrushStroke light = *stroke;
+            light.shares.assign(light.path.size(), {0.5, 1});
+            stroke = std::make_shared<const BrushStroke>(light);
+        }
+    EXPECT_EQ(version(pressed), 11);
+    Project healed = paintedProject();
+    BrushStroke healing;
+    healing.kind = BrushKind::Heal;
+    healing.path = {{{0, 0, 0}, {0, 0, 1}}};
+    healed.layers.back().strokes = {std::make_shared<const BrushStroke>(healing)};
+    EXPECT_EQ(version(healed), 11);
+    Project blended = richProject();
+    for (const Blending blending : {Blending::Screen, Blending::Overlay, Blending::Colour}) {
+        blended.layers[0].blending = blending;
+        EXPECT_EQ(version(blended), 11) << wordOf(blending);
+    }
 }
 
 TEST_F(ProjectFile, OfAVersionTooLowOpensWithAWarning) {

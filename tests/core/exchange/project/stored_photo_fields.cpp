@@ -47,8 +47,10 @@ std::shared_ptr<const BrushStroke> strokeAt(BrushKind kind, bool most) {
     stroke.softness = stroke.strength = most ? 1 : 0;
     const double place = most ? largest : -largest, normal = most ? largest : smallest;
     stroke.path = {{Eigen::Vector3d::Constant(place), {normal, 0, 0}}};
+    if (kind == BrushKind::Colour || kind == BrushKind::Erase)
+        stroke.shares = {most ? BrushShares{1, 0} : BrushShares{0, 1}};
     if (kind == BrushKind::Colour) stroke.colour.fill(most ? 255 : 0);
-    if (kind == BrushKind::Clone) stroke.shift.setConstant(place);
+    if (copies(kind)) stroke.shift.setConstant(place);
     return std::make_shared<const BrushStroke>(stroke);
 }
 
@@ -61,7 +63,8 @@ void addPainting(Fields& fields) {
         return field("strokes", settings, layerPart(layer, [](TextureLayer& l) { return &l.strokes; }));
     };
     fields.push_back(painted(0, {BrushKind::Erase, BrushKind::Restore}));
-    fields.push_back(painted(3, {BrushKind::Erase, BrushKind::Restore, BrushKind::Colour, BrushKind::Clone}));
+    fields.push_back(painted(
+        3, {BrushKind::Erase, BrushKind::Restore, BrushKind::Colour, BrushKind::Clone, BrushKind::Heal}));
 }
 
 PhotoPreparation leastPreparation() {
@@ -74,6 +77,7 @@ PhotoPreparation leastPreparation() {
     least.match = ColourMatch{{0.5, 0.5, 0.5}, {-300, -300, -300}};
     least.lens = Lens{LensKind::Fisheye, {1, 1, -1e7, -1e7}, {-1000, -1000, -1000, -1000, 0}};
     least.crop = PhotoCrop{0, 0, 1, 1};
+    least.adjustment = {0, 1, 0.1, 0, 0, -180};
     return least;
 }
 
@@ -87,6 +91,7 @@ PhotoPreparation mostPreparation() {
     most.match = ColourMatch{{2, 2, 2}, {300, 300, 300}};
     most.lens = Lens{LensKind::Pinhole, {1e7, 1e7, 1e7, 1e7}, {1000, 1000, 1000, 1000, 1000}};
     most.crop = PhotoCrop{15, 15, 1, 1};
+    most.adjustment = {254, 255, 10, 2, 2, 180};
     return most;
 }
 

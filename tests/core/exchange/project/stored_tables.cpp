@@ -233,6 +233,9 @@ void addPreparationTables(Fields& fields) {
     addTable<Intrinsics>(fields, "preparation.lens", [=](Project& p, const auto& change) {
         preparing(p, [&](PhotoPreparation& preparation) { change(preparation.lens.emplace().camera); });
     });
+    addTable<ColourAdjustment>(fields, "preparation.adjustment", [=](Project& p, const auto& change) {
+        preparing(p, [&](PhotoPreparation& preparation) { change(preparation.adjustment = {}); });
+    });
     addTable<ColourMatch>(fields, "preparation.colourMatch", [=](Project& p, const auto& change) {
         preparing(p, [&](PhotoPreparation& preparation) { change(preparation.match.emplace()); });
     });

@@ -47,13 +47,6 @@ TriangleMesh thinPlate() {
     return mesh;
 }
 
-/// Visits every texel's surface point and colour after composing.
-template<class Visit>
-void onPages(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<TextureLayer>& layers,
-             Visit visit) {
-    forEachTexelInside(mesh, atlas, composite(mesh, atlas, layers, baseColour), visit);
-}
-
 std::vector<std::string> problemsWith(const std::function<void(BrushStroke&)>& change) {
     BrushStroke stroke = strokeAt(BrushKind::Colour, {0, 0, 0});
     change(stroke);
@@ -95,6 +88,31 @@ TEST(BrushStroke, FallsSoftlyAndBuildsUpNothingWhereItCrossesItself) {
     EXPECT_DOUBLE_EQ(strokeProfile(stroke, 0.01), 0.5);
     EXPECT_DOUBLE_EQ(strokeProfile(stroke, 0.015), 0.25);
     EXPECT_DOUBLE_EQ(strokeProfile(stroke, 0.02), 0);
+}
+
+TEST(BrushStroke, PassesFromShareToShareAlongItsPath) {
+    const TriangleMesh mesh = flatSquare(0.1, 5);
+    const Atlas atlas = packAtlas(mesh, {512, 1, 2});
+    BrushStroke stroke = strokeAt(BrushKind::Colour, {-0.03, 0, 0});
+    stroke.path.push_back({{0.03, 0, 0}, Eigen::Vector3d::UnitZ()});
+    stroke.shares = {{1, 1}, {0.5, 0.25}};
+    onPages(mesh, atlas, {paintedLayer({stroke})},
+            [&](const Eigen::Vector3d& point, const Colour& colour, std::size_t) {
+                const double t = std::clamp((point.x() + 0.03) / 0.06, 0.0, 1.0);
+                const Eigen::Vector3d nearest(-0.03 + 0.06 * t, 0, 0);
+                const bool isPainted = (point - nearest).norm() <= 0.02 * (1 - 0.5 * t);
+                ASSERT_NEAR(colour[0], 200 * (isPainted ? 0.75 * t : 1), 0.51) << point.transpose();
+            });
+}
+
+TEST(BrushStroke, WithAllSharesIsTheOneWithoutAny) {
+    const TriangleMesh mesh = flatSquare(0.1, 5);
+    const Atlas atlas = packAtlas(mesh, {256, 1, 2});
+    BrushStroke plain = strokeAt(BrushKind::Colour, {-0.01, 0, 0}), full = plain;
+    plain.softness = full.softness = 0.7;
+    full.shares = {{1, 1}};
+    EXPECT_EQ(composite(mesh, atlas, {paintedLayer({plain})}, baseColour)[0].pixels,
+              composite(mesh, atlas, {paintedLayer({full})}, baseColour)[0].pixels);
 }
 
 TEST(BrushStroke, DoesNotPaintThroughAThinWall) {
@@ -168,23 +186,6 @@ TEST(BrushStroke, FollowsClonesOfClonesAndEndsSomewhere) {
     }
 }
 
-TEST(Blending, MultipliesValuesFromZeroToOne) {
-    const TriangleMesh mesh = flatSquare(0.1, 3);
-    const Atlas atlas = packAtlas(mesh, {256, 1, 2});
-    TextureLayer layer = layerFromAbove(plainPhoto({128, 255, 0, 255}), 0.3);
-    layer.blending = Blending::Multiply;
-    layer.opacity = 0.5;
-    onPages(mesh, atlas, {layer}, [](const Eigen::Vector3d&, const Colour& colour, std::size_t) {
-        ASSERT_TRUE(isNear(colour, {150, 101, 25, 255}, 1)) << int(colour[0]); // 200 · (½ + ½ · 128 / 255)
-    });
-}
-
-TEST(Blending, IsFoundByItsName) {
-    for (const Blending blending : blendings)
-        EXPECT_EQ(fromWord<Blending>(wordOf(blending)), blending);
-    EXPECT_EQ(fromWord<Blending>("screen"), std::nullopt);
-}
-
 TEST(BrushStroke, SaysWhatIsWrongWithIt) {
     using testing::ElementsAre;
     using testing::HasSubstr;
@@ -198,7 +199,19 @@ TEST(BrushStroke, SaysWhatIsWrongWithIt) {
         s.kind = BrushKind::Clone;
         s.shift.x() = nan;
     };
-    EXPECT_THAT(problemsWith(clonesFromNowhere), ElementsAre(HasSubstr("cloned")));
+    EXPECT_THAT(problemsWith(clonesFromNowhere), ElementsAre(HasSubstr("copied")));
+    EXPECT_THAT(problemsWith([](BrushStroke& s) {
+                    s.shares = {{1, 1}, {1, 1}};
+                }),
+                ElementsAre(HasSubstr("as many as its points")));
+    EXPECT_THAT(problemsWith([](BrushStroke& s) {
+                    s.shares = {{0.5, 1.01}};
+                }),
+                ElementsAre(HasSubstr("from 0 to 1")));
+    EXPECT_THAT(problemsWith([](BrushStroke& s) {
+                    s.shares = {{nan, 1}};
+                }),
+                ElementsAre(HasSubstr("from 0 to 1")));
     EXPECT_THAT(problemsWith([](BrushStroke& s) { s.path.clear(); }), ElementsAre(HasSubstr("no point")));
     EXPECT_THAT(problemsWith([](BrushStroke& s) { s.path[0].normal.setZero(); }),
                 ElementsAre(HasSubstr("direction")));

@@ -51,8 +51,11 @@ TEST_F(CoveringLayer, IsNoneThatShowsWhatLiesBeneath) {
     upper().opacity = 0.9;
     EXPECT_EQ(covering(0), "");
     upper().opacity = 1;
-    upper().blending = Blending::Multiply;
-    EXPECT_EQ(covering(0), "");
+    for (const Blending blending :
+         {Blending::Multiply, Blending::Screen, Blending::Overlay, Blending::Colour}) {
+        upper().blending = blending;
+        EXPECT_EQ(covering(0), "") << wordOf(blending);
+    }
     upper().blending = Blending::Normal;
     upper().visible = false;
     EXPECT_EQ(covering(0), "");

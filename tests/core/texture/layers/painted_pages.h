@@ -98,6 +98,13 @@ forEachTexelInside(const TriangleMesh& mesh, const Atlas& atlas, const std::vect
     EXPECT_GT(visited, 2000U);
 }
 
+/// Visits every texel's surface point and colour after composing.
+template<class Visit>
+void onPages(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<TextureLayer>& layers,
+             Visit visit) {
+    forEachTexelInside(mesh, atlas, composite(mesh, atlas, layers, baseColour), visit);
+}
+
 inline bool isNear(const Colour& colour, const Colour& expected, int tolerance) {
     for (std::size_t i = 0; i < 3; ++i)
         if (std::abs(int(colour[i]) - int(expected[i])) > tolerance) return false;

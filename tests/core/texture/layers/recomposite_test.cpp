@@ -49,9 +49,22 @@ const std::vector<std::pair<const char*, std::function<void(Layers&)>>> edits{
     {"undo", [](Layers& l) { l[0].strokes.pop_back(); }},
     {"paint", [](Layers& l) { l.push_back(painted(BrushKind::Colour)); }},
     {"clone", [](Layers& l) { l.push_back(painted(BrushKind::Clone)); }},
+    {"heal", [](Layers& l) { l.push_back(painted(BrushKind::Heal)); }},
+    {"heal on",
+     [](Layers& l) {
+         l[3].strokes.push_back(stroke(BrushKind::Heal, {-0.01, 0.01, 0.1}));
+     }},
+    {"erase beneath the healing",
+     [](Layers& l) {
+         l[0].strokes.push_back(stroke(BrushKind::Erase, {0.05, 0, 0.1}));
+     }},
+    {"heal no more", [](Layers& l) { l.pop_back(); }},
     {"move beneath the clone", [](Layers& l) { l[1].projector.pose.translation().x() -= 0.02; }},
     {"add", [](Layers& l) { l.insert(l.begin() + 1, projected(-0.03, 0.07)); }},
     {"multiply", [](Layers& l) { l[1].blending = Blending::Multiply; }},
+    {"screen", [](Layers& l) { l[0].blending = Blending::Screen; }},
+    {"overlay", [](Layers& l) { l[1].blending = Blending::Overlay; }},
+    {"colour", [](Layers& l) { l[0].blending = Blending::Colour; }},
     {"bands", [](Layers& l) { l[2].blending = Blending::MultiBand; }},
     {"erase beneath the bands",
      [](Layers& l) {

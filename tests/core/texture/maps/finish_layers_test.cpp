@@ -35,7 +35,7 @@ TEST(FinishLayers, AreThoseThatShowAndHaveAFinish) {
 TEST(FinishLayers, LendTheirFinishWithoutTheirColour) {
     TextureLayer layer = shiningLayer(1);
     layer.blending = Blending::Multiply;
-    layer.finish->keepsColour = true;
+    layer.finish->hidesColour = true;
     EXPECT_FALSE(isShown(layer));
     const FinishLayers lending = lendingOf({layer});
     ASSERT_EQ(lending.layers.size(), 1U);

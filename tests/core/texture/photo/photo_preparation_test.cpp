@@ -52,7 +52,8 @@ TEST(PhotoPreparation, NamesEveryProblem) {
     bad.strokes = {PhotoStroke{{{1, nan}}, 0, 2, false}};
     bad.match = ColourMatch{{0, 1, 1}, {0, nan, 0}};
     bad.crop = PhotoCrop{10, 0, std::numeric_limits<int>::max(), 5};
-    EXPECT_EQ(validate(bad, 100, 80).size(), 14U);
+    bad.adjustment = {-1, nan, 0, 3, -1, 181};
+    EXPECT_EQ(validate(bad, 100, 80).size(), 20U);
     EXPECT_THROW(prepared(drawnPhoto(4, 4, [](int, int) -> Channels { return {}; }), bad), InvalidModel);
     EXPECT_TRUE(validate({}, 100, 80).empty());
 }
@@ -67,6 +68,7 @@ TEST(PhotoPreparation, IsTheSameWithAnyNumberOfThreads) {
     all.match = ColourMatch{{1.1, 0.9, 1}, {-5, 3, 2}};
     all.lens = bentLens(LensKind::Pinhole);
     all.crop = PhotoCrop{10, 10, 600, 400};
+    all.adjustment = {5, 240, 1.2, 1.1, 0.9, -10};
     const Image photo = roundPhoto(320, 240, 210);
     const Image many = prepared(photo, all);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
@@ -83,6 +85,20 @@ TEST(PhotoPreparation, CropsExactly) {
             const bool kept = x >= 3 && x < 8 && y >= 4 && y < 10;
             EXPECT_EQ(colourOf(picture, x, y), (Channels{x, y, 7, kept ? 200 : 0}));
         }
+}
+
+TEST(PhotoPreparation, AdjustsColoursOfWhatAllElseLeaves) {
+    PhotoPreparation all;
+    all.field = PhotoField::circle({320, 240}, 200);
+    all.whiteBalance = ColourGains{0.8, 1, 1.2};
+    all.lens = bentLens(LensKind::Pinhole);
+    const Image photo = roundPhoto(320, 240, 210);
+    Image expected = prepared(photo, all);
+    all.adjustment = {20, 200, 1.5, 1.2, 1.4, 30};
+    const Image adjusted = prepared(photo, all);
+    EXPECT_NE(adjusted.pixels, expected.pixels);
+    adjustColours(expected, all.adjustment);
+    EXPECT_EQ(adjusted.pixels, expected.pixels);
 }
 
 TEST(EvenLight, KeepsThePhotoAsBrightAndDoesNotSeeBlackAround) {

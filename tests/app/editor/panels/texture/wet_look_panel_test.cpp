@@ -75,7 +75,7 @@ TEST_F(WetLookPanelTest, SpeaksOfTheOrganWhereItIsAskedTo) {
     EXPECT_FALSE(finish());
     EXPECT_EQ(project().texture.finish, (SurfaceFinish{0.35, 0.8}));
     EXPECT_FALSE(child<NumberField>("wetLookRelief")->isEnabled());
-    chooseTissue("not said");
+    chooseTissue("none");
     EXPECT_FALSE(project().texture.finish);
 }
 
