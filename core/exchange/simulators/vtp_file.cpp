@@ -83,15 +83,16 @@ struct Cells {
 };
 
 /// Every node is a point, and so is every drawn vertex that is not at its node.
-struct Points {
+struct WrittenPoints {
     std::vector<Eigen::Vector3d> places; ///< m
     std::vector<std::int64_t> nodes;     ///< by point, the node that it is or that carries most of it
     std::vector<std::size_t> ofVertices; ///< by vertex, its point
     std::vector<std::uint32_t> apart;    ///< the vertices that are points of their own, in their order
 };
 
-Points pointsOf(const TriangleMesh& mesh, const SpringNetwork& network) {
-    Points points{network.restPositions, std::vector<std::int64_t>(network.restPositions.size()), {}, {}};
+WrittenPoints pointsOf(const TriangleMesh& mesh, const SpringNetwork& network) {
+    WrittenPoints points{
+        network.restPositions, std::vector<std::int64_t>(network.restPositions.size()), {}, {}};
     std::iota(points.nodes.begin(), points.nodes.end(), std::int64_t{0});
     for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
         const std::uint32_t node = network.vertexNodes[vertex];
@@ -106,7 +107,7 @@ Points pointsOf(const TriangleMesh& mesh, const SpringNetwork& network) {
 }
 
 /// What nodes have; a vertex apart takes it from the nodes that carry it.
-std::vector<double> carriedBy(const SpringNetwork& network, const Points& points,
+std::vector<double> carriedBy(const SpringNetwork& network, const WrittenPoints& points,
                               const std::vector<double>& ofNodes) {
     std::vector<double> values = ofNodes;
     for (const std::uint32_t vertex : points.apart) {
@@ -124,7 +125,7 @@ std::vector<double> carriedBy(const SpringNetwork& network, const Points& points
 
 /// The organ as VTK lists it.
 struct Content {
-    Points points;
+    WrittenPoints points;
     Cells single, lines, triangles;
     std::vector<Column> ofPoints, ofCells;
     std::vector<std::uint8_t> fixed; ///< by point

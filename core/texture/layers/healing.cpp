@@ -45,8 +45,10 @@ StrokeOutline::StrokeOutline(const BrushStroke& stroke)
     double walked = 0; // since the last disc
     for (std::size_t line = 0; line + 1 < stroke.path.size(); ++line) {
         const double length = (stroke.path[line + 1].place - stroke.path[line].place).norm();
-        for (double at = m_spacing - walked; at < length; at += m_spacing)
-            add(line, at / length);
+        const double first = m_spacing - walked;
+        const auto discs = static_cast<std::size_t>(std::max(0.0, 1 + (length - first) / m_spacing));
+        for (std::size_t disc = 0; disc < discs; ++disc)
+            add(line, std::min(1.0, (first + static_cast<double>(disc) * m_spacing) / length));
         walked = std::fmod(walked + length, m_spacing);
     }
     if (stroke.path.size() > 1) add(stroke.path.size() - 2, 1);

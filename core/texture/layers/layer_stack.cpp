@@ -207,8 +207,7 @@ Eigen::Vector3f LayerOnTriangle::colourOf(std::size_t place, const Eigen::Vector
     if (!copies(stroke.kind))
         return {static_cast<float>(stroke.colour[0]), static_cast<float>(stroke.colour[1]),
                 static_cast<float>(stroke.colour[2])};
-    const Eigen::Vector3f copied =
-        m_stack->colourNear(point + stroke.shift, m_place, m_follows - 1, m_sources);
+    Eigen::Vector3f copied = m_stack->colourNear(point + stroke.shift, m_place, m_follows - 1, m_sources);
     const HealingRim* rim = m_rims[place];
     if (!rim) return copied;
     return (copied + rim->at(point)).cwiseMax(0).cwiseMin(255);
