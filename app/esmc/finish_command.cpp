@@ -1,9 +1,9 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/named_layer.h"
 #include "app/esmc/opened_file.h"
 #include "app/esmc/project_output.h"
 #include "core/support/errors.h"
-#include "core/support/joined.h"
 #include "core/texture/maps/finish_layers.h"
 
 #include <optional>
@@ -61,21 +61,6 @@ void declareFinish(CLI::App& command, FinishOptions& options) {
         remove->excludes(command.get_option(other));
 }
 
-TextureLayer& layerNamed(Project& project, const std::string& name) {
-    TextureLayer* found = nullptr;
-    std::vector<std::string> names;
-    for (TextureLayer& layer : project.layers) {
-        names.push_back('"' + layer.name + '"');
-        if (layer.name != name) continue;
-        if (found)
-            throw UsageError("--layer: several layers are called \"" + name + "\"; give them other names");
-        found = &layer;
-    }
-    if (found) return *found;
-    if (names.empty()) throw UsageError("--layer: the project has no layer");
-    throw UsageError("--layer: no layer is called \"" + name + "\"; there are " + joined(names, ", "));
-}
-
 void applySurface(const FinishOptions& options, SurfaceFinish& finish) {
     if (options.preset) finish = options.preset->surface;
     finish.roughness = options.roughness.value_or(finish.roughness);
@@ -117,7 +102,7 @@ Report runFinish(const FinishOptions& options, Context& context) {
     std::optional<SurfaceFinish> finish;
     std::vector<std::string> warnings;
     if (options.layer) {
-        TextureLayer& layer = layerNamed(project, *options.layer);
+        TextureLayer& layer = layerNamed(project, *options.layer, LayersMeant::All);
         finishLayer(options, layer);
         if (layer.finish) finish = layer.finish->surface;
         warnings = finishWarnings(layer);

@@ -4,13 +4,12 @@
 #include "app/esmc/model_report.h"
 #include "app/esmc/motion_frame.h"
 #include "app/esmc/opened_file.h"
+#include "core/authoring/baked_pages.h"
 #include "core/dynamics/measure/scene_stages.h"
 #include "core/exchange/image_file.h"
 #include "core/offscreen/offscreen.h"
 #include "core/render/organ_scene.h"
 #include "core/render/view_state.h"
-#include "core/texture/layers/composite.h"
-#include "core/texture/maps/finish_pages.h"
 
 #include <algorithm>
 #include <cctype>
@@ -156,17 +155,10 @@ Subject projectSubject(const Project& project, bool showsProjectors, Context& co
                     project.regions,
                     {}};
     RenderScene& scene = subject.scene;
-    if (project.atlas && !project.layers.empty())
-        layTexture(scene, project.atlas,
-                   composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour,
-                             progressOf(context, "baking")));
-    if (hasFinish(project.layers, project.texture.finish)) {
-        std::shared_ptr<const TiledPages> pages;
-        if (project.atlas)
-            pages = finishPages(*project.mesh, *project.atlas, project.layers, project.texture.finish,
-                                progressOf(context, "wet look"));
-        layFinish(scene, project.layers, project.texture.finish, std::move(pages));
-    }
+    BakedPages pages;
+    if (!project.layers.empty()) pages = bakedPages(project, progressOf(context, "baking"));
+    if (pages.colours) layTexture(scene, project.atlas, *pages.colours);
+    layFinish(scene, project.layers, project.texture.finish, pages.finish);
     if (showsProjectors)
         for (const TextureLayer& layer : project.layers)
             if (layer.visible && layer.photo) scene.projectors.push_back(drawnProjector(scene, layer, false));

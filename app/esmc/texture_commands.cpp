@@ -1,5 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/named_layer.h"
 #include "app/esmc/opened_file.h"
 #include "app/esmc/preparation_options.h"
 #include "app/esmc/project_output.h"
@@ -8,7 +9,6 @@
 #include "core/exchange/project/project_file.h"
 #include "core/exchange/project/projector_file.h"
 #include "core/support/errors.h"
-#include "core/support/joined.h"
 #include "core/texture/layers/composite.h"
 #include "core/texture/texture_limits.h"
 
@@ -192,28 +192,11 @@ void declareReplace(CLI::App& command, ReplaceOptions& options) {
         ->required();
 }
 
-/// @throws UsageError where no layer with a photograph, or more than one, has the name
-TextureLayer& photoLayerNamed(Project& project, const std::string& name) {
-    TextureLayer* found = nullptr;
-    std::vector<std::string> names;
-    for (TextureLayer& layer : project.layers) {
-        if (!layer.photo) continue;
-        names.push_back('"' + layer.name + '"');
-        if (layer.name != name) continue;
-        if (found)
-            throw UsageError("--layer: several layers are called \"" + name + "\"; give them other names");
-        found = &layer;
-    }
-    if (found) return *found;
-    if (names.empty()) throw UsageError("--layer: the project has no photograph");
-    throw UsageError("--layer: no photograph is called \"" + name + "\"; there are " + joined(names, ", "));
-}
-
 Report runReplace(const ReplaceOptions& options, Context& context) {
     context.subject = options.project;
     const ProjectOutput output(options.output);
     Project project = openedProject(options.project, context);
-    TextureLayer& layer = photoLayerNamed(project, options.layer);
+    TextureLayer& layer = layerNamed(project, options.layer, LayersMeant::Photographs);
     context.subject = options.photo;
     const TextureLayer before = std::exchange(layer, withPhoto(layer, loadPhoto(options.photo)));
     context.subject = options.project;

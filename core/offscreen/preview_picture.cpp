@@ -6,7 +6,7 @@
 
 namespace esm {
 
-Image previewPicture(const Project& project, const PackagePages& pages) {
+Image previewPicture(const Project& project, const BakedPages& pages) {
     constexpr int size = 512; // pixels
     RenderScene scene = organScene(project.mesh, project.network, project.texture.baseColour);
     std::optional<ValueRange> range;

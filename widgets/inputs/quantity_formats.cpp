@@ -49,11 +49,15 @@ NumberFormat percentFormat(double minimum, double maximum) {
     return format;
 }
 
-NumberFormat shareFormat() {
-    NumberFormat format = percentFormat(0, 1);
+NumberFormat wholePercentFormat(double maximum, double step) {
+    NumberFormat format = percentFormat(0, maximum);
     format.decimals = 0;
-    format.step = 0.05;
+    format.step = step;
     return format;
+}
+
+NumberFormat shareFormat() {
+    return wholePercentFormat(1, 0.05);
 }
 
 NumberFormat pixelFormat() {

@@ -15,9 +15,10 @@ constexpr double smallestLength = 1e-5;
 NumberFormat angleFormat(); ///< whole degrees
 /// How three angles make one turn.
 QString turnedToolTip();
-NumberFormat massFormat();                                  ///< kg, above zero
-NumberFormat percentFormat(double minimum, double maximum); ///< shares of one, shown in percent
-NumberFormat shareFormat();                                 ///< 0 to 1, in whole percent
-NumberFormat pixelFormat();                                 ///< whole pixels
+NumberFormat massFormat();                                    ///< kg, above zero
+NumberFormat percentFormat(double minimum, double maximum);   ///< shares of one, shown in percent
+NumberFormat wholePercentFormat(double maximum, double step); ///< from 0, in whole percent
+NumberFormat shareFormat();                                   ///< 0 to 1, in whole percent
+NumberFormat pixelFormat();                                   ///< whole pixels
 
 } // namespace esm

@@ -2,7 +2,6 @@
 #include "core/exchange/package/glb.h"
 #include "core/exchange/package/package_layout.h"
 #include "core/exchange/package/package_materials.h"
-#include "core/exchange/package/package_pages.h"
 #include "core/exchange/package/page_vertices.h"
 #include "core/exchange/picture_encoding.h"
 #include "core/exchange/project/model_json.h"
@@ -24,7 +23,7 @@ namespace {
 struct Ingredients {
     const Project& project;
     const TissueModel& tissue;
-    PackagePages pages;
+    BakedPages pages;
     Image preview;            ///< empty: none
     PictureEncoding pictures; ///< of the pages' colours
 };
@@ -366,7 +365,7 @@ void writePackage(const Handover& handover, const std::filesystem::path& file, c
     const auto& [project, tissue] = handover;
     ProgressParts parts(means.progress);
     Ingredients ingredients{
-        project, tissue, packagePages(project, parts.next(project.atlas ? 0.6 : 0)), {}, means.pictures};
+        project, tissue, bakedPages(project, parts.next(project.atlas ? 0.6 : 0)), {}, means.pictures};
     if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages);
     reportProgress(parts.next(0.05), 1);
     PackageBuilder builder(ingredients, parts.next(0.3));

@@ -1,23 +1,14 @@
 #pragma once
 
+#include "core/authoring/baked_pages.h"
 #include "core/exchange/picture_encoding.h"
-#include "core/project/project.h"
-#include "core/support/progress.h"
-#include "core/texture/image.h"
-#include "core/texture/layers/tiled_pages.h"
 
 #include <functional>
 
 namespace esm {
 
-/// What the layers come to on the pages of a project's atlas.
-struct PackagePages {
-    std::shared_ptr<const std::vector<Image>> colours; ///< null without an atlas
-    std::shared_ptr<const TiledPages> finish;          ///< null where all shines alike, see `finishPages`
-};
-
 /// Draws a picture of the organ.
-using DrawPreview = std::function<Image(const Project& project, const PackagePages& pages)>;
+using DrawPreview = std::function<Image(const Project& project, const BakedPages& pages)>;
 
 /// A project with all that a simulator needs to know of it, valid and evaluated once.
 struct Handover {

@@ -1,7 +1,5 @@
 #include "core/texture/finish/surface_finish.h"
 
-#include "core/support/offenders.h"
-
 namespace esm {
 
 std::vector<std::string> validate(const LayerFinish& finish) {

@@ -39,11 +39,14 @@ bool looksTheSame(const TextureLayer& a, const TextureLayer& b) {
            a.blending == b.blending && a.strokes == b.strokes;
 }
 
-bool isShown(const TextureLayer& layer) {
+bool isLaid(const TextureLayer& layer) {
     if (!layer.visible || !(layer.opacity > 0)) return false;
-    if (layer.finish && layer.finish->hidesColour) return false;
     if (layer.photo) return !layer.photo->image.empty();
     return std::any_of(layer.strokes.begin(), layer.strokes.end(), paints);
+}
+
+bool isShown(const TextureLayer& layer) {
+    return isLaid(layer) && !(layer.finish && layer.finish->hidesColour);
 }
 
 std::vector<std::string> paintingProblems(const TextureLayer& layer) {

@@ -56,6 +56,9 @@ bool projectsTheSame(const TextureLayer& a, const TextureLayer& b);
 /// Whether two layers show the same colours, whatever their names and their finish.
 bool looksTheSame(const TextureLayer& a, const TextureLayer& b);
 
+/// Whether a layer may lie somewhere on the surface, though perhaps without its colour.
+bool isLaid(const TextureLayer& layer);
+
 /// Whether a layer's colour can be seen anywhere.
 bool isShown(const TextureLayer& layer);
 

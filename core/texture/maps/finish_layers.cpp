@@ -6,12 +6,8 @@ namespace esm {
 
 namespace {
 
-/// Whether it can be seen, though perhaps not its colour.
 bool lendsFinish(const TextureLayer& layer) {
-    if (!layer.finish) return false;
-    TextureLayer coloured = layer;
-    coloured.finish.reset();
-    return isShown(coloured);
+    return layer.finish && isLaid(layer);
 }
 
 /// All that is laid has the layer's finish, whatever its colour and wherever that comes from.

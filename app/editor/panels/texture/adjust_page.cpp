@@ -26,13 +26,6 @@ NumberFormat numberFrom(double least, double most, double step, int decimals, co
     return format;
 }
 
-NumberFormat timesFormat() {
-    NumberFormat format = percentFormat(0, 2);
-    format.decimals = 0;
-    format.step = 0.01;
-    return format;
-}
-
 QString shownText(const NumberFormat& format, double value) {
     const QString number = decimalText(value * format.shownPerValue, format.decimals);
     return format.unit.isEmpty() ? number : number + QChar(0x202f) + format.unit;
@@ -47,9 +40,9 @@ AdjustPage::AdjustPage(PreparationEdits& edits, QWidget* parent)
     m_grid->setSpacing(8);
     add(tr("&Hue"), &ColourAdjustment::hue, "photoHue", numberFrom(-180, 180, 1, 0, QStringLiteral("°")), 360)
         .field->setToolTip(tr("Turns red towards yellow, or below zero towards magenta; brightness stays"));
-    add(tr("&Saturation"), &ColourAdjustment::saturation, "photoSaturation", timesFormat(), 200)
+    add(tr("&Saturation"), &ColourAdjustment::saturation, "photoSaturation", wholePercentFormat(2, 0.01), 200)
         .field->setToolTip(tr("From 0 %, grey, to 200 %, twice as colourful; brightness stays"));
-    add(tr("&Contrast"), &ColourAdjustment::contrast, "photoContrast", timesFormat(), 200)
+    add(tr("&Contrast"), &ColourAdjustment::contrast, "photoContrast", wholePercentFormat(2, 0.01), 200)
         .field->setToolTip(tr("How far dark and bright lie apart, about middle grey"));
     add(tr("&Black point"), &ColourAdjustment::blackPoint, "photoBlackPoint", numberFrom(0, 254, 1, 0), 254)
         .field->setToolTip(tr("What has this value of 0 to 255, or less, becomes black"));

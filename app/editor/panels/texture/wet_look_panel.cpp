@@ -22,10 +22,8 @@ constexpr int noFinish = 0, firstPreset = 1,
 constexpr std::size_t highlightsPlace = 2;
 
 NumberFormat reliefFormat() {
-    NumberFormat format;
-    format.unit = QStringLiteral("mm");
-    format.shownPerValue = 1000;
-    format.minimum = 0;
+    NumberFormat format = lengthFormat(0);
+    format.decimals = -1; // fine ones are thousandths of a millimetre
     format.maximum = deepestRelief;
     format.step = 0.00005;
     return format;

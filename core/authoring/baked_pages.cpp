@@ -1,11 +1,11 @@
-#include "core/exchange/package/package_pages.h"
+#include "core/authoring/baked_pages.h"
 
 #include "core/texture/layers/composite.h"
 #include "core/texture/maps/finish_pages.h"
 
 namespace esm {
 
-PackagePages packagePages(const Project& project, const Progress& progress) {
+BakedPages bakedPages(const Project& project, const Progress& progress) {
     if (!project.atlas) return {};
     ProgressParts parts(progress);
     const TextureSettings& settings = project.texture;
