@@ -49,21 +49,23 @@ Eigen::Vector4f seenCut(const CutPlane& cut, const Camera& camera) {
     return Eigen::Vector4d(-hidden.x(), -hidden.y(), -hidden.z(), left).cast<float>();
 }
 
-/// As an endoscope sets its exposure: what lies within 45° of the line of sight, hidden or not, is as bright
-/// in the mean as it would be at this distance. Light falls with the square of the distance, so that near
-/// tissue counts most. A thousand vertices tell it well enough.
+/// As an endoscope sets its exposure: the picture is as bright in the mean as what lies at this distance. A
+/// vertex counts by the room that it takes in the picture, which falls with the square of the distance as
+/// light does: near walls fill it, and hidden ones are mostly far. A few thousand vertices within 45° of the
+/// line of sight tell it.
 double exposedDistance(const Camera& camera, const std::vector<Eigen::Vector3d>& vertices) {
     constexpr double widestSeen = 0.7; // cosine of the angle to the line of sight
+    constexpr std::size_t mostAsked = 4000;
     const Eigen::Vector3d sight = (camera.target - camera.eye).normalized();
-    double brightness = 0;
-    int seen = 0;
-    for (std::size_t i = 0; i < vertices.size(); i += 1 + vertices.size() / 1000) {
+    double room = 0, brightness = 0;
+    for (std::size_t i = 0; i < vertices.size(); i += 1 + vertices.size() / mostAsked) {
         const Eigen::Vector3d way = vertices[i] - camera.eye;
         if (!(way.dot(sight) > widestSeen * way.norm())) continue;
-        brightness += 1 / way.squaredNorm();
-        ++seen;
+        const double share = 1 / way.squaredNorm();
+        room += share;
+        brightness += share * share;
     }
-    return seen > 0 ? std::sqrt(seen / brightness) : (camera.target - camera.eye).norm();
+    return brightness > 0 ? std::sqrt(room / brightness) : (camera.target - camera.eye).norm();
 }
 
 bool hasProjectedPhoto(const RenderScene& scene) {

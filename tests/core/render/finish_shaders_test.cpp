@@ -64,3 +64,18 @@ TEST(Finish, InAnEndoscopesLightFallsWithTheSquareOfTheDistance) {
     const double ofNear = linearGreen(picture, 200, 200), ofFar = linearGreen(picture, 200, 220);
     EXPECT_NEAR(ofNear / ofFar, 4, 0.4);
 }
+
+TEST(Finish, InAnEndoscopesLightIsNotBurntOutBesideANearWall) {
+    TriangleMesh walls = flatSquare(0.02, 20); // beside the eye, and a far end of as many vertices
+    const TriangleMesh end = flatSquare(0.4, 40);
+    for (Eigen::Vector3d& vertex : walls.vertices)
+        vertex.z() = 0.47;
+    const auto first = static_cast<std::uint32_t>(walls.vertices.size());
+    for (const Eigen::Vector3d& vertex : end.vertices)
+        walls.vertices.emplace_back(vertex.x(), vertex.y(), -0.5);
+    for (const Triangle& triangle : end.triangles)
+        walls.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+    const Image picture = seenFromFront(shiningScene(walls, {1, 0}, SceneLight::Endoscope));
+    EXPECT_LT(picture.at(200, 200)[0], 255);
+    EXPECT_GT(picture.at(200, 200)[0], 60);
+}
