@@ -146,7 +146,7 @@ Findings findingsOf(const MadePhoto& photo) {
 
 std::vector<Findings> allFindings(std::uint64_t seed) {
     const int step = isSanitized() ? 7 : 1;
-    std::vector<Findings> all((madePhotoCount + step - 1) / step);
+    std::vector<Findings> all(static_cast<std::size_t>((madePhotoCount + step - 1) / step));
     tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
         all[i] = findingsOf(madePhoto(static_cast<int>(i) * step, seed));
     });

@@ -3,6 +3,7 @@
 #include "core/authoring/packing.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
+#include "widgets/inputs/item_list.h"
 
 using namespace esm;
 
