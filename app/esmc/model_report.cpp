@@ -141,7 +141,12 @@ RepairReport countedAnew(const TriangleMesh& mesh) {
 } // namespace
 
 Report modelReport(const Project& project) {
-    return reportOf(*project.mesh, evaluateModel(project), *project.importReport, Repairs::Told);
+    Report report = reportOf(*project.mesh, evaluateModel(project), *project.importReport, Repairs::Told);
+    report.json["own_layout"] = !project.mesh->ownPlaces.empty();
+    if (!project.mesh->ownPlaces.empty())
+        report.text.emplace_back(
+            "texture coordinates of its own: texture pack --layout own lays photos by them");
+    return report;
 }
 
 Report modelReport(const ModelPackage& package) {

@@ -9,6 +9,8 @@
 #include "core/exchange/project/project_file.h"
 #include "core/exchange/project/projector_file.h"
 #include "core/support/errors.h"
+#include "core/support/joined.h"
+#include "core/texture/atlas/own_layout.h"
 #include "core/texture/layers/composite.h"
 #include "core/texture/texture_limits.h"
 
@@ -46,8 +48,9 @@ void declarePack(CLI::App& command, PackOptions& options) {
     addChoice(command, "--layout", options.atlas.layout,
               {{wordOf(AtlasLayout::Rows), AtlasLayout::Rows},
                {wordOf(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows},
-               {wordOf(AtlasLayout::UnfoldedGroups), AtlasLayout::UnfoldedGroups}},
-              "How triangles are laid side by side (matched_rows)");
+               {wordOf(AtlasLayout::UnfoldedGroups), AtlasLayout::UnfoldedGroups},
+               {wordOf(AtlasLayout::Own), AtlasLayout::Own}},
+              "How triangles are laid side by side (matched_rows); own: as the mesh's file has them");
 }
 
 /// @throws UsageError where no surface could be laid out like that, InvalidModel where this one cannot;
@@ -57,8 +60,10 @@ void packAs(const AtlasOptions& options, Project& project) {
     try {
         pack(project);
     } catch (const InvalidModel& problem) {
-        if (validate(options).empty()) throw;
-        throw UsageError(problem.what());
+        if (!validate(options).empty()) throw UsageError(problem.what());
+        if (options.layout != AtlasLayout::Own) throw;
+        throw InvalidModel(std::string(problem.what()) +
+                           "; --layout matched_rows packs the surface anew, without its own coordinates");
     }
     project.texture.atlas = project.atlas->options;
 }
@@ -85,6 +90,7 @@ Report runPack(const PackOptions& options, Context& context) {
                           inText(atlas.texelsPerMetre / 1000) + " pixels per mm");
     report.text.push_back(inText(100 * seams) + " % of the edges are seams");
     addWritten(report, options.output);
+    if (atlas.options.layout == AtlasLayout::Own) addWarnings(report, ownLayoutWarnings(*project.mesh));
     return report;
 }
 

@@ -17,7 +17,8 @@ Points scaled(Points points, double factor) {
 }
 
 std::shared_ptr<const TriangleMesh> scaled(const TriangleMesh& mesh, double factor) {
-    return std::make_shared<const TriangleMesh>(TriangleMesh{scaled(mesh.vertices, factor), mesh.triangles});
+    return std::make_shared<const TriangleMesh>(
+        TriangleMesh{scaled(mesh.vertices, factor), mesh.triangles, mesh.ownPlaces});
 }
 
 /// A binding's shares and turns do not depend on size. Rest lengths are scaled on their own, not taken anew

@@ -38,6 +38,11 @@ void appendMesh(const fs::path& file, const aiMesh& mesh, const Transform& trans
     if (mesh.mNumVertices > std::numeric_limits<std::uint32_t>::max() - soup.vertices.size())
         throw FileError(file, "has more vertices than can be numbered; export a coarser mesh");
     const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+    const auto placeOf = [&](std::uint32_t vertex) {
+        const aiVector3D& place =
+            mesh.mTextureCoords[0][vertex]; // v up, also of glTF, where files have it down
+        return Eigen::Vector2d(place.x, place.y);
+    };
     for (unsigned int i = 0; i < mesh.mNumVertices; ++i) {
         const aiVector3D& v = mesh.mVertices[i];
         soup.vertices.emplace_back(transform * Eigen::Vector4d(v.x, v.y, v.z, 1));
@@ -46,13 +51,16 @@ void appendMesh(const fs::path& file, const aiMesh& mesh, const Transform& trans
         const aiFace& face = mesh.mFaces[i];
         if (face.mNumIndices < 3) continue;
         std::vector<std::uint32_t> polygon(face.mIndices, face.mIndices + face.mNumIndices);
+        std::vector<Eigen::Vector2d> places;
         for (std::uint32_t& corner : polygon) {
             if (corner >= mesh.mNumVertices)
                 throw FileError(file, "has a face that names vertex " + std::to_string(corner) +
                                           ", but there are " + std::to_string(mesh.mNumVertices) +
                                           "; export it again");
+            if (mesh.HasTextureCoords(0)) places.push_back(placeOf(corner));
             corner += first;
         }
+        soup.places.push_back(std::move(places));
         soup.polygons.push_back(std::move(polygon));
     }
 }
@@ -123,6 +131,17 @@ void checkSurface(const fs::path& file, const PolygonSoup& soup) {
                                       " (counted from 0); mend it in the program that made it");
 }
 
+/// Places that are no numbers are none, and a file that has none at all has no list of them.
+void dropUselessPlaces(PolygonSoup& soup) {
+    bool hasPlaces = false;
+    for (std::vector<Eigen::Vector2d>& places : soup.places) {
+        if (std::any_of(places.begin(), places.end(), [](const auto& place) { return !place.allFinite(); }))
+            places.clear();
+        hasPlaces = hasPlaces || !places.empty();
+    }
+    if (!hasPlaces) soup.places.clear();
+}
+
 } // namespace
 
 PolygonSoup decodeMesh(const fs::path& file) {
@@ -138,6 +157,7 @@ PolygonSoup decodeMesh(const fs::path& file) {
                        : ending == "obj" ? parseObj(file, content)
                                          : readWithAssimp(file, faceCount);
     checkSurface(file, soup);
+    dropUselessPlaces(soup);
     return soup;
 }
 

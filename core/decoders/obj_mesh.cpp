@@ -9,8 +9,8 @@ namespace esm {
 
 namespace {
 
-/// Points and faces alone are read: vertices keep the numbers that the file gives them, so that what was
-/// welded stays so and what names no vertex can be told.
+/// Points, places in a texture and faces are read: vertices keep the numbers that the file gives them, so
+/// that what was welded stays so and what names no vertex can be told.
 class ObjParser {
 public:
     ObjParser(const std::filesystem::path& file, const Bytes& content) : m_file(file), m_lines(content) {}
@@ -22,12 +22,15 @@ public:
             const std::string_view keyword = takeWord(rest);
             if (keyword == "v")
                 addVertex(rest);
+            else if (keyword == "vt")
+                addPlace(rest);
             else if (keyword == "f")
                 addFace(rest);
         }
         if (m_soup.vertices.empty())
             throw FileError(m_file, "has no vertex; it is no OBJ file or an empty one; choose another");
         checkIndices();
+        placeCorners();
         return std::move(m_soup);
     }
 
@@ -58,6 +61,13 @@ private:
         m_soup.vertices.push_back(vertex);
     }
 
+    /// Height and depth may be left out. What is no number is told where a corner names it, by having no
+    /// place.
+    void addPlace(std::string_view rest) {
+        const auto u = wholeNumber<double>(takeWord(rest)), v = wholeNumber<double>(takeWord(rest));
+        m_places.emplace_back(u.value_or(unknown), v.value_or(u ? 0 : unknown));
+    }
+
     /// A corner is "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal"; a negative number
     /// counts back from the vertices read so far.
     std::uint32_t corner(std::string_view word) const {
@@ -69,11 +79,23 @@ private:
         return static_cast<std::uint32_t>(index);
     }
 
+    /// What a corner says of its place, counted from 0; −1 where it says nothing or names none.
+    std::int64_t placeOfCorner(std::string_view word) const {
+        const std::size_t slash = word.find('/');
+        if (slash == word.npos) return -1;
+        word.remove_prefix(slash + 1);
+        const auto number = wholeNumber<std::int64_t>(word.substr(0, word.find('/'))).value_or(0);
+        return number < 0 ? static_cast<std::int64_t>(m_places.size()) + number : number - 1;
+    }
+
     void addFace(std::string_view rest) {
         std::vector<std::uint32_t> polygon;
+        std::vector<std::int64_t>& places = m_placesOfFace.emplace_back();
         for (std::string_view word = takeWord(rest); !word.empty() && word.front() != '#';
-             word = takeWord(rest))
+             word = takeWord(rest)) {
             polygon.push_back(corner(word));
+            places.push_back(placeOfCorner(word));
+        }
         if (polygon.size() < 3) fail(m_lines.number(), "a face of fewer than three corners");
         m_soup.polygons.push_back(std::move(polygon));
         m_lineOfFace.push_back(m_lines.number());
@@ -89,9 +111,24 @@ private:
                                               std::to_string(m_soup.vertices.size()));
     }
 
+    /// A face has a place for each corner or none.
+    void placeCorners() {
+        for (const std::vector<std::int64_t>& ofFace : m_placesOfFace) {
+            std::vector<Eigen::Vector2d>& places = m_soup.places.emplace_back();
+            for (const std::int64_t place : ofFace)
+                if (place >= 0 && place < static_cast<std::int64_t>(m_places.size()))
+                    places.push_back(m_places[static_cast<std::size_t>(place)]);
+            if (places.size() < ofFace.size()) places.clear();
+        }
+    }
+
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
     const std::filesystem::path& m_file;
     TextLines m_lines;
     PolygonSoup m_soup;
+    std::vector<Eigen::Vector2d> m_places;
+    std::vector<std::vector<std::int64_t>> m_placesOfFace;
     std::vector<std::size_t> m_lineOfFace;
 };
 

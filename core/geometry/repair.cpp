@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace esm {
 
@@ -29,6 +30,8 @@ struct Workpiece {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> origins; ///< of each triangle, the file's that it is or is part of, or none
     std::vector<bool> isTurned;         ///< each triangle, against that one
+    /// Of the file's triangles, in its own texture; empty where it has none at all.
+    std::vector<std::optional<CornerPlaces>> places;
     RepairReport report;
     LeftOpen left;
 };
@@ -89,6 +92,23 @@ std::vector<std::uint32_t> weldedCorners(const std::vector<std::uint32_t>& polyg
     return corners;
 }
 
+/// Where the corners of a triangle of a polygon lie in the file's own texture. A vertex that stands in the
+/// polygon twice, as at the two sides of a slit, is taken for the first of them.
+std::optional<CornerPlaces> placesIn(const PolygonSoup& soup, std::size_t polygon, const Triangle& triangle,
+                                     const std::vector<std::uint32_t>& representatives) {
+    const std::vector<std::uint32_t>& corners = soup.polygons[polygon];
+    const std::vector<Eigen::Vector2d>& places = soup.places[polygon];
+    if (places.size() != corners.size()) return std::nullopt;
+    CornerPlaces found;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto corner = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t vertex) {
+            return representatives[vertex] == triangle[i];
+        });
+        found[i] = places[static_cast<std::size_t>(corner - corners.begin())];
+    }
+    return found;
+}
+
 bool hasEqualCorners(const Triangle& t) {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
@@ -109,7 +129,9 @@ void weldAndSplit(Workpiece& piece, double weldDistance, const Progress& progres
     for (std::uint32_t i = 0; i < representatives.size(); ++i)
         piece.report.mergedVertices += representatives[i] != i;
     std::vector<bool> used(representatives.size(), false);
-    for (const std::vector<std::uint32_t>& polygon : piece.soup.polygons) {
+    const bool hasPlaces = !piece.soup.places.empty();
+    for (std::size_t i = 0; i < piece.soup.polygons.size(); ++i) {
+        const std::vector<std::uint32_t>& polygon = piece.soup.polygons[i];
         for (const std::uint32_t vertex : polygon) {
             const std::uint32_t welded = representatives[vertex];
             if (!used[welded]) piece.order.push_back(welded);
@@ -120,33 +142,43 @@ void weldAndSplit(Workpiece& piece, double weldDistance, const Progress& progres
         piece.report.degenerateTriangles += polygon.size() - std::max<std::size_t>(corners.size(), 2);
         if (corners.size() < 3) continue;
         for (const Triangle& triangle : splitPolygon(piece.soup.vertices, corners))
-            if (hasEqualCorners(triangle))
+            if (hasEqualCorners(triangle)) {
                 ++piece.report.degenerateTriangles;
-            else
+            } else {
                 piece.triangles.push_back(triangle);
+                if (hasPlaces) piece.places.push_back(placesIn(piece.soup, i, triangle, representatives));
+            }
     }
 }
 
+/// @return how many
+std::size_t dropTriangles(Workpiece& piece, const std::vector<bool>& isDropped) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < isDropped.size(); ++i) {
+        if (isDropped[i]) continue;
+        if (!piece.places.empty()) piece.places[kept] = piece.places[i];
+        piece.triangles[kept++] = piece.triangles[i];
+    }
+    piece.triangles.resize(kept);
+    if (!piece.places.empty()) piece.places.resize(kept);
+    return isDropped.size() - kept;
+}
+
 void dropDegenerate(Workpiece& piece) {
-    const auto end =
-        std::remove_if(piece.triangles.begin(), piece.triangles.end(), [&piece](const Triangle& triangle) {
-            return hasNoArea(piece.soup.vertices, triangle);
-        });
-    piece.report.degenerateTriangles += static_cast<std::size_t>(piece.triangles.end() - end);
-    piece.triangles.erase(end, piece.triangles.end());
+    std::vector<bool> isDegenerate;
+    isDegenerate.reserve(piece.triangles.size());
+    for (const Triangle& triangle : piece.triangles)
+        isDegenerate.push_back(hasNoArea(piece.soup.vertices, triangle));
+    piece.report.degenerateTriangles += dropTriangles(piece, isDegenerate);
 }
 
 // Triangles are alike by their corners in any order: two that face each other on the same corners would be a
 // wall without thickness, whose springs are the same ones.
-void dropDuplicate(std::vector<Triangle>& triangles) {
-    std::vector<Triangle> sorted = triangles;
+void dropDuplicate(Workpiece& piece) {
+    std::vector<Triangle> sorted = piece.triangles;
     for (Triangle& triangle : sorted)
         std::sort(triangle.begin(), triangle.end());
-    const std::vector<bool> isRepeated = repeats(sorted);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-        if (!isRepeated[i]) triangles[kept++] = triangles[i];
-    triangles.resize(kept);
+    piece.report.duplicateTriangles = dropTriangles(piece, repeats(sorted));
 }
 
 std::size_t borderEdgeCount(const std::vector<Triangle>& triangles) {
@@ -155,9 +187,7 @@ std::size_t borderEdgeCount(const std::vector<Triangle>& triangles) {
 
 void dropDegenerateAndDuplicate(Workpiece& piece) {
     dropDegenerate(piece);
-    const std::size_t before = piece.triangles.size();
-    dropDuplicate(piece.triangles);
-    piece.report.duplicateTriangles = before - piece.triangles.size();
+    dropDuplicate(piece);
     piece.origins.resize(piece.triangles.size());
     std::iota(piece.origins.begin(), piece.origins.end(), 0U);
     piece.isTurned.assign(piece.triangles.size(), false);
@@ -254,6 +284,30 @@ std::size_t usedVertexCount(const Workpiece& piece) {
     return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
 }
 
+/// A texture of its own is kept as a whole or not at all: one that knows no place of some triangles cannot be
+/// painted there.
+/// @return of each triangle; empty where any has none
+std::vector<CornerPlaces> keptPlaces(const Workpiece& piece, std::vector<std::string>& warnings) {
+    if (piece.places.empty()) return {};
+    std::vector<std::size_t> times(piece.places.size(), 0);
+    for (const std::uint32_t origin : piece.origins)
+        if (origin != noIndex) ++times[origin];
+    std::vector<CornerPlaces> kept;
+    kept.reserve(piece.triangles.size());
+    for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+        const std::uint32_t origin = piece.origins[i];
+        if (origin == noIndex || times[origin] > 1 || !piece.places[origin]) continue; // new, divided, bare
+        kept.push_back(*piece.places[origin]);
+        if (piece.isTurned[i]) std::swap(kept.back()[1], kept.back()[2]);
+    }
+    if (kept.size() == piece.triangles.size()) return kept;
+    warnings.push_back("the texture coordinates of the file were dropped: " +
+                       std::to_string(piece.triangles.size() - kept.size()) + " of " +
+                       std::to_string(piece.triangles.size()) +
+                       " triangles have none, in the file or since slits were closed or holes filled");
+    return {};
+}
+
 /// Numbers the vertices that are left in the order in which the polygons first use them, corner by corner.
 /// Numbers then hang on the faces alone: two files of one surface that list their points in another order
 /// come to the same nodes.
@@ -286,7 +340,7 @@ RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options, const
     ProgressParts parts(progress);
     reportProgress(progress, 0);
     check(soup, options);
-    Workpiece piece{soup, soup.vertices, {}, {}, {}, {}, {}, {}};
+    Workpiece piece{soup, soup.vertices, {}, {}, {}, {}, {}, {}, {}};
     RepairReport& report = piece.report;
     weldAndSplit(piece, options.weldDistance, parts.next(0.3));
 
@@ -307,7 +361,9 @@ RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options, const
     report.flippedTriangles = turnedTriangles(piece);
     if (after.boundary > 0) piece.left.looseEdges = bordersOf(piece.triangles).looseEdges;
     report.warnings = repairWarnings(report, piece.left);
+    std::vector<CornerPlaces> places = keptPlaces(piece, report.warnings);
     RepairedMesh mesh{numbered(piece), report};
+    mesh.mesh.ownPlaces = std::move(places);
     reportProgress(progress, 1);
     return mesh;
 }

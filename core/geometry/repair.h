@@ -34,7 +34,8 @@ struct RepairedMesh {
 /// drops degenerate and duplicate triangles and unused vertices, makes neighbouring triangles agree in
 /// orientation and closed parts face outwards. Slits are closed and holes filled where that is asked for; all
 /// other open borders, and non-manifold edges, are kept and counted. A part is what hangs together once slits
-/// are closed.
+/// are closed. Places in a texture of the soup's own go with their triangles; where one is left without, all
+/// are dropped with a warning.
 /// @throws InvalidModel with every coordinate that is not finite or beyond 10¹² and every face that names a
 /// missing vertex or has too few or too many corners; with options beyond their limits; or when no triangle
 /// remains

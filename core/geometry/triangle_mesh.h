@@ -18,11 +18,18 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>; ///< vertex indices, the s
 /// Marks a vertex or triangle that has no number.
 inline constexpr std::uint32_t noIndex = std::numeric_limits<std::uint32_t>::max();
 
+/// Where a triangle's corners lie in a picture, by parts of its width and height: u to the right, v up, (0,
+/// 0) its lower left corner.
+using CornerPlaces = std::array<Eigen::Vector2d, 3>;
+
 /// An organ's surface. Immutable once built: held by `std::shared_ptr<const TriangleMesh>` and replaced
 /// whole.
 struct TriangleMesh {
     std::vector<Eigen::Vector3d> vertices; ///< m
     std::vector<Triangle> triangles;
+    /// Per triangle, in the texture for which the surface was made (its own UVs); empty where it brought
+    /// none.
+    std::vector<CornerPlaces> ownPlaces = {};
 };
 
 /// The box that holds every point; empty (`isEmpty()`) without points.
@@ -49,7 +56,8 @@ double sixfoldVolume(const std::vector<Eigen::Vector3d>& vertices, const Triangl
 std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& positions,
                                            const std::vector<Triangle>& triangles);
 
-/// Points without a finite position, triangles with a corner that does not exist.
+/// Points without a finite position, triangles with a corner that does not exist, or without finite own
+/// places where others have some.
 std::vector<std::string> validate(const TriangleMesh& mesh);
 
 } // namespace esm

@@ -267,7 +267,10 @@ class Package:
         needed = 5 if soft else 4 if extended else 3 if "stiffening" in self.json else 2 if "binding" in self.json else 1
         if "starts" in self.json.get("binding", {}):
             needed = 6
-        check(self.json["version"] in (needed, 6), "another version of the extension")  # 6: springs of their own
+        self.is_own_layout = "layout" in self.json.get("texture", {})
+        known = (7,) if self.is_own_layout else (needed, 6)  # 6: springs of their own
+        check(self.json["version"] in known, "another version of the extension")
+        check(not self.is_own_layout or self.json["texture"]["layout"] == "own", "an unknown layout")
         check(self.json["damping"] == "isotropic", "another damping")
         self.nodes, self.springs = self.json["nodes"], self.json["springs"]
         self.node_count, self.spring_count = self.nodes["count"], self.springs["count"]
@@ -367,6 +370,7 @@ class Package:
                 continue
             triangles, indices = self.gltf.array(part["triangles"]), self.gltf.array(primitive["indices"])
             shown += triangles
+            self.check_sharing(primitive["attributes"], len(positions) // 3, len(triangles))
             check(len(indices) == 3 * len(triangles), "a drawn triangle belongs to no triangle of the surface")
             for i, drawn in enumerate(indices):
                 vertex = self.triangles[3 * triangles[i // 3] + i % 3]
@@ -375,6 +379,17 @@ class Package:
                 check(nodes[drawn] == self.vertex_nodes[vertex], "corner %d follows another node" % i)
                 check(not self.binding or vertices[drawn] == vertex, "corner %d is another vertex" % i)
         check(sorted(shown) == list(range(len(self.triangles) // 3)), "not every triangle is drawn once")
+
+    def check_sharing(self, attributes, vertices, triangles):
+        """Places of their own for all corners, or one vertex for all corners that are alike."""
+        if "TEXCOORD_0" not in attributes:
+            return
+        places, positions = self.gltf.array(attributes["TEXCOORD_0"]), self.gltf.array(attributes["POSITION"])
+        alike = {(*positions[3 * i:3 * i + 3], *places[2 * i:2 * i + 2]) for i in range(vertices)}
+        if self.is_own_layout:
+            check(len(alike) == vertices, "a drawn vertex is there twice")
+        else:
+            check(vertices == 3 * triangles, "a triangle shares vertices")
 
     def counts(self):
         return {"nodes": self.node_count, "springs": self.spring_count, "triangles": len(self.triangles) // 3,

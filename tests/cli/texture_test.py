@@ -6,6 +6,7 @@ import struct
 import subprocess
 import time
 import unittest
+import zipfile
 import zlib
 from pathlib import Path
 
@@ -342,6 +343,46 @@ class TextureTest(Case):
         self.assertTrue(all(abs(deep / 257 - value) <= 0.501 for value, deep in channels))
         self.assertTrue(any(deep % 257 for value, deep in channels))
         self.fails(2, "texture", "bake", project, "--bits", "12", "-o", self.file("textures"))
+
+    # Two squares beside each other, each on a half of the picture, the second one upside down.
+    OWN = ("v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nv 0.2 0 0\nv 0.2 0.1 0\nvt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 0 1\nvt 1 0\nvt 1 1\n"
+           "f 1/1 2/2 3/3 4/4\nf 2/6 5/3 6/2 3/5\n")
+
+    def imported(self, content):
+        project = self.file("own.esm")
+        self.done("import", self.file("own.obj", content), "-o", project)
+        return project
+
+    def test_lays_out_by_the_meshs_own_coordinates_and_hands_them_over(self):
+        project, package = self.imported(self.OWN), self.file("own.glb")
+        self.assertIs(self.done("info", project)["own_layout"], True)
+        packed = self.done("texture", "pack", project, "--layout", "own", "--size", "256", "-o", project)
+        self.assertEqual((packed["layout"], packed["utilisation"], packed["warnings"]), ("own", 1, []))
+        self.assertAlmostEqual(packed["texels_per_metre"], 256 / math.sqrt(0.02))
+        self.assertAlmostEqual(packed["seam_share"], 1 / 3)
+        self.photographed(project, width=0.5, height=0.5)
+        self.assertEqual(self.done("validate", project)["problems"], [])
+        self.done("export", project, "--to", "glb", "-o", package)
+        self.assertEqual(self.done("validate", package)["problems"], [])
+        again = self.file("again.esm")  # glTF counts v from the top: read back, it must come out the same
+        self.done("import", package, "-o", again)
+        with zipfile.ZipFile(project) as ours, zipfile.ZipFile(again) as theirs:
+            self.assertEqual(ours.read("mesh/own-places.f64"), theirs.read("mesh/own-places.f64"))
+
+    def test_coordinates_that_cannot_be_painted_are_refused_with_what_to_do(self):
+        cases = {self.OWN.replace("vt 1 1", "vt 1.5 1"): "1 triangle whose texture coordinates leave the picture",
+                 self.OWN.replace("2/6 5/3 6/2 3/5", "2/1 5/2 6/3 3/4"): "lie over each other on 50.0 % of the area",
+                 re.sub("/[0-9]", "", self.OWN): "brought no texture coordinates"}
+        for content, message in cases.items():
+            project = self.imported(content)
+            before = project.read_bytes()
+            said = self.fails(1, "texture", "pack", project, "--layout", "own", "-o", project, naming="--layout matched_rows")
+            self.assertIn(message, said)
+            self.assertEqual(project.read_bytes(), before)
+        self.assertIs(self.done("info", project)["own_layout"], False)
+        half = self.OWN.replace("2/6 5/3 6/2 3/5", "2 5 6 3")
+        dropped = self.done("import", self.file("own.obj", half), "-o", project)["warnings"]
+        self.assertIn("dropped: 2 of 4 triangles have none", " ".join(dropped))
 
     def test_bakes_and_hands_over_jpegs(self):
         project, folder = self.sample("liver"), self.file("textures")

@@ -224,6 +224,27 @@ Project softProject() {
     return project;
 }
 
+// Squares lie in rows around the ring; the last of a row, and the last row, end where the first begin.
+Project ownLayoutProject() {
+    constexpr std::uint32_t rings = 8, segments = 6;
+    Project project = richProject(rings);
+    auto mesh = std::make_shared<TriangleMesh>(*project.mesh);
+    for (std::uint32_t i = 0; i < mesh->triangles.size(); ++i) {
+        CornerPlaces& places = mesh->ownPlaces.emplace_back();
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            std::uint32_t ring = mesh->triangles[i][corner] / segments,
+                          segment = mesh->triangles[i][corner] % segments;
+            if (ring == 0 && i / 2 / segments == rings - 1) ring = rings;
+            if (segment == 0 && i / 2 % segments == segments - 1) segment = segments;
+            places[corner] = {ring / static_cast<double>(rings), segment / static_cast<double>(segments)};
+        }
+    }
+    project.mesh = mesh;
+    project.texture.atlas = {128, 1, 1, AtlasLayout::Own};
+    project.atlas = std::make_shared<Atlas>(packAtlas(*mesh, project.texture.atlas));
+    return project;
+}
+
 Project paintedProject() {
     Project project = richProject();
     const auto stroke = [](BrushKind kind) {

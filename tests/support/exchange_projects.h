@@ -38,6 +38,10 @@ Project softProject();
 /// The same organ with strokes of every brush, layers that blend in every way and one without a photo.
 Project paintedProject();
 
+/// The same organ with texture coordinates that unroll the ring onto a picture, laid out by them: 15 of its
+/// vertices lie at two places or more there, which makes 63 of 48.
+Project ownLayoutProject();
+
 /// Nodes and springs without a surface, as the uterus' motion model.
 Project bareProject();
 

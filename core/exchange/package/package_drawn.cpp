@@ -219,6 +219,13 @@ std::shared_ptr<Atlas> DrawnReader::readAtlas(const JsonReader& texture, std::si
         static_cast<int>(texture.member("size").integer(1, texture_limits::largestPageSize));
     atlas->options.pages = static_cast<int>(pages);
     atlas->options.gap = static_cast<int>(texture.member("gap").integer(0, texture_limits::largestPageSize));
+    atlas->options.layout = AtlasLayout::MatchedRows; // as far as a package tells: undistorted
+    if (texture.has("layout")) {
+        const auto layout = fromWord<AtlasLayout>(texture.member("layout").text());
+        if (layout != AtlasLayout::Own)
+            texture.member("layout").addProblem("should be \"own\" where it is told");
+        atlas->options.layout = AtlasLayout::Own;
+    }
     for (const std::string& problem : validate(atlas->options))
         texture.addProblem("is not usable: " + problem);
     atlas->texelsPerMetre = texture.member("texelsPerMetre").number();

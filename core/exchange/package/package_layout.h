@@ -12,6 +12,9 @@ constexpr int versionOfOwnValues = 6;
 /// The first version in which more than three nodes may carry a vertex.
 constexpr int versionOfWideBindings = 6;
 
+/// The first version whose triangles may lie stretched in the texture.
+constexpr int versionOfOwnLayouts = 7;
+
 /// Pixels, width and height of the preview picture.
 constexpr int largestPreview = 4096;
 

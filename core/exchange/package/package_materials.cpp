@@ -34,10 +34,12 @@ Json texture(std::size_t place) {
 } // namespace
 
 Json textureOf(const Atlas& atlas) {
-    return {{"size", atlas.options.size},
-            {"gap", atlas.options.gap},
-            {"texelsPerMetre", atlas.texelsPerMetre},
-            {"utilisation", atlas.utilisation}};
+    Json json{{"size", atlas.options.size},
+              {"gap", atlas.options.gap},
+              {"texelsPerMetre", atlas.texelsPerMetre},
+              {"utilisation", atlas.utilisation}};
+    if (atlas.options.layout == AtlasLayout::Own) json["layout"] = wordOf(AtlasLayout::Own);
+    return json;
 }
 
 /// A viewer that does not know the extension shows the tissue under the film, which shines by its own
@@ -65,18 +67,20 @@ Json materialOf(const MaterialTextures& textures, const std::array<std::uint8_t,
     return material;
 }
 
-std::vector<float> cornerTangents(const TriangleMesh& mesh, const Atlas& atlas,
-                                  const std::vector<Eigen::Vector3d>& normals,
+std::vector<float> vertexTangents(const TriangleMesh& mesh, const Atlas& atlas, const PageVertices& drawn,
                                   const std::vector<std::uint32_t>& triangles) {
+    std::vector<Eigen::Vector3d> sums(drawn.normals.size(), Eigen::Vector3d::Zero());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Eigen::Vector3d tangent = patchFrame(mesh, atlas, triangles[i]).tangent;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            sums[drawn.corners[3 * i + corner]] += tangent;
+    }
     std::vector<float> tangents;
-    tangents.reserve(12 * triangles.size());
-    for (const std::uint32_t triangle : triangles) {
-        const PatchFrame frame = patchFrame(mesh, atlas, triangle);
-        for (const std::uint32_t vertex : mesh.triangles[triangle]) {
-            const Eigen::Vector3d tangent = across(normals[vertex], frame.tangent);
-            for (const double value : {tangent.x(), tangent.y(), tangent.z(), frame.handedness})
-                tangents.push_back(static_cast<float>(value));
-        }
+    tangents.reserve(4 * sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const Eigen::Vector3d tangent = across(drawn.normals[i], sums[i]);
+        for (const double value : {tangent.x(), tangent.y(), tangent.z(), drawn.handedness[i]})
+            tangents.push_back(static_cast<float>(value));
     }
     return tangents;
 }

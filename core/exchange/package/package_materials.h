@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/geometry/triangle_mesh.h"
+#include "core/exchange/package/page_vertices.h"
 #include "core/support/json_reader.h"
-#include "core/texture/atlas/atlas.h"
 #include "core/texture/finish/surface_finish.h"
 
 #include <optional>
@@ -27,11 +26,11 @@ struct MaterialTextures {
 nlohmann::ordered_json materialOf(const MaterialTextures& textures, const std::array<std::uint8_t, 3>& colour,
                                   const std::optional<SurfaceFinish>& finish);
 
-/// Of every corner of some triangles: in which direction on the surface its normal map's x points, of length
-/// 1 and at right angles to the vertex's normal, and the side on which y is, 1 or −1, as glTF has it.
-/// @param normals of the mesh's vertices
-std::vector<float> cornerTangents(const TriangleMesh& mesh, const Atlas& atlas,
-                                  const std::vector<Eigen::Vector3d>& normals,
+/// Of every vertex that is drawn of a page: in which direction on the surface its normal map's x points, the
+/// mean of the triangles that share it, of length 1 and at right angles to the vertex's normal, and the side
+/// on which y is, 1 or −1, as glTF has it.
+/// @param triangles of the page
+std::vector<float> vertexTangents(const TriangleMesh& mesh, const Atlas& atlas, const PageVertices& drawn,
                                   const std::vector<std::uint32_t>& triangles);
 
 } // namespace esm

@@ -187,6 +187,8 @@ Json PackageBuilder::binding() {
 }
 
 int PackageBuilder::version() const {
+    if (m_from.pages.colours && m_from.project.atlas->options.layout == AtlasLayout::Own)
+        return package_layout::versionOfOwnLayouts;
     if (hasOwnValues(m_from.tissue)) return package_layout::versionOfOwnValues;
     if (isBound() && needsStarts(*m_network.binding)) return package_layout::versionOfWideBindings;
     const bool stiffens = m_from.tissue.stiffening.has_value();
@@ -261,8 +263,6 @@ Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t
     reportProgress(progress, 0);
     const PageVertices vertices = pageVertices(m_from.project, m_normals, triangles);
     reportProgress(parts.next(0.1), 1);
-    std::vector<std::uint32_t> indices(vertices.nodes.size());
-    std::iota(indices.begin(), indices.end(), 0U);
     Json attributes;
     attributes["POSITION"] = m_arrays.addFloats(coordinates(vertices.positions, "coordinate"), GltfType::Vec3,
                                                 GltfTarget::Vertices);
@@ -271,11 +271,11 @@ Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t
         m_arrays.addFloats(coordinates(vertices.normals, "normal"), GltfType::Vec3, GltfTarget::Vertices);
     reportProgress(parts.next(0.1), 1);
     attributes["TEXCOORD_0"] = m_arrays.addFloats(vertices.places, GltfType::Vec2, GltfTarget::Vertices);
-    const std::size_t order = m_arrays.addIndices(indices, GltfTarget::Indices);
+    const std::size_t order = m_arrays.addIndices(vertices.corners, GltfTarget::Indices);
     const MaterialTextures textures = addTextures(page, parts.next(0.6));
     if (textures.normals)
         attributes["TANGENT"] =
-            m_arrays.addFloats(cornerTangents(m_mesh, *m_from.project.atlas, m_normals, triangles),
+            m_arrays.addFloats(vertexTangents(m_mesh, *m_from.project.atlas, vertices, triangles),
                                GltfType::Vec4, GltfTarget::Vertices);
     reportProgress(parts.rest(), 0);
     addMaterial(textures);

@@ -178,10 +178,22 @@ private:
     std::uint64_t m_pixels = texture_limits::mostPixelsOfAllPhotos;
 };
 
+std::vector<std::array<Eigen::Vector2d, 3>> flatTriangles(const std::vector<double>& numbers) {
+    std::vector<std::array<Eigen::Vector2d, 3>> triangles;
+    triangles.reserve(numbers.size() / 6);
+    for (std::size_t i = 0; i < numbers.size(); i += 6)
+        triangles.push_back({Eigen::Vector2d(numbers[i], numbers[i + 1]),
+                             {numbers[i + 2], numbers[i + 3]},
+                             {numbers[i + 4], numbers[i + 5]}});
+    return triangles;
+}
+
 std::shared_ptr<const TriangleMesh> readMesh(const JsonReader& arrays, Source& source) {
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->vertices = pointsOf(source.numbers(arrays, layout::meshVertices, 3));
     mesh->triangles = trianglesOf(source.indices(arrays, layout::meshTriangles, 3, mesh->vertices.size()));
+    if (arrays.has(layout::meshPlaces))
+        mesh->ownPlaces = flatTriangles(source.numbers(arrays, layout::meshPlaces, 6));
     return mesh;
 }
 
@@ -228,10 +240,7 @@ std::shared_ptr<const Atlas> readAtlas(const JsonReader& reader, const JsonReade
     auto atlas = std::make_shared<Atlas>();
     atlas->options = readOptions(reader, atlasFields(layout::askedOfAtlas));
     readFields(reader, *atlas);
-    const std::vector<double> c = source.numbers(arrays, layout::atlasCorners, 6);
-    for (std::size_t i = 0; i < c.size(); i += 6)
-        atlas->corners.push_back(
-            {Eigen::Vector2d(c[i], c[i + 1]), {c[i + 2], c[i + 3]}, {c[i + 4], c[i + 5]}});
+    atlas->corners = flatTriangles(source.numbers(arrays, layout::atlasCorners, 6));
     const auto pages = static_cast<std::size_t>(atlas->options.pages);
     for (const std::uint32_t page : source.indices(arrays, layout::atlasPages, 1, pages))
         atlas->page.push_back(static_cast<std::uint16_t>(page));
@@ -314,8 +323,9 @@ Project readContent(const JsonReader& manifest, Source& source) {
     Project project;
     const JsonReader arrays = manifest.member("arrays");
     project.name = manifest.member("name").text();
-    project.mesh = source.shared<TriangleMesh>("mesh", {layout::meshVertices, layout::meshTriangles},
-                                               [&] { return readMesh(arrays, source); });
+    project.mesh =
+        source.shared<TriangleMesh>("mesh", {layout::meshVertices, layout::meshTriangles, layout::meshPlaces},
+                                    [&] { return readMesh(arrays, source); });
     project.network =
         source.shared<SpringNetwork>("network", networkEntries, [&] { return readNetwork(arrays, source); });
     project.importReport = readReport(manifest.member("importReport"), source);

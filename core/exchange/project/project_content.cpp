@@ -50,11 +50,23 @@ struct Arrays {
     }
 };
 
+std::vector<double> numbersOf(const std::vector<std::array<Eigen::Vector2d, 3>>& triangles) {
+    std::vector<double> numbers;
+    numbers.reserve(6 * triangles.size());
+    for (const auto& triangle : triangles)
+        for (const Eigen::Vector2d& corner : triangle)
+            numbers.insert(numbers.end(), {corner.x(), corner.y()});
+    return numbers;
+}
+
 void addMesh(const std::shared_ptr<const TriangleMesh>& mesh, Arrays& arrays) {
     arrays.add(layout::meshVertices, mesh, 3 * mesh->vertices.size(),
                [](const TriangleMesh& m) { return coordinatesOf(m.vertices); });
     arrays.add(layout::meshTriangles, mesh, 3 * mesh->triangles.size(),
                [](const TriangleMesh& m) { return cornersOf(m.triangles); });
+    if (!mesh->ownPlaces.empty())
+        arrays.add(layout::meshPlaces, mesh, 6 * mesh->ownPlaces.size(),
+                   [](const TriangleMesh& m) { return numbersOf(m.ownPlaces); });
 }
 
 std::vector<std::uint32_t> endsOf(const SpringNetwork& network) {
@@ -100,16 +112,9 @@ void addBinding(const Network& network, Arrays& arrays) {
                [](const SpringNetwork& n) { return numbersOf(*n.binding).lines; });
 }
 
-std::vector<double> cornersOfAtlas(const Atlas& atlas) {
-    std::vector<double> corners;
-    for (const auto& triangle : atlas.corners)
-        for (const Eigen::Vector2d& corner : triangle)
-            corners.insert(corners.end(), {corner.x(), corner.y()});
-    return corners;
-}
-
 Json addAtlas(const std::shared_ptr<const Atlas>& atlas, Arrays& arrays) {
-    arrays.add(layout::atlasCorners, atlas, 6 * atlas->corners.size(), cornersOfAtlas);
+    arrays.add(layout::atlasCorners, atlas, 6 * atlas->corners.size(),
+               [](const Atlas& a) { return numbersOf(a.corners); });
     arrays.add(layout::atlasPages, atlas, atlas->page.size(),
                [](const Atlas& a) { return std::vector<std::uint32_t>(a.page.begin(), a.page.end()); });
     Json json = writtenFields(atlas->options, PlainForms(), atlasFields(layout::askedOfAtlas));

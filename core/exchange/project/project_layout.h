@@ -9,6 +9,7 @@ constexpr const char* format = "esm-project";
 constexpr const char* manifest = "manifest.json";
 constexpr const char* meshVertices = "mesh/vertices.f64";
 constexpr const char* meshTriangles = "mesh/triangles.u32";
+constexpr const char* meshPlaces = "mesh/own-places.f64";
 constexpr const char* networkNodes = "network/nodes.f64";
 constexpr const char* networkSprings = "network/springs.u32";
 constexpr const char* networkRestLengths = "network/rest-lengths.f64";

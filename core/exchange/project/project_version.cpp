@@ -42,6 +42,11 @@ bool needsRetouching(const TextureLayer& layer) {
     return blendsAnew || isPaintedAnew || layer.preparation.adjustment != ColourAdjustment();
 }
 
+bool needsOwnLayout(const Project& project) {
+    return !project.mesh->ownPlaces.empty() || project.texture.atlas.layout == AtlasLayout::Own ||
+           (project.atlas && project.atlas->options.layout == AtlasLayout::Own);
+}
+
 bool needsLandmarks(const TextureLayer& layer) {
     return !layer.landmarks.empty();
 }
@@ -68,6 +73,7 @@ int projectVersionOf(const Project& project) {
     needs.instruments = !hasPlainInstrument(project.scene);
     needs.splits = !project.scene.splits.empty();
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);
+    needs.ownLayout = needsOwnLayout(project);
     return versionOf(needs);
 }
 

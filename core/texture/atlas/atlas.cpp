@@ -3,6 +3,7 @@
 #include "core/geometry/adjacency.h"
 #include "core/support/errors.h"
 #include "core/texture/atlas/matched_rows.h"
+#include "core/texture/atlas/own_layout.h"
 #include "core/texture/atlas/row_layout.h"
 #include "core/texture/atlas/scale_search.h"
 #include "core/texture/atlas/unfolded_groups.h"
@@ -200,6 +201,11 @@ Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options, const Pro
     if (!(shapes.area > 0) || !std::isfinite(shapes.area))
         throw InvalidModel("the model has no surface to lay out; textures need triangles with an area");
     reportProgress(progress, 0);
+    if (options.layout == AtlasLayout::Own) {
+        Atlas own = ownLayout(mesh, options);
+        reportProgress(progress, 1);
+        return own;
+    }
     ScaledLayout best = options.texelsPerMetre > 0 ? asDenseAsAsked(mesh, shapes, options, progress)
                                                    : largest(mesh, shapes, options, progress);
     Atlas atlas;

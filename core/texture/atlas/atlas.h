@@ -17,13 +17,15 @@ enum class AtlasLayout {
     MatchedRows,    ///< rows in which slants are matched and patches may be mirrored
     UnfoldedGroups, ///< neighbours unfolded together into the plane, so that only edges between groups are
                     ///< seams
+    Own,            ///< the mesh's own, for which it was made: triangles stretched as its maker left them
 };
+/// Those that any surface can have.
 constexpr std::array<AtlasLayout, 3> atlasLayouts{AtlasLayout::Rows, AtlasLayout::MatchedRows,
                                                   AtlasLayout::UnfoldedGroups};
 template<>
 inline constexpr auto wordsOf<AtlasLayout> =
     std::array{Word{AtlasLayout::Rows, "rows"}, Word{AtlasLayout::MatchedRows, "matched_rows"},
-               Word{AtlasLayout::UnfoldedGroups, "unfolded_groups"}};
+               Word{AtlasLayout::UnfoldedGroups, "unfolded_groups"}, Word{AtlasLayout::Own, "own"}};
 
 struct AtlasOptions {
     int size = 2048; ///< pixels, width and height of a page
@@ -53,11 +55,12 @@ template<> inline constexpr auto fieldsOf<AtlasOptions> = atlasFields("texelsPer
 
 /// Where every triangle lies in texture space: similar to its 3-D shape, one scale for all [R 4.3.2], in a
 /// patch of its own or, in unfolded groups, in one with neighbours whose edges it shares there too. A
-/// degenerate triangle has a defined place without area.
+/// degenerate triangle has a defined place without area. In the mesh's own layout triangles are neither
+/// similar to their shapes nor of one scale, and keep no gap.
 struct Atlas {
     AtlasOptions options;
-    double texelsPerMetre = 0;
-    double utilisation = 0; ///< area of the patches over the area of the pages
+    double texelsPerMetre = 0; ///< of the whole: the root of the patches' area over the surface's
+    double utilisation = 0;    ///< area of the patches over the area of the pages
     std::vector<std::array<Eigen::Vector2d, 3>>
         corners;                     ///< per triangle, pixels from the page's top left corner
     std::vector<std::uint16_t> page; ///< per triangle
@@ -68,7 +71,8 @@ inline constexpr auto fieldsOf<Atlas> = fieldTable(field("texelsPerMetre", &Atla
                                                    field("utilisation", &Atlas::utilisation));
 
 /// As large as the pages allow, or as large as asked for. @throws InvalidModel when size, pages or gap cannot
-/// hold the mesh, naming the smallest size that can; Cancelled
+/// hold the mesh, naming the smallest size that can, and for the mesh's own layout with all that keeps it
+/// from being painted (`ownLayoutProblems()`); Cancelled
 Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options, const Progress& progress = {});
 
 /// Of the edges that two triangles share, the part that is a seam: the two do not lie at it side by side.

@@ -150,6 +150,7 @@ double filledGap(const AtlasOptions& options) {
 /// After one halving more than l, a texel is as wide as 2·2ˡ of the page's. The filter reads that far beyond
 /// its place, which must be no more than half of the gap: 4·2ˡ ≤ gap. A gap of 8 allows two halvings.
 int usableLevels(const AtlasOptions& options) {
+    if (options.layout == AtlasLayout::Own) return 0;
     int levels = 0;
     while (levels < mostLevels && 4 << levels <= filledGap(options) && options.size % (2 << levels) == 0)
         ++levels;

@@ -13,7 +13,7 @@ namespace esm {
 double filledGap(const AtlasOptions& options);
 
 /// How often a page can be halved before the bilinear filter, which reads a texel around its place, reaches
-/// beyond the middle of the gap into a neighbour's border.
+/// beyond the middle of the gap into a neighbour's border. Never in a mesh's own layout, which keeps no gap.
 int usableLevels(const AtlasOptions& options);
 
 /// Texels by which a place is moved into its patch where a page halved so often is read, so that the wide

@@ -195,6 +195,35 @@ TEST_F(ModelPackageFile, IsReadByTheReaderOfTheSpecification) {
     EXPECT_EQ(json["stiffening"], writtenFields(*biphasicProject().base.stiffening));
 }
 
+TEST_F(ModelPackageFile, KeepsTheMeshsOwnLayoutAndItsSharedVertices) {
+    const Project project = ownLayoutProject();
+    expectReadIndependently(project, m_folder.path());
+    const ModelPackage package = exported(project);
+    EXPECT_EQ(package.atlas->options.layout, AtlasLayout::Own);
+    const Json gltf = parseGlb(readFile(m_file)).json;
+    EXPECT_EQ(gltf["extensions"]["ESM_spring_mass"]["version"], 7);
+    EXPECT_EQ(gltf["extensions"]["ESM_spring_mass"]["texture"]["layout"], "own");
+    const Json& positions = gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+    EXPECT_EQ(gltf["accessors"][positions.get<std::size_t>()]["count"], 63)
+        << "15 more than the surface's, where it was cut";
+    for (std::size_t i = 0; i < project.atlas->corners.size(); ++i)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            EXPECT_LT((package.atlas->corners[i][corner] - project.atlas->corners[i][corner]).norm(), 1e-4);
+}
+
+TEST_F(ModelPackageFile, AnUnknownLayoutOrTooLowAVersionForItsOwnIsNamed) {
+    exportPackage(ownLayoutProject(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    Json& extension = glb.json["extensions"]["ESM_spring_mass"];
+    extension["version"] = 6;
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("version should be 7"));
+    extension["version"] = 7;
+    extension["texture"]["layout"] = "spiral";
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("texture.layout should be"));
+}
+
 TEST_F(ModelPackageFile, SpreadsTheTextureOverPages) {
     Project project = richProject(24);
     project.texture.atlas = {96, 3, 2};

@@ -1,10 +1,17 @@
 #include "app/editor/panels/texture/atlas_panel.h"
 
+#include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/long_work.h"
+#include "core/support/errors.h"
+#include "core/texture/atlas/own_layout.h"
 #include "core/texture/texture_limits.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
+
+#include <QMessageBox>
+#include <QPushButton>
 
 namespace esm {
 
@@ -20,6 +27,22 @@ NumberFormat texelFormat() {
     return format;
 }
 
+bool mayPackAnew(QWidget& window, const std::string& problem) {
+    return ask(window, [&] {
+        QMessageBox box(QMessageBox::Question, QObject::tr("Layout of the mesh's own"),
+                        QObject::tr("The mesh's own layout cannot be painted."), QMessageBox::Cancel,
+                        &window);
+        setUpBox(box, "ownLayoutBox");
+        box.setInformativeText(
+            QObject::tr("%1.\nPacked in matched rows, every triangle gets a place of its own.")
+                .arg(QString::fromStdString(problem)));
+        QPushButton* repack = box.addButton(QObject::tr("&Pack in matched rows"), QMessageBox::AcceptRole);
+        box.setDefaultButton(repack);
+        box.exec();
+        return box.clickedButton() == repack;
+    });
+}
+
 } // namespace
 
 AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
@@ -31,6 +54,7 @@ AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
     m_layout->addItem(tr("rows"), static_cast<int>(AtlasLayout::Rows));
     m_layout->addItem(tr("matched rows"), static_cast<int>(AtlasLayout::MatchedRows));
     m_layout->addItem(tr("unfolded groups"), static_cast<int>(AtlasLayout::UnfoldedGroups));
+    m_layout->addItem(tr("the mesh's own"), static_cast<int>(AtlasLayout::Own));
     for (QComboBox* choice : {m_size, m_layout})
         guardFromWheel(*choice);
     m_size->setObjectName(QStringLiteral("atlasSize"));
@@ -63,6 +87,10 @@ void AtlasPanel::connectControls() {
     connect(m_layout, qOverload<int>(&QComboBox::activated), this, [this] {
         AtlasOptions options = m_document.project().texture.atlas;
         options.layout = static_cast<AtlasLayout>(m_layout->currentData().toInt());
+        if (options.layout == AtlasLayout::Own) {
+            options.pages = 1;
+            options.texelsPerMetre = 0;
+        }
         pack(options);
     });
     connect(m_texel, &NumberField::valueEdited, this, [this](double metres) {
@@ -107,26 +135,41 @@ void AtlasPanel::showUse() {
     const QString noSurface = tr("This model has no surface to lay a texture on");
     const bool hasSurface = !m_document.project().mesh->triangles.empty();
     enable(m_size, hasSurface, tr("Size of a page of the texture in pixels"), noSurface);
-    enable(m_layout, hasSurface,
-           tr("How the triangles lie side by side: matched rows use most of the texture, unfolded "
-              "groups have the fewest seams"),
-           noSurface);
     enable(
-        m_texel, hasSurface,
+        m_layout, hasSurface,
+        tr("How the triangles lie side by side: matched rows use most of the texture, unfolded groups have "
+           "fewer seams; the mesh's own is where its file has them, stretched as its maker left them"),
+        noSurface);
+    const bool isOwn = m_document.project().texture.atlas.layout == AtlasLayout::Own;
+    const QString ownDensity =
+        tr("The mesh's own layout fills one page, whose size says how large pixels are");
+    enable(
+        m_texel, hasSurface && !isOwn,
         tr("Length on the organ of one pixel of the texture; type the one that you need, and as many pages "
            "are made as it takes"),
-        noSurface);
+        isOwn ? ownDensity : noSurface);
     const bool isPacked = m_document.project().atlas != nullptr;
-    enable(m_fills, hasSurface && isPacked,
+    enable(m_fills, hasSurface && isPacked && !isOwn,
            tr("Fill one page, however small its pixels come to be; otherwise their size stays and the pages "
               "follow"),
-           hasSurface ? tr("The texture is not packed yet") : noSurface);
+           !hasSurface ? noSurface
+           : isOwn     ? ownDensity
+                       : tr("The texture is not packed yet"));
 }
 
 void AtlasPanel::pack(const AtlasOptions& options) {
     const Project& project = m_document.project();
     if (options == project.texture.atlas && project.atlas) return;
-    const auto mesh = project.mesh;
+    const std::vector<std::string> problems =
+        options.layout == AtlasLayout::Own ? ownLayoutProblems(*project.mesh) : std::vector<std::string>();
+    AtlasOptions possible = options;
+    if (!problems.empty()) possible.layout = AtlasLayout::MatchedRows;
+    if (problems.empty() || mayPackAnew(*window(), InvalidModel(problems).what())) packAs(possible);
+    show();
+}
+
+void AtlasPanel::packAs(const AtlasOptions& options) {
+    const auto mesh = m_document.project().mesh;
     attempt(window(), tr("The texture cannot be packed"), [&] {
         auto atlas = std::make_shared<const Atlas>(computeLong(
             window(), tr("Packing the texture"),
@@ -136,8 +179,9 @@ void AtlasPanel::pack(const AtlasOptions& options) {
             edited.texture.atlas = atlas->options;
             edited.atlas = atlas;
         });
+        if (options.layout == AtlasLayout::Own)
+            tell(window(), tr("The mesh's own layout has flaws"), ownLayoutWarnings(*mesh));
     });
-    show();
 }
 
 } // namespace esm

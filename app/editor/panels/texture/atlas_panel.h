@@ -21,6 +21,7 @@ private:
     void show();
     void showUse();
     void pack(const AtlasOptions& options);
+    void packAs(const AtlasOptions& options);
     void fill(bool on);
 
     Document& m_document;

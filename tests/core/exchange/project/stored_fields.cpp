@@ -153,7 +153,8 @@ void addStepping(Fields& fields) {
 void addTexture(Fields& fields) {
     const std::vector<AtlasOptions> options{{1, 1, 0, AtlasLayout::Rows, 0},
                                             {16384, 4, 16384, AtlasLayout::MatchedRows, 1e9},
-                                            {4096, 64, 0, AtlasLayout::UnfoldedGroups, smallest}};
+                                            {4096, 64, 0, AtlasLayout::UnfoldedGroups, smallest},
+                                            {4096, 1, 0, AtlasLayout::Own, 0}};
     fields.push_back(field("texture", options, [](Project& p) { return &p.texture.atlas; }));
     fields.push_back(
         field<std::shared_ptr<const Atlas>>("atlas", {nullptr}, [](Project& p) { return &p.atlas; }));

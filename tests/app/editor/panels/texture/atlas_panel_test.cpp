@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QMessageBox>
 
 using namespace esm;
 
@@ -13,6 +14,15 @@ class AtlasPanelTest : public EditorTest {
 protected:
     void SetUp() override { open(makeSample("tube")); }
 };
+
+/// A flat square of two triangles with texture coordinates of its own.
+Project squareWithPlaces(const CornerPlaces& second) {
+    RepairedMesh surface;
+    surface.mesh.vertices = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}};
+    surface.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    surface.mesh.ownPlaces = {{{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}}}, second};
+    return makeProject("square", std::move(surface));
+}
 
 } // namespace
 
@@ -51,6 +61,42 @@ TEST_F(AtlasPanelTest, PacksInTheLayoutThatIsChosen) {
     window->document().undoStack()->undo();
     EXPECT_EQ(layout->currentText(), "rows");
     EXPECT_EQ(window->document().project().atlas->utilisation, inRows);
+}
+
+TEST_F(AtlasPanelTest, TakesTheLayoutThatTheMeshBrought) {
+    open(squareWithPlaces({{{0.25, 0.25}, {0.75, 0.75}, {0.25, 0.75}}}));
+    auto* layout = child<QComboBox>("atlasLayout");
+    layout->setCurrentText("the mesh's own");
+    emit layout->activated(layout->currentIndex());
+    EXPECT_EQ(window->document().project().atlas->options.layout, AtlasLayout::Own);
+    EXPECT_EQ(child<QLabel>("atlasUsed")->text(), "25 %");
+    EXPECT_EQ(child<QLabel>("atlasSeams")->text(), "0 % of edges");
+    EXPECT_FALSE(child<QCheckBox>("atlasFills")->isEnabled());
+    window->document().undoStack()->undo();
+    EXPECT_EQ(layout->currentText(), "matched rows");
+}
+
+TEST_F(AtlasPanelTest, OffersToPackAnewWhatCannotBePainted) {
+    open(squareWithPlaces({{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}}}));
+    auto* layout = child<QComboBox>("atlasLayout");
+    const auto choose = [&](const QString& answer) {
+        dialogs.expectNamed("ownLayoutBox", [&](QDialog* dialog) {
+            auto* box = qobject_cast<QMessageBox*>(dialog);
+            EXPECT_TRUE(box->informativeText().contains("lie over each other"))
+                << box->informativeText().toStdString();
+            for (QAbstractButton* button : box->buttons())
+                if (button->text().remove('&') == answer) button->click();
+        });
+        layout->setCurrentText("the mesh's own");
+        emit layout->activated(layout->currentIndex());
+        EXPECT_TRUE(dialogs.isDone());
+    };
+    choose("Cancel");
+    EXPECT_FALSE(window->document().project().atlas);
+    EXPECT_EQ(layout->currentText(), "matched rows");
+    choose("Pack in matched rows");
+    ASSERT_TRUE(window->document().project().atlas);
+    EXPECT_EQ(window->document().project().atlas->options.layout, AtlasLayout::MatchedRows);
 }
 
 TEST_F(AtlasPanelTest, HasAsManyPagesAsTheTexelTakes) {
