@@ -9,6 +9,8 @@
 #include "core/support/errors.h"
 #include "core/texture/layers/composite.h"
 #include "core/texture/layers/page_levels.h"
+#include "core/texture/maps/ambient_occlusion.h"
+#include "core/texture/maps/finish_pages.h"
 #include "core/texture/photo/photo_format.h"
 
 #include <algorithm>
@@ -68,21 +70,24 @@ void removeEmpty(const fs::path& folder, const fs::path& below) {
         fs::remove(part, error);
 }
 
+struct EncodedPage {
+    fs::path file;
+    Bytes bytes;
+};
+
 /// Where pages are written, and as what.
 struct PageFiles {
     fs::path folder;
     PictureEncoding encoding;
     double texelsPerMetre;
 
-    /// @param part of the name: "-1024" of a smaller size
+    /// @param part of the name: "-1024" of a smaller size, "-normals" of what is no colour
     fs::path of(std::size_t page, const std::string& part = "") const {
         return folder / ("texture-" + std::to_string(page + 1) + part + endingOf(encoding.format));
     }
-};
-
-struct EncodedPage {
-    fs::path file;
-    Bytes bytes;
+    EncodedPage encoded(const Image& picture, std::size_t page, const std::string& part) const {
+        return {of(page, part), encodePicture(picture, encoding, texelsPerMetre)};
+    }
 };
 
 Bytes encodedPage(const Image& page, const PageFiles& files) {
@@ -147,7 +152,8 @@ void writePages(const std::vector<EncodedPage>& pages, const fs::path& folder, I
 
 /// Pages that an earlier bake left in the folder would be taken for pages of this one.
 std::vector<std::string> staleWarnings(const fs::path& folder, const std::vector<EncodedPage>& written) {
-    static const std::regex isPage("texture-[0-9]+(-[0-9]+)?\\.(png|jpg)");
+    static const std::regex isPage(
+        "texture-[0-9]+(-([0-9]+|wetness-roughness|normals|occlusion))?\\.(png|jpg)");
     std::set<std::string> found;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (std::regex_match(entry.path().filename().string(), isPage)) found.insert(entry.path().string());
@@ -199,7 +205,7 @@ Image rounded(const DeepImage& page) {
 }
 
 struct Baked {
-    std::vector<EncodedPage> files; ///< of the pages, then of smaller ones
+    std::vector<EncodedPage> files; ///< of the pages, of smaller ones, of what is no colour
     std::vector<double> seamErrors;
 };
 
@@ -234,13 +240,36 @@ Baked bake(const Project& project, const BakeOptions& options, const Context& co
     return baked;
 }
 
+/// What is no colour, as the package has it: exact, whatever the colours are stored as.
+std::vector<EncodedPage> bakedMaterials(const Project& project, const BakeOptions& options,
+                                        const Context& context) {
+    const PageFiles files{options.folder, {}, project.atlas->texelsPerMetre};
+    const TextureSettings& settings = project.texture;
+    std::vector<EncodedPage> made;
+    const auto finish = finishPages(*project.mesh, *project.atlas, project.layers, settings.finish,
+                                    progressOf(context, "baking the finish"));
+    for (std::size_t page = 0; finish && page < finish->size(); ++page) {
+        const MaterialPage material = materialPage((*finish)[page]);
+        made.push_back(files.encoded(material.wetnessAndRoughness, page, "-wetness-roughness"));
+        if (!material.normals.empty()) made.push_back(files.encoded(material.normals, page, "-normals"));
+    }
+    if (!(settings.occlusionReach > 0)) return made;
+    const std::vector<Image> occlusion = occlusionPages(
+        *project.mesh, *project.atlas, settings.occlusionReach, progressOf(context, "baking the occlusion"));
+    for (std::size_t page = 0; page < occlusion.size(); ++page)
+        made.push_back(files.encoded(occlusion[page], page, "-occlusion"));
+    return made;
+}
+
 Report runBake(const BakeOptions& options, Context& context) {
     checkUse(options);
     existingPartOf(options.folder); // refused now rather than after the work
     context.subject = options.project;
     Project project = openedProject(options.project, context);
     packIfNeeded(project);
-    const Baked baked = bake(project, options, context);
+    Baked baked = bake(project, options, context);
+    for (EncodedPage& file : bakedMaterials(project, options, context))
+        baked.files.push_back(std::move(file));
     writePages(baked.files, options.folder, context.interruption);
     Report report;
     report.json["files"] = Json::array();

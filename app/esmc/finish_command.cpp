@@ -17,12 +17,13 @@ struct FinishOptions {
     std::optional<std::string> layer; ///< none: the organ itself
     const FinishPreset* preset = nullptr;
     std::optional<double> roughness, wetness, wetAtHighlights;
-    std::optional<double> relief; ///< mm
+    std::optional<double> relief, occlusion; ///< mm
     std::optional<bool> hidesColour;
     bool removes = false;
 
     bool saysAnything() const {
-        return preset || roughness || wetness || wetAtHighlights || relief || hidesColour || removes;
+        return preset || roughness || wetness || wetAtHighlights || relief || hidesColour || occlusion ||
+               removes;
     }
 };
 
@@ -54,10 +55,15 @@ void declareFinish(CLI::App& command, FinishOptions& options) {
         ->check(numberWithin(0, deepestRelief * millimetres));
     addChoice(command, "--colour", options.hidesColour, {{"shown", false}, {"hidden", true}},
               "Hidden, the layer shows nothing but its finish (shown)");
+    command
+        .add_option("--occlusion", options.occlusion,
+                    "Of the organ: packages and baked pages get a picture of what light from all around its "
+                    "folds keep away, by what stands within so many mm; 0: none")
+        ->check(numberWithin(0, farthestOcclusion * millimetres));
     CLI::Option* remove =
         command.add_flag("--remove", options.removes, "Takes the layer's or the organ's finish away");
-    for (const char* other :
-         {"--preset", "--roughness", "--wetness", "--wet-at-highlights", "--relief", "--colour"})
+    for (const char* other : {"--preset", "--roughness", "--wetness", "--wet-at-highlights", "--relief",
+                              "--colour", "--occlusion"})
         remove->excludes(command.get_option(other));
 }
 
@@ -70,13 +76,16 @@ void applySurface(const FinishOptions& options, SurfaceFinish& finish) {
 void finishOrgan(const FinishOptions& options, Project& project) {
     if (options.wetAtHighlights || options.relief || options.hidesColour)
         throw UsageError("--wet-at-highlights, --relief and --colour are a layer's; name it with --layer");
-    std::optional<SurfaceFinish>& finish = project.texture.finish;
-    if (options.removes) return finish.reset();
-    if (!finish) finish.emplace();
-    applySurface(options, *finish);
+    TextureSettings& texture = project.texture;
+    if (options.removes) return texture.finish.reset();
+    if (options.occlusion) texture.occlusionReach = *options.occlusion / millimetres;
+    if (!options.preset && !options.roughness && !options.wetness) return;
+    if (!texture.finish) texture.finish.emplace();
+    applySurface(options, *texture.finish);
 }
 
 void finishLayer(const FinishOptions& options, TextureLayer& layer) {
+    if (options.occlusion) throw UsageError("--occlusion is the organ's: leave out --layer");
     if (options.removes) return layer.finish.reset();
     if (!layer.finish) layer.finish.emplace();
     applySurface(options, layer.finish->surface);
@@ -94,7 +103,7 @@ Report runFinish(const FinishOptions& options, Context& context) {
     if (!options.saysAnything())
         throw UsageError("say what finish: --preset, --roughness, --wetness, of a layer also "
                          "--wet-at-highlights, --relief, "
-                         "--colour; or --remove");
+                         "--colour, of the organ --occlusion; or --remove");
     context.subject = options.project;
     const ProjectOutput output(options.output);
     Project project = openedProject(options.project, context);
@@ -111,6 +120,11 @@ Report runFinish(const FinishOptions& options, Context& context) {
         finish = project.texture.finish;
     }
     output.save(project);
+    if (project.texture.occlusionReach > 0) {
+        report.json["occlusion_reach"] = project.texture.occlusionReach;
+        report.text.push_back("organ: occlusion by what stands within " +
+                              inText(project.texture.occlusionReach * millimetres) + " mm");
+    }
     if (finish) report.json.update({{"roughness", finish->roughness}, {"wetness", finish->wetness}});
     report.text.push_back((options.layer ? "layer " + *options.layer : "organ") + ": " + finishText(finish));
     addWarnings(report, warnings);

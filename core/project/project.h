@@ -39,14 +39,17 @@ struct TextureSettings {
     AtlasOptions atlas;
     std::array<std::uint8_t, 3> baseColour{186, 92, 84}; ///< where no photo lies
     std::optional<SurfaceFinish> finish{}; ///< where no layer has one; none: as before version 11
+    double occlusionReach = 0;             ///< m, see `occlusionPages`; 0: no ambient occlusion is baked
 
     bool operator==(const TextureSettings&) const = default;
 };
 /// Files have it beside the fields of the atlas.
 template<>
-inline constexpr auto
-    fieldsOf<TextureSettings> = fieldTable(field("baseColour", &TextureSettings::baseColour),
-                                           field("finish", &TextureSettings::finish).whenSet());
+inline constexpr auto fieldsOf<TextureSettings> = fieldTable(
+    field("baseColour", &TextureSettings::baseColour), field("finish", &TextureSettings::finish).whenSet(),
+    field("occlusionReach", &TextureSettings::occlusionReach,
+          Limits<double>{"the reach of occlusion", 0, farthestOcclusion, "m"})
+        .whenSet());
 
 /// One organ and all that was said about it. A value: a copy costs a few pointers and small lists; an edit
 /// makes a new value.

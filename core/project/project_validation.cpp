@@ -62,6 +62,7 @@ std::uint64_t photoPixels(const Project& project) {
 
 Problems textureProblems(const Project& project) {
     Problems problems = validate(project.texture.atlas);
+    add(problems, fieldProblems(project.texture));
     if (project.texture.finish) add(problems, fieldProblems(*project.texture.finish));
     if (project.atlas) add(problems, validate(*project.atlas, project.mesh->triangles.size()));
     if (photoPixels(project) > texture_limits::mostPixelsOfAllPhotos)

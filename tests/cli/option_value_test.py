@@ -69,7 +69,8 @@ COMMANDS = {
     "texture finish organ.esm --layer photo --preset fat": {
         "project": FILE, "-o": TO_PROJECT, "--layer": ["nobody", ""], "--preset": ["bone", ""],
         "--roughness": AMOUNT + ["1.01"], "--wetness": AMOUNT + ["1.01"], "--wet-at-highlights": AMOUNT + ["1.01"],
-        "--relief": AMOUNT + ["5.01"], "--colour": ["red", ""], "--remove": None},
+        "--relief": AMOUNT + ["5.01"], "--colour": ["red", ""],
+        "--occlusion": AMOUNT + ["100.1"], "--remove": None},
     "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None,
                                "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"]},
     "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""],

@@ -159,6 +159,24 @@ class TextureTest(Case):
         self.fails(2, "texture", "finish", organ, "--relief", "1", "-o", wet, naming="name it with --layer")
         self.fails(2, "texture", "finish", organ, "--layer", "no", "--remove", "-o", wet, naming='there are "above"')
 
+    def test_bakes_what_is_no_colour_beside_the_pages(self):
+        organ, folder = self.sample("liver"), self.file("pages")
+        self.done("sample", "vessels", "-o", self.file("photo.png"))
+        self.done("texture", "photo", organ, "--photo", self.file("photo.png"), "--projector",
+                  self.file("pose.json", PROJECTOR), "--name", "above", "-o", organ)
+        self.done("texture", "finish", organ, "--layer", "above", "--preset", "mucosa", "--relief", "1", "-o", organ)
+        report = self.done("texture", "finish", organ, "--occlusion", "20", "-o", organ)
+        self.assertEqual(report["occlusion_reach"], 0.02)
+        self.assertNotIn("roughness", report)
+        self.done("texture", "bake", organ, "-o", folder)
+        names = ["texture-1.png"] + [f"texture-1-{part}.png" for part in ("normals", "occlusion", "wetness-roughness")]
+        self.assertEqual(sorted(path.name for path in folder.iterdir()), sorted(names))
+        self.done("texture", "finish", organ, "--occlusion", "0", "-o", organ)
+        warnings = self.done("texture", "bake", organ, "-o", folder)["warnings"]
+        self.assertIn("texture-1-occlusion.png is of an earlier bake", warnings[0])
+        self.fails(2, "texture", "finish", organ, "--layer", "above", "--occlusion", "5", "-o", organ,
+                   naming="leave out --layer")
+
     def test_bad_pictures_leave_the_project_as_it_was(self):
         def chunk(kind, body):
             return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))

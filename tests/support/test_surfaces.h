@@ -54,3 +54,19 @@ inline esm::TriangleMesh flatSquare(double width, int cells) {
     }
     return mesh;
 }
+
+/// A flat square whose own picture is stretched, up to 2.6 times as much at one side as at the other, and
+/// slanted, so that no triangle is similar to its shape there.
+inline esm::TriangleMesh stretchedSheet(double width, int cells) {
+    esm::TriangleMesh mesh = flatSquare(width, cells);
+    const auto placeOf = [&](const Eigen::Vector3d& vertex) {
+        const double x = vertex.x() / width + 0.5, y = vertex.y() / width + 0.5;
+        return Eigen::Vector2d(0.05 + 0.6 * x * (1 + x) / 2 + 0.2 * y, 0.1 + 0.8 * y);
+    };
+    for (const esm::Triangle& triangle : mesh.triangles) {
+        esm::CornerPlaces& places = mesh.ownPlaces.emplace_back();
+        for (std::size_t i = 0; i < 3; ++i)
+            places[i] = placeOf(mesh.vertices[triangle[i]]);
+    }
+    return mesh;
+}

@@ -47,13 +47,15 @@ QString massOfWall(const RepairReport& report) {
                : QObject::tr("The surface has no clear inside: it weighs as a wall %1 thick.").arg(wall);
 }
 
-QStringList reportLines(const RepairReport& report) {
+QStringList reportLines(const ImportedSurface& surface) {
     QStringList lines;
-    for (const auto& warning : report.warnings)
+    for (const auto& warning : surface.report.warnings)
         lines << QString::fromStdString(warning);
-    const QString wall = massOfWall(report);
+    const QString wall = massOfWall(surface.report);
     if (!wall.isEmpty()) lines << wall;
     if (lines.isEmpty()) lines << QObject::tr("The surface is sound: nothing had to be repaired.");
+    if (!surface.mesh->ownPlaces.empty())
+        lines << QObject::tr("It has texture coordinates of its own: Texture, Layout lays photos by them.");
     return lines;
 }
 
@@ -349,7 +351,7 @@ QStringList ImportDialog::partLines() const {
 }
 
 void ImportDialog::showKept() {
-    m_report->setPlainText((reportLines(m_shown->report) + partLines()).join('\n'));
+    m_report->setPlainText((reportLines(*m_shown) + partLines()).join('\n'));
     m_size->setText(sizeText(m_shown->extent));
     m_doubt->setText(doubtfulExtent(m_shown->extent.maxCoeff(), choice().unit));
     showDetail();

@@ -59,6 +59,7 @@ Json materialOf(const MaterialTextures& textures, const std::array<std::uint8_t,
     if (isPainted) surface["metallicRoughnessTexture"] = texture(*textures.wetnessAndRoughness);
     Json material{{"pbrMetallicRoughness", std::move(surface)}, {"doubleSided", true}};
     if (textures.normals) material["normalTexture"] = texture(*textures.normals);
+    if (textures.occlusion) material["occlusionTexture"] = texture(*textures.occlusion);
     if (!isPainted && !finish) return material;
     Json coat{{"clearcoatFactor", isPainted ? 1.0 : finish->wetness},
               {"clearcoatRoughnessFactor", filmRoughness}};

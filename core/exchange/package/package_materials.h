@@ -17,7 +17,7 @@ nlohmann::ordered_json textureOf(const Atlas& atlas);
 
 /// Places of a page's pictures among the file's textures.
 struct MaterialTextures {
-    std::optional<std::size_t> colour, wetnessAndRoughness, normals;
+    std::optional<std::size_t> colour, wetnessAndRoughness, normals, occlusion;
 };
 
 /// A material of glTF, seen from both sides.

@@ -7,6 +7,7 @@
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/region_json.h"
 #include "core/support/errors.h"
+#include "core/texture/maps/ambient_occlusion.h"
 #include "core/texture/maps/finish_pages.h"
 
 #include <algorithm>
@@ -24,8 +25,9 @@ struct Ingredients {
     const Project& project;
     const TissueModel& tissue;
     BakedPages pages;
-    Image preview;            ///< empty: none
-    PictureEncoding pictures; ///< of the pages' colours
+    std::vector<Image> occlusion; ///< a page each; empty: not asked for
+    Image preview;                ///< empty: none
+    PictureEncoding pictures;     ///< of the pages' colours
 };
 
 constexpr double pagesShare = 0.8; ///< of building, that the pictures of pages take
@@ -242,11 +244,13 @@ std::size_t PackageBuilder::addTexture(const Image& page, const PictureEncoding&
 MaterialTextures PackageBuilder::addTextures(std::size_t page, const Progress& progress) {
     ProgressParts parts(progress);
     MaterialTextures textures;
-    textures.colour =
-        addTexture((*m_from.pages.colours)[page], m_from.pictures, parts.next(m_from.pages.finish ? 0.4 : 1));
+    textures.colour = addTexture((*m_from.pages.colours)[page], m_from.pictures,
+                                 parts.next(m_from.pages.finish ? 0.4 : 0.8));
+    if (!m_from.occlusion.empty())
+        textures.occlusion = addTexture(m_from.occlusion[page], {}, parts.next(0.2));
     if (!m_from.pages.finish) return textures;
     const MaterialPage finish = materialPage((*m_from.pages.finish)[page]);
-    textures.wetnessAndRoughness = addTexture(finish.wetnessAndRoughness, {}, parts.next(0.3));
+    textures.wetnessAndRoughness = addTexture(finish.wetnessAndRoughness, {}, parts.next(0.2));
     if (!finish.normals.empty()) textures.normals = addTexture(finish.normals, {}, parts.rest());
     return textures;
 }
@@ -364,8 +368,13 @@ Glb PackageBuilder::build() {
 void writePackage(const Handover& handover, const std::filesystem::path& file, const HandoverMeans& means) {
     const auto& [project, tissue] = handover;
     ProgressParts parts(means.progress);
+    const double reach = project.texture.occlusionReach;
+    const bool isShaded = project.atlas && reach > 0;
     Ingredients ingredients{
-        project, tissue, bakedPages(project, parts.next(project.atlas ? 0.6 : 0)), {}, means.pictures};
+        project, tissue, bakedPages(project, parts.next(!project.atlas ? 0 : isShaded ? 0.3 : 0.6)),
+        {},      {},     means.pictures};
+    if (isShaded)
+        ingredients.occlusion = occlusionPages(*project.mesh, *project.atlas, reach, parts.next(0.3));
     if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages);
     reportProgress(parts.next(0.05), 1);
     PackageBuilder builder(ingredients, parts.next(0.3));

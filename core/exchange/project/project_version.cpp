@@ -67,8 +67,8 @@ int projectVersionOf(const Project& project) {
     needs.landmarks = any(needsLandmarks);
     needs.maskedPhotos = any(needsMask);
     needs.shapedMasks = any(needsShapedMask);
-    needs.finish =
-        project.texture.finish || any([](const TextureLayer& layer) { return layer.finish.has_value(); });
+    needs.finish = project.texture.finish || project.texture.occlusionReach > 0 ||
+                   any([](const TextureLayer& layer) { return layer.finish.has_value(); });
     needs.retouching = any(needsRetouching);
     needs.instruments = !hasPlainInstrument(project.scene);
     needs.splits = !project.scene.splits.empty();

@@ -9,7 +9,7 @@ Handover handoverOf(const Project& project, const Progress& progress) {
     const TriangleMesh& mesh = *project.mesh;
     if (mesh.triangles.empty())
         handover.project.atlas = nullptr;
-    else if (!project.atlas && !project.layers.empty())
+    else if (!project.atlas && (!project.layers.empty() || project.texture.occlusionReach > 0))
         pack(handover.project, progress);
     reportProgress(progress, 1);
     return handover;

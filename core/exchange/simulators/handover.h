@@ -12,7 +12,7 @@ using DrawPreview = std::function<Image(const Project& project, const BakedPages
 
 /// A project with all that a simulator needs to know of it, valid and evaluated once.
 struct Handover {
-    Project project; ///< with an atlas, where photos lie on a surface
+    Project project; ///< with an atlas, where photos lie on a surface or its occlusion is asked for
     TissueModel tissue;
 };
 

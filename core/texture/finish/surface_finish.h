@@ -24,7 +24,8 @@ inline constexpr auto fieldsOf<SurfaceFinish> =
 /// GGX's roughness of the film, as glTF has it: fluid is smooth, and not quite still.
 constexpr double filmRoughness = 0.12;
 
-constexpr double deepestRelief = 0.005; ///< m
+constexpr double deepestRelief = 0.005;   ///< m
+constexpr double farthestOcclusion = 0.1; ///< m, reach of ambient occlusion: beyond it no organ has folds
 
 /// What a layer lends to the surface that it covers.
 struct LayerFinish {

@@ -5,10 +5,9 @@
 #include "core/exchange/package/glb.h"
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/project_file.h"
-#include "core/texture/layers/composite.h"
-#include "core/texture/maps/finish_pages.h"
 #include "tests/core/exchange/overwrite.h"
 #include "tests/core/exchange/rounded_tissue.h"
+#include "tests/core/exchange/strangers_reader.h"
 #include "tests/support/exchange_projects.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/same_project.h"
@@ -20,29 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
-
-/// The reader that shares no code with the program, on the package and the project it was made from.
-void expectReadIndependently(const Project& project, const std::filesystem::path& folder,
-                             const HandoverMeans& means = {}) {
-    const std::filesystem::path package = folder / "organ.glb", saved = folder / "organ.esm",
-                                expected = folder / "tissue.json";
-    exportPackage(project, package, means);
-    saveProject(project, saved);
-    const TissueModel tissue = evaluateModel(project);
-    Json json{{"mass", tissue.mass},
-              {"spring_constant", tissue.springConstant},
-              {"viscosity", tissue.viscosity},
-              {"stiffening", tissue.stiffening ? writtenFields(*tissue.stiffening) : Json()},
-              {"tethers", Json::array()},
-              {"fixed", tissue.fixedNodes}};
-    for (const Tether& tether : tissue.tethers)
-        json["tethers"].push_back({tether.node, tether.springConstant, tether.viscosity});
-    writeFileAtomically(expected, json.dump());
-    const std::string command = std::string("python3 '") + ESM_SOURCE_DIR + "/tests/cli/read_package.py' '" +
-                                package.string() + "' --project '" + saved.string() + "' --tissue '" +
-                                expected.string() + "'";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command;
-}
 
 TEST_F(ModelPackageFile, HoldsTheTissueRoundedToFloat) {
     const Project project = richProject();
@@ -100,70 +76,6 @@ TEST_F(ModelPackageFile, HoldsBiphasicSprings) {
     expectSameStiffening(package.base.stiffening, project.base.stiffening);
 }
 
-TEST_F(ModelPackageFile, HoldsTheBakedTextureAndItsPlaces) {
-    const Project project = richProject();
-    const ModelPackage package = exported(project);
-    const std::vector<Image> pages =
-        composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour);
-    ASSERT_EQ(package.textures.size(), 1U);
-    EXPECT_EQ(package.textures[0].pixels, pages[0].pixels);
-    ASSERT_TRUE(package.atlas);
-    EXPECT_EQ(package.atlas->options.size, project.atlas->options.size);
-    EXPECT_EQ(package.atlas->texelsPerMetre, project.atlas->texelsPerMetre);
-    for (std::size_t i = 0; i < project.atlas->corners.size(); ++i)
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            EXPECT_LT((package.atlas->corners[i][corner] - project.atlas->corners[i][corner]).norm(), 1e-4);
-}
-
-TEST_F(ModelPackageFile, HoldsHowTheSurfaceShines) {
-    const Project project = shiningProject();
-    const ModelPackage package = exported(project);
-    const auto pages = finishPages(*project.mesh, *project.atlas, project.layers, project.texture.finish);
-    ASSERT_TRUE(package.finishPages);
-    EXPECT_EQ(package.finishPages->front().image().pixels, pages->front().image().pixels);
-    EXPECT_FALSE(package.finish); // pages say it
-    Project plain = project;
-    plain.layers.clear();
-    EXPECT_EQ(exported(plain).finish, project.texture.finish);
-    plain.texture.finish.reset();
-    EXPECT_FALSE(exported(plain).finish);
-}
-
-TEST_F(ModelPackageFile, HoldsItsPagesAsJpegWhereAsked) {
-    const Project project = richProject();
-    const ModelPackage exact = exported(project);
-    HandoverMeans means;
-    means.drawPreview = [](const Project&, const auto&) { return Image{1, 1, {1, 2, 3, 255}}; };
-    means.pictures = {PictureFormat::Jpeg, 95};
-    exportPackage(project, m_file, means);
-    EXPECT_THAT(validatePackage(m_file), testing::IsEmpty());
-    const ModelPackage package = loadPackage(m_file);
-    ASSERT_EQ(package.textures.size(), exact.textures.size());
-    double difference = 0;
-    for (std::size_t i = 0; i < exact.textures[0].pixels.size(); ++i)
-        difference += std::abs(exact.textures[0].pixels[i] - package.textures[0].pixels[i]);
-    EXPECT_LT(difference / static_cast<double>(exact.textures[0].pixels.size()), 4);
-    const Json images = parseGlb(readFile(m_file)).json["images"];
-    EXPECT_EQ(images[0]["mimeType"], "image/jpeg");
-    EXPECT_EQ(images[1]["mimeType"], "image/png") << "the preview";
-    means.drawPreview = {};
-    expectReadIndependently(project, m_folder.path(), means);
-    means.pictures.quality = 0;
-    EXPECT_THROW(exportPackage(project, m_file, means), FileError);
-}
-
-TEST_F(ModelPackageFile, PacksAnAtlasForPhotosThatHaveNone) {
-    Project project = richProject();
-    const ModelPackage packed = exported(project);
-    project.atlas = nullptr;
-    const ModelPackage package = exported(project);
-    ASSERT_EQ(package.textures.size(), 1U);
-    EXPECT_EQ(package.textures[0].pixels, packed.textures[0].pixels);
-    project.layers.clear();
-    EXPECT_TRUE(exported(project).textures.empty());
-    EXPECT_EQ(exported(project).atlas, nullptr);
-}
-
 TEST_F(ModelPackageFile, IsReadByAStrangersReader) {
     Project project = richProject();
     expectReadIndependently(project, m_folder.path());
@@ -193,46 +105,6 @@ TEST_F(ModelPackageFile, IsReadByTheReaderOfTheSpecification) {
     EXPECT_EQ(json["fixedNodes"]["nodes"], 2);
     EXPECT_EQ(json["surface"]["triangles"], 3 * 96);
     EXPECT_EQ(json["stiffening"], writtenFields(*biphasicProject().base.stiffening));
-}
-
-TEST_F(ModelPackageFile, KeepsTheMeshsOwnLayoutAndItsSharedVertices) {
-    const Project project = ownLayoutProject();
-    expectReadIndependently(project, m_folder.path());
-    const ModelPackage package = exported(project);
-    EXPECT_EQ(package.atlas->options.layout, AtlasLayout::Own);
-    const Json gltf = parseGlb(readFile(m_file)).json;
-    EXPECT_EQ(gltf["extensions"]["ESM_spring_mass"]["version"], 7);
-    EXPECT_EQ(gltf["extensions"]["ESM_spring_mass"]["texture"]["layout"], "own");
-    const Json& positions = gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
-    EXPECT_EQ(gltf["accessors"][positions.get<std::size_t>()]["count"], 63)
-        << "15 more than the surface's, where it was cut";
-    for (std::size_t i = 0; i < project.atlas->corners.size(); ++i)
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            EXPECT_LT((package.atlas->corners[i][corner] - project.atlas->corners[i][corner]).norm(), 1e-4);
-}
-
-TEST_F(ModelPackageFile, AnUnknownLayoutOrTooLowAVersionForItsOwnIsNamed) {
-    exportPackage(ownLayoutProject(), m_file);
-    Glb glb = parseGlb(readFile(m_file));
-    Json& extension = glb.json["extensions"]["ESM_spring_mass"];
-    extension["version"] = 6;
-    overwrite(m_file, writeGlb(glb));
-    EXPECT_THAT(loadingError(), HasSubstr("version should be 7"));
-    extension["version"] = 7;
-    extension["texture"]["layout"] = "spiral";
-    overwrite(m_file, writeGlb(glb));
-    EXPECT_THAT(loadingError(), HasSubstr("texture.layout should be"));
-}
-
-TEST_F(ModelPackageFile, SpreadsTheTextureOverPages) {
-    Project project = richProject(24);
-    project.texture.atlas = {96, 3, 2};
-    project.atlas = std::make_shared<Atlas>(packAtlas(*project.mesh, project.texture.atlas));
-    expectReadIndependently(project, m_folder.path());
-    const ModelPackage package = exported(project);
-    EXPECT_EQ(package.textures.size(), 3U);
-    EXPECT_EQ(package.atlas->page, project.atlas->page);
-    expectSameTissue(package.tissue, evaluateModel(project));
 }
 
 TEST_F(ModelPackageFile, DrawnVerticesMayOutnumberTheNodes) {

@@ -1,5 +1,6 @@
 #include "app/editor/panels/texture/wet_look_panel.h"
 
+#include "core/texture/maps/finish_layers.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
@@ -29,6 +30,13 @@ NumberFormat reliefFormat() {
     return format;
 }
 
+NumberFormat occlusionFormat() {
+    NumberFormat format = lengthFormat(0);
+    format.maximum = farthestOcclusion;
+    format.step = 0.001;
+    return format;
+}
+
 /// The entry that says a finish.
 int tissueOf(const std::optional<LayerFinish>& finish) {
     if (!finish) return noFinish;
@@ -43,8 +51,8 @@ int tissueOf(const std::optional<LayerFinish>& finish) {
 WetLookPanel::WetLookPanel(Document& document, Selection& selection, QWidget* parent)
     : Section(tr("Wet look"), parent), m_document(document), m_selection(selection),
       m_subject(new QComboBox(this)), m_tissue(new QComboBox(this)),
-      m_relief(new NumberField(reliefFormat(), this)),
-      m_hidesColour(new QCheckBox(tr("Hide the layer's colour"), this)) {
+      m_relief(new NumberField(reliefFormat(), this)), m_occlusion(new NumberField(occlusionFormat(), this)),
+      m_hidesColour(new QCheckBox(tr("Hide the layer's colour"), this)), m_warnings(new QLabel(this)) {
     m_subject->setObjectName(QStringLiteral("wetLookSubject"));
     m_subject->addItems({tr("selected layer"), tr("whole organ")});
     m_tissue->setObjectName(QStringLiteral("wetLookTissue"));
@@ -69,7 +77,15 @@ WetLookPanel::WetLookPanel(Document& document, Selection& selection, QWidget* pa
     auto* reliefRow = new ValueRows(this);
     reliefRow->addField(tr("Relief"), m_relief);
     body()->addWidget(reliefRow);
+    m_warnings->setObjectName(QStringLiteral("wetLookWarnings"));
+    m_warnings->setProperty("warning", true);
+    m_warnings->setWordWrap(true);
+    body()->addWidget(m_warnings);
     body()->addWidget(m_hidesColour);
+    m_occlusion->setObjectName(QStringLiteral("wetLookOcclusion"));
+    auto* occlusionRow = new ValueRows(this);
+    occlusionRow->addField(tr("Baked occlusion"), m_occlusion);
+    body()->addWidget(occlusionRow);
     connectControls();
     takeSelection();
 }
@@ -96,6 +112,8 @@ void WetLookPanel::connectControls() {
     connect(m_tissue, qOverload<int>(&QComboBox::activated), this, &WetLookPanel::choose);
     connect(m_relief, &NumberField::valueEdited, this, &WetLookPanel::setRelief);
     connect(m_relief, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
+    connect(m_occlusion, &NumberField::valueEdited, this, &WetLookPanel::setOcclusion);
+    connect(m_occlusion, &NumberField::gestureFinished, &m_document, &Document::finishGesture);
     connect(m_hidesColour, &QCheckBox::clicked, this, [this](bool on) {
         change(on ? tr("Hide the layer's colour") : tr("Show the layer's colour"),
                [=](LayerFinish& finish) { finish.hidesColour = on; });
@@ -138,7 +156,22 @@ void WetLookPanel::show() {
     }
     m_relief->setValue(shown ? std::optional(parts.relief) : std::nullopt);
     m_hidesColour->setChecked(parts.hidesColour);
+    m_occlusion->setValue(isOfLayer() ? std::nullopt
+                                      : std::optional(m_document.project().texture.occlusionReach));
     showUse(shown);
+    showWarnings();
+}
+
+void WetLookPanel::showWarnings() {
+    const TextureLayer* layer = isOfLayer() ? m_selection.selectedLayer() : nullptr;
+    const bool hasRelief = layer && layer->finish && layer->finish->relief > 0;
+    if (hasRelief && m_detail.picture != pictureOf(*layer)) {
+        m_detail = {pictureOf(*layer), {}};
+        for (const std::string& warning : finishWarnings(*layer))
+            m_detail.warnings.append(QString::fromStdString(warning));
+    }
+    m_warnings->setText(hasRelief ? m_detail.warnings.join('\n') : QString());
+    m_warnings->setVisible(!m_warnings->text().isEmpty());
 }
 
 void WetLookPanel::showUse(const std::optional<LayerFinish>& finish) {
@@ -169,6 +202,10 @@ void WetLookPanel::showUse(const std::optional<LayerFinish>& finish) {
     enable(m_hidesColour, finish && layer,
            tr("The layer shows nothing but its wet look, as where wet or charred spots are painted"),
            layer ? why : tr("Of a layer only"));
+    enable(m_occlusion, hasSurface && m_subject->currentIndex() == WholeOrgan,
+           tr("Packages and baked pages get a picture of how folds darken, by what stands within this "
+              "distance; 0 for none. It is not shown here"),
+           hasSurface ? tr("Of the whole organ only") : none);
 }
 
 void WetLookPanel::choose(int tissue) {
@@ -181,6 +218,12 @@ void WetLookPanel::setRelief(double metres) {
     change(
         tr("Set relief"), [=](LayerFinish& finish) { finish.relief = metres; }, EditKind::Finish,
         m_shares.size());
+}
+
+void WetLookPanel::setOcclusion(double reach) {
+    m_document.edit(
+        tr("Set occlusion"), [=](Project& project) { project.texture.occlusionReach = reach; },
+        MergeKey{EditKind::Finish, m_shares.size() + 1});
 }
 
 bool WetLookPanel::isOfLayer() const {

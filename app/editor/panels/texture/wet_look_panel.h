@@ -8,6 +8,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 
 #include <functional>
 
@@ -38,6 +39,8 @@ private:
     void showUse(const std::optional<LayerFinish>& finish);
     void choose(int tissue);
     void setRelief(double metres);
+    void setOcclusion(double reach);
+    void showWarnings();
     /// Changes what the panel speaks of, which then has a finish. @param place tells the panel's numbers
     /// apart
     void change(const QString& text, const std::function<void(LayerFinish&)>& to,
@@ -51,8 +54,14 @@ private:
     Selection& m_selection;
     QComboBox *m_subject, *m_tissue;
     std::vector<Share> m_shares; ///< roughness, wetness, wetness at highlights
-    NumberField* m_relief;
+    NumberField *m_relief, *m_occlusion;
     QCheckBox* m_hidesColour;
+    QLabel* m_warnings;
+    /// Whether the picture has detail from which a relief can be guessed; asked once for each picture.
+    struct Detail {
+        std::shared_ptr<const Image> picture;
+        QStringList warnings;
+    } m_detail;
 };
 
 } // namespace esm

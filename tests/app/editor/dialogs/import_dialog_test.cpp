@@ -100,6 +100,14 @@ TEST(ImportDialog, SaysWhatAnOpenBorderMeans) {
     EXPECT_TRUE(Shown(openBall()).reported().contains("3 mm"));
 }
 
+TEST(ImportDialog, SaysThatTheSurfaceHasTextureCoordinates) {
+    PolygonSoup soup = test::cubeSoup(100);
+    EXPECT_FALSE(Shown(soup).reported().contains("texture coordinates"));
+    for (const auto& polygon : soup.polygons)
+        soup.places.emplace_back(polygon.size(), Eigen::Vector2d(0.5, 0.5));
+    EXPECT_TRUE(Shown(soup).reported().contains("texture coordinates of its own"));
+}
+
 TEST(ImportDialog, ListsThePartsWithTheirSizes) {
     Shown shown(threeParts());
     const auto* keep = shown.child<QComboBox>("importKeep");

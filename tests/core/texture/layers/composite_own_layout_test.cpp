@@ -5,28 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 using namespace esm;
 using namespace esm::test;
 
 namespace {
-
-/// A square of 0.1 m on a picture that stretches it: up to 2.6 times as much at one side as at the other, and
-/// slanted, so that no triangle is similar to its shape.
-TriangleMesh stretchedSheet(int cells) {
-    TriangleMesh mesh = flatSquare(0.1, cells);
-    const auto placeOf = [](const Eigen::Vector3d& vertex) {
-        const double x = vertex.x() / 0.1 + 0.5, y = vertex.y() / 0.1 + 0.5;
-        return Eigen::Vector2d(0.05 + 0.6 * x * (1 + x) / 2 + 0.2 * y, 0.1 + 0.8 * y);
-    };
-    for (const Triangle& triangle : mesh.triangles) {
-        CornerPlaces& places = mesh.ownPlaces.emplace_back();
-        for (std::size_t i = 0; i < 3; ++i)
-            places[i] = placeOf(mesh.vertices[triangle[i]]);
-    }
-    return mesh;
-}
 
 TextureLayer smoothLayer() {
     return layerFromAbove(
@@ -41,7 +23,7 @@ TextureLayer smoothLayer() {
 } // namespace
 
 TEST(CompositeOwnLayout, KeepsACheckerboardWhereItIsOnTheOrgan) {
-    const TriangleMesh mesh = stretchedSheet(7);
+    const TriangleMesh mesh = stretchedSheet(0.1, 7);
     const Atlas atlas = packAtlas(mesh, {1024, 1, 2, AtlasLayout::Own});
     const std::vector<Image> pages =
         composite(mesh, atlas, {layerFromAbove(checkerboard(), 0.08)}, baseColour);
@@ -57,7 +39,7 @@ TEST(CompositeOwnLayout, KeepsACheckerboardWhereItIsOnTheOrgan) {
 }
 
 TEST(CompositeOwnLayout, ShowsNoStepInsideOrAtSeams) {
-    TriangleMesh mesh = stretchedSheet(8);
+    TriangleMesh mesh = stretchedSheet(0.1, 8);
     // Every other row of cells lies elsewhere in the picture, mirrored: its edges are seams.
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (Eigen::Vector2d& place : mesh.ownPlaces[i])

@@ -67,30 +67,44 @@ Eigen::Vector3d normalOnSurface(const TriangleMesh& mesh, const Atlas& atlas, st
            std::sqrt(1 - tilt.squaredNorm()) * sides.col(0).cross(sides.col(1)).normalized();
 }
 
+/// The largest difference between a normal that was made of the waves and theirs.
+double worstNormal(const TriangleMesh& mesh, const Atlas& atlas) {
+    CompositionCache cache;
+    const FinishComposition made = composedFinish(mesh, atlas, {}, waves(), cache);
+    double worst = 0;
+    forEachTexelInside(mesh, atlas, imagesOf(*made.pages),
+                       [&](const Eigen::Vector3d& place, const Colour& finish, std::size_t triangle) {
+                           EXPECT_EQ(finish[0], 200);
+                           EXPECT_EQ(finish[1], 90);
+                           const Eigen::Vector2d tilt((finish[2] - 128) / 127.0, (finish[3] - 128) / 127.0);
+                           const double slope = slopeOfWaveAt(place.x());
+                           const Eigen::Vector3d expected = Eigen::Vector3d(-slope, 0, 1).normalized();
+                           worst = std::max(worst,
+                                            (normalOnSurface(mesh, atlas, triangle, tilt) - expected).norm());
+                       });
+    return worst;
+}
+
 } // namespace
 
 TEST(FinishPages, TiltNormalsAsTheSurfaceOfKnownHeightsIsTilted) {
     const TriangleMesh mesh = flatSquare(squareWidth, 4);
     for (const AtlasLayout layout : atlasLayouts) {
-        const Atlas atlas = packedAs(mesh, layout);
-        CompositionCache cache;
-        const FinishComposition made = composedFinish(mesh, atlas, {}, waves(), cache);
-        double worst = 0;
-        forEachTexelInside(
-            mesh, atlas, imagesOf(*made.pages),
-            [&](const Eigen::Vector3d& place, const Colour& finish, std::size_t triangle) {
-                ASSERT_EQ(finish[0], 200);
-                ASSERT_EQ(finish[1], 90);
-                const Eigen::Vector2d tilt((finish[2] - 128) / 127.0, (finish[3] - 128) / 127.0);
-                const double slope = slopeOfWaveAt(place.x());
-                const Eigen::Vector3d expected = Eigen::Vector3d(-slope, 0, 1).normalized();
-                worst = std::max(worst, (normalOnSurface(mesh, atlas, triangle, tilt) - expected).norm());
-            });
+        const double worst = worstNormal(mesh, packedAs(mesh, layout));
         // Half a step of blue to either side is 1.6 % of slope; texels beside a patch's border see one
         // neighbour.
         EXPECT_LT(worst, 0.05) << wordOf(layout);
         EXPECT_GT(worst, 0);
     }
+}
+
+TEST(FinishPages, TiltNormalsAlikeWhereTheMeshsOwnLayoutIsStretchedAndMirrored) {
+    TriangleMesh mesh = stretchedSheet(squareWidth, 4);
+    EXPECT_LT(worstNormal(mesh, packedAs(mesh, AtlasLayout::Own)), 0.05);
+    for (CornerPlaces& places : mesh.ownPlaces)
+        for (Eigen::Vector2d& place : places)
+            place.x() = 1 - place.x();
+    EXPECT_LT(worstNormal(mesh, packedAs(mesh, AtlasLayout::Own)), 0.05);
 }
 
 TEST(FinishPages, OfFlatTissueAreUpright) {

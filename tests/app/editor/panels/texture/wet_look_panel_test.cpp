@@ -80,6 +80,32 @@ TEST_F(WetLookPanelTest, SpeaksOfTheOrganWhereItIsAskedTo) {
     EXPECT_FALSE(project().texture.finish);
 }
 
+TEST_F(WetLookPanelTest, AsksForOcclusionOfTheOrgan) {
+    EXPECT_FALSE(child<NumberField>("wetLookOcclusion")->isEnabled()) << "of a layer";
+    choose("wetLookSubject", "whole organ");
+    type("wetLookOcclusion", "12");
+    EXPECT_EQ(project().texture.occlusionReach, 0.012);
+    EXPECT_FALSE(project().texture.finish) << "nothing else was asked for";
+    window->document().undoStack()->undo();
+    EXPECT_EQ(project().texture.occlusionReach, 0);
+}
+
+TEST_F(WetLookPanelTest, SaysThatAPhotoOfOneColourGivesNoRelief) {
+    chooseTissue("mucosa");
+    type("wetLookRelief", "0.3");
+    auto* warnings = child<QLabel>("wetLookWarnings");
+    EXPECT_TRUE(warnings->isHidden()) << warnings->text().toStdString();
+    window->document().edit("one colour", [](Project& project) {
+        auto plain = std::make_shared<Photo>(*project.layers[0].photo);
+        for (std::size_t i = 0; i < plain->image.pixels.size(); ++i)
+            plain->image.pixels[i] = i % 4 == 3 ? 255 : 90;
+        project.layers[0].photo = plain;
+        project.layers[0].prepared = nullptr;
+    });
+    EXPECT_FALSE(warnings->isHidden());
+    EXPECT_TRUE(warnings->text().contains("one colour")) << warnings->text().toStdString();
+}
+
 TEST_F(WetLookPanelTest, IsSeenInTheView) {
     chooseTissue("mucosa");
     const auto scene = [this]() -> const RenderScene& { return window->view().scene(); };
