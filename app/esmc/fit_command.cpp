@@ -110,14 +110,18 @@ std::string rounded(const Eigen::Vector3d& value, double unit) {
     return inText(Eigen::Vector3d(whole * unit));
 }
 
-/// The camera in words: where it stands, which way it looks and how wide.
-void addCameraText(Report& report, const PoseFit& fit) {
+void addPoseText(Report& report, const Projector& camera) {
     constexpr double micrometre = 1e-6, share = 1e-4;
-    const Projector& camera = fit.projector;
     const Eigen::Matrix3d axes = camera.pose.linear();
     report.text.push_back("the eye is at " + rounded(camera.pose.translation(), micrometre) + " m");
     report.text.push_back("it looks along " + rounded(-axes.col(2), share) + "; up in the photograph is " +
                           rounded(axes.col(1), share));
+}
+
+/// The camera in words: where it stands, which way it looks and how wide.
+void addCameraText(Report& report, const PoseFit& fit) {
+    const Projector& camera = fit.projector;
+    addPoseText(report, camera);
     report.text.push_back("with 95 % certainty the true eye is within " +
                           roundedText(1000 * fit.eyeWithin, 3) + " mm of it, and the true turn within " +
                           roundedText(fit.turnWithin, 3) + " degrees");
@@ -194,7 +198,8 @@ void refine(Report& report, std::vector<std::string>& warnings, PoseFit& fit, co
     report.text.push_back("refined by the photographs on the organ: moved by " +
                           roundedText(refined->moved, 3) + " pixels; it differs from them by " +
                           roundedText(100 * refined->errorAfter, 3) + " % of the contrast, before by " +
-                          roundedText(100 * refined->errorBefore, 3) + " %");
+                          roundedText(100 * refined->errorBefore, 3) + " %; now");
+    addPoseText(report, fit.projector);
 }
 
 Report runFit(const FitOptions& options, Context& context) {

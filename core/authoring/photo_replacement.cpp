@@ -107,10 +107,10 @@ std::vector<std::string> replacementRemarks(const TextureLayer& before, const Te
             "less at its sides");
     if (before.preparation.crop && !after.preparation.crop)
         remarks.emplace_back("nothing of the new photo lies in the frame of the crop, which is dropped");
-    if (before.preparation.whiteBalance || before.preparation.match)
-        remarks.emplace_back(
-            "white balance and matched colours are those of the photo before; find them anew "
-            "where the new one has other colours");
+    const PhotoPreparation& kept = before.preparation;
+    if (kept.whiteBalance || kept.match || kept.adjustment != ColourAdjustment())
+        remarks.emplace_back("white balance, matched and adjusted colours are those of the photo before; "
+                             "find them anew where the new one has other colours");
     return remarks;
 }
 

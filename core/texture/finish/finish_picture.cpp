@@ -22,7 +22,7 @@ constexpr float darkestSurround = 16; ///< of 255: what is darker has too much n
 constexpr float heightAtHalf = 2;     ///< half as bright again is as high as the relief says
 constexpr float leastDetail =
     0.01F; ///< of the brightness: the step of 8 bits in a photo of medium brightness
-constexpr float smoothUnderFilm = 0.6F; ///< of the roughness, that a film takes away at most
+constexpr double smoothUnderFilm = 0.6; ///< of the roughness, that a film takes away at most
 
 double diagonalOf(const Image& picture) {
     return std::hypot(picture.width, picture.height);
@@ -89,27 +89,38 @@ FinishColour finishColour(const SurfaceFinish& finish) {
     return {rounded(finish.wetness), rounded(finish.roughness), noHeight};
 }
 
-Image finishPicture(const Image& photo, const PhotoPreparation& preparation, const Image& shown,
-                    const LayerFinish& finish, double greatestHeight, const Progress& progress) {
-    reportProgress(progress, 0);
-    cv::Mat1f film(shown.height, shown.width, 0.0F), detail(shown.height, shown.width, 0.0F);
-    if (finish.wetAtHighlights > 0) film = finish.wetAtHighlights * filmAround(photo, preparation);
-    reportProgress(progress, 0.5);
-    if (finish.relief > 0)
-        detail =
-            cv::min(cv::max(heightAtHalf * detailOf(shown), -1.0), 1.0) * (finish.relief / greatestHeight);
+std::vector<std::uint8_t> filmOf(const Image& photo, const PhotoPreparation& preparation) {
+    const cv::Mat1f around = filmAround(photo, preparation);
+    std::vector<std::uint8_t> film(around.total());
+    std::transform(around.begin(), around.end(), film.begin(), rounded);
+    return film;
+}
+
+std::vector<std::int8_t> heightsOf(const Image& shown) {
+    const cv::Mat1f detail = detailOf(shown);
+    std::vector<std::int8_t> heights(detail.total());
+    std::transform(detail.begin(), detail.end(), heights.begin(), [](float brighter) {
+        const float height = std::clamp(heightAtHalf * brighter, -1.0F, 1.0F);
+        return static_cast<std::int8_t>(std::lround(heightSteps * height));
+    });
+    return heights;
+}
+
+Image finishPicture(const Image& shown, const PhotoShine& shine, const LayerFinish& finish,
+                    double greatestHeight) {
     Image picture{shown.width, shown.height, std::vector<std::uint8_t>(shown.pixels.size())};
     const SurfaceFinish& own = finish.surface;
-    for (int y = 0; y < shown.height; ++y)
-        for (int x = 0; x < shown.width; ++x) {
-            const float wet = film(y, x);
-            std::uint8_t* pixel = picture.at(x, y);
-            pixel[0] = rounded(own.wetness + (1 - own.wetness) * wet);
-            pixel[1] = rounded(own.roughness * (1 - smoothUnderFilm * wet));
-            pixel[2] = static_cast<std::uint8_t>(noHeight + std::lround(heightSteps * detail(y, x)));
-            pixel[3] = shown.at(x, y)[3];
-        }
-    reportProgress(progress, 1);
+    const double filmScale = finish.wetAtHighlights / 255;
+    const double heightScale = finish.relief > 0 ? finish.relief / greatestHeight : 0;
+    for (std::size_t i = 0; i < shown.pixels.size() / 4; ++i) {
+        const double wet = filmScale > 0 ? filmScale * (*shine.film)[i] : 0;
+        const double height = heightScale > 0 ? heightScale * (*shine.heights)[i] : 0;
+        std::uint8_t* pixel = &picture.pixels[4 * i];
+        pixel[0] = rounded(own.wetness + (1 - own.wetness) * wet);
+        pixel[1] = rounded(own.roughness * (1 - smoothUnderFilm * wet));
+        pixel[2] = static_cast<std::uint8_t>(noHeight + std::lround(height));
+        pixel[3] = shown.pixels[4 * i + 3];
+    }
     return picture;
 }
 

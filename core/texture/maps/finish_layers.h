@@ -19,8 +19,8 @@ struct FinishLayers {
     double greatestHeight = 0; ///< m, that blue can say; 0 without a relief
 };
 
-/// The pictures of finishes that were made before, so that each is made once: those asked for since
-/// forgetUnused() was called last, and those of the round before.
+/// The pictures of finishes that were made before, so that each is made once, and what their photos tell
+/// once for all of them: those asked for since forgetUnused() was called last, and those of the round before.
 class FinishPictures {
 public:
     /// Precondition: the layer has a photo and a finish. @throws Cancelled
@@ -33,10 +33,13 @@ private:
         LayerId layer;
         std::shared_ptr<const Image> shown;
         PhotoPreparation preparation;
+        PhotoShine shine;
         LayerFinish finish;
         double greatestHeight;
         std::shared_ptr<const Image> picture;
     };
+    PhotoShine shineOf(const TextureLayer& layer, const Progress& progress) const;
+
     std::vector<Made> m_used, m_before;
 };
 

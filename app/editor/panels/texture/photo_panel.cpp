@@ -5,6 +5,7 @@
 #include "widgets/inputs/quantity_formats.h"
 
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 
 namespace esm {
 
@@ -109,6 +110,8 @@ void PhotoPanel::showUse(const TextureLayer* layer) {
            tr("Leave out what faces away from the projector or lies behind other tissue"), noPhoto);
     enable(m_opacity, layer, opacity, why);
     enable(m_opacityField, layer, opacity, why);
+    auto* entries = qobject_cast<QStandardItemModel*>(m_blending->model());
+    entries->item(static_cast<int>(Blending::MultiBand))->setEnabled(hasPhoto); // paint has no bands
     enable(m_blending, layer,
            tr("normal hides what lies beneath, multiply darkens it, screen brightens it, overlay does both, "
               "colour leaves its brightness, seamless lets colours pass gradually into it"),

@@ -22,7 +22,10 @@ bool isWithin(int x, int y, int centre, int radius) {
 Image pictureOfFinish(const Photo& photo, const LayerFinish& finish,
                       const PhotoPreparation& preparation = {}) {
     const Image shown = prepared(photo.image, preparation);
-    return finishPicture(photo.image, preparation, shown, finish, finish.relief);
+    const PhotoShine shine{
+        std::make_shared<const std::vector<std::uint8_t>>(filmOf(photo.image, preparation)),
+        std::make_shared<const std::vector<std::int8_t>>(heightsOf(shown))};
+    return finishPicture(shown, shine, finish, std::max(finish.relief, 0.001));
 }
 
 LayerFinish dryWith(double wetAtHighlights, double relief) {

@@ -71,6 +71,19 @@ TEST(FinishLayers, MakeEachPictureOnce) {
     EXPECT_NE(pictureOf(first.layers[0]), pictureOf(first.layers[1]));
 }
 
+TEST(FinishLayers, AreTheSameWhateverFinishThePhotoHadBefore) {
+    FinishPictures pictures;
+    for (const auto& [wet, relief] :
+         std::vector<std::pair<double, double>>{{1, 0.001}, {0, 0.001}, {0.5, 0}, {0.5, 0.002}}) {
+        TextureLayer layer = shiningLayer(0.2);
+        layer.finish->wetAtHighlights = wet;
+        layer.finish->relief = relief;
+        const FinishLayers next = finishLayers({layer}, std::nullopt, pictures);
+        EXPECT_EQ(pictureOf(next.layers[0])->pixels, pictureOf(lendingOf({layer}).layers[0])->pixels)
+            << wet << " " << relief;
+    }
+}
+
 TEST(FinishLayers, WarnOfWhatHasNoEffect) {
     TextureLayer plain = shiningLayer(1);
     plain.photo = plainPhoto({100, 50, 40, 255});
