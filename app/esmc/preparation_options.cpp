@@ -180,10 +180,12 @@ Report prepareLayer(const Project& project, TextureLayer& layer, const Preparati
     layer.preparation = preparation;
     if (options.matchColours)
         preparation.match = matchToSurface(*project.mesh, project.layers, project.texture.baseColour, layer);
+    const double highlights =
+        highlightShare(photo, preparation); // while there is no second picture of it yet
     prepare(layer, preparation);
     if (options.field) reportField(preparation.field, report);
     if (options.maskOverlays) reportOverlays(preparation.strokes.size(), report);
-    if (preparation.fillsHighlights()) reportHighlights(highlightShare(photo, preparation), report);
+    if (preparation.fillsHighlights()) reportHighlights(highlights, report);
     if (options.whiteBalance || !options.whiteSpot.empty() || !options.whiteLike.empty())
         reportGains(preparation.whiteBalance, report);
     if (options.matchColours) reportMatch(preparation.match, report);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tbb/parallel_for.h>
 #include <vector>
 
 namespace esm {
@@ -23,51 +22,78 @@ bool isOpaque(const std::uint8_t* pixel) {
     return pixel[3] > 0;
 }
 
-/// 255 where the photo's pixel `is` so, else 0.
-template<typename Is> cv::Mat maskOf(const Image& photo, const Is& is) {
-    cv::Mat mask(photo.height, photo.width, CV_8U);
-    tbb::parallel_for(0, photo.height, [&](int y) {
-        for (int x = 0; x < photo.width; ++x)
-            mask.at<std::uint8_t>(y, x) = is(photo.at(x, y)) ? 255 : 0;
-    });
-    return mask;
-}
-
-/// The photo and which of its pixels a highlight must not be filled from, at best and at any rate. What is
-/// nearly black is the outside of a field or a hollow: filled from there a highlight at the rim would become
-/// a dark hole.
+/// The part of a photo around a highlight and which of its pixels a highlight must not be filled from, at
+/// best and at any rate. What is nearly black is the outside of a field or a hollow: filled from there a
+/// highlight at the rim would become a dark hole.
 struct Surroundings {
     cv::Mat colours, noTissue, nothing;
 
-    /// The part of the photo filled, or an empty picture where there is nothing to fill it from.
-    cv::Mat filled(const cv::Rect& part) const {
+    /// The part filled, or an empty picture where there is nothing to fill it from.
+    cv::Mat filled() const {
         for (const cv::Mat& unusable : {noTissue, nothing}) {
-            if (cv::countNonZero(unusable(part)) == part.area()) continue;
+            if (cv::countNonZero(unusable) == static_cast<int>(unusable.total())) continue;
             cv::Mat result;
-            cv::inpaint(colours(part), unusable(part), result, inpaintRadius, cv::INPAINT_TELEA);
+            cv::inpaint(colours, unusable, result, inpaintRadius, cv::INPAINT_TELEA);
             return result;
         }
         return {};
     }
 };
 
-Surroundings surroundingsOf(const Image& photo, const cv::Mat& mask) {
-    Surroundings around;
-    around.noTissue = mask | maskOf(photo, [](const std::uint8_t* p) {
-                          return !isOpaque(p) || std::max({p[0], p[1], p[2]}) < darkestSource;
-                      });
-    around.nothing = mask | maskOf(photo, [](const std::uint8_t* p) { return !isOpaque(p); });
-    const cv::Mat all(photo.height, photo.width, CV_8UC4, const_cast<std::uint8_t*>(photo.pixels.data()));
-    cv::cvtColor(all, around.colours, cv::COLOR_RGBA2RGB);
+/// What the mask has is not read: other highlights are filled meanwhile.
+Surroundings surroundingsIn(const cv::Rect& part, const Image& photo, const cv::Mat& mask) {
+    Surroundings around{cv::Mat(part.size(), CV_8UC3, cv::Scalar()), mask(part).clone(), mask(part).clone()};
+    for (int y = 0; y < part.height; ++y)
+        for (int x = 0; x < part.width; ++x) {
+            if (around.nothing.at<std::uint8_t>(y, x) > 0) continue;
+            const std::uint8_t* p = photo.at(part.x + x, part.y + y);
+            std::copy_n(p, 3, around.colours.ptr<std::uint8_t>(y, x));
+            if (!isOpaque(p)) around.nothing.at<std::uint8_t>(y, x) = 255;
+            if (!isOpaque(p) || std::max({p[0], p[1], p[2]}) < darkestSource)
+                around.noTissue.at<std::uint8_t>(y, x) = 255;
+        }
     return around;
 }
 
-cv::Rect partAround(const cv::Mat& boxes, int highlight, const cv::Size& size) {
-    const int* box = boxes.ptr<int>(highlight);
-    return cv::Rect(box[cv::CC_STAT_LEFT] - surroundingPixels, box[cv::CC_STAT_TOP] - surroundingPixels,
-                    box[cv::CC_STAT_WIDTH] + 2 * surroundingPixels,
-                    box[cv::CC_STAT_HEIGHT] + 2 * surroundingPixels) &
-           cv::Rect({}, size);
+/// A highlight by one of its pixels, and what surrounds it.
+struct Highlight {
+    cv::Point pixel;
+    cv::Rect part;
+};
+
+/// Found by their outlines: a number for every pixel would take four times the memory of the mask.
+std::vector<Highlight> outlinedHighlights(const cv::Mat& mask) {
+    std::vector<std::vector<cv::Point>> outlines;
+    std::vector<cv::Vec4i> nesting;
+    cv::findContours(mask, outlines, nesting, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE);
+    std::vector<Highlight> highlights;
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        constexpr int parent = 3;
+        if (nesting[i][parent] >= 0) continue; // the rim of a hole
+        const cv::Rect box = cv::boundingRect(outlines[i]);
+        const cv::Rect part(box.x - surroundingPixels, box.y - surroundingPixels,
+                            box.width + 2 * surroundingPixels, box.height + 2 * surroundingPixels);
+        highlights.push_back({outlines[i].front(), part & cv::Rect({}, mask.size())});
+    }
+    return highlights;
+}
+
+/// @returns pixels filled
+std::size_t fillOne(Image& photo, const cv::Mat& mask, const Highlight& highlight) {
+    const cv::Rect& part = highlight.part;
+    const cv::Mat result = surroundingsIn(part, photo, mask).filled();
+    if (result.empty()) return 0;
+    cv::Mat numbers;
+    cv::connectedComponents(mask(part), numbers);
+    const int own = numbers.at<int>(highlight.pixel - part.tl());
+    std::size_t filled = 0;
+    for (int y = 0; y < part.height; ++y)
+        for (int x = 0; x < part.width; ++x) {
+            if (numbers.at<int>(y, x) != own) continue;
+            std::copy_n(result.ptr<std::uint8_t>(y, x), 3, photo.at(part.x + x, part.y + y));
+            ++filled;
+        }
+    return filled;
 }
 
 } // namespace
@@ -77,24 +103,11 @@ cv::Rect partAround(const cv::Mat& boxes, int highlight, const cv::Size& size) {
 std::size_t fillHighlights(Image& photo, const PixelMask& shines, const Progress& progress) {
     if (photo.empty()) return 0;
     const cv::Mat mask(photo.height, photo.width, CV_8U, const_cast<std::uint8_t*>(shines.data()));
-    cv::Mat labels, boxes, middles;
-    const int count = cv::connectedComponentsWithStats(mask, labels, boxes, middles);
-    if (count <= 1) return 0;
-    const Surroundings around = surroundingsOf(photo, mask);
-    std::vector<std::size_t> filled(static_cast<std::size_t>(count), 0);
+    const std::vector<Highlight> highlights = outlinedHighlights(mask);
+    std::vector<std::size_t> filled(highlights.size(), 0);
     // One by one, so that the cost goes with what is filled; they do not touch each other.
-    forEachInParallel(static_cast<std::size_t>(count - 1), progress, [&](std::size_t before) {
-        const int highlight = static_cast<int>(before) + 1;
-        const cv::Rect part = partAround(boxes, highlight, mask.size());
-        const cv::Mat result = around.filled(part);
-        if (result.empty()) return;
-        for (int y = 0; y < part.height; ++y)
-            for (int x = 0; x < part.width; ++x) {
-                if (labels.at<int>(part.y + y, part.x + x) != highlight) continue;
-                std::copy_n(result.ptr<std::uint8_t>(y, x), 3, photo.at(part.x + x, part.y + y));
-                ++filled[static_cast<std::size_t>(highlight)];
-            }
-    });
+    forEachInParallel(highlights.size(), progress,
+                      [&](std::size_t i) { filled[i] = fillOne(photo, mask, highlights[i]); });
     return std::accumulate(filled.begin(), filled.end(), std::size_t{0});
 }
 

@@ -247,6 +247,41 @@ PixelMask withRim(const cv::Mat& mask, const cv::Mat& opaque, int rim) {
     return pixelMaskOf(wider);
 }
 
+/// The longer side of a photo, pixels, beyond which it is looked at smaller: flecks of so large a photo are
+/// many pixels wide, and the whole of it would take ten times its own memory.
+constexpr int longestLookedAt = 4096;
+
+PixelMask flecksOf(const Image& photo, double sensitivity) {
+    constexpr double mostNeeded = 68, leastNeeded = 10;
+    const double needed = mostNeeded * std::pow(leastNeeded / mostNeeded, sensitivity);
+    const Brightness brightness = brightnessOf(photo);
+    const cv::Mat shine = shineOfFlecks(brightness, 250 - 40 * sensitivity);
+    const cv::Mat rims = rimsOf(shine, needed);
+    return withRim(strongParts(rims, shine, needed), brightness.opaque, rimFor(shine, 640));
+}
+
+Image shrunk(const Image& photo) {
+    const double share = static_cast<double>(longestLookedAt) / std::max(photo.width, photo.height);
+    const cv::Mat whole(photo.height, photo.width, CV_8UC4, const_cast<std::uint8_t*>(photo.pixels.data()));
+    cv::Mat reduced;
+    cv::resize(whole, reduced, {}, share, share, cv::INTER_AREA);
+    return {reduced.cols, reduced.rows, {reduced.datastart, reduced.dataend}};
+}
+
+/// Of a photo, from the mask of the smaller one.
+PixelMask maskOfWhole(PixelMask small, const cv::Size& size, const Image& photo) {
+    const cv::Mat mask(size, CV_8U, small.data());
+    cv::Mat whole;
+    cv::resize(mask, whole, {photo.width, photo.height}, 0, 0, cv::INTER_LINEAR);
+    tbb::parallel_for(0, whole.rows, [&](int y) {
+        for (int x = 0; x < whole.cols; ++x) {
+            std::uint8_t& value = whole.at<std::uint8_t>(y, x);
+            value = value > 127 && photo.at(x, y)[3] > 0 ? 255 : 0;
+        }
+    });
+    return pixelMaskOf(whole);
+}
+
 } // namespace
 
 /// Shine is white over the tissue's own colour, whatever its brightness: it is measured against the median of
@@ -258,12 +293,9 @@ PixelMask withRim(const cv::Mat& mask, const cv::Mat& opaque, int rim) {
 /// and compression blur.
 PixelMask highlightMask(const Image& photo, double sensitivity) {
     if (photo.empty()) return {};
-    constexpr double mostNeeded = 68, leastNeeded = 10;
-    const double needed = mostNeeded * std::pow(leastNeeded / mostNeeded, sensitivity);
-    const Brightness brightness = brightnessOf(photo);
-    const cv::Mat shine = shineOfFlecks(brightness, 250 - 40 * sensitivity);
-    const cv::Mat rims = rimsOf(shine, needed);
-    return withRim(strongParts(rims, shine, needed), brightness.opaque, rimFor(shine, 640));
+    if (std::max(photo.width, photo.height) <= longestLookedAt) return flecksOf(photo, sensitivity);
+    const Image small = shrunk(photo);
+    return maskOfWhole(flecksOf(small, sensitivity), {small.width, small.height}, photo);
 }
 
 PixelMask highlightsAbove(const Image& photo, int threshold) {

@@ -94,3 +94,47 @@ TEST(Highlights, AreNotSeenInWhatIsMasked) {
             EXPECT_EQ(mask[static_cast<std::size_t>(y * 80 + x)], 0);
     EXPECT_EQ(mask[40 * 80 + 41], 255);
 }
+
+// Photos wider than 4096 pixels are looked at smaller.
+TEST(Highlights, OfVeryLargePhotosAreFoundToo) {
+    const Image photo = drawnPhoto(5000, 700, [](int x, int y) -> Channels {
+        if (x < 100) return {0, 0, 0, 0};
+        if (std::hypot(x - 2500, y - 350) < 30) return {255, 250, 252, 255};
+        return {150 + scattered(x, y, 20), 60 + scattered(y, x, 20), 50, 255};
+    });
+    const PixelMask mask = highlightMask(photo, usualSensitivity);
+    ASSERT_EQ(mask.size(), 5000U * 700);
+    for (int y = 0; y < 700; ++y)
+        for (int x = 0; x < 5000; ++x) {
+            const double fromMiddle = std::hypot(x - 2500, y - 350);
+            const std::uint8_t value = mask[static_cast<std::size_t>(y) * 5000 + static_cast<std::size_t>(x)];
+            ASSERT_TRUE(fromMiddle >= 30 || value == 255) << x << ' ' << y;
+            ASSERT_TRUE(fromMiddle <= 60 || value == 0) << x << ' ' << y;
+        }
+    Image filled = photo;
+    EXPECT_GT(fillHighlights(filled, mask), 2800U);
+    EXPECT_LT(colourOf(filled, 2500, 350)[2], 90);
+}
+
+// Rings hold other highlights, and are highlights of their own.
+TEST(Highlights, WithinEachOtherAreEachFilledOnce) {
+    const auto isRing = [](int x, int y) {
+        const double fromMiddle = std::hypot(x - 60, y - 60);
+        return (fromMiddle > 30 && fromMiddle < 36) || fromMiddle < 6;
+    };
+    Image photo = drawnPhoto(120, 120, [&](int x, int y) -> Channels {
+        return isRing(x, y) ? Channels{255, 255, 255, 255} : Channels{150, 60, 50, 255};
+    });
+    PixelMask mask(120 * 120, 0);
+    std::size_t masked = 0;
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 120; ++x)
+            if (isRing(x, y)) {
+                mask[static_cast<std::size_t>(y * 120 + x)] = 255;
+                ++masked;
+            }
+    EXPECT_EQ(fillHighlights(photo, mask), masked);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 120; ++x)
+            ASSERT_NEAR(colourOf(photo, x, y)[0], 150, 2) << x << ' ' << y;
+}
