@@ -19,6 +19,10 @@ enum class AtlasLayout {
                     ///< seams
     Own,            ///< the mesh's own, for which it was made: triangles stretched as its maker left them
 };
+/// Whether triangles are not similar to their shapes, nor of one scale.
+constexpr bool isStretched(AtlasLayout layout) {
+    return layout == AtlasLayout::Own;
+}
 /// Those that any surface can have.
 constexpr std::array<AtlasLayout, 3> atlasLayouts{AtlasLayout::Rows, AtlasLayout::MatchedRows,
                                                   AtlasLayout::UnfoldedGroups};
@@ -77,6 +81,9 @@ Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options, const Pro
 
 /// Of the edges that two triangles share, the part that is a seam: the two do not lie at it side by side.
 double seamShare(const TriangleMesh& mesh, const Atlas& atlas);
+
+/// The same of the edges' length.
+double seamLengthShare(const TriangleMesh& mesh, const Atlas& atlas);
 
 /// Of each triangle the number of its patch: triangles whose shared edge is one in the page as well lie in
 /// the same.

@@ -5,6 +5,7 @@
 #include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/long_work.h"
 #include "core/support/errors.h"
+#include "core/texture/atlas/distortion.h"
 #include "core/texture/atlas/own_layout.h"
 #include "core/texture/texture_limits.h"
 #include "widgets/inputs/control_keys.h"
@@ -25,6 +26,12 @@ NumberFormat texelFormat() {
     format.minimum = 1 / texture_limits::mostTexelsPerMetre;
     format.maximum = 1;
     return format;
+}
+
+QString distortionText(const TriangleMesh& mesh, const Atlas& atlas) {
+    if (!isStretched(atlas.options.layout)) return QObject::tr("none");
+    const DistortionSpread angle = distortionOf(mesh, atlas).angle;
+    return QObject::tr("%1, up to %2").arg(angle.mean, 0, 'f', 2).arg(angle.most95, 0, 'f', 2);
 }
 
 bool mayPackAnew(QWidget& window, const std::string& problem) {
@@ -69,9 +76,13 @@ AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
     m_pages = results->addText(tr("Pages"), QStringLiteral("atlasPages"));
     m_used = results->addText(tr("Used"), QStringLiteral("atlasUsed"));
     m_seams = results->addText(tr("Seams"), QStringLiteral("atlasSeams"));
+    m_distortion = results->addText(tr("Distortion"), QStringLiteral("atlasDistortion"));
     m_pages->setToolTip(tr("Pictures that the texture takes, each of the size above"));
     m_used->setToolTip(tr("Part of the texture that triangles cover"));
     m_seams->setToolTip(tr("Part of the edges whose triangles lie apart in the texture"));
+    m_distortion->setToolTip(
+        tr("How much longer the texture makes triangles one way than the other: on average, and what 95 % of "
+           "the surface stays under"));
     for (QWidget* part : std::initializer_list<QWidget*>{rows, m_fills, results})
         body()->addWidget(part);
     connectControls();
@@ -128,6 +139,7 @@ void AtlasPanel::show() {
     m_used->setText(atlas ? tr("%1 %").arg(qRound(atlas->utilisation * 100)) : tr("not packed"));
     m_seams->setText(atlas ? tr("%1 % of edges").arg(qRound(100 * seamShare(*project.mesh, *atlas)))
                            : unknown);
+    m_distortion->setText(atlas ? distortionText(*project.mesh, *atlas) : unknown);
     showUse();
 }
 
