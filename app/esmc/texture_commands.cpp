@@ -50,6 +50,7 @@ void declarePack(CLI::App& command, PackOptions& options) {
               {{wordOf(AtlasLayout::Rows), AtlasLayout::Rows},
                {wordOf(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows},
                {wordOf(AtlasLayout::UnfoldedGroups), AtlasLayout::UnfoldedGroups},
+               {wordOf(AtlasLayout::Charts), AtlasLayout::Charts},
                {wordOf(AtlasLayout::Own), AtlasLayout::Own}},
               "How triangles are laid side by side (matched_rows); own: as the mesh's file has them");
 }

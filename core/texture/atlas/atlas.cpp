@@ -2,6 +2,7 @@
 
 #include "core/geometry/adjacency.h"
 #include "core/support/errors.h"
+#include "core/texture/atlas/charts/surface_charts.h"
 #include "core/texture/atlas/matched_rows.h"
 #include "core/texture/atlas/own_layout.h"
 #include "core/texture/atlas/row_layout.h"
@@ -98,17 +99,20 @@ LayoutAt layoutInRows(const Shapes& shapes) {
     };
 }
 
-LayoutAt layoutInGroups(const TriangleMesh& mesh, const Shapes& shapes) {
-    // Shared, because a std::function is copied, and the groups that one scale unfolded serve the next.
-    const auto groups = std::make_shared<UnfoldedGroups>(mesh, shapes.all);
-    return [groups](const AtlasOptions& options, double scale, const Progress& progress) {
-        PatchLayout layout = groups->layoutAt(scale, roomOf(options), options.pages, progress);
-        return inMeshOrder(std::move(layout), groups->order());
+/// Of patches of several triangles, which `Patches` makes and keeps from one scale to the next.
+template<typename Patches> LayoutAt layoutIn(const TriangleMesh& mesh, const Shapes& shapes) {
+    // Shared, because a std::function is copied, and what one scale needed serves the next.
+    const auto patches = std::make_shared<Patches>(mesh, shapes.all);
+    return [patches](const AtlasOptions& options, double scale, const Progress& progress) {
+        PatchLayout layout = patches->layoutAt(scale, roomOf(options), options.pages, progress);
+        return inMeshOrder(std::move(layout), patches->order());
     };
 }
 
 LayoutAt layoutOf(const TriangleMesh& mesh, const Shapes& shapes, AtlasLayout layout) {
-    return layout == AtlasLayout::UnfoldedGroups ? layoutInGroups(mesh, shapes) : layoutInRows(shapes);
+    if (layout == AtlasLayout::UnfoldedGroups) return layoutIn<UnfoldedGroups>(mesh, shapes);
+    if (layout == AtlasLayout::Charts) return layoutIn<SurfaceCharts>(mesh, shapes);
+    return layoutInRows(shapes);
 }
 
 /// Two bounds that need no packing: the patches cannot cover more than the pages, and a row cannot hold a

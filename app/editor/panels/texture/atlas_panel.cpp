@@ -61,6 +61,9 @@ AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
     m_layout->addItem(tr("rows"), static_cast<int>(AtlasLayout::Rows));
     m_layout->addItem(tr("matched rows"), static_cast<int>(AtlasLayout::MatchedRows));
     m_layout->addItem(tr("unfolded groups"), static_cast<int>(AtlasLayout::UnfoldedGroups));
+    m_layout->addItem(tr("charts"), static_cast<int>(AtlasLayout::Charts));
+    m_layout->setItemData(m_layout->count() - 1, tr("Fewest seams; triangles are stretched a little"),
+                          Qt::ToolTipRole);
     m_layout->addItem(tr("the mesh's own"), static_cast<int>(AtlasLayout::Own));
     for (QComboBox* choice : {m_size, m_layout})
         guardFromWheel(*choice);
@@ -150,7 +153,8 @@ void AtlasPanel::showUse() {
     enable(
         m_layout, hasSurface,
         tr("How the triangles lie side by side: matched rows use most of the texture, unfolded groups have "
-           "fewer seams; the mesh's own is where its file has them, stretched as its maker left them"),
+           "fewer seams, charts fewest but stretch triangles a little; the mesh's own is where its file has "
+           "them, stretched as its maker left them"),
         noSurface);
     const bool isOwn = m_document.project().texture.atlas.layout == AtlasLayout::Own;
     const QString ownDensity =
