@@ -74,9 +74,9 @@ Json spreadInJson(const DistortionSpread& spread) {
     return {{"mean", spread.mean}, {"most_95", spread.most95}, {"worst", spread.worst}};
 }
 
-std::string spreadInWords(const char* what, const DistortionSpread& spread) {
-    return std::string(what) + " " + inText(spread.mean) + " times on average, up to " +
-           inText(spread.most95) + " times over 95 % of the surface, " + inText(spread.worst) +
+std::string spreadInWords(const char* what, const DistortionSpread& spread, const char* against) {
+    return what + (" " + inText(spread.mean)) + " times " + against + " on average, up to " +
+           inText(spread.most95) + " times on 95 % of the surface, " + inText(spread.worst) +
            " times at the worst";
 }
 
@@ -90,8 +90,9 @@ void addDistortion(Report& report, const Distortion& distortion) {
         report.text.emplace_back("no triangle is distorted");
         return;
     }
-    report.text.push_back(spreadInWords("triangles are longer one way than the other", distortion.angle));
-    report.text.push_back(spreadInWords("their density differs from the mean", distortion.area));
+    report.text.push_back(
+        spreadInWords("triangles are stretched one way", distortion.angle, "as much as the other"));
+    report.text.push_back(spreadInWords("their density is", distortion.area, "off the mean"));
     if (distortion.flipped > 0)
         report.text.push_back(counted(distortion.flipped, "triangle") + " folded over");
 }

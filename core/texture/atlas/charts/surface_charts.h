@@ -20,7 +20,7 @@ public:
     const std::vector<PatchShape>& order() const { return m_order; }
 
 private:
-    /// Every triangle of it has its own size in the mean. One triangle alone keeps its shape.
+    /// In the plane it has the area that it has on the surface. A triangle alone keeps its shape.
     struct Chart {
         TriangleSet triangles;
         TurnedGroup laid;

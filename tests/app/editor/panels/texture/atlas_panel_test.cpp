@@ -58,6 +58,9 @@ TEST_F(AtlasPanelTest, PacksInTheLayoutThatIsChosen) {
     choose("unfolded groups");
     EXPECT_NE(child<QLabel>("atlasSeams")->text(), "100 % of edges");
     EXPECT_EQ(child<QLabel>("atlasDistortion")->text(), "none");
+    choose("charts");
+    EXPECT_TRUE(child<QLabel>("atlasDistortion")->text().contains(", up to 1."));
+    window->document().undoStack()->undo();
     window->document().undoStack()->undo();
     window->document().undoStack()->undo();
     EXPECT_EQ(layout->currentText(), "rows");
