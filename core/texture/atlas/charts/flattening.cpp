@@ -86,7 +86,8 @@ SparseMatrix conformalEnergy(const ChartMesh& disc, const std::vector<FlatTriang
         entries.emplace_back(b, count + a, 1.0);
         entries.emplace_back(count + a, b, 1.0);
     }
-    SparseMatrix energy(2 * count, 2 * count);
+    const Eigen::Index rows = 2 * Eigen::Index{count};
+    SparseMatrix energy(rows, rows);
     energy.setFromTriplets(entries.begin(), entries.end());
     return energy;
 }
