@@ -10,6 +10,7 @@
 #include "core/exchange/project/projector_file.h"
 #include "core/support/errors.h"
 #include "core/support/joined.h"
+#include "core/texture/atlas/distortion.h"
 #include "core/texture/atlas/own_layout.h"
 #include "core/texture/layers/composite.h"
 #include "core/texture/texture_limits.h"
@@ -49,6 +50,7 @@ void declarePack(CLI::App& command, PackOptions& options) {
               {{wordOf(AtlasLayout::Rows), AtlasLayout::Rows},
                {wordOf(AtlasLayout::MatchedRows), AtlasLayout::MatchedRows},
                {wordOf(AtlasLayout::UnfoldedGroups), AtlasLayout::UnfoldedGroups},
+               {wordOf(AtlasLayout::Charts), AtlasLayout::Charts},
                {wordOf(AtlasLayout::Own), AtlasLayout::Own}},
               "How triangles are laid side by side (matched_rows); own: as the mesh's file has them");
 }
@@ -68,6 +70,33 @@ void packAs(const AtlasOptions& options, Project& project) {
     project.texture.atlas = project.atlas->options;
 }
 
+Json spreadInJson(const DistortionSpread& spread) {
+    return {{"mean", spread.mean}, {"most_95", spread.most95}, {"worst", spread.worst}};
+}
+
+std::string spreadInWords(const char* what, const DistortionSpread& spread, const char* against) {
+    return what + (" " + inText(spread.mean)) + " times " + against + " on average, up to " +
+           inText(spread.most95) + " times on 95 % of the surface, " + inText(spread.worst) +
+           " times at the worst";
+}
+
+void addDistortion(Report& report, const Distortion& distortion) {
+    report.json["distortion"] = {{"angle", spreadInJson(distortion.angle)},
+                                 {"area", spreadInJson(distortion.area)},
+                                 {"flipped", distortion.flipped},
+                                 {"collapsed", distortion.collapsed}};
+    constexpr double unseen = 1.0005; // rounded to three digits, nothing
+    if (distortion.angle.worst < unseen && distortion.area.worst < unseen) {
+        report.text.emplace_back("no triangle is distorted");
+        return;
+    }
+    report.text.push_back(
+        spreadInWords("triangles are stretched one way", distortion.angle, "as much as the other"));
+    report.text.push_back(spreadInWords("their density is", distortion.area, "off the mean"));
+    if (distortion.flipped > 0)
+        report.text.push_back(counted(distortion.flipped, "triangle") + " folded over");
+}
+
 Report runPack(const PackOptions& options, Context& context) {
     context.subject = options.project;
     const ProjectOutput output(options.output);
@@ -75,7 +104,7 @@ Report runPack(const PackOptions& options, Context& context) {
     packAs(options.atlas, project);
     output.save(project);
     const Atlas& atlas = *project.atlas;
-    const double seams = seamShare(*project.mesh, atlas);
+    const double seams = seamShare(*project.mesh, atlas), seamLength = seamLengthShare(*project.mesh, atlas);
     Report report;
     report.json = {{"utilisation", atlas.utilisation},
                    {"texels_per_metre", atlas.texelsPerMetre},
@@ -83,12 +112,15 @@ Report runPack(const PackOptions& options, Context& context) {
                    {"gap", atlas.options.gap},
                    {"size", atlas.options.size},
                    {"layout", wordOf(atlas.options.layout)},
-                   {"seam_share", seams}};
+                   {"seam_share", seams},
+                   {"seam_length_share", seamLength}};
     report.text.push_back(counted(static_cast<std::size_t>(atlas.options.pages), "page") + " of " +
                           std::to_string(atlas.options.size) + " × " + std::to_string(atlas.options.size) +
                           " pixels, " + inText(100 * atlas.utilisation) + " % used, " +
                           inText(atlas.texelsPerMetre / 1000) + " pixels per mm");
-    report.text.push_back(inText(100 * seams) + " % of the edges are seams");
+    report.text.push_back(inText(100 * seams) + " % of the edges are seams, " + inText(100 * seamLength) +
+                          " % of their length");
+    addDistortion(report, distortionOf(*project.mesh, atlas));
     addWritten(report, options.output);
     if (atlas.options.layout == AtlasLayout::Own) addWarnings(report, ownLayoutWarnings(*project.mesh));
     return report;

@@ -267,10 +267,10 @@ class Package:
         needed = 5 if soft else 4 if extended else 3 if "stiffening" in self.json else 2 if "binding" in self.json else 1
         if "starts" in self.json.get("binding", {}):
             needed = 6
-        self.is_own_layout = "layout" in self.json.get("texture", {})
-        known = (7,) if self.is_own_layout else (needed, 6)  # 6: springs of their own
+        self.is_stretched = "layout" in self.json.get("texture", {})
+        known = (7,) if self.is_stretched else (needed, 6)  # 6: springs of their own
         check(self.json["version"] in known, "another version of the extension")
-        check(not self.is_own_layout or self.json["texture"]["layout"] == "own", "an unknown layout")
+        check(not self.is_stretched or self.json["texture"]["layout"] in ("charts", "own"), "an unknown layout")
         check(self.json["damping"] == "isotropic", "another damping")
         self.nodes, self.springs = self.json["nodes"], self.json["springs"]
         self.node_count, self.spring_count = self.nodes["count"], self.springs["count"]
@@ -386,7 +386,7 @@ class Package:
             return
         places, positions = self.gltf.array(attributes["TEXCOORD_0"]), self.gltf.array(attributes["POSITION"])
         alike = {(*positions[3 * i:3 * i + 3], *places[2 * i:2 * i + 2]) for i in range(vertices)}
-        if self.is_own_layout:
+        if self.is_stretched:
             check(len(alike) == vertices, "a drawn vertex is there twice")
         else:
             check(vertices == 3 * triangles, "a triangle shares vertices")

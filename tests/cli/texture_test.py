@@ -371,6 +371,22 @@ class TextureTest(Case):
         self.done("import", self.file("own.obj", content), "-o", project)
         return project
 
+    def test_lays_out_in_charts_and_hands_them_over(self):
+        project, package = self.sample("liver"), self.file("charts.glb")
+        def packed(layout):
+            return self.done("texture", "pack", project, "--layout", layout, "--size", "512", "-o", project)
+        unfolded, charts = packed("unfolded_groups"), packed("charts")
+        self.assertEqual(charts["layout"], "charts")
+        self.assertLess(charts["seam_share"], unfolded["seam_share"] / 2)
+        self.assertLess(charts["seam_length_share"], unfolded["seam_length_share"] / 2)
+        self.assertAlmostEqual(unfolded["distortion"]["angle"]["worst"], 1)
+        self.assertTrue(1 < charts["distortion"]["angle"]["mean"] < 1.15)
+        self.assertLess(charts["distortion"]["area"]["most_95"], 1.5)
+        self.photographed(project, width=0.5, height=0.5)
+        self.assertEqual(self.done("validate", project)["problems"], [])
+        self.done("export", project, "--to", "glb", "-o", package)
+        self.assertEqual(self.done("validate", package)["problems"], [])
+
     def test_lays_out_by_the_meshs_own_coordinates_and_hands_them_over(self):
         project, package = self.imported(self.OWN), self.file("own.glb")
         self.assertIs(self.done("info", project)["own_layout"], True)
@@ -378,6 +394,9 @@ class TextureTest(Case):
         self.assertEqual((packed["layout"], packed["utilisation"], packed["warnings"]), ("own", 1, []))
         self.assertAlmostEqual(packed["texels_per_metre"], 256 / math.sqrt(0.02))
         self.assertAlmostEqual(packed["seam_share"], 1 / 3)
+        self.assertAlmostEqual(packed["distortion"]["angle"]["worst"], 2)
+        self.assertAlmostEqual(packed["distortion"]["area"]["worst"], 1)
+        self.assertEqual((packed["distortion"]["flipped"], packed["distortion"]["collapsed"]), (0, 0))
         self.photographed(project, width=0.5, height=0.5)
         self.assertEqual(self.done("validate", project)["problems"], [])
         self.done("export", project, "--to", "glb", "-o", package)

@@ -222,9 +222,10 @@ std::shared_ptr<Atlas> DrawnReader::readAtlas(const JsonReader& texture, std::si
     atlas->options.layout = AtlasLayout::MatchedRows; // as far as a package tells: undistorted
     if (texture.has("layout")) {
         const auto layout = fromWord<AtlasLayout>(texture.member("layout").text());
-        if (layout != AtlasLayout::Own)
-            texture.member("layout").addProblem("should be \"own\" where it is told");
-        atlas->options.layout = AtlasLayout::Own;
+        if (layout && isStretched(*layout))
+            atlas->options.layout = *layout;
+        else
+            texture.member("layout").addProblem("should be \"charts\" or \"own\" where it is told");
     }
     for (const std::string& problem : validate(atlas->options))
         texture.addProblem("is not usable: " + problem);

@@ -13,7 +13,7 @@ constexpr int versionOfOwnValues = 6;
 constexpr int versionOfWideBindings = 6;
 
 /// The first version whose triangles may lie stretched in the texture.
-constexpr int versionOfOwnLayouts = 7;
+constexpr int versionOfStretchedLayouts = 7;
 
 /// Pixels, width and height of the preview picture.
 constexpr int largestPreview = 4096;

@@ -38,7 +38,7 @@ Json textureOf(const Atlas& atlas) {
               {"gap", atlas.options.gap},
               {"texelsPerMetre", atlas.texelsPerMetre},
               {"utilisation", atlas.utilisation}};
-    if (atlas.options.layout == AtlasLayout::Own) json["layout"] = wordOf(AtlasLayout::Own);
+    if (isStretched(atlas.options.layout)) json["layout"] = wordOf(atlas.options.layout);
     return json;
 }
 

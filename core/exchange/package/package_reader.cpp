@@ -27,7 +27,7 @@ void checkVersion(const JsonReader& extension, const ModelPackage& package) {
     if (isBound && extension.member("binding").has("starts"))
         version = std::max(version, package_layout::versionOfWideBindings);
     if (extension.has("texture") && extension.member("texture").has("layout"))
-        version = std::max(version, package_layout::versionOfOwnLayouts);
+        version = std::max(version, package_layout::versionOfStretchedLayouts);
     const auto needed = static_cast<std::uint64_t>(version);
     if (extension.member("version").integer(1, modelPackageVersion) < needed)
         extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");

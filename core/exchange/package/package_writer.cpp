@@ -189,8 +189,8 @@ Json PackageBuilder::binding() {
 }
 
 int PackageBuilder::version() const {
-    if (m_from.pages.colours && m_from.project.atlas->options.layout == AtlasLayout::Own)
-        return package_layout::versionOfOwnLayouts;
+    if (m_from.pages.colours && isStretched(m_from.project.atlas->options.layout))
+        return package_layout::versionOfStretchedLayouts;
     if (hasOwnValues(m_from.tissue)) return package_layout::versionOfOwnValues;
     if (isBound() && needsStarts(*m_network.binding)) return package_layout::versionOfWideBindings;
     const bool stiffens = m_from.tissue.stiffening.has_value();

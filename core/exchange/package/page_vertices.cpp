@@ -34,7 +34,7 @@ public:
 private:
     std::uint32_t vertexAt(std::uint32_t vertex, const TexturePlace& place, double handedness) {
         std::vector<std::uint32_t>& known = m_drawnAs[vertex];
-        const bool mayShare = m_project.atlas->options.layout == AtlasLayout::Own;
+        const bool mayShare = isStretched(m_project.atlas->options.layout);
         const auto same = std::find_if(known.begin(), known.end(), [&](std::size_t other) {
             return m_drawn.places[2 * other] == place[0] && m_drawn.places[2 * other + 1] == place[1] &&
                    m_drawn.handedness[other] == handedness;

@@ -13,9 +13,9 @@ struct PageVertices {
     std::vector<std::uint32_t> corners;         ///< of the page's triangles, in their order: which of these
 };
 
-/// In the mesh's own layout triangles that are neighbours in the texture share vertices there; where a vertex
-/// of the surface lies at several places, or is mirrored on one side, it is drawn by as many. In other
-/// layouts every corner has a vertex of its own, as readers of versions before 7 were promised.
+/// In charts and in the mesh's own layout triangles that are neighbours in the texture share vertices there;
+/// where a vertex of the surface lies at several places, or is mirrored on one side, it is drawn by as many.
+/// In other layouts every corner has a vertex of its own, as readers of versions before 7 were promised.
 /// @param normals of the surface's vertices @param triangles of the page
 PageVertices pageVertices(const Project& project, const std::vector<Eigen::Vector3d>& normals,
                           const std::vector<std::uint32_t>& triangles);

@@ -20,9 +20,9 @@ struct VersionNeeds {
     bool instruments = false;       ///< others than one sphere without a name or a turn: version 9
     bool splits = false;            ///< a scene that splits the organ: version 9
     bool wideBinding = false;       ///< more than three nodes that carry one vertex: version 9
-    bool ownLayout = false;         ///< a mesh's own texture coordinates, kept or laid out by: version 11
     bool shapedMasks = false;       ///< fields and masks of any shape, highlights by surroundings: version 10
     bool finish = false;            ///< how the surface shines: version 11
+    bool stretchedLayout = false;   ///< a mesh's own texture coordinates, or triangles stretched: version 11
     bool retouching = false; ///< adjusted colours, newer blendings, strokes that heal or of a pen: version 11
 };
 

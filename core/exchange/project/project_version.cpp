@@ -42,9 +42,9 @@ bool needsRetouching(const TextureLayer& layer) {
     return blendsAnew || isPaintedAnew || layer.preparation.adjustment != ColourAdjustment();
 }
 
-bool needsOwnLayout(const Project& project) {
-    return !project.mesh->ownPlaces.empty() || project.texture.atlas.layout == AtlasLayout::Own ||
-           (project.atlas && project.atlas->options.layout == AtlasLayout::Own);
+bool needsStretchedLayout(const Project& project) {
+    return !project.mesh->ownPlaces.empty() || isStretched(project.texture.atlas.layout) ||
+           (project.atlas && isStretched(project.atlas->options.layout));
 }
 
 bool needsLandmarks(const TextureLayer& layer) {
@@ -73,7 +73,7 @@ int projectVersionOf(const Project& project) {
     needs.instruments = !hasPlainInstrument(project.scene);
     needs.splits = !project.scene.splits.empty();
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);
-    needs.ownLayout = needsOwnLayout(project);
+    needs.stretchedLayout = needsStretchedLayout(project);
     return versionOf(needs);
 }
 

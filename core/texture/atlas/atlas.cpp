@@ -2,6 +2,7 @@
 
 #include "core/geometry/adjacency.h"
 #include "core/support/errors.h"
+#include "core/texture/atlas/charts/surface_charts.h"
 #include "core/texture/atlas/matched_rows.h"
 #include "core/texture/atlas/own_layout.h"
 #include "core/texture/atlas/row_layout.h"
@@ -98,17 +99,20 @@ LayoutAt layoutInRows(const Shapes& shapes) {
     };
 }
 
-LayoutAt layoutInGroups(const TriangleMesh& mesh, const Shapes& shapes) {
-    // Shared, because a std::function is copied, and the groups that one scale unfolded serve the next.
-    const auto groups = std::make_shared<UnfoldedGroups>(mesh, shapes.all);
-    return [groups](const AtlasOptions& options, double scale, const Progress& progress) {
-        PatchLayout layout = groups->layoutAt(scale, roomOf(options), options.pages, progress);
-        return inMeshOrder(std::move(layout), groups->order());
+/// Of patches of several triangles, which `Patches` makes and keeps from one scale to the next.
+template<typename Patches> LayoutAt layoutIn(const TriangleMesh& mesh, const Shapes& shapes) {
+    // Shared, because a std::function is copied, and what one scale needed serves the next.
+    const auto patches = std::make_shared<Patches>(mesh, shapes.all);
+    return [patches](const AtlasOptions& options, double scale, const Progress& progress) {
+        PatchLayout layout = patches->layoutAt(scale, roomOf(options), options.pages, progress);
+        return inMeshOrder(std::move(layout), patches->order());
     };
 }
 
 LayoutAt layoutOf(const TriangleMesh& mesh, const Shapes& shapes, AtlasLayout layout) {
-    return layout == AtlasLayout::UnfoldedGroups ? layoutInGroups(mesh, shapes) : layoutInRows(shapes);
+    if (layout == AtlasLayout::UnfoldedGroups) return layoutIn<UnfoldedGroups>(mesh, shapes);
+    if (layout == AtlasLayout::Charts) return layoutIn<SurfaceCharts>(mesh, shapes);
+    return layoutInRows(shapes);
 }
 
 /// Two bounds that need no packing: the patches cannot cover more than the pages, and a row cannot hold a
@@ -222,7 +226,7 @@ Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options, const Pro
 
 namespace {
 
-/// Calls `visit(first, second, areJoined)` for both sides of every edge that triangles share, of more than
+/// Calls `visit(first, second, areJoined)` with both sides of every edge that triangles share, of more than
 /// two the first ones, which are never joined.
 template<typename Visit>
 void forEachSharedEdge(const TriangleMesh& mesh, const Atlas& atlas, const Visit& visit) {
@@ -234,22 +238,34 @@ void forEachSharedEdge(const TriangleMesh& mesh, const Atlas& atlas, const Visit
     forEachEdge(sidesByEdge(mesh.triangles), [&](auto first, auto last) {
         if (last - first < 2) return;
         const auto second = first + 1;
-        visit(first->triangle, second->triangle,
+        visit(*first, *second,
               last - first == 2 && atlas.page[first->triangle] == atlas.page[second->triangle] &&
                   placeOf(*first, first->edge.first) == placeOf(*second, first->edge.first) &&
                   placeOf(*first, first->edge.second) == placeOf(*second, first->edge.second));
     });
 }
 
+template<typename WeightOf>
+double seamShareBy(const TriangleMesh& mesh, const Atlas& atlas, const WeightOf& weightOf) {
+    double shared = 0, joined = 0;
+    forEachSharedEdge(mesh, atlas, [&](const TriangleSide& side, const TriangleSide&, bool areJoined) {
+        const double weight = weightOf(side.edge);
+        shared += weight;
+        joined += areJoined ? weight : 0;
+    });
+    return shared > 0 ? 1 - joined / shared : 0;
+}
+
 } // namespace
 
 double seamShare(const TriangleMesh& mesh, const Atlas& atlas) {
-    std::size_t shared = 0, joined = 0;
-    forEachSharedEdge(mesh, atlas, [&](std::uint32_t, std::uint32_t, bool areJoined) {
-        ++shared;
-        joined += areJoined ? 1 : 0;
+    return seamShareBy(mesh, atlas, [](const Edge&) { return 1.0; });
+}
+
+double seamLengthShare(const TriangleMesh& mesh, const Atlas& atlas) {
+    return seamShareBy(mesh, atlas, [&](const Edge& edge) {
+        return (mesh.vertices[edge.second] - mesh.vertices[edge.first]).norm();
     });
-    return shared > 0 ? 1 - static_cast<double>(joined) / static_cast<double>(shared) : 0;
 }
 
 /// Every triangle is led towards the first of its patch (union-find), and takes that one's number.
@@ -261,9 +277,9 @@ std::vector<std::uint32_t> patchNumbers(const TriangleMesh& mesh, const Atlas& a
             triangle = leads[triangle] = leads[leads[triangle]];
         return triangle;
     };
-    forEachSharedEdge(mesh, atlas, [&](std::uint32_t one, std::uint32_t other, bool areJoined) {
+    forEachSharedEdge(mesh, atlas, [&](const TriangleSide& one, const TriangleSide& other, bool areJoined) {
         if (!areJoined) return;
-        const auto [low, high] = std::minmax({first(one), first(other)});
+        const auto [low, high] = std::minmax({first(one.triangle), first(other.triangle)});
         leads[high] = low;
     });
     for (std::uint32_t triangle = 0; triangle < leads.size(); ++triangle)

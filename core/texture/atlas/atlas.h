@@ -17,15 +17,21 @@ enum class AtlasLayout {
     MatchedRows,    ///< rows in which slants are matched and patches may be mirrored
     UnfoldedGroups, ///< neighbours unfolded together into the plane, so that only edges between groups are
                     ///< seams
+    Charts,         ///< large pieces laid flat: fewest seams, triangles stretched a little
     Own,            ///< the mesh's own, for which it was made: triangles stretched as its maker left them
 };
+/// Whether triangles are not similar to their shapes, nor of one scale.
+constexpr bool isStretched(AtlasLayout layout) {
+    return layout == AtlasLayout::Charts || layout == AtlasLayout::Own;
+}
 /// Those that any surface can have.
-constexpr std::array<AtlasLayout, 3> atlasLayouts{AtlasLayout::Rows, AtlasLayout::MatchedRows,
-                                                  AtlasLayout::UnfoldedGroups};
+constexpr std::array<AtlasLayout, 4> atlasLayouts{AtlasLayout::Rows, AtlasLayout::MatchedRows,
+                                                  AtlasLayout::UnfoldedGroups, AtlasLayout::Charts};
 template<>
 inline constexpr auto wordsOf<AtlasLayout> =
     std::array{Word{AtlasLayout::Rows, "rows"}, Word{AtlasLayout::MatchedRows, "matched_rows"},
-               Word{AtlasLayout::UnfoldedGroups, "unfolded_groups"}, Word{AtlasLayout::Own, "own"}};
+               Word{AtlasLayout::UnfoldedGroups, "unfolded_groups"}, Word{AtlasLayout::Charts, "charts"},
+               Word{AtlasLayout::Own, "own"}};
 
 struct AtlasOptions {
     int size = 2048; ///< pixels, width and height of a page
@@ -54,9 +60,9 @@ constexpr auto atlasFields(const char* askedKey) {
 template<> inline constexpr auto fieldsOf<AtlasOptions> = atlasFields("texelsPerMetre");
 
 /// Where every triangle lies in texture space: similar to its 3-D shape, one scale for all [R 4.3.2], in a
-/// patch of its own or, in unfolded groups, in one with neighbours whose edges it shares there too. A
-/// degenerate triangle has a defined place without area. In the mesh's own layout triangles are neither
-/// similar to their shapes nor of one scale, and keep no gap.
+/// patch of its own or, in unfolded groups and charts, in one with neighbours whose edges it shares there
+/// too. A degenerate triangle has a defined place without area. In charts and in the mesh's own layout
+/// triangles are neither quite similar to their shapes nor of one scale; the mesh's own keeps no gap.
 struct Atlas {
     AtlasOptions options;
     double texelsPerMetre = 0; ///< of the whole: the root of the patches' area over the surface's
@@ -77,6 +83,9 @@ Atlas packAtlas(const TriangleMesh& mesh, const AtlasOptions& options, const Pro
 
 /// Of the edges that two triangles share, the part that is a seam: the two do not lie at it side by side.
 double seamShare(const TriangleMesh& mesh, const Atlas& atlas);
+
+/// The same of the edges' length.
+double seamLengthShare(const TriangleMesh& mesh, const Atlas& atlas);
 
 /// Of each triangle the number of its patch: triangles whose shared edge is one in the page as well lie in
 /// the same.

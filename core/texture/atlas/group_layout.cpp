@@ -31,23 +31,31 @@ constexpr int mostTenthsBack = 3;
 /// ragged border would be a valley of its own that nothing fits into, and be closed.
 constexpr double valleyDepth = 0.8;
 
+/// By the coordinates of its ends: an order in which a side can be looked up.
+bool comesBefore(const OutlineSide& a, const OutlineSide& b) {
+    const auto numbers = [](const OutlineSide& side) {
+        return std::array{side[0].x(), side[0].y(), side[1].x(), side[1].y()};
+    };
+    return numbers(a) < numbers(b);
+}
+
 /// What is inside a group cannot touch others, so only sides that one triangle alone has are profiled.
 /// Triangles unfolded over a side share its ends bit by bit, and run along it in opposite directions: exact
 /// comparison finds them.
 std::vector<OutlineSide> outlineOf(const std::vector<PatchCorners>& triangles) {
-    std::vector<OutlineSide> outline;
-    const auto isShared = [&](const OutlineSide& side) {
-        for (const PatchCorners& corners : triangles)
-            for (std::size_t i = 0; i < 3; ++i)
-                if (corners[i] == side[1] && corners[(i + 1) % 3] == side[0]) return true;
-        return false;
-    };
+    std::vector<OutlineSide> sides;
+    sides.reserve(3 * triangles.size());
     for (const PatchCorners& corners : triangles)
-        for (std::size_t i = 0; i < 3; ++i) {
-            const OutlineSide side{corners[i], corners[(i + 1) % 3]};
-            if (side[0] == side[1] || !isShared(side)) outline.push_back(side);
-        }
-    return outline;
+        for (std::size_t i = 0; i < 3; ++i)
+            sides.push_back({corners[i], corners[(i + 1) % 3]});
+    std::vector<OutlineSide> sorted = sides;
+    std::sort(sorted.begin(), sorted.end(), comesBefore);
+    const auto isShared = [&](const OutlineSide& side) {
+        return side[0] != side[1] &&
+               std::binary_search(sorted.begin(), sorted.end(), OutlineSide{side[1], side[0]}, comesBefore);
+    };
+    sides.erase(std::remove_if(sides.begin(), sides.end(), isShared), sides.end());
+    return sides;
 }
 
 /// Where a group may lie.

@@ -55,9 +55,9 @@ double areaOf(const Polygon& polygon) {
 }
 
 /// One side of the smallest rectangle lies along a side of the hull (Freeman and Shapira 1975), so only these
-/// directions are tried. Each is measured at all corners: the hull of a group has at most 18 of them, for
-/// which rotating calipers would be longer and no faster. Strictly smaller ones alone take over, so that of
-/// equal rectangles the first is taken on every machine.
+/// directions are tried. Each is measured at all corners: the hull of a group has at most 18 of them, that of
+/// a chart some hundred, for which rotating calipers would be longer and hardly faster. Strictly smaller ones
+/// alone take over, so that of equal rectangles the first is taken on every machine.
 TurnedRectangle smallestRectangle(const Polygon& hull) {
     TurnedRectangle smallest = rectangleAlong({1, 0}, hull);
     for (std::size_t i = 0; i < hull.size(); ++i) {

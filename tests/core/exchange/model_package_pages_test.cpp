@@ -133,6 +133,26 @@ TEST_F(ModelPackageFile, KeepsTheMeshsOwnLayoutAndItsSharedVertices) {
             EXPECT_LT((package.atlas->corners[i][corner] - project.atlas->corners[i][corner]).norm(), 1e-4);
 }
 
+TEST_F(ModelPackageFile, KeepsChartsAndTheirSharedVertices) {
+    Project project = richProject(24);
+    project.texture.atlas = {256, 1, 2, AtlasLayout::Charts};
+    project.atlas = std::make_shared<Atlas>(packAtlas(*project.mesh, project.texture.atlas));
+    expectReadIndependently(project, m_folder.path());
+    const ModelPackage package = exported(project);
+    EXPECT_EQ(package.atlas->options.layout, AtlasLayout::Charts);
+    const Json gltf = parseGlb(readFile(m_file)).json;
+    EXPECT_EQ(gltf["extensions"]["ESM_spring_mass"]["version"], 7);
+    EXPECT_EQ(gltf["extensions"]["ESM_spring_mass"]["texture"]["layout"], "charts");
+    EXPECT_EQ(gltf["samplers"][0]["minFilter"], 9729) << "linear, without mip-maps";
+    const Json& positions = gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+    const auto drawn = gltf["accessors"][positions.get<std::size_t>()]["count"].get<std::size_t>();
+    EXPECT_GT(drawn, project.mesh->vertices.size()) << "at least twice at seams";
+    EXPECT_LT(drawn, 2 * project.mesh->triangles.size()) << "of three corners each";
+    for (std::size_t i = 0; i < project.atlas->corners.size(); ++i)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            EXPECT_LT((package.atlas->corners[i][corner] - project.atlas->corners[i][corner]).norm(), 1e-4);
+}
+
 TEST_F(ModelPackageFile, AnUnknownLayoutOrTooLowAVersionForItsOwnIsNamed) {
     exportPackage(ownLayoutProject(), m_file);
     Glb glb = parseGlb(readFile(m_file));

@@ -5,6 +5,7 @@
 #include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/long_work.h"
 #include "core/support/errors.h"
+#include "core/texture/atlas/distortion.h"
 #include "core/texture/atlas/own_layout.h"
 #include "core/texture/texture_limits.h"
 #include "widgets/inputs/control_keys.h"
@@ -25,6 +26,12 @@ NumberFormat texelFormat() {
     format.minimum = 1 / texture_limits::mostTexelsPerMetre;
     format.maximum = 1;
     return format;
+}
+
+QString distortionText(const TriangleMesh& mesh, const Atlas& atlas) {
+    if (!isStretched(atlas.options.layout)) return QObject::tr("none");
+    const DistortionSpread angle = distortionOf(mesh, atlas).angle;
+    return QObject::tr("%1, up to %2").arg(angle.mean, 0, 'f', 2).arg(angle.most95, 0, 'f', 2);
 }
 
 bool mayPackAnew(QWidget& window, const std::string& problem) {
@@ -54,6 +61,9 @@ AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
     m_layout->addItem(tr("rows"), static_cast<int>(AtlasLayout::Rows));
     m_layout->addItem(tr("matched rows"), static_cast<int>(AtlasLayout::MatchedRows));
     m_layout->addItem(tr("unfolded groups"), static_cast<int>(AtlasLayout::UnfoldedGroups));
+    m_layout->addItem(tr("charts"), static_cast<int>(AtlasLayout::Charts));
+    m_layout->setItemData(m_layout->count() - 1, tr("Fewest seams; triangles are stretched a little"),
+                          Qt::ToolTipRole);
     m_layout->addItem(tr("the mesh's own"), static_cast<int>(AtlasLayout::Own));
     for (QComboBox* choice : {m_size, m_layout})
         guardFromWheel(*choice);
@@ -69,9 +79,13 @@ AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
     m_pages = results->addText(tr("Pages"), QStringLiteral("atlasPages"));
     m_used = results->addText(tr("Used"), QStringLiteral("atlasUsed"));
     m_seams = results->addText(tr("Seams"), QStringLiteral("atlasSeams"));
+    m_distortion = results->addText(tr("Distortion"), QStringLiteral("atlasDistortion"));
     m_pages->setToolTip(tr("Pictures that the texture takes, each of the size above"));
     m_used->setToolTip(tr("Part of the texture that triangles cover"));
     m_seams->setToolTip(tr("Part of the edges whose triangles lie apart in the texture"));
+    m_distortion->setToolTip(
+        tr("How much longer the texture makes triangles one way than the other: on average, and what 95 % of "
+           "the surface stays under"));
     for (QWidget* part : std::initializer_list<QWidget*>{rows, m_fills, results})
         body()->addWidget(part);
     connectControls();
@@ -128,6 +142,7 @@ void AtlasPanel::show() {
     m_used->setText(atlas ? tr("%1 %").arg(qRound(atlas->utilisation * 100)) : tr("not packed"));
     m_seams->setText(atlas ? tr("%1 % of edges").arg(qRound(100 * seamShare(*project.mesh, *atlas)))
                            : unknown);
+    m_distortion->setText(atlas ? distortionText(*project.mesh, *atlas) : unknown);
     showUse();
 }
 
@@ -138,7 +153,8 @@ void AtlasPanel::showUse() {
     enable(
         m_layout, hasSurface,
         tr("How the triangles lie side by side: matched rows use most of the texture, unfolded groups have "
-           "fewer seams; the mesh's own is where its file has them, stretched as its maker left them"),
+           "fewer seams, charts fewest but stretch triangles a little; the mesh's own is where its file has "
+           "them, stretched as its maker left them"),
         noSurface);
     const bool isOwn = m_document.project().texture.atlas.layout == AtlasLayout::Own;
     const QString ownDensity =

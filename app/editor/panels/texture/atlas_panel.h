@@ -28,7 +28,7 @@ private:
     QComboBox *m_size, *m_layout;
     NumberField* m_texel;
     QCheckBox* m_fills;
-    QLabel *m_pages, *m_used, *m_seams;
+    QLabel *m_pages, *m_used, *m_seams, *m_distortion;
 };
 
 } // namespace esm

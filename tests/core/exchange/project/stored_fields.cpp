@@ -154,6 +154,7 @@ void addTexture(Fields& fields) {
     const std::vector<AtlasOptions> options{{1, 1, 0, AtlasLayout::Rows, 0},
                                             {16384, 4, 16384, AtlasLayout::MatchedRows, 1e9},
                                             {4096, 64, 0, AtlasLayout::UnfoldedGroups, smallest},
+                                            {4096, 64, 0, AtlasLayout::Charts, 0},
                                             {4096, 1, 0, AtlasLayout::Own, 0}};
     fields.push_back(field("texture", options, [](Project& p) { return &p.texture.atlas; }));
     fields.push_back(

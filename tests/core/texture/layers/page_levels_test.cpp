@@ -42,6 +42,7 @@ Image pageInTriangleColours(const Atlas& atlas) {
 TEST(PageLevels, AreAsManyAsTheGapSupports) {
     const auto levels = [](int size, int gap) { return usableLevels({size, 1, gap}); };
     EXPECT_EQ(usableLevels({1024, 1, 16, AtlasLayout::Own}), 0) << "where nobody keeps a gap";
+    EXPECT_EQ(usableLevels({1024, 1, 16, AtlasLayout::Charts}), 3) << "as where triangles lie alone";
     EXPECT_EQ(levels(1024, 2), 0);
     EXPECT_EQ(levels(1024, 4), 1);
     EXPECT_EQ(levels(1024, 8), 2);

@@ -57,6 +57,10 @@ TEST_F(AtlasPanelTest, PacksInTheLayoutThatIsChosen) {
     EXPECT_EQ(child<QLabel>("atlasSeams")->text(), "100 % of edges");
     choose("unfolded groups");
     EXPECT_NE(child<QLabel>("atlasSeams")->text(), "100 % of edges");
+    EXPECT_EQ(child<QLabel>("atlasDistortion")->text(), "none");
+    choose("charts");
+    EXPECT_TRUE(child<QLabel>("atlasDistortion")->text().contains(", up to 1."));
+    window->document().undoStack()->undo();
     window->document().undoStack()->undo();
     window->document().undoStack()->undo();
     EXPECT_EQ(layout->currentText(), "rows");
@@ -71,6 +75,7 @@ TEST_F(AtlasPanelTest, TakesTheLayoutThatTheMeshBrought) {
     EXPECT_EQ(window->document().project().atlas->options.layout, AtlasLayout::Own);
     EXPECT_EQ(child<QLabel>("atlasUsed")->text(), "25 %");
     EXPECT_EQ(child<QLabel>("atlasSeams")->text(), "0 % of edges");
+    EXPECT_EQ(child<QLabel>("atlasDistortion")->text(), "1.00, up to 1.00");
     EXPECT_FALSE(child<QCheckBox>("atlasFills")->isEnabled());
     window->document().undoStack()->undo();
     EXPECT_EQ(layout->currentText(), "matched rows");
