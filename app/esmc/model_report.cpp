@@ -142,8 +142,8 @@ RepairReport countedAnew(const TriangleMesh& mesh) {
 
 Report modelReport(const Project& project) {
     Report report = reportOf(*project.mesh, evaluateModel(project), *project.importReport, Repairs::Told);
-    report.json["own_layout"] = !project.mesh->ownPlaces.empty();
-    if (!project.mesh->ownPlaces.empty())
+    report.json["own_layout"] = !project.mesh->textureCoordinates.empty();
+    if (!project.mesh->textureCoordinates.empty())
         report.text.emplace_back(
             "texture coordinates of its own: texture pack --layout own lays photos by them");
     return report;

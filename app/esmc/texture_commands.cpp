@@ -58,6 +58,10 @@ void declarePack(CLI::App& command, PackOptions& options) {
 /// @throws UsageError where no surface could be laid out like that, InvalidModel where this one cannot;
 /// either says what fits
 void packAs(const AtlasOptions& options, Project& project) {
+    if (options.layout == AtlasLayout::Own && (options.pages != 1 || options.texelsPerMetre > 0))
+        throw UsageError(
+            "--layout own takes one page at the density that the mesh brought: leave out --pages "
+            "and --texels-per-metre");
     project.texture.atlas = options;
     try {
         pack(project);
@@ -71,12 +75,12 @@ void packAs(const AtlasOptions& options, Project& project) {
 }
 
 Json spreadInJson(const DistortionSpread& spread) {
-    return {{"mean", spread.mean}, {"most_95", spread.most95}, {"worst", spread.worst}};
+    return {{"mean", spread.mean}, {"percentile_95", spread.percentile95}, {"worst", spread.worst}};
 }
 
 std::string spreadInWords(const char* what, const DistortionSpread& spread, const char* against) {
     return what + (" " + inText(spread.mean)) + " times " + against + " on average, up to " +
-           inText(spread.most95) + " times on 95 % of the surface, " + inText(spread.worst) +
+           inText(spread.percentile95) + " times on 95 % of the surface, " + inText(spread.worst) +
            " times at the worst";
 }
 
@@ -88,13 +92,15 @@ void addDistortion(Report& report, const Distortion& distortion) {
     constexpr double unseen = 1.0005; // rounded to three digits, nothing
     if (distortion.angle.worst < unseen && distortion.area.worst < unseen) {
         report.text.emplace_back("no triangle is distorted");
-        return;
+    } else {
+        report.text.push_back(
+            spreadInWords("triangles are stretched one way", distortion.angle, "as much as the other"));
+        report.text.push_back(spreadInWords("their density is", distortion.area, "off the mean"));
     }
-    report.text.push_back(
-        spreadInWords("triangles are stretched one way", distortion.angle, "as much as the other"));
-    report.text.push_back(spreadInWords("their density is", distortion.area, "off the mean"));
     if (distortion.flipped > 0)
         report.text.push_back(counted(distortion.flipped, "triangle") + " folded over");
+    if (distortion.collapsed > 0)
+        report.text.push_back(counted(distortion.collapsed, "triangle") + " without an area in the texture");
 }
 
 Report runPack(const PackOptions& options, Context& context) {

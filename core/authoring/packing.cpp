@@ -17,7 +17,8 @@ Atlas packFitting(const TriangleMesh& mesh, AtlasOptions options, const Progress
             reportProgress(progress, 1);
             return atlas;
         } catch (const InvalidModel&) {
-            if (options.size * 2 > largestSize) throw;
+            const bool hasSizeOfItsOwn = options.layout == AtlasLayout::Own; // no size would help
+            if (hasSizeOfItsOwn || options.size * 2 > largestSize) throw;
         }
     }
 }

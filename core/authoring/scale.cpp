@@ -18,7 +18,7 @@ Points scaled(Points points, double factor) {
 
 std::shared_ptr<const TriangleMesh> scaled(const TriangleMesh& mesh, double factor) {
     return std::make_shared<const TriangleMesh>(
-        TriangleMesh{scaled(mesh.vertices, factor), mesh.triangles, mesh.ownPlaces});
+        TriangleMesh{scaled(mesh.vertices, factor), mesh.triangles, mesh.textureCoordinates});
 }
 
 /// A binding's shares and turns do not depend on size. Rest lengths are scaled on their own, not taken anew
@@ -108,6 +108,7 @@ Project scaled(const Project& project, double factor, KeptByScaling kept) {
     for (TextureLayer& layer : result.layers)
         scale(layer, factor);
     result.texture.atlas.texelsPerMetre /= factor;
+    result.texture.occlusionReach = std::min(result.texture.occlusionReach * factor, farthestOcclusion);
     if (result.atlas) result.atlas = scaled(*project.atlas, factor);
     if (kept == KeptByScaling::Density) growMasses(result, factor);
     if (auto problems = validate(result); !problems.empty()) throw InvalidModel(std::move(problems));

@@ -60,7 +60,7 @@ void appendMesh(const fs::path& file, const aiMesh& mesh, const Transform& trans
             if (mesh.HasTextureCoords(0)) places.push_back(placeOf(corner));
             corner += first;
         }
-        soup.places.push_back(std::move(places));
+        soup.textureCoordinates.push_back(std::move(places));
         soup.polygons.push_back(std::move(polygon));
     }
 }
@@ -131,15 +131,26 @@ void checkSurface(const fs::path& file, const PolygonSoup& soup) {
                                       " (counted from 0); mend it in the program that made it");
 }
 
+/// In the place of what the importer made of them. Where some face was left out they cannot be told apart,
+/// and none are kept.
+void takeFaceCoordinates(FaceCoordinates coordinates, PolygonSoup& soup) {
+    if (coordinates.empty()) return;
+    soup.textureCoordinates.clear();
+    if (coordinates.size() != soup.polygons.size()) return;
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+        if (coordinates[i].size() != soup.polygons[i].size()) coordinates[i].clear();
+    soup.textureCoordinates = std::move(coordinates);
+}
+
 /// Places that are no numbers are none, and a file that has none at all has no list of them.
 void dropUselessPlaces(PolygonSoup& soup) {
     bool hasPlaces = false;
-    for (std::vector<Eigen::Vector2d>& places : soup.places) {
+    for (std::vector<Eigen::Vector2d>& places : soup.textureCoordinates) {
         if (std::any_of(places.begin(), places.end(), [](const auto& place) { return !place.allFinite(); }))
             places.clear();
         hasPlaces = hasPlaces || !places.empty();
     }
-    if (!hasPlaces) soup.places.clear();
+    if (!hasPlaces) soup.textureCoordinates.clear();
 }
 
 } // namespace
@@ -157,6 +168,7 @@ PolygonSoup decodeMesh(const fs::path& file) {
                        : ending == "obj" ? parseObj(file, content)
                                          : readWithAssimp(file, faceCount);
     checkSurface(file, soup);
+    if (ending == "ply") takeFaceCoordinates(plyFaceCoordinates(file, content), soup);
     dropUselessPlaces(soup);
     return soup;
 }

@@ -2,9 +2,12 @@
 
 #include "core/support/file_io.h"
 
+#include <Eigen/Core>
+
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace esm {
 
@@ -24,5 +27,12 @@ std::size_t checkStl(const std::filesystem::path& file, const Bytes& content);
 std::optional<std::size_t> checkPly(const std::filesystem::path& file, const Bytes& content);
 std::size_t checkGltf(const std::filesystem::path& file, const Bytes& content);
 std::size_t checkGlb(const std::filesystem::path& file, const Bytes& content);
+
+/// Texture coordinates of every face's corners.
+using FaceCoordinates = std::vector<std::vector<Eigen::Vector2d>>;
+
+/// What a PLY file says of the corners of its faces, where a vertex at a seam has several coordinates; the
+/// importer would keep the last one. Empty where it says nothing.
+FaceCoordinates plyFaceCoordinates(const std::filesystem::path& file, const Bytes& content);
 
 } // namespace esm

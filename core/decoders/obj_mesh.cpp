@@ -64,8 +64,10 @@ private:
     /// Height and depth may be left out. What is no number is told where a corner names it, by having no
     /// place.
     void addPlace(std::string_view rest) {
-        const auto u = wholeNumber<double>(takeWord(rest)), v = wholeNumber<double>(takeWord(rest));
-        m_places.emplace_back(u.value_or(unknown), v.value_or(u ? 0 : unknown));
+        const auto u = wholeNumber<double>(takeWord(rest));
+        const std::string_view height = takeWord(rest);
+        const auto v = height.empty() ? 0 : wholeNumber<double>(height);
+        m_places.emplace_back(u.value_or(unknown), v.value_or(unknown));
     }
 
     /// A corner is "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal"; a negative number
@@ -113,8 +115,9 @@ private:
 
     /// A face has a place for each corner or none.
     void placeCorners() {
+        if (m_places.empty()) return;
         for (const std::vector<std::int64_t>& ofFace : m_placesOfFace) {
-            std::vector<Eigen::Vector2d>& places = m_soup.places.emplace_back();
+            std::vector<Eigen::Vector2d>& places = m_soup.textureCoordinates.emplace_back();
             for (const std::int64_t place : ofFace)
                 if (place >= 0 && place < static_cast<std::int64_t>(m_places.size()))
                     places.push_back(m_places[static_cast<std::size_t>(place)]);

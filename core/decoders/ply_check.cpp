@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 
 namespace esm {
 
@@ -13,8 +15,9 @@ namespace fs = std::filesystem;
 namespace {
 
 struct PlyProperty {
-    std::size_t bytes = 0;      ///< of a value, or of each entry of a list
-    std::size_t countBytes = 0; ///< of a list's length; 0 for a single value
+    std::size_t bytes = 0;        ///< of a value, or of each entry of a list
+    std::size_t countBytes = 0;   ///< of a list's length; 0 for a single value
+    bool isOfFaceCorners = false; ///< texture coordinates, u and v of every corner in turn
 };
 
 struct PlyElement {
@@ -47,6 +50,19 @@ std::size_t plyTypeBytes(std::string_view name) {
     return 0;
 }
 
+/// @param bytes of each, 4 or 8
+std::vector<double> realNumbers(const std::uint8_t* from, std::size_t count, std::size_t bytes,
+                                ByteOrder order) {
+    std::vector<double> numbers;
+    numbers.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint64_t bits = unsignedNumber(from + i * bytes, bytes, order);
+        numbers.push_back(bytes == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits))
+                                     : std::bit_cast<double>(bits));
+    }
+    return numbers;
+}
+
 /// The header announces how much follows; a file that is cut off holds less and must not pass for a small
 /// one. So the file is walked through as announced, without keeping anything: a text must have a whole line
 /// for each element, a binary one the bytes.
@@ -67,6 +83,9 @@ public:
         return 0;
     }
 
+    /// Of every face, as far as it has a list of them. Precondition: checked.
+    FaceCoordinates faceCoordinates() && { return std::move(m_faceCoordinates); }
+
 private:
     [[noreturn]] void fail(const std::string& problem) const {
         throw FileError(m_file, problem + "; export it again");
@@ -77,12 +96,14 @@ private:
     void readProperty(std::string_view rest, const std::string& place);
     void readElement(std::string_view rest, const std::string& place);
     void endHeader(std::string_view lastLine);
-    void checkText() const;
-    void checkBinary() const;
+    void checkText();
+    void checkBinary();
+    void keepFaceCoordinates(const std::vector<double>& numbers);
 
     const fs::path& m_file;
     const Bytes& m_content;
     PlyHeader m_header;
+    FaceCoordinates m_faceCoordinates;
 };
 
 void PlyChecker::readFormat(std::string_view name) {
@@ -106,6 +127,9 @@ void PlyChecker::readProperty(std::string_view rest, const std::string& place) {
     }
     property.bytes = plyTypeBytes(type);
     if (property.bytes == 0 || m_header.elements.empty()) fail("has a property of an unknown type" + place);
+    const bool isReal = type == "float" || type == "float32" || type == "double" || type == "float64";
+    property.isOfFaceCorners = property.countBytes > 0 && isReal && takeWord(rest) == "texcoord" &&
+                               m_header.elements.back().name == "face";
     m_header.elements.back().properties.push_back(property);
 }
 
@@ -143,7 +167,13 @@ void PlyChecker::readHeader() {
     fail("is cut off: its header has no \"end_header\"");
 }
 
-void PlyChecker::checkText() const {
+void PlyChecker::keepFaceCoordinates(const std::vector<double>& numbers) {
+    std::vector<Eigen::Vector2d>& corners = m_faceCoordinates.emplace_back();
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+        corners.emplace_back(numbers[i], numbers[i + 1]);
+}
+
+void PlyChecker::checkText() {
     const Bytes body(m_content.begin() + static_cast<std::ptrdiff_t>(m_header.bodyStart), m_content.end());
     TextLines lines(body);
     for (const PlyElement& element : m_header.elements)
@@ -155,9 +185,15 @@ void PlyChecker::checkText() const {
             for (const PlyProperty& property : element.properties) {
                 const auto number = wholeNumber<double>(takeWord(line));
                 there = there && number;
-                if (there && property.countBytes > 0)
-                    for (double left = *number; there && left > 0; --left)
-                        there = !takeWord(line).empty();
+                if (!there || property.countBytes == 0) continue;
+                std::vector<double> kept;
+                for (double left = *number; there && left > 0; --left) {
+                    const std::string_view word = takeWord(line);
+                    there = !word.empty();
+                    if (property.isOfFaceCorners)
+                        kept.push_back(wholeNumber<double>(word).value_or(std::nan("")));
+                }
+                if (property.isOfFaceCorners) keepFaceCoordinates(kept);
             }
             if (!there)
                 fail("is cut off or damaged: it announces " + std::to_string(element.count) + " of \"" +
@@ -167,7 +203,7 @@ void PlyChecker::checkText() const {
 
 /// Lists have their lengths within the data, so that sizes cannot be told from the header: each is read on
 /// the way. An element without properties takes no bytes and is not walked, however many are announced.
-void PlyChecker::checkBinary() const {
+void PlyChecker::checkBinary() {
     const ByteOrder order = m_header.form == PlyForm::BigEndian ? ByteOrder::Big : ByteOrder::Little;
     std::size_t at = m_header.bodyStart;
     const auto need = [&](std::uint64_t items, std::uint64_t bytes, const PlyElement& element) {
@@ -187,6 +223,8 @@ void PlyChecker::checkBinary() const {
                     at += property.countBytes;
                 }
                 need(items, property.bytes, element);
+                if (property.isOfFaceCorners)
+                    keepFaceCoordinates(realNumbers(&m_content[at], items, property.bytes, order));
                 at += items * property.bytes;
             }
     }
@@ -196,6 +234,12 @@ void PlyChecker::checkBinary() const {
 
 std::optional<std::size_t> checkPly(const fs::path& file, const Bytes& content) {
     return PlyChecker(file, content).check();
+}
+
+FaceCoordinates plyFaceCoordinates(const fs::path& file, const Bytes& content) {
+    PlyChecker checker(file, content);
+    checker.check();
+    return std::move(checker).faceCoordinates();
 }
 
 } // namespace esm

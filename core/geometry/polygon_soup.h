@@ -12,9 +12,9 @@ namespace esm {
 struct PolygonSoup {
     std::vector<Eigen::Vector3d> vertices;
     std::vector<std::vector<std::uint32_t>> polygons; ///< vertex indices, three or more each
-    /// Per polygon and corner, where it lies in a picture, as `CornerPlaces`; empty where the file has none,
-    /// and an empty list for a polygon without.
-    std::vector<std::vector<Eigen::Vector2d>> places = {};
+    /// Per polygon and corner, where it lies in a picture, as `CornerCoordinates`; empty where the file has
+    /// none, and an empty list for a polygon without.
+    std::vector<std::vector<Eigen::Vector2d>> textureCoordinates = {};
 };
 
 } // namespace esm

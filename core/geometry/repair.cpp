@@ -31,7 +31,7 @@ struct Workpiece {
     std::vector<std::uint32_t> origins; ///< of each triangle, the file's that it is or is part of, or none
     std::vector<bool> isTurned;         ///< each triangle, against that one
     /// Of the file's triangles, in its own texture; empty where it has none at all.
-    std::vector<std::optional<CornerPlaces>> places;
+    std::vector<std::optional<CornerCoordinates>> places;
     RepairReport report;
     LeftOpen left;
 };
@@ -94,12 +94,13 @@ std::vector<std::uint32_t> weldedCorners(const std::vector<std::uint32_t>& polyg
 
 /// Where the corners of a triangle of a polygon lie in the file's own texture. A vertex that stands in the
 /// polygon twice, as at the two sides of a slit, is taken for the first of them.
-std::optional<CornerPlaces> placesIn(const PolygonSoup& soup, std::size_t polygon, const Triangle& triangle,
-                                     const std::vector<std::uint32_t>& representatives) {
+std::optional<CornerCoordinates> placesIn(const PolygonSoup& soup, std::size_t polygon,
+                                          const Triangle& triangle,
+                                          const std::vector<std::uint32_t>& representatives) {
     const std::vector<std::uint32_t>& corners = soup.polygons[polygon];
-    const std::vector<Eigen::Vector2d>& places = soup.places[polygon];
+    const std::vector<Eigen::Vector2d>& places = soup.textureCoordinates[polygon];
     if (places.size() != corners.size()) return std::nullopt;
-    CornerPlaces found;
+    CornerCoordinates found;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto corner = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t vertex) {
             return representatives[vertex] == triangle[i];
@@ -129,7 +130,7 @@ void weldAndSplit(Workpiece& piece, double weldDistance, const Progress& progres
     for (std::uint32_t i = 0; i < representatives.size(); ++i)
         piece.report.mergedVertices += representatives[i] != i;
     std::vector<bool> used(representatives.size(), false);
-    const bool hasPlaces = !piece.soup.places.empty();
+    const bool hasPlaces = !piece.soup.textureCoordinates.empty();
     for (std::size_t i = 0; i < piece.soup.polygons.size(); ++i) {
         const std::vector<std::uint32_t>& polygon = piece.soup.polygons[i];
         for (const std::uint32_t vertex : polygon) {
@@ -287,12 +288,12 @@ std::size_t usedVertexCount(const Workpiece& piece) {
 /// A texture of its own is kept as a whole or not at all: one that knows no place of some triangles cannot be
 /// painted there.
 /// @return of each triangle; empty where any has none
-std::vector<CornerPlaces> keptPlaces(const Workpiece& piece, std::vector<std::string>& warnings) {
+std::vector<CornerCoordinates> keptPlaces(const Workpiece& piece, std::vector<std::string>& warnings) {
     if (piece.places.empty()) return {};
     std::vector<std::size_t> times(piece.places.size(), 0);
     for (const std::uint32_t origin : piece.origins)
         if (origin != noIndex) ++times[origin];
-    std::vector<CornerPlaces> kept;
+    std::vector<CornerCoordinates> kept;
     kept.reserve(piece.triangles.size());
     for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
         const std::uint32_t origin = piece.origins[i];
@@ -361,9 +362,9 @@ RepairedMesh repair(const PolygonSoup& soup, const RepairOptions& options, const
     report.flippedTriangles = turnedTriangles(piece);
     if (after.boundary > 0) piece.left.looseEdges = bordersOf(piece.triangles).looseEdges;
     report.warnings = repairWarnings(report, piece.left);
-    std::vector<CornerPlaces> places = keptPlaces(piece, report.warnings);
+    std::vector<CornerCoordinates> places = keptPlaces(piece, report.warnings);
     RepairedMesh mesh{numbered(piece), report};
-    mesh.mesh.ownPlaces = std::move(places);
+    mesh.mesh.textureCoordinates = std::move(places);
     reportProgress(progress, 1);
     return mesh;
 }

@@ -89,13 +89,14 @@ std::vector<std::string> validate(const TriangleMesh& mesh) {
                         const Triangle& triangle = mesh.triangles[i];
                         return *std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size();
                     }));
-    if (!mesh.ownPlaces.empty() && mesh.ownPlaces.size() != mesh.triangles.size())
+    if (!mesh.textureCoordinates.empty() && mesh.textureCoordinates.size() != mesh.triangles.size())
         problems.push_back("the mesh has places in its own texture for " +
-                           std::to_string(mesh.ownPlaces.size()) + " of " +
+                           std::to_string(mesh.textureCoordinates.size()) + " of " +
                            std::to_string(mesh.triangles.size()) + " triangles");
     reportOffenders(problems, "triangle", "without a finite place in the mesh's own texture",
-                    placesWhere(mesh.ownPlaces.size(), [&](std::size_t i) {
-                        return !std::all_of(mesh.ownPlaces[i].begin(), mesh.ownPlaces[i].end(),
+                    placesWhere(mesh.textureCoordinates.size(), [&](std::size_t i) {
+                        return !std::all_of(mesh.textureCoordinates[i].begin(),
+                                            mesh.textureCoordinates[i].end(),
                                             [](const Eigen::Vector2d& place) { return place.allFinite(); });
                     }));
     return problems;

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t noIndex = std::numeric_limits<std::uint32_t>::max
 
 /// Where a triangle's corners lie in a picture, by parts of its width and height: u to the right, v up, (0,
 /// 0) its lower left corner.
-using CornerPlaces = std::array<Eigen::Vector2d, 3>;
+using CornerCoordinates = std::array<Eigen::Vector2d, 3>;
 
 /// An organ's surface. Immutable once built: held by `std::shared_ptr<const TriangleMesh>` and replaced
 /// whole.
@@ -29,7 +29,7 @@ struct TriangleMesh {
     std::vector<Triangle> triangles;
     /// Per triangle, in the texture for which the surface was made (its own UVs); empty where it brought
     /// none.
-    std::vector<CornerPlaces> ownPlaces = {};
+    std::vector<CornerCoordinates> textureCoordinates = {};
 };
 
 /// The box that holds every point; empty (`isEmpty()`) without points.

@@ -385,7 +385,8 @@ class Package:
         if "TEXCOORD_0" not in attributes:
             return
         places, positions = self.gltf.array(attributes["TEXCOORD_0"]), self.gltf.array(attributes["POSITION"])
-        alike = {(*positions[3 * i:3 * i + 3], *places[2 * i:2 * i + 2]) for i in range(vertices)}
+        tangents = self.gltf.array(attributes["TANGENT"]) if "TANGENT" in attributes else [1] * 4 * vertices
+        alike = {(*positions[3 * i:3 * i + 3], *places[2 * i:2 * i + 2], tangents[4 * i + 3]) for i in range(vertices)}
         if self.is_stretched:
             check(len(alike) == vertices, "a drawn vertex is there twice")
         else:

@@ -230,7 +230,7 @@ Project ownLayoutProject() {
     Project project = richProject(rings);
     auto mesh = std::make_shared<TriangleMesh>(*project.mesh);
     for (std::uint32_t i = 0; i < mesh->triangles.size(); ++i) {
-        CornerPlaces& places = mesh->ownPlaces.emplace_back();
+        CornerCoordinates& places = mesh->textureCoordinates.emplace_back();
         for (std::size_t corner = 0; corner < 3; ++corner) {
             std::uint32_t ring = mesh->triangles[i][corner] / segments,
                           segment = mesh->triangles[i][corner] % segments;

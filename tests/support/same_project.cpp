@@ -47,7 +47,7 @@ void expectSameBinding(const std::optional<Binding>& a, const std::optional<Bind
 void expectSameMesh(const Project& a, const Project& b) {
     EXPECT_TRUE(sameList(a.mesh->vertices, b.mesh->vertices, sameMatrix<Eigen::Vector3d>));
     EXPECT_EQ(a.mesh->triangles, b.mesh->triangles);
-    EXPECT_EQ(a.mesh->ownPlaces, b.mesh->ownPlaces);
+    EXPECT_EQ(a.mesh->textureCoordinates, b.mesh->textureCoordinates);
     EXPECT_TRUE(sameList(a.network->restPositions, b.network->restPositions, sameMatrix<Eigen::Vector3d>));
     EXPECT_TRUE(sameList(a.network->springs, b.network->springs, [](const Spring& s, const Spring& t) {
         return s.first == t.first && s.second == t.second && sameBits(s.restLength, t.restLength);

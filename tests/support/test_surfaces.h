@@ -64,7 +64,7 @@ inline esm::TriangleMesh stretchedSheet(double width, int cells) {
         return Eigen::Vector2d(0.05 + 0.6 * x * (1 + x) / 2 + 0.2 * y, 0.1 + 0.8 * y);
     };
     for (const esm::Triangle& triangle : mesh.triangles) {
-        esm::CornerPlaces& places = mesh.ownPlaces.emplace_back();
+        esm::CornerCoordinates& places = mesh.textureCoordinates.emplace_back();
         for (std::size_t i = 0; i < 3; ++i)
             places[i] = placeOf(mesh.vertices[triangle[i]]);
     }

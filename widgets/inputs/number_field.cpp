@@ -86,6 +86,8 @@ bool NumberField::event(QEvent* event) {
         // Nothing was typed that could be undone here: the keys are the document's.
         if (!isModified() && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)))
             event->ignore();
+        // Qt takes it for the end of the line, where End goes as well.
+        if (key->modifiers() == Qt::ControlModifier && key->key() == Qt::Key_E) event->ignore();
     }
     return handled;
 }

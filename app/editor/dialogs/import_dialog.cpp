@@ -4,6 +4,7 @@
 #include "core/authoring/import_unit.h"
 #include "core/model/motion_model.h"
 #include "core/project/project.h"
+#include "core/support/joined.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/refused_numbers.h"
@@ -54,8 +55,14 @@ QStringList reportLines(const ImportedSurface& surface) {
     const QString wall = massOfWall(surface.report);
     if (!wall.isEmpty()) lines << wall;
     if (lines.isEmpty()) lines << QObject::tr("The surface is sound: nothing had to be repaired.");
-    if (!surface.mesh->ownPlaces.empty())
-        lines << QObject::tr("It has texture coordinates of its own: Texture, Layout lays photos by them.");
+    if (surface.mesh->textureCoordinates.empty()) return lines;
+    if (surface.coordinateProblems.empty())
+        lines << QObject::tr(
+            "It has texture coordinates (UVs) of its own: Layout, under Texture, can lay photos "
+            "by them.");
+    else
+        lines << QObject::tr("It has texture coordinates (UVs), by which no photo can be laid: %1")
+                     .arg(QString::fromStdString(joined(surface.coordinateProblems, "; ")));
     return lines;
 }
 

@@ -4,6 +4,7 @@
 #include "core/geometry/repair.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace esm {
@@ -21,6 +22,8 @@ struct ImportedSurface {
     RepairReport report;
     std::vector<SurfacePart> parts;  ///< the one with the most triangles first
     std::vector<OpenBorder> borders; ///< that are left
+    /// Why its texture coordinates cannot be laid out by; empty where they can, or where it has none.
+    std::vector<std::string> coordinateProblems;
 };
 
 /// @throws InvalidModel as repair(), Cancelled

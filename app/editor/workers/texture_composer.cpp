@@ -78,6 +78,7 @@ void TextureComposer::keepPages(const Worker::Task& task) {
 
 FinishComposition TextureComposer::finishOf(const Project& project, const Progress& progress) {
     if (!hasFinish(project.layers, std::nullopt)) {
+        m_kept.finishPictures = {};
         reportProgress(progress, 1);
         return {};
     }

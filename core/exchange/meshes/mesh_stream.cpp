@@ -27,22 +27,22 @@ bool isSurface(const SoupCounts& counts, const std::vector<std::uint32_t>& sizes
 
 void writePlaces(const PolygonSoup& soup, DecodedWriter& writer) {
     std::vector<std::uint32_t> sizes;
-    sizes.reserve(soup.places.size());
-    for (const auto& places : soup.places)
+    sizes.reserve(soup.textureCoordinates.size());
+    for (const auto& places : soup.textureCoordinates)
         sizes.push_back(static_cast<std::uint32_t>(places.size()));
     writer.array(sizes.data(), sizes.size());
-    for (const auto& places : soup.places)
+    for (const auto& places : soup.textureCoordinates)
         writer.array(places.data(), places.size());
 }
 
 /// Precondition: the polygons are read.
 void readPlaces(DecodedStream& stream, PolygonSoup& soup) {
     const auto sizes = stream.array<std::uint32_t>(soup.polygons.size());
-    soup.places.reserve(sizes.size());
+    soup.textureCoordinates.reserve(sizes.size());
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (sizes[i] != 0 && sizes[i] != soup.polygons[i].size()) stream.failAsNonsense();
-        soup.places.push_back(stream.array<Eigen::Vector2d>(sizes[i]));
-        for (const Eigen::Vector2d& place : soup.places.back())
+        soup.textureCoordinates.push_back(stream.array<Eigen::Vector2d>(sizes[i]));
+        for (const Eigen::Vector2d& place : soup.textureCoordinates.back())
             if (!place.allFinite()) stream.failAsNonsense();
     }
 }
@@ -50,7 +50,7 @@ void readPlaces(DecodedStream& stream, PolygonSoup& soup) {
 } // namespace
 
 void writeSoup(const PolygonSoup& soup, DecodedWriter& writer) {
-    SoupCounts counts{soup.vertices.size(), soup.polygons.size(), 0, soup.places.size()};
+    SoupCounts counts{soup.vertices.size(), soup.polygons.size(), 0, soup.textureCoordinates.size()};
     std::vector<std::uint32_t> sizes;
     sizes.reserve(soup.polygons.size());
     for (const auto& polygon : soup.polygons) {

@@ -1,9 +1,5 @@
 #include "core/exchange/package/package_materials.h"
 
-#include "core/texture/maps/patch_frame.h"
-
-#include <Eigen/Geometry>
-
 #include <cmath>
 
 namespace esm {
@@ -13,13 +9,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double usualRoughness = 0.6; ///< of packages without a finish
-
-/// At right angles to the normal, whatever the tangent is.
-Eigen::Vector3d across(const Eigen::Vector3d& normal, const Eigen::Vector3d& tangent) {
-    const Eigen::Vector3d upright = tangent - normal * normal.dot(tangent);
-    const double length = upright.norm();
-    return length > 1e-6 ? Eigen::Vector3d(upright / length) : normal.unitOrthogonal();
-}
 
 /// glTF's colour factors are linear light, the project's colour is sRGB.
 double linearLight(std::uint8_t channel) {
@@ -35,7 +24,7 @@ Json texture(std::size_t place) {
 
 Json textureOf(const Atlas& atlas) {
     Json json{{"size", atlas.options.size},
-              {"gap", atlas.options.gap},
+              {"gap", atlas.options.layout == AtlasLayout::Own ? 0 : atlas.options.gap}, // nobody kept one
               {"texelsPerMetre", atlas.texelsPerMetre},
               {"utilisation", atlas.utilisation}};
     if (isStretched(atlas.options.layout)) json["layout"] = wordOf(atlas.options.layout);
@@ -66,24 +55,6 @@ Json materialOf(const MaterialTextures& textures, const std::array<std::uint8_t,
     if (isPainted) coat["clearcoatTexture"] = texture(*textures.wetnessAndRoughness);
     material["extensions"][clearcoatExtension] = std::move(coat);
     return material;
-}
-
-std::vector<float> vertexTangents(const TriangleMesh& mesh, const Atlas& atlas, const PageVertices& drawn,
-                                  const std::vector<std::uint32_t>& triangles) {
-    std::vector<Eigen::Vector3d> sums(drawn.normals.size(), Eigen::Vector3d::Zero());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Eigen::Vector3d tangent = patchFrame(mesh, atlas, triangles[i]).tangent;
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            sums[drawn.corners[3 * i + corner]] += tangent;
-    }
-    std::vector<float> tangents;
-    tangents.reserve(4 * sums.size());
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-        const Eigen::Vector3d tangent = across(drawn.normals[i], sums[i]);
-        for (const double value : {tangent.x(), tangent.y(), tangent.z(), drawn.handedness[i]})
-            tangents.push_back(static_cast<float>(value));
-    }
-    return tangents;
 }
 
 } // namespace esm

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/exchange/package/page_vertices.h"
 #include "core/support/json_reader.h"
+#include "core/texture/atlas/atlas.h"
 #include "core/texture/finish/surface_finish.h"
 
 #include <optional>
@@ -25,12 +25,5 @@ struct MaterialTextures {
 /// @param finish of what has no picture of it; none: tissue as packages have always shown it
 nlohmann::ordered_json materialOf(const MaterialTextures& textures, const std::array<std::uint8_t, 3>& colour,
                                   const std::optional<SurfaceFinish>& finish);
-
-/// Of every vertex that is drawn of a page: in which direction on the surface its normal map's x points, the
-/// mean of the triangles that share it, of length 1 and at right angles to the vertex's normal, and the side
-/// on which y is, 1 or −1, as glTF has it.
-/// @param triangles of the page
-std::vector<float> vertexTangents(const TriangleMesh& mesh, const Atlas& atlas, const PageVertices& drawn,
-                                  const std::vector<std::uint32_t>& triangles);
 
 } // namespace esm

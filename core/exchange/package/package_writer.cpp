@@ -69,7 +69,8 @@ private:
     Json drawnSurface(Json& drawn);
     Json drawnNetwork(Json& drawn);
     void addMaterial(const MaterialTextures& textures);
-    MaterialTextures addTextures(std::size_t page, const Progress& progress);
+    MaterialTextures addTextures(std::size_t page, const std::optional<MaterialPage>& finish,
+                                 const Progress& progress);
     std::size_t addImage(const Image& image, const PictureEncoding& encoding, double texelsPerMetre,
                          const Progress& progress);
     std::size_t addTexture(const Image& page, const PictureEncoding& encoding, const Progress& progress);
@@ -241,17 +242,17 @@ std::size_t PackageBuilder::addTexture(const Image& page, const PictureEncoding&
 }
 
 /// What is no colour stays exact: a JPEG would tilt normals and mix wetness with roughness.
-MaterialTextures PackageBuilder::addTextures(std::size_t page, const Progress& progress) {
+MaterialTextures PackageBuilder::addTextures(std::size_t page, const std::optional<MaterialPage>& finish,
+                                             const Progress& progress) {
     ProgressParts parts(progress);
     MaterialTextures textures;
-    textures.colour = addTexture((*m_from.pages.colours)[page], m_from.pictures,
-                                 parts.next(m_from.pages.finish ? 0.4 : 0.8));
+    textures.colour =
+        addTexture((*m_from.pages.colours)[page], m_from.pictures, parts.next(finish ? 0.4 : 0.8));
     if (!m_from.occlusion.empty())
         textures.occlusion = addTexture(m_from.occlusion[page], {}, parts.next(0.2));
-    if (!m_from.pages.finish) return textures;
-    const MaterialPage finish = materialPage((*m_from.pages.finish)[page]);
-    textures.wetnessAndRoughness = addTexture(finish.wetnessAndRoughness, {}, parts.next(0.2));
-    if (!finish.normals.empty()) textures.normals = addTexture(finish.normals, {}, parts.rest());
+    if (!finish) return textures;
+    textures.wetnessAndRoughness = addTexture(finish->wetnessAndRoughness, {}, parts.next(0.2));
+    if (!finish->normals.empty()) textures.normals = addTexture(finish->normals, {}, parts.rest());
     return textures;
 }
 
@@ -265,7 +266,11 @@ Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t
                                const Progress& progress, Json& drawn) {
     ProgressParts parts(progress);
     reportProgress(progress, 0);
-    const PageVertices vertices = pageVertices(m_from.project, m_normals, triangles);
+    std::optional<MaterialPage> finish;
+    if (m_from.pages.finish) finish = materialPage((*m_from.pages.finish)[page]);
+    const bool isTilted = finish && !finish->normals.empty();
+    const PageVertices vertices =
+        pageVertices(m_from.project, m_normals, triangles, isTilted ? WithTangents::Yes : WithTangents::No);
     reportProgress(parts.next(0.1), 1);
     Json attributes;
     attributes["POSITION"] = m_arrays.addFloats(coordinates(vertices.positions, "coordinate"), GltfType::Vec3,
@@ -276,11 +281,9 @@ Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t
     reportProgress(parts.next(0.1), 1);
     attributes["TEXCOORD_0"] = m_arrays.addFloats(vertices.places, GltfType::Vec2, GltfTarget::Vertices);
     const std::size_t order = m_arrays.addIndices(vertices.corners, GltfTarget::Indices);
-    const MaterialTextures textures = addTextures(page, parts.next(0.6));
-    if (textures.normals)
-        attributes["TANGENT"] =
-            m_arrays.addFloats(vertexTangents(m_mesh, *m_from.project.atlas, vertices, triangles),
-                               GltfType::Vec4, GltfTarget::Vertices);
+    const MaterialTextures textures = addTextures(page, finish, parts.next(0.6));
+    if (isTilted)
+        attributes["TANGENT"] = m_arrays.addFloats(vertices.tangents, GltfType::Vec4, GltfTarget::Vertices);
     reportProgress(parts.rest(), 0);
     addMaterial(textures);
     drawn.push_back({{"mesh", 0},

@@ -192,8 +192,8 @@ std::shared_ptr<const TriangleMesh> readMesh(const JsonReader& arrays, Source& s
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->vertices = pointsOf(source.numbers(arrays, layout::meshVertices, 3));
     mesh->triangles = trianglesOf(source.indices(arrays, layout::meshTriangles, 3, mesh->vertices.size()));
-    if (arrays.has(layout::meshPlaces))
-        mesh->ownPlaces = flatTriangles(source.numbers(arrays, layout::meshPlaces, 6));
+    if (arrays.has(layout::meshTextureCoordinates))
+        mesh->textureCoordinates = flatTriangles(source.numbers(arrays, layout::meshTextureCoordinates, 6));
     return mesh;
 }
 
@@ -323,9 +323,9 @@ Project readContent(const JsonReader& manifest, Source& source) {
     Project project;
     const JsonReader arrays = manifest.member("arrays");
     project.name = manifest.member("name").text();
-    project.mesh =
-        source.shared<TriangleMesh>("mesh", {layout::meshVertices, layout::meshTriangles, layout::meshPlaces},
-                                    [&] { return readMesh(arrays, source); });
+    project.mesh = source.shared<TriangleMesh>(
+        "mesh", {layout::meshVertices, layout::meshTriangles, layout::meshTextureCoordinates},
+        [&] { return readMesh(arrays, source); });
     project.network =
         source.shared<SpringNetwork>("network", networkEntries, [&] { return readNetwork(arrays, source); });
     project.importReport = readReport(manifest.member("importReport"), source);

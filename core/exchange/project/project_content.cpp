@@ -64,9 +64,9 @@ void addMesh(const std::shared_ptr<const TriangleMesh>& mesh, Arrays& arrays) {
                [](const TriangleMesh& m) { return coordinatesOf(m.vertices); });
     arrays.add(layout::meshTriangles, mesh, 3 * mesh->triangles.size(),
                [](const TriangleMesh& m) { return cornersOf(m.triangles); });
-    if (!mesh->ownPlaces.empty())
-        arrays.add(layout::meshPlaces, mesh, 6 * mesh->ownPlaces.size(),
-                   [](const TriangleMesh& m) { return numbersOf(m.ownPlaces); });
+    if (!mesh->textureCoordinates.empty())
+        arrays.add(layout::meshTextureCoordinates, mesh, 6 * mesh->textureCoordinates.size(),
+                   [](const TriangleMesh& m) { return numbersOf(m.textureCoordinates); });
 }
 
 std::vector<std::uint32_t> endsOf(const SpringNetwork& network) {

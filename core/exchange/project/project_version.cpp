@@ -43,7 +43,7 @@ bool needsRetouching(const TextureLayer& layer) {
 }
 
 bool needsStretchedLayout(const Project& project) {
-    return !project.mesh->ownPlaces.empty() || isStretched(project.texture.atlas.layout) ||
+    return !project.mesh->textureCoordinates.empty() || isStretched(project.texture.atlas.layout) ||
            (project.atlas && isStretched(project.atlas->options.layout));
 }
 

@@ -1,6 +1,7 @@
 #include "core/texture/atlas/atlas.h"
 
 #include "core/geometry/adjacency.h"
+#include "core/geometry/disjoint_sets.h"
 #include "core/support/errors.h"
 #include "core/texture/atlas/charts/surface_charts.h"
 #include "core/texture/atlas/matched_rows.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <string>
 
 namespace esm {
@@ -268,23 +268,16 @@ double seamLengthShare(const TriangleMesh& mesh, const Atlas& atlas) {
     });
 }
 
-/// Every triangle is led towards the first of its patch (union-find), and takes that one's number.
 std::vector<std::uint32_t> patchNumbers(const TriangleMesh& mesh, const Atlas& atlas) {
-    std::vector<std::uint32_t> leads(mesh.triangles.size());
-    std::iota(leads.begin(), leads.end(), 0U);
-    const auto first = [&](std::uint32_t triangle) {
-        while (leads[triangle] != triangle)
-            triangle = leads[triangle] = leads[leads[triangle]];
-        return triangle;
-    };
+    DisjointSets patches(mesh.triangles.size());
     forEachSharedEdge(mesh, atlas, [&](const TriangleSide& one, const TriangleSide& other, bool areJoined) {
-        if (!areJoined) return;
-        const auto [low, high] = std::minmax({first(one.triangle), first(other.triangle)});
-        leads[high] = low;
+        if (areJoined) patches.join(one.triangle, other.triangle);
     });
-    for (std::uint32_t triangle = 0; triangle < leads.size(); ++triangle)
-        leads[triangle] = first(triangle);
-    return leads;
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(mesh.triangles.size());
+    for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
+        numbers.push_back(patches.lowest(triangle));
+    return numbers;
 }
 
 } // namespace esm

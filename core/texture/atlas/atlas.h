@@ -17,10 +17,10 @@ enum class AtlasLayout {
     MatchedRows,    ///< rows in which slants are matched and patches may be mirrored
     UnfoldedGroups, ///< neighbours unfolded together into the plane, so that only edges between groups are
                     ///< seams
-    Charts,         ///< large pieces laid flat: fewest seams, triangles stretched a little
+    Charts,         ///< large pieces laid flat: few seams, triangles stretched a little
     Own,            ///< the mesh's own, for which it was made: triangles stretched as its maker left them
 };
-/// Whether triangles are not similar to their shapes, nor of one scale.
+/// Whether triangles lie distorted, or at scales of their own.
 constexpr bool isStretched(AtlasLayout layout) {
     return layout == AtlasLayout::Charts || layout == AtlasLayout::Own;
 }

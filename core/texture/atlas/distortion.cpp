@@ -11,7 +11,8 @@ namespace {
 std::size_t countFlipped(const std::vector<Stretch>& stretches, const std::vector<std::uint32_t>& patches) {
     std::vector<double> turned(stretches.size(), 0); // of each patch: clockwise area less the rest
     for (std::size_t i = 0; i < stretches.size(); ++i)
-        turned[patches[i]] += stretches[i].isClockwise ? stretches[i].area : -stretches[i].area;
+        if (stretches[i].larger > 0)
+            turned[patches[i]] += stretches[i].isClockwise ? stretches[i].area : -stretches[i].area;
     std::size_t flipped = 0;
     for (std::size_t i = 0; i < stretches.size(); ++i)
         if (stretches[i].larger > 0 && stretches[i].isClockwise != (turned[patches[i]] > 0)) ++flipped;

@@ -21,26 +21,26 @@ constexpr double borderTolerance = 1e-6;
 /// Of a triangle's longest side squared, an area that is none.
 constexpr double flatShare = 1e-10;
 
-double doubledArea(const CornerPlaces& places) {
+double doubledArea(const CornerCoordinates& places) {
     const Eigen::Vector2d a = places[1] - places[0], b = places[2] - places[0];
     return a.x() * b.y() - a.y() * b.x();
 }
 
-bool isWithoutArea(const CornerPlaces& places) {
+bool isWithoutArea(const CornerCoordinates& places) {
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
         longest = std::max(longest, (places[(i + 1) % 3] - places[i]).squaredNorm());
     return !(std::abs(doubledArea(places)) > flatShare * longest);
 }
 
-bool leavesPicture(const CornerPlaces& places) {
+bool leavesPicture(const CornerCoordinates& places) {
     return std::any_of(places.begin(), places.end(), [](const Eigen::Vector2d& place) {
         return !(place.minCoeff() >= -borderTolerance && place.maxCoeff() <= 1 + borderTolerance);
     });
 }
 
 /// The part of a line of height y that lies in a triangle; turned round where there is none.
-std::pair<double, double> spanAt(const CornerPlaces& places, double y) {
+std::pair<double, double> spanAt(const CornerCoordinates& places, double y) {
     std::pair<double, double> span{std::numeric_limits<double>::infinity(),
                                    -std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -65,12 +65,12 @@ struct Overlap {
 /// Asks at the middle of every cell of a grid which triangles lie there. Cheaper than to cut triangles with
 /// each other, and as exact as painting needs: what overlaps between the places of the grid is less than a
 /// texel.
-Overlap overlapOf(const std::vector<CornerPlaces>& triangles) {
+Overlap overlapOf(const std::vector<CornerCoordinates>& triangles) {
     constexpr double edge = 1e-6; // of a cell: neighbours that meet at a place do not overlap there
     std::vector<std::uint32_t> owners(std::size_t{gridSize} * gridSize, noIndex);
     Overlap overlap;
     for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle) {
-        CornerPlaces places = triangles[triangle];
+        CornerCoordinates places = triangles[triangle];
         for (Eigen::Vector2d& place : places)
             place *= gridSize;
         const auto [low, high] = std::minmax({places[0].y(), places[1].y(), places[2].y()});
@@ -95,21 +95,24 @@ Overlap overlapOf(const std::vector<CornerPlaces>& triangles) {
     return overlap;
 }
 
-void reportOverlap(std::vector<std::string>& problems, const std::vector<CornerPlaces>& places) {
+/// With one digit behind the point.
+std::string rounded(double value) {
+    std::string text = std::to_string(std::round(10 * value) / 10);
+    return text.substr(0, text.find('.') + 2);
+}
+
+void reportOverlap(std::vector<std::string>& problems, const std::vector<CornerCoordinates>& places) {
     const Overlap overlap = overlapOf(places);
     if (overlap.share() <= mostOverlap) return;
-    const double percent = std::round(1000 * overlap.share()) / 10;
-    std::string text = std::to_string(percent);
-    text.erase(text.find('.') + 2);
-    problems.push_back("triangles lie over each other on " + text +
+    problems.push_back("triangles lie over each other on " + rounded(100 * overlap.share()) +
                        " % of the area that they cover, such as triangles " + std::to_string(overlap.first) +
                        " and " + std::to_string(overlap.second) +
                        ": what is painted on one would show on both");
 }
 
-double coveredArea(const std::vector<CornerPlaces>& places) {
+double coveredArea(const std::vector<CornerCoordinates>& places) {
     double doubled = 0;
-    for (const CornerPlaces& triangle : places)
+    for (const CornerCoordinates& triangle : places)
         doubled += std::abs(doubledArea(triangle));
     return doubled / 2;
 }
@@ -117,24 +120,30 @@ double coveredArea(const std::vector<CornerPlaces>& places) {
 } // namespace
 
 std::vector<std::string> ownLayoutProblems(const TriangleMesh& mesh) {
-    const std::vector<CornerPlaces>& places = mesh.ownPlaces;
+    const std::vector<CornerCoordinates>& places = mesh.textureCoordinates;
     if (places.empty()) return {"the surface brought no texture coordinates of its own"};
     std::vector<std::string> problems;
     reportOffenders(problems, "triangle", "whose texture coordinates leave the picture (0 to 1)",
                     placesWhere(places.size(), [&](std::size_t i) { return leavesPicture(places[i]); }));
     if (std::all_of(places.begin(), places.end(), isWithoutArea))
         problems.emplace_back("its texture coordinates give no triangle an area");
-    else if (problems.empty())
+    if (!problems.empty()) return problems;
+    // What covers more than the picture overlaps for certain; what does not is soon looked through.
+    if (const double covered = coveredArea(places); covered > 1 + mostOverlap)
+        problems.push_back("triangles lie over each other: together they cover " + rounded(covered) +
+                           " times the picture, and what is painted on one would show on others");
+    else
         reportOverlap(problems, places);
     return problems;
 }
 
 std::vector<std::string> ownLayoutWarnings(const TriangleMesh& mesh) {
-    const std::vector<CornerPlaces>& places = mesh.ownPlaces;
-    const auto right = std::count_if(places.begin(), places.end(),
-                                     [](const CornerPlaces& triangle) { return doubledArea(triangle) > 0; });
+    const std::vector<CornerCoordinates>& places = mesh.textureCoordinates;
+    double turned = 0; // area that is the right way round, less the rest
+    for (const CornerCoordinates& triangle : places)
+        turned += doubledArea(triangle);
     // A layout that is mirrored as a whole is as good as any; who looks at the page sees it at once.
-    const double usual = 2 * right >= static_cast<std::ptrdiff_t>(places.size()) ? 1 : -1;
+    const double usual = turned < 0 ? -1 : 1;
     std::vector<std::string> warnings;
     reportOffenders(warnings, "triangle", "mirrored against the others in the mesh's own layout",
                     placesWhere(places.size(), [&](std::size_t i) {
@@ -156,15 +165,15 @@ Atlas ownLayout(const TriangleMesh& mesh, const AtlasOptions& options) {
     Atlas atlas;
     atlas.options = options;
     atlas.page.assign(mesh.triangles.size(), 0);
-    atlas.corners.reserve(mesh.ownPlaces.size());
-    for (const CornerPlaces& places : mesh.ownPlaces) {
+    atlas.corners.reserve(mesh.textureCoordinates.size());
+    for (const CornerCoordinates& places : mesh.textureCoordinates) {
         auto& corners = atlas.corners.emplace_back();
         for (std::size_t i = 0; i < 3; ++i) {
             const Eigen::Vector2d inside = places[i].cwiseMax(0).cwiseMin(1);
             corners[i] = options.size * Eigen::Vector2d(inside.x(), 1 - inside.y());
         }
     }
-    atlas.utilisation = coveredArea(mesh.ownPlaces);
+    atlas.utilisation = coveredArea(mesh.textureCoordinates);
     atlas.texelsPerMetre = options.size * std::sqrt(atlas.utilisation / surfaceArea(mesh));
     return atlas;
 }

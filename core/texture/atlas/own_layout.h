@@ -4,8 +4,8 @@
 
 namespace esm {
 
-/// The layout for which a mesh was made lies on one page as its places say. Nothing is moved, so that
-/// pictures which others paint for it fit.
+/// The layout by the texture coordinates that the mesh brought, on one page. Nothing is moved, so that
+/// pictures which others paint for the mesh fit.
 
 /// What keeps the mesh's own places from being painted: none of them, some beyond the picture, some over each
 /// other, or no area at all. Empty when all is well. Overlaps are counted on a grid of 2048 × 2048 places,

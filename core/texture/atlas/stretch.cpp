@@ -28,13 +28,13 @@ DistortionSpread spreadOf(std::vector<WeightedValue> values) {
         sum += each.weight * each.value;
     }
     spread.mean = sum / weight;
-    spread.most95 = spread.worst = values.back().value;
+    spread.percentile95 = spread.worst = values.back().value;
     double within = 0;
     for (const WeightedValue& each : values) {
         within += each.weight;
         // Areas add up with rounding errors: a share of just 95 % counts as such.
         if (within < (0.95 - 1e-9) * weight) continue;
-        spread.most95 = each.value;
+        spread.percentile95 = each.value;
         break;
     }
     return spread;

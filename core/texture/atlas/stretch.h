@@ -23,14 +23,15 @@ Stretch stretchOf(const std::array<Eigen::Vector3d, 3>& surface, const std::arra
 /// the surface.
 struct DistortionSpread {
     double mean = 1;
-    double most95 = 1; ///< that 95 % of the area does not exceed
+    double percentile95 = 1; ///< that 95 % of the area does not exceed
     double worst = 1;
 };
 
 /// Of the larger singular value over the smaller one: 1 where angles are kept.
 DistortionSpread angleSpread(const std::vector<Stretch>& stretches);
 
-/// Of area in the plane per area on the surface against that of the whole, the larger over the smaller.
+/// Of each triangle's area in the plane per area on the surface against the mean of all, the larger over the
+/// smaller.
 DistortionSpread areaSpread(const std::vector<Stretch>& stretches);
 
 } // namespace esm

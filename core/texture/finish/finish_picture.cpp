@@ -17,11 +17,10 @@ constexpr double filmSpread = 0.006; ///< by which the film goes on around a hig
 constexpr float strengthened = 4;    ///< flecks are small, and would vanish in what they spread over
 constexpr double detailWidth = 0.01; ///< what is wider is no detail but form and light
 
-constexpr double noiseWidth = 0.8;    ///< pixels, below which is noise of the camera
-constexpr float darkestSurround = 16; ///< of 255: what is darker has too much noise in relation
-constexpr float heightAtHalf = 2;     ///< half as bright again is as high as the relief says
-constexpr float leastDetail =
-    0.01F; ///< of the brightness: the step of 8 bits in a photo of medium brightness
+constexpr double noiseWidth = 0.8;      ///< pixels, below which is noise of the camera
+constexpr float darkestSurround = 16;   ///< of 255: what is darker has too much noise in relation
+constexpr float heightAtHalf = 2;       ///< half as bright again is as high as the relief says
+constexpr float leastDetail = 0.03F;    ///< of the brightness: three steps of 8 bits in a photo of medium one
 constexpr double smoothUnderFilm = 0.6; ///< of the roughness, that a film takes away at most
 
 double diagonalOf(const Image& picture) {
@@ -61,6 +60,10 @@ cv::Mat1f filmAround(const Image& photo, const PhotoPreparation& preparation) {
     return spread;
 }
 
+float brightnessOf(const std::uint8_t* pixel) {
+    return 0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2];
+}
+
 /// How much brighter each pixel is than its surroundings, as a share of their brightness; 0 without alpha.
 /// What is transparent takes no part in its surroundings.
 cv::Mat1f detailOf(const Image& shown) {
@@ -69,7 +72,7 @@ cv::Mat1f detailOf(const Image& shown) {
         for (int x = 0; x < shown.width; ++x) {
             const std::uint8_t* pixel = shown.at(x, y);
             counts(y, x) = static_cast<float>(pixel[3]) / 255;
-            brightness(y, x) = counts(y, x) * (0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2]);
+            brightness(y, x) = counts(y, x) * brightnessOf(pixel);
         }
     const auto meanOver = [&](double width) {
         cv::Mat1f mean;
@@ -81,6 +84,19 @@ cv::Mat1f detailOf(const Image& shown) {
     cv::divide(meanOver(noiseWidth) - around, around + darkestSurround, detail);
     cv::multiply(detail, counts, detail);
     return detail;
+}
+
+/// Whether brightness varies in a square of the picture by more than noise does.
+bool hasDetailIn(const Image& shown, int left, int top, int width) {
+    float darkest = 255, brightest = 0;
+    for (int y = top; y < std::min(top + width, shown.height); ++y)
+        for (int x = left; x < std::min(left + width, shown.width); ++x) {
+            if (shown.at(x, y)[3] == 0) continue;
+            const float brightness = brightnessOf(shown.at(x, y));
+            darkest = std::min(darkest, brightness);
+            brightest = std::max(brightest, brightness);
+        }
+    return brightest - darkest > leastDetail * (brightest + darkestSurround);
 }
 
 } // namespace
@@ -106,15 +122,15 @@ std::vector<std::int8_t> heightsOf(const Image& shown) {
     return heights;
 }
 
-Image finishPicture(const Image& shown, const PhotoShine& shine, const LayerFinish& finish,
+Image finishPicture(const Image& shown, const FilmAndHeights& found, const LayerFinish& finish,
                     double greatestHeight) {
     Image picture{shown.width, shown.height, std::vector<std::uint8_t>(shown.pixels.size())};
     const SurfaceFinish& own = finish.surface;
     const double filmScale = finish.wetAtHighlights / 255;
     const double heightScale = finish.relief > 0 ? finish.relief / greatestHeight : 0;
     for (std::size_t i = 0; i < shown.pixels.size() / 4; ++i) {
-        const double wet = filmScale > 0 ? filmScale * (*shine.film)[i] : 0;
-        const double height = heightScale > 0 ? heightScale * (*shine.heights)[i] : 0;
+        const double wet = filmScale > 0 ? filmScale * (*found.film)[i] : 0;
+        const double height = heightScale > 0 ? heightScale * (*found.heights)[i] : 0;
         std::uint8_t* pixel = &picture.pixels[4 * i];
         pixel[0] = rounded(own.wetness + (1 - own.wetness) * wet);
         pixel[1] = rounded(own.roughness * (1 - smoothUnderFilm * wet));
@@ -124,10 +140,13 @@ Image finishPicture(const Image& shown, const PhotoShine& shine, const LayerFini
     return picture;
 }
 
+/// Asked of squares as wide as what counts as detail, until one has some: most photos show it in the first.
 bool hasDetail(const Image& shown) {
-    const cv::Mat1f detail = detailOf(shown);
-    return std::any_of(detail.begin(), detail.end(),
-                       [](float value) { return std::abs(value) > leastDetail; });
+    const int width = std::max(4, static_cast<int>(detailWidth * diagonalOf(shown)));
+    for (int top = 0; top < shown.height; top += width)
+        for (int left = 0; left < shown.width; left += width)
+            if (hasDetailIn(shown, left, top, width)) return true;
+    return false;
 }
 
 } // namespace esm

@@ -27,15 +27,15 @@ std::vector<std::uint8_t> filmOf(const Image& photo, const PhotoPreparation& pre
 std::vector<std::int8_t> heightsOf(const Image& shown);
 
 /// What a photo tells of any finish. Dear to find and the same whatever the finish says, so that it is kept.
-struct PhotoShine {
+struct FilmAndHeights {
     std::shared_ptr<const std::vector<std::uint8_t>> film;   ///< null where a finish asks for none
     std::shared_ptr<const std::vector<std::int8_t>> heights; ///< the same
 };
 
 /// A photo's finish as such colours for every pixel of the projected picture; alpha is that picture's.
-/// @param shine all that the finish asks for
+/// @param found all that the finish asks for
 /// @param greatestHeight m, that blue can say; above 0 where the finish has a relief
-Image finishPicture(const Image& shown, const PhotoShine& shine, const LayerFinish& finish,
+Image finishPicture(const Image& shown, const FilmAndHeights& found, const LayerFinish& finish,
                     double greatestHeight);
 
 /// Whether a picture has detail from which a relief can be guessed; of one colour it has none.

@@ -33,24 +33,24 @@ BrushStrokes strokesOf(const TextureLayer& layer) {
 
 /// What was found for another finish of the same picture is taken over; only what was not asked for then is
 /// looked for.
-PhotoShine FinishPictures::shineOf(const TextureLayer& layer, const Progress& progress) const {
+FilmAndHeights FinishPictures::filmAndHeightsOf(const TextureLayer& layer, const Progress& progress) const {
     const std::shared_ptr<const Image> shown = pictureOf(layer);
-    PhotoShine shine;
+    FilmAndHeights found;
     for (const std::vector<Made>* known : {&m_before, &m_used})
         for (const Made& made : *known) {
             if (made.shown != shown || made.preparation != layer.preparation) continue;
-            if (made.shine.film) shine.film = made.shine.film;
-            if (made.shine.heights) shine.heights = made.shine.heights;
+            if (made.found.film) found.film = made.found.film;
+            if (made.found.heights) found.heights = made.found.heights;
         }
     reportProgress(progress, 0);
-    if (layer.finish->wetAtHighlights > 0 && !shine.film)
-        shine.film =
+    if (layer.finish->wetAtHighlights > 0 && !found.film)
+        found.film =
             std::make_shared<const std::vector<std::uint8_t>>(filmOf(layer.photo->image, layer.preparation));
     reportProgress(progress, 0.5);
-    if (layer.finish->relief > 0 && !shine.heights)
-        shine.heights = std::make_shared<const std::vector<std::int8_t>>(heightsOf(*shown));
+    if (layer.finish->relief > 0 && !found.heights)
+        found.heights = std::make_shared<const std::vector<std::int8_t>>(heightsOf(*shown));
     reportProgress(progress, 1);
-    return shine;
+    return found;
 }
 
 std::shared_ptr<const Image> FinishPictures::of(const TextureLayer& layer, double greatestHeight,
@@ -67,12 +67,12 @@ std::shared_ptr<const Image> FinishPictures::of(const TextureLayer& layer, doubl
         if (&known == &m_before) m_used.push_back(*made);
         return picture;
     }
-    const PhotoShine shine = shineOf(layer, progress);
-    auto picture = std::make_shared<const Image>(finishPicture(*shown, shine, *layer.finish, greatestHeight));
+    const FilmAndHeights found = filmAndHeightsOf(layer, progress);
+    auto picture = std::make_shared<const Image>(finishPicture(*shown, found, *layer.finish, greatestHeight));
     // Stopped work goes on with the next wish: of a photo only the newest is of use.
-    const auto ofThis = [&](const Made& made) { return made.shown == shown && made.layer == layer.id; };
+    const auto ofThis = [&](const Made& made) { return made.layer == layer.id; };
     m_used.erase(std::remove_if(m_used.begin(), m_used.end(), ofThis), m_used.end());
-    m_used.push_back({layer.id, shown, layer.preparation, shine, *layer.finish, greatestHeight, picture});
+    m_used.push_back({layer.id, shown, layer.preparation, found, *layer.finish, greatestHeight, picture});
     return picture;
 }
 

@@ -33,12 +33,12 @@ private:
         LayerId layer;
         std::shared_ptr<const Image> shown;
         PhotoPreparation preparation;
-        PhotoShine shine;
+        FilmAndHeights found;
         LayerFinish finish;
         double greatestHeight;
         std::shared_ptr<const Image> picture;
     };
-    PhotoShine shineOf(const TextureLayer& layer, const Progress& progress) const;
+    FilmAndHeights filmAndHeightsOf(const TextureLayer& layer, const Progress& progress) const;
 
     std::vector<Made> m_used, m_before;
 };

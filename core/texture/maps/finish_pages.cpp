@@ -85,8 +85,10 @@ void paintTilts(const Heights& heights, const OwnedStrip& strip, const PatchesAr
     std::uint32_t framed = StripOwners::nobody;
     Eigen::Matrix2d slopesOf = Eigen::Matrix2d::Zero();
     for (const TexelSpan& span : strip.spans) {
-        if (span.triangle != framed)
-            slopesOf = patchFrame(heights.mesh, heights.atlas, span.triangle).slopesOf;
+        if (span.triangle != framed) {
+            const auto frame = patchFrame(heights.mesh, heights.atlas, span.triangle);
+            slopesOf = frame ? frame->slopesOf : Eigen::Matrix2d::Zero();
+        }
         framed = span.triangle;
         for (int x = span.first; x < span.end;) {
             auto [pixel, count] = painter.run(x, span.end, span.row);

@@ -29,13 +29,13 @@ std::optional<Eigen::Matrix<double, 3, 2>> metresPerStep(const std::array<Eigen:
 /// The gradient g in the plane is what both steps say of it: g · right and g · down are the heights gained.
 /// Written in tangent and bitangent that is a triangular system, also where the patch is no similar picture
 /// of its triangle.
-PatchFrame patchFrame(const TriangleMesh& mesh, const Atlas& atlas, std::uint32_t triangle) {
+std::optional<PatchFrame> patchFrame(const TriangleMesh& mesh, const Atlas& atlas, std::uint32_t triangle) {
     const Triangle& at = mesh.triangles[triangle];
     const std::array<Eigen::Vector3d, 3> corners{mesh.vertices[at[0]], mesh.vertices[at[1]],
                                                  mesh.vertices[at[2]]};
     PatchFrame frame{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), 1, Eigen::Matrix2d::Zero()};
     const auto steps = metresPerStep(corners, atlas.corners[triangle]);
-    if (!steps) return frame;
+    if (!steps) return std::nullopt;
     const Eigen::Vector3d right = steps->col(0), down = steps->col(1);
     frame.normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
     frame.tangent = right.normalized();

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace esm {
 
 /// How a triangle's patch lies on the triangle: the tangent space in which normal maps are read, as glTF 2.0
@@ -14,10 +16,10 @@ struct PatchFrame {
     Eigen::Vector3d normal;   ///< of the triangle, of length 1
     double handedness = 1;    ///< −1 of a patch that is mirrored
     Eigen::Matrix2d slopesOf; ///< from heights gained per texel to the right and downwards, in metres, to the
-                              ///< slopes along tangent and bitangent; 0 of a triangle without area
+                              ///< slopes along tangent and bitangent
 };
 
-/// @param triangle of the mesh
-PatchFrame patchFrame(const TriangleMesh& mesh, const Atlas& atlas, std::uint32_t triangle);
+/// @param triangle of the mesh @return nothing of one without area, on the surface or in the page
+std::optional<PatchFrame> patchFrame(const TriangleMesh& mesh, const Atlas& atlas, std::uint32_t triangle);
 
 } // namespace esm

@@ -29,6 +29,18 @@ std::vector<Surrounding> surroundingsFor(const cv::Size& size) {
     return {{1 / (2 * large), 11, 1}, {1 / (4 * large), 17, 1.3}, {1 / (8 * large), 19, 2}};
 }
 
+/// Smaller by a share, but never without a pixel.
+cv::Mat reducedBy(double share, const cv::Mat& picture) {
+    const cv::Size size(cvRound(share * picture.cols), cvRound(share * picture.rows));
+    cv::Mat reduced;
+    if (size.empty())
+        cv::resize(picture, reduced, {std::max(1, size.width), std::max(1, size.height)}, 0, 0,
+                   cv::INTER_AREA);
+    else
+        cv::resize(picture, reduced, {}, share, share, cv::INTER_AREA);
+    return reduced;
+}
+
 struct Brightness {
     cv::Mat darkest, middle, brightest, opaque; ///< channel, 8 bit; 255 where the photo has alpha
 };
@@ -67,10 +79,8 @@ void fillTransparent(cv::Mat& channel, const cv::Mat& opaque, int width) {
 
 /// The median around each pixel, of the photo's size.
 cv::Mat medianAround(const cv::Mat& channel, const cv::Mat& opaque, const Surrounding& surrounding) {
-    cv::Mat small, smallOpaque;
-    cv::resize(channel, small, {}, surrounding.share, surrounding.share, cv::INTER_AREA);
-    cv::resize(opaque, smallOpaque, small.size(), 0, 0, cv::INTER_AREA);
-    fillTransparent(small, smallOpaque, surrounding.width);
+    cv::Mat small = reducedBy(surrounding.share, channel);
+    fillTransparent(small, reducedBy(surrounding.share, opaque), surrounding.width);
     cv::medianBlur(small, small, surrounding.width);
     cv::GaussianBlur(small, small, {}, 1.5);
     cv::resize(small, small, channel.size(), 0, 0, cv::INTER_LINEAR);
@@ -120,11 +130,9 @@ cv::Mat disk(double across) {
 /// white top-hat). A polyp's paleness is its own level and hides none of the flecks upon it.
 cv::Mat wideLevel(const Brightness& brightness) {
     constexpr double widest = 19.5, finer = 1.5; // pixels of a photo up to 960 wide
-    cv::Mat level, opaque;
     const double share = 1 / (finer * scaleOf(brightness.darkest.size()));
-    cv::resize(brightness.darkest, level, {}, share, share, cv::INTER_AREA);
-    cv::resize(brightness.opaque, opaque, level.size(), 0, 0, cv::INTER_AREA);
-    fillTransparent(level, opaque, 11);
+    cv::Mat level = reducedBy(share, brightness.darkest);
+    fillTransparent(level, reducedBy(share, brightness.opaque), 11);
     cv::medianBlur(level, level, 5); // pits and vessels do not part what is pale
     cv::morphologyEx(level, level, cv::MORPH_OPEN, disk(widest / finer));
     cv::dilate(level, level, cv::Mat::ones(3, 3, CV_8U)); // borders of what is pale are no thin flecks
@@ -140,7 +148,7 @@ cv::Mat widelyWhite(const Brightness& brightness, double level) {
     const double share = 1 / (2 * scaleOf(brightness.middle.size()));
     cv::Mat white, thick, wide;
     cv::addWeighted(brightness.middle, 0.5, brightness.brightest, 0.5, 0, white);
-    cv::resize(white, white, {}, share, share, cv::INTER_AREA);
+    white = reducedBy(share, white);
     cv::morphologyEx(white > level, thick, cv::MORPH_OPEN, disk(narrowest / 2));
     cv::morphologyEx(thick, wide, cv::MORPH_OPEN, disk(widest / 2));
     cv::dilate(wide, wide, disk(widest / 2));
@@ -206,8 +214,7 @@ cv::Mat strongParts(const cv::Mat& mask, const cv::Mat& shine, double needed) {
 /// The strongest shine near each pixel, within what a large fleck's rim takes.
 cv::Mat peaksOf(const cv::Mat& shine) {
     constexpr double reduced = 0.25;
-    cv::Mat peaks;
-    cv::resize(shine, peaks, {}, reduced, reduced, cv::INTER_AREA);
+    cv::Mat peaks = reducedBy(reduced, shine);
     cv::dilate(peaks, peaks, cv::Mat::ones(7, 7, CV_8U));
     cv::resize(peaks, peaks, shine.size(), 0, 0, cv::INTER_LINEAR);
     return peaks;
@@ -263,8 +270,7 @@ PixelMask flecksOf(const Image& photo, double sensitivity) {
 Image shrunk(const Image& photo) {
     const double share = static_cast<double>(longestLookedAt) / std::max(photo.width, photo.height);
     const cv::Mat whole(photo.height, photo.width, CV_8UC4, const_cast<std::uint8_t*>(photo.pixels.data()));
-    cv::Mat reduced;
-    cv::resize(whole, reduced, {}, share, share, cv::INTER_AREA);
+    const cv::Mat reduced = reducedBy(share, whole);
     return {reduced.cols, reduced.rows, {reduced.datastart, reduced.dataend}};
 }
 

@@ -21,6 +21,7 @@ Project markedProject() {
     Project project = paintedProject();
     project.layers.front().landmarks = {{{3, 4}, {0.01, -0.02, 0.03}}};
     project.texture.atlas.texelsPerMetre = 1000;
+    project.texture.occlusionReach = 0.01;
     return project;
 }
 
@@ -55,6 +56,7 @@ TEST(Scale, TakesAllThatLiesInItsSpace) {
     EXPECT_EQ(large.layers[0].landmarks[0].organ, 2 * project.layers[0].landmarks[0].organ);
     EXPECT_EQ(large.layers[0].landmarks[0].photo, project.layers[0].landmarks[0].photo);
     EXPECT_EQ(large.texture.atlas.texelsPerMetre, 500);
+    EXPECT_EQ(large.texture.occlusionReach, 0.02);
     EXPECT_EQ(large.atlas->texelsPerMetre, project.atlas->texelsPerMetre / 2);
 }
 

@@ -172,6 +172,59 @@ TEST_F(MeshDecoder, KeepsPolygonsTheirOrderAndUnusedVertices) {
     EXPECT_EQ(off.polygons, (std::vector<std::vector<std::uint32_t>>{{0, 1, 2, 3, 4}}));
 }
 
+TEST_F(MeshDecoder, KeepsTheTextureCoordinatesOfObjFaces) {
+    using Corners = std::vector<Eigen::Vector2d>;
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    EXPECT_TRUE(read("none.obj", vertices + "f 1 2 3 4\n").textureCoordinates.empty());
+    const PolygonSoup soup = read("some.obj", vertices + "vt 0.25 0.5\nvt 1\nvt 0 1 0\nvt 0.5 abc\nvt nan 0\n"
+                                                         "f 1/1 2/2 3/-3\n" // height left out; from the end
+                                                         "f 1/1 3/2 4/9\n"  // names none
+                                                         "f 1/1 3/2 4\n"    // a corner without
+                                                         "f 1/1 3/2 4/4\n"  // no number
+                                                         "f 1/1 3/2 4/5\n"
+                                                         "f 1/1/1 3/2/1 4/3/1\n");
+    EXPECT_EQ(
+        soup.textureCoordinates,
+        (std::vector<Corners>{{{0.25, 0.5}, {1, 0}, {0, 1}}, {}, {}, {}, {}, {{0.25, 0.5}, {1, 0}, {0, 1}}}));
+}
+
+// A vertex at a seam has other coordinates in each face.
+TEST_F(MeshDecoder, KeepsTheTextureCoordinatesOfPlyFaces) {
+    const std::string header = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                               "property float s\nproperty float t\nelement face 2\n"
+                               "property list uchar int vertex_indices\n"
+                               "property list uchar float texcoord\nend_header\n";
+    const std::array<std::array<float, 6>, 2> ofFaces{{{0, 0, 0.5F, 0, 0.5F, 1}, {0.75F, 0, 1, 1, 0.75F, 1}}};
+    const std::array<std::array<int, 3>, 2> indices{{{0, 1, 2}, {0, 2, 3}}};
+    std::string text = "ply\nformat ascii 1.0\n" + header;
+    text += "0 0 0 9 9\n1 0 0 9 9\n1 1 0 9 9\n0 1 0 9 9\n";
+    std::string binary = "ply\nformat binary_big_endian 1.0\n" + header;
+    for (const int number : {0, 0, 0, 9, 9, 1, 0, 0, 9, 9, 1, 1, 0, 9, 9, 0, 1, 0, 9, 9})
+        put(binary, static_cast<float>(number), true);
+    for (std::size_t face = 0; face < 2; ++face) {
+        text += "3";
+        put(binary, std::uint8_t{3});
+        for (const int vertex : indices[face]) {
+            text += " " + std::to_string(vertex);
+            put(binary, vertex, true);
+        }
+        text += " 6";
+        put(binary, std::uint8_t{6});
+        for (const float number : ofFaces[face]) {
+            text += " " + std::to_string(number);
+            put(binary, number, true);
+        }
+        text += "\n";
+    }
+    for (const PolygonSoup& soup : {read("text.ply", text), read("binary.ply", binary)}) {
+        ASSERT_EQ(soup.textureCoordinates.size(), 2U);
+        for (std::size_t face = 0; face < 2; ++face)
+            for (std::size_t i = 0; i < 3; ++i)
+                EXPECT_EQ(soup.textureCoordinates[face][i],
+                          Eigen::Vector2d(ofFaces[face][2 * i], ofFaces[face][2 * i + 1]));
+    }
+}
+
 TEST_F(MeshDecoder, AppliesNodeTransformsAndRepeatsInstances) {
     nlohmann::json document = gltfDocument();
     document["nodes"] = nlohmann::json::parse(

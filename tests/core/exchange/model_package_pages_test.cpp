@@ -63,6 +63,31 @@ TEST_F(ModelPackageFile, HoldsHowTheSurfaceShinesInTheMeshsOwnLayout) {
     EXPECT_EQ(countOf("TANGENT"), countOf("POSITION"));
 }
 
+// The last row of squares lies upside down in the texture, on itself: of the line beside it its ends and
+// its middle keep their places, where tangents on one side are mirrored.
+TEST_F(ModelPackageFile, DrawsAVertexTwiceWhereTheTextureIsMirroredOnOneSide) {
+    const Project own = ownLayoutProject();
+    Project project = shiningProject();
+    auto mesh = std::make_shared<TriangleMesh>(*own.mesh);
+    for (std::size_t i = mesh->triangles.size() - 12; i < mesh->triangles.size(); ++i)
+        for (Eigen::Vector2d& place : mesh->textureCoordinates[i])
+            place.y() = 1 - place.y();
+    project.mesh = mesh;
+    project.texture.atlas = own.texture.atlas;
+    project.atlas = std::make_shared<Atlas>(packAtlas(*mesh, project.texture.atlas));
+    expectReadIndependently(project, m_folder.path());
+    const auto drawnVertices = [&](const Project& exportedProject) {
+        exported(exportedProject);
+        const Json gltf = parseGlb(readFile(m_file)).json;
+        const Json& positions = gltf["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+        return gltf["accessors"][positions.get<std::size_t>()]["count"].get<int>();
+    };
+    const int withNormals = drawnVertices(project);
+    for (TextureLayer& layer : project.layers)
+        layer.finish.reset();
+    EXPECT_GT(withNormals, drawnVertices(project));
+}
+
 TEST_F(ModelPackageFile, HoldsOcclusionWhereAsked) {
     Project project = richProject();
     project.texture.occlusionReach = 0.01;

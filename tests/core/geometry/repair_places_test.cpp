@@ -15,7 +15,7 @@ Eigen::Vector2d rightPlace(const Eigen::Vector3d& vertex) {
 
 PolygonSoup withPlaces(PolygonSoup soup) {
     for (const std::vector<std::uint32_t>& polygon : soup.polygons) {
-        std::vector<Eigen::Vector2d>& places = soup.places.emplace_back();
+        std::vector<Eigen::Vector2d>& places = soup.textureCoordinates.emplace_back();
         for (const std::uint32_t vertex : polygon)
             places.push_back(rightPlace(soup.vertices[vertex]));
     }
@@ -23,10 +23,12 @@ PolygonSoup withPlaces(PolygonSoup soup) {
 }
 
 void expectRightPlaces(const TriangleMesh& mesh) {
-    ASSERT_EQ(mesh.ownPlaces.size(), mesh.triangles.size());
+    ASSERT_EQ(mesh.textureCoordinates.size(), mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (std::size_t corner = 0; corner < 3; ++corner)
-            EXPECT_EQ(mesh.ownPlaces[i][corner], rightPlace(mesh.vertices[mesh.triangles[i][corner]])) << i;
+            EXPECT_EQ(mesh.textureCoordinates[i][corner],
+                      rightPlace(mesh.vertices[mesh.triangles[i][corner]]))
+                << i;
 }
 
 TEST(RepairPlaces, GoWithTheTrianglesOfSplitAndWeldedPolygons) {
@@ -51,10 +53,10 @@ TEST(RepairPlaces, OfOneVertexDifferAtEachSideOfASeam) {
     PolygonSoup soup;
     soup.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     soup.polygons = {{0, 1, 2}, {0, 2, 3}};
-    soup.places = {{{0, 0}, {0.4, 0}, {0.4, 0.4}}, {{0.5, 0.5}, {0.9, 0.9}, {0.5, 0.9}}};
+    soup.textureCoordinates = {{{0, 0}, {0.4, 0}, {0.4, 0.4}}, {{0.5, 0.5}, {0.9, 0.9}, {0.5, 0.9}}};
     const RepairedMesh square = repair(soup);
-    EXPECT_EQ(square.mesh.ownPlaces[0][2], Eigen::Vector2d(0.4, 0.4));
-    EXPECT_EQ(square.mesh.ownPlaces[1][1], Eigen::Vector2d(0.9, 0.9));
+    EXPECT_EQ(square.mesh.textureCoordinates[0][2], Eigen::Vector2d(0.4, 0.4));
+    EXPECT_EQ(square.mesh.textureCoordinates[1][1], Eigen::Vector2d(0.9, 0.9));
 }
 
 TEST(RepairPlaces, AreDroppedWithAWordWhereTrianglesAreAdded) {
@@ -64,7 +66,7 @@ TEST(RepairPlaces, AreDroppedWithAWordWhereTrianglesAreAdded) {
     options.holeEdges = 4;
     const RepairedMesh filled = repair(withPlaces(open), options);
     EXPECT_EQ(filled.report.filledHoles, 1U);
-    EXPECT_TRUE(filled.mesh.ownPlaces.empty());
+    EXPECT_TRUE(filled.mesh.textureCoordinates.empty());
     EXPECT_THAT(filled.report.warnings,
                 testing::Contains(testing::HasSubstr("dropped: 2 of 12 triangles have none")));
     expectRightPlaces(repair(withPlaces(open)).mesh);
@@ -72,9 +74,9 @@ TEST(RepairPlaces, AreDroppedWithAWordWhereTrianglesAreAdded) {
 
 TEST(RepairPlaces, AreDroppedWithAWordWhereAFaceHasNone) {
     PolygonSoup soup = withPlaces(test::cubeSoup(2));
-    soup.places[3].clear();
+    soup.textureCoordinates[3].clear();
     const RepairedMesh cube = repair(soup);
-    EXPECT_TRUE(cube.mesh.ownPlaces.empty());
+    EXPECT_TRUE(cube.mesh.textureCoordinates.empty());
     EXPECT_THAT(cube.report.warnings, testing::Contains(testing::HasSubstr("2 of 12")));
 }
 

@@ -112,6 +112,24 @@ TEST_F(NumberFieldTest, MayLeaveItsUnitToTheCaption) {
     EXPECT_EQ(bare.text(), "30.0");
 }
 
+// Qt's own fields take Ctrl+E for the end of the line; in the editor it exports.
+TEST_F(NumberFieldTest, LeavesItsKeyToExporting) {
+    QWidget window;
+    auto* column = new QVBoxLayout(&window);
+    auto* number = new NumberField(lengthFormat(0), &window);
+    column->addWidget(number);
+    QAction exporting;
+    exporting.setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+    window.addAction(&exporting);
+    QSignalSpy exported(&exporting, &QAction::triggered);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
+    QApplication::setActiveWindow(&window);
+    number->setFocus();
+    QTest::keyClick(number, Qt::Key_E, Qt::ControlModifier);
+    EXPECT_EQ(exported.count(), 1);
+}
+
 TEST_F(NumberFieldTest, LeavesUndoToTheWindowUntilSomethingIsTyped) {
     QWidget window;
     auto* column = new QVBoxLayout(&window);

@@ -4,6 +4,7 @@
 #include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/long_work.h"
+#include "app/editor/dialogs/sentence.h"
 #include "core/support/errors.h"
 #include "core/texture/atlas/distortion.h"
 #include "core/texture/atlas/own_layout.h"
@@ -13,6 +14,7 @@
 
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStandardItemModel>
 
 namespace esm {
 
@@ -31,18 +33,23 @@ NumberFormat texelFormat() {
 QString distortionText(const TriangleMesh& mesh, const Atlas& atlas) {
     if (!isStretched(atlas.options.layout)) return QObject::tr("none");
     const DistortionSpread angle = distortionOf(mesh, atlas).angle;
-    return QObject::tr("%1, up to %2").arg(angle.mean, 0, 'f', 2).arg(angle.most95, 0, 'f', 2);
+    return QObject::tr("%1, up to %2").arg(angle.mean, 0, 'f', 2).arg(angle.percentile95, 0, 'f', 2);
+}
+
+QString seamText(const TriangleMesh& mesh, const Atlas& atlas) {
+    const double percent = 100 * seamShare(mesh, atlas);
+    return QObject::tr("%1 % of edges").arg(decimalText(percent, percent < 10 ? 1 : 0));
 }
 
 bool mayPackAnew(QWidget& window, const std::string& problem) {
     return ask(window, [&] {
-        QMessageBox box(QMessageBox::Question, QObject::tr("Layout of the mesh's own"),
+        QMessageBox box(QMessageBox::Question, QObject::tr("The mesh's own layout"),
                         QObject::tr("The mesh's own layout cannot be painted."), QMessageBox::Cancel,
                         &window);
         setUpBox(box, "ownLayoutBox");
         box.setInformativeText(
             QObject::tr("%1.\nPacked in matched rows, every triangle gets a place of its own.")
-                .arg(QString::fromStdString(problem)));
+                .arg(sentence(problem)));
         QPushButton* repack = box.addButton(QObject::tr("&Pack in matched rows"), QMessageBox::AcceptRole);
         box.setDefaultButton(repack);
         box.exec();
@@ -55,14 +62,14 @@ bool mayPackAnew(QWidget& window, const std::string& problem) {
 AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
     : Section(tr("Atlas"), parent), m_document(document), m_size(new QComboBox(this)),
       m_layout(new QComboBox(this)), m_texel(new NumberField(texelFormat(), this)),
-      m_fills(new QCheckBox(tr("As fine as the pages allow"), this)) {
+      m_fills(new QCheckBox(tr("As fine as the pages allow"), this)), m_flaws(new QLabel(this)) {
     for (const int size : {512, 1024, 2048, 4096, 8192})
         m_size->addItem(tr("%1 × %1").arg(size), size);
     m_layout->addItem(tr("rows"), static_cast<int>(AtlasLayout::Rows));
     m_layout->addItem(tr("matched rows"), static_cast<int>(AtlasLayout::MatchedRows));
     m_layout->addItem(tr("unfolded groups"), static_cast<int>(AtlasLayout::UnfoldedGroups));
     m_layout->addItem(tr("charts"), static_cast<int>(AtlasLayout::Charts));
-    m_layout->setItemData(m_layout->count() - 1, tr("Fewest seams; triangles are stretched a little"),
+    m_layout->setItemData(m_layout->count() - 1, tr("Few seams; triangles are stretched a little"),
                           Qt::ToolTipRole);
     m_layout->addItem(tr("the mesh's own"), static_cast<int>(AtlasLayout::Own));
     for (QComboBox* choice : {m_size, m_layout})
@@ -86,7 +93,10 @@ AtlasPanel::AtlasPanel(Document& document, QWidget* parent)
     m_distortion->setToolTip(
         tr("How much longer the texture makes triangles one way than the other: on average, and what 95 % of "
            "the surface stays under"));
-    for (QWidget* part : std::initializer_list<QWidget*>{rows, m_fills, results})
+    m_flaws->setObjectName(QStringLiteral("atlasFlaws"));
+    m_flaws->setProperty("warning", true);
+    m_flaws->setWordWrap(true);
+    for (QWidget* part : std::initializer_list<QWidget*>{rows, m_fills, results, m_flaws})
         body()->addWidget(part);
     connectControls();
     show();
@@ -101,11 +111,10 @@ void AtlasPanel::connectControls() {
     connect(m_layout, qOverload<int>(&QComboBox::activated), this, [this] {
         AtlasOptions options = m_document.project().texture.atlas;
         options.layout = static_cast<AtlasLayout>(m_layout->currentData().toInt());
-        if (options.layout == AtlasLayout::Own) {
-            options.pages = 1;
-            options.texelsPerMetre = 0;
-        }
-        pack(options);
+        if (options.layout == AtlasLayout::Own)
+            packAsOwn();
+        else
+            pack(options);
     });
     connect(m_texel, &NumberField::valueEdited, this, [this](double metres) {
         AtlasOptions options = m_document.project().texture.atlas;
@@ -140,10 +149,22 @@ void AtlasPanel::show() {
     m_fills->setChecked(!(asked.texelsPerMetre > 0));
     m_pages->setText(atlas ? QString::number(atlas->options.pages) : unknown);
     m_used->setText(atlas ? tr("%1 %").arg(qRound(atlas->utilisation * 100)) : tr("not packed"));
-    m_seams->setText(atlas ? tr("%1 % of edges").arg(qRound(100 * seamShare(*project.mesh, *atlas)))
-                           : unknown);
-    m_distortion->setText(atlas ? distortionText(*project.mesh, *atlas) : unknown);
+    if (m_measured != project.atlas || !atlas) showMeasured();
     showUse();
+}
+
+void AtlasPanel::showMeasured() {
+    const Project& project = m_document.project();
+    const QString unknown(QChar(0x2013));
+    m_measured = project.atlas;
+    m_seams->setText(m_measured ? seamText(*project.mesh, *m_measured) : unknown);
+    m_distortion->setText(m_measured ? distortionText(*project.mesh, *m_measured) : unknown);
+    QStringList flaws;
+    if (m_measured && m_measured->options.layout == AtlasLayout::Own)
+        for (const std::string& warning : ownLayoutWarnings(*project.mesh))
+            flaws.append(sentence(warning));
+    m_flaws->setText(flaws.join('\n'));
+    m_flaws->setVisible(!flaws.isEmpty());
 }
 
 void AtlasPanel::showUse() {
@@ -153,9 +174,17 @@ void AtlasPanel::showUse() {
     enable(
         m_layout, hasSurface,
         tr("How the triangles lie side by side: matched rows use most of the texture, unfolded groups have "
-           "fewer seams, charts fewest but stretch triangles a little; the mesh's own is where its file has "
-           "them, stretched as its maker left them"),
+           "fewer seams, charts still fewer but stretch triangles a little; the mesh's own is where its file "
+           "has them, stretched as its maker left them"),
         noSurface);
+    const bool hasOwn = !m_document.project().mesh->textureCoordinates.empty();
+    const int ownPlace = m_layout->findData(static_cast<int>(AtlasLayout::Own));
+    qobject_cast<QStandardItemModel*>(m_layout->model())->item(ownPlace)->setEnabled(hasOwn);
+    m_layout->setItemData(ownPlace,
+                          hasOwn ? tr("By the texture coordinates that the mesh's file has, stretched as its "
+                                      "maker left them")
+                                 : tr("The mesh brought no texture coordinates"),
+                          Qt::ToolTipRole);
     const bool isOwn = m_document.project().texture.atlas.layout == AtlasLayout::Own;
     const QString ownDensity =
         tr("The mesh's own layout fills one page, whose size says how large pixels are");
@@ -175,12 +204,25 @@ void AtlasPanel::showUse() {
 
 void AtlasPanel::pack(const AtlasOptions& options) {
     const Project& project = m_document.project();
-    if (options == project.texture.atlas && project.atlas) return;
-    const std::vector<std::string> problems =
-        options.layout == AtlasLayout::Own ? ownLayoutProblems(*project.mesh) : std::vector<std::string>();
-    AtlasOptions possible = options;
-    if (!problems.empty()) possible.layout = AtlasLayout::MatchedRows;
-    if (problems.empty() || mayPackAnew(*window(), InvalidModel(problems).what())) packAs(possible);
+    if (options != project.texture.atlas || !project.atlas) packAs(options);
+    show();
+}
+
+/// What keeps the mesh's own layout from being painted is said, and another one offered, with the pages and
+/// the pixels that were asked for before.
+void AtlasPanel::packAsOwn() {
+    AtlasOptions options = m_document.project().texture.atlas;
+    const auto mesh = m_document.project().mesh;
+    attempt(window(), tr("The texture cannot be packed"), [&] {
+        const std::vector<std::string> problems = computeLong(
+            window(), tr("Packing the texture"), [&](const Progress&) { return ownLayoutProblems(*mesh); });
+        if (problems.empty()) {
+            options.pages = 1;
+            options.texelsPerMetre = 0;
+        }
+        options.layout = problems.empty() ? AtlasLayout::Own : AtlasLayout::MatchedRows;
+        if (problems.empty() || mayPackAnew(*window(), InvalidModel(problems).what())) pack(options);
+    });
     show();
 }
 
@@ -195,8 +237,6 @@ void AtlasPanel::packAs(const AtlasOptions& options) {
             edited.texture.atlas = atlas->options;
             edited.atlas = atlas;
         });
-        if (options.layout == AtlasLayout::Own)
-            tell(window(), tr("The mesh's own layout has flaws"), ownLayoutWarnings(*mesh));
     });
 }
 

@@ -20,15 +20,18 @@ private:
     void connectControls();
     void show();
     void showUse();
+    void showMeasured();
     void pack(const AtlasOptions& options);
     void packAs(const AtlasOptions& options);
+    void packAsOwn();
     void fill(bool on);
 
     Document& m_document;
     QComboBox *m_size, *m_layout;
     NumberField* m_texel;
     QCheckBox* m_fills;
-    QLabel *m_pages, *m_used, *m_seams, *m_distortion;
+    QLabel *m_pages, *m_used, *m_seams, *m_distortion, *m_flaws;
+    std::shared_ptr<const Atlas> m_measured; ///< whose seams and distortion are shown
 };
 
 } // namespace esm

@@ -1,5 +1,6 @@
 #include "app/editor/panels/texture/wet_look_panel.h"
 
+#include "app/editor/dialogs/sentence.h"
 #include "core/texture/maps/finish_layers.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
@@ -164,14 +165,15 @@ void WetLookPanel::show() {
 
 void WetLookPanel::showWarnings() {
     const TextureLayer* layer = isOfLayer() ? m_selection.selectedLayer() : nullptr;
-    const bool hasRelief = layer && layer->finish && layer->finish->relief > 0;
-    if (hasRelief && m_detail.picture != pictureOf(*layer)) {
-        m_detail = {pictureOf(*layer), {}};
+    QStringList warnings;
+    if (layer && layer->finish && layer->finish->relief > 0)
         for (const std::string& warning : finishWarnings(*layer))
-            m_detail.warnings.append(QString::fromStdString(warning));
-    }
-    m_warnings->setText(hasRelief ? m_detail.warnings.join('\n') : QString());
-    m_warnings->setVisible(!m_warnings->text().isEmpty());
+            warnings.append(sentence(warning));
+    if (layer && layer->finish && !m_document.project().texture.finish)
+        warnings.append(tr("The rest of the organ is shown dry beside it: choose its tissue as well, under "
+                           "whole organ."));
+    m_warnings->setText(warnings.join('\n'));
+    m_warnings->setVisible(!warnings.isEmpty());
 }
 
 void WetLookPanel::showUse(const std::optional<LayerFinish>& finish) {
@@ -205,7 +207,7 @@ void WetLookPanel::showUse(const std::optional<LayerFinish>& finish) {
     enable(m_occlusion, hasSurface && m_subject->currentIndex() == WholeOrgan,
            tr("Packages and baked pages get a picture of how folds darken, by what stands within this "
               "distance; 0 for none. It is not shown here"),
-           hasSurface ? tr("Of the whole organ only") : none);
+           hasSurface ? tr("Of the whole organ: choose it under Wet look of") : none);
 }
 
 void WetLookPanel::choose(int tissue) {

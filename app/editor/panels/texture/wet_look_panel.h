@@ -57,11 +57,6 @@ private:
     NumberField *m_relief, *m_occlusion;
     QCheckBox* m_hidesColour;
     QLabel* m_warnings;
-    /// Whether the picture has detail from which a relief can be guessed; asked once for each picture.
-    struct Detail {
-        std::shared_ptr<const Image> picture;
-        QStringList warnings;
-    } m_detail;
 };
 
 } // namespace esm

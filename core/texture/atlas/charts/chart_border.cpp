@@ -78,14 +78,29 @@ private:
         std::vector<std::pair<std::int64_t, std::uint32_t>> cells;
         cells.reserve(2 * m_points.size());
         for (std::uint32_t side = 0; side < m_points.size(); ++side) {
-            const Eigen::Array2d low = m_points[side].cwiseMin(end(side)).array() - reach,
-                                 high = m_points[side].cwiseMax(end(side)).array() + reach;
+            const double low = std::min(m_points[side].y(), end(side).y()) - reach,
+                         high = std::max(m_points[side].y(), end(side).y()) + reach;
             const auto cellOf = [&](double at) { return static_cast<std::int64_t>(std::floor(at / size)); };
-            for (std::int64_t y = cellOf(low.y()); y <= cellOf(high.y()); ++y)
-                for (std::int64_t x = cellOf(low.x()); x <= cellOf(high.x()); ++x)
+            for (std::int64_t y = cellOf(low); y <= cellOf(high); ++y) {
+                const double row = static_cast<double>(y) * size;
+                const auto [left, right] = spanWithin(side, row - reach, row + size + reach);
+                for (std::int64_t x = cellOf(left - reach); x <= cellOf(right + reach); ++x)
                     cells.emplace_back(y * columns + x, side);
+            }
         }
         return cells;
+    }
+
+    /// From the least x to the greatest of what of a side lies between two heights.
+    std::pair<double, double> spanWithin(std::size_t side, double low, double high) const {
+        const Eigen::Vector2d &a = m_points[side], &b = end(side);
+        const double rise = b.y() - a.y();
+        const auto at = [&](double y) {
+            const double share = rise != 0 ? std::clamp((y - a.y()) / rise, 0.0, 1.0) : 0;
+            return a.x() + share * (b.x() - a.x());
+        };
+        if (rise == 0) return std::minmax({a.x(), b.x()});
+        return std::minmax({at(low), at(high)});
     }
 
     bool cross(std::size_t one, std::size_t other) const {
@@ -102,8 +117,8 @@ private:
         return !cross(one, other) && isClearAlong(one, other) && isClearAlong(other, one);
     }
 
-    /// Whether a side is clear of another at its ends and where it comes within the clearance: between these
-    /// places detour and distance change evenly, so that the worst is at one of them.
+    /// Whether a side is clear of another where it is nearest to it and where it comes within the clearance.
+    /// Between these places detour and distance change so evenly that none is worse by more than a hundredth.
     bool isClearAlong(std::size_t side, std::size_t other) const {
         const Eigen::Vector2d &a = m_points[side], &b = end(side);
         const Eigen::Vector2d &c = m_points[other], &d = end(other);

@@ -5,8 +5,8 @@
 namespace esm {
 
 /// Whether a closed line, counter-clockwise around a chart, neither crosses itself nor comes nearer to itself
-/// than `clearance` across what is outside of it. Where it turns a corner it is near to itself, as the
-/// surface is: what is at most `mostDetour` times as far along the line as straight through counts as that.
+/// than `clearance` across what is outside of it. Around a corner it may: there the way along the line is at
+/// most `mostDetour` times the straight one.
 bool keepsClear(const PlanePoints& border, double clearance);
 
 constexpr double mostDetour = 6;

@@ -95,22 +95,24 @@ SparseMatrix conformalEnergy(const ChartMesh& disc, const std::vector<FlatTriang
 /// Least squares conformal maps (Lévy, Petitjean, Ray and Maillot 2002): angles are kept as well as they can
 /// be. What they lose is the map's Dirichlet energy less the area that it covers, which is a sum over the
 /// border alone (Desbrun, Meyer and Alliez 2002). It is smallest where a linear system holds, of both
-/// coordinates together; two vertices far apart are held, without which all could shrink to a point.
+/// coordinates together; two vertices far apart are pinned, without which all could shrink to a point.
 std::optional<PlanePoints> conformal(const ChartMesh& disc, const std::vector<FlatTriangle>& flats) {
     const int count = static_cast<int>(disc.vertices.size());
     const std::uint32_t one = farthestOnBorder(disc, disc.borders[0][0]), other = farthestOnBorder(disc, one);
-    const std::array<int, 4> held{static_cast<int>(one), static_cast<int>(other),
-                                  static_cast<int>(one) + count, static_cast<int>(other) + count};
+    const std::array<int, 4> pinned{static_cast<int>(one), static_cast<int>(other),
+                                    static_cast<int>(one) + count, static_cast<int>(other) + count};
     const double apart = (disc.vertices[other] - disc.vertices[one]).norm();
     SparseMatrix energy = conformalEnergy(disc, flats);
-    Eigen::VectorXd wanted = -apart * energy.col(held[1]);
-    const auto isHeld = [&](Eigen::Index i) { return std::find(held.begin(), held.end(), i) != held.end(); };
+    Eigen::VectorXd wanted = -apart * energy.col(pinned[1]);
+    const auto isPinned = [&](Eigen::Index i) {
+        return std::find(pinned.begin(), pinned.end(), i) != pinned.end();
+    };
     energy.prune([&](Eigen::Index row, Eigen::Index column, double) {
-        return row == column || (!isHeld(row) && !isHeld(column));
+        return row == column || (!isPinned(row) && !isPinned(column));
     });
-    for (const int i : held) {
+    for (const int i : pinned) {
         energy.coeffRef(i, i) = 1;
-        wanted[i] = i == held[1] ? apart : 0;
+        wanted[i] = i == pinned[1] ? apart : 0;
     }
     const Eigen::SimplicialLDLT<SparseMatrix> solver(energy);
     if (solver.info() != Eigen::Success) return std::nullopt;

@@ -12,16 +12,12 @@ namespace esm {
 
 namespace {
 
-/// What a chart may be distorted by, beyond which two smaller ones take its place.
-constexpr DistortionSpread mostAngle{1.15, 1.45, 6};
-constexpr DistortionSpread mostArea{1.2, 1.4, 6};
-
 /// Of a page, what a chart may take with the box around it. Few large ones leave more of a page empty than
 /// cuts cost.
 constexpr double mostOfPage = 0.15;
 
 bool isWithin(const DistortionSpread& spread, const DistortionSpread& most) {
-    return spread.mean <= most.mean && spread.most95 <= most.most95 && spread.worst <= most.worst;
+    return spread.mean <= most.mean && spread.percentile95 <= most.percentile95 && spread.worst <= most.worst;
 }
 
 std::vector<Stretch> stretchesOf(const ChartMesh& chart, const PlanePoints& places) {
@@ -47,8 +43,8 @@ bool isSoundlyFlat(const ChartMesh& chart, const PlanePoints& places, const std:
     const bool isUpright = std::all_of(stretches.begin(), stretches.end(), [](const Stretch& stretch) {
         return stretch.larger > 0 && !stretch.isClockwise;
     });
-    return isUpright && isWithin(angleSpread(stretches), mostAngle) &&
-           isWithin(areaSpread(stretches), mostArea) && keepsClear(placesOfBorder(chart, places), 0);
+    return isUpright && isWithin(angleSpread(stretches), chartAngleLimit) &&
+           isWithin(areaSpread(stretches), chartAreaLimit) && keepsClear(placesOfBorder(chart, places), 0);
 }
 
 /// So that the chart has the surface's area in the plane too.
@@ -192,6 +188,7 @@ PatchLayout SurfaceCharts::layoutAt(double texelsPerMetre, const PageRoom& page,
                                     const Progress& progress) {
     ProgressParts parts(progress);
     if (m_charts.empty()) m_whole = makeAll(parts.next(0.8));
+    if (!(page.size > page.gap)) return {}; // no room, however small the charts
     std::vector<std::size_t> chosen = chosenFor(texelsPerMetre, page, parts.nextOfRest(0.4));
     std::stable_sort(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) {
         return m_charts[a].laid.height > m_charts[b].laid.height;

@@ -3,8 +3,13 @@
 #include "core/texture/atlas/charts/flattening.h"
 #include "core/texture/atlas/charts/segmentation.h"
 #include "core/texture/atlas/group_layout.h"
+#include "core/texture/atlas/stretch.h"
 
 namespace esm {
+
+/// How much a chart may be distorted; two smaller ones take the place of one that is distorted more.
+constexpr DistortionSpread chartAngleLimit{1.15, 1.45, 6};
+constexpr DistortionSpread chartAreaLimit{1.2, 1.4, 6};
 
 /// Lays out a surface in charts, at one scale after another. Charts are made once; one that is too large for
 /// the page at a scale, or whose border comes too near to itself there, is taken in smaller ones.

@@ -100,12 +100,16 @@ TEST(ImportDialog, SaysWhatAnOpenBorderMeans) {
     EXPECT_TRUE(Shown(openBall()).reported().contains("3 mm"));
 }
 
-TEST(ImportDialog, SaysThatTheSurfaceHasTextureCoordinates) {
-    PolygonSoup soup = test::cubeSoup(100);
+TEST(ImportDialog, SaysWhetherTextureCoordinatesAreOfUse) {
+    PolygonSoup soup;
+    soup.vertices = {{0, 0, 0}, {100, 0, 0}, {0, 100, 0}};
+    soup.polygons = {{0, 1, 2}};
     EXPECT_FALSE(Shown(soup).reported().contains("texture coordinates"));
-    for (const auto& polygon : soup.polygons)
-        soup.places.emplace_back(polygon.size(), Eigen::Vector2d(0.5, 0.5));
-    EXPECT_TRUE(Shown(soup).reported().contains("texture coordinates of its own"));
+    soup.textureCoordinates = {{{0, 0}, {1, 0}, {0, 1}}};
+    EXPECT_TRUE(Shown(soup).reported().contains("can lay photos by them"));
+    soup.textureCoordinates = {{{0, 0}, {2, 0}, {0, 1}}};
+    EXPECT_TRUE(
+        Shown(soup).reported().contains("no photo can be laid: 1 triangle whose texture coordinates leave"));
 }
 
 TEST(ImportDialog, ListsThePartsWithTheirSizes) {

@@ -198,8 +198,8 @@ TEST_P(AtlasOf, KeepsShapesUnlessItStretches) {
     const Distortion distortion = distortionOf(given.mesh, atlas);
     EXPECT_EQ(distortion.flipped + distortion.collapsed, 0U);
     EXPECT_LT(distortion.angle.mean, 1.15);
-    EXPECT_LT(distortion.angle.most95, 1.6);
-    EXPECT_LT(distortion.area.most95, 1.5);
+    EXPECT_LT(distortion.angle.percentile95, 1.6);
+    EXPECT_LT(distortion.area.percentile95, 1.5);
 }
 
 namespace {

@@ -28,9 +28,9 @@ TEST(Distortion, OfALinearMapIsThatOfItsSingularValues) {
     map << 3000, 0, 0, 1000;
     map = Eigen::Rotation2Dd(0.7) * map * Eigen::Rotation2Dd(0.3);
     const Distortion distortion = distortionOf(mesh, mapped(mesh, map));
-    for (const double value : {distortion.angle.mean, distortion.angle.most95, distortion.angle.worst})
+    for (const double value : {distortion.angle.mean, distortion.angle.percentile95, distortion.angle.worst})
         EXPECT_NEAR(value, 3, 1e-9);
-    for (const double value : {distortion.area.mean, distortion.area.most95, distortion.area.worst})
+    for (const double value : {distortion.area.mean, distortion.area.percentile95, distortion.area.worst})
         EXPECT_NEAR(value, 1, 1e-9) << "one density everywhere";
     EXPECT_EQ(distortion.flipped + distortion.collapsed, 0U);
 }
@@ -54,6 +54,18 @@ TEST(Distortion, ComparesDensityWithThatOfTheWholeByArea) {
     EXPECT_NEAR(distortion.angle.worst, 1, 1e-9);
 }
 
+TEST(Distortion, DoesNotLetCollapsedTrianglesSayWhichWayRoundAPatchIs) {
+    TriangleMesh mesh = flatSquare(0.1, 1);
+    mesh.vertices[mesh.triangles[1][2]] *= 3; // the larger half
+    Eigen::Matrix2d mirrored;
+    mirrored << 1000, 0, 0, -1000;
+    Atlas atlas = mapped(mesh, mirrored);
+    atlas.corners[1][2] = atlas.corners[1][1];
+    const Distortion distortion = distortionOf(mesh, atlas);
+    EXPECT_EQ(distortion.flipped, 0U);
+    EXPECT_EQ(distortion.collapsed, 1U);
+}
+
 TEST(Distortion, LeavesOutTheWorst5PercentOfTheAreaByTheirArea) {
     TriangleMesh mesh = flatSquare(0.1, 10);
     Atlas atlas = mapped(mesh, 1000 * Eigen::Matrix2d::Identity());
@@ -63,11 +75,11 @@ TEST(Distortion, LeavesOutTheWorst5PercentOfTheAreaByTheirArea) {
                 corner.x() *= 7;
     };
     stretch(10);
-    EXPECT_NEAR(distortionOf(mesh, atlas).angle.most95, 1, 1e-9) << "10 of 200";
+    EXPECT_NEAR(distortionOf(mesh, atlas).angle.percentile95, 1, 1e-9) << "10 of 200";
     EXPECT_NEAR(distortionOf(mesh, atlas).angle.mean, 1.3, 1e-9);
     atlas = mapped(mesh, 1000 * Eigen::Matrix2d::Identity());
     stretch(11);
-    EXPECT_NEAR(distortionOf(mesh, atlas).angle.most95, 7, 1e-9) << "11 of 200";
+    EXPECT_NEAR(distortionOf(mesh, atlas).angle.percentile95, 7, 1e-9) << "11 of 200";
 }
 
 TEST(Distortion, CountsTrianglesThatAreFoldedOver) {

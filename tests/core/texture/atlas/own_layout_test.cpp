@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A square of 0.1 m, cut along its diagonal.
-TriangleMesh squareWith(const CornerPlaces& first, const CornerPlaces& second) {
+TriangleMesh squareWith(const CornerCoordinates& first, const CornerCoordinates& second) {
     return {{{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {first, second}};
 }
 
@@ -46,7 +46,7 @@ TEST(OwnLayout, HasUToTheRightAndVUp) {
 
 TEST(OwnLayout, TellsWhatCannotBePainted) {
     TriangleMesh bare = stretchedSquare();
-    bare.ownPlaces.clear();
+    bare.textureCoordinates.clear();
     EXPECT_THAT(packingProblem(bare), HasSubstr("brought no texture coordinates"));
     EXPECT_THAT(packingProblem(squareWith({{{0, 0}, {1, 0}, {1, 1}}}, {{{1, 0}, {2, 1}, {1, 1}}})),
                 HasSubstr("1 triangle whose texture coordinates leave the picture (0 to 1) (triangle 1)"));
@@ -69,17 +69,31 @@ TEST(OwnLayout, TellsHowMuchOverlaps) {
         << "rounded borders are none";
 }
 
+TEST(OwnLayout, TellsWhatCoversMoreThanThePictureWithoutLookingForIt) {
+    TriangleMesh mesh = squareWith({{{0, 0}, {1, 0}, {0, 1}}}, {{{0, 0}, {1, 0}, {1, 1}}});
+    mesh.triangles.push_back({0, 1, 3});
+    mesh.textureCoordinates.push_back({{{0, 0}, {1, 0}, {1, 1}}});
+    EXPECT_THAT(packingProblem(mesh), HasSubstr("together they cover 1.5 times the picture"));
+}
+
+TEST(OwnLayout, DoesNotTakeTrianglesWithoutAreaForMirroredOnes) {
+    TriangleMesh mesh = squareWith({{{0, 0}, {0.5, 0}, {0, 0.5}}}, {{{1, 1}, {1, 1}, {1, 1}}});
+    mesh.triangles.push_back({0, 1, 3});
+    mesh.textureCoordinates.push_back({{{1, 0}, {1, 0}, {1, 0}}});
+    EXPECT_THAT(ownLayoutWarnings(mesh), ElementsAre(HasSubstr("2 triangles without an area")));
+}
+
 TEST(OwnLayout, WarnsOfMirroredAndFlatTriangles) {
     TriangleMesh mesh = squareWith({{{0, 0}, {0.5, 0}, {0, 0.5}}}, {{{0.5, 0}, {1, 0}, {0.5, 0.5}}});
     mesh.triangles.insert(mesh.triangles.end(), {{0, 1, 3}, {1, 2, 3}});
-    mesh.ownPlaces.push_back({{{0, 0.6}, {0, 0.9}, {0.5, 0.6}}}); // the other way round
-    mesh.ownPlaces.push_back({{{1, 1}, {1, 1}, {1, 1}}});
+    mesh.textureCoordinates.push_back({{{0, 0.6}, {0, 0.9}, {0.5, 0.6}}}); // the other way round
+    mesh.textureCoordinates.push_back({{{1, 1}, {1, 1}, {1, 1}}});
     EXPECT_EQ(packingProblem(mesh), "packed");
     EXPECT_THAT(
         ownLayoutWarnings(mesh),
         ElementsAre(HasSubstr("1 triangle mirrored against the others in the mesh's own layout (triangle 2)"),
                     HasSubstr("1 triangle without an area in the mesh's own layout")));
-    for (CornerPlaces& places : mesh.ownPlaces)
+    for (CornerCoordinates& places : mesh.textureCoordinates)
         for (Eigen::Vector2d& place : places)
             place.x() = 1 - place.x();
     EXPECT_THAT(ownLayoutWarnings(mesh), ElementsAre(HasSubstr("(triangle 2)"), HasSubstr("(triangle 3)")))

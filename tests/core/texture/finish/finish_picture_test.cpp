@@ -22,10 +22,10 @@ bool isWithin(int x, int y, int centre, int radius) {
 Image pictureOfFinish(const Photo& photo, const LayerFinish& finish,
                       const PhotoPreparation& preparation = {}) {
     const Image shown = prepared(photo.image, preparation);
-    const PhotoShine shine{
+    const FilmAndHeights found{
         std::make_shared<const std::vector<std::uint8_t>>(filmOf(photo.image, preparation)),
         std::make_shared<const std::vector<std::int8_t>>(heightsOf(shown))};
-    return finishPicture(shown, shine, finish, std::max(finish.relief, 0.001));
+    return finishPicture(shown, found, finish, std::max(finish.relief, 0.001));
 }
 
 LayerFinish dryWith(double wetAtHighlights, double relief) {

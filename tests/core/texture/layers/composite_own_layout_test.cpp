@@ -42,7 +42,7 @@ TEST(CompositeOwnLayout, ShowsNoStepInsideOrAtSeams) {
     TriangleMesh mesh = stretchedSheet(0.1, 8);
     // Every other row of cells lies elsewhere in the picture, mirrored: its edges are seams.
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        for (Eigen::Vector2d& place : mesh.ownPlaces[i])
+        for (Eigen::Vector2d& place : mesh.textureCoordinates[i])
             place = (i / 16) % 2 == 0 ? Eigen::Vector2d(0.45 * place.x(), place.y())
                                       : Eigen::Vector2d(1 - 0.45 * place.x(), place.y());
     const Atlas atlas = packAtlas(mesh, {1024, 1, 2, AtlasLayout::Own});

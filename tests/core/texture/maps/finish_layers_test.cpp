@@ -63,7 +63,9 @@ TEST(FinishLayers, PaintTheirFinishWhateverColourIsPainted) {
 
 TEST(FinishLayers, MakeEachPictureOnce) {
     FinishPictures pictures;
-    const std::vector<TextureLayer> layers{shiningLayer(1), shiningLayer(0.5)};
+    std::vector<TextureLayer> layers{shiningLayer(1), shiningLayer(0.5)};
+    layers[0].id = LayerId{1};
+    layers[1].id = LayerId{2};
     const FinishLayers first = finishLayers(layers, std::nullopt, pictures);
     const FinishLayers again = finishLayers(layers, std::nullopt, pictures);
     for (std::size_t i = 0; i < 2; ++i)

@@ -101,7 +101,7 @@ TEST(FinishPages, TiltNormalsAsTheSurfaceOfKnownHeightsIsTilted) {
 TEST(FinishPages, TiltNormalsAlikeWhereTheMeshsOwnLayoutIsStretchedAndMirrored) {
     TriangleMesh mesh = stretchedSheet(squareWidth, 4);
     EXPECT_LT(worstNormal(mesh, packedAs(mesh, AtlasLayout::Own)), 0.05);
-    for (CornerPlaces& places : mesh.ownPlaces)
+    for (CornerCoordinates& places : mesh.textureCoordinates)
         for (Eigen::Vector2d& place : places)
             place.x() = 1 - place.x();
     EXPECT_LT(worstNormal(mesh, packedAs(mesh, AtlasLayout::Own)), 0.05);

@@ -138,3 +138,15 @@ TEST(Highlights, WithinEachOtherAreEachFilledOnce) {
         for (int x = 0; x < 120; ++x)
             ASSERT_NEAR(colourOf(photo, x, y)[0], 150, 2) << x << ' ' << y;
 }
+
+TEST(Highlights, OfPhotosOfAnyShapeAreLookedFor) {
+    for (const auto& [width, height] :
+         std::vector<std::pair<int, int>>{{1, 1}, {2000, 3}, {3, 2000}, {16384, 1}}) {
+        const Image photo = drawnPhoto(width, height, [](int, int) -> Channels {
+            return {150, 60, 50, 255};
+        });
+        const PixelMask mask = highlightMask(photo, usualSensitivity);
+        EXPECT_EQ(mask.size(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        EXPECT_EQ(std::count(mask.begin(), mask.end(), 255), 0);
+    }
+}

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QMessageBox>
+#include <QStandardItemModel>
 
 using namespace esm;
 
@@ -16,11 +17,11 @@ protected:
 };
 
 /// A flat square of two triangles with texture coordinates of its own.
-Project squareWithPlaces(const CornerPlaces& second) {
+Project squareWithPlaces(const CornerCoordinates& second) {
     RepairedMesh surface;
     surface.mesh.vertices = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}};
     surface.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    surface.mesh.ownPlaces = {{{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}}}, second};
+    surface.mesh.textureCoordinates = {{{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}}}, second};
     return makeProject("square", std::move(surface));
 }
 
@@ -74,15 +75,27 @@ TEST_F(AtlasPanelTest, TakesTheLayoutThatTheMeshBrought) {
     emit layout->activated(layout->currentIndex());
     EXPECT_EQ(window->document().project().atlas->options.layout, AtlasLayout::Own);
     EXPECT_EQ(child<QLabel>("atlasUsed")->text(), "25 %");
-    EXPECT_EQ(child<QLabel>("atlasSeams")->text(), "0 % of edges");
+    EXPECT_EQ(child<QLabel>("atlasSeams")->text(), "0.0 % of edges");
+    EXPECT_TRUE(child<QLabel>("atlasFlaws")->isHidden());
     EXPECT_EQ(child<QLabel>("atlasDistortion")->text(), "1.00, up to 1.00");
     EXPECT_FALSE(child<QCheckBox>("atlasFills")->isEnabled());
     window->document().undoStack()->undo();
     EXPECT_EQ(layout->currentText(), "matched rows");
 }
 
+TEST_F(AtlasPanelTest, OffersNoLayoutOfItsOwnWhereTheMeshBroughtNone) {
+    const auto* layout = child<QComboBox>("atlasLayout");
+    const auto* entries = qobject_cast<QStandardItemModel*>(layout->model());
+    const int own = layout->findText("the mesh's own");
+    EXPECT_FALSE(entries->item(own)->isEnabled());
+    open(squareWithPlaces({{{0.25, 0.25}, {0.75, 0.75}, {0.25, 0.75}}}));
+    EXPECT_TRUE(entries->item(own)->isEnabled());
+}
+
 TEST_F(AtlasPanelTest, OffersToPackAnewWhatCannotBePainted) {
-    open(squareWithPlaces({{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}}}));
+    Project asked = squareWithPlaces({{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}}});
+    asked.texture.atlas.texelsPerMetre = 1000;
+    open(asked);
     auto* layout = child<QComboBox>("atlasLayout");
     const auto choose = [&](const QString& answer) {
         dialogs.expectNamed("ownLayoutBox", [&](QDialog* dialog) {
@@ -102,6 +115,7 @@ TEST_F(AtlasPanelTest, OffersToPackAnewWhatCannotBePainted) {
     choose("Pack in matched rows");
     ASSERT_TRUE(window->document().project().atlas);
     EXPECT_EQ(window->document().project().atlas->options.layout, AtlasLayout::MatchedRows);
+    EXPECT_EQ(window->document().project().atlas->texelsPerMetre, 1000) << "as was asked before";
 }
 
 TEST_F(AtlasPanelTest, HasAsManyPagesAsTheTexelTakes) {

@@ -94,7 +94,7 @@ TEST_F(WetLookPanelTest, SaysThatAPhotoOfOneColourGivesNoRelief) {
     chooseTissue("mucosa");
     type("wetLookRelief", "0.3");
     auto* warnings = child<QLabel>("wetLookWarnings");
-    EXPECT_TRUE(warnings->isHidden()) << warnings->text().toStdString();
+    EXPECT_FALSE(warnings->text().contains("one colour")) << warnings->text().toStdString();
     window->document().edit("one colour", [](Project& project) {
         auto plain = std::make_shared<Photo>(*project.layers[0].photo);
         for (std::size_t i = 0; i < plain->image.pixels.size(); ++i)
@@ -104,6 +104,17 @@ TEST_F(WetLookPanelTest, SaysThatAPhotoOfOneColourGivesNoRelief) {
     });
     EXPECT_FALSE(warnings->isHidden());
     EXPECT_TRUE(warnings->text().contains("one colour")) << warnings->text().toStdString();
+}
+
+TEST_F(WetLookPanelTest, SaysThatTheRestOfTheOrganHasNoWetLook) {
+    auto* warnings = child<QLabel>("wetLookWarnings");
+    EXPECT_TRUE(warnings->isHidden());
+    chooseTissue("mucosa");
+    EXPECT_TRUE(warnings->text().contains("whole organ")) << warnings->text().toStdString();
+    choose("wetLookSubject", "whole organ");
+    chooseTissue("serosa");
+    choose("wetLookSubject", "selected layer");
+    EXPECT_TRUE(warnings->isHidden()) << warnings->text().toStdString();
 }
 
 TEST_F(WetLookPanelTest, IsSeenInTheView) {

@@ -66,8 +66,8 @@ TEST(Flattening, SharesOutTheStretchOfACap) {
     for (const Stretch& stretch : stretches)
         ASSERT_TRUE(stretch.larger > 0 && !stretch.isClockwise);
     EXPECT_LT(angleSpread(stretches).mean, 1.15);
-    EXPECT_LT(angleSpread(stretches).most95, 1.5);
-    EXPECT_LT(areaSpread(stretches).most95, 1.3);
+    EXPECT_LT(angleSpread(stretches).percentile95, 1.5);
+    EXPECT_LT(areaSpread(stretches).percentile95, 1.3);
 }
 
 TEST(Flattening, KnowsWhatIsADisc) {

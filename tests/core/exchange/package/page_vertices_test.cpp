@@ -1,4 +1,4 @@
-#include "core/exchange/package/package_materials.h"
+#include "core/exchange/package/page_vertices.h"
 
 #include "tests/support/test_surfaces.h"
 
@@ -27,7 +27,6 @@ Project flatProject(TriangleMesh square, AtlasLayout layout) {
 struct DrawnSquare {
     PageVertices vertices;
     std::vector<std::uint32_t> triangles;
-    std::vector<float> tangents;
 };
 
 DrawnSquare drawn(const Project& project) {
@@ -35,15 +34,14 @@ DrawnSquare drawn(const Project& project) {
     DrawnSquare square;
     square.triangles.resize(project.mesh->triangles.size());
     std::iota(square.triangles.begin(), square.triangles.end(), 0U);
-    square.vertices = pageVertices(project, normals, square.triangles);
-    square.tangents = vertexTangents(*project.mesh, *project.atlas, square.vertices, square.triangles);
+    square.vertices = pageVertices(project, normals, square.triangles, WithTangents::Yes);
     return square;
 }
 
 /// In metres of the surface, how far one goes along x when the texture's u grows and v stays: what glTF calls
 /// the tangent.
 Eigen::Vector3d tangentOf(const TriangleMesh& mesh, std::size_t triangle) {
-    const CornerPlaces& places = mesh.ownPlaces[triangle];
+    const CornerCoordinates& places = mesh.textureCoordinates[triangle];
     const Triangle& corners = mesh.triangles[triangle];
     Eigen::Matrix2d steps;
     steps << places[1] - places[0], places[2] - places[0];
@@ -56,14 +54,15 @@ Eigen::Vector3d tangentOf(const TriangleMesh& mesh, std::size_t triangle) {
 
 } // namespace
 
-TEST(PackageMaterials, TangentsFollowTheTextureOfEveryCorner) {
+TEST(PageVertices, TangentsFollowTheTextureOfEveryCorner) {
     const Project project = flatProject(stretchedSheet(0.1, 4), AtlasLayout::Own);
     const DrawnSquare square = drawn(project);
     EXPECT_EQ(square.vertices.positions.size(), project.mesh->vertices.size()) << "all are shared";
-    ASSERT_EQ(square.tangents.size(), 4 * square.vertices.positions.size());
+    ASSERT_EQ(square.vertices.tangents.size(), 4 * square.vertices.positions.size());
     for (std::size_t triangle = 0; triangle < square.triangles.size(); ++triangle)
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            const float* tangent = &square.tangents[4 * square.vertices.corners[3 * triangle + corner]];
+            const float* tangent =
+                &square.vertices.tangents[4 * square.vertices.corners[3 * triangle + corner]];
             const Eigen::Vector3d direction(tangent[0], tangent[1], tangent[2]);
             EXPECT_NEAR(direction.norm(), 1, 1e-6);
             EXPECT_NEAR(direction.z(), 0, 1e-6);
@@ -73,13 +72,13 @@ TEST(PackageMaterials, TangentsFollowTheTextureOfEveryCorner) {
         }
 }
 
-TEST(PackageMaterials, AMirroredNeighbourHasVerticesOfItsOwn) {
+TEST(PageVertices, AMirroredNeighbourHasVerticesOfItsOwn) {
     TriangleMesh mesh = flatSquare(0.1, 2);
     const auto isRight = [](std::size_t triangle) { return triangle / 2 % 2 == 1; };
     // The right half is upside down in the picture: of the line between the halves, its middle alone lies at
     // one place.
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        CornerPlaces& places = mesh.ownPlaces.emplace_back();
+        CornerCoordinates& places = mesh.textureCoordinates.emplace_back();
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Eigen::Vector3d& vertex = mesh.vertices[mesh.triangles[i][corner]];
             places[corner] = {0.5 + 4 * vertex.x(), 0.5 + (isRight(i) ? -4 : 4) * vertex.y()};
@@ -91,7 +90,7 @@ TEST(PackageMaterials, AMirroredNeighbourHasVerticesOfItsOwn) {
     for (std::size_t triangle = 0; triangle < square.triangles.size(); ++triangle)
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t vertex = square.vertices.corners[3 * triangle + corner];
-            EXPECT_NEAR(square.tangents[4 * vertex], 1, 1e-6);
-            EXPECT_EQ(square.tangents[4 * vertex + 3], isRight(triangle) ? -1 : 1);
+            EXPECT_NEAR(square.vertices.tangents[4 * vertex], 1, 1e-6);
+            EXPECT_EQ(square.vertices.tangents[4 * vertex + 3], isRight(triangle) ? -1 : 1);
         }
 }
