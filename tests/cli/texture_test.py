@@ -407,7 +407,7 @@ class TextureTest(Case):
             self.assertEqual(ours.read("mesh/texture-coordinates.f64"), theirs.read("mesh/texture-coordinates.f64"))
 
     def test_coordinates_that_cannot_be_painted_are_refused_with_what_to_do(self):
-        cases = {self.OWN.replace("vt 1 1", "vt 1.5 1"): "1 triangle whose texture coordinates leave the picture",
+        cases = {self.OWN.replace("vt 1 1", "vt 1.5 1"): "2 triangles whose texture coordinates leave the picture",
                  self.OWN.replace("2/6 5/3 6/2 3/5", "2/1 5/2 6/3 3/4"): "lie over each other on 50.0 % of the area",
                  re.sub("/[0-9]", "", self.OWN): "brought no texture coordinates"}
         for content, message in cases.items():

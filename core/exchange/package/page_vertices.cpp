@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace esm {
 
@@ -17,7 +18,9 @@ struct DrawnPlace {
     std::array<float, 2> place;
     double handedness; ///< 1 or −1; 0 where it does not matter
 
-    auto operator<=>(const DrawnPlace&) const = default;
+    bool operator<(const DrawnPlace& other) const {
+        return std::tie(vertex, place, handedness) < std::tie(other.vertex, other.place, other.handedness);
+    }
 };
 
 std::array<float, 2> placeOf(const Atlas& atlas, std::uint32_t triangle, std::size_t corner) {

@@ -11,6 +11,7 @@
 #include "core/texture/texture_limits.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
+#include "widgets/inputs/number_text.h"
 
 #include <QMessageBox>
 #include <QPushButton>

@@ -99,7 +99,8 @@ TEST(AmbientOcclusion, BesideAWallIsWhatTheIntegralSays) {
     const std::map<double, double> expected{{0.25, 0.904}, {0.5, 0.983}, {0.75, 0.999}, {1.01, 1}};
     for (const int cells : {1, 16}) { // few large triangles say the same as many small ones
         const TriangleMesh mesh = floorAndWall(cells);
-        for (const auto& [share, open] : expected) {
+        for (const auto& expectation : expected) {
+            const double share = expectation.first, open = expectation.second;
             const Extremes found = openness(mesh, reach, [&](const Eigen::Vector3d& place) {
                 const double fromWall = std::max(place.x(), place.z());
                 return std::abs(place.y()) < 0.02 && std::abs(fromWall - share * reach) < 0.0005;
