@@ -30,6 +30,25 @@ protected:
     QSignalSpy edited{&field, &NumberField::valueEdited};
 };
 
+/// A window with an action, and a field that has the focus.
+struct ActionBesideField {
+    explicit ActionBesideField(const QKeySequence& key) {
+        (new QVBoxLayout(&window))->addWidget(number);
+        number->setValue(0.01);
+        action.setShortcut(key);
+        window.addAction(&action);
+        window.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
+        QApplication::setActiveWindow(&window);
+        number->setFocus();
+    }
+
+    QWidget window;
+    NumberField* number = new NumberField(lengthFormat(0), &window);
+    QAction action;
+    QSignalSpy triggered{&action, &QAction::triggered};
+};
+
 } // namespace
 
 TEST_F(NumberFieldTest, TakesWhatIsTypedInTheShownUnit) {
@@ -114,42 +133,19 @@ TEST_F(NumberFieldTest, MayLeaveItsUnitToTheCaption) {
 
 // Qt's own fields take Ctrl+E for the end of the line; in the editor it exports.
 TEST_F(NumberFieldTest, LeavesItsKeyToExporting) {
-    QWidget window;
-    auto* column = new QVBoxLayout(&window);
-    auto* number = new NumberField(lengthFormat(0), &window);
-    column->addWidget(number);
-    QAction exporting;
-    exporting.setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
-    window.addAction(&exporting);
-    QSignalSpy exported(&exporting, &QAction::triggered);
-    window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
-    QApplication::setActiveWindow(&window);
-    number->setFocus();
-    QTest::keyClick(number, Qt::Key_E, Qt::ControlModifier);
-    EXPECT_EQ(exported.count(), 1);
+    const ActionBesideField exporting(QStringLiteral("Ctrl+E"));
+    QTest::keyClick(exporting.number, Qt::Key_E, Qt::ControlModifier);
+    EXPECT_EQ(exporting.triggered.count(), 1);
 }
 
 TEST_F(NumberFieldTest, LeavesUndoToTheWindowUntilSomethingIsTyped) {
-    QWidget window;
-    auto* column = new QVBoxLayout(&window);
-    auto* number = new NumberField(lengthFormat(0), &window);
-    column->addWidget(number);
-    number->setValue(0.01);
-    QAction undo;
-    undo.setShortcut(QKeySequence::Undo);
-    window.addAction(&undo);
-    QSignalSpy undone(&undo, &QAction::triggered);
-    window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
-    QApplication::setActiveWindow(&window);
-    number->setFocus();
-    QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(undone.count(), 1);
-    number->selectAll();
-    QTest::keyClicks(number, "25");
-    QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(undone.count(), 1) << "typing is undone in the field";
+    const ActionBesideField undo(QKeySequence::Undo);
+    QTest::keyClick(undo.number, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(undo.triggered.count(), 1);
+    undo.number->selectAll();
+    QTest::keyClicks(undo.number, "25");
+    QTest::keyClick(undo.number, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(undo.triggered.count(), 1) << "typing is undone in the field";
 }
 
 TEST_F(NumberFieldTest, IsWideEnoughForEveryNumberWhereItIsAskedTo) {
