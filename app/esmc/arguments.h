@@ -4,6 +4,7 @@
 #include "core/fuzzy/inference.h"
 #include "core/geometry/ellipsoid.h"
 #include "core/support/joined.h"
+#include "core/support/words.h"
 
 #include <CLI/CLI.hpp>
 
@@ -89,6 +90,17 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen
     return command.add_option_function<std::string>(name, choose, description)
         ->check(oneOf(known))
         ->option_text(joined(known, "|"));
+}
+
+/// Adds an option that takes the words of an enumeration.
+template<HasWords Value>
+CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen,
+                       const std::string& description) {
+    Words<Value> words;
+    words.reserve(wordsOf<Value>.size());
+    for (const auto& [value, word] : wordsOf<Value>)
+        words.emplace_back(word, value);
+    return addChoice(command, name, chosen, words, description);
 }
 
 /// --damping: what the springs' viscosity damps.

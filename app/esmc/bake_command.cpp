@@ -209,11 +209,13 @@ struct Baked {
     std::vector<double> seamErrors;
 };
 
-SmallerPages halved(const Atlas& atlas, const std::vector<Image>& pages, CompositionCache& cache,
+SmallerPages halved(const Project& project, const std::vector<Image>& pages, CompositionCache& cache,
                     const Progress& progress) {
+    const Atlas& atlas = *project.atlas;
     if (usableLevels(atlas.options) == 0) return SmallerPages(pages.size());
     ProgressParts parts(progress);
-    return smallerPages(atlas, *cache.ownersOf(atlas, parts.next(0.5)), tiled(pages), {}, parts.rest());
+    const auto owners = cache.ownersOf(*project.mesh, atlas, parts.next(0.5));
+    return smallerPages(atlas, *owners, tiled(pages), {}, parts.rest());
 }
 
 Baked bake(const Project& project, const BakeOptions& options, const Context& context) {
@@ -230,7 +232,7 @@ Baked bake(const Project& project, const BakeOptions& options, const Context& co
         pages = composite(*project.mesh, *project.atlas, project.layers, project.texture.baseColour, cache,
                           baking);
     }
-    const SmallerPages smaller = halved(*project.atlas, pages, cache, progressOf(context, "halving"));
+    const SmallerPages smaller = halved(project, pages, cache, progressOf(context, "halving"));
     const Progress writing = progressOf(context, "writing");
     Baked baked{options.deep ? encoded(deep, files, writing) : encoded(pages, files, writing),
                 seamErrors(project, pages, smaller, options.pictures.encoding)};

@@ -22,13 +22,6 @@ struct ImportOptions {
     Detail detail;
 };
 
-Words<LengthUnit> units() {
-    Words<LengthUnit> words;
-    for (const auto& [unit, word] : wordsOf<LengthUnit>)
-        words.emplace_back(word, unit);
-    return words;
-}
-
 Detail requestedDetail(const std::string& given) {
     if (given == "rigid") return {Detail::Kind::Rigid, 0};
     const auto nodes = parseWholeNumber(given, fewestVertices, std::numeric_limits<int>::max());
@@ -67,7 +60,7 @@ void declareImport(CLI::App& command, ImportOptions& options) {
     command.add_option("-o,--output", options.output, "Project to write (.esm)")
         ->required()
         ->check(writtenAs(".esm"));
-    addChoice(command, "--unit", options.unit, units(),
+    addChoice(command, "--unit", options.unit,
               "What a coordinate of the file means: mm, cm or m (the default)");
     command
         .add_option("--weld", options.weld, "Vertices closer than this become one, m (0: only equal ones)")
@@ -80,8 +73,8 @@ void declareImport(CLI::App& command, ImportOptions& options) {
         .add_option("--mass", options.mass,
                     "Total mass, kg (default: from the volume, or the area of an open surface)")
         ->check(numberWithin(1 / largestNumber, largestNumber));
-    addChoice(command, "--up", options.up, Words<UpAxis>{{"y", UpAxis::Y}, {"z", UpAxis::Z}},
-              "The file's axis that points up: y (the default) or z");
+    addChoice(command, "--up", options.up,
+              "The file's axis that points up: y (the default), z, x, or with minus- where it points down");
     command
         .add_option_function<std::string>(
             "--detail", [&options](const std::string& given) { options.detail = requestedDetail(given); },

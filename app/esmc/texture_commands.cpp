@@ -132,14 +132,6 @@ Report runPack(const PackOptions& options, Context& context) {
     return report;
 }
 
-Words<Blending> wordsForBlending() {
-    Words<Blending> words;
-    words.reserve(wordsOf<Blending>.size());
-    for (const auto& [blending, word] : wordsOf<Blending>)
-        words.emplace_back(word, blending);
-    return words;
-}
-
 struct PhotoOptions {
     std::string project, output, photo, projector, name;
     double blend = TextureLayer().blendPixels;
@@ -159,8 +151,7 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
         .add_option("--blend", options.blend,
                     "Pixels of the photograph over which it fades in from its border and from outlines (24)")
         ->check(nonNegativeNumber());
-    addChoice(command, "--blending", options.blending, wordsForBlending(),
-              "How it mixes with what lies beneath (normal)");
+    addChoice(command, "--blending", options.blending, "How it mixes with what lies beneath (normal)");
     command.add_option("--name", options.name, "The layer's name (default: the photograph's)");
     declarePreparation(command, options.preparation);
 }

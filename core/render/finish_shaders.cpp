@@ -5,7 +5,7 @@ namespace {
 
 // What a place's finish is, and which way its relief tilts the surface.
 const char* const finishReading = R"(
-uniform bool endoscope, hasFinish, finishPainted;
+uniform bool endoscope, finishPainted;
 uniform vec2 plainFinish; // wetness, roughness
 uniform float exposedDistance; // m, at which the endoscope's light is as bright as the room's
 uniform float filmRoughness;

@@ -123,17 +123,6 @@ void GlVertexArray::addFloats(GLuint index, GLint components, GLsizei stride, st
                              reinterpret_cast<const void*>(offset));
 }
 
-Image shrunk(const Image& image, int longestSide) {
-    const auto isTooLarge = [&](const Image& picture) {
-        return std::max(picture.width, picture.height) > longestSide;
-    };
-    if (!isTooLarge(image)) return image;
-    Image smaller = halved(image);
-    while (isTooLarge(smaller))
-        smaller = halved(smaller);
-    return smaller;
-}
-
 GlTexture::GlTexture(const GlFunctions& gl) : m_gl(gl) {
     m_gl.GenTextures(1, &m_id);
 }

@@ -74,9 +74,6 @@ private:
 /// times over. No picture of the window shows more of it.
 constexpr int largestDrawnPhoto = 4096;
 
-/// The picture, halved until no side is longer.
-Image shrunk(const Image& image, int longestSide);
-
 /// A picture for shaders, rows from the top: (0, 0) is its top left corner.
 class GlTexture {
 public:

@@ -3,6 +3,7 @@
 #include "core/render/drawn_shape.h"
 #include "core/render/shaders.h"
 #include "core/support/angles.h"
+#include "core/texture/photo/photo_sampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -20,7 +20,7 @@ RenderScene organScene(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr
 
 void layTexture(RenderScene& scene, std::shared_ptr<const Atlas> atlas, const std::vector<Image>& pages) {
     const auto inTiles = std::make_shared<const TiledPages>(tiled(pages));
-    scene.smallerPages = std::make_shared<const SmallerPages>(smallerPages(*atlas, *inTiles));
+    scene.smallerPages = std::make_shared<const SmallerPages>(smallerPages(*scene.mesh, *atlas, *inTiles));
     scene.atlas = std::move(atlas);
     scene.texturePages = inTiles;
 }

@@ -11,7 +11,7 @@
 namespace esm {
 namespace {
 
-constexpr int mapSize = 1024;               ///< pixels of the depth map's longer side
+constexpr float largestMap = 1024;          ///< pixels of the depth map's longer side
 constexpr double nearestShare = 1.0 / 2000; ///< of the farthest depth, where an eye stands in the organ
 
 bool isPerspective(const ProjectedPhoto& projected) {
@@ -32,12 +32,12 @@ Image premultiplied(Image weighed) {
 }
 
 /// How much has faded, a pixel for each node.
-Image pictureOf(const OutlineFeather& outlines) {
-    Image picture{std::max(1, outlines.columns), std::max(1, outlines.rows), {}};
+Image pictureOf(const PhotoFade& fade) {
+    Image picture{std::max(1, fade.columns), std::max(1, fade.rows), {}};
     picture.pixels.assign(
         4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 0);
-    for (std::size_t i = 0; i < outlines.faded.size(); ++i)
-        picture.pixels[4 * i] = static_cast<std::uint8_t>(std::lround(255 * outlines.faded[i]));
+    for (std::size_t i = 0; i < fade.faded.size(); ++i)
+        picture.pixels[4 * i] = static_cast<std::uint8_t>(std::lround(255 * fade.faded[i]));
     return picture;
 }
 
@@ -90,8 +90,8 @@ void GlDepthMap::bind(int unit) const {
 
 PhotoProjection::PhotoProjection(const GlFunctions& gl)
     : m_gl(gl), m_depthProgram(gl, shaders::photoDepthVertex(), shaders::photoDepthFragment()),
-      m_vertexBuffer(gl), m_indexBuffer(gl), m_vertexTexture(gl), m_array(gl), m_seen(gl),
-      m_outlineTexture(gl), m_bandTexture(gl) {
+      m_vertexBuffer(gl), m_indexBuffer(gl), m_vertexTexture(gl), m_array(gl), m_seen(gl), m_fadeTexture(gl),
+      m_bandTexture(gl) {
     m_array.bind();
     m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
 }
@@ -102,13 +102,16 @@ PhotoProjection::PhotoProjection(const GlFunctions& gl)
 /// anew only where photo, projector or surface are others.
 void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_ptr<const TriangleMesh>& mesh,
                            const Frame& frame) {
-    const bool isKnown = m_projected && mesh == m_mesh && projected.photo == m_photo &&
-                         projected.projector == m_projected->projector &&
+    // A coarse picture, as of a photo that is dragged, shows no more than a map as coarse.
+    const int mapSize = static_cast<int>(std::min(largestMap, frame.pixels.maxCoeff()));
+    const bool isKnown = m_projected && mapSize == m_mapSize && mesh == m_mesh &&
+                         projected.photo == m_photo && projected.projector == m_projected->projector &&
                          projected.blendPixels == m_projected->blendPixels;
     takeMesh(mesh, frame);
     takePhoto(projected.photo);
     takeBands(projected.bands);
     m_projected = projected;
+    m_mapSize = mapSize;
     Eigen::Matrix4d fromOrigin = Eigen::Matrix4d::Identity();
     fromOrigin.topRightCorner<3, 1>() = frame.origin;
     m_matrix = photoMatrix(projected.projector, sizeOf(*projected.photo)) * fromOrigin;
@@ -118,7 +121,7 @@ void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_pt
                                                            : pose.linear().col(2).cast<float>().eval();
     m_light = {light.x(), light.y(), light.z(), isPerspective(projected) ? 1.0F : 0.0F};
     if (isKnown) return;
-    takeOutlines();
+    takeFade();
     if (!projected.projector.occlusion) return;
     measureDepth();
     drawDepth();
@@ -160,14 +163,12 @@ void PhotoProjection::takeBands(const std::shared_ptr<const Image>& bands) {
 }
 
 /// The same as composing has, so that nothing changes when the drag ends.
-void PhotoProjection::takeOutlines() {
-    m_outlines = nullptr;
+void PhotoProjection::takeFade() {
     m_side = commonSide(m_cache.sidesOf(m_projected->projector, *m_mesh));
-    if (!m_projected->projector.occlusion) return;
-    m_outlines =
-        m_cache.outlinesOf({m_projected->projector, sizeOf(*m_photo)}, m_projected->blendPixels, *m_mesh, {});
+    m_fade = m_cache.fadeOf(
+        {m_projected->projector, m_photo, m_projected->blendPixels, m_projected->fadesAtHoles}, *m_mesh, {});
     m_cache.finish();
-    m_outlineTexture.upload(pictureOf(*m_outlines), 0);
+    if (m_fade) m_fadeTexture.upload(pictureOf(*m_fade), 0);
 }
 
 /// What lies between the projector and the farthest of the organ, no more: depth is only so fine. Before an
@@ -187,7 +188,7 @@ void PhotoProjection::measureDepth() {
 
 void PhotoProjection::drawDepth() {
     const int longer = std::max(m_photo->width, m_photo->height);
-    const auto sideOf = [&](int pixels) { return std::max(1, mapSize * pixels / longer); };
+    const auto sideOf = [&](int pixels) { return std::max(1, m_mapSize * pixels / longer); };
     m_seen.render(sideOf(m_photo->width), sideOf(m_photo->height), [&] {
         m_gl.Enable(GL_DEPTH_TEST);
         m_gl.DepthFunc(GL_LESS);
@@ -220,17 +221,17 @@ void PhotoProjection::bind(const GlProgram& program) const {
     program.set("restVertices", 2);
     program.set("photo", 3);
     program.set("seen", 4);
-    program.set("outlines", 5);
+    program.set("fade", 5);
     program.set("bands", 6);
     program.set("hasBands", m_bands != nullptr);
-    const bool fades = m_outlines && !m_outlines->faded.empty();
-    program.set("outlineNodes", fades ? Eigen::Vector2f(float(m_outlines->columns), float(m_outlines->rows))
-                                      : Eigen::Vector2f(0, 0));
-    program.set("outlineSpacing", fades ? float(m_outlines->spacing) : 1.0F);
+    const bool fades = m_fade && !m_fade->faded.empty();
+    program.set("fadeNodes",
+                fades ? Eigen::Vector2f(float(m_fade->columns), float(m_fade->rows)) : Eigen::Vector2f(0, 0));
+    program.set("fadeSpacing", fades ? float(m_fade->spacing) : 1.0F);
     m_vertexTexture.bind(GL_TEXTURE_BUFFER, 2);
     m_photoTexture->bind(GL_TEXTURE_2D, 3);
     m_seen.bind(4);
-    m_outlineTexture.bind(GL_TEXTURE_2D, 5);
+    m_fadeTexture.bind(GL_TEXTURE_2D, 5);
     m_bandTexture.bind(GL_TEXTURE_2D, 6);
 }
 

@@ -48,14 +48,14 @@ public:
     /// Precondition: the photo is not empty.
     void take(const ProjectedPhoto& projected, const std::shared_ptr<const TriangleMesh>& mesh,
               const Frame& frame);
-    /// Tells the program in use, made with `shaders::WithPhoto::Yes`.
+    /// Tells the program in use, made with a photo among its `SurfaceParts`.
     void bind(const GlProgram& program) const;
 
 private:
     void takeMesh(const std::shared_ptr<const TriangleMesh>& mesh, const Frame& frame);
     void takePhoto(const std::shared_ptr<const Image>& photo);
     void takeBands(const std::shared_ptr<const Image>& bands);
-    void takeOutlines();
+    void takeFade();
     void measureDepth();
     void drawDepth();
 
@@ -69,11 +69,11 @@ private:
     std::shared_ptr<const Image> m_photo;
     std::unique_ptr<GlTexture> m_photoTexture;
     std::shared_ptr<const Image> m_bands;
-    GlTexture m_outlineTexture, m_bandTexture;
-    std::shared_ptr<const OutlineFeather>
-        m_outlines;                   ///< null where the projector does not ask what is hidden
-    SeenSide m_side = SeenSide::Both; ///< that is coloured, of the whole surface
-    CompositionCache m_cache;         ///< of the mesh
+    GlTexture m_fadeTexture, m_bandTexture;
+    std::shared_ptr<const PhotoFade> m_fade; ///< null where nothing fades
+    int m_mapSize = 0;                       ///< pixels of the depth map's longer side
+    SeenSide m_side = SeenSide::Both;        ///< that is coloured, of the whole surface
+    CompositionCache m_cache;                ///< of the mesh
     std::optional<ProjectedPhoto> m_projected;
     Eigen::Matrix4d m_matrix;     ///< as `photoMatrix`, from the frame's origin
     Eigen::Vector4f m_light;      ///< where the light comes from (w 1), or in which direction (w 0)

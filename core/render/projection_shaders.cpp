@@ -19,14 +19,14 @@ namespace {
 constexpr const char* photoWeights = R"(
 in vec4 photoPlace; // the place in the photo (x w, y w, w), pixels, and the depth before the projector
 in vec3 rest, restNormal; // on the organ at rest
-uniform sampler2D photo, outlines, bands;
+uniform sampler2D photo, fade, bands;
 uniform sampler2DShadow seen;
-uniform vec2 photoPixels, depths, outlineNodes;
+uniform vec2 photoPixels, depths, fadeNodes;
 uniform vec4 light;
 uniform int seenSide; // 0: the outside, 1: the inside, 2: both
 uniform bool isPerspective, occlusion, falloff, hasBands;
 uniform int blending; // a Blending
-uniform float blendPixels, opacity, tolerance, outlineSpacing;
+uniform float blendPixels, opacity, tolerance, fadeSpacing;
 
 // As the depth map holds it.
 float mapDepth(float depth) {
@@ -57,9 +57,9 @@ float seenShare(vec2 place) {
     return share / 3.0;
 }
 
-float outlineWeight(vec2 pixel) {
-    if (outlineNodes.x == 0.0) return 1.0;
-    return 1.0 - texture(outlines, (pixel / outlineSpacing + 0.5) / outlineNodes).r;
+float fadeWeight(vec2 pixel) {
+    if (fadeNodes.x == 0.0) return 1.0;
+    return 1.0 - texture(fade, (pixel / fadeSpacing + 0.5) / fadeNodes).r;
 }
 
 float lightWeight(vec2 pixel, vec3 outward) {
@@ -69,7 +69,7 @@ float lightWeight(vec2 pixel, vec3 outward) {
     float cosine = cosineSeen(dot(normalize(restNormal), way));
     float weight = falloff ? angleWeight(cosine) : blendPixels > 0.0 ? smoothstep(0.0, 0.17365, cosine) : 1.0;
     if (!occlusion || weight <= 0.0) return weight;
-    return weight * outlineWeight(pixel) * seenShare(pixel / photoPixels);
+    return weight * seenShare(pixel / photoPixels);
 }
 
 )";
@@ -120,7 +120,7 @@ vec3 withPhoto(vec3 beneath, float left) {
     vec2 place = pixel / photoPixels;
     vec4 photoColour = texture(photo, place);
     if (photoPlace.z <= 0.0 || photoPlace.w < -tolerance) return beneath;
-    float weight = left * opacity * photoColour.a * borderWeight(pixel);
+    float weight = left * opacity * photoColour.a * borderWeight(pixel) * fadeWeight(pixel);
     if (weight <= 0.0) return beneath;
     weight *= lightWeight(pixel, outward);
     vec3 colour = photoColour.rgb / photoColour.a; // it is stored multiplied by alpha

@@ -91,9 +91,8 @@ void main() {
 )";
 }
 
-std::string surfaceVertex(WithPhoto photo) {
-    const std::string ofPhoto =
-        photo == WithPhoto::No ? "#define NOTE_PHOTO_PLACE(vertex)\n" : photoPlaceSource() + R"(
+std::string surfaceVertex(const SurfaceParts& parts) {
+    const std::string ofPhoto = !parts.photo ? "#define NOTE_PHOTO_PLACE(vertex)\n" : photoPlaceSource() + R"(
 out vec4 photoPlace;
 out vec3 rest, restNormal;
 #define NOTE_PHOTO_PLACE(vertex) \
@@ -139,11 +138,14 @@ void main() {
 )";
 }
 
-std::string surfaceFragment(WithPhoto photo) {
-    const std::string ofPhoto = photo == WithPhoto::No
-                                    ? "vec3 withPhoto(vec3 beneath, float left) { return beneath; }\n"
-                                    : photoColourSource();
-    return version() + viewing + lighting + finishSource() + ofPhoto + R"(
+std::string surfaceFragment(const SurfaceParts& parts) {
+    const std::string ofPhoto =
+        parts.photo ? photoColourSource() : "vec3 withPhoto(vec3 beneath, float left) { return beneath; }\n";
+    const std::string ofFinish =
+        parts.finish
+            ? finishSource() + "#define SHADED shining(linear, tint, n, position, place(), placeOf(shares))\n"
+            : "#define SHADED plainlyLit(linear, tint, n, towardsEye(position))\n";
+    return version() + viewing + lighting + ofFinish + ofPhoto + R"(
 in vec3 position, normal;
 in vec4 tint;
 in vec3 shares;
@@ -185,9 +187,8 @@ void main() {
     }
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 n = normalize(normal) * side;
-    vec3 shaded = hasFinish || endoscope ? shining(toLinear(albedo), tint, n, position, place(), placeOf(shares))
-                                         : plainlyLit(toLinear(albedo), tint, n, towardsEye(position));
-    colour = vec4(toDisplay(shaded), 1.0);
+    vec3 linear = toLinear(albedo);
+    colour = vec4(toDisplay(SHADED), 1.0);
 }
 )";
 }

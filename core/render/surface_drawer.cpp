@@ -33,11 +33,8 @@ int levelsOf(const std::shared_ptr<const SmallerPages>& smallerPages) {
 } // namespace
 
 SurfaceDrawer::SurfaceDrawer(const GlFunctions& gl)
-    : m_gl(gl), m_program(gl, shaders::surfaceVertex(), shaders::surfaceFragment()),
-      m_photoProgram(gl, shaders::surfaceVertex(shaders::WithPhoto::Yes),
-                     shaders::surfaceFragment(shaders::WithPhoto::Yes)),
-      m_vertexBuffer(gl), m_indexBuffer(gl), m_cornerBuffer(gl), m_vertexTexture(gl), m_plainArray(gl),
-      m_texturedArray(gl) {
+    : m_gl(gl), m_vertexBuffer(gl), m_indexBuffer(gl), m_cornerBuffer(gl), m_vertexTexture(gl),
+      m_plainArray(gl), m_texturedArray(gl) {
     m_plainArray.bind();
     m_indexBuffer.bind(GL_ELEMENT_ARRAY_BUFFER);
     m_texturedArray.bind();
@@ -55,7 +52,8 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
     const bool textured = isTextured(scene);
     takeTriangles(scene.mesh);
     takeVertices(scene, vertices, frame);
-    const GlProgram& program = photo ? m_photoProgram : m_program;
+    const GlProgram& program =
+        programFor({photo != nullptr, scene.finish || scene.light == SceneLight::Endoscope});
     program.use();
     if (photo) photo->bind(program);
     program.set("view", frame.view);
@@ -86,10 +84,17 @@ void SurfaceDrawer::draw(const RenderScene& scene, const std::vector<Eigen::Vect
     m_gl.Disable(GL_CULL_FACE);
 }
 
+const GlProgram& SurfaceDrawer::programFor(const shaders::SurfaceParts& parts) {
+    for (const auto& [made, program] : m_programs)
+        if (made == parts) return *program;
+    m_programs.emplace_back(parts, std::make_unique<GlProgram>(m_gl, shaders::surfaceVertex(parts),
+                                                               shaders::surfaceFragment(parts)));
+    return *m_programs.back().second;
+}
+
 void SurfaceDrawer::setFinish(const GlProgram& program, const RenderScene& scene, const Frame& frame) {
     const SurfaceFinish plain = scene.finish.value_or(usualFinish);
     program.set("finishPage", finishUnit);
-    program.set("hasFinish", scene.finish.has_value());
     program.set("plainFinish",
                 Eigen::Vector2f(static_cast<float>(plain.wetness), static_cast<float>(plain.roughness)));
     program.set("endoscope", scene.light == SceneLight::Endoscope);

@@ -3,8 +3,10 @@
 #include "core/render/frame.h"
 #include "core/render/gl_objects.h"
 #include "core/render/photo_projection.h"
+#include "core/render/shaders.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace esm {
@@ -31,6 +33,7 @@ private:
     void takeAtlas(const std::shared_ptr<const Atlas>& atlas);
     void takePages(const RenderScene& scene);
     void takeFinish(const std::shared_ptr<const TiledPages>& pages);
+    const GlProgram& programFor(const shaders::SurfaceParts& parts);
     static void setFinish(const GlProgram& program, const RenderScene& scene, const Frame& frame);
     bool hidesItsInside(const RenderScene& scene, const Frame& frame) const;
     void drawPlain(const GlProgram& program) const;
@@ -38,7 +41,8 @@ private:
     void drawPages(const GlProgram& program, bool areMasked) const;
 
     const GlFunctions& m_gl;
-    GlProgram m_program, m_photoProgram;
+    /// Made when first needed, which of all that there could be are few.
+    std::vector<std::pair<shaders::SurfaceParts, std::unique_ptr<GlProgram>>> m_programs;
     GlBuffer m_vertexBuffer, m_indexBuffer, m_cornerBuffer;
     GlTexture m_vertexTexture;
     GlVertexArray m_plainArray, m_texturedArray;

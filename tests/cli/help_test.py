@@ -29,7 +29,7 @@ class HelpTest(Case):
                      ["-j", "0", "info", project], ["-j", "two", "info", project], ["sample", "spleen", "-o", out],
                      ["import", "a.obj"], ["import", "a.obj", "-o", out, "--unit", "inch"],
                      ["import", "a.obj", "-o", out, "--mass", "0"], ["import", "a.obj", "-o", out, "--mass", "nan"],
-                     ["import", "a.obj", "-o", out, "--weld", "-1"], ["import", "a.obj", "-o", out, "--up", "x"],
+                     ["import", "a.obj", "-o", out, "--weld", "-1"], ["import", "a.obj", "-o", out, "--up", "w"],
                      ["import", "a.obj", "-o", out, "--detail", "3"], ["import", "a.obj", "-o", out, "--detail", "half"], ["import", "a.obj", "-o", out, "--keep", "x"],
                      ["import", "a.obj", "-o", out, "--unit", "0"], ["import", "a.obj", "-o", out, "--unit", "7"],
                      ["import", "a.obj", "-o", out, "--up", "1"], ["import", "a.obj", "-o", out, "--keep", "1"],

@@ -16,7 +16,7 @@ FILE, TO_PROJECT = [""], ["-", "out.png", ""]
 # values that are wrong whatever the files hold. Every option of a command's help must be here.
 COMMANDS = {
     "import cube.obj": {"mesh": FILE, "-o": TO_PROJECT, "--unit": ["inch", "0", "MM", ""], "--weld": AMOUNT,
-                        "--keep": ["some", "1", ""], "--mass": POSITIVE + ["1e-31"], "--up": ["x", "1", ""],
+                        "--keep": ["some", "1", ""], "--mass": POSITIVE + ["1e-31"], "--up": ["w", "-y", "1", ""],
                         "--close": AMOUNT, "--fill-holes": WHOLE + ["1", "2", "-3", "501"],
                         "--detail": ["3", "-5", "half", "2.5", "99999999999", ""]},
     "sample tube": {"name": ["spleen", ""], "-o": TO_PROJECT},

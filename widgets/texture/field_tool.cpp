@@ -4,8 +4,6 @@
 #include "core/support/angles.h"
 #include "widgets/texture/photo_canvas.h"
 
-#include <QPainterPath>
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,16 +24,6 @@ Eigen::Vector2d axisOf(const PhotoField& field) {
 
 Eigen::Vector2d across(const Eigen::Vector2d& axis) {
     return {-axis.y(), axis.x()};
-}
-
-QPainterPath pathAround(const PhotoCanvas& canvas, const PhotoField& field) {
-    QPolygonF rim;
-    for (const Eigen::Vector2d& place : outlineOf(field, false))
-        rim << canvas.toWidget(place);
-    QPainterPath path;
-    path.addPolygon(rim);
-    path.closeSubpath();
-    return path;
 }
 
 } // namespace
@@ -181,7 +169,6 @@ bool FieldTool::drop() {
 
 void FieldTool::paint(QPainter& painter) const {
     if (!m_canvas.field()) return;
-    m_canvas.drawKept(painter, pathAround(m_canvas, *m_canvas.field()));
     const std::vector<Eigen::Vector2d> places = handles();
     if (places.size() > mostHandles) return;
     for (const Eigen::Vector2d& place : places)

@@ -19,6 +19,9 @@ namespace {
 constexpr double mostMagnified = 16;
 constexpr int edge = 8; ///< widget pixels around the photo
 
+/// Of what is erased: neither tissue, blood, fat nor steel has it.
+constexpr QRgb erasedColour = 0xff2f7dff;
+
 QColor amber(const QWidget& widget) {
     return widget.palette().color(QPalette::LinkVisited);
 }
@@ -210,12 +213,12 @@ void PhotoCanvas::drawStroke(QPainter& painter, const PhotoStroke& stroke) const
     painter.setCompositionMode(stroke.takesBack ? QPainter::CompositionMode_DestinationOut
                                                 : QPainter::CompositionMode_SourceOver);
     const double wide = 2 * stroke.radius * (1 - 0.5 * stroke.softness);
-    painter.setPen(QPen(amber(*this), wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(QColor(erasedColour), wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     QPainterPath path = pathOf(stroke.path);
     if (stroke.isFilled) {
         path.closeSubpath();
         path.setFillRule(Qt::WindingFill);
-        painter.setBrush(amber(*this));
+        painter.setBrush(QColor(erasedColour));
     }
     painter.drawPath(path);
     painter.restore();
@@ -229,6 +232,16 @@ void PhotoCanvas::addStroke(const PhotoStroke& stroke) {
     m_strokes.push_back(stroke);
     redraw();
     emit strokeDrawn(stroke);
+}
+
+QPainterPath PhotoCanvas::rimOf(const PhotoField& field) const {
+    QPolygonF rim;
+    for (const Eigen::Vector2d& place : outlineOf(field, false))
+        rim << toWidget(place);
+    QPainterPath path;
+    path.addPolygon(rim);
+    path.closeSubpath();
+    return path;
 }
 
 void PhotoCanvas::drawKept(QPainter& painter, const QPainterPath& inside) const {
@@ -253,6 +266,7 @@ void PhotoCanvas::paintEvent(QPaintEvent*) {
     painter.drawImage(0, 0, m_overlay);
     if (!m_marked.isNull()) painter.drawImage(QRectF(m_origin, QSizeF(m_picture.size()) * m_scale), m_marked);
     painter.setOpacity(1);
+    if (m_field) drawKept(painter, rimOf(*m_field));
     m_tool->paint(painter);
     if (m_mouse) m_tool->paintCursor(painter, *m_mouse);
     m_keyPointer.paintFocus(painter);

@@ -100,7 +100,7 @@ private:
     void fit();
     void place(double scale, const QPointF& origin);
     void redraw();
-    QImage drawnOver() const;
+    QPainterPath rimOf(const PhotoField& field) const; ///< widget pixels
     bool toolTakes(const QKeyEvent& event);
 
     QImage m_picture, m_marked;

@@ -259,8 +259,6 @@ void OrganView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (m_picture.image.isNull()) painter.fillRect(rect(), palette().color(QPalette::Window));
     if (m_picture.problem.isEmpty()) {
-        const bool isCoarse = m_picture.image.devicePixelRatioF() < devicePixelRatioF();
-        painter.setRenderHint(QPainter::SmoothPixmapTransform, isCoarse);
         painter.drawImage(rect(), m_picture.image);
         return paintOverlay(painter);
     }

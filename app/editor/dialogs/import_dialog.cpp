@@ -213,8 +213,12 @@ void ImportDialog::addUnits(QVBoxLayout* column, LengthUnit likely) {
 }
 
 void ImportDialog::addOrientation(QVBoxLayout* column) {
-    m_up->addItem(tr("y axis"));
-    m_up->addItem(tr("z axis"));
+    for (const auto& [axis, name] :
+         {std::pair{UpAxis::Y, tr("y axis")}, std::pair{UpAxis::Z, tr("z axis")},
+          std::pair{UpAxis::X, tr("x axis")}, std::pair{UpAxis::MinusY, tr("−y, the y axis points down")},
+          std::pair{UpAxis::MinusZ, tr("−z, the z axis points down")},
+          std::pair{UpAxis::MinusX, tr("−x, the x axis points down")}})
+        m_up->addItem(name, static_cast<int>(axis));
     connect(m_up, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
         showKept();
         lookAgain();
@@ -232,7 +236,9 @@ void ImportDialog::addOrientation(QVBoxLayout* column) {
     m_doubt->setFixedHeight(2 * m_doubt->fontMetrics().lineSpacing());
     m_doubt->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     form->addRow(m_doubt);
-    addChoice(form, tr("&Upwards in the file"), m_up, tr("Which axis of the file points up"));
+    addChoice(form, tr("&Upwards in the file"), m_up,
+              tr("Which axis of the file points up: where the organ stands on its head, "
+                 "the one with the minus sign"));
     addChoice(form, tr("&Keep"), m_keep,
               m_keep->isEnabled() ? tr("Which parts of the file become the organ")
                                   : tr("The surface is one part"));
@@ -341,8 +347,8 @@ void ImportDialog::showSuggestion() {
 
 QString ImportDialog::sizeText(const Eigen::Vector3d& extent) const {
     const Eigen::Vector3d size = extent * metresPer(choice().unit);
-    const bool zUp = choice().up == UpAxis::Z;
-    return lengthsText({size.x(), zUp ? size.z() : size.y(), zUp ? size.y() : size.z()});
+    const Eigen::Vector3d shown = (turnedUp(choice().up) * size).cwiseAbs();
+    return lengthsText({shown.x(), shown.y(), shown.z()});
 }
 
 QStringList ImportDialog::partLines() const {
@@ -368,7 +374,7 @@ void ImportDialog::showKept() {
 ImportChoice ImportDialog::choice() const {
     ImportChoice choice;
     choice.unit = units[static_cast<std::size_t>(qMax(0, m_units->checkedId()))];
-    choice.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
+    choice.up = static_cast<UpAxis>(m_up->currentData().toInt());
     choice.keep = keptParts();
     choice.slitWidth = m_openings->slitWidth();
     choice.holeEdges = m_openings->holeEdges();

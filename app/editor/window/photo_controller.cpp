@@ -11,13 +11,29 @@
 #include "core/authoring/layers.h"
 #include "core/authoring/packing.h"
 #include "core/authoring/photo_replacement.h"
+#include "core/support/angles.h"
 #include "core/support/errors.h"
 #include "core/texture/photo/photo_format.h"
 #include "widgets/inputs/action_texts.h"
 
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace esm {
+
+namespace {
+
+/// The camera turned about the organ for one of some photos, from the left to the right.
+Camera fannedOut(const Camera& camera, std::size_t photo, std::size_t photos) {
+    if (photos < 2) return camera;
+    constexpr double widest = toRadians(120), farthestApart = toRadians(60);
+    const auto gaps = static_cast<double>(photos - 1);
+    const double apart = std::min(farthestApart, widest / gaps);
+    return orbited(camera, apart * (static_cast<double>(photo) - gaps / 2), 0);
+}
+
+} // namespace
 
 PhotoController::PhotoController(QWidget& window, Document& document, Selection& selection,
                                  std::function<Camera()> camera)
@@ -98,7 +114,8 @@ PhotoController::ReadPhotos PhotoController::readPhotos(const std::vector<std::f
     return computeLong(&m_window, title, read, Cancelling::Offered);
 }
 
-/// The first of them lies on top, as it is the first in the list.
+/// The first of them lies on top, as it is the first in the list. Several are fanned out around the organ, so
+/// that each can be seen and grasped.
 void PhotoController::lay(const std::vector<std::shared_ptr<const Photo>>& photos) {
     const auto atlas = atlasForPhotos();
     const Camera camera = m_camera();
@@ -108,12 +125,14 @@ void PhotoController::lay(const std::vector<std::shared_ptr<const Photo>>& photo
         added.push_back(m_document.newLayerId());
     m_document.edit(text, [&](Project& project) {
         for (std::size_t i = photos.size(); i-- > 0;)
-            esm::addPhoto(project, added[i], photos[i],
-                          projectorFromCamera(camera, photos[i]->image, *project.mesh), atlas);
+            esm::addPhoto(
+                project, added[i], photos[i],
+                projectorFromCamera(fannedOut(camera, i, photos.size()), photos[i]->image, *project.mesh),
+                atlas);
     });
     emit photoAdded();
     emit message(photos.size() > 1
-                     ? tr("Added %1 photos, one over the other: drag them apart").arg(photos.size())
+                     ? tr("Added %1 photos, side by side: drag each to its place").arg(photos.size())
                      : tr("Added %1").arg(QString::fromStdString(photos.front()->fileName)));
 }
 

@@ -11,6 +11,9 @@ namespace {
 
 /// Without an edit for so long, a projector rests.
 constexpr std::chrono::milliseconds restTime{300};
+/// What bands add changes slowly over the surface. Made for every move of the mouse, it would take the
+/// processors that draw.
+constexpr std::chrono::milliseconds betweenBands{100};
 
 bool differsInProjector(TextureLayer before, const TextureLayer& now) {
     if (before.projector == now.projector) return false;
@@ -33,8 +36,10 @@ std::optional<LayerId> movedLayer(const std::vector<TextureLayer>& before,
 }
 
 MovingPhoto::MovingPhoto(TextureComposer& composer, QObject* parent) : QObject(parent), m_composer(composer) {
-    m_rest.setSingleShot(true);
+    for (QTimer* timer : {&m_rest, &m_bands})
+        timer->setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &MovingPhoto::rest);
+    connect(&m_bands, &QTimer::timeout, this, &MovingPhoto::composeAround);
     connect(&composer, &TextureComposer::composed, this, &MovingPhoto::takeTexture);
 }
 
@@ -46,19 +51,26 @@ void MovingPhoto::follow(const Project& project) {
     if (layer && project.atlas && layer->photo && isShown(*layer)) return move(*moved);
     m_layer.reset();
     m_rest.stop();
+    m_bands.stop();
     m_composer.compose(project);
 }
 
 void MovingPhoto::move(LayerId layer) {
     m_rest.start(restTime);
-    const bool isBanded = partOf(m_project.layers, layer).blending == Blending::MultiBand;
-    if (m_layer == layer && !m_isResting && !isBanded) return;
+    const bool goesOn = m_layer == layer && !m_isResting;
     m_layer = layer;
     m_isResting = false;
-    m_composer.compose(m_project, layer);
+    if (!goesOn) return composeAround();
+    const bool isBanded = partOf(m_project.layers, layer).blending == Blending::MultiBand;
+    if (isBanded && !m_bands.isActive()) m_bands.start(betweenBands);
+}
+
+void MovingPhoto::composeAround() {
+    m_composer.compose(m_project, m_layer);
 }
 
 void MovingPhoto::rest() {
+    m_bands.stop();
     m_isResting = true;
     m_composer.compose(m_project);
     emit rested();
@@ -73,6 +85,7 @@ std::optional<ProjectedPhoto> MovingPhoto::projected(const TextureComposer::Comp
     const TextureLayer& layer = partOf(m_project.layers, *m_layer);
     ProjectedPhoto projected{layer.projector, pictureOf(layer), borderInMotion(layer), layer.opacity,
                              layer.blending};
+    projected.fadesAtHoles = fadesAtHoles(layer);
     if (over.moving != m_layer) return projected;
     projected.isMasked = over.isMasked;
     projected.bands = over.bands;

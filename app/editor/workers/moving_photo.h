@@ -30,6 +30,7 @@ signals:
 
 private:
     void move(LayerId layer);
+    void composeAround();
     void rest();
     void takeTexture();
 
@@ -37,7 +38,7 @@ private:
     Project m_project;              ///< as it was last seen
     std::optional<LayerId> m_layer; ///< that is projected
     bool m_isResting = false;       ///< and about to be painted
-    QTimer m_rest;
+    QTimer m_rest, m_bands;
 };
 
 /// The layer that differs in its projector, where nothing else does.

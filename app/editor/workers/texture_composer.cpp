@@ -9,6 +9,16 @@
 
 namespace esm {
 
+namespace {
+
+/// Whether two layers lay the same colours and finish: a hidden one lays neither, wherever it is moved.
+bool laysTheSame(const TextureLayer& a, const TextureLayer& b) {
+    if (!isLaid(a) && !isLaid(b)) return true;
+    return looksTheSame(a, b) && a.finish == b.finish;
+}
+
+} // namespace
+
 TextureComposer::TextureComposer(QObject* parent)
     : QObject(parent), m_worker([this](const Worker::Task& task) { return compositionOf(task); },
                                 [this] { emit composed(); }) {}
@@ -27,19 +37,16 @@ bool TextureComposer::lies(const Project& project) const {
     return kept.pages && kept.baseColour == project.texture.baseColour &&
            m_kept.base == project.texture.finish &&
            std::equal(kept.layers.begin(), kept.layers.end(), project.layers.begin(), project.layers.end(),
-                      [](const TextureLayer& a, const TextureLayer& b) {
-                          return looksTheSame(a, b) && a.finish == b.finish;
-                      });
+                      laysTheSame);
 }
 
 void TextureComposer::compose(const Project& project, std::optional<LayerId> moving) {
-    Asked asked{project, std::nullopt, {}};
+    Asked asked{project, std::nullopt};
     if (moving) {
         std::vector<TextureLayer>& layers = asked.project.layers;
         const auto place = std::find_if(layers.begin(), layers.end(),
                                         [&](const TextureLayer& layer) { return layer.id == *moving; });
         asked.moving = *place;
-        asked.beneath.assign(layers.begin(), place);
         place->visible = false;
     }
     m_worker.ask(std::move(asked));
@@ -67,7 +74,7 @@ void TextureComposer::keepPages(const Worker::Task& task) {
     auto pages = std::make_shared<const TiledPages>(recomposite(
         *project.mesh, *project.atlas, m_kept.composition, project.layers, project.texture.baseColour,
         m_kept.cache, parts.next(hasFinish(project.layers, std::nullopt) ? 0.5 : 0.95)));
-    auto smaller = halved(*project.atlas, *pages, parts.next(0.05));
+    auto smaller = halved(project, *pages, parts.next(0.05));
     FinishComposition finish = finishOf(project, parts.rest());
     // All together: stopped before, what is kept still belongs together.
     m_kept.smaller = std::move(smaller);
@@ -89,8 +96,9 @@ FinishComposition TextureComposer::finishOf(const Project& project, const Progre
                           parts.rest());
 }
 
-std::shared_ptr<const SmallerPages> TextureComposer::halved(const Atlas& atlas, const TiledPages& pages,
+std::shared_ptr<const SmallerPages> TextureComposer::halved(const Project& project, const TiledPages& pages,
                                                             const Progress& progress) {
+    const Atlas& atlas = *project.atlas;
     if (usableLevels(atlas.options) == 0) {
         reportProgress(progress, 1);
         return std::make_shared<const SmallerPages>(pages.size());
@@ -98,7 +106,7 @@ std::shared_ptr<const SmallerPages> TextureComposer::halved(const Atlas& atlas, 
     ProgressParts parts(progress);
     HalvedPages before;
     if (m_kept.smaller && m_kept.composition.pages) before = {*m_kept.composition.pages, *m_kept.smaller};
-    const auto owners = m_kept.cache.ownersOf(atlas, parts.next(0.5));
+    const auto owners = m_kept.cache.ownersOf(*project.mesh, atlas, parts.next(0.5));
     return std::make_shared<const SmallerPages>(smallerPages(atlas, *owners, pages, before, parts.rest()));
 }
 
@@ -139,7 +147,7 @@ void TextureComposer::mask(const Project& project, const BrushStrokes& strokes, 
         masked = {composed.pages, strokes, nullptr, nullptr};
         masked.pages = std::make_shared<const TiledPages>(
             maskedPages(*project.mesh, *project.atlas, *composed.pages, strokes, m_kept.cache));
-        masked.smaller = halved(*project.atlas, *masked.pages, {});
+        masked.smaller = halved(project, *masked.pages, {});
     }
     composed.pages = masked.pages;
     composed.smallerPages = masked.smaller;
@@ -152,8 +160,8 @@ void TextureComposer::addMotion(const Worker::Task& task, Composed& composed) {
     composed.moving = layer.id;
     if (!layer.strokes.empty()) mask(project, layer.strokes, composed);
     if (layer.blending == Blending::MultiBand)
-        composed.bands = std::make_shared<const Image>(bandsInMotion(
-            *project.mesh, task.question.beneath, project.texture.baseColour, layer, m_kept.cache));
+        composed.bands = std::make_shared<const Image>(
+            bandsInMotion({*project.mesh, *project.atlas, *composed.pages}, layer, m_kept.cache));
 }
 
 } // namespace esm

@@ -79,7 +79,6 @@ private:
     struct Asked {
         Project project; ///< without the moving photo
         std::optional<TextureLayer> moving;
-        std::vector<TextureLayer> beneath; ///< the moving one
     };
     using Worker = LatestWorker<Asked, Composed>;
 
@@ -91,7 +90,7 @@ private:
     void mask(const Project& project, const BrushStrokes& strokes, Composed& composed);
     bool isKept(const Asked& asked) const;
     /// The smaller pages of what is composed now, from those of what is kept.
-    std::shared_ptr<const SmallerPages> halved(const Atlas& atlas, const TiledPages& pages,
+    std::shared_ptr<const SmallerPages> halved(const Project& project, const TiledPages& pages,
                                                const Progress& progress);
 
     bool lies(const Project& project) const;

@@ -29,12 +29,35 @@ PolygonSoup readMeshFile(const fs::path& file, const Progress& progress) {
     return readSoup(stream);
 }
 
+Eigen::Matrix3d turnedUp(UpAxis up) {
+    Eigen::Matrix3d turned;
+    switch (up) {
+    case UpAxis::Y:
+        return Eigen::Matrix3d::Identity();
+    case UpAxis::Z:
+        turned << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+        break;
+    case UpAxis::X:
+        turned << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+        break;
+    case UpAxis::MinusY:
+        turned << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+        break;
+    case UpAxis::MinusZ:
+        turned << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+        break;
+    case UpAxis::MinusX:
+        turned << 0, 1, 0, -1, 0, 0, 0, 0, 1;
+        break;
+    }
+    return turned;
+}
+
 void convertToMetres(std::vector<Eigen::Vector3d>& points, LengthUnit unit, UpAxis up) {
     const double factor = metresPer(unit);
-    for (Eigen::Vector3d& v : points) {
-        if (up == UpAxis::Z) v = Eigen::Vector3d(v.x(), v.z(), -v.y());
-        v *= factor;
-    }
+    const Eigen::Matrix3d turned = turnedUp(up);
+    for (Eigen::Vector3d& v : points)
+        v = turned * v * factor;
 }
 
 void convertToMetres(PolygonSoup& soup, LengthUnit unit, UpAxis up) {

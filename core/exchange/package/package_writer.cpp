@@ -71,9 +71,10 @@ private:
     void addMaterial(const MaterialTextures& textures);
     MaterialTextures addTextures(std::size_t page, const std::optional<MaterialPage>& finish,
                                  const Progress& progress);
-    std::size_t addImage(const Image& image, const PictureEncoding& encoding, double texelsPerMetre,
-                         const Progress& progress);
-    std::size_t addTexture(const Image& page, const PictureEncoding& encoding, const Progress& progress);
+    std::size_t addImage(const std::string& name, const Image& image, const PictureEncoding& encoding,
+                         double texelsPerMetre, const Progress& progress);
+    std::size_t addTexture(const std::string& name, const Image& page, const PictureEncoding& encoding,
+                           const Progress& progress);
     std::size_t addPreview();
 
     const Ingredients& m_from;
@@ -226,17 +227,20 @@ void PackageBuilder::addMaterial(const MaterialTextures& textures) {
     m_glb.json["materials"].push_back(materialOf(textures, settings.baseColour, settings.finish));
 }
 
-std::size_t PackageBuilder::addImage(const Image& image, const PictureEncoding& encoding,
-                                     double texelsPerMetre, const Progress& progress) {
+/// @param name under which other programs list it
+std::size_t PackageBuilder::addImage(const std::string& name, const Image& image,
+                                     const PictureEncoding& encoding, double texelsPerMetre,
+                                     const Progress& progress) {
     Json& images = m_glb.json["images"];
     const Bytes file = encodePicture(image, encoding, texelsPerMetre, progress);
-    images.push_back({{"bufferView", m_arrays.addFile(file)}, {"mimeType", mediaTypeOf(encoding.format)}});
+    images.push_back(
+        {{"bufferView", m_arrays.addFile(file)}, {"mimeType", mediaTypeOf(encoding.format)}, {"name", name}});
     return images.size() - 1;
 }
 
-std::size_t PackageBuilder::addTexture(const Image& page, const PictureEncoding& encoding,
-                                       const Progress& progress) {
-    const std::size_t image = addImage(page, encoding, m_from.project.atlas->texelsPerMetre, progress);
+std::size_t PackageBuilder::addTexture(const std::string& name, const Image& page,
+                                       const PictureEncoding& encoding, const Progress& progress) {
+    const std::size_t image = addImage(name, page, encoding, m_from.project.atlas->texelsPerMetre, progress);
     m_glb.json["textures"].push_back({{"sampler", 0}, {"source", image}});
     return m_glb.json["textures"].size() - 1;
 }
@@ -245,21 +249,22 @@ std::size_t PackageBuilder::addTexture(const Image& page, const PictureEncoding&
 MaterialTextures PackageBuilder::addTextures(std::size_t page, const std::optional<MaterialPage>& finish,
                                              const Progress& progress) {
     ProgressParts parts(progress);
+    const std::string name = "page " + std::to_string(page + 1);
     MaterialTextures textures;
     textures.colour =
-        addTexture((*m_from.pages.colours)[page], m_from.pictures, parts.next(finish ? 0.4 : 0.8));
+        addTexture(name, (*m_from.pages.colours)[page], m_from.pictures, parts.next(finish ? 0.4 : 0.8));
     if (!m_from.occlusion.empty())
-        textures.occlusion = addTexture(m_from.occlusion[page], {}, parts.next(0.2));
+        textures.occlusion = addTexture(name + " occlusion", m_from.occlusion[page], {}, parts.next(0.2));
     if (!finish) return textures;
-    textures.wetnessAndRoughness = addTexture(finish->wetnessAndRoughness, {}, parts.next(0.2));
-    if (!finish->normals.empty()) textures.normals = addTexture(finish->normals, {}, parts.rest());
+    textures.wetnessAndRoughness =
+        addTexture(name + " wetness and roughness", finish->wetnessAndRoughness, {}, parts.next(0.2));
+    if (!finish->normals.empty())
+        textures.normals = addTexture(name + " normals", finish->normals, {}, parts.rest());
     return textures;
 }
 
 std::size_t PackageBuilder::addPreview() {
-    const std::size_t image = addImage(m_from.preview, {}, 0, {});
-    m_glb.json["images"][image]["name"] = "preview";
-    return image;
+    return addImage("preview", m_from.preview, {}, 0, {});
 }
 
 Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t>& triangles,

@@ -1,5 +1,8 @@
 #include "core/texture/finish/finish_picture.h"
 
+#include "core/support/smooth_step.h"
+#include "core/texture/photo/photo_sampler.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -12,13 +15,20 @@ namespace {
 constexpr int noHeight = 128;
 constexpr float heightSteps = 127; ///< of blue, from none to the greatest
 
+/// The longer side of a photo, pixels, beyond which it is looked at smaller: detail of so large a photo is
+/// many pixels wide, and its own size would take ten times its memory.
+constexpr int longestFinished = 4096;
+
 // In parts of the picture's diagonal, so that the same photo in another size has the same finish.
 constexpr double filmSpread = 0.006; ///< by which the film goes on around a highlight
 constexpr float strengthened = 4;    ///< flecks are small, and would vanish in what they spread over
 constexpr double detailWidth = 0.01; ///< what is wider is no detail but form and light
 
-constexpr double noiseWidth = 0.8;      ///< pixels, below which is noise of the camera
-constexpr float darkestSurround = 16;   ///< of 255: what is darker has too much noise in relation
+constexpr double noiseWidth = 0.8;    ///< pixels, below which is noise of the camera
+constexpr float darkestSurround = 16; ///< of 255: what is darker has too much noise in relation
+/// Of 255: surroundings as dark as the first tell nothing of relief, as the noise of a camera is all their
+/// detail; those as bright as the second tell all.
+constexpr float allNoise = 12, littleNoise = 48;
 constexpr float heightAtHalf = 2;       ///< half as bright again is as high as the relief says
 constexpr float leastDetail = 0.03F;    ///< of the brightness: three steps of 8 bits in a photo of medium one
 constexpr double smoothUnderFilm = 0.6; ///< of the roughness, that a film takes away at most
@@ -50,14 +60,25 @@ cv::Mat1f filmAround(const Image& photo, const PhotoPreparation& preparation) {
     PhotoPreparation lens;
     lens.lens = preparation.lens;
     if (preparation.lens) drawn = prepared(drawn, lens);
-    cv::Mat1f film(drawn.height, drawn.width);
-    for (int y = 0; y < drawn.height; ++y)
-        for (int x = 0; x < drawn.width; ++x)
-            film(y, x) = static_cast<float>(drawn.at(x, y)[0]) / 255;
-    cv::Mat1f spread = blurred(film, std::max(1.0, filmSpread * diagonalOf(photo)));
+    const Image looked = shrunk(drawn, longestFinished);
+    cv::Mat1f film(looked.height, looked.width);
+    for (int y = 0; y < looked.height; ++y)
+        for (int x = 0; x < looked.width; ++x)
+            film(y, x) = static_cast<float>(looked.at(x, y)[0]) / 255;
+    cv::Mat1f spread = blurred(film, std::max(1.0, filmSpread * diagonalOf(looked)));
     for (float& value : spread)
         value = std::min(1.0F, strengthened * value);
     return spread;
+}
+
+/// Values of every pixel of the picture from those of the smaller one that was looked at.
+template<typename Rounding>
+cv::Mat1b inSizeOf(const Image& picture, const cv::Mat1f& values, const Rounding& rounding) {
+    cv::Mat1b bytes(values.size());
+    std::transform(values.begin(), values.end(), bytes.begin(), rounding);
+    if (bytes.cols != picture.width || bytes.rows != picture.height)
+        cv::resize(bytes, bytes, {picture.width, picture.height}, 0, 0, cv::INTER_LINEAR);
+    return bytes;
 }
 
 float brightnessOf(const std::uint8_t* pixel) {
@@ -82,6 +103,10 @@ cv::Mat1f detailOf(const Image& shown) {
     const cv::Mat1f around = meanOver(std::max(2 * noiseWidth, detailWidth * diagonalOf(shown)));
     cv::Mat1f detail;
     cv::divide(meanOver(noiseWidth) - around, around + darkestSurround, detail);
+    std::transform(detail.begin(), detail.end(), around.begin(), detail.begin(),
+                   [](float brighter, float surround) {
+                       return brighter * static_cast<float>(smoothStep(allNoise, littleNoise, surround));
+                   });
     cv::multiply(detail, counts, detail);
     return detail;
 }
@@ -106,19 +131,18 @@ FinishColour finishColour(const SurfaceFinish& finish) {
 }
 
 std::vector<std::uint8_t> filmOf(const Image& photo, const PhotoPreparation& preparation) {
-    const cv::Mat1f around = filmAround(photo, preparation);
-    std::vector<std::uint8_t> film(around.total());
-    std::transform(around.begin(), around.end(), film.begin(), rounded);
-    return film;
+    const cv::Mat1b film = inSizeOf(photo, filmAround(photo, preparation), rounded);
+    return {film.begin(), film.end()};
 }
 
 std::vector<std::int8_t> heightsOf(const Image& shown) {
-    const cv::Mat1f detail = detailOf(shown);
-    std::vector<std::int8_t> heights(detail.total());
-    std::transform(detail.begin(), detail.end(), heights.begin(), [](float brighter) {
+    const cv::Mat1b bytes = inSizeOf(shown, detailOf(shrunk(shown, longestFinished)), [](float brighter) {
         const float height = std::clamp(heightAtHalf * brighter, -1.0F, 1.0F);
-        return static_cast<std::int8_t>(std::lround(heightSteps * height));
+        return static_cast<std::uint8_t>(noHeight + std::lround(heightSteps * height));
     });
+    std::vector<std::int8_t> heights(bytes.total());
+    std::transform(bytes.begin(), bytes.end(), heights.begin(),
+                   [](std::uint8_t byte) { return static_cast<std::int8_t>(byte - noHeight); });
     return heights;
 }
 

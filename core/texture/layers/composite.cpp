@@ -56,7 +56,7 @@ composed(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<Texture
         pages.push_back(filledPage<Channel>(atlas.options.size, baseColour));
     }
     const Progress owning = parts.next(ownersShare), painting = parts.rest();
-    if (!stack.isEmpty()) paintPages(stack, atlas, *cache.ownersOf(atlas, owning), {}, pages, painting);
+    if (!stack.isEmpty()) paintPages(stack, atlas, *cache.ownersOf(mesh, atlas, owning), {}, pages, painting);
     cache.finish();
     reportProgress(progress, 1);
     return pages;

@@ -1,6 +1,8 @@
 #include "core/texture/layers/composition_cache.h"
 
 #include "core/geometry/adjacency.h"
+#include "core/texture/layers/hole_feather.h"
+#include "core/texture/layers/outline_feather.h"
 
 #include <algorithm>
 
@@ -31,8 +33,10 @@ std::shared_ptr<const SurfaceQuery> CompositionCache::queryOf(const TriangleMesh
     return m_query;
 }
 
-std::shared_ptr<const TexelOwners> CompositionCache::ownersOf(const Atlas& atlas, const Progress& progress) {
-    if (!m_owners || !m_owners->areOf(atlas)) m_owners = std::make_shared<const TexelOwners>(atlas, progress);
+std::shared_ptr<const TexelOwners> CompositionCache::ownersOf(const TriangleMesh& mesh, const Atlas& atlas,
+                                                              const Progress& progress) {
+    if (!m_owners || !m_owners->areOf(atlas))
+        m_owners = std::make_shared<const TexelOwners>(mesh, atlas, progress);
     return m_owners;
 }
 
@@ -59,19 +63,42 @@ std::shared_ptr<const SurfaceLighting> CompositionCache::lightingOf(const Projec
     return lighting;
 }
 
-std::shared_ptr<const OutlineFeather> CompositionCache::outlinesOf(const ProjectedSize& projected,
-                                                                   double blendPixels,
-                                                                   const TriangleMesh& mesh,
-                                                                   const Progress& progress) {
+std::shared_ptr<const PhotoFade> CompositionCache::fadeOf(const FadingPhoto& photo, const TriangleMesh& mesh,
+                                                          const Progress& progress) {
+    ProgressParts parts(progress);
+    std::shared_ptr<const PhotoFade> outlines, holes;
+    if (photo.projector.occlusion)
+        outlines =
+            outlinesOf({photo.projector, sizeOf(*photo.picture)}, photo.blendPixels, mesh, parts.next(0.8));
+    if (photo.atHoles) holes = holesOf(photo.picture, photo.blendPixels, parts.rest());
+    if (!holes || holes->faded.empty()) return outlines;
+    if (!outlines || outlines->faded.empty()) return holes;
+    return std::make_shared<const PhotoFade>(fadedByBoth(*outlines, *holes));
+}
+
+std::shared_ptr<const PhotoFade> CompositionCache::outlinesOf(const ProjectedSize& projected,
+                                                              double blendPixels, const TriangleMesh& mesh,
+                                                              const Progress& progress) {
     const auto same = [&](const ProjectorOutlines& item) {
         return item.projected == projected && item.blendPixels == blendPixels;
     };
     if (const ProjectorOutlines* known = usedAgain(m_outlines.used, m_outlines.before, same))
         return known->feather;
     const auto& [projector, photo] = projected;
-    auto feather = std::make_shared<const OutlineFeather>(
+    auto feather = std::make_shared<const PhotoFade>(
         outlineFeather(shadowCaster(mesh), *queryOf(mesh), projector, photo, blendPixels, progress));
     m_outlines.used.push_back({projected, blendPixels, feather});
+    return feather;
+}
+
+std::shared_ptr<const PhotoFade> CompositionCache::holesOf(const std::shared_ptr<const Image>& picture,
+                                                           double blendPixels, const Progress& progress) {
+    const auto same = [&](const PictureHoles& item) {
+        return item.picture == picture && item.blendPixels == blendPixels;
+    };
+    if (const PictureHoles* known = usedAgain(m_holes.used, m_holes.before, same)) return known->feather;
+    auto feather = std::make_shared<const PhotoFade>(holeFeather(*picture, blendPixels, progress));
+    m_holes.used.push_back({picture, blendPixels, feather});
     return feather;
 }
 
@@ -125,6 +152,7 @@ void CompositionCache::finish() {
     m_healed = {{}, std::move(m_healed.used)};
     m_lighting = {{}, std::move(m_lighting.used)};
     m_outlines = {{}, std::move(m_outlines.used)};
+    m_holes = {{}, std::move(m_holes.used)};
 }
 
 } // namespace esm

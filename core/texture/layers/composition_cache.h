@@ -3,7 +3,7 @@
 #include "core/surface/surface_query.h"
 #include "core/texture/layers/healing.h"
 #include "core/texture/layers/lit_triangles.h"
-#include "core/texture/layers/outline_feather.h"
+#include "core/texture/layers/photo_fade.h"
 #include "core/texture/layers/seen_sides.h"
 #include "core/texture/layers/texel_owners.h"
 #include "core/texture/layers/texture_layer.h"
@@ -60,7 +60,22 @@ struct ProjectorLighting {
 struct ProjectorOutlines {
     ProjectedSize projected;
     double blendPixels;
-    std::shared_ptr<const OutlineFeather> feather;
+    std::shared_ptr<const PhotoFade> feather;
+};
+
+/// How a photo fades towards what is transparent of it, see `holeFeather`.
+struct PictureHoles {
+    std::shared_ptr<const Image> picture;
+    double blendPixels;
+    std::shared_ptr<const PhotoFade> feather;
+};
+
+/// A photo that fades on the surface.
+struct FadingPhoto {
+    Projector projector;
+    std::shared_ptr<const Image> picture;
+    double blendPixels;
+    bool atHoles; ///< see `fadesAtHoles`
 };
 
 /// What compositions of one surface make and the next one can use again. It changes no result. Nothing that
@@ -70,14 +85,16 @@ public:
     /// @param mesh the same as long as the cache lives
     std::shared_ptr<const SurfaceQuery> queryOf(const TriangleMesh& mesh);
     /// Of the last atlas that was asked for. @throws Cancelled
-    std::shared_ptr<const TexelOwners> ownersOf(const Atlas& atlas, const Progress& progress);
+    std::shared_ptr<const TexelOwners> ownersOf(const TriangleMesh& mesh, const Atlas& atlas,
+                                                const Progress& progress);
     SampledPicture sampled(const std::shared_ptr<const Image>& picture);
     /// @throws Cancelled
     std::shared_ptr<const SurfaceLighting> lightingOf(const ProjectedSize& projected,
                                                       const TriangleMesh& mesh, const Progress& progress);
-    /// @param blendPixels over which the photo fades. @throws Cancelled
-    std::shared_ptr<const OutlineFeather> outlinesOf(const ProjectedSize& projected, double blendPixels,
-                                                     const TriangleMesh& mesh, const Progress& progress);
+    /// Towards outlines, where its projector asks what is hidden, and where asked for towards what is
+    /// transparent of it. Null where nothing fades. @throws Cancelled
+    std::shared_ptr<const PhotoFade> fadeOf(const FadingPhoto& photo, const TriangleMesh& mesh,
+                                            const Progress& progress);
     /// See `seenSides`.
     std::vector<SeenSide> sidesOf(const Projector& projector, const TriangleMesh& mesh);
     /// Of the vertices, see `vertexNormals`.
@@ -98,6 +115,10 @@ public:
     void finish();
 
 private:
+    std::shared_ptr<const PhotoFade> outlinesOf(const ProjectedSize& projected, double blendPixels,
+                                                const TriangleMesh& mesh, const Progress& progress);
+    std::shared_ptr<const PhotoFade> holesOf(const std::shared_ptr<const Image>& picture, double blendPixels,
+                                             const Progress& progress);
     ShadowCaster shadowCaster(const TriangleMesh& mesh);
 
     template<typename Item> struct Generation { std::vector<Item> used, before; };
@@ -112,6 +133,7 @@ private:
     Generation<HealedStroke> m_healed;
     Generation<ProjectorLighting> m_lighting;
     Generation<ProjectorOutlines> m_outlines;
+    Generation<PictureHoles> m_holes;
 };
 
 } // namespace esm

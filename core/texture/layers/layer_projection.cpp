@@ -129,11 +129,11 @@ bool TriangleProjection::facesLight() const {
     return least > rounding && weightOfCosine(least - rounding) >= 1;
 }
 
-/// What texels in and around the patch read of a photo, where none of it is near an outline.
+/// What texels in and around the patch read of a photo, where none of it fades.
 void TriangleProjection::findClearPart(const Eigen::Vector3d& densities) {
-    if (!m_photo.outlines || !(m_places.row(2).minCoeff() > 0)) return;
+    if (!m_photo.fade || !(m_places.row(2).minCoeff() > 0)) return;
     const Eigen::AlignedBox2d box = boxInPhoto(m_places, densities);
-    if (!m_photo.outlines->isClear(box)) return;
+    if (!m_photo.fade->isClear(box)) return;
     m_clearLow = box.min();
     m_clearHigh = box.max();
 }
@@ -171,14 +171,14 @@ double TriangleProjection::depthAt(const Eigen::Vector4d& seen, const Eigen::Vec
                            : pyramidDepth(pixelsPerTexel(seen.head<3>(), m_placePerTexel));
 }
 
-/// [R 4.3.3]: rises linearly over the distance to the nearest side of the photo. Before that it falls towards
-/// outlines, beyond which the photo shows other surface.
+/// [R 4.3.3]: rises linearly over the distance to the nearest side of the photo. It falls towards outlines as
+/// well, beyond which the photo shows other surface, and towards what was erased.
 double TriangleProjection::borderWeight(double x, double y) const {
     const double inside = std::min(std::min(x, y), std::min(m_sampler.width() - x, m_sampler.height() - y));
     if (!(inside >= 0)) return 0; // nor for a place that is not finite
     const double fromSide = m_layer.blendPixels > 0 ? std::min(1.0, inside / m_layer.blendPixels) : 1;
-    if (!m_photo.outlines || isInClearPart(x, y)) return fromSide;
-    return fromSide * m_photo.outlines->weightAt(x, y);
+    if (!m_photo.fade || isInClearPart(x, y)) return fromSide;
+    return fromSide * m_photo.fade->weightAt(x, y);
 }
 
 double TriangleProjection::lightWeight(const Eigen::Vector3d& nearest) const {

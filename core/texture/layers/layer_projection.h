@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/surface/surface_query.h"
-#include "core/texture/layers/outline_feather.h"
 #include "core/texture/layers/patch_scan.h"
+#include "core/texture/layers/photo_fade.h"
 #include "core/texture/layers/seen_sides.h"
 #include "core/texture/layers/texture_layer.h"
 #include "core/texture/photo/photo_sampler.h"
@@ -35,8 +35,8 @@ struct LayerColour {
 struct LayerPhoto {
     const TextureLayer& layer;
     const PhotoSampler& sampler;
-    Eigen::Matrix4d matrix;         ///< as `photoMatrix` gives it
-    const OutlineFeather* outlines; ///< null where the projector does not ask what is hidden
+    Eigen::Matrix4d matrix; ///< as `photoMatrix` gives it
+    const PhotoFade* fade;  ///< null where nothing fades
 };
 
 /// The photo of a layer as the patch of one triangle sees it.

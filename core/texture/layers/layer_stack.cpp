@@ -27,12 +27,15 @@ std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const Li
                                              CompositionCache& cache, const Progress& progress) {
     auto made = std::make_shared<PreparedLayer>();
     made->layer = layer;
-    if (layer.photo) made->projected = cache.sampled(pictureOf(layer));
-    if (layer.photo && layer.projector.occlusion) {
+    if (layer.photo) {
         ProgressParts parts(progress);
-        const ProjectedSize projected{layer.projector, sizeOf(*made->projected.picture)};
-        made->lighting = cache.lightingOf(projected, surface.mesh, parts.next(0.7));
-        made->outlines = cache.outlinesOf(projected, layer.blendPixels, surface.mesh, parts.rest());
+        made->projected = cache.sampled(pictureOf(layer));
+        const std::shared_ptr<const Image>& picture = made->projected.picture;
+        if (layer.projector.occlusion)
+            made->lighting =
+                cache.lightingOf({layer.projector, sizeOf(*picture)}, surface.mesh, parts.next(0.7));
+        made->fade = cache.fadeOf({layer.projector, picture, layer.blendPixels, fadesAtHoles(layer)},
+                                  surface.mesh, parts.rest());
     }
     for (const auto& stroke : layer.strokes)
         made->strokeReach.push_back(reachOf(*stroke));
@@ -41,9 +44,9 @@ std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const Li
 
 constexpr std::array<std::uint8_t, 3> black{0, 0, 0}, white{255, 255, 255};
 
-/// Where a photo has faded by half at an outline, what it shows ends for the bands: colours on either side
-/// have nothing to do with each other.
-void eraseOutlines(Image& mask, PhotoSize photo, const OutlineFeather& outlines) {
+/// Where a photo that is blended in bands has faded by half at an outline, what it shows ends for the bands:
+/// colours on either side have nothing to do with each other.
+void eraseOutlines(Image& mask, PhotoSize photo, const PhotoFade& outlines) {
     for (int y = 0; y < mask.height; ++y)
         for (int x = 0; x < mask.width; ++x) {
             const double column = (x + 0.5) * photo.width / mask.width;
@@ -109,7 +112,7 @@ LayerStack::LayerStack(const TriangleMesh& mesh, const std::vector<Patch>& patch
         if (layer.photo)
             made->photo.emplace(LayerPhoto{made->layer, *made->projected.sampler,
                                            photoMatrix(layer.projector, sizeOf(*made->projected.picture)),
-                                           made->outlines.get()});
+                                           made->fade.get()});
         m_layers.push_back(std::move(made));
         shown.push_back(layer);
     }
@@ -135,9 +138,9 @@ SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, Composition
         mask = surfaceBeneath(
             LayerStack(m_surface.mesh, patches, {paintedMask(made.layer.strokes)}, white, cache), *m_query,
             plane, parts.next(0.3));
-    if (made.outlines && !made.outlines->faded.empty()) {
+    if (made.fade && !made.fade->faded.empty()) {
         if (mask.empty()) mask = whitePicture(plane.picture);
-        eraseOutlines(mask, photo, *made.outlines);
+        eraseOutlines(mask, photo, *made.fade);
     }
     const auto blended = std::make_shared<const Image>(esm::blendedInBands(
         picture, *made.projected.sampler, beneath, mask, made.layer.blendPixels, parts.rest()));

@@ -19,7 +19,7 @@ struct PreparedLayer {
     SampledPicture projected;                        ///< as it is, or blended in bands
     std::optional<LayerPhoto> photo;                 ///< that picture; none in a layer that is only painted
     std::shared_ptr<const SurfaceLighting> lighting; ///< null where none is asked for
-    std::shared_ptr<const OutlineFeather> outlines;  ///< the same
+    std::shared_ptr<const PhotoFade> fade;           ///< null where nothing fades
     std::vector<Eigen::AlignedBox3d> strokeReach;    ///< of each stroke
     std::vector<std::shared_ptr<const HealingRim>> rims; ///< the same; null but of those that heal
 };

@@ -13,7 +13,6 @@ namespace esm {
 
 namespace {
 
-constexpr double nodesPerBlend = 8;    ///< so that what is read between nodes is at most a sixteenth off
 constexpr double besideOutline = 0.25; ///< photo pixels beyond an outline at which rays look what lies behind
 constexpr std::size_t outlinesPerBlock = 64;
 
@@ -87,7 +86,7 @@ public:
     OutlineFinder(const ShadowCaster& surface, const SurfaceQuery& query, const Projector& projector,
                   PhotoSize photo, double blendPixels)
         : m_surface(surface), m_query(query), m_projector(projector), m_photo(photo), m_margin(blendPixels),
-          m_pieceLength(std::max(1.0, 2 * blendPixels / nodesPerBlend)) {
+          m_pieceLength(std::max(1.0, 2 * nodeSpacing(blendPixels))) {
         const Eigen::Matrix4d matrix = photoMatrix(projector, photo);
         m_seen.reserve(surface.mesh.vertices.size());
         for (const Eigen::Vector3d& vertex : surface.mesh.vertices)
@@ -158,13 +157,8 @@ private:
     SeenVertices m_seen;
 };
 
-/// The first of the two nodes between which a place lies in a row or column of `count`.
-int nodeBefore(double place, int count) {
-    return std::min(static_cast<int>(std::clamp(place, 0.0, count - 1.0)), count - 2);
-}
-
 /// Lets all nodes near the piece fade by it.
-void fade(OutlineFeather& feather, const OutlinePiece& piece, double blendPixels) {
+void fade(PhotoFade& feather, const OutlinePiece& piece, double blendPixels) {
     const auto node = [&](double pixels, int count) {
         return static_cast<int>(std::clamp(pixels / feather.spacing, 0.0, count - 1.0));
     };
@@ -186,45 +180,16 @@ void fade(OutlineFeather& feather, const OutlinePiece& piece, double blendPixels
 
 } // namespace
 
-double OutlineFeather::weightAt(double x, double y) const {
-    if (faded.empty()) return 1;
-    const double column = std::clamp(x / spacing, 0.0, columns - 1.0),
-                 row = std::clamp(y / spacing, 0.0, rows - 1.0);
-    const int left = nodeBefore(column, columns), top = nodeBefore(row, rows);
-    const double u = column - left, v = row - top;
-    const float* upper = &faded[static_cast<std::size_t>(top) * static_cast<std::size_t>(columns) +
-                                static_cast<std::size_t>(left)];
-    const float* lower = upper + columns;
-    return 1 - ((1 - v) * ((1 - u) * upper[0] + u * upper[1]) + v * ((1 - u) * lower[0] + u * lower[1]));
-}
-
-bool OutlineFeather::isClear(const Eigen::AlignedBox2d& box) const {
-    if (faded.empty()) return true;
-    const int left = nodeBefore(box.min().x() / spacing, columns),
-              right = nodeBefore(box.max().x() / spacing, columns) + 1;
-    const int bottom = nodeBefore(box.max().y() / spacing, rows) + 1;
-    for (int row = nodeBefore(box.min().y() / spacing, rows); row <= bottom; ++row) {
-        const auto first = faded.begin() + std::ptrdiff_t{row} * columns;
-        if (std::any_of(first + left, first + right + 1, [](float share) { return share > 0; })) return false;
-    }
-    return true;
-}
-
 /// Each piece of an outline fades the nodes within its reach, and the greatest fading counts, so that the
 /// order of the pieces does not.
-OutlineFeather outlineFeather(const ShadowCaster& surface, const SurfaceQuery& query,
-                              const Projector& projector, PhotoSize photo, double blendPixels,
-                              const Progress& progress) {
+PhotoFade outlineFeather(const ShadowCaster& surface, const SurfaceQuery& query, const Projector& projector,
+                         PhotoSize photo, double blendPixels, const Progress& progress) {
     if (!(blendPixels > 0)) return {};
     ProgressParts parts(progress);
     const OutlineFinder finder(surface, query, projector, photo, blendPixels);
     const std::vector<OutlinePiece> pieces = finder.pieces(parts.next(0.7));
     if (pieces.empty()) return {};
-    OutlineFeather feather;
-    feather.spacing = std::max(1.0, blendPixels / nodesPerBlend);
-    feather.columns = static_cast<int>(std::ceil(photo.width / feather.spacing)) + 1;
-    feather.rows = static_cast<int>(std::ceil(photo.height / feather.spacing)) + 1;
-    feather.faded.resize(static_cast<std::size_t>(feather.columns) * static_cast<std::size_t>(feather.rows));
+    PhotoFade feather = unfaded(photo, blendPixels);
     const Progress fading = parts.rest();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         reportStep(fading, i, pieces.size());

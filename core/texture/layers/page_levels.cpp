@@ -15,10 +15,10 @@ namespace {
 /// Blocks of texels that become one must not reach across the strips in which pages are scanned, of 2⁵ rows.
 constexpr int mostLevels = 5;
 
-/// A tile of a page, and who owns its texels, row by row.
+/// A tile of a page, and in which patches its texels lie, row by row.
 struct OwnedTile {
     const TiledImage::Tile& pixels;
-    const std::uint32_t* owners;
+    const std::uint32_t* patches;
 
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(pageTile.width) +
@@ -33,16 +33,16 @@ struct Block {
 
 /// The mean of those texels of a block that belong to one patch; of all where none does. The usual mean of
 /// all four mixes whatever lies side by side in the page, which is not what lies side by side on the surface:
-/// the grid of triangles would show from afar [R 4.3.2.4]. The middle decides whose block it is. Each level
+/// their borders would show from afar [R 4.3.2.4]. The middle decides whose block it is. Each level
 /// is made from the page itself and not from the level before, where who owned what is lost.
 void takeMean(const OwnedTile& tile, const Block& block, std::uint8_t* texel) {
-    const std::uint32_t owner = tile.owners[tile.index(block.x + block.size / 2, block.y + block.size / 2)];
+    const std::uint32_t patch = tile.patches[tile.index(block.x + block.size / 2, block.y + block.size / 2)];
     std::array<std::uint32_t, 4> sum{};
     std::uint32_t count = 0;
     for (int y = block.y; y < block.y + block.size; ++y) {
         for (int x = block.x; x < block.x + block.size; ++x) {
             const std::size_t i = tile.index(x, y);
-            if (tile.owners[i] != owner) continue;
+            if (tile.patches[i] != patch) continue;
             for (std::size_t channel = 0; channel < 4; ++channel)
                 sum[channel] += tile.pixels[4 * i + channel];
             ++count;
@@ -67,13 +67,15 @@ void reduceTile(const OwnedTile& tile, int column, int row, TiledImage& smaller,
     }
 }
 
-/// Who owns the texels of some tiles of a strip, one tile behind the other.
-class StripTileOwners {
+/// In which patches the texels of some tiles of a strip lie, one tile behind the other.
+class StripTilePatches {
 public:
     /// @param columns of the tiles, rising
-    StripTileOwners(const OwnedStrip& strip, const std::vector<int>& columns, int columnsOfPage)
-        : m_places(static_cast<std::size_t>(columnsOfPage), -1),
-          m_owners(columns.size() * tileTexels, nobody) {
+    /// @param patches of the triangles
+    StripTilePatches(const OwnedStrip& strip, const std::vector<std::uint32_t>& patches,
+                     const std::vector<int>& columns, int columnsOfPage)
+        : m_patches(patches), m_places(static_cast<std::size_t>(columnsOfPage), -1),
+          m_texels(columns.size() * tileTexels, nobody) {
         for (std::size_t i = 0; i < columns.size(); ++i)
             m_places[static_cast<std::size_t>(columns[i])] = static_cast<int>(i);
         for (const TexelSpan& span : strip.spans)
@@ -81,7 +83,7 @@ public:
                 if (m_places[static_cast<std::size_t>(column)] >= 0) fill(span, column);
     }
 
-    const std::uint32_t* of(int column) const { return &m_owners[firstOf(column)]; }
+    const std::uint32_t* of(int column) const { return &m_texels[firstOf(column)]; }
 
 private:
     static constexpr std::uint32_t nobody = StripOwners::nobody;
@@ -97,11 +99,12 @@ private:
                   end = std::min<int>(span.end, left + pageTile.width);
         const int row = span.row % pageTile.height;
         const auto start = static_cast<std::size_t>(row * pageTile.width + first - left);
-        std::fill_n(&m_owners[firstOf(column) + start], end - first, span.triangle);
+        std::fill_n(&m_texels[firstOf(column) + start], end - first, m_patches[span.triangle]);
     }
 
+    const std::vector<std::uint32_t>& m_patches;
     std::vector<int> m_places; ///< of each column among the tiles; −1 of one that is not asked for
-    std::vector<std::uint32_t> m_owners;
+    std::vector<std::uint32_t> m_texels;
 };
 
 std::vector<int> changedColumns(const TiledImage& page, const TiledImage* before, int row) {
@@ -112,15 +115,16 @@ std::vector<int> changedColumns(const TiledImage& page, const TiledImage* before
 }
 
 void reduceStrip(const TiledImage& page, const TiledImage* before, const OwnedStrip& strip,
-                 std::vector<TiledImage>& smaller) {
+                 const std::vector<std::uint32_t>& patches, std::vector<TiledImage>& smaller) {
     const std::vector<int> columns = changedColumns(page, before, strip.row);
     if (columns.empty()) return;
-    const StripTileOwners owners(strip, columns, page.columns());
+    const StripTilePatches inPatches(strip, patches, columns, page.columns());
     for (TiledImage& level : smaller) {
         if (strip.row >= level.rows()) continue;
         TileRowPainter painter(level, strip.row);
         for (const int column : columns)
-            reduceTile({page.tile(column, strip.row), owners.of(column)}, column, strip.row, level, painter);
+            reduceTile({page.tile(column, strip.row), inPatches.of(column)}, column, strip.row, level,
+                       painter);
     }
 }
 
@@ -164,10 +168,11 @@ double levelInset(const AtlasOptions& options, int halvings) {
     return halvings > 0 ? std::max(0.0, reach - filledGap(options) / 2) : 0;
 }
 
-SmallerPages smallerPages(const Atlas& atlas, const TiledPages& pages, const Progress& progress) {
+SmallerPages smallerPages(const TriangleMesh& mesh, const Atlas& atlas, const TiledPages& pages,
+                          const Progress& progress) {
     check(atlas, pages);
     ProgressParts parts(progress);
-    const TexelOwners owners(atlas, parts.next(0.5));
+    const TexelOwners owners(mesh, atlas, parts.next(0.5));
     return smallerPages(atlas, owners, pages, {}, parts.rest());
 }
 
@@ -184,7 +189,7 @@ SmallerPages smallerPages(const Atlas& atlas, const TexelOwners& owners, const T
     forEachInParallel(levels > 0 ? strips.size() : 0, progress, [&](std::size_t i) {
         const auto page = static_cast<std::size_t>(strips[i].page);
         reduceStrip(pages[page], page < before.pages.size() ? &before.pages[page] : nullptr, strips[i],
-                    smaller[page]);
+                    owners.patches(), smaller[page]);
     });
     reportProgress(progress, 1);
     return smaller;

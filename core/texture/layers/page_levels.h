@@ -30,9 +30,11 @@ struct HalvedPages {
 
 /// The pages of a texture, each at half its size, at a quarter and so on as far as the gap allows. A texel
 /// shows the patch nearest to its centre, by the mean of those texels in it that belong to that patch, so
-/// that no patch mixes with another [R 4.3.2.4]. Pure, and the same with any number of threads.
+/// that no patch mixes with another [R 4.3.2.4]. A patch is all triangles that lie side by side in the
+/// texture as on the surface. Pure, and the same with any number of threads.
 /// @throws InvalidModel for a layout beyond its pages or pages of another size; Cancelled
-SmallerPages smallerPages(const Atlas& atlas, const TiledPages& pages, const Progress& progress = {});
+SmallerPages smallerPages(const TriangleMesh& mesh, const Atlas& atlas, const TiledPages& pages,
+                          const Progress& progress = {});
 
 /// The same, where `before` are other pages of the same atlas and what was made of them, or nothing: only
 /// where their tiles differ is anything computed.

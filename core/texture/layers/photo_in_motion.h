@@ -3,9 +3,6 @@
 #include "core/texture/layers/composition_cache.h"
 #include "core/texture/layers/tiled_pages.h"
 
-#include <array>
-#include <vector>
-
 /// What the renderer needs to show a photo on the organ without composing it, while its projector moves.
 namespace esm {
 
@@ -18,12 +15,17 @@ double borderInMotion(const TextureLayer& layer);
 TiledPages maskedPages(const TriangleMesh& mesh, const Atlas& atlas, const TiledPages& pages,
                        const BrushStrokes& strokes, CompositionCache& cache, const Progress& progress = {});
 
+/// What a photo in motion is drawn on.
+struct LaidTexture {
+    const TriangleMesh& mesh;
+    const Atlas& atlas;
+    const TiledPages& pages; ///< without the photo; alpha is what its strokes leave, see `maskedPages`
+};
+
 /// What blending in bands adds to a layer's photo, see `bandsAddedTo`, coarse enough to be made for each
 /// place of the projector. Precondition: the layer has a photo.
-/// @param beneath from the lowest to the topmost: those below the layer
 /// @throws Cancelled
-Image bandsInMotion(const TriangleMesh& mesh, const std::vector<TextureLayer>& beneath,
-                    std::array<std::uint8_t, 3> baseColour, const TextureLayer& layer,
-                    CompositionCache& cache, const Progress& progress = {});
+Image bandsInMotion(const LaidTexture& texture, const TextureLayer& layer, CompositionCache& cache,
+                    const Progress& progress = {});
 
 } // namespace esm

@@ -47,7 +47,7 @@ TiledPages recomposite(const TriangleMesh& mesh, const Atlas& atlas, const Compo
     TiledPages pages = canGoOn ? *before.pages : emptyPages(atlas, baseColour);
     const Progress owning = parts.next(ownersShare), painting = parts.rest();
     if (canGoOn ? hasAny(changed) : !stack.isEmpty())
-        paintPages(stack, atlas, *cache.ownersOf(atlas, owning), changed, pages, painting);
+        paintPages(stack, atlas, *cache.ownersOf(mesh, atlas, owning), changed, pages, painting);
     cache.finish();
     reportProgress(progress, 1);
     return pages;

@@ -1,8 +1,7 @@
 #include "core/texture/layers/surface_beneath.h"
 
 #include "core/texture/layers/layer_stack.h"
-#include "core/texture/layers/photo_ray.h"
-#include "core/texture/layers/seen_sides.h"
+#include "core/texture/layers/plane_rays.h"
 #include "core/texture/parallel_steps.h"
 
 #include <algorithm>
@@ -18,41 +17,25 @@ constexpr int rowsPerTask = 8;
 /// triangles: what is made for one is kept for the eight rows of a strip.
 class SeenRows {
 public:
-    SeenRows(const LayerStack& stack, const SurfaceQuery& query, const PhotoPlane& plane,
-             const std::vector<SeenSide>& sides)
-        : m_stack(stack), m_query(query), m_plane(plane), m_sides(sides) {}
+    SeenRows(const LayerStack& stack, const PlaneRays& rays) : m_stack(stack), m_rays(rays) {}
 
     void fill(int firstRow, int endRow, Image& picture) {
-        const double perColumn = static_cast<double>(m_plane.photo.width) / picture.width;
-        const double perRow = static_cast<double>(m_plane.photo.height) / picture.height;
         for (int y = firstRow; y < endRow; ++y)
             for (int x = 0; x < picture.width; ++x)
-                show({(x + 0.5) * perColumn, (y + 0.5) * perRow}, picture.at(x, y));
+                if (const auto hit = m_rays.hit(x, y)) show(*hit, picture.at(x, y));
     }
 
 private:
-    void show(const Eigen::Vector2d& place, std::uint8_t* pixel) {
-        const Ray ray = rayThrough(m_plane.projector, m_plane.photo, place);
-        const auto hit = m_query.firstHit(ray);
-        if (!hit || !takesColour(hit->triangle, ray)) return;
-        const auto layers = m_known.try_emplace(hit->triangle, m_stack, hit->triangle).first;
-        const Eigen::Vector3f colour = layers->second.colour({0, 0, 0, hit->barycentric, hit->barycentric});
+    void show(const RayHit& hit, std::uint8_t* pixel) {
+        const auto layers = m_known.try_emplace(hit.triangle, m_stack, hit.triangle).first;
+        const Eigen::Vector3f colour = layers->second.colour({0, 0, 0, hit.barycentric, hit.barycentric});
         for (int channel = 0; channel < 3; ++channel)
             pixel[channel] = static_cast<std::uint8_t>(std::clamp(colour[channel] + 0.5F, 0.0F, 255.0F));
         pixel[3] = 255;
     }
 
-    /// As TriangleProjection has it.
-    bool takesColour(std::uint32_t triangle, const Ray& ray) const {
-        const TriangleMesh& mesh = m_stack.surface().mesh;
-        const Eigen::Vector3d outward = areaNormal(mesh.vertices, mesh.triangles[triangle]);
-        return cosineSeen(m_sides[triangle], -outward.dot(ray.direction)) > 0;
-    }
-
     const LayerStack& m_stack;
-    const SurfaceQuery& m_query;
-    const PhotoPlane& m_plane;
-    const std::vector<SeenSide>& m_sides;
+    const PlaneRays& m_rays;
     std::unordered_map<std::uint32_t, TriangleLayers> m_known;
 };
 
@@ -91,10 +74,11 @@ Image surfaceBeneath(const LayerStack& stack, const SurfaceQuery& query, const P
     picture.pixels.resize(4 * static_cast<std::size_t>(picture.width) *
                           static_cast<std::size_t>(picture.height));
     const std::vector<SeenSide> sides = seenSides(stack.surface().mesh, plane.projector);
+    const PlaneRays rays(stack.surface().mesh, query, plane, sides);
     const int strips = (picture.height + rowsPerTask - 1) / rowsPerTask;
     forEachInParallel(static_cast<std::size_t>(strips), progress, [&](std::size_t strip) {
         const int row = static_cast<int>(strip) * rowsPerTask;
-        SeenRows(stack, query, plane, sides).fill(row, std::min(row + rowsPerTask, picture.height), picture);
+        SeenRows(stack, rays).fill(row, std::min(row + rowsPerTask, picture.height), picture);
     });
     reportProgress(progress, 1);
     return picture;

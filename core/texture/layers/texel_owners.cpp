@@ -37,8 +37,9 @@ std::vector<TexelSpan> spansOf(const Atlas& atlas, const PageStrip& strip) {
 
 } // namespace
 
-TexelOwners::TexelOwners(const Atlas& atlas, const Progress& progress)
-    : m_options(atlas.options), m_corners(atlas.corners), m_page(atlas.page) {
+TexelOwners::TexelOwners(const TriangleMesh& mesh, const Atlas& atlas, const Progress& progress)
+    : m_options(atlas.options), m_corners(atlas.corners), m_page(atlas.page),
+      m_patches(patchNumbers(mesh, atlas)) {
     ProgressParts parts(progress);
     reportProgress(progress, 0);
     const std::vector<PageStrip> strips = pageStrips(atlas);

@@ -25,18 +25,21 @@ struct OwnedStrip {
 /// for all compositions. Immutable.
 class TexelOwners {
 public:
-    /// Precondition: a valid atlas. @throws Cancelled
-    explicit TexelOwners(const Atlas& atlas, const Progress& progress = {});
+    /// Precondition: an atlas that is valid for the mesh. @throws Cancelled
+    TexelOwners(const TriangleMesh& mesh, const Atlas& atlas, const Progress& progress = {});
 
     /// Whether another atlas has the same patches.
     bool areOf(const Atlas& atlas) const;
     const std::vector<OwnedStrip>& strips() const { return m_strips; }
+    /// Of each triangle: those that lie side by side in the texture as on the surface have one number.
+    const std::vector<std::uint32_t>& patches() const { return m_patches; }
 
 private:
     AtlasOptions m_options;
     std::vector<std::array<Eigen::Vector2d, 3>> m_corners;
     std::vector<std::uint16_t> m_page;
     std::vector<OwnedStrip> m_strips;
+    std::vector<std::uint32_t> m_patches;
 };
 
 } // namespace esm

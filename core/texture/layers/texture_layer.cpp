@@ -39,6 +39,10 @@ bool looksTheSame(const TextureLayer& a, const TextureLayer& b) {
            a.blending == b.blending && a.strokes == b.strokes;
 }
 
+bool fadesAtHoles(const TextureLayer& layer) {
+    return layer.prepared && layer.blending != Blending::MultiBand;
+}
+
 bool isLaid(const TextureLayer& layer) {
     if (!layer.visible || !(layer.opacity > 0)) return false;
     if (layer.photo) return !layer.photo->image.empty();

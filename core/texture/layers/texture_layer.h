@@ -56,6 +56,11 @@ bool projectsTheSame(const TextureLayer& a, const TextureLayer& b);
 /// Whether two layers show the same colours, whatever their names and their finish.
 bool looksTheSame(const TextureLayer& a, const TextureLayer& b);
 
+/// Whether a layer's photo fades towards what is transparent of it, as towards its sides: where preparing it
+/// left parts out. What its own file has as alpha somebody drew so, and where it is blended in bands its
+/// colours agree with those beneath.
+bool fadesAtHoles(const TextureLayer& layer);
+
 /// Whether a layer may lie somewhere on the surface, though perhaps without its colour.
 bool isLaid(const TextureLayer& layer);
 

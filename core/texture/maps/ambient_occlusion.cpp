@@ -185,7 +185,7 @@ std::vector<Image> occlusionPages(const TriangleMesh& mesh, const Atlas& atlas, 
     reportProgress(progress, 0);
     const SurfacePoints points = PointMaker(mesh, partsOf(mesh, reach)).make();
     const std::vector<float> values = opennessOf(points, Openness(mesh, reach), parts.next(0.7));
-    const TexelOwners owners(atlas, parts.next(0.15));
+    const TexelOwners owners(mesh, atlas, parts.next(0.15));
     const int size = atlas.options.size;
     const auto bytes = 4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
     std::vector<Image> pages(static_cast<std::size_t>(atlas.options.pages),

@@ -21,7 +21,7 @@ constexpr double noHeightSteps = 128, mostHeightSteps = 127;
 /// In which patches the texels of a strip lie, and those of the row above it and the one below.
 class PatchesAround {
 public:
-    /// @param patches of the triangles, see `patchNumbers`; outlive this
+    /// @param patches of the triangles, see `TexelOwners`; outlive this
     PatchesAround(const std::vector<std::uint32_t>& patches, int size, int firstRow)
         : m_patches(patches), m_size(size), m_firstRow(firstRow - 1),
           m_owners(static_cast<std::size_t>(size) * (rowsPerStrip + 2), StripOwners::nobody) {}
@@ -136,12 +136,11 @@ TiledPages tiltedPages(const Heights& heights, const TexelOwners& owners, const 
                            : TiledPages(heights.pages.size(),
                                         TiledImage(size, size, pageTile, {base[0], base[1], noTilt, noTilt}));
     const StripPlaces places = placesOf(owners);
-    const std::vector<std::uint32_t> patches = patchNumbers(heights.mesh, heights.atlas);
     forEachInParallel(owners.strips().size(), progress, [&](std::size_t i) {
         const OwnedStrip& strip = owners.strips()[i];
         const auto page = static_cast<std::size_t>(strip.page);
         if (goesOn && !hasChanged(heights.pages[page], (*before.composed.pages)[page], strip.row)) return;
-        PatchesAround around(patches, size, strip.row * rowsPerStrip);
+        PatchesAround around(owners.patches(), size, strip.row * rowsPerStrip);
         for (int row = strip.row - 1; row <= strip.row + 1; ++row)
             if (const auto found = places.find({strip.page, row}); found != places.end())
                 around.add(*found->second);
@@ -167,7 +166,7 @@ FinishComposition composedFinish(const TriangleMesh& mesh, const Atlas& atlas,
         before.pages && before.composed.pages && before.greatestHeight == made.greatestHeight &&
         before.composed.baseColour == layers.base && areAlike(*before.composed.pages, *made.composed.pages);
     const Heights heights{mesh, atlas, *made.composed.pages, made.greatestHeight / mostHeightSteps};
-    const auto owners = cache.ownersOf(atlas, parts.next(0.1));
+    const auto owners = cache.ownersOf(mesh, atlas, parts.next(0.1));
     made.pages = std::make_shared<const TiledPages>(
         tiltedPages(heights, *owners, layers.base, before, goesOn, parts.rest()));
     reportProgress(progress, 1);

@@ -1,5 +1,7 @@
 #include "core/texture/photo/even_light.h"
 
+#include "core/support/smooth_step.h"
+
 #include <Eigen/Dense>
 #include <opencv2/imgproc.hpp>
 
@@ -14,8 +16,9 @@ namespace {
 
 /// Light changes slowly, so a coarse picture holds all of it and averages texture and noise away; the photo
 /// itself is only multiplied.
-constexpr int coarse = 192;        ///< pixels of the longer side at which light is looked at
-constexpr double darkestLight = 8; ///< luminance below which noise would count for light
+constexpr int coarse = 192;         ///< pixels of the longer side at which light is looked at
+constexpr double darkestLight = 8;  ///< luminance below which noise would count for light
+constexpr double raisedInFull = 24; ///< luminance from which on a place may be brightened by all of its gain
 constexpr double strongestGain = 3;
 constexpr int degrees = 4;
 constexpr int termCount = (degrees + 1) * (degrees + 2) / 2;
@@ -113,6 +116,18 @@ void keepBrightness(const cv::Mat& small, cv::Mat& gains) {
     gains = cv::min(cv::max(gains, 1 / strongestGain), strongestGain);
 }
 
+/// Nearly black places hold the camera's noise and little else: brightened, it would be coloured specks.
+void spareTheDark(const cv::Mat& small, cv::Mat& gains) {
+    for (int y = 0; y < small.rows; ++y)
+        for (int x = 0; x < small.cols; ++x) {
+            float& gain = gains.at<float>(y, x);
+            const float luminance = small.at<cv::Vec2f>(y, x)[0];
+            if (gain <= 1 || luminance == 0) continue; // black stays so; what is transparent is not dark
+            const double share = smoothStep(darkestLight, raisedInFull, luminance);
+            gain = static_cast<float>(1 + share * (gain - 1));
+        }
+}
+
 /// What to multiply with, coarse; empty where nothing counts. The clamp comes before the strength, so that a
 /// corner in which the polynomial runs away is held at a factor of three.
 cv::Mat coarseGains(const Image& photo, double strength) {
@@ -128,6 +143,7 @@ cv::Mat coarseGains(const Image& photo, double strength) {
                 static_cast<float>(std::exp(strength * std::clamp(gain, -strongest, strongest)));
         }
     keepBrightness(small, gains);
+    spareTheDark(small, gains);
     return gains;
 }
 

@@ -114,6 +114,17 @@ Image halved(const Image& image) {
     return halved(image, allOpaque(image));
 }
 
+Image shrunk(const Image& image, int longestSide) {
+    const auto isTooLarge = [&](const Image& picture) {
+        return std::max(picture.width, picture.height) > longestSide;
+    };
+    if (!isTooLarge(image)) return image;
+    Image smaller = halved(image);
+    while (isTooLarge(smaller))
+        smaller = halved(smaller);
+    return smaller;
+}
+
 /// A pyramid of halved pictures (Williams 1983, Pyramidal parametrics): the levels after the first have ¼ +
 /// 1/16 + … of its pixels, a third. The mean of any square is then eight readings, four pixels in each of two
 /// levels, however large the square is; to add its pixels up would take longer the smaller the photo is seen.

@@ -11,6 +11,9 @@ namespace esm {
 /// The picture at half its width and height, rounded up. Colours count by their alpha.
 Image halved(const Image& image);
 
+/// The picture, halved until no side is longer.
+Image shrunk(const Image& image, int longestSide);
+
 /// Red, green, blue and alpha, 0 to 255, between the pixels around a place; colours count by their alpha. The
 /// place is in pixels from the top left corner, a pixel's centre at 0.5. Precondition: it is finite.
 Eigen::Vector4f weightedColourAt(const Image& image, double x, double y);

@@ -207,7 +207,7 @@ TEST_F(PhotoInMotion, IsNearlyWhatBlendingInBandsMakesOfIt) {
         layer.projector, pictureOf(layer), borderInMotion(layer), layer.opacity, Blending::Normal, false, {}};
     const double without = compared(renderOffscreen(scene, camera, side, side), blended, beneath).mean;
     scene.projectedPhoto->bands =
-        std::make_shared<const Image>(bandsInMotion(*mesh, {under}, scene.baseColour, layer, cache));
+        std::make_shared<const Image>(bandsInMotion({*mesh, *atlas, *scene.texturePages}, layer, cache));
     const double with = compared(renderOffscreen(scene, camera, side, side), blended, beneath).mean;
     EXPECT_LT(with, 5);
     EXPECT_GT(without, 4 * with);

@@ -234,7 +234,8 @@ void AtlasPanel::packAs(const AtlasOptions& options) {
             window(), tr("Packing the texture"),
             [&](const Progress& progress) { return packAtlas(*mesh, options, progress); },
             Cancelling::Offered));
-        m_document.edit(tr("Pack the texture"), [&](Project& edited) {
+        const QString layout = m_layout->itemText(m_layout->findData(static_cast<int>(options.layout)));
+        m_document.edit(tr("Pack the texture: %1").arg(layout), [&](Project& edited) {
             edited.texture.atlas = atlas->options;
             edited.atlas = atlas;
         });

@@ -299,6 +299,7 @@ void PhotoDialog::showPhoto() {
     m_canvas->setStrokes(wanted.strokes);
     m_canvas->setCrop(wanted.crop);
     m_fieldPage->showField();
+    if (isStraightened(*layer)) m_canvas->setField({}); // it lies on the photo as it was taken
     m_highlightPage->showHighlights();
     m_whitePage->showBalance();
     m_adjustPage->showAdjustment();
@@ -311,11 +312,16 @@ void PhotoDialog::showPhoto() {
     showHint(failure.isEmpty() ? QString() : tr("Not prepared: %1").arg(failure));
 }
 
+/// Whether the photo is shown without what its lens bent.
+bool PhotoDialog::isStraightened(const TextureLayer& layer) const {
+    const bool showsOutcome = m_task == PhotoTask::Crop || m_task == PhotoTask::Adjust;
+    return showsOutcome && layer.preparation.lens && layer.prepared;
+}
+
 /// The photo as it was taken; the straightened one for the crop, which lies on what comes out, and all that
 /// comes out where colours are adjusted.
 void PhotoDialog::showPicture(const TextureLayer& layer) {
-    const bool isStraight = m_task == PhotoTask::Crop && layer.preparation.lens && layer.prepared;
-    const bool showsPrepared = isStraight || m_task == PhotoTask::Adjust;
+    const bool showsPrepared = isStraightened(layer) || m_task == PhotoTask::Adjust;
     const std::shared_ptr<const Image> prepared = showsPrepared ? layer.prepared : nullptr;
     if (m_photo == layer.photo && m_prepared == prepared) return;
     if (m_photo != layer.photo) {

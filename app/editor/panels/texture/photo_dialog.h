@@ -48,6 +48,7 @@ private:
     void showSteps();
     void choose(PhotoTask task);
     void showPhoto();
+    bool isStraightened(const TextureLayer& layer) const;
     void showPicture(const TextureLayer& layer);
     void showHint(const QString& problem = {});
     void setCrop(const std::optional<PhotoCrop>& crop);

@@ -1,5 +1,6 @@
 #include "app/editor/panels/texture/photo_panel.h"
 
+#include "core/texture/projection/photo_reach.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
@@ -32,7 +33,10 @@ PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent
       m_visible(new QCheckBox(tr("V&isible"), this)),
       m_occlusion(new QCheckBox(tr("Only what the pro&jector sees"), this)), m_opacity(new ValueSlider(this)),
       m_opacityField(new NumberField(shareFormat(), this)), m_blending(new QComboBox(this)),
-      m_blend(new NumberField(pixelFormat(), this)) {
+      m_blend(new NumberField(pixelFormat(), this)),
+      m_miss(new QLabel(tr("The photo misses the organ: nothing of it is seen. Drag it there, or choose "
+                           "Photo from camera."),
+                        this)) {
     layOut();
     connectControls();
     connect(&selection, &Selection::changed, this, &PhotoPanel::show);
@@ -59,6 +63,10 @@ void PhotoPanel::layOut() {
     blendRow->addField(tr("Blendi&ng"), m_blending);
     blendRow->addField(tr("&Blend at border"), m_blend);
     body()->addWidget(blendRow);
+    m_miss->setObjectName(QStringLiteral("photoMisses"));
+    m_miss->setProperty("warning", true);
+    m_miss->setWordWrap(true);
+    body()->addWidget(m_miss);
     body()->addWidget(m_visible);
     body()->addWidget(m_occlusion);
 }
@@ -98,6 +106,12 @@ void PhotoPanel::show() {
     m_blending->setCurrentIndex(layer ? static_cast<int>(layer->blending) : -1);
     m_visible->setChecked(layer && layer->visible);
     m_occlusion->setChecked(layer && layer->projector.occlusion);
+    m_miss->setVisible(layer && missesOrgan(*layer));
+}
+
+bool PhotoPanel::missesOrgan(const TextureLayer& layer) const {
+    const auto& mesh = m_document.project().mesh;
+    return layer.photo && mesh && !mayMeet(layer.projector, sizeOf(*pictureOf(layer)), *mesh);
 }
 
 void PhotoPanel::showUse(const TextureLayer* layer) {
@@ -117,8 +131,8 @@ void PhotoPanel::showUse(const TextureLayer* layer) {
               "colour leaves its brightness, seamless lets colours pass gradually into it"),
            why);
     enable(m_blend, hasPhoto,
-           tr("Photo pixels over which the photo fades in from its border, and from outlines beyond "
-              "which it does not see the surface"),
+           tr("Photo pixels over which the photo fades in from its border, from what is erased of it, "
+              "and from outlines beyond which it does not see the surface"),
            noPhoto);
 }
 

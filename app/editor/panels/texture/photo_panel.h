@@ -8,6 +8,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 
 namespace esm {
 
@@ -26,6 +27,7 @@ private:
     void connectControls();
     void show();
     void showUse(const TextureLayer* layer);
+    bool missesOrgan(const TextureLayer& layer) const;
     void setOpacity(double opacity);
     void edit(const QString& text, const std::function<void(TextureLayer&)>& change,
               EditKind kind = EditKind::Alone);
@@ -37,6 +39,7 @@ private:
     NumberField* m_opacityField;
     QComboBox* m_blending;
     NumberField* m_blend;
+    QLabel* m_miss;
 };
 
 } // namespace esm

@@ -49,13 +49,13 @@ QString gainsText(const ColourGains& gains) {
 }
 
 /// How far the lens moves what is seen at the photo's corner.
-QString lensText(const Lens& lens, const Image& photo) {
+StepWords lensWords(const Lens& lens, const Image& photo) {
     const Eigen::Vector2d corner(photo.width, photo.height);
     const double moved = (distorted(lens, corner) - corner).norm();
     QString kind =
         lens.kind == LensKind::Fisheye ? PreparationPanel::tr("fisheye") : PreparationPanel::tr("pinhole");
-    if (!std::isfinite(moved)) return kind;
-    return PreparationPanel::tr("%1, %2 px at the corner").arg(kind).arg(std::round(moved), 0, 'f', 0);
+    if (!std::isfinite(moved)) return {kind};
+    return {kind, PreparationPanel::tr("The corner moves by %1 px").arg(std::round(moved), 0, 'f', 0)};
 }
 
 QString strokesText(std::size_t strokes) {
@@ -63,10 +63,8 @@ QString strokesText(std::size_t strokes) {
 }
 
 QString fieldText(const PhotoField& field) {
-    const QString shape = field.shape == FieldShape::Polygon ? PreparationPanel::tr("polygon")
-                          : field.isCircle()                 ? PreparationPanel::tr("circle")
-                                                             : PreparationPanel::tr("ellipse");
-    return PreparationPanel::tr("%1, %2 % trimmed").arg(shape).arg(field.trim, 0, 'g', 3);
+    if (field.shape == FieldShape::Polygon) return PreparationPanel::tr("polygon");
+    return field.isCircle() ? PreparationPanel::tr("circle") : PreparationPanel::tr("ellipse");
 }
 
 } // namespace
@@ -231,10 +229,10 @@ QString PreparationPanel::highlightWords(const PhotoPreparation& wanted) const {
     return tr("%1 % filled").arg(100 * shown->highlightShare, 0, 'f', shown->highlightShare < 0.0995 ? 1 : 0);
 }
 
-void PreparationPanel::showWords(Step& step, bool on, const QString& words) {
+void PreparationPanel::showWords(Step& step, bool on, const StepWords& words) {
     step.box->setChecked(on);
-    step.words->setText(words);
-    step.words->setToolTip(words);
+    step.words->setText(words.shown);
+    step.words->setToolTip(words.inFull.isEmpty() ? words.shown : words.inFull);
 }
 
 /// What was looked for in vain, and what to do about it, in as many lines as it takes.
@@ -269,29 +267,31 @@ void PreparationPanel::showSteps(const TextureLayer* layer) {
     if (isAdjusted) m_last.adjustment = wanted.adjustment;
 
     showWords(m_field, wanted.field || wish.find.field,
-              wish.find.field ? tr("looking…")
-              : wanted.field  ? fieldText(*wanted.field)
-              : missing.field ? tr("not found")
-                              : QString());
-    showWords(m_highlights, wanted.fillsHighlights(), highlightWords(wanted));
+              wish.find.field ? StepWords{tr("looking…")}
+              : wanted.field
+                  ? StepWords{fieldText(*wanted.field), tr("%1 % trimmed").arg(wanted.field->trim, 0, 'g', 3)}
+              : missing.field ? StepWords{tr("not found")}
+                              : StepWords{});
+    showWords(m_highlights, wanted.fillsHighlights(), {highlightWords(wanted)});
     showWords(m_evenLight, wanted.evenLight > 0, {});
     showWords(m_whiteBalance, wanted.whiteBalance || wish.find.whiteBalance,
-              wish.find.whiteBalance ? tr("looking…")
-              : wanted.whiteBalance  ? gainsText(*wanted.whiteBalance)
-              : missing.whiteBalance ? tr("unsure")
-                                     : QString());
+              {wish.find.whiteBalance ? tr("looking…")
+               : wanted.whiteBalance  ? gainsText(*wanted.whiteBalance)
+               : missing.whiteBalance ? tr("unsure")
+                                      : QString()});
     showWords(m_match, wanted.match || wish.find.match,
-              wish.find.match ? tr("comparing…")
-              : wanted.match  ? tr("matched")
-              : missing.match ? tr("not matched")
-                              : QString());
+              {wish.find.match ? tr("comparing…")
+               : wanted.match  ? tr("matched")
+               : missing.match ? tr("not matched")
+                               : QString()});
     showWords(m_strokes, !wanted.strokes.empty(),
-              wanted.strokes.empty() ? QString() : strokesText(wanted.strokes.size()));
+              {wanted.strokes.empty() ? QString() : strokesText(wanted.strokes.size())});
     showWords(m_lens, wanted.lens.has_value(),
-              wanted.lens && layer ? lensText(*wanted.lens, layer->photo->image) : QString());
+              wanted.lens && layer ? lensWords(*wanted.lens, layer->photo->image) : StepWords{});
     showWords(m_crop, wanted.crop.has_value(),
-              wanted.crop ? tr("%1 × %2 px").arg(wanted.crop->width).arg(wanted.crop->height) : QString());
-    showWords(m_adjustment, isAdjusted, adjustmentText(wanted.adjustment));
+              {wanted.crop ? tr("%1 × %2 px").arg(wanted.crop->width).arg(wanted.crop->height) : QString()});
+    showWords(m_adjustment, isAdjusted,
+              isAdjusted ? StepWords{tr("changed"), adjustmentText(wanted.adjustment)} : StepWords{});
     showRemark(wish);
     m_evenLightField->setValue(layer ? std::optional(wanted.evenLight) : std::nullopt);
     enableSteps(layer);

@@ -10,6 +10,12 @@
 
 namespace esm {
 
+/// What stands beside a step of a photo's preparation.
+struct StepWords {
+    QString shown{};  ///< a word or two, as there is little room
+    QString inFull{}; ///< in the tool tip; empty where that is all
+};
+
 /// How the selected photo is prepared: before and after beside each other, and a check box for each step with
 /// what was found in words.
 class PreparationPanel : public Section {
@@ -43,7 +49,7 @@ private:
     void showPictures(const TextureLayer* layer);
     void showSteps(const TextureLayer* layer);
     void enableSteps(const TextureLayer* layer);
-    void showWords(Step& step, bool on, const QString& words);
+    static void showWords(Step& step, bool on, const StepWords& words);
     QString highlightWords(const PhotoPreparation& wanted) const;
 
     PreparationEdits& m_edits;

@@ -168,7 +168,7 @@ TEST_F(PreparationPanelTest, AClickPreparesThePhotoAndSaysWhatWasFound) {
     ESM_EVENTUALLY(field->isVisible() && field->isEnabled());
     const int height = settledHeight(field->parentWidget());
     field->click();
-    ESM_EVENTUALLY(child<QLabel>("roundFieldWords")->text() == "circle, 2 % trimmed");
+    ESM_EVENTUALLY(child<QLabel>("roundFieldWords")->text() == "circle");
     EXPECT_TRUE(field->isChecked());
     child<QCheckBox>("evenLight")->click();
     ESM_EVENTUALLY(project().layers[0].preparation.evenLight == 0.7);

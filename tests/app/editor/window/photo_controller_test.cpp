@@ -2,6 +2,8 @@
 
 #include "core/exchange/image_file.h"
 #include "core/samples/samples.h"
+#include "core/support/angles.h"
+#include "core/texture/projection/photo_reach.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"
 
@@ -45,6 +47,32 @@ TEST_F(PhotoControllerTest, AddsAllFilesThatAreOpened) {
     ESM_EVENTUALLY(project().layers.size() == 2);
     EXPECT_EQ(names(), (std::vector<std::string>{"two", "one"})) << "the first lies on top";
     EXPECT_EQ(window->document().undoStack()->count(), 1);
+}
+
+TEST_F(PhotoControllerTest, LaysSeveralSideBySideOnTheOrgan) {
+    add({"one.png", "two.png", "one.png"});
+    ESM_EVENTUALLY(project().layers.size() == 3);
+    std::vector<Eigen::Vector3d> looks;
+    for (const TextureLayer& layer : project().layers) {
+        EXPECT_TRUE(mayMeet(layer.projector, sizeOf(*pictureOf(layer)), *project().mesh));
+        looks.push_back(layer.projector.pose.linear().col(2));
+    }
+    const Camera camera = window->view().camera();
+    EXPECT_TRUE(looks[1].isApprox(cameraAxes(camera).col(2), 1e-6)) << "the middle one from where one looks";
+    EXPECT_NEAR(std::acos(looks[0].dot(looks[1])), toRadians(60), 1e-6);
+    EXPECT_NEAR(std::acos(looks[1].dot(looks[2])), toRadians(60), 1e-6);
+}
+
+TEST_F(PhotoControllerTest, SaysOfAPhotoThatMissesTheOrgan) {
+    add({"one.png"});
+    ESM_EVENTUALLY(project().layers.size() == 1);
+    const auto* miss = child<QLabel>("photoMisses");
+    EXPECT_FALSE(miss->isVisible());
+    window->document().edit("away", [](Project& edited) {
+        edited.layers[0].projector.pose.translation() += Eigen::Vector3d(0, 5, 0);
+    });
+    ESM_EVENTUALLY(miss->isVisible());
+    EXPECT_TRUE(miss->text().contains("misses the organ"));
 }
 
 TEST_F(PhotoControllerTest, SaysWhichPhotoCouldNotBeAdded) {

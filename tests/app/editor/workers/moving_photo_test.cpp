@@ -69,6 +69,27 @@ TEST(MovingPhoto, IsProjectedWhileItMovesAndPaintedWhenItRests) {
     EXPECT_NE(composer.composition().pages, before);
 }
 
+/// With strokes and bands, of which only the bands follow the projector.
+TEST(MovingPhoto, LeavesWhatIsComposedAroundItAlone) {
+    Project project = withPhotos();
+    TextureLayer& moved = project.layers[1];
+    moved.blending = Blending::MultiBand;
+    BrushStroke erased;
+    erased.path = {{project.mesh->vertices[0], Eigen::Vector3d::UnitZ()}};
+    moved.strokes.push_back(std::make_shared<const BrushStroke>(erased));
+    TextureComposer composer;
+    MovingPhoto moving(composer);
+    moving.follow(project);
+    ESM_EVENTUALLY(!composer.isWorking());
+    std::vector<TextureComposer::Composed> around;
+    QObject::connect(&composer, &TextureComposer::composed, [&] {
+        if (const auto made = composer.composition(); made.moving == moved.id) around.push_back(made);
+    });
+    ESM_EVENTUALLY((shift(moved), moving.follow(project), around.size() >= 3));
+    EXPECT_EQ(around.front().pages, around.back().pages);
+    EXPECT_NE(around.front().bands, around.back().bands);
+}
+
 TEST(MovingPhoto, ThatIsHiddenIsNotProjected) {
     Project project = withPhotos();
     project.layers[1].visible = false;

@@ -49,6 +49,18 @@ TEST(MeshFile, ConvertsUnitAndUpAxis) {
     EXPECT_LT((soup.vertices[0] - Eigen::Vector3d(0.00010, 0.00030, -0.00020)).norm(), 1e-15);
 }
 
+TEST(MeshFile, TurnsEveryAxisUpWithoutMirroring) {
+    const std::array<Eigen::Vector3d, 6> ups{Eigen::Vector3d::UnitY(),  Eigen::Vector3d::UnitZ(),
+                                             Eigen::Vector3d::UnitX(),  -Eigen::Vector3d::UnitY(),
+                                             -Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitX()};
+    for (std::size_t i = 0; i < ups.size(); ++i) {
+        const Eigen::Matrix3d turned = turnedUp(wordsOf<UpAxis>[i].value);
+        EXPECT_EQ(turned * ups[i], Eigen::Vector3d::UnitY()) << wordsOf<UpAxis>[i].word;
+        EXPECT_EQ(turned * turned.transpose(), Eigen::Matrix3d::Identity());
+        EXPECT_EQ(turned.determinant(), 1) << "a turn, and no mirror image";
+    }
+}
+
 TEST(MeshFile, IsReadAsItsDecoderHasIt) {
     const TemporaryFolder folder;
     overwrite(folder / "a.obj",

@@ -73,6 +73,40 @@ TEST(FinishPicture, TakesBrightForHighAndDarkForLow) {
     EXPECT_EQ(picture.at(100, 100)[2], 128);
 }
 
+/// The same noise on tissue and in the dark, where it would be large beside the light.
+TEST(FinishPicture, TakesNoNoiseOfTheDarkForRelief) {
+    const auto heightsOver = [](int light) {
+        const auto photo = makePhoto(finishedSize, finishedSize, [&](int x, int y) {
+            const auto grey = std::uint8_t(light + (7 * x + 11 * y) % 6);
+            return Colour{grey, grey, grey, 255};
+        });
+        const Image picture = pictureOfFinish(*photo, dryWith(0, 0.001));
+        int most = 0;
+        for (int y = 50; y < 150; ++y)
+            for (int x = 50; x < 150; ++x)
+                most = std::max(most, std::abs(picture.at(x, y)[2] - 128));
+        return most;
+    };
+    EXPECT_EQ(heightsOver(4), 0);
+    EXPECT_LE(heightsOver(20), 6);
+    EXPECT_GE(heightsOver(60), 2) << "what is as bright as tissue keeps its detail";
+}
+
+/// Detail as wide in relation, of a photo beyond the size at which it is looked at.
+TEST(FinishPicture, IsTheSameOfAVeryLargePhoto) {
+    const auto striped = [](int size) {
+        return makePhoto(size, 40, [&](int x, int) {
+            const auto grey = std::uint8_t(120 + 30 * std::sin(2 * M_PI * 100 * (x + 0.5) / size));
+            return Colour{grey, grey, grey, 255};
+        });
+    };
+    const Image large = pictureOfFinish(*striped(8192), dryWith(0, 0.001));
+    const Image small = pictureOfFinish(*striped(4096), dryWith(0, 0.001));
+    ASSERT_EQ(large.width, 8192);
+    for (int x = 100; x < 4000; x += 7)
+        EXPECT_NEAR(large.at(2 * x, 20)[2], small.at(x, 20)[2], 4) << x;
+}
+
 TEST(FinishPicture, TakesNoStepToWhatIsTransparentForRelief) {
     const auto photo = tissueWith([](int x, int) -> std::optional<Colour> {
         if (x < 100) return Colour{0, 0, 0, 0};

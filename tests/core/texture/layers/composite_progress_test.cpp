@@ -54,7 +54,7 @@ TEST(CompositeProgress, OfSmallerPagesIsSteady) {
     const TriangleMesh mesh = lumpySurface(24, 30);
     const Atlas atlas = packAtlas(mesh, {512, 2, 8});
     const TiledPages pages = tiled(composite(mesh, atlas, {}, red));
-    test::expectGoodProgress([&](const Progress& progress) { smallerPages(atlas, pages, progress); });
+    test::expectGoodProgress([&](const Progress& progress) { smallerPages(mesh, atlas, pages, progress); });
 }
 
 TEST(CompositeProgress, OfPreparingAPhotoIsSteady) {

@@ -53,13 +53,13 @@ TEST(PageLevels, AreAsManyAsTheGapSupports) {
 
 TEST(PageLevels, ShowEachTriangleInItsOwnColourAlone) {
     const TriangleMesh mesh = flatSquare(0.1, 4);
-    // Unfolded groups lie side by side as on the surface: there, neighbours may mix.
+    // Where triangles lie side by side as on the surface, they mix: see the next test.
     for (const AtlasLayout layout : {AtlasLayout::Rows, AtlasLayout::MatchedRows}) {
         AtlasOptions options{512, 1, 8};
         options.layout = layout;
         const Atlas atlas = packAtlas(mesh, options);
         const std::vector<Image> pages{pageInTriangleColours(atlas)};
-        const auto smaller = smallerPages(atlas, tiled(pages));
+        const auto smaller = smallerPages(mesh, atlas, tiled(pages));
         ASSERT_EQ(smaller.size(), 1U);
         ASSERT_EQ(smaller[0].size(), 2U);
         for (int level = 1; level <= 2; ++level) {
@@ -91,12 +91,34 @@ TEST(PageLevels, KeepSeamsUnseenOnASmoothPhoto) {
     for (const AtlasLayout layout : atlasLayouts) {
         const Atlas atlas = packAtlas(mesh, {1024, 1, 8, layout});
         const std::vector<Image> pages = composite(mesh, atlas, {layerFromAbove(photo, 0.11)}, baseColour);
-        const auto smaller = smallerPages(atlas, tiled(pages));
+        const auto smaller = smallerPages(mesh, atlas, tiled(pages));
         EXPECT_LE(seamError(mesh, atlas, pages), 2) << wordOf(layout);
         for (int level = 1; level <= 2; ++level)
             EXPECT_LE(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)].image()}, level), 2)
                 << wordOf(layout) << ' ' << level;
     }
+}
+
+/// Triangles of a few texels, black and white in turn: seen small, they are grey.
+TEST(PageLevels, MixTrianglesThatLieSideBySideAsOnTheSurface) {
+    const TriangleMesh mesh = flatSquare(0.1, 40);
+    const Atlas atlas = packAtlas(mesh, {256, 1, 8, AtlasLayout::Charts});
+    Image page = pageInTriangleColours(atlas);
+    for (std::uint8_t& value : page.pixels)
+        value = value % 2 == 0 ? 0 : 255; // the first channel is odd for every other triangle
+    const Image small = smallerPages(mesh, atlas, tiled({page}))[0][1].image();
+    const PageStrip whole{0, 0, small.height, {}};
+    std::size_t grey = 0, all = 0;
+    for (const auto& corners : atlas.corners)
+        PatchScan({corners[0] / 4, corners[1] / 4, corners[2] / 4})
+            .forEachTexel(whole, small.width, 0.1, [&](const PatchTexel& texel) {
+                if (texel.distance > 0) return;
+                const int shade = small.at(texel.x, texel.y)[0];
+                grey += shade > 40 && shade < 215 ? 1 : 0;
+                ++all;
+            });
+    ASSERT_GT(all, 500U);
+    EXPECT_GT(double(grey), 0.9 * double(all));
 }
 
 TEST(PageLevels, ReadNothingButFilledTexelsHoweverWideTheGap) {
@@ -105,7 +127,7 @@ TEST(PageLevels, ReadNothingButFilledTexelsHoweverWideTheGap) {
         const Atlas atlas = packAtlas(mesh, {2048, 1, gap});
         const std::vector<Image> pages =
             composite(mesh, atlas, {layerFromAbove(plainPhoto(green), 0.3)}, baseColour);
-        const auto smaller = smallerPages(atlas, tiled(pages));
+        const auto smaller = smallerPages(mesh, atlas, tiled(pages));
         for (int level = 1; level <= usableLevels(atlas.options); ++level)
             EXPECT_LT(seamError(mesh, atlas, {smaller[0][std::size_t(level - 1)].image()}, level), 0.5)
                 << gap << ' ' << level;
@@ -120,9 +142,9 @@ TEST(PageLevels, ComputeOnlyWhatChangedWithTheSameResult) {
         std::make_shared<const TiledPages>(recomposite(mesh, atlas, {}, {}, baseColour, cache));
     const TiledPages now = recomposite(mesh, atlas, {{}, baseColour, before},
                                        {layerFromAbove(plainPhoto(green), 0.03)}, baseColour, cache);
-    const auto whole = smallerPages(atlas, now);
-    const auto halved = smallerPages(atlas, *before);
-    const auto changed = smallerPages(atlas, TexelOwners(atlas), now, {*before, halved});
+    const auto whole = smallerPages(mesh, atlas, now);
+    const auto halved = smallerPages(mesh, atlas, *before);
+    const auto changed = smallerPages(atlas, TexelOwners(mesh, atlas), now, {*before, halved});
     for (std::size_t level = 0; level < 2; ++level) {
         EXPECT_EQ(changed[0][level].image().pixels, whole[0][level].image().pixels);
         EXPECT_TRUE(changed[0][level].sharesTile(halved[0][level], 0, 0)) << "where nothing was laid";
@@ -130,10 +152,11 @@ TEST(PageLevels, ComputeOnlyWhatChangedWithTheSameResult) {
 }
 
 TEST(PageLevels, RefuseForeignPages) {
-    const Atlas atlas = packAtlas(flatSquare(0.1, 2), {256, 1, 8});
+    const TriangleMesh mesh = flatSquare(0.1, 2);
+    const Atlas atlas = packAtlas(mesh, {256, 1, 8});
     Image small;
     small.width = small.height = 16;
     small.pixels.resize(4 * 16 * 16);
-    EXPECT_THROW(smallerPages(atlas, tiled({small})), InvalidModel);
-    EXPECT_THROW(smallerPages(atlas, {}), InvalidModel);
+    EXPECT_THROW(smallerPages(mesh, atlas, tiled({small})), InvalidModel);
+    EXPECT_THROW(smallerPages(mesh, atlas, {}), InvalidModel);
 }

@@ -148,6 +148,21 @@ TEST(EvenLight, TakesAVignetteAwayAndDoesNotSeeTheOutside) {
     EXPECT_LT(spread(photo), 1.25);
 }
 
+/// Light falls to the right as far as a hollow, where nothing but noise of single colours is left.
+TEST(EvenLight, DoesNotBrightenTheNoiseOfTheDark) {
+    const Image before = drawnPhoto(640, 480, [](int x, int y) -> Channels {
+        const int light = x < 450 ? static_cast<int>(160 * std::exp(-x / 200.0)) : 3;
+        const int noise = (7 * x + 13 * y) % 5;
+        return {light + noise, light, light, 255};
+    });
+    Image after = before;
+    evenLight(after, 1);
+    for (int x = 500; x < 640; ++x)
+        EXPECT_LE(std::abs(after.at(x, 100)[0] - before.at(x, 100)[0]), 3) << x;
+    const auto fall = [](const Image& photo) { return double(photo.at(40, 100)[1]) / photo.at(200, 100)[1]; };
+    EXPECT_LT(fall(after), 0.7 * fall(before)) << "what is dim is evened";
+}
+
 TEST(PhotoPreparation, CanBeCancelled) {
     const Image photo = roundPhoto(320, 240, 210);
     EXPECT_THROW(prepared(photo, {}, [](double) { return false; }), Cancelled);
