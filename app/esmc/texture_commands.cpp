@@ -148,8 +148,10 @@ void declarePhoto(CLI::App& command, PhotoOptions& options) {
     command.add_option("--projector", options.projector, "Where the photograph is projected from (.json)")
         ->required();
     command
-        .add_option("--blend", options.blend,
-                    "Pixels of the photograph over which it fades in from its border and from outlines (24)")
+        .add_option(
+            "--blend", options.blend,
+            "Pixels of the photograph over which it fades in from its border, from what is left out of it "
+            "and from outlines (24)")
         ->check(nonNegativeNumber());
     addChoice(command, "--blending", options.blending, "How it mixes with what lies beneath (normal)");
     command.add_option("--name", options.name, "The layer's name (default: the photograph's)");

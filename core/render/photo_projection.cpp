@@ -11,7 +11,7 @@
 namespace esm {
 namespace {
 
-constexpr float largestMap = 1024;          ///< pixels of the depth map's longer side
+constexpr int mapSize = 1024;               ///< pixels of the depth map's longer side
 constexpr double nearestShare = 1.0 / 2000; ///< of the farthest depth, where an eye stands in the organ
 
 bool isPerspective(const ProjectedPhoto& projected) {
@@ -102,16 +102,14 @@ PhotoProjection::PhotoProjection(const GlFunctions& gl)
 /// anew only where photo, projector or surface are others.
 void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_ptr<const TriangleMesh>& mesh,
                            const Frame& frame) {
-    // A coarse picture, as of a photo that is dragged, shows no more than a map as coarse.
-    const int mapSize = static_cast<int>(std::min(largestMap, frame.pixels.maxCoeff()));
-    const bool isKnown = m_projected && mapSize == m_mapSize && mesh == m_mesh &&
-                         projected.photo == m_photo && projected.projector == m_projected->projector &&
-                         projected.blendPixels == m_projected->blendPixels;
+    const bool isKnown = m_projected && mesh == m_mesh && projected.photo == m_photo &&
+                         projected.projector == m_projected->projector &&
+                         projected.blendPixels == m_projected->blendPixels &&
+                         projected.fadesAtMask == m_projected->fadesAtMask;
     takeMesh(mesh, frame);
     takePhoto(projected.photo);
     takeBands(projected.bands);
     m_projected = projected;
-    m_mapSize = mapSize;
     Eigen::Matrix4d fromOrigin = Eigen::Matrix4d::Identity();
     fromOrigin.topRightCorner<3, 1>() = frame.origin;
     m_matrix = photoMatrix(projected.projector, sizeOf(*projected.photo)) * fromOrigin;
@@ -165,10 +163,11 @@ void PhotoProjection::takeBands(const std::shared_ptr<const Image>& bands) {
 /// The same as composing has, so that nothing changes when the drag ends.
 void PhotoProjection::takeFade() {
     m_side = commonSide(m_cache.sidesOf(m_projected->projector, *m_mesh));
+    const auto before = m_fade;
     m_fade = m_cache.fadeOf(
-        {m_projected->projector, m_photo, m_projected->blendPixels, m_projected->fadesAtHoles}, *m_mesh, {});
+        {m_projected->projector, m_photo, m_projected->blendPixels, m_projected->fadesAtMask}, *m_mesh, {});
     m_cache.finish();
-    if (m_fade) m_fadeTexture.upload(pictureOf(*m_fade), 0);
+    if (m_fade && m_fade != before) m_fadeTexture.upload(pictureOf(*m_fade), 0);
 }
 
 /// What lies between the projector and the farthest of the organ, no more: depth is only so fine. Before an
@@ -188,7 +187,7 @@ void PhotoProjection::measureDepth() {
 
 void PhotoProjection::drawDepth() {
     const int longer = std::max(m_photo->width, m_photo->height);
-    const auto sideOf = [&](int pixels) { return std::max(1, m_mapSize * pixels / longer); };
+    const auto sideOf = [&](int pixels) { return std::max(1, mapSize * pixels / longer); };
     m_seen.render(sideOf(m_photo->width), sideOf(m_photo->height), [&] {
         m_gl.Enable(GL_DEPTH_TEST);
         m_gl.DepthFunc(GL_LESS);
@@ -224,10 +223,9 @@ void PhotoProjection::bind(const GlProgram& program) const {
     program.set("fade", 5);
     program.set("bands", 6);
     program.set("hasBands", m_bands != nullptr);
-    const bool fades = m_fade && !m_fade->faded.empty();
-    program.set("fadeNodes",
-                fades ? Eigen::Vector2f(float(m_fade->columns), float(m_fade->rows)) : Eigen::Vector2f(0, 0));
-    program.set("fadeSpacing", fades ? float(m_fade->spacing) : 1.0F);
+    program.set("fadeNodes", m_fade ? Eigen::Vector2f(float(m_fade->columns), float(m_fade->rows))
+                                    : Eigen::Vector2f(0, 0));
+    program.set("fadeSpacing", m_fade ? float(m_fade->spacing) : 1.0F);
     m_vertexTexture.bind(GL_TEXTURE_BUFFER, 2);
     m_photoTexture->bind(GL_TEXTURE_2D, 3);
     m_seen.bind(4);

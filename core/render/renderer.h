@@ -60,7 +60,7 @@ struct ProjectedPhoto {
     double opacity = 1;     ///< 0 to 1
     Blending blending = Blending::Normal;
     bool isMasked = false;                ///< the texture's alpha is how much of it strokes have left
-    bool fadesAtHoles = false;            ///< see `fadesAtHoles`
+    bool fadesAtMask = false;             ///< see `fadesAtMask`
     std::shared_ptr<const Image> bands{}; ///< added to the photo, see `bandsAddedTo`; null for nothing
 };
 

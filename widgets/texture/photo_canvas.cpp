@@ -19,7 +19,7 @@ namespace {
 constexpr double mostMagnified = 16;
 constexpr int edge = 8; ///< widget pixels around the photo
 
-/// Of what is erased: neither tissue, blood, fat nor steel has it.
+/// Of what is erased: undyed tissue, blood, fat and steel are far from it.
 constexpr QRgb erasedColour = 0xff2f7dff;
 
 QColor amber(const QWidget& widget) {

@@ -148,10 +148,11 @@ QImage PictureMaker::drawnQuickly(const PictureDrawing& draw, const PictureConte
         PictureContent coarser = content;
         coarser.size = {std::max(1, content.size.width / 2), std::max(1, content.size.height / 2),
                         content.size.pixelRatio / 2, content.size.left / 2, content.size.bottom / 2};
-        const QImage image = drawn(draw, coarser, 0).image;
+        const DrawnPicture picture = drawn(draw, coarser, 0);
+        m_isVerySlow = 4 * picture.time > motionPatience;
         // Enlarged once and here: the view paints it at every move of the mouse.
-        QImage whole = image.scaled(content.size.width, content.size.height, Qt::IgnoreAspectRatio,
-                                    Qt::SmoothTransformation);
+        QImage whole = picture.image.scaled(content.size.width, content.size.height, Qt::IgnoreAspectRatio,
+                                            Qt::SmoothTransformation);
         whole.setDevicePixelRatio(content.size.pixelRatio);
         return whole;
     }

@@ -27,10 +27,9 @@ namespace {
 /// The camera turned about the organ for one of some photos, from the left to the right.
 Camera fannedOut(const Camera& camera, std::size_t photo, std::size_t photos) {
     if (photos < 2) return camera;
-    constexpr double widest = toRadians(120), farthestApart = toRadians(60);
-    const auto gaps = static_cast<double>(photos - 1);
-    const double apart = std::min(farthestApart, widest / gaps);
-    return orbited(camera, apart * (static_cast<double>(photo) - gaps / 2), 0);
+    const auto count = static_cast<double>(photos);
+    const double apart = std::min(toRadians(60), toRadians(360) / count);
+    return orbited(camera, apart * (static_cast<double>(photo) - (count - 1) / 2), 0);
 }
 
 } // namespace
@@ -132,7 +131,7 @@ void PhotoController::lay(const std::vector<std::shared_ptr<const Photo>>& photo
     });
     emit photoAdded();
     emit message(photos.size() > 1
-                     ? tr("Added %1 photos, side by side: drag each to its place").arg(photos.size())
+                     ? tr("Added %1 photos, around the organ: drag each to its place").arg(photos.size())
                      : tr("Added %1").arg(QString::fromStdString(photos.front()->fileName)));
 }
 

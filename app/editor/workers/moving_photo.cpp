@@ -85,7 +85,7 @@ std::optional<ProjectedPhoto> MovingPhoto::projected(const TextureComposer::Comp
     const TextureLayer& layer = partOf(m_project.layers, *m_layer);
     ProjectedPhoto projected{layer.projector, pictureOf(layer), borderInMotion(layer), layer.opacity,
                              layer.blending};
-    projected.fadesAtHoles = fadesAtHoles(layer);
+    projected.fadesAtMask = fadesAtMask(layer);
     if (over.moving != m_layer) return projected;
     projected.isMasked = over.isMasked;
     projected.bands = over.bands;

@@ -88,7 +88,8 @@ Layers changedLayers(const Layers& before, const Layers& after) {
         }
     }
     for (TextureLayer& layer : changed) {
-        layer.blending = Blending::Normal; // which decides no reach
+        layer.blending = Blending::Normal; // which decides no reach, nor does what fades within it
+        layer.preparation = {};
         for (auto& stroke : layer.strokes)
             if (copies(stroke->kind)) stroke = asColour(*stroke);
     }

@@ -1,7 +1,7 @@
 #include "core/texture/layers/composition_cache.h"
 
 #include "core/geometry/adjacency.h"
-#include "core/texture/layers/hole_feather.h"
+#include "core/texture/layers/mask_feather.h"
 #include "core/texture/layers/outline_feather.h"
 
 #include <algorithm>
@@ -66,14 +66,15 @@ std::shared_ptr<const SurfaceLighting> CompositionCache::lightingOf(const Projec
 std::shared_ptr<const PhotoFade> CompositionCache::fadeOf(const FadingPhoto& photo, const TriangleMesh& mesh,
                                                           const Progress& progress) {
     ProgressParts parts(progress);
-    std::shared_ptr<const PhotoFade> outlines, holes;
+    std::shared_ptr<const PhotoFade> outlines, masked;
     if (photo.projector.occlusion)
         outlines =
             outlinesOf({photo.projector, sizeOf(*photo.picture)}, photo.blendPixels, mesh, parts.next(0.8));
-    if (photo.atHoles) holes = holesOf(photo.picture, photo.blendPixels, parts.rest());
-    if (!holes || holes->faded.empty()) return outlines;
-    if (!outlines || outlines->faded.empty()) return holes;
-    return std::make_shared<const PhotoFade>(fadedByBoth(*outlines, *holes));
+    if (photo.atMask) masked = maskFadeOf(photo.picture, photo.blendPixels, parts.rest());
+    const bool hasOutlines = outlines && !outlines->faded.empty();
+    const bool isMasked = masked && !masked->faded.empty();
+    if (hasOutlines && isMasked) return std::make_shared<const PhotoFade>(fadedByBoth(*outlines, *masked));
+    return hasOutlines ? outlines : isMasked ? masked : nullptr;
 }
 
 std::shared_ptr<const PhotoFade> CompositionCache::outlinesOf(const ProjectedSize& projected,
@@ -91,14 +92,14 @@ std::shared_ptr<const PhotoFade> CompositionCache::outlinesOf(const ProjectedSiz
     return feather;
 }
 
-std::shared_ptr<const PhotoFade> CompositionCache::holesOf(const std::shared_ptr<const Image>& picture,
-                                                           double blendPixels, const Progress& progress) {
-    const auto same = [&](const PictureHoles& item) {
+std::shared_ptr<const PhotoFade> CompositionCache::maskFadeOf(const std::shared_ptr<const Image>& picture,
+                                                              double blendPixels, const Progress& progress) {
+    const auto same = [&](const MaskedPicture& item) {
         return item.picture == picture && item.blendPixels == blendPixels;
     };
-    if (const PictureHoles* known = usedAgain(m_holes.used, m_holes.before, same)) return known->feather;
-    auto feather = std::make_shared<const PhotoFade>(holeFeather(*picture, blendPixels, progress));
-    m_holes.used.push_back({picture, blendPixels, feather});
+    if (const MaskedPicture* known = usedAgain(m_masks.used, m_masks.before, same)) return known->feather;
+    auto feather = std::make_shared<const PhotoFade>(maskFeather(*picture, blendPixels, progress));
+    m_masks.used.push_back({picture, blendPixels, feather});
     return feather;
 }
 
@@ -152,7 +153,7 @@ void CompositionCache::finish() {
     m_healed = {{}, std::move(m_healed.used)};
     m_lighting = {{}, std::move(m_lighting.used)};
     m_outlines = {{}, std::move(m_outlines.used)};
-    m_holes = {{}, std::move(m_holes.used)};
+    m_masks = {{}, std::move(m_masks.used)};
 }
 
 } // namespace esm

@@ -63,8 +63,8 @@ struct ProjectorOutlines {
     std::shared_ptr<const PhotoFade> feather;
 };
 
-/// How a photo fades towards what is transparent of it, see `holeFeather`.
-struct PictureHoles {
+/// How a photo fades towards what is transparent of it, see `maskFeather`.
+struct MaskedPicture {
     std::shared_ptr<const Image> picture;
     double blendPixels;
     std::shared_ptr<const PhotoFade> feather;
@@ -75,7 +75,7 @@ struct FadingPhoto {
     Projector projector;
     std::shared_ptr<const Image> picture;
     double blendPixels;
-    bool atHoles; ///< see `fadesAtHoles`
+    bool atMask; ///< see `fadesAtMask`
 };
 
 /// What compositions of one surface make and the next one can use again. It changes no result. Nothing that
@@ -117,8 +117,8 @@ public:
 private:
     std::shared_ptr<const PhotoFade> outlinesOf(const ProjectedSize& projected, double blendPixels,
                                                 const TriangleMesh& mesh, const Progress& progress);
-    std::shared_ptr<const PhotoFade> holesOf(const std::shared_ptr<const Image>& picture, double blendPixels,
-                                             const Progress& progress);
+    std::shared_ptr<const PhotoFade> maskFadeOf(const std::shared_ptr<const Image>& picture,
+                                                double blendPixels, const Progress& progress);
     ShadowCaster shadowCaster(const TriangleMesh& mesh);
 
     template<typename Item> struct Generation { std::vector<Item> used, before; };
@@ -133,7 +133,7 @@ private:
     Generation<HealedStroke> m_healed;
     Generation<ProjectorLighting> m_lighting;
     Generation<ProjectorOutlines> m_outlines;
-    Generation<PictureHoles> m_holes;
+    Generation<MaskedPicture> m_masks;
 };
 
 } // namespace esm

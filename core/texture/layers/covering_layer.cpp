@@ -38,7 +38,8 @@ double borderShare(const Eigen::Vector2d& pixel, const Image& photo, double blen
     return blendPixels > 0 ? std::min(1.0, nearest / blendPixels) : 1;
 }
 
-/// The share of a layer's photo at a point, 0 to 1.
+/// The share of a layer's photo at a point, 0 to 1, but for how it fades towards outlines and its mask: that
+/// is no reason to say that nothing hides what is painted.
 double photoShare(const TextureLayer& layer, const SurfacePoint& point, const SurfaceQuery& surface) {
     const Image& picture = *pictureOf(layer);
     const auto place = project(layer.projector, sizeOf(picture), point.place);

@@ -34,7 +34,7 @@ std::shared_ptr<PreparedLayer> preparedLayer(const TextureLayer& layer, const Li
         if (layer.projector.occlusion)
             made->lighting =
                 cache.lightingOf({layer.projector, sizeOf(*picture)}, surface.mesh, parts.next(0.7));
-        made->fade = cache.fadeOf({layer.projector, picture, layer.blendPixels, fadesAtHoles(layer)},
+        made->fade = cache.fadeOf({layer.projector, picture, layer.blendPixels, fadesAtMask(layer)},
                                   surface.mesh, parts.rest());
     }
     for (const auto& stroke : layer.strokes)
@@ -138,7 +138,7 @@ SampledPicture LayerStack::blendedInBands(const PreparedLayer& made, Composition
         mask = surfaceBeneath(
             LayerStack(m_surface.mesh, patches, {paintedMask(made.layer.strokes)}, white, cache), *m_query,
             plane, parts.next(0.3));
-    if (made.fade && !made.fade->faded.empty()) {
+    if (made.fade) {
         if (mask.empty()) mask = whitePicture(plane.picture);
         eraseOutlines(mask, photo, *made.fade);
     }

@@ -45,7 +45,8 @@ double nodeSpacing(double blendPixels) {
 
 PhotoFade unfaded(PhotoSize photo, double blendPixels) {
     PhotoFade fade;
-    fade.spacing = nodeSpacing(blendPixels);
+    constexpr double mostNodes = 4096; // a side: more are none the finer for a photo so large, and no texture
+    fade.spacing = std::max(nodeSpacing(blendPixels), std::max(photo.width, photo.height) / mostNodes);
     fade.columns = static_cast<int>(std::ceil(photo.width / fade.spacing)) + 1;
     fade.rows = static_cast<int>(std::ceil(photo.height / fade.spacing)) + 1;
     fade.faded.resize(static_cast<std::size_t>(fade.columns) * static_cast<std::size_t>(fade.rows));

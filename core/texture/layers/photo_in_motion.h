@@ -23,7 +23,8 @@ struct LaidTexture {
 };
 
 /// What blending in bands adds to a layer's photo, see `bandsAddedTo`, coarse enough to be made for each
-/// place of the projector. Precondition: the layer has a photo.
+/// place of the projector. Bands are then made for what the photo is drawn on, layers above it too, where
+/// those of a photo at rest are made for what lies beneath it. Precondition: the layer has a photo.
 /// @throws Cancelled
 Image bandsInMotion(const LaidTexture& texture, const TextureLayer& layer, CompositionCache& cache,
                     const Progress& progress = {});

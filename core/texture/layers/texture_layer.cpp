@@ -39,8 +39,8 @@ bool looksTheSame(const TextureLayer& a, const TextureLayer& b) {
            a.blending == b.blending && a.strokes == b.strokes;
 }
 
-bool fadesAtHoles(const TextureLayer& layer) {
-    return layer.prepared && layer.blending != Blending::MultiBand;
+bool fadesAtMask(const TextureLayer& layer) {
+    return layer.prepared && layer.preparation.leavesOut() && layer.blending != Blending::MultiBand;
 }
 
 bool isLaid(const TextureLayer& layer) {

@@ -22,8 +22,9 @@ struct TextureLayer : Identified<TextureLayer> {
     std::string name;
     std::shared_ptr<const Photo> photo; ///< null in a layer that is only painted
     Projector projector;
-    double blendPixels = 24; ///< photo pixels over which the weight rises from 0 at the border to 1 [R 4.3.3]
-    double opacity = 1;      ///< 0 to 1
+    /// Photo pixels over which the weight rises from 0 at the border, or at what is left out, to 1 [R 4.3.3].
+    double blendPixels = 24;
+    double opacity = 1; ///< 0 to 1
     bool visible = true;
     PhotoPreparation preparation;
     Derived<Image> prepared; ///< what it makes of the photo; null where it does nothing
@@ -56,10 +57,10 @@ bool projectsTheSame(const TextureLayer& a, const TextureLayer& b);
 /// Whether two layers show the same colours, whatever their names and their finish.
 bool looksTheSame(const TextureLayer& a, const TextureLayer& b);
 
-/// Whether a layer's photo fades towards what is transparent of it, as towards its sides: where preparing it
-/// left parts out. What its own file has as alpha somebody drew so, and where it is blended in bands its
-/// colours agree with those beneath.
-bool fadesAtHoles(const TextureLayer& layer);
+/// Whether a layer's photo fades towards what is masked of it, as towards its sides: where preparing it
+/// leaves parts out. A photo whose file alone is transparent somewhere was drawn so, and where one is blended
+/// in bands its colours agree with those beneath.
+bool fadesAtMask(const TextureLayer& layer);
 
 /// Whether a layer may lie somewhere on the surface, though perhaps without its colour.
 bool isLaid(const TextureLayer& layer);

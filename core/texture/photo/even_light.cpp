@@ -25,6 +25,8 @@ constexpr int termCount = (degrees + 1) * (degrees + 2) / 2;
 
 using Terms = Eigen::Matrix<double, termCount, 1>;
 
+constexpr float noLight = -1; ///< luminance of what is transparent, which is not dark
+
 /// Mean luminance of the part of the photo that a coarse pixel stands for, and how much of it counts.
 cv::Vec2f meanLuminance(const Image& photo, const cv::Rect& part) {
     double luminance = 0, weight = 0;
@@ -34,7 +36,7 @@ cv::Vec2f meanLuminance(const Image& photo, const cv::Rect& part) {
             luminance += p[3] * (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]);
             weight += p[3];
         }
-    if (!(weight > 0)) return {0, 0};
+    if (!(weight > 0)) return {noLight, 0};
     return {static_cast<float>(luminance / weight), static_cast<float>(weight / (255.0 * part.area()))};
 }
 
@@ -122,7 +124,7 @@ void spareTheDark(const cv::Mat& small, cv::Mat& gains) {
         for (int x = 0; x < small.cols; ++x) {
             float& gain = gains.at<float>(y, x);
             const float luminance = small.at<cv::Vec2f>(y, x)[0];
-            if (gain <= 1 || luminance == 0) continue; // black stays so; what is transparent is not dark
+            if (gain <= 1 || luminance == noLight) continue;
             const double share = smoothStep(darkestLight, raisedInFull, luminance);
             gain = static_cast<float>(1 + share * (gain - 1));
         }

@@ -6,7 +6,9 @@
 #include <opencv2/photo.hpp>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace esm {
@@ -22,6 +24,49 @@ bool isOpaque(const std::uint8_t* pixel) {
     return pixel[3] > 0;
 }
 
+int brightestOf(const std::uint8_t* pixel) {
+    return std::max({pixel[0], pixel[1], pixel[2]});
+}
+
+/// The least and the greatest share that a channel has of the brightest one, of four fifths of the pixels
+/// that are usable.
+std::pair<float, float> usualShares(const cv::Mat& colours, const cv::Mat& unusable, int channel) {
+    std::vector<float> shares;
+    for (int y = 0; y < colours.rows; ++y)
+        for (int x = 0; x < colours.cols; ++x) {
+            const std::uint8_t* pixel = colours.ptr<std::uint8_t>(y, x);
+            if (unusable.at<std::uint8_t>(y, x) == 0 && brightestOf(pixel) > 0)
+                shares.push_back(static_cast<float>(pixel[channel]) / static_cast<float>(brightestOf(pixel)));
+        }
+    if (shares.empty()) return {0.0F, 1.0F};
+    const auto tenth = static_cast<std::ptrdiff_t>(shares.size() / 10);
+    const auto least = shares.begin() + tenth, most = shares.end() - 1 - tenth;
+    std::nth_element(shares.begin(), least, shares.end());
+    const float low = *least;
+    std::nth_element(shares.begin(), most, shares.end());
+    return {low, *most};
+}
+
+/// Keeps what was filled within the usual hues of what it was filled from. Filling goes on with the slope of
+/// colours at the rim: where a lens left the faintest lilac there, it ends in magenta.
+void keepHues(cv::Mat& filled, const cv::Mat& unusable) {
+    std::array<std::pair<float, float>, 3> usual;
+    for (int channel = 0; channel < 3; ++channel)
+        usual[static_cast<std::size_t>(channel)] = usualShares(filled, unusable, channel);
+    for (int y = 0; y < filled.rows; ++y)
+        for (int x = 0; x < filled.cols; ++x) {
+            if (unusable.at<std::uint8_t>(y, x) == 0) continue;
+            std::uint8_t* pixel = filled.ptr<std::uint8_t>(y, x);
+            const auto brightest = static_cast<float>(brightestOf(pixel));
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                const auto [least, most] = usual[channel];
+                const float kept =
+                    std::clamp(static_cast<float>(pixel[channel]), least * brightest, most * brightest);
+                pixel[channel] = static_cast<std::uint8_t>(kept + 0.5F);
+            }
+        }
+}
+
 /// The part of a photo around a highlight and which of its pixels a highlight must not be filled from, at
 /// best and at any rate. What is nearly black is the outside of a field or a hollow: filled from there a
 /// highlight at the rim would become a dark hole.
@@ -34,6 +79,7 @@ struct Surroundings {
             if (cv::countNonZero(unusable) == static_cast<int>(unusable.total())) continue;
             cv::Mat result;
             cv::inpaint(colours, unusable, result, inpaintRadius, cv::INPAINT_TELEA);
+            keepHues(result, unusable);
             return result;
         }
         return {};

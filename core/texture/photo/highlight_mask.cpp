@@ -1,3 +1,4 @@
+#include "core/texture/photo/highlight_fringes.h"
 #include "core/texture/photo/highlights.h"
 
 #include <opencv2/imgproc.hpp>
@@ -247,11 +248,11 @@ int rimFor(const cv::Mat& photo, int pixelsPerRim) {
 }
 
 /// With a rim of so many pixels around it, where the photo has alpha.
-PixelMask withRim(const cv::Mat& mask, const cv::Mat& opaque, int rim) {
+cv::Mat withRim(const cv::Mat& mask, const cv::Mat& opaque, int rim) {
     cv::Mat wider;
     cv::dilate(mask, wider, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * rim + 1, 2 * rim + 1}));
     cv::bitwise_and(wider, opaque, wider);
-    return pixelMaskOf(wider);
+    return wider;
 }
 
 /// The longer side of a photo, pixels, beyond which it is looked at smaller: flecks of so large a photo are
@@ -264,7 +265,9 @@ PixelMask flecksOf(const Image& photo, double sensitivity) {
     const Brightness brightness = brightnessOf(photo);
     const cv::Mat shine = shineOfFlecks(brightness, 250 - 40 * sensitivity);
     const cv::Mat rims = rimsOf(shine, needed);
-    return withRim(strongParts(rims, shine, needed), brightness.opaque, rimFor(shine, 640));
+    cv::Mat flecks = withRim(strongParts(rims, shine, needed), brightness.opaque, rimFor(shine, 640));
+    addFringes(flecks, photo, rimFor(shine, 160));
+    return pixelMaskOf(flecks);
 }
 
 Image shrunk(const Image& photo) {
@@ -307,7 +310,8 @@ PixelMask highlightMask(const Image& photo, double sensitivity) {
 PixelMask highlightsAbove(const Image& photo, int threshold) {
     if (photo.empty()) return {};
     const Brightness brightness = brightnessOf(photo);
-    return withRim(brightness.darkest > threshold, brightness.opaque, rimFor(brightness.darkest, 480));
+    return pixelMaskOf(
+        withRim(brightness.darkest > threshold, brightness.opaque, rimFor(brightness.darkest, 480)));
 }
 
 } // namespace esm

@@ -52,6 +52,8 @@ struct PhotoPreparation {
     ColourAdjustment adjustment;   ///< as people like it; of what all before leaves
 
     bool isNothing() const;
+    /// Whether parts of the photo may become transparent.
+    bool leavesOut() const { return field || !strokes.empty() || lens || crop; }
     bool fillsHighlights() const { return highlightThreshold || highlightSensitivity; }
 
     bool operator==(const PhotoPreparation&) const = default;

@@ -1,6 +1,7 @@
 #include "core/texture/projection/photo_reach.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace esm {
 
@@ -20,10 +21,14 @@ bool mayMeet(const Eigen::Matrix<double, 4, 3>& corners, PhotoSize photo) {
 
 bool mayMeet(const Projector& projector, PhotoSize photo, const TriangleMesh& mesh) {
     const Eigen::Matrix4d matrix = photoMatrix(projector, photo);
+    std::vector<Eigen::Vector4d> seen;
+    seen.reserve(mesh.vertices.size());
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+        seen.emplace_back(matrix * vertex.homogeneous());
     return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& triangle) {
         Eigen::Matrix<double, 4, 3> corners;
         for (std::size_t i = 0; i < 3; ++i)
-            corners.col(static_cast<Eigen::Index>(i)) = matrix * mesh.vertices[triangle[i]].homogeneous();
+            corners.col(static_cast<Eigen::Index>(i)) = seen[triangle[i]];
         return mayMeet(corners, photo);
     });
 }

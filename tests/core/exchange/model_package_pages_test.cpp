@@ -123,6 +123,8 @@ TEST_F(ModelPackageFile, HoldsItsPagesAsJpegWhereAsked) {
     EXPECT_LT(difference / static_cast<double>(exact.textures[0].pixels.size()), 4);
     const Json images = parseGlb(readFile(m_file)).json["images"];
     EXPECT_EQ(images[0]["mimeType"], "image/jpeg");
+    EXPECT_EQ(images[0]["name"], "page 1");
+    EXPECT_EQ(images[1]["name"], "preview");
     EXPECT_EQ(images[1]["mimeType"], "image/png") << "the preview";
     means.drawPreview = {};
     expectReadIndependently(project, m_folder.path(), means);

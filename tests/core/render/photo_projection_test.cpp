@@ -74,6 +74,7 @@ protected:
         RenderScene scene = sceneOf({});
         scene.projectedPhoto = ProjectedPhoto{layer.projector, pictureOf(layer), layer.blendPixels,
                                               layer.opacity, layer.blending};
+        scene.projectedPhoto->fadesAtMask = fadesAtMask(layer);
         return renderOffscreen(scene, camera, side, side);
     }
     Image baked() const { return renderOffscreen(sceneOf({layer}), camera, side, side); }
@@ -211,6 +212,18 @@ TEST_F(PhotoInMotion, IsNearlyWhatBlendingInBandsMakesOfIt) {
     const double with = compared(renderOffscreen(scene, camera, side, side), blended, beneath).mean;
     EXPECT_LT(with, 5);
     EXPECT_GT(without, 4 * with);
+}
+
+TEST_F(PhotoInMotion, FadesTowardsItsMaskAsWhenItIsPainted) {
+    place(ProjectorKind::Perspective, 0);
+    const Image sharp = baked();
+    layer.prepared = pictureOf(layer);
+    layer.preparation.crop = PhotoCrop{0, 0, 320, 240}; // as if it had left out what is transparent
+    for (const bool occlusion : {true, false}) {
+        layer.projector.occlusion = occlusion;
+        EXPECT_LT(compared(projected(), baked(), bare()).mean, 2) << occlusion;
+    }
+    EXPECT_GT(compared(projected(), sharp, bare()).mean, 3) << "it ended sharp before";
 }
 
 TEST_F(PhotoInMotion, WithoutAPhotoProjectsNothing) {

@@ -111,11 +111,16 @@ TEST_F(PictureMakerTest, APhotoInMotionIsDrawnCoarselyWhereWholePicturesAreLate)
         drawOne();
     }
     EXPECT_EQ(drawnWidths, (std::vector<int>{100, 100, 100, 50, 100})) << "the smooth one at rest is whole";
+    maker.ask(content);
+    drawOne();
+    EXPECT_EQ(drawnWidths.back(), 50);
+    EXPECT_EQ(maker.picture().image.size(), QSize(100, 80)) << "enlarged before it is shown";
+    drawOne();
     content.scene.projectedPhoto.reset();
     maker.ask(content);
     drawOne();
     drawOne();
-    EXPECT_EQ(drawnWidths[5], 100);
+    EXPECT_EQ(drawnWidths[7], 100) << "without a photo";
 }
 
 TEST_F(PictureMakerTest, SaysWhyThereIsNoPictureAndGoesOn) {

@@ -299,7 +299,10 @@ void PhotoDialog::showPhoto() {
     m_canvas->setStrokes(wanted.strokes);
     m_canvas->setCrop(wanted.crop);
     m_fieldPage->showField();
-    if (isStraightened(*layer)) m_canvas->setField({}); // it lies on the photo as it was taken
+    if (isStraightened(*layer)) { // both lie on the photo as it was taken
+        m_canvas->setField({});
+        m_canvas->setStrokes({});
+    }
     m_highlightPage->showHighlights();
     m_whitePage->showBalance();
     m_adjustPage->showAdjustment();

@@ -41,7 +41,7 @@ PhotoPanel::PhotoPanel(Document& document, Selection& selection, QWidget* parent
     connectControls();
     connect(&selection, &Selection::changed, this, &PhotoPanel::show);
     connect(&document, &Document::changed, this, [this](const Change& change) {
-        if (change.layers) show();
+        if (change.layers || change.mesh) show();
     });
     show();
 }

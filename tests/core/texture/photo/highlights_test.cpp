@@ -29,6 +29,40 @@ TEST(Highlights, AreFilledFromTheirSurroundingsAndNothingElseChanges) {
     EXPECT_EQ(fillHighlights(white, highlightMask(white, usualSensitivity)), 0U);
 }
 
+/// As a lens of little correction shows a fleck: white with a lilac rim. A vessel as lilac farther off stays.
+TEST(Highlights, LeaveNoLilacOfTheirRims) {
+    const Image photo = drawnPhoto(480, 360, [](int x, int y) -> Channels {
+        const double away = std::hypot(x - 240, y - 180);
+        if (away < 7) return {255, 250, 252, 255};
+        if (away < 10) return {190, 120, 175, 255};
+        if (std::abs(x - 320) < 3) return {150, 60, 120, 255};
+        return {150 + scattered(x, y, 20), 60 + scattered(y, x, 20), 50, 255};
+    });
+    const PixelMask mask = highlightMask(photo, usualSensitivity);
+    Image filled = photo;
+    fillHighlights(filled, mask);
+    for (int y = 150; y < 210; ++y)
+        for (int x = 210; x < 270; ++x)
+            EXPECT_LE(filled.at(x, y)[2], 60) << x << ' ' << y;
+    for (int y = 0; y < 360; ++y)
+        EXPECT_EQ(colourOf(filled, 320, y), colourOf(photo, 320, y)) << y;
+}
+
+/// Blue dye, and the green of a fluorescing one, which has no red at all.
+TEST(Highlights, KeepTheColoursOfDyedTissue) {
+    for (const Channels& dyed : {Channels{90, 80, 170, 255}, Channels{0, 150, 40, 255}}) {
+        const Image photo = drawnPhoto(480, 360, [&](int x, int y) -> Channels {
+            return std::hypot(x - 240, y - 180) < 7 ? Channels{255, 255, 255, 255} : dyed;
+        });
+        const PixelMask mask = highlightMask(photo, usualSensitivity);
+        EXPECT_LT(std::count(mask.begin(), mask.end(), 255), 700) << "what is dyed is no rim";
+        Image filled = photo;
+        EXPECT_GT(fillHighlights(filled, mask), 100U);
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(filled.at(240, 180)[channel], dyed[std::size_t(channel)], 6);
+    }
+}
+
 TEST(Highlights, AtTheRimAreFilledFromTissueAlone) {
     // A bright spot between tissue at the left and, at the right, what is black or left out.
     for (const int alpha : {0, 255}) {
