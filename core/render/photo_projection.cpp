@@ -11,7 +11,6 @@
 namespace esm {
 namespace {
 
-constexpr int mapSize = 1024;               ///< pixels of the depth map's longer side
 constexpr double nearestShare = 1.0 / 2000; ///< of the farthest depth, where an eye stands in the organ
 
 bool isPerspective(const ProjectedPhoto& projected) {
@@ -47,6 +46,31 @@ SeenSide commonSide(const std::vector<SeenSide>& sides) {
     return isOne && !sides.empty() ? sides.front() : SeenSide::Both;
 }
 
+/// Pixels of the picture across the photo's longer side where it meets the organ's middle; endless from
+/// within the organ.
+double pixelsAcross(const ProjectedPhoto& projected, const Frame& frame) {
+    const PhotoSize photo = sizeOf(*projected.photo);
+    const Projector& projector = projected.projector;
+    const double depth = photoMatrix(projector, photo).row(3).dot(frame.origin.homogeneous());
+    const double metresPerPhotoPixel =
+        isPerspective(projected) ? depth / intrinsicsOf(projector, photo).fx : projector.width / photo.width;
+    const double away = (frame.projection * frame.view).col(3).w(); // of the middle; 1 without perspective
+    if (!(depth > 0) || !(away > 0)) return std::numeric_limits<double>::infinity();
+    const double pixelsPerMetre = 0.5 * frame.pixels.y() * frame.projection(1, 1) / away;
+    return std::max(photo.width, photo.height) * metresPerPhotoPixel * pixelsPerMetre;
+}
+
+/// Pixels of the depth map's longer side: about those of the picture, as drawing without a graphics card goes
+/// by them, in few steps, as each is drawn anew.
+int mapSizeFor(double pixels) {
+    constexpr int smallest = 256, largest = 1024;
+    constexpr double nearer = 1.5; // parts of the surface than its middle
+    int size = smallest;
+    while (size < largest && size < nearer * pixels)
+        size *= 2;
+    return size;
+}
+
 } // namespace
 
 GlDepthMap::GlDepthMap(const GlFunctions& gl) : m_gl(gl) {
@@ -69,8 +93,6 @@ void GlDepthMap::begin(int width, int height) {
             m_gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
         for (const GLenum wrap : std::array<GLenum, 2>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
             m_gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-        m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
         m_gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_texture, 0);
         m_gl.DrawBuffer(GL_NONE);
         m_gl.ReadBuffer(GL_NONE);
@@ -99,7 +121,7 @@ PhotoProjection::PhotoProjection(const GlFunctions& gl)
 /// A shadow map (Williams 1978, Casting curved shadows on curved surfaces): the organ is drawn once from the
 /// projector, depth alone, and a pixel on the screen is lit where it lies no deeper than that map says.
 /// Composing follows rays, which is exact and takes too long for each picture of a drag. The map is drawn
-/// anew only where photo, projector or surface are others.
+/// anew only where photo, projector or surface are others, or its size.
 void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_ptr<const TriangleMesh>& mesh,
                            const Frame& frame) {
     const bool isKnown = m_projected && mesh == m_mesh && projected.photo == m_photo &&
@@ -118,9 +140,10 @@ void PhotoProjection::take(const ProjectedPhoto& projected, const std::shared_pt
     const Eigen::Vector3f light = isPerspective(projected) ? frame.local(pose.translation())
                                                            : pose.linear().col(2).cast<float>().eval();
     m_light = {light.x(), light.y(), light.z(), isPerspective(projected) ? 1.0F : 0.0F};
-    if (isKnown) return;
-    takeFade();
-    if (!projected.projector.occlusion) return;
+    if (!isKnown) takeFade();
+    const int mapSize = mapSizeFor(pixelsAcross(projected, frame));
+    if (!projected.projector.occlusion || (isKnown && mapSize == m_mapSize)) return;
+    m_mapSize = mapSize;
     measureDepth();
     drawDepth();
 }
@@ -187,7 +210,7 @@ void PhotoProjection::measureDepth() {
 
 void PhotoProjection::drawDepth() {
     const int longer = std::max(m_photo->width, m_photo->height);
-    const auto sideOf = [&](int pixels) { return std::max(1, mapSize * pixels / longer); };
+    const auto sideOf = [&](int pixels) { return std::max(1, m_mapSize * pixels / longer); };
     m_seen.render(sideOf(m_photo->width), sideOf(m_photo->height), [&] {
         m_gl.Enable(GL_DEPTH_TEST);
         m_gl.DepthFunc(GL_LESS);

@@ -71,6 +71,7 @@ private:
     std::shared_ptr<const Image> m_bands;
     GlTexture m_fadeTexture, m_bandTexture;
     std::shared_ptr<const PhotoFade> m_fade; ///< null where nothing fades
+    int m_mapSize = 0;                       ///< pixels of the depth map's longer side
     SeenSide m_side = SeenSide::Both;        ///< that is coloured, of the whole surface
     CompositionCache m_cache;                ///< of the mesh
     std::optional<ProjectedPhoto> m_projected;

@@ -19,8 +19,7 @@ namespace {
 constexpr const char* photoWeights = R"(
 in vec4 photoPlace; // the place in the photo (x w, y w, w), pixels, and the depth before the projector
 in vec3 rest, restNormal; // on the organ at rest
-uniform sampler2D photo, fade, bands;
-uniform sampler2DShadow seen;
+uniform sampler2D photo, seen, fade, bands;
 uniform vec2 photoPixels, depths, fadeNodes;
 uniform vec4 light;
 uniform int seenSide; // 0: the outside, 1: the inside, 2: both
@@ -28,10 +27,10 @@ uniform bool isPerspective, occlusion, falloff, hasBands;
 uniform int blending; // a Blending
 uniform float blendPixels, opacity, tolerance, fadeSpacing;
 
-// As the depth map holds it.
-float mapDepth(float depth) {
+// Of what the depth map holds, before the projector.
+float depthOf(float held) {
     float near = depths.x, far = depths.y;
-    return isPerspective ? far * (1.0 - near / max(depth, near)) / (far - near) : (depth - near) / (far - near);
+    return isPerspective ? near * far / (far - held * (far - near)) : mix(near, far, held);
 }
 
 float borderWeight(vec2 pixel) {
@@ -49,12 +48,10 @@ float cosineSeen(float cosine) {
     return seenSide == 2 ? abs(cosine) : max(0.0, seenSide == 1 ? -cosine : cosine);
 }
 
-// What a ray would find to lie so far before the place that it hides it, tried at three depths.
+// By how far what the map shows lies before the place, as for a ray; a map is less exact near the surface.
 float seenShare(vec2 place) {
-    float share = 0.0;
-    for (float before = 5.0; before < 20.0; before += 5.0)
-        share += texture(seen, vec3(place, clamp(mapDepth(photoPlace.w - before * tolerance), 0.0, 1.0)));
-    return share / 3.0;
+    float before = photoPlace.w - depthOf(texture(seen, place).r);
+    return 1.0 - smoothstep(5.0 * tolerance, 20.0 * tolerance, before);
 }
 
 float fadeWeight(vec2 pixel) {
