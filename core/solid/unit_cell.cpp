@@ -19,7 +19,7 @@ constexpr int quarters = 4;
 using GridTetrahedron = std::array<Vector3i, 4>;
 
 /// A kind of neighbour: how far, and the constant of the springs to all of them.
-struct Shell {
+struct NeighbourShell {
     double distance; ///< in spacings
     double constant; ///< relative
 };
@@ -27,7 +27,7 @@ struct Shell {
 struct CellPlan {
     double edge; ///< in spacings
     std::vector<Vector3i> sites;
-    std::vector<Shell> shells;
+    std::vector<NeighbourShell> shells;
     std::vector<GridTetrahedron> tetrahedra;
 };
 
@@ -116,6 +116,8 @@ CellPlan planOf(LatticeKind kind) {
     return diamondPlan(false);
 }
 
+// Of a place its cell is that of its quarters rounded down, and the site what is left; every corner of every
+// tetrahedron is a site, which a test asks.
 /// The site at a place of the grid.
 CellSite siteAt(const CellPlan& plan, const Vector3i& place) {
     const Vector3i cell =
@@ -136,7 +138,7 @@ std::vector<CellSpring> springsOf(const CellPlan& plan, const UnitCell& cell) {
                 const bool isForward =
                     way.x() != 0 ? way.x() > 0 : (way.y() != 0 ? way.y() > 0 : way.z() > 0);
                 const double length = plan.edge / quarters * way.cast<double>().norm();
-                for (const Shell& shell : plan.shells)
+                for (const NeighbourShell& shell : plan.shells)
                     if (isForward && std::abs(length - shell.distance) < 1e-9)
                         springs.push_back({first, second, shell.constant});
             }
